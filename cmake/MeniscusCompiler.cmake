@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: MIT
+#
+# Flags common to all targets, and the helper that makes one library a folder.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+find_program(MENISCUS_CCACHE ccache)
+if(MENISCUS_CCACHE AND PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${MENISCUS_CCACHE})
+  set(CMAKE_CUDA_COMPILER_LAUNCHER ${MENISCUS_CCACHE})
+endif()
+
+add_library(meniscus_flags INTERFACE)
+target_include_directories(meniscus_flags INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include>)
+# Equal bits on every processor: no fused multiply-add behind our back. Without errno, sqrtf is one instruction.
+set(meniscus_host_flags -Wall -Wextra -Wshadow -ffp-contract=off -fno-math-errno)
+target_compile_options(meniscus_flags INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:${meniscus_host_flags}>
+  $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-O3>)
+
+if(MENISCUS_SANITIZE)
+  target_compile_options(meniscus_flags INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${MENISCUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all>)
+  target_link_options(meniscus_flags INTERFACE -fsanitize=${MENISCUS_SANITIZE})
+endif()
+
+# meniscus_library(NAME SOURCES... [CUDA SOURCES...] [LINK TARGETS...]): CUDA sources count where CUDA is on.
+function(meniscus_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;CUDA;LINK" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC meniscus_flags ${arg_LINK})
+  if(MENISCUS_CUDA)
+    target_sources(${name} PRIVATE ${arg_CUDA})
+    target_compile_definitions(${name} PUBLIC MENISCUS_HAS_CUDA=1)
+  endif()
+endfunction()

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/mesh.h"
+
+#include <meniscus/error.h>
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "collision/mesh_clean.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+constexpr size_t most_vertices = std::numeric_limits<uint32_t>::max();
+// Sizes, m, at which products of six lengths stay clear of the ends of float.
+constexpr float smallest_size = 1e-6f, largest_size = 1e6f;
+
+[[noreturn]] void refuse(ErrorCode code, const std::string& path, const std::string& why) {
+  throw Error(code, "mesh file '" + path + "' " + why);
+}
+
+void check_arguments(const std::string& path, float scale) {
+  if (!(scale > 0) || !std::isfinite(scale)) {
+    throw Error(ErrorCode::invalid_argument, "scale of mesh file '" + path + "' is " + std::to_string(scale) +
+                                                 ": it must be a positive number of metres a file unit");
+  }
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(path, status))
+    refuse(ErrorCode::io, path, "is not there, or is not a file");
+  if (std::filesystem::file_size(path, status) == 0) refuse(ErrorCode::mesh, path, "is empty");
+}
+
+// A mesh that hangs on several nodes is there several times.
+struct PlacedNode {
+  const aiNode* node;
+  aiMatrix4x4 to_world;
+};
+
+// Parents before children. A list and not a recursion, since a file decides on the depth.
+std::vector<PlacedNode> placed_nodes(const aiScene& scene) {
+  std::vector<PlacedNode> nodes;
+  if (scene.mRootNode) nodes.push_back({scene.mRootNode, scene.mRootNode->mTransformation});
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const PlacedNode parent = nodes[i];
+    for (unsigned c = 0; c < parent.node->mNumChildren; ++c) {
+      const aiNode* child = parent.node->mChildren[c];
+      nodes.push_back({child, parent.to_world * child->mTransformation});
+    }
+  }
+  return nodes;
+}
+
+void append_vertices(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& to_world, float scale,
+                     const std::string& path) {
+  if (soup.vertices.size() + part.mNumVertices > most_vertices) {
+    refuse(ErrorCode::mesh, path, "has more than " + std::to_string(most_vertices) + " vertices");
+  }
+  for (unsigned v = 0; v < part.mNumVertices; ++v) {
+    const aiVector3D p = to_world * part.mVertices[v];
+    const Vec3 vertex = scale * Vec3{p.x, p.y, p.z};
+    if (!is_finite(vertex)) {
+      refuse(ErrorCode::mesh, path,
+             "has a vertex that is not finite: number " + std::to_string(v) + " of its part '" +
+                 part.mName.C_Str() + "', at scale " + std::to_string(scale));
+    }
+    soup.vertices.push_back(vertex);
+  }
+}
+
+void append_part(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& to_world, float scale,
+                 const std::string& path) {
+  const auto first = static_cast<uint32_t>(soup.vertices.size());
+  append_vertices(soup, part, to_world, scale, path);
+  const bool mirrored = to_world.Determinant() < 0;  // which would turn the inside out
+  for (unsigned f = 0; f < part.mNumFaces; ++f) {
+    const aiFace& face = part.mFaces[f];
+    if (face.mNumIndices != 3) continue;  // a point or a line
+    std::array<uint32_t, 3> corners{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
+    for (uint32_t& corner : corners) {
+      if (corner >= part.mNumVertices)
+        refuse(ErrorCode::mesh, path, "has a face that names a vertex it lacks");
+      corner += first;
+    }
+    if (mirrored) std::swap(corners[1], corners[2]);
+    soup.triangles.push_back(corners);
+  }
+}
+
+void check_size(const TriangleMesh& mesh, const std::string& path) {
+  const Aabb box = bounds(mesh);
+  const float size = max_component(box.upper - box.lower);
+  if (size >= smallest_size && size <= largest_size) return;
+  std::ostringstream why;
+  why << "measures " << size << " m after scaling: from " << smallest_size << " to " << largest_size
+      << " m are allowed";
+  refuse(ErrorCode::mesh, path, why.str());
+}
+
+}  // namespace
+
+TriangleMesh load_mesh(const std::string& path, float scale) {
+  check_arguments(path, scale);
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
+  if (!scene) refuse(ErrorCode::io, path, std::string("cannot be read: ") + importer.GetErrorString());
+
+  TriangleMesh soup;
+  for (const PlacedNode& placed : placed_nodes(*scene)) {
+    for (unsigned m = 0; m < placed.node->mNumMeshes; ++m) {
+      append_part(soup, *scene->mMeshes[placed.node->mMeshes[m]], placed.to_world, scale, path);
+    }
+  }
+  TriangleMesh mesh = clean_mesh(soup);
+  if (mesh.triangles.empty()) refuse(ErrorCode::mesh, path, "has no triangle with an area");
+  check_size(mesh, path);
+  return mesh;
+}
+
+Aabb bounds(const TriangleMesh& mesh) {
+  Aabb box{mesh.vertices.front(), mesh.vertices.front()};
+  for (Vec3 v : mesh.vertices) box = {min(box.lower, v), max(box.upper, v)};
+  return box;
+}
+
+double signed_volume(const TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) return 0;
+  const Aabb box = bounds(mesh);
+  const Vec3 centre = 0.5f * (box.lower + box.upper);
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.vertices[t[0]] - centre, b = mesh.vertices[t[1]] - centre,
+               c = mesh.vertices[t[2]] - centre;
+    sum += dot(a, cross(b, c));
+  }
+  return sum / 6;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of the density constraint, for particles in the open. Those that touch a wall are passed over
+// here; they have kernels of their own in density_wall_kernels.h, which see images too.
+#pragma once
+
+#include "fluid/kernel.h"
+#include "pbd/contacts.h"
+#include "pbd/neighbours.h"
+#include "pbd/particles.h"
+
+namespace meniscus::fluid::density_kernels {
+
+using pbd::ContactView;
+using pbd::NeighbourView;
+using pbd::Vec3Of;
+using pbd::Vec4;
+using pbd::View;
+
+template <class R>
+MENISCUS_HD Vec3 sum_vector(const Vec3Of<R>& v) {
+  return {sum(v.x), sum(v.y), sum(v.z)};
+}
+
+/// C and D of one particle.
+struct Constraint {
+  float value;
+  float denominator;  ///< 1/(kg m²)
+  Vec3 gradient;      ///< Σ e, 1/m: near 0 where the support is full
+};
+
+/// Sums over neighbours from which C and D follow.
+template <class R>
+struct DensitySums {
+  R weight{0.0f}, gradient2{0.0f};
+  Vec3Of<R> gradient{R(0.0f), R(0.0f), R(0.0f)};
+
+  /// Adds what lies at x_i − x_j = d; `share` is 1 but for images.
+  MENISCUS_HD void add(const Kernel& kernel, const Vec3Of<R>& d, const R& inverse_mass, const R& share) {
+    const R r2 = dot(d, d) + R(tiny_distance2);
+    const R inverse_r = inverse_sqrt(r2);
+    const R e = share * kernel.slope(r2 * inverse_r);
+    weight += share * kernel.weight(r2);
+    gradient2 += inverse_mass * (e * e);
+    gradient += (e * inverse_r) * d;
+  }
+
+  MENISCUS_HD Constraint constraint(const Kernel& kernel, float own_inverse_mass) const {
+    const Vec3 g = sum_vector(gradient);
+    return {sum(weight) + kernel.weight(0.0f) - 1, own_inverse_mass * dot(g, g) + sum(gradient2), g};
+  }
+};
+
+template <class D>
+MENISCUS_HD Constraint density_constraint(const Kernel& kernel, View<const Vec4> position,
+                                          const NeighbourView& neighbours, uint32_t i) {
+  using Real = typename D::Real;
+  const Vec4 self = position[i];
+  DensitySums<Real> sums;
+  pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+    const auto other = gather(position, j);
+    sums.add(kernel, self.xyz() - other.xyz(), other.w, Real(1.0f));
+  });
+  return sums.constraint(kernel, self.w);
+}
+
+/// How the multipliers move on: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0.
+struct Advancing {
+  View<const Vec4> position;
+  View<float> multiplier, increment;
+  View<Vec4> staged;  ///< position and Δλ side by side, for Correct
+  float momentum, step;
+  float compliance;  ///< α̃
+  float limit;       ///< m
+
+  MENISCUS_HD void advance(uint32_t i, const Constraint& c) const {
+    const Vec4 p = position[i];
+    const float denominator = c.denominator + compliance;
+    const float old = multiplier[i];
+    float change = momentum * increment[i];
+    if (denominator > 0) change += step * (c.value - compliance * old) / denominator;
+    // The bound holds for the pair: the same Δλ moves both sides, so momentum is kept.
+    const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
+    change = pbd::clamp(change, -bound, bound);
+    const float next = pbd::max(0.0f, old + change);
+    multiplier[i] = next;
+    increment[i] = next - old;
+    staged[i] = pbd::with_w(p.xyz(), next - old);
+  }
+};
+
+template <class D>
+struct Advance {
+  Kernel kernel;
+  NeighbourView neighbours;
+  View<const uint32_t> contact_start;
+  Advancing advancing;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (contact_start[i] != contact_start[i + 1]) return;
+    advancing.advance(i, density_constraint<D>(kernel, advancing.position, neighbours, i));
+  }
+};
+
+/// The multipliers that a substep starts from: a share of the last one's.
+struct Start {
+  View<const Vec4> position;
+  View<float> multiplier, increment;
+  View<Vec4> staged;
+  float share;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    multiplier[i] *= share;
+    increment[i] = 0;
+    staged[i] = pbd::with_w(position[i].xyz(), multiplier[i]);
+  }
+};
+
+/// The repulsion of eq. 13, as an extra multiplier between each pair.
+struct PairPressure {
+  float multiplier = 0;      ///< kg·m², where W = W(Δq)
+  float inverse_weight = 0;  ///< 1 / (V W(Δq))
+  int exponent = 4;
+
+  template <class R>
+  MENISCUS_HD R at(const R& weight) const {
+    const R ratio = weight * R(inverse_weight);
+    R power = ratio;
+    for (int k = 1; k < exponent; ++k) power = power * ratio;
+    return R(multiplier) * power;
+  }
+};
+
+/// What one pair's multipliers push particle i by, before its inverse mass.
+template <bool with_pair_pressure, class R>
+MENISCUS_HD Vec3Of<R> pair_push(const Kernel& kernel, const PairPressure& pair, const Vec3Of<R>& d,
+                                R multiplier) {
+  const R r2 = dot(d, d) + R(tiny_distance2);
+  const R inverse_r = inverse_sqrt(r2);
+  if constexpr (with_pair_pressure) multiplier += pair.at(kernel.weight(r2));
+  return (multiplier * kernel.slope(r2 * inverse_r) * inverse_r) * d;
+}
+
+/// Moves each particle by what the staged multipliers of itself and its neighbours say.
+template <class D, bool with_pair_pressure>
+struct Correct {
+  Kernel kernel;
+  PairPressure pair;
+  View<const Vec4> staged;
+  NeighbourView neighbours;
+  View<const uint32_t> contact_start;
+  View<Vec4> position;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (contact_start[i] != contact_start[i + 1]) return;
+    using Real = typename D::Real;
+    const Vec4 self = staged[i];
+    Vec3Of<Real> push{Real(0.0f), Real(0.0f), Real(0.0f)};
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const auto other = gather(staged, j);
+      push +=
+          pair_push<with_pair_pressure, Real>(kernel, pair, self.xyz() - other.xyz(), Real(self.w) + other.w);
+    });
+    const float w = position[i].w;
+    position[i] = pbd::with_w(self.xyz() + w * sum_vector(push), w);
+  }
+};
+
+}  // namespace meniscus::fluid::density_kernels

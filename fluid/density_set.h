@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fluid/density_kernels.h"
+#include "pbd/substep.h"
+
+namespace meniscus::fluid {
+
+struct ArtificialPressure {
+  float pressure = 0;     ///< Pa, at the distance below
+  int exponent = 4;       ///< n
+  float distance = 0.2f;  ///< Δq over h
+};
+
+struct DensityParameters {
+  bool chebyshev = true;
+  float relaxation = 0.3f;           ///< ω of damped Jacobi
+  float warm_start = 0.4f;           ///< share of the last substep's multipliers
+  float spectral_bound = 4.5f;       ///< of D⁻¹A, for Chebyshev
+  float compressibility = 0;         ///< 1/Pa
+  float correction_limit = 0.0125f;  ///< m, of one iteration
+  ArtificialPressure artificial_pressure;
+};
+
+/// The density constraint of Position Based Fluids, for every fluid particle: C_i = Σ_j V W(x_i − x_j) − 1 ≤
+/// 0, over neighbours and over the images of particles in the walls (fluid/images.h).
+///
+///   D_i  = w_i |Σ e_ij|² + Σ w_j |e_ij|²,  e_ij = V |∇W| (x_i − x_j)/r
+///   λ'_i = max(0, λ_i + step · (C_i − α̃ λ_i)/(D_i + α̃)),  Δλ = λ' − λ
+///   Δx_i = w_i Σ_j (Δλ_i + Δλ_j) e_ij
+///
+/// α̃ = α/h_t² is XPBD's compliance (Macklin, Müller & Chentanez 2016) with α = compressibility/V; it takes
+/// the place of the paper's ε. The multiplier of the whole substep is clamped, not its increments, so that an
+/// iteration can take back what an earlier one overdid.
+///
+/// `step` is ω for Jacobi, or the weights of the Chebyshev semi-iteration, which reuse the last increment.
+template <class D>
+class DensitySet final : public pbd::ConstraintSet<D> {
+ public:
+  DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
+      : device_(device), kernel_(kernel), parameters_(parameters) {}
+
+  void reserve(uint32_t capacity, uint32_t kept) override;
+  void clear(uint32_t first, uint32_t count) override;
+  void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
+  void save(uint32_t count) override;
+  void restore(uint32_t count) override;
+
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+
+  /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
+  pbd::View<const float> multipliers() const { return multiplier_.current.view(); }
+  /// C of each particle at the substep's present positions.
+  void measure(const pbd::Substep<D>& substep, pbd::View<float> error, pbd::View<float> full) const;
+
+  const Kernel& kernel() const { return kernel_; }
+
+ private:
+  struct Weights {
+    float momentum, step;
+  };
+  Weights next_weights(int iteration, int iterations);
+  template <bool with_pair_pressure>
+  void correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
+
+  D& device_;
+  Kernel kernel_;
+  DensityParameters parameters_;
+  float last_dt_ = 0;
+  float rho_ = 0;  // of the Chebyshev recurrence
+
+  pbd::DoubleBuffer<float> multiplier_{device_, "density multipliers"};
+  pbd::Buffer<float> increment_{device_, "density increments"};
+  pbd::Buffer<pbd::Vec4> staged_{device_, "staged corrections"};
+  pbd::Buffer<float> saved_multiplier_{device_, "saved multipliers"};
+};
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "fluid/density_set.h"
+#include "fluid/density_wall_kernels.h"
+#include "pbd/gather.h"
+
+namespace meniscus::fluid {
+
+// The paper adds its repulsion in every iteration, so that it grows with their number. Here it acts once a
+// substep, as a pressure: halving the step or doubling the iterations leaves the motion as it was.
+template <class D>
+void DensitySet<D>::begin(pbd::Substep<D>& substep) {
+  using namespace density_kernels;
+  const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
+  last_dt_ = substep.dt;
+  const float share =
+      parameters_.warm_start * ratio * ratio;  // a multiplier grows with the square of the step
+  device_.parallel_for("density/start", substep.particles.owned,
+                       Start{substep.particles.position, multiplier_.current.view(), increment_.view(),
+                             staged_.view(), share});
+  const ArtificialPressure& artificial = parameters_.artificial_pressure;
+  if (artificial.pressure > 0) {
+    const float r2 = artificial.distance * artificial.distance * kernel_.h2;
+    correct<true>(substep, {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
+                            1 / kernel_.weight(r2), artificial.exponent});
+  } else if (share > 0) {
+    correct<false>(substep, {});
+  }
+}
+
+template <class D>
+void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
+  using namespace density_kernels;
+  const Weights weights = next_weights(iteration, substep.iterations);
+  const float compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt);
+  const Advancing advancing{substep.particles.position,
+                            multiplier_.current.view(),
+                            increment_.view(),
+                            staged_.view(),
+                            weights.momentum,
+                            weights.step,
+                            compliance,
+                            parameters_.correction_limit};
+  const pbd::ContactView& contacts = substep.contacts;
+  device_.parallel_for("density/multipliers", substep.particles.owned,
+                       Advance<D>{kernel_, substep.neighbours, contacts.start, advancing});
+  device_.parallel_for("density/multipliers at walls", contacts.particles.count,
+                       AdvanceAtWalls<D>{kernel_, substep.neighbours, contacts, advancing});
+  correct<false>(substep, {});
+}
+
+template <class D>
+template <bool with_pair_pressure>
+void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair) {
+  using namespace density_kernels;
+  const pbd::ContactView& contacts = substep.contacts;
+  device_.parallel_for("density/correct", substep.particles.owned,
+                       Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours,
+                                                      contacts.start, substep.particles.position});
+  device_.parallel_for(
+      "density/correct at walls", contacts.particles.count,
+      CorrectAtWalls<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts,
+                                            substep.particles.position});
+}
+
+// Chebyshev semi-iteration on the interval [bound (1.5/m)², bound] of D⁻¹A's spectrum, m iterations: the
+// lower end is what m iterations can still resolve. Golub & Van Loan, Matrix Computations, section 11.2.8.
+template <class D>
+typename DensitySet<D>::Weights DensitySet<D>::next_weights(int iteration, int iterations) {
+  if (!parameters_.chebyshev) return {0, parameters_.relaxation};
+  const float m = static_cast<float>(iterations);
+  const float high = parameters_.spectral_bound;
+  const float low = high * std::fmin(0.5f, 2.25f / (m * m));
+  const float centre = 0.5f * (high + low), radius = 0.5f * (high - low);
+  const float sigma = centre / radius;
+  if (iteration == 0) {
+    rho_ = 1 / sigma;
+    return {0, 1 / centre};
+  }
+  const float next = 1 / (2 * sigma - rho_);
+  const Weights weights{next * rho_, 2 * next / radius};
+  rho_ = next;
+  return weights;
+}
+
+template <class D>
+void DensitySet<D>::measure(const pbd::Substep<D>& substep, pbd::View<float> error,
+                            pbd::View<float> full) const {
+  device_.parallel_for("density/measure", substep.particles.owned,
+                       density_kernels::Measure<D>{kernel_, substep.particles.position, substep.neighbours,
+                                                   substep.contacts, substep.particles.slot, error, full});
+}
+
+// ---- arrays that follow the particles
+// --------------------------------------------------------------------------------
+
+template <class D>
+void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
+  const uint32_t size = capacity + pbd::Particles::padding;
+  multiplier_.reserve(size, kept);
+  increment_.resize_discard(size);
+  staged_.resize_discard(size);
+  saved_multiplier_.resize_discard(size);
+  constexpr float away = pbd::Particles::far_away;
+  const pbd::Vec4 sentinel[] = {{away, away, away, 0}};
+  staged_.write(sentinel, capacity);
+}
+
+template <class D>
+void DensitySet<D>::clear(uint32_t first, uint32_t count) {
+  if (count) device_.fill(multiplier_.current.view().data + first, 0, count * sizeof(float));
+}
+
+template <class D>
+void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
+  pbd::gather_in_order(device_, "density/reorder", multiplier_, order, count);
+}
+
+template <class D>
+void DensitySet<D>::save(uint32_t count) {
+  device_.copy(saved_multiplier_.view().data, multiplier_.current.view().data, count * sizeof(float));
+}
+
+template <class D>
+void DensitySet<D>::restore(uint32_t count) {
+  device_.copy(multiplier_.current.view().data, saved_multiplier_.view().data, count * sizeof(float));
+}
+
+}  // namespace meniscus::fluid

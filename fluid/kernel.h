@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The two kernels of Position Based Fluids (Müller, Charypar & Gross 2003): poly6 for sums, spiky for
+// gradients.
+//   W_poly6(r) = 315 / (64 π h⁹) (h² − r²)³        |∇W_spiky(r)| = 45 / (π h⁶) (h − r)²
+//
+// They are calibrated on the rest lattice, the cubic one with spacing s, so that a fluid at rest has C = 0 to
+// rounding, and so that the multiplier reads as pressure:
+//   volume V      Σ V W_poly6 = 1, the particle itself included;
+//   gradient      Σ V |∇W| z²/r = 1, so that a linear pressure gives its exact gradient.
+#pragma once
+
+#include "pbd/device/scalar.h"
+
+namespace meniscus::fluid {
+
+using pbd::inverse_sqrt;
+using pbd::max;
+using pbd::select_less;
+using pbd::sum;
+
+struct Kernel {
+  float h, h2;           ///< support radius, m, and its square
+  float volume;          ///< V, m³
+  float poly6;           ///< V · 315 / (64 π h⁹)
+  float spiky_gradient;  ///< V · 45 / (π h⁶), calibrated, 1/m
+  float rest_gradient2;  ///< Σ (V |∇W|)² over the rest lattice, 1/m²
+
+  /// V·W at squared distance r2.
+  template <class R>
+  MENISCUS_HD R weight(const R& r2) const {
+    const R u = max(R(h2) - r2, R(0.0f));
+    return R(poly6) * (u * u * u);
+  }
+
+  /// V·|∇W| at distance r.
+  template <class R>
+  MENISCUS_HD R slope(const R& r) const {
+    const R q = max(R(h) - r, R(0.0f));
+    return R(spiky_gradient) * (q * q);
+  }
+};
+
+/// Keeps 1/r finite for particles that sit on one another; far below a float's step at any length that
+/// matters.
+inline constexpr float tiny_distance2 = 1e-12f;
+
+/// The kernel for rest spacing s and support radius h, both in m.
+Kernel calibrate(double spacing, double support_radius);
+
+}  // namespace meniscus::fluid

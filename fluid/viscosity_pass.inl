@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "fluid/viscosity_pass.h"
+#include "pbd/neighbours.h"
+
+namespace meniscus::fluid {
+
+namespace viscosity_kernels {
+
+using pbd::NeighbourView;
+using pbd::Vec3Of;
+using pbd::Vec4;
+using pbd::View;
+
+/// Copies each fluid's smoothing to its particles: a pair of fluids meets with the mean.
+template <class Coefficients>
+struct SpreadSmoothing {
+  View<const pbd::Phase> phase;
+  View<const Coefficients> table;
+  View<float> smoothing;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    smoothing[i] = table[pbd::phase_group(phase[i])].smoothing;
+  }
+};
+
+template <class D, bool uniform, bool with_curl>
+struct Smooth {
+  Kernel kernel;
+  View<const Vec4> position, velocity;
+  NeighbourView neighbours;
+  View<const float> smoothing;
+  float common_smoothing;
+  View<Vec4> smoothed, vorticity;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    using Real = typename D::Real;
+    const Vec4 p = position[i], v = velocity[i];
+    const float own = uniform ? common_smoothing : smoothing[i];
+    Vec3Of<Real> change{Real(0.0f), Real(0.0f), Real(0.0f)}, curl = change;
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const auto other = gather(position, j);
+      const Vec3Of<Real> d = p.xyz() - other.xyz();
+      const Real r2 = dot(d, d) + Real(tiny_distance2);
+      const Vec3Of<Real> relative = gather(velocity, j).xyz() - v.xyz();
+      Real factor = kernel.weight(r2);
+      if constexpr (uniform) {
+        factor = Real(own) * factor;
+      } else {
+        factor = factor * (Real(own) + gather(smoothing, j)) * Real(p.w) / (Real(p.w) + other.w);
+      }
+      change += factor * relative;
+      if constexpr (with_curl) {
+        const Real inverse_r = inverse_sqrt(r2);
+        curl += cross(relative, (kernel.slope(r2 * inverse_r) * inverse_r) * d);
+      }
+    });
+    smoothed[i] = pbd::with_w(v.xyz() + Vec3{sum(change.x), sum(change.y), sum(change.z)}, 0);
+    if constexpr (with_curl) {
+      const Vec3 w{sum(curl.x), sum(curl.y), sum(curl.z)};
+      vorticity[i] = pbd::with_w(w, length(w));
+    }
+  }
+};
+
+template <class D, class Coefficients>
+struct Confine {
+  Kernel kernel;
+  View<const Vec4> position, vorticity;
+  View<Vec4> velocity;
+  NeighbourView neighbours;
+  View<const pbd::Phase> phase;
+  View<const Coefficients> table;
+  float dt;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    using Real = typename D::Real;
+    const Vec4 p = position[i], own = vorticity[i];
+    const float strength = table[pbd::phase_group(phase[i])].confinement * kernel.h * dt;
+    Vec3Of<Real> eta{Real(0.0f), Real(0.0f), Real(0.0f)};
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const Vec3Of<Real> d = p.xyz() - gather(position, j).xyz();
+      const Real r2 = dot(d, d) + Real(tiny_distance2);
+      const Real inverse_r = inverse_sqrt(r2);
+      const Real difference = Real(own.w) - gather(vorticity, j).w;
+      eta += (difference * kernel.slope(r2 * inverse_r) * inverse_r) * d;
+    });
+    const Vec3 direction = normalized_or({sum(eta.x), sum(eta.y), sum(eta.z)}, {0, 0, 0});
+    velocity[i] = pbd::with_w(velocity[i].xyz() + strength * cross(direction, own.xyz()), 0);
+  }
+};
+
+}  // namespace viscosity_kernels
+
+template <class D>
+void ViscosityPass<D>::set_materials(std::span<const Material> materials) {
+  materials_.assign(materials.begin(), materials.end());
+  table_.resize_discard(static_cast<uint32_t>(materials.size()));
+  table_dt_ = 0;
+  smooths_ = confines_ = false;
+  uniform_ = true;
+  for (const Material& m : materials_) {
+    const Material& first = materials_.front();
+    smooths_ |= m.viscosity > 0 || m.xsph > 0;
+    confines_ |= m.vorticity_confinement > 0;
+    uniform_ &=
+        m.viscosity == first.viscosity && m.xsph == first.xsph && m.rest_density == first.rest_density;
+  }
+}
+
+template <class D>
+void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles) {
+  if (!smooths_ && !confines_) return;
+  if (table_dt_ != substep.dt) {
+    host_table_.clear();
+    for (const Material& m : materials_) {
+      const float rate = m.xsph + 22 * m.viscosity / kernel_.h2;
+      host_table_.push_back({-std::expm1(-rate * substep.dt), m.vorticity_confinement});
+    }
+    table_.write(host_table_);
+    table_dt_ = substep.dt;
+  }
+  if (uniform_) {
+    confines_ ? smooth<true, true>(substep, particles) : smooth<true, false>(substep, particles);
+  } else {
+    confines_ ? smooth<false, true>(substep, particles) : smooth<false, false>(substep, particles);
+  }
+  if (confines_) {
+    using namespace viscosity_kernels;
+    device_.parallel_for("velocity/confine", substep.particles.owned,
+                         Confine<D, Coefficients>{kernel_, substep.particles.position, vorticity_.view(),
+                                                  substep.particles.velocity, substep.neighbours,
+                                                  substep.particles.phase, table_.view(), substep.dt});
+  }
+}
+
+template <class D>
+template <bool uniform, bool with_curl>
+void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particles) {
+  using namespace viscosity_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  if (!uniform) {
+    device_.parallel_for("velocity/coefficients", p.owned,
+                         SpreadSmoothing<Coefficients>{p.phase, table_.view(), smoothing_.view()});
+  }
+  device_.parallel_for("velocity/smooth", p.owned,
+                       Smooth<D, uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours,
+                                                     smoothing_.view(), host_table_.front().smoothing,
+                                                     particles.velocity.next.view(), vorticity_.view()});
+  particles.velocity.flip();
+  substep.particles = particles.view();
+}
+
+template <class D>
+void ViscosityPass<D>::reserve(uint32_t capacity) {
+  const uint32_t size = capacity + pbd::Particles::padding;
+  smoothing_.resize_discard(size);
+  vorticity_.resize_discard(size);
+  vorticity_.fill(0);
+  smoothing_.fill(0);
+}
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Contacts as constraints read them. Shapes, bodies and triangles all reach a particle as a contact, so the
+// fluid need know nothing else.
+#pragma once
+
+#include "pbd/device/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::pbd {
+
+inline constexpr uint32_t no_index = 0xffffffff;
+
+/// One particle, or up to four with weights (a triangle's corners against a particle), near a surface. Found
+/// once a substep; the surface is taken as the plane through `point` while the substep's iterations run.
+struct alignas(16) Contact {
+  uint32_t particle[4];     ///< sorted indices; no_index beyond the last
+  float weight[4];          ///< of each particle in the constraint: +1 for a particle alone
+  Vec3 point;               ///< m, on the surface
+  uint32_t body;            ///< the shape or body that the surface belongs to
+  Vec3 normal;              ///< unit, out of the solid
+  float distance;           ///< m, signed, when the contact was found
+  Vec3 tangent_multiplier;  ///< kg·m, friction so far in this substep; over the substep's length it is the
+                            ///< impulse
+  float normal_multiplier;  ///< kg·m, non-penetration so far
+  Vec3 density_push;     ///< kg·m, what the density constraint gave the particle through this surface so far
+  float approach_speed;  ///< m/s along the normal, before the substep's solve; negative towards the surface
+  float friction;        ///< Coulomb's μ
+  float restitution;     ///< 0 to 1
+  float fraction;  ///< of the half-space's share in the kernel: 1 on a plane, less over edges and thin things
+  float side;      ///< +1 where the particle started the substep on the normal's side, else −1
+};
+
+/// Contacts of particle i: contacts[start[i]] to contacts[start[i + 1] − 1].
+struct ContactView {
+  View<const uint32_t> start;
+  View<Contact> contacts;
+  View<const uint32_t> particles;  ///< those that have a contact, ascending
+  float radius = 0;                ///< m: a particle's centre stops at this distance
+};
+
+/// Signed distance of p from the contact's plane, m.
+MENISCUS_HD inline float plane_distance(const Contact& contact, Vec3 p) {
+  return dot(contact.normal, p - contact.point);
+}
+
+}  // namespace meniscus::pbd

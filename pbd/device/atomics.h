@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Integer atomics alone: their result does not depend on the order, so they keep a run reproducible.
+#pragma once
+
+#include <cstdint>
+#ifndef __CUDA_ARCH__
+#include <atomic>
+#endif
+
+#include "pbd/device/qualifiers.h"
+
+namespace meniscus::pbd {
+
+MENISCUS_HD inline void atomic_max(uint32_t& target, uint32_t value) {
+#ifdef __CUDA_ARCH__
+  atomicMax(&target, value);
+#else
+  std::atomic_ref<uint32_t> shared(target);
+  uint32_t seen = shared.load(std::memory_order_relaxed);
+  while (seen < value && !shared.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+  }
+#endif
+}
+
+MENISCUS_HD inline void atomic_add(uint32_t& target, uint32_t value) {
+#ifdef __CUDA_ARCH__
+  atomicAdd(&target, value);
+#else
+  std::atomic_ref<uint32_t>(target).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "pbd/device/device.h"
+#include "pbd/device/view.h"
+
+namespace meniscus::pbd {
+
+/// Owns an array in a device's memory. Its length is set by hand and is never changed inside a warm step.
+template <class T>
+class Buffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  /// `what` names the array in errors and memory budgets; it must outlive the buffer.
+  Buffer(Device& device, const char* what) : device_(&device), what_(what) {}
+  ~Buffer() { free_memory(); }
+
+  Buffer(Buffer&& other) noexcept
+      : device_(other.device_),
+        what_(other.what_),
+        data_(std::exchange(other.data_, nullptr)),
+        size_(std::exchange(other.size_, 0)) {}
+  Buffer& operator=(Buffer&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  void swap(Buffer& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(what_, other.what_);
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+  }
+
+  uint32_t size() const { return size_; }
+  View<T> view() { return {data_, size_}; }
+  View<const T> view() const { return {data_, size_}; }
+
+  /// New length; what was inside is gone.
+  void resize_discard(uint32_t size) {
+    if (size == size_) return;
+    free_memory();
+    if (size) data_ = static_cast<T*>(device_->allocate(bytes(size), what_));
+    size_ = size;
+  }
+
+  /// New length; the first `kept` elements stay.
+  void resize_keep(uint32_t size, uint32_t kept) {
+    if (size == size_) return;
+    Buffer next(*device_, what_);
+    next.resize_discard(size);
+    if (kept) device_->copy(next.data_, data_, bytes(kept));
+    device_->wait();
+    swap(next);
+  }
+
+  void fill(unsigned char byte) {
+    if (size_) device_->fill(data_, byte, bytes(size_));
+  }
+  void write(std::span<const T> host, uint32_t at = 0) {
+    if (!host.empty()) device_->copy_in(data_ + at, host.data(), host.size_bytes());
+  }
+  void read(std::span<T> host, uint32_t at = 0) const {
+    if (!host.empty()) device_->copy_out(host.data(), data_ + at, host.size_bytes());
+  }
+  std::vector<T> read(uint32_t count) const {
+    std::vector<T> host(count);
+    read(std::span<T>(host));
+    return host;
+  }
+
+ private:
+  static size_t bytes(uint32_t count) { return size_t{count} * sizeof(T); }
+  void free_memory() noexcept {
+    if (data_) device_->release(data_, bytes(size_));
+    data_ = nullptr;
+    size_ = 0;
+  }
+
+  Device* device_;
+  const char* what_;
+  T* data_ = nullptr;
+  uint32_t size_ = 0;
+};
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cpu/cpu_device.h"
+
+#include <tbb/info.h>
+
+#include <cstdlib>
+#include <cstring>
+
+namespace meniscus::pbd {
+
+namespace {
+
+constexpr uint32_t sort_block = 8192;  // elements; fixed, so that the order never depends on the threads
+
+}  // namespace
+
+CpuDevice::CpuDevice(int threads)
+    : arena_(threads > 0 ? threads : tbb::info::default_concurrency()),
+      threads_(threads > 0 ? threads : tbb::info::default_concurrency()) {}
+
+std::string CpuDevice::name() const {
+  return "CPU, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
+}
+
+void* CpuDevice::do_allocate(size_t bytes) {
+  return std::aligned_alloc(64, (bytes + 63) / 64 * 64);
+}
+
+void CpuDevice::do_release(void* memory) noexcept {
+  std::free(memory);
+}
+
+void CpuDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
+  std::memcpy(device_memory, host, bytes);
+}
+
+void CpuDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
+  std::memcpy(host, device_memory, bytes);
+}
+
+void CpuDevice::copy(void* to, const void* from, size_t bytes) {
+  std::memcpy(to, from, bytes);
+}
+
+void CpuDevice::fill(void* memory, unsigned char byte, size_t bytes) {
+  std::memset(memory, byte, bytes);
+}
+
+void CpuDevice::mark_time(uint32_t mark) {
+  if (marks_.size() <= mark) marks_.resize(mark + 1);
+  marks_[mark] = std::chrono::steady_clock::now();
+}
+
+double CpuDevice::elapsed_ms(uint32_t from, uint32_t to) const {
+  return std::chrono::duration<double, std::milli>(marks_[to] - marks_[from]).count();
+}
+
+void CpuDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out) {
+  const uint32_t count = in.count;
+  const uint32_t blocks = (count + sort_block - 1) / sort_block;
+  View<uint32_t> base = scratch<uint32_t>(blocks + 1);
+  parallel_for(name, blocks, [=](uint32_t b) {
+    uint32_t total = 0;
+    for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i) total += in[i];
+    base[b] = total;
+  });
+  uint32_t running = 0;
+  for (uint32_t b = 0; b < blocks; ++b) running += std::exchange(base[b], running);
+  parallel_for(name, blocks, [=](uint32_t b) {
+    uint32_t total = base[b];
+    for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i) {
+      out[i] = total;
+      total += in[i];
+    }
+  });
+  out[count] = running;
+}
+
+void CpuDevice::sort_pairs(const char* /*name*/, View<const uint32_t> keys, View<uint32_t> sorted_keys,
+                           View<const uint32_t> values, View<uint32_t> sorted_values, uint32_t bits) {
+  const uint32_t count = keys.count;
+  // An even number of passes is not needed: each pass reads one pair of arrays and writes the other, and the
+  // first target is chosen so that the last pass ends in the caller's.
+  const uint32_t passes = std::max(1u, (bits + 10) / 11);
+  const uint32_t digit_bits = std::max(1u, (bits + passes - 1) / passes);
+  const uint32_t blocks = (count + sort_block - 1) / sort_block;
+  View<uint32_t> memory = scratch<uint32_t>(2 * count + (blocks << digit_bits));
+  View<uint32_t> spare_keys{memory.data, count}, spare_values{memory.data + count, count};
+  View<uint32_t> offsets{memory.data + 2 * size_t{count}, blocks << digit_bits};
+  for (uint32_t pass = 0; pass < passes; ++pass) {
+    const bool into_caller = (passes - pass) % 2 == 1;
+    View<uint32_t> keys_out = into_caller ? sorted_keys : spare_keys;
+    View<uint32_t> values_out = into_caller ? sorted_values : spare_values;
+    radix_pass(keys, keys_out, values, values_out, pass * digit_bits, digit_bits, offsets);
+    keys = keys_out;
+    values = values_out;
+  }
+}
+
+// One stable pass of a least-significant-digit radix sort: histogram a block, offsets by digit then block,
+// scatter.
+void CpuDevice::radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, View<const uint32_t> values,
+                           View<uint32_t> values_out, uint32_t shift, uint32_t digit_bits,
+                           View<uint32_t> offsets) {
+  const uint32_t count = keys.count;
+  const uint32_t blocks = (count + sort_block - 1) / sort_block;
+  const uint32_t digits = 1u << digit_bits;
+  const auto digit_of = [=](uint32_t key) { return (key >> shift) & (digits - 1); };
+  arena_.execute([&] {
+    tbb::parallel_for(0u, blocks, [=](uint32_t b) {
+      uint32_t* histogram = offsets.data + size_t{b} * digits;
+      std::fill_n(histogram, digits, 0u);
+      for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i)
+        ++histogram[digit_of(keys[i])];
+    });
+    uint32_t running = 0;
+    for (uint32_t d = 0; d < digits; ++d) {
+      for (uint32_t b = 0; b < blocks; ++b) running += std::exchange(offsets[b * digits + d], running);
+    }
+    tbb::parallel_for(0u, blocks, [=](uint32_t b) {
+      uint32_t* next = offsets.data + size_t{b} * digits;
+      for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i) {
+        const uint32_t place = next[digit_of(keys[i])]++;
+        keys_out[place] = keys[i];
+        values_out[place] = values[i];
+      }
+    });
+  });
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Eight float lanes. The number is fixed, whatever the instruction set, and sums run over a fixed tree, so
+// that every processor gives the same bits. Two halves of four fit the baseline of x86-64 and of ARM.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#include "pbd/math/vec.h"
+
+#define MENISCUS_LANE_FN inline __attribute__((always_inline))
+
+namespace meniscus::pbd {
+
+using Float4 = float __attribute__((vector_size(16)));
+
+struct Lanes {
+  static constexpr uint32_t count = 8;
+
+  Float4 low, high;
+
+  Lanes() = default;
+  MENISCUS_LANE_FN Lanes(Float4 a, Float4 b) : low(a), high(b) {}
+  MENISCUS_LANE_FN Lanes(float s) : low{s, s, s, s}, high{s, s, s, s} {}
+};
+
+MENISCUS_LANE_FN Lanes operator+(Lanes a, Lanes b) {
+  return {a.low + b.low, a.high + b.high};
+}
+MENISCUS_LANE_FN Lanes operator-(Lanes a, Lanes b) {
+  return {a.low - b.low, a.high - b.high};
+}
+MENISCUS_LANE_FN Lanes operator*(Lanes a, Lanes b) {
+  return {a.low * b.low, a.high * b.high};
+}
+MENISCUS_LANE_FN Lanes operator/(Lanes a, Lanes b) {
+  return {a.low / b.low, a.high / b.high};
+}
+MENISCUS_LANE_FN Lanes operator-(Lanes a) {
+  return {-a.low, -a.high};
+}
+MENISCUS_LANE_FN Lanes& operator+=(Lanes& a, Lanes b) {
+  return a = a + b;
+}
+MENISCUS_LANE_FN Lanes& operator*=(Lanes& a, Lanes b) {
+  return a = a * b;
+}
+
+MENISCUS_LANE_FN Lanes max(Lanes a, Lanes b) {
+  return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+}
+
+MENISCUS_LANE_FN Float4 square_root(Float4 a) {
+  Float4 r;
+  for (int k = 0; k < 4; ++k) r[k] = __builtin_sqrtf(a[k]);
+  return r;
+}
+
+/// 1/√a for a > 0. Both steps are correctly rounded, unlike rsqrtps, whose bits differ between makers.
+MENISCUS_LANE_FN Lanes inverse_sqrt(Lanes a) {
+  return Lanes(1.0f) / Lanes(square_root(a.low), square_root(a.high));
+}
+
+/// a where x < y, else b, lane by lane.
+MENISCUS_LANE_FN Lanes select_less(Lanes x, Lanes y, Lanes a, Lanes b) {
+  return {x.low < y.low ? a.low : b.low, x.high < y.high ? a.high : b.high};
+}
+
+/// Bit k is set where a < b in lane k.
+MENISCUS_LANE_FN uint32_t less_mask(Lanes a, Lanes b) {
+#ifdef __SSE2__
+  return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(a.low < b.low)) |
+                               _mm_movemask_ps(reinterpret_cast<__m128>(a.high < b.high)) << 4);
+#else
+  uint32_t mask = 0;
+  for (int k = 0; k < 4; ++k)
+    mask |= uint32_t(a.low[k] < b.low[k]) << k | uint32_t(a.high[k] < b.high[k]) << (k + 4);
+  return mask;
+#endif
+}
+
+/// The sum over the lanes, by halves: a fixed tree.
+MENISCUS_LANE_FN float sum(Lanes a) {
+  const Float4 s = a.low + a.high;
+  return (s[0] + s[2]) + (s[1] + s[3]);
+}
+
+namespace detail {
+
+struct Transposed {
+  Float4 x, y, z, w;
+};
+
+MENISCUS_LANE_FN Float4 load4(const Vec4& v) {
+  Float4 r;
+  std::memcpy(&r, &v, sizeof r);
+  return r;
+}
+
+MENISCUS_LANE_FN Transposed transpose(Float4 a, Float4 b, Float4 c, Float4 d) {
+  const Float4 ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+               ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Float4 cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+               cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  return {__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7),
+          __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)};
+}
+
+MENISCUS_LANE_FN Vec4Of<Lanes> join(const Transposed& a, const Transposed& b) {
+  return {{a.x, b.x}, {a.y, b.y}, {a.z, b.z}, {a.w, b.w}};
+}
+
+}  // namespace detail
+
+/// The indices of eight neighbours, as they stand in a row of the list.
+struct LaneIndex {
+  const uint32_t* at;
+
+  MENISCUS_LANE_FN uint32_t operator[](int lane) const { return at[lane]; }
+};
+
+MENISCUS_LANE_FN Vec4Of<Lanes> gather(View<const Vec4> from, LaneIndex j) {
+  using detail::load4;
+  return detail::join(
+      detail::transpose(load4(from[j[0]]), load4(from[j[1]]), load4(from[j[2]]), load4(from[j[3]])),
+      detail::transpose(load4(from[j[4]]), load4(from[j[5]]), load4(from[j[6]]), load4(from[j[7]])));
+}
+
+MENISCUS_LANE_FN Lanes gather(View<const float> from, LaneIndex j) {
+  return {Float4{from[j[0]], from[j[1]], from[j[2]], from[j[3]]},
+          Float4{from[j[4]], from[j[5]], from[j[6]], from[j[7]]}};
+}
+
+/// Eight consecutive elements from `first` on; the array must reach that far.
+MENISCUS_LANE_FN Vec4Of<Lanes> load_run(View<const Vec4> from, uint32_t first, Lanes*) {
+  using detail::load4;
+  const Vec4* p = &from[first];
+  return detail::join(detail::transpose(load4(p[0]), load4(p[1]), load4(p[2]), load4(p[3])),
+                      detail::transpose(load4(p[4]), load4(p[5]), load4(p[6]), load4(p[7])));
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <meniscus/error.h>
+#include <string>
+
+namespace meniscus::pbd {
+
+/// Turns a CUDA status into an Error that says what was being done.
+inline void check_cuda(cudaError_t status, const char* what) {
+  if (status == cudaSuccess) return;
+  throw Error(ErrorCode::device, std::string("CUDA failed at ") + what + ": " + cudaGetErrorString(status));
+}
+
+}  // namespace meniscus::pbd

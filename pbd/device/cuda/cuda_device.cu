@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cuda/cuda_device.cuh"
+
+#include <cstring>
+#include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
+
+namespace meniscus::pbd {
+
+namespace {
+
+constexpr size_t pinned_bytes = 4096;
+
+}  // namespace
+
+CudaDevice::CudaDevice() {
+  cudaDeviceProp properties;
+  check_cuda(cudaGetDeviceProperties(&properties, 0), "reading the device's properties");
+  name_ = properties.name;
+  check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
+  check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
+}
+
+CudaDevice::~CudaDevice() {
+  cudaStreamSynchronize(stream_);
+  scratch_.resize_discard(0);
+  for (cudaEvent_t mark : marks_) cudaEventDestroy(mark);
+  cudaFreeHost(pinned_);
+  cudaStreamDestroy(stream_);
+}
+
+void* CudaDevice::do_allocate(size_t bytes) {
+  void* memory = nullptr;
+  const cudaError_t status = cudaMalloc(&memory, bytes);
+  if (status == cudaErrorMemoryAllocation) {
+    cudaGetLastError();  // clears it: the caller reports, and the device stays usable
+    return nullptr;
+  }
+  check_cuda(status, "allocating memory");
+  return memory;
+}
+
+void CudaDevice::do_release(void* memory) noexcept {
+  cudaFree(memory);
+}
+
+void* CudaDevice::scratch(size_t bytes) {
+  const auto words = static_cast<uint32_t>((bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t));
+  if (scratch_.size() < words) {
+    wait();
+    scratch_.resize_discard(std::max(words, scratch_.size() + scratch_.size() / 2));
+  }
+  return scratch_.view().data;
+}
+
+void CudaDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
+  check_cuda(cudaMemcpyAsync(device_memory, host, bytes, cudaMemcpyHostToDevice, stream_),
+             "copying to the GPU");
+}
+
+void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
+  void* target = bytes <= pinned_bytes ? pinned_ : host;
+  check_cuda(cudaMemcpyAsync(target, device_memory, bytes, cudaMemcpyDeviceToHost, stream_),
+             "copying from the GPU");
+  wait();
+  if (target != host) std::memcpy(host, target, bytes);
+}
+
+void CudaDevice::copy(void* to, const void* from, size_t bytes) {
+  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, stream_), "copying on the GPU");
+}
+
+void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
+  check_cuda(cudaMemsetAsync(memory, byte, bytes, stream_), "filling memory");
+}
+
+void CudaDevice::wait() {
+  check_cuda(cudaStreamSynchronize(stream_), "running the kernels launched before");
+}
+
+void CudaDevice::mark_time(uint32_t mark) {
+  while (marks_.size() <= mark) {
+    cudaEvent_t event = nullptr;
+    check_cuda(cudaEventCreate(&event), "creating an event");
+    marks_.push_back(event);
+  }
+  check_cuda(cudaEventRecord(marks_[mark], stream_), "recording an event");
+}
+
+double CudaDevice::elapsed_ms(uint32_t from, uint32_t to) const {
+  float ms = 0;
+  check_cuda(cudaEventElapsedTime(&ms, marks_[from], marks_[to]), "reading a timer");
+  return ms;
+}
+
+void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out) {
+  fill(out.data, 0, sizeof(uint32_t));
+  size_t bytes = 0;
+  check_cuda(cub::DeviceScan::InclusiveSum(nullptr, bytes, in.data, out.data + 1, in.count, stream_), name);
+  check_cuda(cub::DeviceScan::InclusiveSum(scratch(bytes), bytes, in.data, out.data + 1, in.count, stream_),
+             name);
+}
+
+void CudaDevice::sort_pairs(const char* name, View<const uint32_t> keys, View<uint32_t> sorted_keys,
+                            View<const uint32_t> values, View<uint32_t> sorted_values, uint32_t bits) {
+  const auto sort = [&](void* memory, size_t& bytes) {
+    check_cuda(
+        cub::DeviceRadixSort::SortPairs(memory, bytes, keys.data, sorted_keys.data, values.data,
+                                        sorted_values.data, keys.count, 0, static_cast<int>(bits), stream_),
+        name);
+  };
+  size_t bytes = 0;
+  sort(nullptr, bytes);
+  sort(scratch(bytes), bytes);
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/device.h"
+
+#include <meniscus/error.h>
+#include <algorithm>
+
+namespace meniscus::pbd {
+
+void* Device::allocate(size_t bytes, const char* what) {
+  void* memory = do_allocate(bytes);
+  if (!memory) {
+    throw Error(ErrorCode::out_of_memory,
+                "no memory for " + std::string(what) + ": " + std::to_string(bytes >> 20) + " MiB asked on " +
+                    name() + ", which holds " + std::to_string(memory_.bytes >> 20) + " MiB for this world");
+  }
+  memory_.bytes += bytes;
+  memory_.peak_bytes = std::max(memory_.peak_bytes, memory_.bytes);
+  ++memory_.allocations;
+  return memory;
+}
+
+void Device::release(void* memory, size_t bytes) noexcept {
+  do_release(memory);
+  memory_.bytes -= bytes;
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// A device as the host sees it: memory, copies, marks in time. The parallel algorithms (parallel_for, sort,
+// scan, reduce) are members of CpuDevice and CudaDevice, over which the orchestration is a template.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace meniscus::pbd {
+
+enum class DeviceKind { cpu, cuda };
+
+struct MemoryUse {
+  size_t bytes = 0;          ///< held now
+  size_t peak_bytes = 0;     ///< most ever held
+  uint64_t allocations = 0;  ///< calls of allocate so far; constant over a warm step
+};
+
+class Device {
+ public:
+  virtual ~Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  virtual DeviceKind kind() const = 0;
+  virtual std::string name() const = 0;
+
+  /// Uninitialised memory, aligned to 64 bytes. Throws Error(out_of_memory), naming `what`.
+  void* allocate(size_t bytes, const char* what);
+  void release(void* memory, size_t bytes) noexcept;
+  const MemoryUse& memory() const { return memory_; }
+
+  /// Copies are ordered with the kernels launched before and after; copy_out alone waits for the result.
+  virtual void copy_in(void* device_memory, const void* host, size_t bytes) = 0;
+  virtual void copy_out(void* host, const void* device_memory, size_t bytes) = 0;
+  virtual void copy(void* to, const void* from, size_t bytes) = 0;
+  virtual void fill(void* memory, unsigned char byte, size_t bytes) = 0;
+  virtual void wait() = 0;
+
+  /// Marks the present place in the device's work as number `mark`; elapsed_ms may be asked after wait().
+  virtual void mark_time(uint32_t mark) = 0;
+  virtual double elapsed_ms(uint32_t from, uint32_t to) const = 0;
+
+ protected:
+  Device() = default;
+
+ private:
+  virtual void* do_allocate(size_t bytes) = 0;  // nullptr when there is none left
+  virtual void do_release(void* memory) noexcept = 0;
+
+  MemoryUse memory_;
+};
+
+}  // namespace meniscus::pbd

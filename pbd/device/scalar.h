@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The one-lane forms of what device/cpu/lanes.h offers for eight, so that a kernel reads the same over
+// either.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "pbd/device/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::pbd {
+
+MENISCUS_HD inline float sum(float a) {
+  return a;
+}
+MENISCUS_HD inline uint32_t less_mask(float a, float b) {
+  return a < b;
+}
+MENISCUS_HD inline float select_less(float x, float y, float a, float b) {
+  return x < y ? a : b;
+}
+
+MENISCUS_HD inline float inverse_sqrt(float a) {
+#ifdef __CUDA_ARCH__
+  return rsqrtf(a);
+#else
+  return 1.0f / sqrtf(a);
+#endif
+}
+
+/// The lowest set bit's place; mask must not be 0.
+MENISCUS_HD inline uint32_t lowest_bit(uint32_t mask) {
+#ifdef __CUDA_ARCH__
+  return static_cast<uint32_t>(__ffs(static_cast<int>(mask)) - 1);
+#else
+  return static_cast<uint32_t>(__builtin_ctz(mask));
+#endif
+}
+
+MENISCUS_HD inline Vec4Of<float> gather(View<const Vec4> from, uint32_t j) {
+  const Vec4 v = from[j];
+  return {v.x, v.y, v.z, v.w};
+}
+MENISCUS_HD inline float gather(View<const float> from, uint32_t j) {
+  return from[j];
+}
+MENISCUS_HD inline Vec4Of<float> load_run(View<const Vec4> from, uint32_t first, float*) {
+  return gather(from, first);
+}
+
+MENISCUS_HD inline Vec3 sum(const Vec3Of<float>& a) {
+  return {a.x, a.y, a.z};
+}
+
+}  // namespace meniscus::pbd

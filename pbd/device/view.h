@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <type_traits>
+
+#include "pbd/device/qualifiers.h"
+
+namespace meniscus::pbd {
+
+/// Elements of a device's memory that somebody else owns. Kernels take views by value.
+template <class T>
+struct View {
+  T* data = nullptr;
+  uint32_t count = 0;
+
+  MENISCUS_HD T& operator[](uint32_t i) const {
+#ifndef __CUDA_ARCH__
+    assert(i < count);
+#endif
+    return data[i];
+  }
+
+  MENISCUS_HD View first(uint32_t n) const {
+    return {data, n};
+  }
+
+  /// A view to read is a view to write, restricted.
+  template <class U>
+  requires(std::is_same_v<U, const T> && !std::is_const_v<T>) MENISCUS_HD operator View<U>() const {
+    return {data, count};
+  }
+};
+
+}  // namespace meniscus::pbd

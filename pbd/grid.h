@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// A uniform grid without bounds: cell coordinates are any integers, and the table wraps around on each axis.
+// Two cells that share an entry lie at least four cells apart, so the 27 cells around a particle never meet
+// in one entry: no pair is seen twice, and the distance test drops what the wrap brought in.
+#pragma once
+
+#include "pbd/device/scalar.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::pbd {
+
+struct CellRange {
+  uint32_t begin, end;
+};
+
+struct CellCoordinates {
+  int32_t x, y, z;
+};
+
+struct GridView {
+  float inverse_cell = 1;  ///< 1/m
+  uint32_t bits_x = 2, bits_y = 2,
+           bits_z = 2;    ///< the table is 2^bits cells wide on each axis, at least four
+  View<CellRange> cells;  ///< of sorted particles; begin = end where there are none
+
+  MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
+
+  MENISCUS_HD CellCoordinates coordinates(Vec3 p) const {
+    // The clamp keeps the conversion defined for any float, NaN included.
+    constexpr float limit = 1e9f;
+    const auto cell = [&](float x) {
+      return static_cast<int32_t>(floorf(clamp(x * inverse_cell, -limit, limit)));
+    };
+    return {cell(p.x), cell(p.y), cell(p.z)};
+  }
+
+  MENISCUS_HD uint32_t key(CellCoordinates c) const {
+    const auto wrap = [](int32_t v, uint32_t bits) { return static_cast<uint32_t>(v) & ((1u << bits) - 1); };
+    return wrap(c.x, bits_x) | wrap(c.y, bits_y) << bits_x | wrap(c.z, bits_z) << (bits_x + bits_y);
+  }
+};
+
+/// Calls visit(begin, end) for runs of sorted particles that together hold every particle of the 27 cells
+/// around c.
+template <class Visit>
+MENISCUS_HD void for_each_run(const GridView& grid, CellCoordinates c, const Visit& visit) {
+  const uint32_t last = (1u << grid.bits_x) - 1;
+  const uint32_t x = static_cast<uint32_t>(c.x) & last;
+  const bool wraps = x == 0 || x == last;
+  for (int32_t row = 0; row < 9; ++row) {
+    const CellCoordinates middle{c.x, c.y + row % 3 - 1, c.z + row / 3 - 1};
+    const CellRange a = grid.cells[grid.key({middle.x - 1, middle.y, middle.z})];
+    const CellRange b = grid.cells[grid.key(middle)];
+    const CellRange d = grid.cells[grid.key({middle.x + 1, middle.y, middle.z})];
+    if (wraps) {
+      visit(a.begin, a.end);
+      visit(b.begin, b.end);
+      visit(d.begin, d.end);
+    } else {  // three cells in a row follow one another in memory, but for empty ones, whose range says
+              // nothing
+      const uint32_t begin = a.begin < a.end ? a.begin : b.begin < b.end ? b.begin : d.begin;
+      const uint32_t end = d.begin < d.end ? d.end : b.begin < b.end ? b.end : a.end;
+      visit(begin, end);
+    }
+  }
+}
+
+}  // namespace meniscus::pbd

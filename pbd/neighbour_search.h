@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/types.h>
+
+#include "pbd/grid.h"
+#include "pbd/neighbours.h"
+#include "pbd/particles.h"
+
+namespace meniscus::pbd {
+
+/// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep.
+template <class D>
+class NeighbourSearch {
+ public:
+  NeighbourSearch(D& device, float support_radius);
+
+  /// Room for `capacity` particles.
+  void reserve(uint32_t capacity);
+
+  /// Chooses the table's shape for particles inside `extent`. Particles elsewhere are found as well, more
+  /// slowly.
+  void fit(const Aabb& extent);
+
+  /// The order by grid cell of the points x + dt·(v + dt·g): order()[i] is the present index of the particle
+  /// that belongs at i. Particles in one cell keep their order.
+  void sort(const ParticleView& particles, Vec3 gravity, float dt);
+  View<const uint32_t> order() const { return order_.view(); }
+
+  /// Lists the neighbours of particles that are in order() already. The longest list needed is noted on the
+  /// device.
+  void list(const ParticleView& particles, uint32_t sentinel);
+  /// One element: the longest list that list() needed, if it did not fit; else 0.
+  View<uint32_t> overflow() { return overflow_.view(); }
+  /// Room for lists of this length; list() must run again.
+  void grow_rows(uint32_t needed);
+
+  NeighbourView view() const;
+  const GridView& grid() const { return grid_; }
+
+ private:
+  D& device_;
+  float support_radius_;
+  GridView grid_;
+  uint32_t count_ = 0;
+  uint32_t capacity_ = 0;
+  uint32_t row_capacity_ = 0;
+
+  Buffer<uint32_t> keys_{device_, "cell keys"};
+  Buffer<uint32_t> sorted_keys_{device_, "sorted cell keys"};
+  Buffer<uint32_t> identity_{device_, "particle numbers"};
+  Buffer<uint32_t> order_{device_, "sorted order"};
+  Buffer<CellRange> cells_{device_, "grid cells"};
+  Buffer<uint32_t> index_{device_, "neighbour lists"};
+  Buffer<uint32_t> counts_{device_, "neighbour counts"};
+  Buffer<uint32_t> overflow_{device_, "neighbour overflow"};
+};
+
+}  // namespace meniscus::pbd

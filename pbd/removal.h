@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Taking particles out: the rest close up, in memory and in the user's order.
+#pragma once
+
+#include "pbd/gather.h"
+#include "pbd/particles.h"
+
+namespace meniscus::pbd {
+
+namespace removal_kernels {
+
+struct ScatterOrder {
+  View<const uint32_t> keep, offset;
+  View<uint32_t> order;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (keep[i]) order[offset[i]] = i;
+  }
+};
+
+struct SpreadBySlot {
+  View<const uint32_t> by_index, slot;
+  View<uint32_t> by_slot;
+
+  MENISCUS_HD void operator()(uint32_t i) const { by_slot[slot[i]] = by_index[i]; }
+};
+
+struct PickBySlot {
+  View<const uint32_t> by_slot, slot;
+  View<uint32_t> by_index;
+
+  MENISCUS_HD void operator()(uint32_t i) const { by_index[i] = by_slot[slot[i]]; }
+};
+
+struct Renumber {
+  View<const uint32_t> new_slot;
+  View<uint32_t> slot;
+
+  MENISCUS_HD void operator()(uint32_t i) const { slot[i] = new_slot[slot[i]]; }
+};
+
+}  // namespace removal_kernels
+
+template <class D>
+class Removal {
+ public:
+  explicit Removal(D& device) : device_(device) {}
+
+  void reserve(uint32_t capacity) {
+    for (Buffer<uint32_t>* b : {&keep_, &keep_by_slot_, &order_}) b->resize_discard(capacity);
+    offset_.resize_discard(capacity + 1);
+    slot_offset_.resize_discard(capacity + 1);
+  }
+
+  /// By sorted index: 1 for who stays, 0 for who goes. To be filled before apply().
+  View<uint32_t> keep() { return keep_.view(); }
+
+  /// Fills keep() from an array by slot.
+  void keep_by_slot(Particles& particles, std::span<const uint32_t> keep) {
+    keep_by_slot_.write(keep);
+    device_.parallel_for(
+        "removal/pick", particles.count(),
+        removal_kernels::PickBySlot{keep_by_slot_.view(), particles.slot.current.view(), keep_.view()});
+  }
+
+  /// How many of keep() stay.
+  uint32_t count_kept(const Particles& particles) {
+    const uint32_t n = particles.count();
+    device_.exclusive_scan("removal/offsets", keep_.view().first(n), offset_.view().first(n + 1));
+    uint32_t kept = 0;
+    offset_.read(std::span(&kept, 1), n);
+    return kept;
+  }
+
+  /// Removes who does not stay, after count_kept; reorder(order, count) is called for arrays that live
+  /// elsewhere. Returns keep() by slot as it was before.
+  template <class Reorder>
+  std::vector<uint32_t> apply(Particles& particles, uint32_t kept, const Reorder& reorder) {
+    const uint32_t n = particles.count();
+    using namespace removal_kernels;
+    View<uint32_t> slot = particles.slot.current.view();
+    device_.parallel_for("removal/slots", n, SpreadBySlot{keep_.view(), slot, keep_by_slot_.view()});
+    device_.exclusive_scan("removal/slot offsets", keep_by_slot_.view().first(n),
+                           slot_offset_.view().first(n + 1));
+    device_.parallel_for("removal/renumber", n, Renumber{slot_offset_.view(), slot});
+    device_.parallel_for("removal/order", n, ScatterOrder{keep_.view(), offset_.view(), order_.view()});
+    const View<const uint32_t> order = order_.view();
+    gather_in_order(device_, "removal/positions", particles.position, order, kept);
+    gather_in_order(device_, "removal/velocities", particles.velocity, order, kept);
+    gather_in_order(device_, "removal/phases", particles.phase, order, kept);
+    gather_in_order(device_, "removal/slots", particles.slot, order, kept);
+    reorder(order, kept);
+    particles.set_count(kept);
+    return keep_by_slot_.read(n);
+  }
+
+ private:
+  D& device_;
+  Buffer<uint32_t> keep_{device_, "kept particles"};
+  Buffer<uint32_t> keep_by_slot_{device_, "kept slots"};
+  Buffer<uint32_t> offset_{device_, "kept offsets"};
+  Buffer<uint32_t> slot_offset_{device_, "kept slot offsets"};
+  Buffer<uint32_t> order_{device_, "kept order"};
+};
+
+}  // namespace meniscus::pbd

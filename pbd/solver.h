@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "pbd/contact_arrays.h"
+#include "pbd/neighbour_search.h"
+#include "pbd/stage_timer.h"
+#include "pbd/substep.h"
+
+namespace meniscus::pbd {
+
+struct SolverParameters {
+  Vec3 gravity{0, -9.81f, 0};      ///< m/s²
+  float support_radius = 0.1f;     ///< m
+  float contact_radius = 0.0125f;  ///< m
+  int substeps = 4;
+  int iterations = 10;
+  float cfl_number = 0;  ///< when > 0, substeps follow from it, within the limits
+  int min_substeps = 1, max_substeps = 16;
+};
+
+/// One pass over the particles: what the host must know of them.
+struct ParticleSummary {
+  Vec3 lower, upper;        ///< m, of the finite ones
+  float max_speed2;         ///< m²/s²
+  uint32_t non_finite;      ///< number of particles
+  uint32_t first_bad_slot;  ///< no_index when there is none
+};
+
+struct StepResult {
+  int substeps = 0;
+  uint32_t contacts = 0;
+  uint32_t max_neighbours = 0;
+  ParticleSummary summary{};
+};
+
+/// The position-based solver on device D. It owns how a step runs; what is constrained comes from the sets.
+template <class D>
+class Solver {
+ public:
+  Solver(D& device, Particles& particles, const SolverParameters& parameters);
+
+  /// Registered parts must outlive the solver. They run in the order in which they were added.
+  void add(ContactSource<D>& source) { contacts_.add(source); }
+  void add(ConstraintSet<D>& set) { sets_.push_back(&set); }
+  void add(VelocityPass<D>& pass) { passes_.push_back(&pass); }
+  void add(Observer<D>& observer) { observers_.push_back(&observer); }
+
+  /// Room for `capacity` particles here and in all parts.
+  void reserve(uint32_t capacity);
+  /// The particles [first, first + count) are new, or all have changed by hand.
+  void particles_changed(uint32_t first, uint32_t count);
+
+  /// Advances by dt. When the result's summary counts non-finite particles, the state is the one before the
+  /// call.
+  StepResult step(float dt);
+  /// Solves for positions and drops the motion: dissolves overlaps.
+  void relax(float dt, int times);
+
+  /// Calls measure(substep) with neighbours and contacts found afresh at the present positions, and leaves no
+  /// trace.
+  void measure(const std::function<void(Substep<D>&)>& measure);
+
+  const ParticleSummary& summary();
+  StageTimer& timer() { return timer_; }
+  uint32_t contact_count() const { return contacts_.count(); }
+
+ private:
+  void substep(float dt);
+  void sort_particles(float dt, Vec3 gravity);
+  void predict(float dt, Vec3 gravity);
+  void find(Substep<D>& s);
+  void update_velocities(const Substep<D>& s);
+  int choose_substeps(float dt);
+  Substep<D> make_substep(float dt);
+  void save_state();
+  void restore_state();
+
+  D& device_;
+  Particles& particles_;
+  SolverParameters parameters_;
+  NeighbourSearch<D> search_;
+  ContactArrays<D> contacts_;
+  std::vector<ConstraintSet<D>*> sets_;
+  std::vector<VelocityPass<D>*> passes_;
+  std::vector<Observer<D>*> observers_;
+  StageTimer timer_;
+
+  Buffer<uint32_t> found_{device_, "found counts"};
+  Buffer<ParticleSummary> summary_buffer_{device_, "particle summary"};
+  ParticleSummary summary_{};
+  bool summary_known_ = false;
+  uint32_t max_neighbours_ = 0;
+
+  Buffer<Vec4> saved_position_{device_, "saved positions"};
+  Buffer<Vec4> saved_velocity_{device_, "saved velocities"};
+  Buffer<Phase> saved_phase_{device_, "saved phases"};
+  Buffer<uint32_t> saved_slot_{device_, "saved slots"};
+};
+
+}  // namespace meniscus::pbd

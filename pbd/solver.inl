@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// How a step runs. Read substep() first: it is the algorithm.
+//
+// A substep follows Position Based Fluids (Macklin & Müller 2013, algorithm 1) with the small steps of
+// Macklin et al. 2019: positions are predicted, neighbours and contacts are found once, the constraint sets
+// correct the positions in turn for a number of iterations, and the velocity is what the positions did.
+// Neighbours and contacts have the capacity that they need before the solve begins: lists that were too short
+// grow, and are built again.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "pbd/contact_arrays.inl"
+#include "pbd/neighbour_search.inl"
+#include "pbd/solver.h"
+#include "pbd/solver_kernels.h"
+
+namespace meniscus::pbd {
+
+template <class D>
+void Solver<D>::substep(float dt) {
+  timer_.enter(StageId::predict);
+  sort_particles(dt, parameters_.gravity);
+  predict(dt, parameters_.gravity);
+
+  Substep<D> s = make_substep(dt);
+  find(s);
+
+  timer_.enter(StageId::solve);
+  for (ConstraintSet<D>* set : sets_) set->begin(s);
+  for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
+    for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
+  }
+
+  timer_.enter(StageId::velocity);
+  update_velocities(s);
+  for (ConstraintSet<D>* set : sets_) set->end(s);
+  for (VelocityPass<D>* pass : passes_) pass->apply(s, particles_);
+  for (Observer<D>* observer : observers_) observer->observe(s);
+}
+
+template <class D>
+StepResult Solver<D>::step(float dt) {
+  timer_.start_step();
+  const int substeps = choose_substeps(dt);
+  save_state();
+  for (Observer<D>* observer : observers_) observer->start_step();
+  for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps));
+  timer_.enter(StageId::finish);
+  summary_known_ = false;
+  const ParticleSummary after = summary();
+  timer_.stop();
+  device_.wait();
+  if (after.non_finite) restore_state();
+  return {substeps, contacts_.count(), max_neighbours_, after};
+}
+
+template <class D>
+void Solver<D>::relax(float dt, int times) {
+  for (int k = 0; k < times; ++k) {
+    timer_.start_step();
+    sort_particles(0, {});
+    predict(0, {});
+    Substep<D> s = make_substep(dt);
+    find(s);
+    for (ConstraintSet<D>* set : sets_) set->begin(s);
+    for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
+      for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
+    }
+    device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
+    particles_changed(0, particles_.count());
+  }
+}
+
+template <class D>
+void Solver<D>::measure(const std::function<void(Substep<D>&)>& measure) {
+  save_state();
+  timer_.start_step();
+  sort_particles(0, {});
+  predict(0, {});
+  Substep<D> s = make_substep(0);
+  find(s);
+  measure(s);
+  restore_state();
+}
+
+// ---- the stages
+// ----------------------------------------------------------------------------------------------------
+
+template <class D>
+void Solver<D>::sort_particles(float dt, Vec3 gravity) {
+  search_.fit({summary().lower, summary().upper});
+  search_.sort(particles_.view(), gravity, dt);
+  for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), particles_.count());
+}
+
+template <class D>
+void Solver<D>::predict(float dt, Vec3 gravity) {
+  Particles& p = particles_;
+  device_.parallel_for(
+      "predict", p.count(),
+      solver_kernels::Predict{search_.order(), p.position.current.view(), p.velocity.current.view(),
+                              p.phase.current.view(), p.slot.current.view(), p.position.next.view(),
+                              p.previous.view(), p.velocity.next.view(), p.phase.next.view(),
+                              p.slot.next.view(), gravity, dt});
+  p.position.flip();
+  p.velocity.flip();
+  p.phase.flip();
+  p.slot.flip();
+}
+
+template <class D>
+void Solver<D>::find(Substep<D>& s) {
+  timer_.enter(StageId::neighbours);
+  search_.list(s.particles, s.sentinel);
+  timer_.enter(StageId::contacts);
+  contacts_.find_counts(s);
+
+  // The one read of the host a substep: overflow of the neighbour lists, contacts, particles that have any.
+  uint32_t found[3];
+  device_.copy(found_.view().data, search_.overflow().data, sizeof(uint32_t));
+  device_.copy(found_.view().data + 1, contacts_.total().data, sizeof(uint32_t));
+  device_.copy(found_.view().data + 2, contacts_.total_particles().data, sizeof(uint32_t));
+  found_.read(found);
+  max_neighbours_ = std::max(max_neighbours_, found[0]);
+  if (found[0]) {
+    search_.grow_rows(found[0]);
+    search_.list(s.particles, s.sentinel);
+  }
+  contacts_.fill(s, found[1], found[2]);
+  s.neighbours = search_.view();
+  s.contacts = contacts_.view();
+}
+
+template <class D>
+void Solver<D>::update_velocities(const Substep<D>& s) {
+  device_.parallel_for("velocity/update", s.particles.owned,
+                       solver_kernels::UpdateVelocity{s.particles.position, s.particles.previous,
+                                                      s.particles.velocity, 1.0f / s.dt});
+}
+
+template <class D>
+int Solver<D>::choose_substeps(float dt) {
+  if (parameters_.cfl_number <= 0) return parameters_.substeps;
+  const float speed = std::sqrt(summary().max_speed2) + dt * length(parameters_.gravity);
+  const float wanted = std::ceil(speed * dt / (parameters_.cfl_number * parameters_.support_radius));
+  return static_cast<int>(std::clamp(wanted, static_cast<float>(parameters_.min_substeps),
+                                     static_cast<float>(parameters_.max_substeps)));
+}
+
+// ---- state
+// ---------------------------------------------------------------------------------------------------------
+
+template <class D>
+Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& parameters)
+    : device_(device),
+      particles_(particles),
+      parameters_(parameters),
+      search_(device, parameters.support_radius),
+      contacts_(device, parameters.contact_radius),
+      timer_(device) {
+  summary_buffer_.resize_discard(1);
+  found_.resize_discard(3);
+}
+
+template <class D>
+void Solver<D>::reserve(uint32_t capacity) {
+  if (capacity <= particles_.capacity()) return;
+  for (ConstraintSet<D>* set : sets_) set->reserve(capacity, particles_.count());
+  for (VelocityPass<D>* pass : passes_) pass->reserve(capacity);
+  particles_.reserve(capacity);
+  search_.reserve(capacity);
+  contacts_.reserve(capacity);
+  saved_position_.resize_discard(capacity);
+  saved_velocity_.resize_discard(capacity);
+  saved_phase_.resize_discard(capacity);
+  saved_slot_.resize_discard(capacity);
+}
+
+template <class D>
+void Solver<D>::particles_changed(uint32_t first, uint32_t count) {
+  summary_known_ = false;
+  for (ConstraintSet<D>* set : sets_) set->clear(first, count);
+}
+
+template <class D>
+const ParticleSummary& Solver<D>::summary() {
+  using namespace solver_kernels;
+  if (!summary_known_) {
+    const ParticleView p = particles_.view();
+    device_.reduce("summary", p.owned, empty_summary(), Summarize{p.position, p.velocity, p.slot},
+                   MergeSummaries{}, summary_buffer_.view());
+    summary_buffer_.read(std::span(&summary_, 1));
+    summary_known_ = true;
+  }
+  return summary_;
+}
+
+template <class D>
+Substep<D> Solver<D>::make_substep(float dt) {
+  return {device_, particles_.view(), {}, {}, particles_.sentinel(), dt, parameters_.iterations};
+}
+
+template <class D>
+void Solver<D>::save_state() {
+  const uint32_t n = particles_.count();
+  device_.copy(saved_position_.view().data, particles_.position.current.view().data, n * sizeof(Vec4));
+  device_.copy(saved_velocity_.view().data, particles_.velocity.current.view().data, n * sizeof(Vec4));
+  device_.copy(saved_phase_.view().data, particles_.phase.current.view().data, n * sizeof(Phase));
+  device_.copy(saved_slot_.view().data, particles_.slot.current.view().data, n * sizeof(uint32_t));
+  for (ConstraintSet<D>* set : sets_) set->save(n);
+}
+
+template <class D>
+void Solver<D>::restore_state() {
+  const uint32_t n = particles_.count();
+  device_.copy(particles_.position.current.view().data, saved_position_.view().data, n * sizeof(Vec4));
+  device_.copy(particles_.velocity.current.view().data, saved_velocity_.view().data, n * sizeof(Vec4));
+  device_.copy(particles_.phase.current.view().data, saved_phase_.view().data, n * sizeof(Phase));
+  device_.copy(particles_.slot.current.view().data, saved_slot_.view().data, n * sizeof(uint32_t));
+  for (ConstraintSet<D>* set : sets_) set->restore(n);
+  summary_known_ = false;
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cuda/cuda_device.cuh"
+#include "pbd/solver.inl"
+
+template class meniscus::pbd::Solver<meniscus::pbd::CudaDevice>;

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "pbd/device/device.h"
+
+namespace meniscus::pbd {
+
+enum class StageId { predict, neighbours, contacts, solve, velocity, finish };
+inline constexpr size_t stage_ids = 6;
+
+/// Splits the device's time among the stages of a step.
+class StageTimer {
+ public:
+  explicit StageTimer(Device& device) : device_(device) {}
+
+  void start_step() { marks_.clear(); }
+  /// What is launched from here on belongs to `stage`.
+  void enter(StageId stage) {
+    device_.mark_time(static_cast<uint32_t>(marks_.size()));
+    marks_.push_back(stage);
+  }
+  /// Ends the step; the device must be idle before read() is called.
+  void stop() { device_.mark_time(static_cast<uint32_t>(marks_.size())); }
+
+  std::array<double, stage_ids> read_ms() const {
+    std::array<double, stage_ids> total{};
+    for (uint32_t i = 0; i < marks_.size(); ++i)
+      total[static_cast<size_t>(marks_[i])] += device_.elapsed_ms(i, i + 1);
+    return total;
+  }
+
+ private:
+  Device& device_;
+  std::vector<StageId> marks_;
+};
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/types.h>
+
+#include "pbd/contacts.h"
+#include "pbd/neighbours.h"
+#include "pbd/particles.h"
+
+namespace meniscus::pbd {
+
+/// What a substep lends to the constraint sets and velocity passes.
+template <class D>
+struct Substep {
+  D& device;
+  ParticleView particles;
+  NeighbourView neighbours;
+  ContactView contacts;
+  uint32_t sentinel = 0;  ///< the particle that fills up neighbour rows
+  float dt = 0;           ///< s
+  int iterations = 0;
+};
+
+/// Arrays that belong to particles but live in a set: they follow when particles are sorted, added and
+/// removed.
+class ParticleState {
+ public:
+  virtual ~ParticleState() = default;
+  virtual void reserve(uint32_t /*capacity*/, uint32_t /*kept*/) {}
+  virtual void clear(uint32_t /*first*/, uint32_t /*count*/) {}
+  /// Element i becomes what was at order[i].
+  virtual void reorder(View<const uint32_t> /*order*/, uint32_t /*count*/) {}
+  virtual void save(uint32_t /*count*/) {}
+  virtual void restore(uint32_t /*count*/) {}
+};
+
+/// One kind of constraint, for all particles that it concerns. Sets project in the order of their
+/// registration, contacts last.
+template <class D>
+class ConstraintSet : public ParticleState {
+ public:
+  /// Neighbours and contacts are known; nothing is solved yet.
+  virtual void begin(Substep<D>&) {}
+  /// One iteration: moves particles.position towards C(p) = 0.
+  virtual void project(Substep<D>&, int iteration) = 0;
+  /// Velocities are known.
+  virtual void end(Substep<D>&) {}
+};
+
+/// Something that changes velocities after the constraints.
+template <class D>
+class VelocityPass {
+ public:
+  virtual ~VelocityPass() = default;
+  /// May flip the particles' velocity buffers: takes its views from `particles`.
+  virtual void apply(Substep<D>& substep, Particles& particles) = 0;
+  virtual void reserve(uint32_t /*capacity*/) {}
+};
+
+/// Something that looks at a finished substep.
+template <class D>
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void start_step() {}
+  virtual void observe(const Substep<D>& substep) = 0;
+};
+
+/// Something that finds contacts: first their number for each particle, then, when there is room, they
+/// themselves.
+template <class D>
+class ContactSource {
+ public:
+  virtual ~ContactSource() = default;
+  virtual void count(const Substep<D>& substep, View<uint32_t> counts) = 0;
+  /// Writes the contacts of particle i from contacts[cursor[i]] on, and moves the cursor past them.
+  virtual void fill(const Substep<D>& substep, View<uint32_t> cursor, View<Contact> contacts) = 0;
+};
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/cli/commands/run.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sdk/cli/frame_exporter.h"
+#include "sdk/cli/interrupt.h"
+#include "sdk/cli/program.h"
+#include "sdk/cli/progress.h"
+#include "sdk/cli/run_recorder.h"
+#include "sdk/cli/run_summary.h"
+#include "sdk/cli/scene_lookup.h"
+#include "sdk/io/preview.h"
+
+namespace meniscus::cli {
+namespace {
+
+Scene scene_of(const RunOptions& options) {
+  Scene scene = find_scene(options.scene, options.overrides);
+  if (options.device == "auto") scene.world.device = DeviceChoice::automatic;
+  if (options.device == "cpu") scene.world.device = DeviceChoice::cpu;
+  if (options.device == "cuda") scene.world.device = DeviceChoice::cuda;
+  if (options.threads) scene.world.threads = *options.threads;
+  if (options.frames) scene.frames = *options.frames;
+  return scene;
+}
+
+std::filesystem::path made_folder(const RunOptions& options, const Scene& scene) {
+  // A name is not a path.
+  std::string name = scene.name;
+  std::replace(name.begin(), name.end(), '/', '_');
+  const std::filesystem::path folder = options.out.empty() ? "out/" + name : options.out;
+  make_folder(folder);
+  return folder;
+}
+
+class Run {
+ public:
+  explicit Run(const RunOptions& options)
+      : scene_(scene_of(options)),
+        folder_(made_folder(options, scene_)),
+        recorder_(folder_, scene_),
+        exporter_(folder_, options.formats),
+        built_(build_scene(scene_)) {}
+
+  /// From here on an error ends the run but not the program: what was done is still written.
+  void step_through(bool quiet) {
+    const Interrupt interrupt;
+    Progress progress(scene_.frames, quiet);
+    recorder_.start(built_.world.device(), sample(0, {}));
+    try {
+      for (int frame = 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
+        const FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
+        recorder_.add(now);
+        exporter_.write(frame, now.particles);
+        progress.show(frame, now.step.ms, now.diagnostics.density_error_mean);
+      }
+    } catch (const std::exception& error) {
+      end_.error = error.what();
+    }
+    end_.interrupted = interrupt.raised();
+  }
+
+  nlohmann::ordered_json write_results() {
+    end_.state_hash = built_.world.state_hash();
+    end_.device_bytes = built_.world.device_bytes();
+    nlohmann::ordered_json figures = recorder_.finish(end_);
+    io::write_png(folder_ / "preview.png",
+                  io::render_preview(io::frame_of(built_.world), io::preview_of(scene_)));
+    return figures;
+  }
+
+  const RunEnd& end() const { return end_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  FrameSample sample(int frame, const StepReport& step) const {
+    const World& world = built_.world;
+    FrameSample now{.frame = frame,
+                    .step = step,
+                    .diagnostics = world.diagnostics(),
+                    .mass = 0,
+                    .particles = io::frame_of(world),
+                    .probes = {}};
+    std::vector<std::size_t> counts(built_.fluids.size());
+    for (const uint32_t fluid : now.particles.fluids) ++counts.at(fluid);
+    for (const FluidId fluid : built_.fluids) {
+      now.mass += static_cast<double>(counts.at(fluid.index)) * world.particle_mass(fluid);
+    }
+    for (const ProbeId probe : built_.probes) now.probes.push_back(world.probe(probe));
+    return now;
+  }
+
+  Scene scene_;
+  std::filesystem::path folder_;
+  RunRecorder
+      recorder_;  // opens its files before the world is built: a folder that cannot be used is known at once
+  FrameExporter exporter_;
+  BuiltScene built_;
+  RunEnd end_;
+};
+
+}  // namespace
+
+int run_scene(const RunOptions& options) {
+  if (options.quiet) spdlog::set_level(spdlog::level::err);
+  Run run(options);
+  run.step_through(options.quiet);
+  try {
+    const nlohmann::ordered_json figures = run.write_results();
+    if (!options.quiet) fmt::print("{}", run_summary(figures, run.folder(), options.formats));
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return run_failed;
+  }
+  if (!run.end().error.empty()) {
+    spdlog::error("{}", run.end().error);
+    return run_failed;
+  }
+  return run.end().interrupted ? interrupted : success;
+}
+
+}  // namespace meniscus::cli

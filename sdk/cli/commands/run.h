@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meniscus::cli {
+
+struct RunOptions {
+  std::string scene;  ///< a file, or a sample's name
+  std::vector<std::string> overrides;
+  std::string device;  ///< auto, cpu or cuda; empty: the scene's
+  std::optional<int> frames, threads;
+  std::string out;  ///< empty: out/<scene name>
+  std::vector<std::string> formats;
+  bool quiet = false;
+};
+
+/// Runs a scene and writes what came of it; returns an exit code. Throws Error where nothing was run: for bad
+/// input, an output folder that cannot be used, or a device that is not there.
+int run_scene(const RunOptions& options);
+
+}  // namespace meniscus::cli

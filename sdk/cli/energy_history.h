@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
+
+#include "sdk/cli/frame_sample.h"
+#include "sdk/scene/scene.h"
+
+namespace meniscus::cli {
+
+/// The height, along up, of the lowest closed container's or level plane's floor, m; none where nothing is
+/// below, or without gravity.
+std::optional<double> floor_level(const Scene& scene);
+
+/// Mechanical energy over a run. A ratio of energies needs a zero of height that means something: it is the
+/// scene's floor, or, without one, the lowest place that a particle reached.
+class EnergyHistory {
+ public:
+  explicit EnergyHistory(const Scene& scene);
+
+  void add(const FrameSample& sample);
+
+  /// start_j, end_j, max_j; end_ratio and max_ratio over the start, null where the start has no energy; and
+  /// the zero.
+  nlohmann::ordered_json summary() const;
+
+ private:
+  struct Moment {
+    double from_origin, mass;  // J, kg
+  };
+
+  double above(double level, const Moment& moment) const;
+
+  double gravity_;  // m/s²
+  Vec3 up_;
+  std::optional<double> floor_;
+  double lowest_;
+  std::vector<Moment> moments_;
+};
+
+}  // namespace meniscus::cli

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/outputs.h>
+
+#include <vector>
+
+#include "sdk/io/particle_frame.h"
+
+namespace meniscus::cli {
+
+/// What is measured of a world after a frame's step, or before the first of them.
+struct FrameSample {
+  int frame = 0;  ///< 1 is the first step's; 0 is the state before it
+  StepReport step;
+  Diagnostics diagnostics;
+  double mass = 0;  ///< kg, of all particles
+  io::ParticleFrame particles;
+  std::vector<double> probes;  ///< in the order of the scene's list
+};
+
+}  // namespace meniscus::cli

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "sdk/cli/frame_sample.h"
+
+namespace meniscus::cli {
+
+/// frames.csv: a row a frame, on disk as soon as it is known.
+class FrameTable {
+ public:
+  /// Throws Error(io).
+  FrameTable(std::filesystem::path path, const std::vector<std::string>& probe_names);
+
+  /// Throws Error(io).
+  void add(const FrameSample& sample);
+
+ private:
+  void write_row(const std::string& row);
+
+  std::filesystem::path path_;
+  std::ofstream stream_;
+};
+
+}  // namespace meniscus::cli

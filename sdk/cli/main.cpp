@@ -1,0 +1,7 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/cli/program.h"
+
+int main(int argc, char** argv) {
+  return meniscus::cli::run_program(argc, argv);
+}

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/cli/program.h"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <meniscus/error.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+
+#include "sdk/cli/commands/check.h"
+#include "sdk/cli/commands/devices.h"
+#include "sdk/cli/commands/run.h"
+#include "sdk/cli/commands/schema.h"
+
+namespace meniscus::cli {
+namespace {
+
+using Command = std::function<int()>;
+
+void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
+  app.add_option("scene", scene, "A scene file, or the name of a sample")->required()->type_name("SCENE");
+  app.add_option("--set", overrides, "Change a value of the scene, as in fluids[0].viscosity=0.1; repeatable")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_run(CLI::App& app, RunOptions& options, Command& command) {
+  CLI::App& run = *app.add_subcommand("run", "Run a scene and write measurements, a picture and frames");
+  add_scene(run, options.scene, options.overrides);
+  run.add_option("--device", options.device, "Where to run; by default what the scene says")
+      ->type_name("auto|cpu|cuda")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""));
+  run.add_option("--frames", options.frames, "How many frames, in place of the scene's own number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000'000).description(""));
+  run.add_option("--out", options.out, "The folder for the results; by default out/<scene name>")
+      ->type_name("DIR");
+  run.add_option("--export", options.formats, "Write every frame's particles, as ply and/or vtp")
+      ->type_name("ply,vtp")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"ply", "vtp"}).description(""));
+  run.add_option("--threads", options.threads, "Threads of the CPU device; 0 is one a core")
+      ->type_name("N")
+      ->check(CLI::Range(0, 4096).description(""));
+  run.add_flag("--quiet", options.quiet, "Print errors alone");
+  run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });
+}
+
+void add_check(CLI::App& app, CheckOptions& options, Command& command) {
+  CLI::App& check = *app.add_subcommand("check", "Read a scene, build it on the CPU and say what is in it");
+  add_scene(check, options.scene, options.overrides);
+  check.callback([&options, &command] { command = [&options] { return check_scene(options); }; });
+}
+
+/// Errors and progress go to stderr as `meniscus: ...`; stdout is for results.
+void start_log() {
+  spdlog::set_default_logger(spdlog::stderr_logger_st("meniscus"));
+  spdlog::set_pattern("%n: %v");
+}
+
+int report(std::string message, ExitCode code) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  spdlog::error(message);
+  return code;
+}
+
+ExitCode exit_code_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::invalid_argument:
+    case ErrorCode::not_found:
+    case ErrorCode::io:
+    case ErrorCode::parse:
+    case ErrorCode::mesh:
+      return bad_input;
+    case ErrorCode::capacity:
+    case ErrorCode::non_finite:
+    case ErrorCode::device:
+    case ErrorCode::out_of_memory:
+      return run_failed;
+  }
+  return run_failed;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  start_log();
+  RunOptions run;
+  CheckOptions check;
+  Command command;
+  CLI::App app("Position-based liquid on the GPU and on the CPU", "meniscus");
+  app.set_version_flag("--version", "meniscus " MENISCUS_VERSION);
+  app.require_subcommand(0, 1);
+  add_run(app, run, command);
+  add_check(app, check, command);
+  app.add_subcommand("devices", "List the devices, and which one auto takes")->callback([&] {
+    command = show_devices;
+  });
+  app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([&] {
+    command = print_schema;
+  });
+  try {
+    app.parse(argc, argv);
+    return command ? command() : report("a command is required (meniscus --help lists them)", bad_input);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::Error& error) {
+    return report(std::string(error.what()) + " (meniscus --help tells more)", bad_input);
+  } catch (const Error& error) {
+    return report(error.what(), exit_code_of(error.code()));
+  } catch (const std::exception& error) {
+    return report(error.what(), run_failed);
+  }
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace meniscus::cli {
+
+/// Tells on stderr how far a run is: one line that is drawn over on a terminal, else a line now and then.
+class Progress {
+ public:
+  Progress(int frames, bool quiet);
+  /// Leaves the terminal on a line of its own.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// After each frame. The density error is a fraction.
+  void show(int frame, double step_ms, double density_error_mean);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void show_bar(int frame, const std::string& facts);
+  void show_line(int frame, const std::string& facts);
+
+  int frames_;
+  bool quiet_, terminal_;
+  bool drawn_ = false;
+  int lines_ = 0;  // tenths of the run that have been told
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+}  // namespace meniscus::cli

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/cli/run_summary.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <nlohmann/json.hpp>
+
+namespace meniscus::cli {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+std::string line(const char* label, const std::string& text) {
+  return fmt::format("  {:<15}{}\n", label, text);
+}
+
+std::string text_of(const json& object, const char* key) {
+  return object.at(key).get<std::string>();
+}
+double number(const json& object, const char* key) {
+  return object.at(key).get<double>();
+}
+uint64_t count(const json& object, const char* key) {
+  return object.at(key).get<uint64_t>();
+}
+
+std::string heading(const json& figures) {
+  const json& device = figures.at("device");
+  std::string text = fmt::format("{} on {}: {}\n", text_of(figures, "scene"), text_of(device, "kind"),
+                                 text_of(device, "name"));
+  if (const std::string reason = text_of(device, "reason"); !reason.empty()) text += line("", reason);
+  if (figures.at("interrupted").get<bool>())
+    text += "  INTERRUPTED: what follows is of the frames that were done\n";
+  if (!figures.at("error").is_null()) text += "  FAILED: what follows is of the frames that were done\n";
+  return text;
+}
+
+std::string run_line(const json& figures) {
+  return fmt::format("{} frames of {:.4g} ms, {:.4g} s in all; {} substeps of {} iterations",
+                     count(figures, "frames"), 1000 * number(figures, "time_step_s"),
+                     number(figures, "simulated_s"), count(figures, "substeps"),
+                     count(figures, "iterations"));
+}
+
+std::string time_line(const json& ms) {
+  std::string text = fmt::format("{:.2f} ms median, {:.2f} ms at the 90th percentile", number(ms, "median"),
+                                 number(ms, "p90"));
+  for (const auto& [stage, value] : ms.at("stages").items()) {
+    text += fmt::format("\n{:17}{:<12}{:9.2f} ms", "", stage, value.get<double>());
+  }
+  return text;
+}
+
+std::string density_line(const json& density) {
+  return fmt::format("{:.3f} % mean, {:.3f} % at the 99th percentile, {:.3f} % at most",
+                     number(density, "mean"), number(density, "p99"), number(density, "max"));
+}
+
+std::string energy_line(const json& energy) {
+  std::string text = fmt::format("{:.4g} J at the start, {:.4g} J at the end", number(energy, "start_j"),
+                                 number(energy, "end_j"));
+  if (energy.at("max_ratio").is_null()) return text;
+  return text + fmt::format("; at most {:.4f} of the start", number(energy, "max_ratio"));
+}
+
+std::string trouble_line(const json& figures) {
+  return fmt::format("{} outside, {} not finite, {} removed by sinks", count(figures, "outside"),
+                     count(figures, "non_finite"), count(figures, "removed"));
+}
+
+std::string file_list(const std::vector<std::string>& formats) {
+  std::string text = "summary.json, frames.csv, density.svg, preview.png";
+  for (const std::string& format : formats)
+    text += ", frames/*." + format + (format == "vtp" ? ", particles.pvd" : "");
+  return text;
+}
+
+}  // namespace
+
+std::string run_summary(const json& figures, const std::filesystem::path& folder,
+                        const std::vector<std::string>& formats) {
+  std::string text = heading(figures);
+  text += line("run", run_line(figures));
+  text += line("particles", fmt::format("{}, in {:.1f} MiB on the device", count(figures, "particles"),
+                                        number(figures, "device_bytes") / (1 << 20)));
+  text += line("time a step", time_line(figures.at("ms_per_step")));
+  text += line("density error", density_line(figures.at("density_error")));
+  if (!figures.at("energy").is_null()) text += line("energy", energy_line(figures.at("energy")));
+  text += line("lost", trouble_line(figures));
+  for (const auto& [name, value] : figures.at("probes").items()) {
+    text += line("probe", fmt::format("{}: {:.6g}", name, value.get<double>()));
+  }
+  text += line("state", text_of(figures, "state_hash"));
+  text += line("files", folder.string() + ": " + file_list(formats));
+  return text + fmt::format("The picture to open: {}\n", (folder / "preview.png").string());
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace meniscus::cli {
+
+/// The figures of summary.json in words, with the files of the run; the last line names the picture.
+std::string run_summary(const nlohmann::ordered_json& figures, const std::filesystem::path& folder,
+                        const std::vector<std::string>& formats);
+
+}  // namespace meniscus::cli

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/cli/scene_lookup.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "sdk/scene/scene_file.h"
+
+namespace meniscus::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path samples_folder() {
+  const char* folder = std::getenv("MENISCUS_SAMPLES_DIR");
+  return folder ? folder : MENISCUS_SAMPLES_DIR;
+}
+
+std::string sample_names() {
+  std::vector<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(samples_folder(), missing)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list.empty() ? "none in " + samples_folder().string() : list;
+}
+
+}  // namespace
+
+std::string scene_path(const std::string& scene) {
+  if (fs::is_regular_file(scene)) return scene;
+  const fs::path sample = samples_folder() / (scene + ".json");
+  if (scene.find('/') == std::string::npos && fs::is_regular_file(sample)) return sample.string();
+  throw Error(ErrorCode::io,
+              "no scene file and no sample is called '" + scene + "'; samples: " + sample_names());
+}
+
+Scene find_scene(const std::string& scene, std::span<const std::string> overrides) {
+  const std::string path = scene_path(scene);
+  Scene found = read_scene(path, overrides);
+  if (found.name.empty()) found.name = fs::path(path).stem().string();
+  return found;
+}
+
+}  // namespace meniscus::cli

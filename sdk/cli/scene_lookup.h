@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "sdk/scene/scene.h"
+
+namespace meniscus::cli {
+
+/// The file of a scene that is given by its path, or by the name of a sample: NAME.json in the folder that
+/// the environment's MENISCUS_SAMPLES_DIR names, else in the source tree's samples/scenes. Throws Error(io),
+/// which lists the samples.
+std::string scene_path(const std::string& scene);
+
+/// Reads it; a scene without a name is called after its file. Throws what scene_path and read_scene throw.
+Scene find_scene(const std::string& scene, std::span<const std::string> overrides);
+
+}  // namespace meniscus::cli

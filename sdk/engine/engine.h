@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The simulation behind a World, with its device hidden. A slot is a particle's place in the user's arrays.
+#pragma once
+
+#include <meniscus/outputs.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "collision/mesh.h"
+#include "collision/shape.h"
+#include "fluid/density_set.h"
+#include "fluid/material.h"
+#include "fluid/probes.h"
+#include "pbd/solver.h"
+
+namespace meniscus {
+
+struct EngineDef {
+  pbd::SolverParameters solver;
+  fluid::Kernel kernel{};
+  fluid::DensityParameters density;
+};
+
+/// Removes the particles inside the box, or those outside of it.
+struct SinkBox {
+  Aabb box{{0, 0, 0}, {0, 0, 0}};
+  bool outside = false;
+};
+
+struct ParticleBatch {
+  std::vector<pbd::Vec4> position;  ///< w: inverse mass
+  std::vector<pbd::Vec4> velocity;
+  std::vector<pbd::Phase> phase;
+};
+
+struct EngineStep {
+  pbd::StepResult result;
+  std::array<double, stage_count> stage_ms{};
+  std::vector<bool> removed;  ///< by slot before the step; empty when nothing was
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  virtual pbd::Device& device() = 0;
+
+  virtual void set_materials(std::span<const fluid::Material> materials) = 0;
+  /// Fields that shapes refer to by number; they stay as long as the engine.
+  virtual uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) = 0;
+  virtual uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
+                                    std::span<const float> heights) = 0;
+  virtual void set_shapes(std::span<const collision::Shape> shapes,
+                          std::span<const collision::PlaneOpening> openings) = 0;
+  virtual void set_sinks(std::span<const SinkBox> sinks) = 0;
+  virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
+  virtual std::vector<fluid::ProbeSum> read_probes() = 0;
+
+  /// Which points of the cubic lattice with this spacing lie inside the mesh.
+  virtual std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) = 0;
+  /// Signed distance of each point to the nearest solid.
+  virtual std::vector<float> solid_distances(std::span<const Vec3> points, float reach) = 0;
+
+  virtual uint32_t particle_count() const = 0;
+  virtual void append(const ParticleBatch& batch) = 0;
+  /// keep[slot] says who stays; the rest move up.
+  virtual void keep(const std::vector<bool>& keep) = 0;
+
+  /// When the result's summary counts non-finite particles, the state is the one before the call.
+  virtual EngineStep step(float dt) = 0;
+  virtual void relax(float dt, int iterations) = 0;
+
+  // By slot.
+  virtual void read_positions(std::span<Vec3> out) = 0;
+  virtual void read_velocities(std::span<Vec3> out) = 0;
+  virtual void read_fluids(std::span<uint32_t> out) = 0;
+  virtual void read_pressures(std::span<float> out, float dt) = 0;
+  /// C, and 1 where the support is full; measured afresh.
+  virtual void read_density_errors(std::span<float> error, std::span<float> full) = 0;
+  /// All but the density errors.
+  virtual Diagnostics measure(Vec3 gravity) = 0;
+};
+
+std::unique_ptr<Engine> make_cpu_engine(const EngineDef& def, int threads);
+std::unique_ptr<Engine> make_cuda_engine(const EngineDef& def);
+
+}  // namespace meniscus

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "collision/contact_set.h"
+#include "collision/mesh_sampling.h"
+#include "collision/sdf_build.h"
+#include "collision/shape_contacts.h"
+#include "fluid/viscosity_pass.h"
+#include "pbd/removal.h"
+#include "sdk/engine/engine.h"
+#include "sdk/engine/engine_kernels.h"
+
+namespace meniscus {
+
+/// The simulation on device D: the solver with what a world of fluid and fixed solids registers with it.
+template <class D>
+class DeviceEngine final : public Engine {
+ public:
+  template <class... Args>
+  explicit DeviceEngine(const EngineDef& def, Args... device_arguments)
+      : device_(device_arguments...),
+        def_(def),
+        solver_(device_, particles_, def.solver),
+        contacts_(device_, def.solver.support_radius, def.solver.contact_radius),
+        density_(device_, def.kernel, def.density),
+        contact_set_(device_),
+        viscosity_(device_, def.kernel),
+        probes_(device_, density_),
+        removal_(device_) {
+    solver_.add(contacts_);
+    solver_.add(density_);
+    solver_.add(contact_set_);
+    solver_.add(viscosity_);
+    solver_.add(probes_);
+    reserve(1024);
+  }
+
+  pbd::Device& device() override { return device_; }
+  uint32_t particle_count() const override { return particles_.count(); }
+
+  void set_materials(std::span<const fluid::Material> materials) override {
+    viscosity_.set_materials(materials);
+  }
+  uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) override;
+  uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
+                            std::span<const float> heights) override;
+  void set_shapes(std::span<const collision::Shape> shapes,
+                  std::span<const collision::PlaneOpening> openings) override;
+  void set_sinks(std::span<const SinkBox> sinks) override { replace(sinks_, sinks); }
+  void set_probes(std::span<const fluid::Probe> probes) override { probes_.set_probes(probes); }
+  std::vector<fluid::ProbeSum> read_probes() override { return probes_.read(); }
+
+  std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) override;
+  std::vector<float> solid_distances(std::span<const Vec3> points, float reach) override;
+
+  void append(const ParticleBatch& batch) override;
+  void keep(const std::vector<bool>& keep) override;
+  EngineStep step(float dt) override;
+  void relax(float dt, int iterations) override { solver_.relax(dt, iterations); }
+
+  void read_positions(std::span<Vec3> out) override { read_vector(particles_.position.current.view(), out); }
+  void read_velocities(std::span<Vec3> out) override { read_vector(particles_.velocity.current.view(), out); }
+  void read_fluids(std::span<uint32_t> out) override;
+  void read_pressures(std::span<float> out, float dt) override;
+  void read_density_errors(std::span<float> error, std::span<float> full) override;
+  Diagnostics measure(Vec3 gravity) override;
+
+ private:
+  void reserve(uint32_t capacity);
+  void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
+  std::vector<bool> take_sinks();
+  std::vector<uint32_t> remove_marked(uint32_t kept);
+
+  template <class T>
+  static void replace(pbd::Buffer<T>& buffer, std::span<const T> values) {
+    buffer.resize_discard(static_cast<uint32_t>(values.size()));
+    buffer.write(values);
+  }
+
+  D device_;
+  EngineDef def_;
+  pbd::Particles particles_{device_};
+  pbd::Solver<D> solver_;
+  collision::ShapeContacts<D> contacts_;
+  fluid::DensitySet<D> density_;
+  collision::ContactSet<D> contact_set_;
+  fluid::ViscosityPass<D> viscosity_;
+  fluid::Probes<D> probes_;
+  pbd::Removal<D> removal_;
+
+  collision::ShapeSet shape_set_;
+  std::deque<collision::Sdf> sdf_grids_;
+  std::deque<pbd::Buffer<float>> height_samples_;
+  std::vector<collision::SdfView> sdf_views_;
+  std::vector<collision::HeightFieldView> height_views_;
+  pbd::Buffer<collision::Shape> shapes_{device_, "shapes"};
+  pbd::Buffer<collision::PlaneOpening> openings_{device_, "openings"};
+  pbd::Buffer<collision::SdfView> sdfs_{device_, "distance fields"};
+  pbd::Buffer<collision::HeightFieldView> height_fields_{device_, "height fields"};
+  pbd::Buffer<SinkBox> sinks_{device_, "sinks"};
+
+  pbd::Buffer<Vec3> vector_out_{device_, "read-out"};
+  pbd::Buffer<float> scalar_out_{device_, "read-out"};
+  pbd::Buffer<float> full_out_{device_, "read-out"};
+  pbd::Buffer<uint32_t> index_out_{device_, "read-out"};
+  pbd::Buffer<engine_kernels::StateSum> state_sum_{device_, "state sum"};
+};
+
+}  // namespace meniscus
+
+#include "sdk/engine/engine_particles.inl"
+#include "sdk/engine/engine_readout.inl"
+#include "sdk/engine/engine_shapes.inl"

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cpu/cpu_device.h"
+#include "sdk/engine/engine.inl"
+
+namespace meniscus {
+
+std::unique_ptr<Engine> make_cpu_engine(const EngineDef& def, int threads) {
+  return std::make_unique<DeviceEngine<pbd::CpuDevice>>(def, threads);
+}
+
+}  // namespace meniscus

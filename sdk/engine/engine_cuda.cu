@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cuda/cuda_device.cuh"
+#include "sdk/engine/engine.inl"
+
+namespace meniscus {
+
+std::unique_ptr<Engine> make_cuda_engine(const EngineDef& def) {
+  return std::make_unique<DeviceEngine<pbd::CudaDevice>>(def);
+}
+
+}  // namespace meniscus

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Read-outs, measurements and sinks.
+#pragma once
+
+#include "collision/shape.h"
+#include "pbd/particles.h"
+#include "sdk/engine/engine.h"
+
+namespace meniscus::engine_kernels {
+
+using pbd::View;
+
+/// Writes xyz of sorted particles to the user's order.
+struct ReadVector {
+  View<const pbd::Vec4> from;
+  View<const uint32_t> slot;
+  View<Vec3> to;
+
+  MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = from[i].xyz(); }
+};
+
+struct ReadGroup {
+  View<const pbd::Phase> phase;
+  View<const uint32_t> slot;
+  View<uint32_t> to;
+
+  MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = pbd::phase_group(phase[i]); }
+};
+
+struct ReadScaled {
+  View<const float> from;
+  View<const uint32_t> slot;
+  View<float> to;
+  float scale;
+
+  MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = scale * from[i]; }
+};
+
+/// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. Beyond a
+/// wall with an opening a particle has left, and is not judged.
+MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, Vec3 p, float reach) {
+  for (uint32_t k = 0; k < set.shapes.count; ++k) {
+    const collision::Shape& shape = set.shapes[k];
+    if (shape.opening_count == 0 && collision::sample_surface(set, shape, p, reach).distance < 0) return true;
+  }
+  return false;
+}
+
+struct SolidDistance {
+  collision::ShapeSet set;
+  View<const Vec3> points;
+  View<float> distance;
+  float reach;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    float nearest = reach;
+    for (uint32_t k = 0; k < set.shapes.count; ++k) {
+      nearest = pbd::min(nearest, collision::sample_surface(set, set.shapes[k], points[i], reach).distance);
+    }
+    distance[i] = nearest;
+  }
+};
+
+struct StateSum {
+  double kinetic, potential;
+  float max_speed2;
+  uint32_t non_finite, outside;
+};
+
+struct SumState {
+  View<const pbd::Vec4> position, velocity;
+  collision::ShapeSet set;
+  Vec3 gravity;
+  float reach;
+
+  MENISCUS_HD StateSum operator()(uint32_t i) const {
+    const pbd::Vec4 x = position[i];
+    const Vec3 v = velocity[i].xyz();
+    if (!is_finite(x.xyz()) || !is_finite(v)) return {0, 0, 0, 1, 0};
+    const double mass = x.w > 0 ? 1.0 / x.w : 0;
+    const float v2 = dot(v, v);
+    return {0.5 * mass * v2, -mass * dot(gravity, x.xyz()), v2, 0, is_outside(set, x.xyz(), reach)};
+  }
+};
+
+struct AddStates {
+  MENISCUS_HD StateSum operator()(const StateSum& a, const StateSum& b) const {
+    return {a.kinetic + b.kinetic, a.potential + b.potential, pbd::max(a.max_speed2, b.max_speed2),
+            a.non_finite + b.non_finite, a.outside + b.outside};
+  }
+};
+
+struct MarkSinks {
+  View<const pbd::Vec4> position;
+  View<const SinkBox> sinks;
+  View<uint32_t> keep;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 p = position[i].xyz();
+    uint32_t stays = 1;
+    for (uint32_t k = 0; k < sinks.count; ++k) {
+      const Aabb& b = sinks[k].box;
+      const bool inside = p.x >= b.lower.x && p.x <= b.upper.x && p.y >= b.lower.y && p.y <= b.upper.y &&
+                          p.z >= b.lower.z && p.z <= b.upper.z;
+      if (inside != sinks[k].outside) stays = 0;
+    }
+    keep[i] = stays;
+  }
+};
+
+}  // namespace meniscus::engine_kernels

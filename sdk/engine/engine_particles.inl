@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <numeric>
+
+#include "sdk/engine/engine.inl"
+
+namespace meniscus {
+
+template <class D>
+void DeviceEngine<D>::reserve(uint32_t capacity) {
+  if (capacity <= particles_.capacity()) return;
+  solver_.reserve(capacity);
+  removal_.reserve(capacity);
+  vector_out_.resize_discard(capacity);
+  scalar_out_.resize_discard(capacity);
+  full_out_.resize_discard(capacity);
+  index_out_.resize_discard(capacity);
+  state_sum_.resize_discard(1);
+}
+
+template <class D>
+void DeviceEngine<D>::append(const ParticleBatch& batch) {
+  const uint32_t first = particles_.count();
+  const auto added = static_cast<uint32_t>(batch.position.size());
+  if (added == 0) return;
+  const uint32_t needed = first + added;
+  // A first fill gets what it asks for; later ones leave room for more, so that an emitter does not
+  // reallocate often.
+  if (needed > particles_.capacity()) reserve(first == 0 ? needed : needed + needed / 4);
+  std::vector<uint32_t> slot(added);
+  std::iota(slot.begin(), slot.end(), first);
+  particles_.append(batch.position, batch.velocity, batch.phase, slot);
+  solver_.particles_changed(first, added);
+}
+
+template <class D>
+void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
+  const std::vector<uint32_t> by_slot(keep.begin(), keep.end());
+  removal_.keep_by_slot(particles_, by_slot);
+  remove_marked(removal_.count_kept(particles_));
+}
+
+template <class D>
+std::vector<uint32_t> DeviceEngine<D>::remove_marked(uint32_t kept) {
+  std::vector<uint32_t> by_slot = removal_.apply(
+      particles_, kept,
+      [&](pbd::View<const uint32_t> order, uint32_t count) { density_.reorder(order, count); });
+  solver_.particles_changed(kept, 0);
+  return by_slot;
+}
+
+template <class D>
+std::vector<bool> DeviceEngine<D>::take_sinks() {
+  if (sinks_.size() == 0 || particles_.count() == 0) return {};
+  device_.parallel_for(
+      "sinks/mark", particles_.count(),
+      engine_kernels::MarkSinks{particles_.position.current.view(), sinks_.view(), removal_.keep()});
+  const uint32_t kept = removal_.count_kept(particles_);
+  if (kept == particles_.count()) return {};
+  const std::vector<uint32_t> by_slot = remove_marked(kept);
+  std::vector<bool> removed(by_slot.size());
+  std::transform(by_slot.begin(), by_slot.end(), removed.begin(), [](uint32_t stays) { return stays == 0; });
+  return removed;
+}
+
+template <class D>
+EngineStep DeviceEngine<D>::step(float dt) {
+  EngineStep done;
+  done.result = solver_.step(dt);
+  if (done.result.summary.non_finite) return done;
+  done.removed = take_sinks();
+  done.stage_ms = solver_.timer().read_ms();
+  return done;
+}
+
+}  // namespace meniscus

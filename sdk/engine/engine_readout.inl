@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sdk/engine/engine.inl"
+
+namespace meniscus {
+
+template <class D>
+void DeviceEngine<D>::read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out) {
+  device_.parallel_for("read-out/vectors", particles_.count(),
+                       engine_kernels::ReadVector{from, particles_.slot.current.view(), vector_out_.view()});
+  vector_out_.read(out);
+}
+
+template <class D>
+void DeviceEngine<D>::read_fluids(std::span<uint32_t> out) {
+  device_.parallel_for("read-out/fluids", particles_.count(),
+                       engine_kernels::ReadGroup{particles_.phase.current.view(),
+                                                 particles_.slot.current.view(), index_out_.view()});
+  index_out_.read(out);
+}
+
+template <class D>
+void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
+  const float scale = dt > 0 ? 1 / (def_.kernel.volume * dt * dt) : 0;
+  device_.parallel_for("read-out/pressures", particles_.count(),
+                       engine_kernels::ReadScaled{density_.multipliers(), particles_.slot.current.view(),
+                                                  scalar_out_.view(), scale});
+  scalar_out_.read(out);
+}
+
+template <class D>
+void DeviceEngine<D>::read_density_errors(std::span<float> error, std::span<float> full) {
+  solver_.measure(
+      [&](pbd::Substep<D>& substep) { density_.measure(substep, scalar_out_.view(), full_out_.view()); });
+  scalar_out_.read(error);
+  full_out_.read(full);
+}
+
+template <class D>
+Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
+  using namespace engine_kernels;
+  device_.reduce("measure/state", particles_.count(), StateSum{},
+                 SumState{particles_.position.current.view(), particles_.velocity.current.view(), shape_set_,
+                          gravity, def_.solver.support_radius},
+                 AddStates{}, state_sum_.view());
+  StateSum sum{};
+  state_sum_.read(std::span(&sum, 1));
+  Diagnostics d;
+  d.particles = particles_.count();
+  d.kinetic_energy = sum.kinetic;
+  d.potential_energy = sum.potential;
+  d.max_speed = std::sqrt(sum.max_speed2);
+  d.contacts = solver_.contact_count();
+  d.non_finite = sum.non_finite;
+  d.outside = sum.outside;
+  return d;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Definition structs: fill in what differs from the default, pass to World's constructor and create calls.
+// Every quantity is in SI units or has none, and keeps its meaning when the spacing or the time step changes.
+#pragma once
+
+#include <meniscus/ids.h>
+#include <meniscus/types.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace meniscus {
+
+enum class DeviceChoice {
+  automatic,  ///< CUDA where a usable GPU is found, else the CPU
+  cpu,
+  cuda,
+};
+
+/// How the density multipliers are found.
+enum class DensitySolver {
+  jacobi,     ///< damped Jacobi on accumulated multipliers
+  chebyshev,  ///< the same steps, accelerated by Chebyshev's weights: fewer iterations for the same error
+};
+
+/// Tensile-instability repulsion of Macklin & Müller 2013, eq. 13, as a pressure of strength · ρ₀ · |g| · h.
+struct ArtificialPressureDef {
+  float strength = 0.0f;  ///< k, no unit; the paper's look comes at about 0.1
+  int exponent = 4;       ///< n
+  float distance = 0.2f;  ///< Δq, as a fraction of the support radius
+};
+
+struct DensitySolverDef {
+  DensitySolver solver = DensitySolver::chebyshev;
+  float relaxation = 0.3f;         ///< Jacobi's damping ω, 0 < ω ≤ 0.44
+  float warm_start = 0.4f;         ///< share of the last substep's multipliers to start from, 0 to 0.5
+  float spectral_bound = 4.5f;     ///< largest eigenvalue that Chebyshev's weights expect
+  float compressibility = 0.0f;    ///< 1/Pa, the inverse bulk modulus; 0 is incompressible
+  float correction_limit = 0.25f;  ///< largest correction of one iteration, in particle spacings
+  ArtificialPressureDef artificial_pressure;
+};
+
+struct WorldDef {
+  DeviceChoice device = DeviceChoice::automatic;
+  int threads = 0;                 ///< of the CPU device; 0: one a core
+  Vec3 gravity{0, -9.81f, 0};      ///< m/s²
+  float particle_spacing = 0.05f;  ///< s, m: the rest distance between fluid particles
+  float support_ratio = 2.0f;      ///< support radius h over spacing, 1.5 to 3
+  int substeps = 4;                ///< a step, when cfl_number is 0
+  int iterations = 10;             ///< a substep
+  float cfl_number =
+      0.0f;  ///< when > 0: substeps are chosen so that nothing moves further than this · h in one
+  int min_substeps = 1;  ///< limits of that choice
+  int max_substeps = 16;
+  float contact_radius = 0.5f;  ///< distance at which a particle's centre stops at a surface, in spacings
+  DensitySolverDef density;
+};
+
+struct FluidDef {
+  std::string name = "water";
+  float rest_density = 1000.0f;  ///< ρ₀, kg/m³
+  float viscosity = 0.0f;        ///< kinematic, m²/s
+  float xsph = 5.0f;  ///< 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h²
+  float vorticity_confinement = 0.0f;  ///< ε, no unit; the force is ε · h · (N × ω)
+  float cohesion = 0.0f;               ///< N/m: surface tension from pairwise attraction
+  float surface_tension = 0.0f;        ///< N/m: surface tension from the difference of surface normals
+  Vec3 color{0.10f, 0.35f, 0.75f};     ///< linear RGB, 0 to 1
+};
+
+// ---- solids that do not move
+// ---------------------------------------------------------------------------------------
+
+/// Everything with normal · x < offset is solid.
+struct PlaneGeometry {
+  Vec3 normal{0, 1, 0};
+  float offset = 0;  ///< m
+};
+
+struct BoxGeometry {
+  Vec3 half_extents{0.5f, 0.5f, 0.5f};  ///< m
+};
+
+enum class Face { x_low, x_high, y_low, y_high, z_low, z_high };
+
+/// A hole in a container's face, through which fluid leaves. Without corners the whole face is open.
+struct Opening {
+  Face face = Face::y_high;
+  std::optional<Aabb> region{};  ///< in the container's frame; the extent along the face's normal is ignored
+};
+
+/// A box seen from inside: its six faces hold the fluid in.
+struct ContainerGeometry {
+  Vec3 half_extents{0.5f, 0.5f, 0.5f};  ///< m, of the inside
+  std::vector<Opening> openings;
+};
+
+struct SphereGeometry {
+  float radius = 0.5f;  ///< m
+};
+
+/// Along y; half_height is half of the distance between the two centres.
+struct CapsuleGeometry {
+  float radius = 0.5f;       ///< m
+  float half_height = 0.5f;  ///< m
+};
+
+/// Along y.
+struct CylinderGeometry {
+  float radius = 0.5f;       ///< m
+  float half_height = 0.5f;  ///< m
+};
+
+/// A closed surface from any file that assimp reads, as a signed distance field. Holes are closed by the
+/// winding number.
+struct MeshGeometry {
+  std::string file;
+  float scale = 1.0f;      ///< metres a file unit
+  float cell_size = 0.0f;  ///< of the field, m; 0: half of the particle spacing
+};
+
+/// Heights over a regular grid in x and z, centred at the origin; solid below.
+struct HeightFieldGeometry {
+  int columns = 0;             ///< samples along x, at least 2
+  int rows = 0;                ///< samples along z, at least 2
+  float cell_size = 0.1f;      ///< m
+  std::vector<float> heights;  ///< m, columns · rows of them, x fastest
+};
+
+using Geometry = std::variant<PlaneGeometry, BoxGeometry, ContainerGeometry, SphereGeometry, CapsuleGeometry,
+                              CylinderGeometry, MeshGeometry, HeightFieldGeometry>;
+
+struct ShapeDef {
+  std::string name;
+  Geometry geometry = PlaneGeometry{};
+  Pose pose;
+  float friction = 0.0f;     ///< Coulomb's μ
+  float restitution = 0.0f;  ///< 0 to 1
+};
+
+// ---- fluid volumes
+// -------------------------------------------------------------------------------------------------
+
+struct BoxRegion {
+  Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};  ///< m, before the pose
+};
+
+struct BallRegion {
+  float radius = 0.5f;  ///< m
+};
+
+/// The inside of a mesh, by its winding number.
+struct MeshRegion {
+  std::string file;
+  float scale = 1.0f;  ///< metres a file unit
+};
+
+using Region = std::variant<BoxRegion, BallRegion, MeshRegion>;
+
+/// A region filled with particles on a cubic lattice. Points nearer to a solid than half a spacing, and
+/// points nearer to a particle that is already there than 0.7 spacings, are left out.
+struct FluidVolumeDef {
+  FluidId fluid;
+  Region region = BoxRegion{};
+  Pose pose;
+  Vec3 velocity{0, 0, 0};  ///< m/s
+};
+
+// ---- sinks and probes
+// ----------------------------------------------------------------------------------------------
+
+/// Removes every particle inside the box at the end of a step; or, with `outside`, every particle outside of
+/// it.
+struct SinkDef {
+  std::string name;
+  Aabb box{{-1, -1, -1}, {1, 1, 1}};
+  bool outside = false;
+};
+
+enum class ProbeKind {
+  point_pressure,  ///< Pa, at a point in the fluid
+  wall_pressure,   ///< Pa, mean normal stress on a patch of a shape
+  wall_force,      ///< N, magnitude of the fluid's force on a patch of a shape, or on the whole of it
+};
+
+/// Measured as the mean over the substeps of a step.
+struct ProbeDef {
+  std::string name;
+  ProbeKind kind = ProbeKind::point_pressure;
+  Vec3 point{0, 0, 0};          ///< point_pressure alone
+  ShapeId shape;                ///< wall_pressure and wall_force
+  std::optional<Aabb> patch{};  ///< contacts inside this box count; wall_pressure needs it, and its area
+  float area = 0.0f;            ///< m², of the patch; wall_pressure alone
+};
+
+}  // namespace meniscus

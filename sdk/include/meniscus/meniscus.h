@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/defs.h>
+#include <meniscus/error.h>
+#include <meniscus/ids.h>
+#include <meniscus/outputs.h>
+#include <meniscus/types.h>
+#include <meniscus/world.h>

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+/// The stages of a step, in their order; see stage_name.
+enum class Stage { predict, neighbours, contacts, solve, velocity, finish };
+inline constexpr std::size_t stage_count = 6;
+
+const char* stage_name(Stage stage);
+
+/// What one step did and cost.
+struct StepReport {
+  int substeps = 0;
+  int iterations = 0;                          ///< a substep
+  double ms = 0;                               ///< wall clock, host and device
+  std::array<double, stage_count> stage_ms{};  ///< on the device, summed over the substeps
+  uint32_t contacts = 0;                       ///< in the last substep
+  uint32_t max_neighbours = 0;                 ///< the fullest neighbour list that a particle ever needed
+  uint32_t removed = 0;                        ///< particles that a sink took
+  float max_speed = 0;                         ///< m/s
+};
+
+/// The state of the fluid, measured afresh from the particles' positions. Density error is C = ρ/ρ₀ − 1.
+struct Diagnostics {
+  std::size_t particles = 0;
+  double density_error_mean = 0;      ///< mean of max(C, 0) over all particles
+  double density_error_max = 0;       ///< largest C
+  double density_error_interior = 0;  ///< mean of |C| over particles whose support is full
+  double kinetic_energy = 0;          ///< J
+  double potential_energy = 0;        ///< J, from the origin
+  float max_speed = 0;                ///< m/s
+  std::size_t contacts = 0;  ///< particles that touch something: nearer than the support radius to a solid
+  std::size_t non_finite = 0;
+  std::size_t outside = 0;  ///< particles beyond a container's wall, or inside a solid
+};
+
+/// A device as `meniscus devices` lists it.
+struct DeviceInfo {
+  std::string kind;  ///< "cpu" or "cuda"
+  std::string name;
+  bool usable = false;
+  std::string reason;  ///< why it is not usable
+  std::size_t memory_bytes = 0;
+};
+
+std::vector<DeviceInfo> list_devices();
+
+}  // namespace meniscus

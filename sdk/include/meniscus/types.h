@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The vocabulary of the public interface: plain values, SI units, right-handed axes, y up unless gravity says
+// otherwise.
+#pragma once
+
+namespace meniscus {
+
+struct Vec3 {
+  float x, y, z;
+};
+
+/// Rotation; (0, 0, 0, 1) is none.
+struct Quat {
+  float x, y, z, w;
+};
+
+/// Axis-aligned box, in metres.
+struct Aabb {
+  Vec3 lower, upper;
+};
+
+/// Rigid placement: a point q of the local frame sits at position + rotation · q.
+struct Pose {
+  Vec3 position{0, 0, 0};
+  Quat rotation{0, 0, 0, 1};
+};
+
+}  // namespace meniscus

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/io/output_file.h"
+
+#include <meniscus/error.h>
+#include <cerrno>
+#include <cstring>
+
+namespace meniscus::io {
+
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {
+  errno = 0;
+  stream_.open(part_, std::ios::binary | std::ios::trunc);
+  if (!stream_) throw_io_error("write", path_);
+}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  std::filesystem::remove(part_, ignored);
+}
+
+void OutputFile::write_bytes(const void* data, std::size_t bytes) {
+  errno = 0;
+  if (!stream_.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes))) {
+    throw_io_error("write", path_);
+  }
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  stream_.close();
+  if (!stream_ || std::rename(part_.c_str(), path_.c_str()) != 0) throw_io_error("write", path_);
+}
+
+void throw_io_error(const std::string& what, const std::filesystem::path& path) {
+  const std::string reason = errno ? std::strerror(errno) : "the system gives no reason";
+  throw Error(ErrorCode::io, "cannot " + what + " " + path.string() + ": " + reason);
+}
+
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace meniscus::io

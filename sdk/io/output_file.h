@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace meniscus::io {
+
+/// A file that appears whole or not at all: it is written as PATH.part and takes its name in commit().
+class OutputFile {
+ public:
+  /// Throws Error(io) where the file cannot be made.
+  explicit OutputFile(std::filesystem::path path);
+  /// Without a commit, nothing stays.
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view text) { write_bytes(text.data(), text.size()); }
+  template <class T, std::size_t N>
+  void write(std::span<const T, N> values) {
+    write_bytes(values.data(), values.size_bytes());
+  }
+
+  /// Throws Error(io) where the bytes could not all be written; the file of that name is then as it was.
+  void commit();
+
+ private:
+  void write_bytes(const void* data, std::size_t bytes);
+
+  std::filesystem::path path_, part_;
+  std::ofstream stream_;
+};
+
+/// Throws Error(io): "cannot WHAT PATH: REASON", the reason from errno.
+[[noreturn]] void throw_io_error(const std::string& what, const std::filesystem::path& path);
+
+/// Text for an XML element or attribute.
+std::string xml_escaped(std::string_view text);
+
+}  // namespace meniscus::io

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/io/ply.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <bit>
+#include <limits>
+#include <vector>
+
+#include "sdk/io/output_file.h"
+
+namespace meniscus::io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "the records below are written as they lie in memory");
+
+struct PlyVertex {
+  Vec3 position, velocity;
+  uint32_t fluid, id;
+  float density_error;
+};
+static_assert(sizeof(PlyVertex) == 9 * 4);
+
+std::string header(const ParticleFrame& frame) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment Meniscus particles at {:.7g} s; metres, metres a "
+      "second\n"
+      "element vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "property float vx\nproperty float vy\nproperty float vz\n"
+      "property uint fluid\nproperty uint id\nproperty float density_error\n"
+      "end_header\n",
+      frame.time, frame.size());
+}
+
+uint32_t narrow_id(ParticleId id) {
+  if (id <= std::numeric_limits<uint32_t>::max()) return static_cast<uint32_t>(id);
+  throw Error(ErrorCode::capacity, "particle id " + std::to_string(id) +
+                                       " does not fit the 32-bit integers of a PLY file; export vtp");
+}
+
+}  // namespace
+
+void write_ply(const std::filesystem::path& path, const ParticleFrame& frame) {
+  check_lengths(frame);
+  std::vector<PlyVertex> vertices(frame.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    vertices[i] = {frame.positions[i], frame.velocities[i], frame.fluids[i], narrow_id(frame.ids[i]),
+                   frame.density_errors[i]};
+  }
+  OutputFile file(path);
+  file.write(header(frame));
+  file.write(std::span<const PlyVertex>(vertices));
+  file.commit();
+}
+
+}  // namespace meniscus::io

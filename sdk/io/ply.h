@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "sdk/io/particle_frame.h"
+
+namespace meniscus::io {
+
+/// Points in binary little-endian PLY, for Blender, MeshLab and assimp. A vertex has x y z (m), vx vy vz
+/// (m/s), fluid, id and density_error. Throws Error(io), and Error(capacity) for an id beyond the 32 bits of
+/// a PLY integer.
+void write_ply(const std::filesystem::path& path, const ParticleFrame& frame);
+
+}  // namespace meniscus::io

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/io/preview.h"
+
+#include <algorithm>
+
+#include "sdk/io/preview/shading.h"
+#include "sdk/io/preview/shapes.h"
+
+namespace meniscus::io {
+namespace {
+
+constexpr int samples = 2;              // a pixel's side
+constexpr float particle_size = 0.58f;  // radius in spacings: neighbours overlap a little
+constexpr int whitenings = 32;          // shades of a fluid between still and fast
+
+struct Bounds {
+  Vec3 lower{Raster::far_away, Raster::far_away, Raster::far_away};
+  Vec3 upper = -lower;
+
+  void add(Vec3 low, Vec3 high) {
+    lower = min(lower, low);
+    upper = max(upper, high);
+  }
+  bool empty() const { return !(lower.x <= upper.x); }
+};
+
+Bounds bounds_of(const Drawing& drawing) {
+  Bounds bounds;
+  for (const Triangle& t : drawing.triangles) {
+    for (const Vec3 p : t.corners) bounds.add(p, p);
+  }
+  for (const Sphere& s : drawing.spheres) {
+    const Vec3 r{s.radius, s.radius, s.radius};
+    bounds.add(s.center - r, s.center + r);
+  }
+  for (const Edge& e : drawing.edges) bounds.add(min(e.from, e.to), max(e.from, e.to));
+  return bounds;
+}
+
+/// The values that bound all but a few strays.
+std::pair<float, float> usual_range(std::span<const Vec3> points, float Vec3::*axis) {
+  std::vector<float> values;
+  for (const Vec3& p : points) {
+    if (is_finite(p)) values.push_back(p.*axis);
+  }
+  if (values.empty()) return {Raster::far_away, -Raster::far_away};
+  const std::size_t strays = values.size() / 500;
+  const auto low = values.begin() + static_cast<std::ptrdiff_t>(strays);
+  std::nth_element(values.begin(), low, values.end());
+  const float lower = *low;
+  const auto high = values.end() - 1 - static_cast<std::ptrdiff_t>(strays);
+  std::nth_element(values.begin(), high, values.end());
+  return {lower, *high};
+}
+
+Bounds bounds_of(std::span<const Vec3> points, float margin) {
+  const auto [x0, x1] = usual_range(points, &Vec3::x);
+  const auto [y0, y1] = usual_range(points, &Vec3::y);
+  const auto [z0, z1] = usual_range(points, &Vec3::z);
+  const Vec3 m{margin, margin, margin};
+  return {Vec3{x0, y0, z0} - m, Vec3{x1, y1, z1} + m};
+}
+
+/// For each fluid its colour from still to fast, as a run of surfaces.
+class FluidPaint {
+ public:
+  FluidPaint(Drawing& drawing, std::vector<Vec3> colors, float fast) : fluids_(colors.size()), fast_(fast) {
+    colors.push_back(FluidDef{}.color);
+    first_ = static_cast<uint32_t>(drawing.surfaces.size());
+    for (const Vec3 color : colors) {
+      for (int i = 0; i < whitenings; ++i) {
+        const float t = static_cast<float>(i) / (whitenings - 1);
+        drawing.add_surface({color + 0.9f * t * (Vec3{0.92f, 0.95f, 0.97f} - color), 0.8f * (1 - t)});
+      }
+    }
+  }
+
+  uint32_t surface(uint32_t fluid, Vec3 velocity) const {
+    const float t = std::clamp((length(velocity) / fast_ - 0.25f) / 0.75f, 0.0f, 1.0f);
+    const auto whiteness = static_cast<uint32_t>(t * t * (3 - 2 * t) * (whitenings - 1) + 0.5f);
+    return first_ + std::min(fluid, static_cast<uint32_t>(fluids_)) * whitenings + whiteness;
+  }
+
+ private:
+  std::size_t fluids_;
+  float fast_;
+  uint32_t first_ = 0;
+};
+
+/// The speed at which fluid is white, m/s: half of what a fall through the height of the scene gives, as foam
+/// has seen.
+float fast_speed(const PreviewScene& scene, float height) {
+  return std::max(0.5f * std::sqrt(2 * length(scene.gravity) * height), 20 * scene.particle_spacing);
+}
+
+void add_particles(Drawing& drawing, const ParticleFrame& frame, const PreviewScene& scene, float height) {
+  const FluidPaint paint(drawing, scene.fluid_colors, fast_speed(scene, height));
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    if (!is_finite(frame.positions[i]) || !is_finite(frame.velocities[i])) continue;
+    drawing.spheres.push_back({frame.positions[i], particle_size * scene.particle_spacing,
+                               paint.surface(frame.fluids[i], frame.velocities[i])});
+  }
+}
+
+void add_shapes(Drawing& drawing, const PreviewScene& scene, Vec3 up) {
+  constexpr Vec3 colors[] = {
+      {0.58f, 0.55f, 0.50f}, {0.62f, 0.27f, 0.11f}, {0.30f, 0.38f, 0.20f}, {0.42f, 0.30f, 0.42f}};
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    add_shape(drawing, scene.shapes[i], up, drawing.add_surface({colors[i % std::size(colors)], 0.15f}));
+  }
+}
+
+/// From over the viewer's left shoulder.
+Vec3 lamp_direction(const SceneCamera& view, Vec3 up) {
+  const Vec3 forward = normalized_or(view.target - view.position, {0, 0, -1});
+  const Vec3 right = normalized_or(cross(forward, up), {1, 0, 0});
+  return normalized_or(1.25f * up - 0.75f * right - 0.35f * cross(up, right), up);
+}
+
+Studio studio_of(const Bounds& bounds, const SceneCamera& view, Vec3 up, float spacing) {
+  return {.up = up,
+          .towards_lamp = lamp_direction(view, up),
+          .center = 0.5f * (bounds.lower + bounds.upper),
+          .radius = std::max(0.5f * length(bounds.upper - bounds.lower), spacing),
+          .grain = spacing};
+}
+
+}  // namespace
+
+PreviewScene preview_of(const Scene& scene) {
+  PreviewScene preview;
+  preview.shapes = scene.shapes;
+  preview.gravity = scene.world.gravity;
+  preview.particle_spacing = scene.world.particle_spacing;
+  preview.camera = scene.camera;
+  for (const FluidDef& fluid : scene.fluids) preview.fluid_colors.push_back(fluid.color);
+  return preview;
+}
+
+Image render_preview(const ParticleFrame& frame, const PreviewScene& scene) {
+  const Vec3 up = normalized_or(-scene.gravity, {0, 1, 0});
+  Drawing drawing;
+  add_shapes(drawing, scene, up);
+  Bounds bounds = bounds_of(drawing);
+  const Bounds fluid = bounds_of(frame.positions, scene.particle_spacing);
+  bounds.add(fluid.lower, fluid.upper);
+  if (bounds.empty()) bounds.add({-1, -1, -1}, {1, 1, 1});
+  const Vec3 extent = bounds.upper - bounds.lower;
+  add_particles(drawing, frame, scene, dot(extent, abs(up)));
+  for (const ShapeDef& shape : scene.shapes) add_ground(drawing, shape, up, max_component(extent));
+
+  const float aspect = static_cast<float>(scene.width) / static_cast<float>(scene.height);
+  const SceneCamera view = scene.camera ? *scene.camera : view_of({bounds.lower, bounds.upper}, up, aspect);
+  Raster raster(Camera(view, up, samples * scene.width, samples * scene.height));
+  raster.draw(drawing);
+  return shade(raster, drawing, studio_of(bounds, view, up, scene.particle_spacing), samples);
+}
+
+}  // namespace meniscus::io

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sdk/io/particle_frame.h"
+#include "sdk/io/png.h"
+#include "sdk/scene/scene.h"
+
+namespace meniscus::io {
+
+/// What stands around the particles, and how to look at them.
+struct PreviewScene {
+  std::vector<Vec3>
+      fluid_colors;  ///< linear RGB, by ParticleFrame::fluids; a fluid beyond the end is water blue
+  std::vector<ShapeDef> shapes;
+  Vec3 gravity{0, -9.81f, 0};         ///< m/s²; up is the other way
+  float particle_spacing = 0.05f;     ///< m
+  std::optional<SceneCamera> camera;  ///< left out: a view that holds everything
+  int width = 1280, height = 720;     ///< pixels
+};
+
+/// The scene's own settings; the particles' fluids count in the order of its list.
+PreviewScene preview_of(const Scene& scene);
+
+/// Draws the particles as spheres among the solids, on the CPU. Fast fluid is whiter. Needs positions,
+/// velocities and fluids of the frame. Equal input gives equal bytes. May throw what load_mesh throws.
+Image render_preview(const ParticleFrame& frame, const PreviewScene& scene);
+
+}  // namespace meniscus::io

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/defs.h>
+
+#include "sdk/io/preview/drawing.h"
+
+namespace meniscus::io {
+
+/// Adds a solid as it looks: bodies as triangles, a container as its edges and its floor. Planes are not
+/// drawn here, since they have no end: see add_ground. May throw what load_mesh throws.
+void add_shape(Drawing& drawing, const ShapeDef& shape, Vec3 up, uint32_t surface);
+
+/// Adds a plane that faces up as a ground of tiles; another plane adds nothing. `size`: of the scene, m.
+void add_ground(Drawing& drawing, const ShapeDef& shape, Vec3 up, float size);
+
+}  // namespace meniscus::io

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+/// How to end a message about a name that is not known: `; did you mean "rest_density"?`, or, where none of
+/// the known names is near, `; allowed: …` with all of them.
+std::string name_hint(const std::string& unknown, const std::vector<std::string>& known);
+
+}  // namespace meniscus

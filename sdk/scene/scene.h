@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// A scene as a file describes it: definitions with names in place of ids, and how to run and look at it.
+#pragma once
+
+#include <meniscus/meniscus.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+struct SceneVolume {
+  std::string fluid;   ///< FluidDef::name
+  FluidVolumeDef def;  ///< its fluid id is filled in when the scene is built
+};
+
+struct SceneProbe {
+  std::string shape;  ///< ShapeDef::name, or empty
+  ProbeDef def;       ///< its shape id is filled in when the scene is built
+};
+
+/// Where the preview looks from. Left out, a view is chosen that holds everything.
+struct SceneCamera {
+  Vec3 position{3, 2, 4};       ///< m
+  Vec3 target{0, 0, 0};         ///< m
+  float field_of_view = 35.0f;  ///< degrees, vertical
+};
+
+struct Scene {
+  std::string name;
+  std::string description;
+  float frame_time = 0.016f;  ///< s; one World::step
+  int frames = 250;           ///< how many, unless the caller says otherwise
+  int relax_iterations = 0;   ///< World::relax before the first frame
+  WorldDef world;
+  std::vector<FluidDef> fluids;
+  std::vector<ShapeDef> shapes;
+  std::vector<SceneVolume> volumes;
+  std::vector<SinkDef> sinks;
+  std::vector<SceneProbe> probes;
+  std::optional<SceneCamera> camera;
+};
+
+/// A world made from a scene. The ids stand in the order of the scene's lists.
+struct BuiltScene {
+  World world;
+  std::vector<FluidId> fluids;
+  std::vector<ShapeId> shapes;
+  std::vector<ProbeId> probes;
+};
+
+BuiltScene build_scene(const Scene& scene);
+
+}  // namespace meniscus

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The one description of a scene file. fields() lists what an object may hold: key, member, what is allowed,
+// unit, meaning. choices() lists what an object may be, told apart by its "type". A visitor V reads a file by
+// them (scene_reader.cpp) or writes the schema (scene_schema.cpp); its check() holds what one field alone
+// cannot say.
+#pragma once
+
+#include "pbd/math/vec.h"
+#include "sdk/scene/scene.h"
+#include "sdk/scene/scene_field_rule.h"
+#include "sdk/scene/scene_fields_shapes.h"
+
+namespace meniscus {
+
+constexpr auto names_of(DeviceChoice) {
+  return std::array{Named{"auto", DeviceChoice::automatic}, Named{"cpu", DeviceChoice::cpu},
+                    Named{"cuda", DeviceChoice::cuda}};
+}
+constexpr auto names_of(DensitySolver) {
+  return std::array{Named{"jacobi", DensitySolver::jacobi}, Named{"chebyshev", DensitySolver::chebyshev}};
+}
+
+template <class V>
+void fields(V& v, ArtificialPressureDef& d) {
+  v("strength", d.strength, not_negative, "", "k of Macklin & Müller 2013, eq. 13; about 0.1 for their look");
+  v("exponent", d.exponent, between(1, 16), "", "n");
+  v("distance", d.distance, between(0, 0.9), "", "Δq, as a fraction of the support radius");
+}
+
+template <class V>
+void fields(V& v, DensitySolverDef& d) {
+  v("solver", d.solver, any_value, "", "how the density multipliers are found");
+  v("relaxation", d.relaxation, between(0.01, 0.44), "", "damping ω of the Jacobi solver");
+  v("warm_start", d.warm_start, between(0, 0.5), "", "share of the last substep's multipliers to start from");
+  v("spectral_bound", d.spectral_bound, between(3, 20), "",
+    "largest eigenvalue that Chebyshev's weights expect");
+  v("compressibility", d.compressibility, not_negative, "1/Pa", "inverse bulk modulus; 0 is incompressible");
+  v("correction_limit", d.correction_limit, positive, "spacings", "largest correction of one iteration");
+  v("artificial_pressure", d.artificial_pressure, any_value, "", "repulsion against clumping at the surface");
+}
+
+template <class V>
+void fields(V& v, WorldDef& d) {
+  v("device", d.device, any_value, "", "where to run; auto takes a usable GPU, else the CPU");
+  v("threads", d.threads, between(0, 1024), "", "of the CPU device; 0 is one a core");
+  v("gravity", d.gravity, any_value, "m/s²", "acceleration of everything");
+  v("particle_spacing", d.particle_spacing, positive, "m", "rest distance between fluid particles");
+  v("support_ratio", d.support_ratio, between(1.5, 3), "", "support radius over spacing");
+  v("substeps", d.substeps, between(1, 1000), "", "substeps of a frame, where cfl_number is 0");
+  v("iterations", d.iterations, between(1, 1000), "", "solver iterations of a substep");
+  v("cfl_number", d.cfl_number, not_negative, "support radii",
+    "when above 0, substeps are chosen so that nothing moves further than this in one");
+  v("min_substeps", d.min_substeps, between(1, 1000), "", "fewest substeps that cfl_number may choose");
+  v("max_substeps", d.max_substeps, between(1, 1000), "", "most substeps that cfl_number may choose");
+  v("contact_radius", d.contact_radius, between(0.01, 1), "spacings",
+    "distance from a surface at which a particle's centre stops");
+  v("density", d.density, any_value, "", "the density constraint");
+  v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps");
+}
+
+template <class V>
+void fields(V& v, FluidDef& d) {
+  v("name", d.name, not_empty, "", "what volumes call this fluid");
+  v("rest_density", d.rest_density, positive, "kg/m³", "density at rest");
+  v("viscosity", d.viscosity, not_negative, "m²/s", "kinematic viscosity");
+  v("xsph", d.xsph, not_negative, "1/s", "rate at which a particle takes its neighbours' mean velocity");
+  v("vorticity_confinement", d.vorticity_confinement, not_negative, "",
+    "strength ε of the force that keeps swirls");
+  v("cohesion", d.cohesion, not_negative, "N/m", "surface tension from pairwise attraction");
+  v("surface_tension", d.surface_tension, not_negative, "N/m", "surface tension from surface normals");
+  v("color", d.color, between(0, 1), "", "linear red, green and blue");
+}
+
+template <class V>
+void fields(V& v, SceneVolume& d) {
+  v("fluid", d.fluid, required(not_empty), "", "name of the fluid");
+  v("region", d.def.region, required(any_value), "", "what to fill");
+  v("pose", d.def.pose, any_value, "", "placement of the region");
+  v("velocity", d.def.velocity, any_value, "m/s", "of every particle at the start");
+}
+
+template <class V>
+void fields(V& v, SinkDef& d) {
+  v("name", d.name, required(not_empty), "", "what messages call this sink");
+  v("box", d.box, required(any_value), "", "particles inside are removed at the end of a frame");
+  v("outside", d.outside, any_value, "", "removes the particles outside of the box instead");
+}
+
+/// A probe as its kind alone describes it.
+template <ProbeKind kind>
+struct ProbeOf {
+  SceneProbe probe;
+
+  operator SceneProbe() const {
+    SceneProbe result = probe;
+    result.def.kind = kind;
+    return result;
+  }
+};
+
+template <class V, ProbeKind kind>
+void fields(V& v, ProbeOf<kind>& p) {
+  ProbeDef& d = p.probe.def;
+  v("name", d.name, required(not_empty), "", "what outputs call this probe");
+  if constexpr (kind == ProbeKind::point_pressure) {
+    v("point", d.point, required(any_value), "m", "where to measure");
+  } else {
+    v("shape", p.probe.shape, required(not_empty), "", "name of the shape");
+  }
+  if constexpr (kind == ProbeKind::wall_pressure) {
+    v("patch", d.patch, required(any_value), "", "contacts inside this box count");
+    v("area", d.area, required(positive), "m²", "area of the surface inside the patch");
+  }
+  if constexpr (kind == ProbeKind::wall_force) {
+    v("patch", d.patch, any_value, "", "contacts inside this box count; left out, all of the shape's do");
+  }
+}
+
+template <class V>
+void choices(V& v, SceneProbe& p) {
+  v.choice("point_pressure", ProbeOf<ProbeKind::point_pressure>{}, p, "pressure at a point in the fluid, Pa");
+  v.choice("wall_pressure", ProbeOf<ProbeKind::wall_pressure>{}, p,
+           "mean normal stress on a patch of a shape, Pa");
+  v.choice("wall_force", ProbeOf<ProbeKind::wall_force>{}, p, "magnitude of the fluid's force on a shape, N");
+}
+
+template <class V>
+void fields(V& v, SceneCamera& d) {
+  v("position", d.position, any_value, "m", "where the eye is");
+  v("target", d.target, any_value, "m", "what it looks at");
+  v("field_of_view", d.field_of_view, inside(0, 180), "degrees", "vertical opening angle");
+  v.check(length(d.target - d.position) > 0, "position and target must differ");
+}
+
+template <class V>
+void fields(V& v, Scene& d) {
+  std::string schema;
+  v("$schema", schema, any_value, "", "address of this schema, for editors; not read");
+  v("name", d.name, required(not_empty), "", "short name of the scene");
+  v("description", d.description, any_value, "", "what there is to see");
+  v("frame_time", d.frame_time, positive, "s", "length of a frame");
+  v("frames", d.frames, at_least(1), "", "how many frames to run, unless told otherwise");
+  v("relax_iterations", d.relax_iterations, between(0, 100000), "",
+    "rounds of settling the particles before the first frame");
+  v("world", d.world, any_value, "", "gravity, resolution and solver");
+  v("fluids", d.fluids, any_value, "", "kinds of liquid");
+  v("shapes", d.shapes, any_value, "", "solids that do not move");
+  v("volumes", d.volumes, any_value, "", "regions filled with fluid at the start");
+  v("sinks", d.sinks, any_value, "", "boxes that remove particles");
+  v("probes", d.probes, any_value, "", "measurements");
+  v("camera", d.camera, any_value, "", "view of the preview; left out, one that holds everything");
+}
+
+}  // namespace meniscus

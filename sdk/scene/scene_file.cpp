@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/scene/scene_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+#include "sdk/scene/scene_meshes.h"
+#include "sdk/scene/scene_override.h"
+#include "sdk/scene/scene_place.h"
+
+namespace meniscus {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string read_text(const std::string& path) {
+  const ScenePlace place{path, ""};
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    place.fail("is a folder, not a scene file", ErrorCode::io);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) place.fail("cannot be read: " + std::generic_category().message(errno), ErrorCode::io);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (file.bad()) place.fail("cannot be read to its end", ErrorCode::io);
+  return text;
+}
+
+/// Refuses an object in which a key stands twice; the library would keep the last and say nothing.
+class RepeatedKeyCheck {
+ public:
+  explicit RepeatedKeyCheck(const std::string& source) : source_(source) {}
+
+  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) open_.emplace_back();
+    if (event == Json::parse_event_t::object_end) open_.pop_back();
+    if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second) {
+      ScenePlace{source_, ""}.fail("the key " + parsed.dump() + " stands twice in one object");
+    }
+    return true;
+  }
+
+ private:
+  const std::string& source_;
+  std::vector<std::set<std::string>> open_;  ///< keys of the objects around
+};
+
+/// "line 3, column 5" of the last byte that the parser took, which the library counts from 1.
+std::string position_of(std::size_t byte, const std::string& text) {
+  const std::size_t end = std::min(byte, text.size());
+  const std::size_t last = end > 0 ? end - 1 : 0;
+  const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(last), '\n');
+  const std::size_t line_break = last > 0 ? text.rfind('\n', last - 1) : std::string::npos;
+  const std::size_t column = line_break == std::string::npos ? last + 1 : last - line_break;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+/// What comes after the last of the library's own headings: "[json.exception.…] parse error at …: what is
+/// wrong".
+std::string plain_message(const Json::exception& error, const std::string& heading_end) {
+  const std::string message = error.what();
+  const std::size_t end = message.find(heading_end);
+  return end == std::string::npos ? message : message.substr(end + heading_end.size());
+}
+
+Json parse_text(const std::string& text, const std::string& source) {
+  constexpr bool throws = true, comments_allowed = true;
+  const ScenePlace place{source, ""};
+  try {
+    return Json::parse(text, RepeatedKeyCheck(source), throws, comments_allowed);
+  } catch (const Json::parse_error& error) {
+    place.fail(position_of(error.byte, text) + ": " + plain_message(error, ": "));
+  } catch (const Json::exception& error) {
+    place.fail(plain_message(error, "] "));
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path, std::span<const std::string> overrides) {
+  Json document = parse_text(read_text(path), path);
+  for (const std::string& text : overrides) apply_override(document, text);
+  Scene scene = parse_scene(document, path);
+  resolve_meshes(scene, std::filesystem::path(path).parent_path(), path);
+  return scene;
+}
+
+}  // namespace meniscus

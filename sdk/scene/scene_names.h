@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "sdk/scene/scene.h"
+
+namespace meniscus {
+
+/// Throws Error(parse) where two things of a kind share a name, or where a name refers to nothing.
+void check_names(const Scene& scene, const std::string& source);
+
+}  // namespace meniscus

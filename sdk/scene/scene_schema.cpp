@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Writes the JSON Schema of scene files by the fields of scene_fields.h. Defaults are those of the structs.
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "sdk/scene/scene_file.h"
+#include "sdk/scene/scene_visitor.h"
+
+namespace meniscus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json schema_of(T& value, const FieldRule& rule);
+
+/// A number as a person would write it: 4 for 4.0, and 0.05 for the float nearest to it.
+Json plain_number(double x) {
+  if (x == std::floor(x) && std::fabs(x) < 1e9) return int64_t(x);
+  return x;
+}
+Json plain_number(float x) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, x).ptr;
+  return plain_number(std::strtod(std::string(text, end).c_str(), nullptr));
+}
+
+Json number_schema(const char* type, const FieldRule& rule) {
+  Json schema{{"type", type}};
+  if (std::isfinite(rule.low))
+    schema[rule.above_low ? "exclusiveMinimum" : "minimum"] = plain_number(rule.low);
+  if (std::isfinite(rule.high))
+    schema[rule.below_high ? "exclusiveMaximum" : "maximum"] = plain_number(rule.high);
+  return schema;
+}
+
+Json array_schema(const FieldRule& rule, int count) {
+  return {
+      {"type", "array"}, {"items", number_schema("number", rule)}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json plain_schema(float, const FieldRule& rule) {
+  return number_schema("number", rule);
+}
+Json plain_schema(int, const FieldRule& rule) {
+  return number_schema("integer", rule);
+}
+Json plain_schema(bool, const FieldRule&) {
+  return {{"type", "boolean"}};
+}
+Json plain_schema(Vec3, const FieldRule& rule) {
+  return array_schema(rule, 3);
+}
+Json plain_schema(const std::string&, const FieldRule& rule) {
+  Json schema{{"type", "string"}};
+  if (rule.min_items > 0) schema["minLength"] = rule.min_items;
+  return schema;
+}
+Json plain_schema(Quat, const FieldRule& rule) {
+  AxisAngle turn;
+  Json ways = Json::array();
+  ways.push_back(schema_of(turn, any_value));
+  ways.push_back(array_schema(rule, 4));
+  return {{"oneOf", ways}};
+}
+
+Json default_of(float x) {
+  return plain_number(x);
+}
+Json default_of(int x) {
+  return x;
+}
+Json default_of(bool x) {
+  return x;
+}
+Json default_of(const std::string& x) {
+  return x;
+}
+Json default_of(Vec3 x) {
+  return Json::array({plain_number(x.x), plain_number(x.y), plain_number(x.z)});
+}
+Json default_of(Quat x) {
+  return Json::array({plain_number(x.x), plain_number(x.y), plain_number(x.z), plain_number(x.w)});
+}
+template <HasNames E>
+Json default_of(E x) {
+  for (const Named<E>& named : names_of(x)) {
+    if (named.value == x) return named.name;
+  }
+  return nullptr;
+}
+
+class SchemaWriter {
+ public:
+  template <class T>
+  void operator()(const char* key, T& value, const FieldRule& rule, const char* unit, const char* text) {
+    Json schema{{"description", *unit ? std::string(text) + " (" + unit + ")" : text}};
+    schema.update(schema_of(value, rule));
+    if constexpr (requires { default_of(value); }) {
+      if (!rule.needed) schema["default"] = default_of(value);
+    }
+    if (rule.needed) required_.push_back(key);
+    properties_[key] = std::move(schema);
+  }
+  void check(bool, const std::string&) const {}
+
+  /// The key that tells the alternatives apart.
+  void add_type(const char* name) {
+    properties_["type"] = {{"const", name}};
+    required_.push_back("type");
+  }
+
+  Json result() const {
+    Json schema{{"type", "object"}, {"properties", properties_}};
+    if (!required_.empty()) schema["required"] = required_;
+    schema["additionalProperties"] = false;
+    return schema;
+  }
+
+ private:
+  Json properties_ = Json::object();
+  Json required_ = Json::array();
+};
+
+struct ChoiceSchemaWriter {
+  Json alternatives = Json::array();
+
+  template <class T, class Whole>
+  void choice(const char* name, T value, Whole&, const char* text) {
+    SchemaWriter writer;
+    writer.add_type(name);
+    fields(writer, value);
+    Json schema{{"description", text}};
+    schema.update(writer.result());
+    alternatives.push_back(std::move(schema));
+  }
+};
+
+template <class E>
+Json names_schema(E value) {
+  Json names = Json::array();
+  for (const Named<E>& named : names_of(value)) names.push_back(named.name);
+  return {{"enum", names}};
+}
+
+template <class T>
+Json list_schema(const std::vector<T>&, FieldRule rule) {
+  Json schema{{"type", "array"}};
+  if (rule.min_items > 0) schema["minItems"] = rule.min_items;
+  rule.min_items = 0;
+  T item{};
+  schema["items"] = schema_of(item, rule);
+  return schema;
+}
+
+template <class T>
+Json optional_schema(const std::optional<T>&, const FieldRule& rule) {
+  T inner{};
+  return schema_of(inner, rule);
+}
+
+template <class T>
+Json schema_of(T& value, const FieldRule& rule) {
+  if constexpr (IsOptional<T>::value) {
+    return optional_schema(value, rule);
+  } else if constexpr (IsList<T>::value) {
+    return list_schema(value, rule);
+  } else if constexpr (HasNames<T>) {
+    return names_schema(value);
+  } else if constexpr (HasChoices<T>) {
+    ChoiceSchemaWriter writer;
+    choices(writer, value);
+    return {{"oneOf", writer.alternatives}};
+  } else if constexpr (HasFields<T>) {
+    SchemaWriter writer;
+    fields(writer, value);
+    return writer.result();
+  } else {
+    return plain_schema(value, rule);
+  }
+}
+
+}  // namespace
+
+std::string scene_schema() {
+  Scene scene;
+  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+              {"title", "Meniscus scene"},
+              {"description",
+               "A scene file of Meniscus; quantities are in SI units. `meniscus schema` writes this."}};
+  schema.update(schema_of(scene, any_value));
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace meniscus

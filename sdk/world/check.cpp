@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/world/check.h"
+
+#include <meniscus/error.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "pbd/math/vec.h"
+
+namespace meniscus::check {
+
+namespace {
+
+template <class T>
+[[noreturn]] void refuse(const char* name, const T& value, const std::string& allowed) {
+  std::ostringstream text;
+  text << name << " is " << value << "; it must be " << allowed;
+  throw Error(ErrorCode::invalid_argument, text.str());
+}
+
+template <class T>
+std::string range(T lower, T upper) {
+  std::ostringstream text;
+  text << "from " << lower << " to " << upper;
+  return text.str();
+}
+
+std::string text_of(Vec3 v) {
+  std::ostringstream text;
+  text << "(" << v.x << ", " << v.y << ", " << v.z << ")";
+  return text.str();
+}
+
+struct CheckGeometry {
+  void operator()(const PlaneGeometry& g) const {
+    finite("PlaneGeometry::normal", g.normal);
+    finite("PlaneGeometry::offset", g.offset);
+    if (length(g.normal) < 1e-6f) refuse("PlaneGeometry::normal", text_of(g.normal), "a direction, not zero");
+  }
+  void operator()(const BoxGeometry& g) const { extents("BoxGeometry::half_extents", g.half_extents); }
+  void operator()(const ContainerGeometry& g) const {
+    extents("ContainerGeometry::half_extents", g.half_extents);
+    for (const Opening& o : g.openings) {
+      if (o.region) box("Opening::region", *o.region);
+    }
+  }
+  void operator()(const SphereGeometry& g) const { positive("SphereGeometry::radius", g.radius); }
+  void operator()(const CapsuleGeometry& g) const {
+    positive("CapsuleGeometry::radius", g.radius);
+    not_negative("CapsuleGeometry::half_height", g.half_height);
+  }
+  void operator()(const CylinderGeometry& g) const {
+    positive("CylinderGeometry::radius", g.radius);
+    positive("CylinderGeometry::half_height", g.half_height);
+  }
+  void operator()(const MeshGeometry& g) const {
+    positive("MeshGeometry::scale", g.scale);
+    not_negative("MeshGeometry::cell_size", g.cell_size);
+  }
+  void operator()(const HeightFieldGeometry& g) const {
+    between("HeightFieldGeometry::columns", g.columns, 2, 1 << 15);
+    between("HeightFieldGeometry::rows", g.rows, 2, 1 << 15);
+    positive("HeightFieldGeometry::cell_size", g.cell_size);
+    const size_t wanted = size_t(g.columns) * size_t(g.rows);
+    if (g.heights.size() != wanted) {
+      refuse("HeightFieldGeometry::heights", std::to_string(g.heights.size()) + " values",
+             "columns · rows = " + std::to_string(wanted));
+    }
+    for (float height : g.heights) finite("HeightFieldGeometry::heights", height);
+  }
+
+  static void extents(const char* name, Vec3 v) {
+    finite(name, v);
+    if (!(v.x > 0 && v.y > 0 && v.z > 0)) refuse(name, text_of(v), "> 0 on each axis");
+  }
+};
+
+}  // namespace
+
+void finite(const char* name, float value) {
+  if (!std::isfinite(value)) refuse(name, value, "finite");
+}
+
+void finite(const char* name, Vec3 value) {
+  if (!is_finite(value)) refuse(name, text_of(value), "finite");
+}
+
+void positive(const char* name, float value) {
+  if (!std::isfinite(value) || value <= 0) refuse(name, value, "finite and > 0");
+}
+
+void not_negative(const char* name, float value) {
+  if (!std::isfinite(value) || value < 0) refuse(name, value, "finite and ≥ 0");
+}
+
+void between(const char* name, float value, float lower, float upper) {
+  if (!(value >= lower && value <= upper)) refuse(name, value, range(lower, upper));
+}
+
+void between(const char* name, int value, int lower, int upper) {
+  if (value < lower || value > upper) refuse(name, value, range(lower, upper));
+}
+
+void box(const char* name, const Aabb& value) {
+  finite(name, value.lower);
+  finite(name, value.upper);
+  if (value.lower.x > value.upper.x || value.lower.y > value.upper.y || value.lower.z > value.upper.z) {
+    refuse(name, text_of(value.lower) + " to " + text_of(value.upper), "lower ≤ upper on each axis");
+  }
+}
+
+void pose(const char* name, const Pose& value) {
+  finite(name, value.position);
+  const Quat q = value.rotation;
+  const float norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  if (!(std::fabs(norm - 1) < 1e-3f)) refuse(name, norm, "a rotation quaternion with a squared length of 1");
+}
+
+void world(const WorldDef& def) {
+  between("WorldDef::threads", def.threads, 0, 1024);
+  finite("WorldDef::gravity", def.gravity);
+  positive("WorldDef::particle_spacing", def.particle_spacing);
+  between("WorldDef::support_ratio", def.support_ratio, 1.5f, 3.0f);
+  between("WorldDef::substeps", def.substeps, 1, 1000);
+  between("WorldDef::iterations", def.iterations, 1, 1000);
+  not_negative("WorldDef::cfl_number", def.cfl_number);
+  between("WorldDef::min_substeps", def.min_substeps, 1, 1000);
+  between("WorldDef::max_substeps", def.max_substeps, def.min_substeps, 1000);
+  between("WorldDef::contact_radius", def.contact_radius, 0.01f, 1.0f);
+  const DensitySolverDef& d = def.density;
+  between("DensitySolverDef::relaxation", d.relaxation, 0.01f, 0.44f);
+  between("DensitySolverDef::warm_start", d.warm_start, 0.0f, 0.5f);
+  between("DensitySolverDef::spectral_bound", d.spectral_bound, 3.0f, 20.0f);
+  not_negative("DensitySolverDef::compressibility", d.compressibility);
+  positive("DensitySolverDef::correction_limit", d.correction_limit);
+  not_negative("ArtificialPressureDef::strength", d.artificial_pressure.strength);
+  between("ArtificialPressureDef::exponent", d.artificial_pressure.exponent, 1, 16);
+  between("ArtificialPressureDef::distance", d.artificial_pressure.distance, 0.0f, 0.9f);
+}
+
+void fluid(const FluidDef& def) {
+  positive("FluidDef::rest_density", def.rest_density);
+  not_negative("FluidDef::viscosity", def.viscosity);
+  not_negative("FluidDef::xsph", def.xsph);
+  not_negative("FluidDef::vorticity_confinement", def.vorticity_confinement);
+  not_negative("FluidDef::cohesion", def.cohesion);
+  not_negative("FluidDef::surface_tension", def.surface_tension);
+  finite("FluidDef::color", def.color);
+}
+
+void geometry(const Geometry& g) {
+  std::visit(CheckGeometry{}, g);
+}
+
+}  // namespace meniscus::check

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Tests of arguments. Each throws Error(invalid_argument) that names the argument, its value and what is
+// allowed.
+#pragma once
+
+#include <meniscus/defs.h>
+
+#include <string>
+
+namespace meniscus::check {
+
+void finite(const char* name, float value);
+void finite(const char* name, Vec3 value);
+void positive(const char* name, float value);
+void not_negative(const char* name, float value);
+void between(const char* name, float value, float lower, float upper);
+void between(const char* name, int value, int lower, int upper);
+void box(const char* name, const Aabb& value);  ///< finite, lower ≤ upper on each axis
+void pose(const char* name, const Pose& value);
+
+void world(const WorldDef& def);
+void fluid(const FluidDef& def);
+void geometry(const Geometry& geometry);
+
+}  // namespace meniscus::check

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/error.h>
+#include <meniscus/ids.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meniscus {
+
+/// Things by id. A place is used again with a new generation, so that an id of something destroyed is
+/// refused.
+template <class IdType, class T>
+class IdTable {
+ public:
+  explicit IdTable(const char* what) : what_(what) {}
+
+  IdType insert(T value) {
+    uint32_t index = 0;
+    while (index < entries_.size() && entries_[index].value) ++index;
+    if (index == entries_.size()) entries_.emplace_back();
+    entries_[index].value = std::move(value);
+    return {index, entries_[index].generation};
+  }
+
+  void erase(IdType id) {
+    get(id);
+    entries_[id.index].value.reset();
+    ++entries_[id.index].generation;
+  }
+
+  const T& get(IdType id) const {
+    if (id.index >= entries_.size() || entries_[id.index].generation != id.generation ||
+        !entries_[id.index].value) {
+      throw Error(ErrorCode::not_found, std::string("no ") + what_ + " has the id " +
+                                            std::to_string(id.index) + "." + std::to_string(id.generation) +
+                                            " in this world");
+    }
+    return *entries_[id.index].value;
+  }
+
+  /// Calls visit(index, value) for each, in the order of the indices.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (uint32_t i = 0; i < entries_.size(); ++i) {
+      if (entries_[i].value) visit(i, *entries_[i].value);
+    }
+  }
+
+ private:
+  struct Entry {
+    std::optional<T> value;
+    uint32_t generation = 0;
+  };
+
+  const char* what_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace meniscus

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include <meniscus/world.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "sdk/world/check.h"
+#include "sdk/world/seeding.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+namespace {
+
+constexpr size_t most_particles = size_t{1} << 27;
+
+void check_fluid_id(FluidId id, size_t count) {
+  if (id.index >= count || id.generation != 0) {
+    throw Error(ErrorCode::not_found, "no fluid has the id " + std::to_string(id.index) + " in this world");
+  }
+}
+
+void check_room(size_t present, size_t added) {
+  if (present + added > most_particles) {
+    throw Error(ErrorCode::capacity, "a world holds at most " + std::to_string(most_particles) +
+                                         " particles; " + std::to_string(present + added) +
+                                         " were asked for");
+  }
+}
+
+}  // namespace
+
+World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+const WorldDef& World::def() const {
+  return impl_->def;
+}
+DeviceInfo World::device() const {
+  return impl_->device;
+}
+float World::support_radius() const {
+  return impl_->kernel.h;
+}
+
+float World::particle_mass(FluidId id) const {
+  check_fluid_id(id, impl_->fluids.size());
+  const float s = impl_->def.particle_spacing;
+  return impl_->fluids[id.index].rest_density * s * s * s;
+}
+
+// ---- what the world is made of
+// ---------------------------------------------------------------------------------------
+
+FluidId World::create_fluid(const FluidDef& def) {
+  check::fluid(def);
+  impl_->fluids.push_back(def);
+  std::vector<fluid::Material> materials;
+  for (const FluidDef& f : impl_->fluids) {
+    materials.push_back(
+        {f.rest_density, f.viscosity, f.xsph, f.vorticity_confinement, f.cohesion, f.surface_tension});
+  }
+  impl_->engine->set_materials(materials);
+  return {static_cast<uint32_t>(impl_->fluids.size() - 1), 0};
+}
+
+ShapeId World::create_shape(const ShapeDef& def) {
+  check::pose("ShapeDef::pose", def.pose);
+  check::not_negative("ShapeDef::friction", def.friction);
+  check::between("ShapeDef::restitution", def.restitution, 0.0f, 1.0f);
+  check::geometry(def.geometry);
+  ShapeParts parts = make_shape_parts(def, *impl_->engine, impl_->def.particle_spacing, impl_->kernel.h);
+  const ShapeId id = impl_->shapes.insert(std::move(parts));
+  impl_->shapes_changed();
+  return id;
+}
+
+void World::destroy_shape(ShapeId id) {
+  impl_->shapes.erase(id);
+  impl_->shapes_changed();
+}
+
+SinkId World::create_sink(const SinkDef& def) {
+  check::box("SinkDef::box", def.box);
+  const SinkId id = impl_->sinks.insert(def);
+  impl_->sinks_changed();
+  return id;
+}
+
+void World::destroy_sink(SinkId id) {
+  impl_->sinks.erase(id);
+  impl_->sinks_changed();
+}
+
+ProbeId World::create_probe(const ProbeDef& def) {
+  check::finite("ProbeDef::point", def.point);
+  if (def.patch) check::box("ProbeDef::patch", *def.patch);
+  if (def.kind != ProbeKind::point_pressure) impl_->shapes.get(def.shape);
+  if (def.kind == ProbeKind::wall_pressure) check::positive("ProbeDef::area", def.area);
+  const ProbeId id = impl_->probes.insert(def);
+  impl_->probes_changed();
+  return id;
+}
+
+void World::destroy_probe(ProbeId id) {
+  impl_->probes.erase(id);
+  impl_->probes_changed();
+}
+
+// ---- particles
+// -------------------------------------------------------------------------------------------------------
+
+size_t World::add_fluid(const FluidVolumeDef& def) {
+  check_fluid_id(def.fluid, impl_->fluids.size());
+  check::pose("FluidVolumeDef::pose", def.pose);
+  check::finite("FluidVolumeDef::velocity", def.velocity);
+  if (const auto* region = std::get_if<BoxRegion>(&def.region)) {
+    check::box("BoxRegion", {region->lower, region->upper});
+    const Vec3 cells = (region->upper - region->lower) / impl_->def.particle_spacing;
+    check_room(ids().size(), static_cast<size_t>(double(cells.x) * cells.y * cells.z));
+  }
+  if (const auto* region = std::get_if<BallRegion>(&def.region))
+    check::positive("BallRegion::radius", region->radius);
+  if (const auto* region = std::get_if<MeshRegion>(&def.region))
+    check::positive("MeshRegion::scale", region->scale);
+  const float spacing = impl_->def.particle_spacing;
+  const std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
+  const std::vector<Vec3> safe = safe_points(points, positions(), *impl_->engine, spacing);
+  check_room(ids().size(), safe.size());
+  impl_->add(def.fluid, safe, {}, def.velocity);
+  return safe.size();
+}
+
+ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
+                                std::span<const Vec3> velocities) {
+  check_fluid_id(fluid, impl_->fluids.size());
+  check_room(ids().size(), positions.size());
+  if (!velocities.empty() && velocities.size() != positions.size()) {
+    throw Error(ErrorCode::invalid_argument, "add_particles got " + std::to_string(velocities.size()) +
+                                                 " velocities for " + std::to_string(positions.size()) +
+                                                 " positions; it takes none, or as many");
+  }
+  for (Vec3 p : positions) check::finite("a position of add_particles", p);
+  for (Vec3 v : velocities) check::finite("a velocity of add_particles", v);
+  const ParticleId first = impl_->next_id;
+  impl_->add(fluid, positions, velocities, {0, 0, 0});
+  return first;
+}
+
+void World::remove_particles(std::span<const ParticleId> gone) {
+  std::vector<bool> removed(impl_->ids.size(), false);
+  for (ParticleId id : gone) {
+    const auto at = std::lower_bound(impl_->ids.begin(), impl_->ids.end(), id);
+    if (at == impl_->ids.end() || *at != id) {
+      throw Error(ErrorCode::not_found, "no particle has the id " + std::to_string(id));
+    }
+    removed[static_cast<size_t>(at - impl_->ids.begin())] = true;
+  }
+  if (gone.empty()) return;
+  std::vector<bool> keep = removed;
+  keep.flip();
+  impl_->engine->keep(keep);
+  impl_->remove(removed);
+}
+
+void World::relax(int iterations) {
+  check::between("relax's iterations", iterations, 0, 100000);
+  impl_->engine->relax(0.001f, iterations);
+  impl_->state_changed();
+}
+
+// ---- time
+// ------------------------------------------------------------------------------------------------------------
+
+StepReport World::step(float dt) {
+  check::positive("step's dt", dt);
+  const auto start = std::chrono::steady_clock::now();
+  impl_->state_changed();
+  EngineStep done = impl_->engine->step(dt);
+  if (const pbd::ParticleSummary& summary = done.result.summary; summary.non_finite) {
+    throw Error(ErrorCode::non_finite,
+                std::to_string(summary.non_finite) +
+                    " particles became non-finite, the first of them number " +
+                    std::to_string(impl_->ids[summary.first_bad_slot]) +
+                    "; the state is the one before the step. A shorter step or more substeps may help");
+  }
+  impl_->time += dt;
+  impl_->last_substep = dt / static_cast<float>(done.result.substeps);
+  impl_->probe_values = impl_->engine->read_probes();
+  StepReport report;
+  report.removed = static_cast<uint32_t>(std::count(done.removed.begin(), done.removed.end(), true));
+  if (report.removed) impl_->remove(done.removed);
+  report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  report.substeps = done.result.substeps;
+  report.iterations = impl_->def.iterations;
+  report.stage_ms = done.stage_ms;
+  report.contacts = done.result.contacts;
+  report.max_neighbours = done.result.max_neighbours;
+  report.max_speed = std::sqrt(done.result.summary.max_speed2);
+  return report;
+}
+
+double World::time() const {
+  return impl_->time;
+}
+
+// ---- read-outs
+// -------------------------------------------------------------------------------------------------------
+
+size_t World::particle_count() const {
+  return impl_->ids.size();
+}
+
+std::span<const ParticleId> World::ids() const {
+  return impl_->ids;
+}
+
+std::span<const Vec3> World::positions() const {
+  return impl_->positions.get(particle_count(), [&](auto out) { impl_->engine->read_positions(out); });
+}
+
+std::span<const Vec3> World::velocities() const {
+  return impl_->velocities.get(particle_count(), [&](auto out) { impl_->engine->read_velocities(out); });
+}
+
+std::span<const uint32_t> World::fluids() const {
+  return impl_->fluid_indices.get(particle_count(), [&](auto out) { impl_->engine->read_fluids(out); });
+}
+
+std::span<const float> World::density_errors() const {
+  return impl_->density_errors.get(particle_count(), [&](auto error) {
+    impl_->full_support.valid = false;
+    impl_->full_support.get(particle_count(),
+                            [&](auto full) { impl_->engine->read_density_errors(error, full); });
+  });
+}
+
+std::span<const float> World::pressures() const {
+  return impl_->pressures.get(particle_count(),
+                              [&](auto out) { impl_->engine->read_pressures(out, impl_->last_substep); });
+}
+
+Diagnostics World::diagnostics() const {
+  Diagnostics d = impl_->engine->measure(impl_->def.gravity);
+  const std::span<const float> error = density_errors();
+  const std::vector<float>& full = impl_->full_support.values;
+  double over = 0, interior = 0, interior_count = 0;
+  for (size_t i = 0; i < error.size(); ++i) {
+    over += std::max(error[i], 0.0f);
+    d.density_error_max = std::max<double>(d.density_error_max, error[i]);
+    interior += full[i] > 0 ? std::fabs(error[i]) : 0;
+    interior_count += full[i];
+  }
+  if (!error.empty()) d.density_error_mean = over / static_cast<double>(error.size());
+  if (interior_count > 0) d.density_error_interior = interior / interior_count;
+  return d;
+}
+
+double World::probe(ProbeId id) const {
+  const ProbeDef& def = impl_->probes.get(id);
+  size_t place = 0;
+  impl_->probes.for_each([&](uint32_t index, const ProbeDef&) { place += index < id.index; });
+  const fluid::ProbeSum& value = impl_->probe_values[place];
+  if (def.kind == ProbeKind::point_pressure) return value.pressure;
+  const double force = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
+  return def.kind == ProbeKind::wall_pressure ? force / def.area : force;
+}
+
+uint64_t World::state_hash() const {
+  // FNV-1a over the bytes of positions, then velocities.
+  uint64_t hash = 14695981039346656037ull;
+  const auto add = [&](std::span<const Vec3> values) {
+    for (std::byte b : std::as_bytes(values)) hash = (hash ^ static_cast<uint64_t>(b)) * 1099511628211ull;
+  };
+  add(positions());
+  add(velocities());
+  return hash;
+}
+
+size_t World::device_bytes() const {
+  return impl_->engine->device().memory().bytes;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/world/world_impl.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sdk/world/check.h"
+
+namespace meniscus {
+
+namespace {
+
+EngineDef engine_def(const WorldDef& def, const fluid::Kernel& kernel) {
+  EngineDef e;
+  e.kernel = kernel;
+  e.solver.gravity = def.gravity;
+  e.solver.support_radius = kernel.h;
+  e.solver.contact_radius = def.contact_radius * def.particle_spacing;
+  e.solver.substeps = def.substeps;
+  e.solver.iterations = def.iterations;
+  e.solver.cfl_number = def.cfl_number;
+  e.solver.min_substeps = def.min_substeps;
+  e.solver.max_substeps = def.max_substeps;
+  const DensitySolverDef& d = def.density;
+  e.density.chebyshev = d.solver == DensitySolver::chebyshev;
+  e.density.relaxation = d.relaxation;
+  e.density.warm_start = d.warm_start;
+  e.density.spectral_bound = d.spectral_bound;
+  e.density.compressibility = d.compressibility;
+  e.density.correction_limit = d.correction_limit * def.particle_spacing;
+  // The repulsion scales with the hydrostatic pressure over one support radius of water; without gravity,
+  // with Earth's.
+  const float g = length(def.gravity);
+  e.density.artificial_pressure = {d.artificial_pressure.strength * 1000.0f * (g > 0 ? g : 9.81f) * kernel.h,
+                                   d.artificial_pressure.exponent, d.artificial_pressure.distance};
+  return e;
+}
+
+}  // namespace
+
+World::Impl::Impl(const WorldDef& world_def) : def(world_def) {
+  check::world(def);
+  kernel = fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing);
+  engine = make_engine(engine_def(def, kernel), def.device, def.threads, device);
+}
+
+void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
+                      std::span<const Vec3> new_velocities, Vec3 velocity) {
+  const float s = def.particle_spacing;
+  const float inverse_mass = 1 / (fluids[fluid.index].rest_density * s * s * s);
+  ParticleBatch batch;
+  for (size_t i = 0; i < new_positions.size(); ++i) {
+    batch.position.push_back(pbd::with_w(new_positions[i], inverse_mass));
+    batch.velocity.push_back(pbd::with_w(new_velocities.empty() ? velocity : new_velocities[i], 0));
+    batch.phase.push_back(pbd::phase_fluid | fluid.index);
+  }
+  engine->append(batch);
+  for (size_t i = 0; i < new_positions.size(); ++i) ids.push_back(next_id++);
+  state_changed();
+}
+
+void World::Impl::shapes_changed() {
+  std::vector<collision::Shape> all;
+  std::vector<collision::PlaneOpening> openings;
+  shapes.for_each([&](uint32_t owner, const ShapeParts& parts) {
+    for (collision::Shape shape : parts.shapes) {
+      shape.owner = owner;
+      shape.first_opening += static_cast<uint32_t>(openings.size());
+      all.push_back(shape);
+    }
+    openings.insert(openings.end(), parts.openings.begin(), parts.openings.end());
+  });
+  engine->set_shapes(all, openings);
+  state_changed();
+}
+
+void World::Impl::sinks_changed() {
+  std::vector<SinkBox> boxes;
+  sinks.for_each([&](uint32_t, const SinkDef& sink) { boxes.push_back({sink.box, sink.outside}); });
+  engine->set_sinks(boxes);
+}
+
+void World::Impl::probes_changed() {
+  std::vector<fluid::Probe> all;
+  constexpr float everywhere = 1e30f;
+  probes.for_each([&](uint32_t, const ProbeDef& probe) {
+    all.push_back({probe.kind == ProbeKind::point_pressure, probe.point, probe.shape.index,
+                   probe.patch.value_or(
+                       Aabb{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}})});
+  });
+  engine->set_probes(all);
+  probe_values.assign(all.size(), {});
+}
+
+void World::Impl::state_changed() {
+  positions.valid = velocities.valid = fluid_indices.valid = false;
+  density_errors.valid = full_support.valid = pressures.valid = false;
+}
+
+void World::Impl::remove(const std::vector<bool>& removed) {
+  size_t kept = 0;
+  for (size_t slot = 0; slot < ids.size(); ++slot) {
+    if (!removed[slot]) ids[kept++] = ids[slot];
+  }
+  ids.resize(kept);
+  state_changed();
+}
+
+}  // namespace meniscus

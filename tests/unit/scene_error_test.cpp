@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What a scene file may get wrong, and what its author is told.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "sdk/scene/scene_file.h"
+
+namespace meniscus {
+namespace {
+
+struct Mistake {
+  const char* name;
+  const char* text;
+  const char* message;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+  *out << mistake.text;
+}
+
+class SceneMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(SceneMistake, IsNamed) {
+  try {
+    parse_scene(nlohmann::json::parse(GetParam().text), "scene.json");
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::parse);
+    EXPECT_EQ(error.what(), std::string("scene.json: ") + GetParam().message);
+  }
+}
+
+std::string mistake_name(const testing::TestParamInfo<Mistake>& info) {
+  return info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    UnknownKey, SceneMistake,
+    testing::Values(
+        Mistake{"InScene", R"({"name": "x", "fluid": []})", R"(fluid: unknown key; did you mean "fluids"?)"},
+        Mistake{"InWorld", R"({"name": "x", "world": {"iteration": 4}})",
+                R"(world.iteration: unknown key; did you mean "iterations"?)"},
+        Mistake{
+            "InDensity", R"({"name": "x", "world": {"density": {"artificial_pressure": {"k": 4}}}})",
+            R"(world.density.artificial_pressure.k: unknown key; allowed: "strength", "exponent", "distance")"},
+        Mistake{"InFluid", R"({"name": "x", "fluids": [{"rest_denisty": 1000}]})",
+                R"(fluids[0].rest_denisty: unknown key; did you mean "rest_density"?)"},
+        Mistake{"InShape",
+                R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"}, "frction": 1}]})",
+                R"(shapes[0].frction: unknown key; did you mean "friction"?)"},
+        Mistake{"InGeometry",
+                R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "sphere", "radii": 1}}]})",
+                R"(shapes[0].geometry.radii: unknown key; did you mean "radius"?)"},
+        Mistake{
+            "OfAnotherType",
+            R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "sphere", "half_height": 1}}]})",
+            R"(shapes[0].geometry.half_height: unknown key; allowed: "type", "radius")"},
+        Mistake{"InOpening", R"({"name": "x", "shapes": [{"name": "a", "geometry":
+                             {"type": "container", "openings": [{"fase": "y_high"}]}}]})",
+                R"(shapes[0].geometry.openings[0].fase: unknown key; did you mean "face"?)"},
+        Mistake{
+            "InPose",
+            R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"}, "pose": {"positon": 1}}]})",
+            R"(shapes[0].pose.positon: unknown key; did you mean "position"?)"},
+        Mistake{"InRotation", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"},
+                              "pose": {"rotation": {"axis": [0, 1, 0], "radians": 1}}}]})",
+                R"(shapes[0].pose.rotation.radians: unknown key; allowed: "axis", "degrees")"},
+        Mistake{"InVolume", R"({"name": "x", "fluids": [{}], "volumes": [{"liquid": "water"}]})",
+                R"(volumes[0].liquid: unknown key; allowed: "fluid", "region", "pose", "velocity")"},
+        Mistake{"InRegion",
+                R"({"name": "x", "volumes": [{"fluid": "water", "region": {"type": "ball", "radis": 1}}]})",
+                R"(volumes[0].region.radis: unknown key; did you mean "radius"?)"},
+        Mistake{"InSink", R"({"name": "x", "sinks": [{"nam": "a"}]})",
+                R"(sinks[0].nam: unknown key; did you mean "name"?)"},
+        Mistake{"InBox", R"({"name": "x", "sinks": [{"name": "a", "box": {"min": [0, 0, 0]}}]})",
+                R"(sinks[0].box.min: unknown key; allowed: "lower", "upper")"},
+        Mistake{"InProbe",
+                R"({"name": "x", "probes": [{"type": "wall_force", "name": "a", "point": [0, 0, 0]}]})",
+                R"(probes[0].point: unknown key; allowed: "type", "name", "shape", "patch")"},
+        Mistake{"InCamera", R"({"name": "x", "camera": {"targte": [0, 0, 0]}})",
+                R"(camera.targte: unknown key; did you mean "target"?)"}),
+    mistake_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Type, SceneMistake,
+    testing::Values(
+        Mistake{"Document", "[]", "an array of 0 is not allowed; must be an object {...}"},
+        Mistake{"Text", R"({"name": 5})", "name: 5 is not allowed; must be text in quotes"},
+        Mistake{"Number", R"({"name": "x", "frame_time": "16 ms"})",
+                "frame_time: \"16 ms\" is not allowed; must be a number"},
+        Mistake{"Whole", R"({"name": "x", "frames": 2.5})",
+                "frames: 2.5 is not allowed; must be a whole number"},
+        Mistake{
+            "Truth",
+            R"({"name": "x", "sinks": [{"name": "a", "box": {"lower": [0, 0, 0], "upper": [1, 1, 1]}, "outside": 1}]})",
+            "sinks[0].outside: 1 is not allowed; must be true or false"},
+        Mistake{"Null", R"({"name": "x", "camera": null})",
+                "camera: null is not allowed; must be an object {...}"},
+        Mistake{"Object", R"({"name": "x", "world": [1]})",
+                "world: an array of 1 is not allowed; must be an object {...}"},
+        Mistake{"List", R"({"name": "x", "fluids": {}})",
+                "fluids: an object is not allowed; must be an array [...]"},
+        Mistake{"Vector", R"({"name": "x", "world": {"gravity": [0, -9.81]}})",
+                "world.gravity: an array of 2 is not allowed; must be an array of 3 numbers"},
+        Mistake{"Component", R"({"name": "x", "world": {"gravity": [0, "g", 0]}})",
+                "world.gravity[1]: \"g\" is not allowed; must be a number"},
+        Mistake{
+            "Rotation",
+            R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"}, "pose": {"rotation": 90}}]})",
+            "shapes[0].pose.rotation: 90 is not allowed; must be an array of 4 numbers [x, y, z, w], or an "
+            "object "
+            "with axis and degrees"},
+        Mistake{"Name", R"({"name": "x", "world": {"device": "gpu"}})",
+                R"(world.device: "gpu" is not known; did you mean "cpu"?)"},
+        Mistake{"Alternative", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "spere"}}]})",
+                R"(shapes[0].geometry.type: "spere" is not known; did you mean "sphere"?)"},
+        Mistake{"NoAlternative", R"({"name": "x", "volumes": [{"fluid": "water", "region": {"radius": 1}}]})",
+                R"(volumes[0].region.type: missing, and needed; allowed: "box", "ball", "mesh")"}),
+    mistake_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Range, SceneMistake,
+    testing::Values(
+        Mistake{"Positive", R"({"name": "x", "fluids": [{"rest_density": 0}]})",
+                "fluids[0].rest_density: 0 is not allowed; must be greater than 0"},
+        Mistake{"AtLeast", R"({"name": "x", "frames": 0})", "frames: 0 is not allowed; must be at least 1"},
+        Mistake{"BetweenFractions", R"({"name": "x", "world": {"density": {"relaxation": 0.45}}})",
+                "world.density.relaxation: 0.45 is not allowed; must be at least 0.01 and at most 0.44"},
+        Mistake{"Between", R"({"name": "x", "fluids": [{"color": [0, 0, 1.5]}]})",
+                "fluids[0].color[2]: 1.5 is not allowed; must be at least 0 and at most 1"},
+        Mistake{"Inside", R"({"name": "x", "camera": {"field_of_view": 180}})",
+                "camera.field_of_view: 180 is not allowed; must be greater than 0 and less than 180"},
+        Mistake{"BeyondFloat", R"({"name": "x", "world": {"gravity": [0, -1e39, 0]}})",
+                "world.gravity[1]: -1e+39 is not allowed; must be a finite number of single precision"},
+        Mistake{
+            "TooSmallForFloat", R"({"name": "x", "world": {"particle_spacing": 1e-60}})",
+            "world.particle_spacing: 1e-60 is not allowed; must be far enough from 0 for single precision"},
+        Mistake{"BeyondInt", R"({"name": "x", "frames": 3000000000})",
+                "frames: 3000000000 is not allowed; must be a whole number of 32 bits"},
+        Mistake{"EmptyText", R"({"name": ""})", "name: \"\" is not allowed; must be text that is not empty"},
+        Mistake{"FewItems", R"({"name": "x", "shapes": [{"name": "a", "geometry":
+                            {"type": "height_field", "columns": 2, "rows": 2, "heights": [1]}}]})",
+                "shapes[0].geometry.heights: an array of 1 is not allowed; must have at least 4 items"}),
+    mistake_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Missing, SceneMistake,
+    testing::Values(Mistake{"Name", "{}", "name: missing, and needed: short name of the scene"},
+                    Mistake{"Region", R"({"name": "x", "volumes": [{"fluid": "water"}]})",
+                            "volumes[0].region: missing, and needed: what to fill"},
+                    Mistake{"Area",
+                            R"({"name": "x", "probes": [{"type": "wall_pressure", "name": "a", "shape": "s",
+                                    "patch": {"lower": [0, 0, 0], "upper": [1, 1, 1]}}]})",
+                            "probes[0].area: missing, and needed: area of the surface inside the patch"}),
+    mistake_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Together, SceneMistake,
+    testing::Values(
+        Mistake{"Substeps", R"({"name": "x", "world": {"min_substeps": 20}})",
+                "world: min_substeps must not be above max_substeps"},
+        Mistake{"Heights", R"({"name": "x", "shapes": [{"name": "a", "geometry":
+                           {"type": "height_field", "columns": 2, "rows": 3, "heights": [1, 2, 3, 4]}}]})",
+                "shapes[0].geometry: heights must hold columns · rows = 2 · 3 numbers, not 4"},
+        Mistake{
+            "Normal",
+            R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane", "normal": [0, 0, 0]}}]})",
+            "shapes[0].geometry: normal must not be zero"},
+        Mistake{"Axis", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"},
+                        "pose": {"rotation": {"axis": [0, 0, 0], "degrees": 1}}}]})",
+                "shapes[0].pose.rotation: axis must not be zero"},
+        Mistake{"Quaternion", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"},
+                              "pose": {"rotation": [0, 0, 0, 1e-9]}}]})",
+                "shapes[0].pose.rotation: a quaternion near zero is no rotation; its length must be greater "
+                "than 1e-06"},
+        Mistake{"OpeningCorners", R"({"name": "x", "shapes": [{"name": "a", "geometry":
+                                  {"type": "container", "openings": [{"face": "y_high", "lower": [0, 0, 0]}]}}]})",
+                "shapes[0].geometry.openings[0]: lower and upper must come together"},
+        Mistake{"Box",
+                R"({"name": "x", "sinks": [{"name": "a", "box": {"lower": [0, 2, 0], "upper": [1, 1, 1]}}]})",
+                "sinks[0].box: lower must not be above upper in any component"},
+        Mistake{"Region", R"({"name": "x", "volumes": [{"fluid": "water", "region":
+                          {"type": "box", "lower": [0, 0, 0], "upper": [1, 0, 1]}}]})",
+                "volumes[0].region: lower must be below upper in every component"},
+        Mistake{"Camera", R"({"name": "x", "camera": {"position": [1, 1, 1], "target": [1, 1, 1]}})",
+                "camera: position and target must differ"}),
+    mistake_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Name, SceneMistake,
+    testing::Values(
+        Mistake{"FluidTwice", R"({"name": "x", "fluids": [{}, {"name": "oil"}, {}]})",
+                R"(fluids[2].name: "water" is the name of fluids[0] already)"},
+        Mistake{"ShapeTwice", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"}},
+                              {"name": "a", "geometry": {"type": "plane"}}]})",
+                R"(shapes[1].name: "a" is the name of shapes[0] already)"},
+        Mistake{"SinkTwice",
+                R"({"name": "x", "sinks": [{"name": "a", "box": {"lower": [0, 0, 0], "upper": [1, 1, 1]}},
+                             {"name": "a", "box": {"lower": [0, 0, 0], "upper": [1, 1, 1]}}]})",
+                R"(sinks[1].name: "a" is the name of sinks[0] already)"},
+        Mistake{"ProbeTwice",
+                R"({"name": "x", "probes": [{"type": "point_pressure", "name": "a", "point": [0, 0, 0]},
+                              {"type": "point_pressure", "name": "a", "point": [0, 1, 0]}]})",
+                R"(probes[1].name: "a" is the name of probes[0] already)"},
+        Mistake{"NoSuchFluid",
+                R"({"name": "x", "fluids": [{}], "volumes": [{"fluid": "watr", "region": {"type": "box"}}]})",
+                R"(volumes[0].fluid: there is no fluid named "watr"; did you mean "water"?)"},
+        Mistake{"NoFluids", R"({"name": "x", "volumes": [{"fluid": "water", "region": {"type": "box"}}]})",
+                R"(volumes[0].fluid: there is no fluid named "water"; allowed: none)"},
+        Mistake{"NoSuchShape", R"({"name": "x", "shapes": [{"name": "floor", "geometry": {"type": "plane"}}],
+                               "probes": [{"type": "wall_force", "name": "a", "shape": "ceiling"}]})",
+                R"(probes[0].shape: there is no shape named "ceiling"; allowed: "floor")"}),
+    mistake_name);
+
+}  // namespace
+}  // namespace meniscus

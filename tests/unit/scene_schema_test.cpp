@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The schema and the reader come from one description; these hold them, the committed schema and the samples
+// together.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sdk/scene/scene_file.h"
+
+namespace meniscus {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string file_text(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(SceneSchema, EqualsTheCommittedFile) {
+  EXPECT_EQ(scene_schema(), file_text(MENISCUS_SAMPLES_DIR "/scene.schema.json"))
+      << "write it anew: meniscus schema > samples/scene.schema.json";
+}
+
+/// Makes documents that have every key of a schema. Where it offers alternatives, `choice` picks one.
+class Example {
+ public:
+  explicit Example(std::size_t choice) : choice_(choice) {}
+
+  Json of(const Json& schema, const std::string& key) const {
+    if (schema.contains("oneOf")) return of(schema["oneOf"][choice_ % schema["oneOf"].size()], key);
+    if (schema.contains("const")) return schema["const"];
+    if (schema.contains("enum")) return schema["enum"][choice_ % schema["enum"].size()];
+    if (schema["type"] == "object") return object(schema);
+    if (schema["type"] == "array") return array(schema, key);
+    if (schema["type"] == "string") return "name";  // one for all, so that references hit
+    if (schema.contains("default")) return schema["default"];
+    if (schema["type"] == "boolean") return true;
+    if (schema.contains("exclusiveMinimum")) return schema["exclusiveMinimum"].get<double>() + 1;
+    return schema.value("minimum", Json(0));
+  }
+
+ private:
+  Json object(const Json& schema) const {
+    Json result = Json::object();
+    for (const auto& [key, property] : schema["properties"].items()) result[key] = of(property, key);
+    return result;
+  }
+
+  Json array(const Json& schema, const std::string& key) const {
+    if (schema.contains("default")) return schema["default"];
+    if (key == "rotation") return {0, 0, 0, 1};
+    if (key == "upper" || key == "axis") return {1, 1, 1};
+    const std::size_t count = std::max<std::size_t>(1, schema.value("minItems", 1u));
+    Json result = Json::array();
+    for (std::size_t i = 0; i < count; ++i) result.push_back(of(schema["items"], key));
+    return result;
+  }
+
+  std::size_t choice_;
+};
+
+/// Every `type` that a document names, with where.
+void gather_types(const Json& json, const std::string& place, std::set<std::string>& types) {
+  if (json.is_object() && json.contains("type")) types.insert(place + json["type"].get<std::string>());
+  for (const auto& [key, child] : json.items()) {
+    if (child.is_structured()) gather_types(child, json.is_array() ? place : key + ":", types);
+  }
+}
+
+TEST(SceneSchema, ReaderTakesEveryKeyOfTheSchema) {
+  const Json schema = Json::parse(scene_schema());
+  std::set<std::string> types;
+  for (std::size_t choice = 0; choice < 8; ++choice) {
+    const Json document = Example(choice).of(schema, "");
+    gather_types(document, "", types);
+    EXPECT_NO_THROW(parse_scene(document)) << "alternative " << choice;
+  }
+  EXPECT_EQ(types.size(), 8u + 3u + 3u) << "geometries, regions and probes, each at least once";
+}
+
+/// Whether an alternative is for values like this one: of its `type`, or of its kind where it has none.
+bool is_meant(const Json& alternative, const Json& value) {
+  if (!value.is_object()) return alternative["type"] != "object";
+  if (alternative["type"] != "object") return false;
+  if (!alternative["properties"].contains("type")) return true;
+  return alternative["properties"]["type"]["const"] == value.value("type", "");
+}
+
+/// Checks that a document has only keys of the schema, and all that the schema requires.
+void check_keys(const Json& schema, const Json& value, const std::string& place) {
+  if (schema.contains("oneOf")) {
+    for (const Json& alternative : schema["oneOf"]) {
+      if (is_meant(alternative, value)) return check_keys(alternative, value, place);
+    }
+    ADD_FAILURE() << place << " fits no alternative";
+  }
+  if (value.is_array()) {
+    for (const Json& item : value) check_keys(schema["items"], item, place + "[]");
+  }
+  if (!value.is_object()) return;
+  for (const Json& key : schema.value("required", Json::array())) {
+    EXPECT_TRUE(value.contains(key.get<std::string>())) << place << " lacks " << key;
+  }
+  for (const auto& [key, child] : value.items()) {
+    ASSERT_TRUE(schema["properties"].contains(key)) << place << "." << key;
+    check_keys(schema["properties"][key], child, place + "." + key);
+  }
+}
+
+TEST(SceneSchema, SamplesHaveItsKeys) {
+  const Json schema = Json::parse(scene_schema());
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(MENISCUS_SAMPLES_DIR "/scenes")) {
+    check_keys(schema, Json::parse(file_text(entry.path()), nullptr, true, true), entry.path().filename());
+    ++count;
+  }
+  EXPECT_GE(count, 6);
+}
+
+/// Every object is closed, and every key says what it is for.
+void check_described(const Json& schema, const std::string& place) {
+  if (schema.contains("items")) check_described(schema["items"], place + "[]");
+  if (schema.contains("oneOf")) {
+    for (const Json& alternative : schema["oneOf"]) check_described(alternative, place + "|");
+  }
+  if (!schema.contains("properties")) return;
+  EXPECT_EQ(schema.value("additionalProperties", true), false) << place;
+  for (const auto& [key, property] : schema["properties"].items()) {
+    const bool tells = property.contains("const") || !property.value("description", "").empty();
+    EXPECT_TRUE(tells) << place << "." << key;
+    check_described(property, place + "." + key);
+  }
+}
+
+TEST(SceneSchema, DescribesEveryKey) {
+  check_described(Json::parse(scene_schema()), "");
+}
+
+TEST(SceneSchema, CarriesUnitsRangesAndDefaults) {
+  const Json schema = Json::parse(scene_schema());
+  const Json& density = schema["properties"]["fluids"]["items"]["properties"]["rest_density"];
+  EXPECT_EQ(density["description"], "density at rest (kg/m³)");
+  EXPECT_EQ(density["exclusiveMinimum"], 0);
+  EXPECT_EQ(density["default"], 1000);
+  const Json& spacing = schema["properties"]["world"]["properties"]["particle_spacing"];
+  EXPECT_EQ(spacing["default"], 0.05) << "the float's shortest text, not its digits in double precision";
+  const Json& face = schema["properties"]["shapes"]["items"]["properties"]["geometry"]["oneOf"][2]
+                           ["properties"]["openings"]["items"]["properties"]["face"];
+  EXPECT_EQ(face["enum"].size(), 6u);
+  EXPECT_EQ(face["default"], "y_high");
+}
+
+}  // namespace
+}  // namespace meniscus
