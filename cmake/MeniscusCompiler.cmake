@@ -3,8 +3,8 @@
 #
 # Flags common to all targets, and the helper that makes one library a folder.
 
-set(CMAKE_CXX_STANDARD 20)
-set(CMAKE_CXX_STANDARD_REQUIRED ON)
+include(GNUInstallDirs)
+
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
@@ -20,9 +20,10 @@ if(MENISCUS_CCACHE AND PROJECT_IS_TOP_LEVEL)
   set(CMAKE_CUDA_COMPILER_LAUNCHER ${MENISCUS_CCACHE})
 endif()
 
+# What our own sources are compiled with. Those who link the libraries do not inherit it.
 add_library(meniscus_flags INTERFACE)
-target_include_directories(meniscus_flags INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include>)
+target_compile_features(meniscus_flags INTERFACE cxx_std_20)
+target_include_directories(meniscus_flags INTERFACE ${PROJECT_SOURCE_DIR})
 # Equal bits on every processor: no fused multiply-add behind our back. Without errno, sqrtf is one instruction.
 set(meniscus_host_flags -Wall -Wextra -Wshadow -ffp-contract=off -fno-math-errno)
 target_compile_options(meniscus_flags INTERFACE
@@ -39,9 +40,12 @@ endif()
 function(meniscus_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;CUDA;LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
-  target_link_libraries(${name} PUBLIC meniscus_flags ${arg_LINK})
+  target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE $<BUILD_INTERFACE:meniscus_flags>)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_include_directories(${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   if(MENISCUS_CUDA)
     target_sources(${name} PRIVATE ${arg_CUDA})
-    target_compile_definitions(${name} PUBLIC MENISCUS_HAS_CUDA=1)
+    target_link_libraries(${name} PRIVATE CUDA::cudart_static)  # for those who link us without knowing of CUDA
   endif()
 endfunction()

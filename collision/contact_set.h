@@ -14,7 +14,7 @@ namespace meniscus::collision {
 ///   friction  positional Coulomb friction (Macklin et al. 2014, eqs. 23 and 24): the substep's slip is taken
 ///   back up to
 ///             μ times the normal load, the pressure of the density constraint counted in;
-///   bounce    after the solve, v·n ≥ −e · (approach speed).
+///   bounce    after the solve, v·n ≥ −e · (approach speed): what has met a surface does not go on into it.
 template <class D>
 class ContactSet final : public pbd::ConstraintSet<D> {
  public:

@@ -28,12 +28,13 @@ struct Project {
   View<const uint32_t> slot;
   ContactView contacts;
 
-  MENISCUS_HD void operator()(uint32_t k_touching) const {
-    const uint32_t i = contacts.particles[k_touching];
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = contacts.particle[n];
+    if (contacts.start[i] != n) return;
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     Vec4 p = position[i];
     if (p.w == 0) return;
-    const float radius = contacts.radius * (1 + 0.01f * jitter(slot[i]));
+    const float radius = contacts.radius * (1 - 0.01f * jitter(slot[i]));
     Vec3 x = p.xyz();
     for (uint32_t k = begin; k < end; ++k) {
       Contact& c = contacts.contacts[k];
@@ -66,13 +67,15 @@ struct Bounce {
   ContactView contacts;
   float resting_speed;  ///< m/s: slower impacts do not bounce, or nothing would come to rest
 
-  MENISCUS_HD void operator()(uint32_t k_touching) const {
-    const uint32_t i = contacts.particles[k_touching];
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = contacts.particle[n];
+    if (contacts.start[i] != n) return;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const Contact& c = contacts.contacts[k];
-      if (c.restitution == 0 || c.normal_multiplier == 0 || c.approach_speed > -resting_speed) continue;
+      if (c.normal_multiplier == 0) continue;
       const Vec3 v = velocity[i].xyz();
-      const float lacking = -c.restitution * c.approach_speed - dot(v, c.normal);
+      const float bounce = c.approach_speed < -resting_speed ? -c.restitution * c.approach_speed : 0;
+      const float lacking = bounce - dot(v, c.normal);
       if (lacking > 0) velocity[i] = pbd::with_w(v + lacking * c.normal, 0);
     }
   }
@@ -83,7 +86,7 @@ struct Bounce {
 template <class D>
 void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("contacts/project", substep.contacts.particles.count,
+  device_.parallel_for("contacts/project", substep.contacts.particle.count,
                        contact_kernels::Project{p.position, p.previous, p.slot, substep.contacts});
 }
 
@@ -91,7 +94,7 @@ template <class D>
 void ContactSet<D>::end(pbd::Substep<D>& substep) {
   constexpr float gravity_scale = 9.81f;  // a contact at rest gathers about g·h_t within a substep
   device_.parallel_for(
-      "contacts/bounce", substep.contacts.particles.count,
+      "contacts/bounce", substep.contacts.particle.count,
       contact_kernels::Bounce{substep.particles.velocity, substep.contacts, 4 * gravity_scale * substep.dt});
 }
 

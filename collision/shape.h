@@ -25,7 +25,8 @@ struct Shape {
   float restitution = 0;
   uint32_t table = 0;  ///< which of the fields, for sdf and height_field
   uint32_t first_opening = 0, opening_count = 0;
-  Aabb bounds{{0, 0, 0}, {0, 0, 0}};  ///< of the solid, world; planes have none
+  uint32_t first_wall = 0, wall_count = 0;  ///< plane: all walls of its container, where that has openings
+  Aabb bounds{{0, 0, 0}, {0, 0, 0}};        ///< of the solid, world; planes have none
 };
 
 /// A rectangle cut out of a plane: where a point's projection lies inside `box`, in the plane's frame,
@@ -124,6 +125,14 @@ MENISCUS_HD inline SurfaceSample local_surface(const ShapeSet& set, const Shape&
 
 MENISCUS_HD inline SurfaceSample plane_surface(const Shape& plane, Vec3 p) {
   return {dot(plane.size, p) - plane.offset, plane.size};
+}
+
+/// Whether the box of a motion is further than `reach` from the solid, which is not a plane.
+MENISCUS_HD inline bool out_of_reach(const Shape& shape, Vec3 from, Vec3 to, float reach) {
+  const Vec3 lower = min(from, to), upper = max(from, to);
+  const Aabb& b = shape.bounds;
+  return lower.x > b.upper.x + reach || lower.y > b.upper.y + reach || lower.z > b.upper.z + reach ||
+         upper.x < b.lower.x - reach || upper.y < b.lower.y - reach || upper.z < b.lower.z - reach;
 }
 
 /// The surface nearest to world point p; `reach` is the distance up to which it must be exact.

@@ -15,16 +15,24 @@ class ShapeContacts final : public pbd::ContactSource<D> {
       : device_(device), support_radius_(support_radius), contact_radius_(contact_radius) {}
 
   /// The views must stay valid until they are set anew.
-  void set_shapes(const ShapeSet& shapes) { shapes_ = shapes; }
+  void set_shapes(const ShapeSet& shapes, bool only_planes) {
+    shapes_ = shapes;
+    only_planes_ = only_planes;
+  }
 
+  void limit_motion(pbd::View<const pbd::Vec4> from, pbd::View<pbd::Vec4> to, uint32_t count) override;
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
-  void fill(const pbd::Substep<D>& substep, pbd::View<uint32_t> cursor,
-            pbd::View<pbd::Contact> contacts) override;
+  void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
 
  private:
+  template <bool only_planes>
+  auto finder(const pbd::Substep<D>& substep) const;
+
   D& device_;
   float support_radius_, contact_radius_;
   ShapeSet shapes_;
+  bool only_planes_ =
+      true;  // a tank and nothing in it, as so often: its kernels need a third of the registers
 };
 
 }  // namespace meniscus::collision

@@ -4,23 +4,43 @@
 
 #include "collision/find_contact.h"
 #include "collision/shape_contacts.h"
+#include "collision/sweep.h"
 
 namespace meniscus::collision {
 
 namespace shape_contact_kernels {
 
+struct LimitMotion {
+  ShapeSet set;
+  pbd::View<const pbd::Vec4> from;
+  pbd::View<pbd::Vec4> to;
+  float radius;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Motion motion{from[i].xyz(), to[i].xyz()};
+    const Vec3 path = motion.to - motion.from;
+    // A slower one comes no further than where its contact sees it.
+    if (!(dot(path, path) > radius * radius) || !is_finite(path)) return;
+    to[i] = pbd::with_w(collision::limit_motion(set, motion, radius), to[i].w);
+  }
+};
+
+template <bool only_planes>
 struct Finder {
   ShapeSet set;
   pbd::View<const pbd::Vec4> position, previous;
   float radius, h;
 
   MENISCUS_HD FoundContact operator()(uint32_t i, uint32_t shape) const {
-    return find_contact(set, set.shapes[shape], {previous[i].xyz(), position[i].xyz()}, radius, h);
+    const Motion motion{previous[i].xyz(), position[i].xyz()};
+    if constexpr (only_planes) return find_plane_contact(set, set.shapes[shape], motion, radius, h);
+    return find_contact(set, set.shapes[shape], motion, radius, h);
   }
 };
 
+template <bool only_planes>
 struct Count {
-  Finder find;
+  Finder<only_planes> find;
   pbd::View<uint32_t> counts;
 
   MENISCUS_HD void operator()(uint32_t i) const {
@@ -30,19 +50,18 @@ struct Count {
   }
 };
 
+template <bool only_planes>
 struct Fill {
-  Finder find;
+  Finder<only_planes> find;
   pbd::View<const pbd::Vec4> velocity;
-  pbd::View<uint32_t> cursor;
-  pbd::View<pbd::Contact> contacts;
+  pbd::ContactWriter writer;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    uint32_t at = cursor[i];
+    if (!writer.has_any(i)) return;
     for (uint32_t s = 0; s < find.set.shapes.count; ++s) {
       const FoundContact f = find(i, s);
-      if (f.found) contacts[at++] = make_contact(i, find.set.shapes[s], f);
+      if (f.found) writer.write(i, make_contact(i, find.set.shapes[s], f));
     }
-    cursor[i] = at;
   }
 
   MENISCUS_HD pbd::Contact make_contact(uint32_t i, const Shape& shape, const FoundContact& f) const {
@@ -68,23 +87,42 @@ struct Fill {
 }  // namespace shape_contact_kernels
 
 template <class D>
-void ShapeContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
-  if (shapes_.shapes.count == 0) return;
-  using namespace shape_contact_kernels;
-  const Finder finder{shapes_, substep.particles.position, substep.particles.previous, contact_radius_,
-                      support_radius_};
-  device_.parallel_for("contacts/count", substep.particles.owned, Count{finder, counts});
+template <bool only_planes>
+auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
+  return shape_contact_kernels::Finder<only_planes>{
+      shapes_, substep.particles.position, substep.particles.previous, contact_radius_, support_radius_};
 }
 
 template <class D>
-void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, pbd::View<uint32_t> cursor,
-                            pbd::View<pbd::Contact> contacts) {
-  if (shapes_.shapes.count == 0) return;
+void ShapeContacts<D>::limit_motion(pbd::View<const pbd::Vec4> from, pbd::View<pbd::Vec4> to,
+                                    uint32_t count) {
+  if (only_planes_) return;  // nothing passes through a half-space
+  device_.parallel_for("contacts/limit motion", count,
+                       shape_contact_kernels::LimitMotion{shapes_, from, to, contact_radius_});
+}
+
+template <class D>
+void ShapeContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
   using namespace shape_contact_kernels;
-  const Finder finder{shapes_, substep.particles.position, substep.particles.previous, contact_radius_,
-                      support_radius_};
-  device_.parallel_for("contacts/fill", substep.particles.owned,
-                       Fill{finder, substep.particles.velocity, cursor, contacts});
+  const uint32_t particles = substep.particles.owned;
+  if (shapes_.shapes.count == 0) return;
+  if (only_planes_) {
+    device_.parallel_for("contacts/count", particles, Count<true>{finder<true>(substep), counts});
+  } else {
+    device_.parallel_for("contacts/count", particles, Count<false>{finder<false>(substep), counts});
+  }
+}
+
+template <class D>
+void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
+  using namespace shape_contact_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  if (shapes_.shapes.count == 0) return;
+  if (only_planes_) {
+    device_.parallel_for("contacts/fill", p.owned, Fill<true>{finder<true>(substep), p.velocity, writer});
+  } else {
+    device_.parallel_for("contacts/fill", p.owned, Fill<false>{finder<false>(substep), p.velocity, writer});
+  }
 }
 
 }  // namespace meniscus::collision

@@ -68,7 +68,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   D& device_;
   Kernel kernel_;
   DensityParameters parameters_;
-  float last_dt_ = 0;
+  float last_dt_ = 0, saved_dt_ = 0;
   float rho_ = 0;  // of the Chebyshev recurrence
 
   pbd::DoubleBuffer<float> multiplier_{device_, "density multipliers"};

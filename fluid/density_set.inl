@@ -46,10 +46,10 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
                             compliance,
                             parameters_.correction_limit};
   const pbd::ContactView& contacts = substep.contacts;
-  device_.parallel_for("density/multipliers", substep.particles.owned,
-                       Advance<D>{kernel_, substep.neighbours, contacts.start, advancing});
-  device_.parallel_for("density/multipliers at walls", contacts.particles.count,
-                       AdvanceAtWalls<D>{kernel_, substep.neighbours, contacts, advancing});
+  device_.parallel_for_both("density/multipliers", substep.particles.owned,
+                            Advance<D>{kernel_, substep.neighbours, contacts.start, advancing},
+                            contacts.particle.count,
+                            AdvanceAtWalls{kernel_, substep.neighbours, contacts, advancing});
   correct<false>(substep, {});
 }
 
@@ -58,13 +58,13 @@ template <bool with_pair_pressure>
 void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
   const pbd::ContactView& contacts = substep.contacts;
-  device_.parallel_for("density/correct", substep.particles.owned,
-                       Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours,
-                                                      contacts.start, substep.particles.position});
-  device_.parallel_for(
-      "density/correct at walls", contacts.particles.count,
-      CorrectAtWalls<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts,
-                                            substep.particles.position});
+  device_.parallel_for_both(
+      "density/correct", substep.particles.owned,
+      Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
+                                     substep.particles.position},
+      contacts.particle.count,
+      CorrectAtWalls<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts,
+                                         substep.particles.position});
 }
 
 // Chebyshev semi-iteration on the interval [bound (1.5/m)², bound] of D⁻¹A's spectrum, m iterations: the
@@ -90,9 +90,9 @@ typename DensitySet<D>::Weights DensitySet<D>::next_weights(int iteration, int i
 template <class D>
 void DensitySet<D>::measure(const pbd::Substep<D>& substep, pbd::View<float> error,
                             pbd::View<float> full) const {
-  device_.parallel_for("density/measure", substep.particles.owned,
-                       density_kernels::Measure<D>{kernel_, substep.particles.position, substep.neighbours,
-                                                   substep.contacts, substep.particles.slot, error, full});
+  device_.parallel_for_long("density/measure", substep.particles.owned,
+                            density_kernels::Measure{kernel_, substep.particles.position, substep.neighbours,
+                                                     substep.contacts, substep.particles.slot, error, full});
 }
 
 // ---- arrays that follow the particles
@@ -122,11 +122,13 @@ void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
 
 template <class D>
 void DensitySet<D>::save(uint32_t count) {
+  saved_dt_ = last_dt_;
   device_.copy(saved_multiplier_.view().data, multiplier_.current.view().data, count * sizeof(float));
 }
 
 template <class D>
 void DensitySet<D>::restore(uint32_t count) {
+  last_dt_ = saved_dt_;
   device_.copy(multiplier_.current.view().data, saved_multiplier_.view().data, count * sizeof(float));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The kernels of the density constraint, for particles that touch a wall: as in density_kernels.h, with
-// images. They run over contacts.particles.
+// images. They run over the contacts, and work at the first one of each particle.
 #pragma once
 
 #include "fluid/density_kernels.h"
@@ -19,37 +19,43 @@ MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<co
   const Vec3 x = self.xyz();
   const Mirrors mirrors = mirrors_at(contacts, i, x, kernel.h);
   DensitySums<Real> sums;
+  pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+    const auto other = gather(position, j);
+    sums.add(kernel, x - other.xyz(), other.w, Real(1.0f));
+    MENISCUS_UNROLL
+    for (int image = 1; image < Mirrors::most_images; ++image) {
+      if (image > mirrors.image_count()) break;
+      sums.add(kernel, x - mirrors.reflect(image, other.xyz()), other.w, Real(mirrors.share[image]));
+    }
+  });
   DensitySums<float> own_images;
-  for (int image = 0; image <= mirrors.image_count(); ++image) {
-    const float share = mirrors.image_weight(image);
-    if (share == 0) continue;
-    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
-      const auto other = gather(position, j);
-      sums.add(kernel, x - mirrors.reflect(image, other.xyz()), other.w, Real(share));
-    });
-    if (image == 0) continue;
+  MENISCUS_UNROLL
+  for (int image = 1; image < Mirrors::most_images; ++image) {
+    if (image > mirrors.image_count()) break;
     const Vec3Of<float> d = x - mirrors.reflect(image, Vec3Of<float>{x.x, x.y, x.z});
-    own_images.add(kernel, d, 0.0f, share);
+    own_images.add(kernel, d, 0.0f, mirrors.share[image]);
   }
   const Vec3 gradient = sum_vector(sums.gradient) + sum_vector(own_images.gradient);
   return {sum(sums.weight) + own_images.weight + kernel.weight(0.0f) - 1,
           self.w * dot(gradient, gradient) + sum(sums.gradient2), gradient};
 }
 
-template <class D>
 struct AdvanceAtWalls {
   Kernel kernel;
   NeighbourView neighbours;
   ContactView contacts;
   Advancing advancing;
 
-  MENISCUS_HD void operator()(uint32_t k) const {
-    const uint32_t i = contacts.particles[k];
-    advancing.advance(i, density_constraint_at_walls<D>(kernel, advancing.position, neighbours, contacts, i));
+  template <class D>
+  MENISCUS_HD void run(uint32_t n) const {
+    const uint32_t i = contacts.particle[n];
+    if (contacts.start[i] != n) return;
+    const Constraint c = density_constraint_at_walls<D>(kernel, advancing.position, neighbours, contacts, i);
+    if (D::leads()) advancing.advance(i, c);
   }
 };
 
-template <class D, bool with_pair_pressure>
+template <bool with_pair_pressure>
 struct CorrectAtWalls {
   Kernel kernel;
   PairPressure pair;
@@ -58,54 +64,72 @@ struct CorrectAtWalls {
   ContactView contacts;
   View<Vec4> position;
 
-  MENISCUS_HD void operator()(uint32_t k) const {
-    const uint32_t i = contacts.particles[k];
+  template <class D>
+  MENISCUS_HD void run(uint32_t n) const {
+    using Real = typename D::Real;
+    const uint32_t i = contacts.particle[n];
+    if (contacts.start[i] != n) return;
     const Vec4 self = staged[i];
     const Vec3 x = self.xyz();
     const Mirrors mirrors = mirrors_at(contacts, i, x, kernel.h);
-    Vec3 total = push_of_image(mirrors, 0, 1.0f, i, self);
-    for (int image = 1; image <= mirrors.image_count(); ++image) {
-      const float share = mirrors.image_weight(image);
-      if (share == 0) continue;
-      const Vec3Of<float> d = x - mirrors.reflect(image, Vec3Of<float>{x.x, x.y, x.z});
-      const Vec3 own = share * sum_vector(pair_push<with_pair_pressure, float>(kernel, pair, d, 2 * self.w));
-      const Vec3 push = own + push_of_image(mirrors, image, share, i, self);
-      note_reaction(mirrors, image, push);
-      total += push;
+    Pushes<Real> pushes;
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const auto other = gather(staged, j);
+      pushes.add(kernel, pair, mirrors, x, other.xyz(), Real(self.w) + other.w);
+    });
+    Pushes<float> own;
+    own.add(kernel, pair, mirrors, x, Vec3Of<float>{x.x, x.y, x.z}, 2 * self.w);
+    Vec3 total = sum_vector(pushes.direct);
+    Vec3 by_mirror[Mirrors::most];
+    for (int k = 0; k < Mirrors::most; ++k) {
+      by_mirror[k] = sum_vector(pushes.by_mirror[k]) + sum_vector(own.by_mirror[k]);
+      total += by_mirror[k];
+    }
+    if (!D::leads()) return;
+    for (int k = 0; k < Mirrors::most; ++k) {
+      if (k < mirrors.count) contacts.contacts[mirrors.contact[k]].density_push += by_mirror[k];
     }
     const float w = position[i].w;
     position[i] = pbd::with_w(x + w * total, w);
   }
 
-  MENISCUS_HD Vec3 push_of_image(const Mirrors& mirrors, int image, float share, uint32_t i,
-                                 const Vec4& self) const {
-    using Real = typename D::Real;
-    Vec3Of<Real> push{Real(0.0f), Real(0.0f), Real(0.0f)};
-    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
-      const auto other = gather(staged, j);
-      const Vec3Of<Real> d = self.xyz() - mirrors.reflect(image, other.xyz());
-      push += pair_push<with_pair_pressure, Real>(kernel, pair, d, Real(self.w) + other.w);
-    });
-    return share * sum_vector(push);
-  }
+  /// What comes from particles, and what from images through each mirror, which is its part of the reaction.
+  template <class R>
+  struct Pushes {
+    Vec3Of<R> direct{R(0.0f), R(0.0f), R(0.0f)}, by_mirror[Mirrors::most]{direct, direct, direct};
 
-  /// Each mirror of an image takes the push along its normal; the first takes the rest, which a pair's other
-  /// half takes back.
-  MENISCUS_HD void note_reaction(const Mirrors& mirrors, int image, Vec3 push) const {
-    Vec3 rest = push;
-    int first = -1;
-    for (int k = 0; k < Mirrors::most; ++k) {
-      if (!(image >> k & 1)) continue;
-      const Vec3 part = dot(rest, mirrors.normal[k]) * mirrors.normal[k];
-      contacts.contacts[mirrors.contact[k]].density_push += part;
-      rest -= part;
-      if (first < 0) first = k;
+    MENISCUS_HD void add(const Kernel& kernel, const PairPressure& pair, const Mirrors& mirrors, Vec3 x,
+                         const Vec3Of<R>& other, const R& multiplier) {
+      direct += pair_push<with_pair_pressure, R>(kernel, pair, x - other, multiplier);
+      MENISCUS_UNROLL
+      for (int image = 1; image < Mirrors::most_images; ++image) {
+        if (image > mirrors.image_count()) break;
+        share_out(mirrors, image,
+                  R(mirrors.share[image]) * pair_push<with_pair_pressure, R>(
+                                                kernel, pair, x - mirrors.reflect(image, other), multiplier));
+      }
     }
-    contacts.contacts[mirrors.contact[first]].density_push += rest;
-  }
+
+    /// An image of an image is pushed by each mirror along its normal; the last takes what is left, along the
+    /// edge.
+    MENISCUS_HD void share_out(const Mirrors& mirrors, int image, Vec3Of<R> push) {
+      MENISCUS_UNROLL
+      for (int k = 0; k < Mirrors::most; ++k) {
+        if (!(image >> k & 1)) continue;
+        const bool last = image >> (k + 1) == 0;
+        const Vec3Of<R> part = last ? push : along(mirrors.normal[k], push);
+        by_mirror[k] += part;
+        push = push - part;
+      }
+    }
+
+    MENISCUS_HD static Vec3Of<R> along(Vec3 n, const Vec3Of<R>& v) {
+      const R size = dot(n, v);
+      return {R(n.x) * size, R(n.y) * size, R(n.z) * size};
+    }
+  };
 };
 
-template <class D>
 struct Measure {
   Kernel kernel;
   View<const Vec4> position;
@@ -115,8 +139,10 @@ struct Measure {
   View<float> error;  ///< C
   View<float> full;   ///< 1 where the support is full, else 0
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     const Constraint c = density_constraint_at_walls<D>(kernel, position, neighbours, contacts, i);
+    if (!D::leads()) return;
     error[slot[i]] = c.value;
     // On a free surface |Σe| is about ½ over the spacing; in the inside it is the noise of disorder.
     const float threshold2 = 0.04f / cbrtf(kernel.volume * kernel.volume);

@@ -23,34 +23,24 @@ namespace meniscus::fluid {
 /// The mirrors near one particle: at most the three nearest.
 struct Mirrors {
   static constexpr int most = 3;
+  static constexpr int most_images = 1 << most;  ///< the thing itself, number 0, counted in
 
   int count = 0;
   uint32_t contact[most];
   Vec3 normal[most];
-  float offset[most];  ///< m: the plane is normal · x = offset
-  float weight[most];  ///< how much of a half-space is behind it
-  float slack;         ///< m: what has sunk in no deeper counts as on the surface
+  float offset[most];        ///< m: the plane is normal · x = offset
+  float weight[most];        ///< how much of a half-space is behind it
+  float share[most_images];  ///< how much each image counts
+  float slack;               ///< m: what has sunk in no deeper counts as on the surface
 
   /// Images are numbered 1 to image_count(): bit k says that mirror k takes part.
   MENISCUS_HD int image_count() const { return (1 << count) - 1; }
-
-  /// Mirrors at right angles make an image of an image; parallel ones do not.
-  MENISCUS_HD float image_weight(int image) const {
-    float w = 1;
-    for (int k = 0; k < most; ++k) {
-      if (!(image >> k & 1)) continue;
-      w *= weight[k];
-      for (int l = 0; l < k; ++l) {
-        if (image >> l & 1) w *= 1 - fabsf(dot(normal[k], normal[l]));
-      }
-    }
-    return w;
-  }
 
   /// Mirrors x; what is behind a mirror has no image, and is sent far away.
   template <class R>
   MENISCUS_HD pbd::Vec3Of<R> reflect(int image, const pbd::Vec3Of<R>& x) const {
     pbd::Vec3Of<R> y = x;
+    MENISCUS_UNROLL
     for (int k = 0; k < most; ++k) {
       if (!(image >> k & 1)) continue;
       const R d = R(normal[k].x) * x.x + R(normal[k].y) * x.y + R(normal[k].z) * x.z - R(offset[k]);
@@ -62,6 +52,19 @@ struct Mirrors {
     return y;
   }
 };
+
+/// Mirrors at right angles make an image of an image; parallel ones do not.
+MENISCUS_HD inline float share_of_image(const Mirrors& m, int image) {
+  float share = 1;
+  for (int k = 0; k < Mirrors::most; ++k) {
+    if (!(image >> k & 1)) continue;
+    share *= m.weight[k];
+    for (int l = 0; l < k; ++l) {
+      if (image >> l & 1) share *= 1 - fabsf(dot(m.normal[k], m.normal[l]));
+    }
+  }
+  return share;
+}
 
 /// The mirrors that the contacts of particle i at x make.
 MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
@@ -90,6 +93,10 @@ MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t
     for (int l = 0; l < k; ++l) {
       if (dot(m.normal[k], m.normal[l]) > 0.9f) m.weight[k] = pbd::min(m.weight[k], 1 - m.weight[l]);
     }
+  }
+  MENISCUS_UNROLL
+  for (int image = 1; image < Mirrors::most_images; ++image) {
+    m.share[image] = image <= m.image_count() ? share_of_image(m, image) : 0;
   }
   return m;
 }

@@ -33,8 +33,8 @@ class Probes final : public pbd::Observer<D> {
   void set_probes(std::span<const Probe> probes);
   void start_step() override;
   void observe(const pbd::Substep<D>& substep) override;
-  /// One element a probe, the mean over the last step's substeps.
-  std::vector<ProbeSum> read() const;
+  /// One element a probe: the mean over the last step's substeps.
+  void read(std::span<ProbeSum> means) const;
 
  private:
   D& device_;

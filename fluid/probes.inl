@@ -102,14 +102,13 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
 }
 
 template <class D>
-std::vector<ProbeSum> Probes<D>::read() const {
-  std::vector<ProbeSum> means = totals_.read(totals_.size());
+void Probes<D>::read(std::span<ProbeSum> means) const {
+  totals_.read(means);
   for (ProbeSum& m : means) {
     if (m.weight > 0) m.pressure /= m.weight;
     if (substeps_ > 0)
       m = {m.pressure, m.weight / substeps_, m.x / substeps_, m.y / substeps_, m.z / substeps_};
   }
-  return means;
 }
 
 }  // namespace meniscus::fluid

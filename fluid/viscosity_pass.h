@@ -11,6 +11,12 @@
 
 namespace meniscus::fluid {
 
+/// What one fluid's parameters come to for a given step.
+struct ViscosityCoefficients {
+  float smoothing;    ///< c
+  float confinement;  ///< ε
+};
+
 /// XSPH viscosity (Schechter & Bridson 2012) and vorticity confinement (Fedkiw, Stam & Jensen 2001), as in
 /// Position Based Fluids, eqs. 15 to 17, with two changes that make the parameters independent of step and
 /// spacing.
@@ -30,10 +36,6 @@ class ViscosityPass final : public pbd::VelocityPass<D> {
   void reserve(uint32_t capacity) override;
 
  private:
-  struct Coefficients {
-    float smoothing, confinement;
-  };
-
   template <bool uniform, bool with_curl>
   void smooth(pbd::Substep<D>& substep, pbd::Particles& particles);
 
@@ -42,10 +44,11 @@ class ViscosityPass final : public pbd::VelocityPass<D> {
   std::vector<Material> materials_;
   bool smooths_ = false, confines_ = false, uniform_ = true;
   float table_dt_ = 0;
-  std::vector<Coefficients> host_table_;
-  pbd::Buffer<Coefficients> table_{device_, "fluid coefficients"};
+  std::vector<ViscosityCoefficients> host_table_;
+  pbd::Buffer<ViscosityCoefficients> table_{device_, "fluid coefficients"};
   pbd::Buffer<float> smoothing_{device_, "particle viscosities"};
   pbd::Buffer<pbd::Vec4> vorticity_{device_, "vorticity"};
+  pbd::Buffer<pbd::Vec4> swirl_{device_, "vorticity sizes"};
 };
 
 }  // namespace meniscus::fluid

@@ -18,10 +18,9 @@ using pbd::Vec4;
 using pbd::View;
 
 /// Copies each fluid's smoothing to its particles: a pair of fluids meets with the mean.
-template <class Coefficients>
 struct SpreadSmoothing {
   View<const pbd::Phase> phase;
-  View<const Coefficients> table;
+  View<const ViscosityCoefficients> table;
   View<float> smoothing;
 
   MENISCUS_HD void operator()(uint32_t i) const {
@@ -37,6 +36,7 @@ struct Smooth {
   View<const float> smoothing;
   float common_smoothing;
   View<Vec4> smoothed, vorticity;
+  View<Vec4> swirl;  ///< position and |ω| side by side, for Confine
 
   MENISCUS_HD void operator()(uint32_t i) const {
     using Real = typename D::Real;
@@ -63,35 +63,36 @@ struct Smooth {
     smoothed[i] = pbd::with_w(v.xyz() + Vec3{sum(change.x), sum(change.y), sum(change.z)}, 0);
     if constexpr (with_curl) {
       const Vec3 w{sum(curl.x), sum(curl.y), sum(curl.z)};
-      vorticity[i] = pbd::with_w(w, length(w));
+      vorticity[i] = pbd::with_w(w, 0);
+      swirl[i] = pbd::with_w(p.xyz(), length(w));
     }
   }
 };
 
-template <class D, class Coefficients>
+template <class D>
 struct Confine {
   Kernel kernel;
-  View<const Vec4> position, vorticity;
+  View<const Vec4> swirl, vorticity;
   View<Vec4> velocity;
   NeighbourView neighbours;
   View<const pbd::Phase> phase;
-  View<const Coefficients> table;
+  View<const ViscosityCoefficients> table;
   float dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     using Real = typename D::Real;
-    const Vec4 p = position[i], own = vorticity[i];
+    const Vec4 own = swirl[i];
     const float strength = table[pbd::phase_group(phase[i])].confinement * kernel.h * dt;
     Vec3Of<Real> eta{Real(0.0f), Real(0.0f), Real(0.0f)};
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
-      const Vec3Of<Real> d = p.xyz() - gather(position, j).xyz();
+      const auto other = gather(swirl, j);
+      const Vec3Of<Real> d = own.xyz() - other.xyz();
       const Real r2 = dot(d, d) + Real(tiny_distance2);
       const Real inverse_r = inverse_sqrt(r2);
-      const Real difference = Real(own.w) - gather(vorticity, j).w;
-      eta += (difference * kernel.slope(r2 * inverse_r) * inverse_r) * d;
+      eta += ((Real(own.w) - other.w) * kernel.slope(r2 * inverse_r) * inverse_r) * d;
     });
     const Vec3 direction = normalized_or({sum(eta.x), sum(eta.y), sum(eta.z)}, {0, 0, 0});
-    velocity[i] = pbd::with_w(velocity[i].xyz() + strength * cross(direction, own.xyz()), 0);
+    velocity[i] = pbd::with_w(velocity[i].xyz() + strength * cross(direction, vorticity[i].xyz()), 0);
   }
 };
 
@@ -133,9 +134,8 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
   if (confines_) {
     using namespace viscosity_kernels;
     device_.parallel_for("velocity/confine", substep.particles.owned,
-                         Confine<D, Coefficients>{kernel_, substep.particles.position, vorticity_.view(),
-                                                  substep.particles.velocity, substep.neighbours,
-                                                  substep.particles.phase, table_.view(), substep.dt});
+                         Confine<D>{kernel_, swirl_.view(), vorticity_.view(), substep.particles.velocity,
+                                    substep.neighbours, substep.particles.phase, table_.view(), substep.dt});
   }
 }
 
@@ -146,12 +146,13 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
   const pbd::ParticleView& p = substep.particles;
   if (!uniform) {
     device_.parallel_for("velocity/coefficients", p.owned,
-                         SpreadSmoothing<Coefficients>{p.phase, table_.view(), smoothing_.view()});
+                         SpreadSmoothing{p.phase, table_.view(), smoothing_.view()});
   }
-  device_.parallel_for("velocity/smooth", p.owned,
-                       Smooth<D, uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours,
-                                                     smoothing_.view(), host_table_.front().smoothing,
-                                                     particles.velocity.next.view(), vorticity_.view()});
+  device_.parallel_for(
+      "velocity/smooth", p.owned,
+      Smooth<D, uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours, smoothing_.view(),
+                                    host_table_.front().smoothing, particles.velocity.next.view(),
+                                    vorticity_.view(), swirl_.view()});
   particles.velocity.flip();
   substep.particles = particles.view();
 }
@@ -161,7 +162,10 @@ void ViscosityPass<D>::reserve(uint32_t capacity) {
   const uint32_t size = capacity + pbd::Particles::padding;
   smoothing_.resize_discard(size);
   vorticity_.resize_discard(size);
-  vorticity_.fill(0);
+  swirl_.resize_discard(size);
+  constexpr float away = pbd::Particles::far_away;
+  const pbd::Vec4 sentinel[] = {{away, away, away, 0}};
+  swirl_.write(sentinel, capacity);
   smoothing_.fill(0);
 }
 

@@ -36,8 +36,24 @@ struct alignas(16) Contact {
 struct ContactView {
   View<const uint32_t> start;
   View<Contact> contacts;
-  View<const uint32_t> particles;  ///< those that have a contact, ascending
-  float radius = 0;                ///< m: a particle's centre stops at this distance
+  View<const uint32_t>
+      particle;      ///< whose each contact is: work on a particle is done where start[particle[n]] = n
+  float radius = 0;  ///< m: a particle's centre stops at this distance
+};
+
+/// Where the sources of contacts put what they find.
+struct ContactWriter {
+  View<const uint32_t> start;
+  View<uint32_t> remaining;  ///< of each particle's contacts, those that are not written yet
+  View<Contact> contacts;
+  View<uint32_t> particle;
+
+  MENISCUS_HD bool has_any(uint32_t i) const { return start[i] != start[i + 1]; }
+  MENISCUS_HD void write(uint32_t i, const Contact& contact) const {
+    const uint32_t n = start[i + 1] - remaining[i]--;
+    contacts[n] = contact;
+    particle[n] = i;
+  }
 };
 
 /// Signed distance of p from the contact's plane, m.

@@ -11,7 +11,7 @@
 
 namespace meniscus::pbd {
 
-struct CellRange {
+struct alignas(8) CellRange {
   uint32_t begin, end;
 };
 
@@ -22,8 +22,8 @@ struct CellCoordinates {
 struct GridView {
   float inverse_cell = 1;  ///< 1/m
   uint32_t bits_x = 2, bits_y = 2,
-           bits_z = 2;    ///< the table is 2^bits cells wide on each axis, at least four
-  View<CellRange> cells;  ///< of sorted particles; begin = end where there are none
+           bits_z = 2;          ///< the table is 2^bits cells wide on each axis, at least four
+  View<const CellRange> cells;  ///< of sorted particles; begin = end where there are none
 
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
 
@@ -49,20 +49,25 @@ MENISCUS_HD void for_each_run(const GridView& grid, CellCoordinates c, const Vis
   const uint32_t last = (1u << grid.bits_x) - 1;
   const uint32_t x = static_cast<uint32_t>(c.x) & last;
   const bool wraps = x == 0 || x == last;
+  MENISCUS_NO_UNROLL
   for (int32_t row = 0; row < 9; ++row) {
     const CellCoordinates middle{c.x, c.y + row % 3 - 1, c.z + row / 3 - 1};
-    const CellRange a = grid.cells[grid.key({middle.x - 1, middle.y, middle.z})];
-    const CellRange b = grid.cells[grid.key(middle)];
-    const CellRange d = grid.cells[grid.key({middle.x + 1, middle.y, middle.z})];
-    if (wraps) {
-      visit(a.begin, a.end);
-      visit(b.begin, b.end);
-      visit(d.begin, d.end);
-    } else {  // three cells in a row follow one another in memory, but for empty ones, whose range says
-              // nothing
-      const uint32_t begin = a.begin < a.end ? a.begin : b.begin < b.end ? b.begin : d.begin;
-      const uint32_t end = d.begin < d.end ? d.end : b.begin < b.end ? b.end : a.end;
-      visit(begin, end);
+    CellRange cells[3] = {load(grid.cells, grid.key({middle.x - 1, middle.y, middle.z})),
+                          load(grid.cells, grid.key(middle)),
+                          load(grid.cells, grid.key({middle.x + 1, middle.y, middle.z}))};
+    if (!wraps) {  // three cells in a row follow one another in memory, but for empty ones, whose range says
+                   // nothing
+      const CellRange a = cells[0], b = cells[1], d = cells[2];
+      cells[0] = {a.begin < a.end   ? a.begin
+                  : b.begin < b.end ? b.begin
+                                    : d.begin,
+                  d.begin < d.end   ? d.end
+                  : b.begin < b.end ? b.end
+                                    : a.end};
+    }
+    for (int part = 0; part < (wraps ? 3 : 1); ++part) {
+      const CellRange range = part == 0 ? cells[0] : part == 1 ? cells[1] : cells[2];
+      visit(range.begin, range.end);
     }
   }
 }

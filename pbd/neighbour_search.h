@@ -23,16 +23,16 @@ class NeighbourSearch {
   /// slowly.
   void fit(const Aabb& extent);
 
-  /// The order by grid cell of the points x + dt·(v + dt·g): order()[i] is the present index of the particle
-  /// that belongs at i. Particles in one cell keep their order.
-  void sort(const ParticleView& particles, Vec3 gravity, float dt);
+  /// The order of the points by grid cell: order()[i] is the present index of the one that belongs at i.
+  /// Points in one cell keep their order.
+  void sort(View<const Vec4> points, uint32_t count);
   View<const uint32_t> order() const { return order_.view(); }
 
-  /// Lists the neighbours of particles that are in order() already. The longest list needed is noted on the
-  /// device.
+  /// Lists the neighbours of particles that are in order() already.
   void list(const ParticleView& particles, uint32_t sentinel);
-  /// One element: the longest list that list() needed, if it did not fit; else 0.
-  View<uint32_t> overflow() { return overflow_.view(); }
+  /// One element, on the device: the longest list that a particle ever needed.
+  View<uint32_t> longest() { return longest_.view(); }
+  uint32_t row_capacity() const { return row_capacity_; }
   /// Room for lists of this length; list() must run again.
   void grow_rows(uint32_t needed);
 
@@ -40,10 +40,11 @@ class NeighbourSearch {
   const GridView& grid() const { return grid_; }
 
  private:
+  uint32_t stride() const { return D::interleaves_lists ? capacity_ : 0; }
+
   D& device_;
   float support_radius_;
   GridView grid_;
-  uint32_t count_ = 0;
   uint32_t capacity_ = 0;
   uint32_t row_capacity_ = 0;
 
@@ -54,7 +55,7 @@ class NeighbourSearch {
   Buffer<CellRange> cells_{device_, "grid cells"};
   Buffer<uint32_t> index_{device_, "neighbour lists"};
   Buffer<uint32_t> counts_{device_, "neighbour counts"};
-  Buffer<uint32_t> overflow_{device_, "neighbour overflow"};
+  Buffer<uint32_t> longest_{device_, "longest neighbour list"};
 };
 
 }  // namespace meniscus::pbd

@@ -2,40 +2,58 @@
 // SPDX-License-Identifier: MIT
 //
 // Neighbour lists as constraints read them: through for_each_neighbour alone, so that the form of the list
-// can change.
+// can change. What D is says who reads: the CPU with eight lanes (CpuDevice), a thread of the GPU
+// (CudaDevice), or eight (CudaTeam).
 #pragma once
 
+#include <type_traits>
+
+#include "pbd/device/cuda/team.h"
+#include "pbd/device/scalar.h"
 #include "pbd/device/view.h"
 
 namespace meniscus::pbd {
 
-/// One list a particle, padded with a sentinel to whole groups. With one lane (GPU) groups of four lie
-/// interleaved over the particles, so that a warp's loads of sixteen bytes coalesce; with eight (CPU) each
-/// particle has a row of its own.
+/// One list a particle, padded with a sentinel to a multiple of eight. On the CPU each particle has a row of
+/// its own. On the GPU groups of four lie interleaved over the particles, so that a warp's loads of sixteen
+/// bytes coalesce.
 struct NeighbourView {
   View<const uint32_t> index;
   View<const uint32_t> count;
-  uint32_t row_capacity = 0;  ///< entries a particle, a multiple of the group
-  uint32_t stride = 0;        ///< particles a group row, on the GPU
+  uint32_t row_capacity = 0;  ///< entries a particle, a multiple of eight
+  uint32_t stride = 0;        ///< particles a group row; 0 where each has a row of its own
 };
 
 struct alignas(16) IndexGroup {
   uint32_t a, b, c, d;
 };
 
+/// Where entry k of particle i's list stands in an interleaved list.
+MENISCUS_HD inline size_t interleaved_place(uint32_t stride, uint32_t i, uint32_t k) {
+  return (size_t{k / 4} * stride + i) * 4 + k % 4;
+}
+
 /// Calls visit(j) for each neighbour of i within the list's reach, in an order that is the same every time. j
-/// is one index, or eight on a device with eight lanes; it goes to gather(). i itself is not among them.
+/// is one index, or eight where D has eight lanes; it goes to gather(). i itself is not among them.
 template <class D, class Visit>
 MENISCUS_HD void for_each_neighbour(const NeighbourView& list, uint32_t i, const Visit& visit) {
   const uint32_t count = list.count[i];
   if constexpr (D::lane_count == 1) {
+    // The next group is on its way while this one's neighbours are.
     const IndexGroup* group = reinterpret_cast<const IndexGroup*>(list.index.data) + i;
-    for (uint32_t k = 0; k < count; k += 4, group += list.stride) {
-      const IndexGroup j = *group;
+    IndexGroup j = count ? *group : IndexGroup{};
+    for (uint32_t k = 0; k < count; k += 4) {
+      group += list.stride;
+      const IndexGroup next = k + 4 < count ? *group : j;
       visit(j.a);
       visit(j.b);
       visit(j.c);
       visit(j.d);
+      j = next;
+    }
+  } else if constexpr (std::is_same_v<D, CudaTeam>) {
+    for (uint32_t k = team_rank(); k - team_rank() < count; k += CudaTeam::lane_count) {
+      visit(TeamIndex{list.index.data[interleaved_place(list.stride, i, k)]});
     }
   } else {
     const uint32_t* row = list.index.data + size_t{i} * list.row_capacity;
@@ -43,44 +61,67 @@ MENISCUS_HD void for_each_neighbour(const NeighbourView& list, uint32_t i, const
   }
 }
 
-/// Appends to the list of one particle while it is built.
-template <class D>
-class NeighbourWriter {
+/// Writes the list of one particle while it is built, to a row of its own.
+class RowWriter {
  public:
-  MENISCUS_HD NeighbourWriter(uint32_t* index, uint32_t row_capacity, uint32_t stride, uint32_t i)
-      : at_(D::lane_count == 1 ? index + size_t{i} * 4 : index + size_t{i} * row_capacity),
-        row_capacity_(row_capacity),
-        stride_(stride) {}
+  MENISCUS_HD RowWriter(uint32_t* index, uint32_t row_capacity, uint32_t /*stride*/, uint32_t i)
+      : row_(index + size_t{i} * row_capacity), capacity_(row_capacity) {}
 
-  /// Counts every neighbour, and stores those that fit.
-  MENISCUS_HD void append(uint32_t j) {
-    if constexpr (D::lane_count == 1) {
-      group_ = {group_.b, group_.c, group_.d, j};
-      if (++count_ % 4 == 0) flush();
-    } else {
-      if (count_ < row_capacity_) at_[count_] = j;
-      ++count_;
-    }
+  /// Adds first + k for each bit k of `chosen`. All are counted; those that fit are stored.
+  MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
+    for (; chosen; chosen &= chosen - 1) add(first + lowest_bit(chosen));
   }
 
-  /// Fills the last group up with `sentinel`; returns the number found, which may be more than fitted.
+  /// Fills up with `sentinel` to a multiple of eight; returns the number found, which may be more than
+  /// fitted.
   MENISCUS_HD uint32_t finish(uint32_t sentinel) {
     const uint32_t found = count_;
-    while (count_ % (D::lane_count == 1 ? 4 : D::lane_count)) append(sentinel);
+    while (count_ % 8) add(sentinel);
     return found;
   }
 
  private:
-  MENISCUS_HD void flush() {
-    if (count_ > row_capacity_) return;
-    *reinterpret_cast<IndexGroup*>(at_) = group_;
-    at_ += size_t{stride_} * 4;
+  MENISCUS_HD void add(uint32_t j) {
+    if (count_ < capacity_) row_[count_] = j;
+    ++count_;
   }
 
-  uint32_t* at_;
-  uint32_t row_capacity_, stride_;
+  uint32_t* row_;
+  uint32_t capacity_;
+  uint32_t count_ = 0;
+};
+
+/// The same for an interleaved list, a group of four at a time.
+class GroupWriter {
+ public:
+  MENISCUS_HD GroupWriter(uint32_t* index, uint32_t row_capacity, uint32_t stride, uint32_t i)
+      : at_(reinterpret_cast<IndexGroup*>(index) + i), capacity_(row_capacity), stride_(stride) {}
+
+  MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
+    for (; chosen; chosen &= chosen - 1) add(first + lowest_bit(chosen));
+  }
+
+  MENISCUS_HD uint32_t finish(uint32_t sentinel) {
+    const uint32_t found = count_;
+    while (count_ % 8) add(sentinel);
+    return found;
+  }
+
+ private:
+  MENISCUS_HD void add(uint32_t j) {
+    group_ = {group_.b, group_.c, group_.d, j};
+    if (++count_ % 4 || count_ > capacity_) return;
+    *at_ = group_;
+    at_ += stride_;
+  }
+
+  IndexGroup* at_;
+  uint32_t capacity_, stride_;
   uint32_t count_ = 0;
   IndexGroup group_{};
 };
+
+template <class D>
+using ListWriter = std::conditional_t<D::interleaves_lists, GroupWriter, RowWriter>;
 
 }  // namespace meniscus::pbd

@@ -67,8 +67,13 @@ class Particles {
     position.reserve(size, count_);
     velocity.reserve(size, count_);
     previous.resize_discard(size);
+    predicted.resize_discard(size);
     phase.reserve(size, count_);
     slot.reserve(size, count_);
+    aside_position_.resize_discard(size);
+    aside_velocity_.resize_discard(size);
+    aside_phase_.resize_discard(size);
+    aside_slot_.resize_discard(size);
     capacity_ = capacity;
     write_sentinels();
   }
@@ -84,6 +89,34 @@ class Particles {
 
   void set_count(uint32_t count) { count_ = count; }
 
+  /// Puts the present state aside; where it then is, the next sort takes it from (see source()). Costs
+  /// nothing.
+  void put_aside() {
+    swap_with_aside();
+    aside_count_ = count_;
+    from_aside_ = true;
+  }
+  /// Makes the state put aside the present one again.
+  void take_back() {
+    swap_with_aside();
+    count_ = aside_count_;
+    from_aside_ = false;
+  }
+  /// The state that is to be predicted, and sorted into the next buffers.
+  ParticleView source() {
+    if (!from_aside_) return view();
+    return {aside_position_.view(), previous.view(),    aside_velocity_.view(),
+            aside_phase_.view(),    aside_slot_.view(), count_};
+  }
+  /// What was sorted into the next buffers is the present state.
+  void flip() {
+    position.flip();
+    velocity.flip();
+    phase.flip();
+    slot.flip();
+    from_aside_ = false;
+  }
+
   ParticleView view() {
     return {position.current.view(), previous.view(),     velocity.current.view(),
             phase.current.view(),    slot.current.view(), count_};
@@ -91,6 +124,7 @@ class Particles {
 
   DoubleBuffer<Vec4> position{device_, "particle positions"};
   Buffer<Vec4> previous{device_, "previous positions"};
+  Buffer<Vec4> predicted{device_, "predicted positions"};  ///< in the order before the sort
   DoubleBuffer<Vec4> velocity{device_, "particle velocities"};
   DoubleBuffer<Phase> phase{device_, "particle phases"};
   DoubleBuffer<uint32_t> slot{device_, "particle slots"};
@@ -99,15 +133,30 @@ class Particles {
   void write_sentinels() {
     const Vec4 away[] = {{far_away, far_away, far_away, 0}};
     const Vec4 still[] = {{0, 0, 0, 0}};
-    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous}) b->write(away, sentinel());
-    for (Buffer<Vec4>* b : {&velocity.current, &velocity.next}) b->write(still, sentinel());
+    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous, &aside_position_})
+      b->write(away, sentinel());
+    for (Buffer<Vec4>* b : {&velocity.current, &velocity.next, &aside_velocity_}) b->write(still, sentinel());
     const Phase none[] = {0};
     phase.current.write(none, sentinel());
     phase.next.write(none, sentinel());
+    aside_phase_.write(none, sentinel());
   }
 
+  void swap_with_aside() {
+    position.current.swap(aside_position_);
+    velocity.current.swap(aside_velocity_);
+    phase.current.swap(aside_phase_);
+    slot.current.swap(aside_slot_);
+  }
+
+  Buffer<Vec4> aside_position_{device_, "positions put aside"};
+  Buffer<Vec4> aside_velocity_{device_, "velocities put aside"};
+  Buffer<Phase> aside_phase_{device_, "phases put aside"};
+  Buffer<uint32_t> aside_slot_{device_, "slots put aside"};
   uint32_t count_ = 0;
+  uint32_t aside_count_ = 0;
   uint32_t capacity_ = 0;
+  bool from_aside_ = false;
 };
 
 }  // namespace meniscus::pbd

@@ -68,7 +68,7 @@ class Removal {
   /// How many of keep() stay.
   uint32_t count_kept(const Particles& particles) {
     const uint32_t n = particles.count();
-    device_.exclusive_scan("removal/offsets", keep_.view().first(n), offset_.view().first(n + 1));
+    device_.exclusive_scan("removal/offsets", View<const uint32_t>(keep_.view().first(n)), offset_.view());
     uint32_t kept = 0;
     offset_.read(std::span(&kept, 1), n);
     return kept;
@@ -82,8 +82,8 @@ class Removal {
     using namespace removal_kernels;
     View<uint32_t> slot = particles.slot.current.view();
     device_.parallel_for("removal/slots", n, SpreadBySlot{keep_.view(), slot, keep_by_slot_.view()});
-    device_.exclusive_scan("removal/slot offsets", keep_by_slot_.view().first(n),
-                           slot_offset_.view().first(n + 1));
+    device_.exclusive_scan("removal/slot offsets", View<const uint32_t>(keep_by_slot_.view().first(n)),
+                           slot_offset_.view());
     device_.parallel_for("removal/renumber", n, Renumber{slot_offset_.view(), slot});
     device_.parallel_for("removal/order", n, ScatterOrder{keep_.view(), offset_.view(), order_.view()});
     const View<const uint32_t> order = order_.view();

@@ -30,6 +30,12 @@ struct ParticleSummary {
   uint32_t first_bad_slot;  ///< no_index when there is none
 };
 
+/// What the host must know before a substep's solve.
+struct Found {
+  uint32_t contacts;
+  uint32_t longest_list;  ///< of neighbours
+};
+
 struct StepResult {
   int substeps = 0;
   uint32_t contacts = 0;
@@ -66,12 +72,11 @@ class Solver {
 
   const ParticleSummary& summary();
   StageTimer& timer() { return timer_; }
-  uint32_t contact_count() const { return contacts_.count(); }
 
  private:
   void substep(float dt);
-  void sort_particles(float dt, Vec3 gravity);
   void predict(float dt, Vec3 gravity);
+  void sort(float dt, Vec3 gravity);
   void find(Substep<D>& s);
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
@@ -89,16 +94,11 @@ class Solver {
   std::vector<Observer<D>*> observers_;
   StageTimer timer_;
 
-  Buffer<uint32_t> found_{device_, "found counts"};
+  Buffer<Found> found_{device_, "found counts"};
   Buffer<ParticleSummary> summary_buffer_{device_, "particle summary"};
   ParticleSummary summary_{};
   bool summary_known_ = false;
   uint32_t max_neighbours_ = 0;
-
-  Buffer<Vec4> saved_position_{device_, "saved positions"};
-  Buffer<Vec4> saved_velocity_{device_, "saved velocities"};
-  Buffer<Phase> saved_phase_{device_, "saved phases"};
-  Buffer<uint32_t> saved_slot_{device_, "saved slots"};
 };
 
 }  // namespace meniscus::pbd

@@ -23,8 +23,8 @@ namespace meniscus::pbd {
 template <class D>
 void Solver<D>::substep(float dt) {
   timer_.enter(StageId::predict);
-  sort_particles(dt, parameters_.gravity);
   predict(dt, parameters_.gravity);
+  sort(dt, parameters_.gravity);
 
   Substep<D> s = make_substep(dt);
   find(s);
@@ -55,15 +55,15 @@ StepResult Solver<D>::step(float dt) {
   timer_.stop();
   device_.wait();
   if (after.non_finite) restore_state();
-  return {substeps, contacts_.count(), max_neighbours_, after};
+  return {substeps, contacts_.contact_count(), max_neighbours_, after};
 }
 
 template <class D>
 void Solver<D>::relax(float dt, int times) {
   for (int k = 0; k < times; ++k) {
     timer_.start_step();
-    sort_particles(0, {});
     predict(0, {});
+    sort(0, {});
     Substep<D> s = make_substep(dt);
     find(s);
     for (ConstraintSet<D>* set : sets_) set->begin(s);
@@ -79,8 +79,8 @@ template <class D>
 void Solver<D>::measure(const std::function<void(Substep<D>&)>& measure) {
   save_state();
   timer_.start_step();
-  sort_particles(0, {});
   predict(0, {});
+  sort(0, {});
   Substep<D> s = make_substep(0);
   find(s);
   measure(s);
@@ -91,25 +91,27 @@ void Solver<D>::measure(const std::function<void(Substep<D>&)>& measure) {
 // ----------------------------------------------------------------------------------------------------
 
 template <class D>
-void Solver<D>::sort_particles(float dt, Vec3 gravity) {
-  search_.fit({summary().lower, summary().upper});
-  search_.sort(particles_.view(), gravity, dt);
-  for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), particles_.count());
+void Solver<D>::predict(float dt, Vec3 gravity) {
+  const ParticleView from = particles_.source();
+  const View<Vec4> predicted = particles_.predicted.view();
+  device_.parallel_for("predict", from.owned,
+                       solver_kernels::Predict{from.position, from.velocity, predicted, gravity, dt});
+  if (dt > 0) contacts_.limit_motion(from.position, predicted, from.owned);
 }
 
 template <class D>
-void Solver<D>::predict(float dt, Vec3 gravity) {
+void Solver<D>::sort(float dt, Vec3 gravity) {
   Particles& p = particles_;
+  search_.fit({summary().lower, summary().upper});
+  search_.sort(p.predicted.view(), p.count());
+  const ParticleView from = p.source();
   device_.parallel_for(
-      "predict", p.count(),
-      solver_kernels::Predict{search_.order(), p.position.current.view(), p.velocity.current.view(),
-                              p.phase.current.view(), p.slot.current.view(), p.position.next.view(),
-                              p.previous.view(), p.velocity.next.view(), p.phase.next.view(),
-                              p.slot.next.view(), gravity, dt});
-  p.position.flip();
-  p.velocity.flip();
-  p.phase.flip();
-  p.slot.flip();
+      "reorder", p.count(),
+      solver_kernels::Reorder{search_.order(), p.predicted.view(), from.position, from.velocity, from.phase,
+                              from.slot, p.position.next.view(), p.previous.view(), p.velocity.next.view(),
+                              p.phase.next.view(), p.slot.next.view(), gravity, dt});
+  p.flip();
+  for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), p.count());
 }
 
 template <class D>
@@ -117,20 +119,20 @@ void Solver<D>::find(Substep<D>& s) {
   timer_.enter(StageId::neighbours);
   search_.list(s.particles, s.sentinel);
   timer_.enter(StageId::contacts);
-  contacts_.find_counts(s);
+  contacts_.count(s);
 
-  // The one read of the host a substep: overflow of the neighbour lists, contacts, particles that have any.
-  uint32_t found[3];
-  device_.copy(found_.view().data, search_.overflow().data, sizeof(uint32_t));
-  device_.copy(found_.view().data + 1, contacts_.total().data, sizeof(uint32_t));
-  device_.copy(found_.view().data + 2, contacts_.total_particles().data, sizeof(uint32_t));
-  found_.read(found);
-  max_neighbours_ = std::max(max_neighbours_, found[0]);
-  if (found[0]) {
-    search_.grow_rows(found[0]);
+  // The one read of the host a substep: how many contacts there are, and how long the neighbour lists had to
+  // be.
+  device_.parallel_for("found", 1,
+                       solver_kernels::Report{contacts_.total(), search_.longest(), found_.view()});
+  Found found{};
+  found_.read(std::span(&found, 1));
+  max_neighbours_ = found.longest_list;
+  if (found.longest_list > search_.row_capacity()) {
+    search_.grow_rows(found.longest_list);
     search_.list(s.particles, s.sentinel);
   }
-  contacts_.fill(s, found[1], found[2]);
+  contacts_.fill(s, found.contacts);
   s.neighbours = search_.view();
   s.contacts = contacts_.view();
 }
@@ -163,7 +165,7 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       contacts_(device, parameters.contact_radius),
       timer_(device) {
   summary_buffer_.resize_discard(1);
-  found_.resize_discard(3);
+  found_.resize_discard(1);
 }
 
 template <class D>
@@ -174,10 +176,6 @@ void Solver<D>::reserve(uint32_t capacity) {
   particles_.reserve(capacity);
   search_.reserve(capacity);
   contacts_.reserve(capacity);
-  saved_position_.resize_discard(capacity);
-  saved_velocity_.resize_discard(capacity);
-  saved_phase_.resize_discard(capacity);
-  saved_slot_.resize_discard(capacity);
 }
 
 template <class D>
@@ -206,22 +204,15 @@ Substep<D> Solver<D>::make_substep(float dt) {
 
 template <class D>
 void Solver<D>::save_state() {
-  const uint32_t n = particles_.count();
-  device_.copy(saved_position_.view().data, particles_.position.current.view().data, n * sizeof(Vec4));
-  device_.copy(saved_velocity_.view().data, particles_.velocity.current.view().data, n * sizeof(Vec4));
-  device_.copy(saved_phase_.view().data, particles_.phase.current.view().data, n * sizeof(Phase));
-  device_.copy(saved_slot_.view().data, particles_.slot.current.view().data, n * sizeof(uint32_t));
-  for (ConstraintSet<D>* set : sets_) set->save(n);
+  summary();  // of the state while it is in place
+  for (ConstraintSet<D>* set : sets_) set->save(particles_.count());
+  particles_.put_aside();
 }
 
 template <class D>
 void Solver<D>::restore_state() {
-  const uint32_t n = particles_.count();
-  device_.copy(particles_.position.current.view().data, saved_position_.view().data, n * sizeof(Vec4));
-  device_.copy(particles_.velocity.current.view().data, saved_velocity_.view().data, n * sizeof(Vec4));
-  device_.copy(particles_.phase.current.view().data, saved_phase_.view().data, n * sizeof(Phase));
-  device_.copy(particles_.slot.current.view().data, saved_slot_.view().data, n * sizeof(uint32_t));
-  for (ConstraintSet<D>* set : sets_) set->restore(n);
+  particles_.take_back();
+  for (ConstraintSet<D>* set : sets_) set->restore(particles_.count());
   summary_known_ = false;
 }
 

@@ -8,28 +8,44 @@
 
 namespace meniscus::pbd::solver_kernels {
 
-/// v += h·g; p = x + h·v; both in sorted order, as are all arrays from here on.
+/// v + h·g; what nothing moves is not drawn either.
+MENISCUS_HD inline Vec3 drawn(const Vec4& position, const Vec4& velocity, Vec3 gravity, float dt) {
+  return position.w > 0 ? velocity.xyz() + dt * gravity : velocity.xyz();
+}
+
+/// p = x + h·(v + h·g)
 struct Predict {
-  View<const uint32_t> order;
   View<const Vec4> position, velocity;
+  View<Vec4> predicted;
+  Vec3 gravity;
+  float dt;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec4 x = position[i];
+    predicted[i] = with_w(x.xyz() + dt * drawn(x, velocity[i], gravity, dt), x.w);
+  }
+};
+
+/// Brings the state into sorted order, in which everything is from here on; v += h·g on the way.
+struct Reorder {
+  View<const uint32_t> order;
+  View<const Vec4> predicted, position, velocity;
   View<const Phase> phase;
   View<const uint32_t> slot;
-  View<Vec4> predicted, previous, sorted_velocity;
+  View<Vec4> sorted_predicted, previous, sorted_velocity;
   View<Phase> sorted_phase;
   View<uint32_t> sorted_slot;
   Vec3 gravity;
   float dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const uint32_t from = order[i];
-    const Vec4 x = position[from];
-    Vec3 v = velocity[from].xyz();
-    if (x.w > 0) v += dt * gravity;
+    const uint32_t from = load(order, i);
+    const Vec4 x = load(position, from);
+    sorted_predicted[i] = load(predicted, from);
     previous[i] = x;
-    sorted_velocity[i] = with_w(v, 0);
-    predicted[i] = with_w(x.xyz() + dt * v, x.w);
-    sorted_phase[i] = phase[from];
-    sorted_slot[i] = slot[from];
+    sorted_velocity[i] = with_w(drawn(x, load(velocity, from), gravity, dt), 0);
+    sorted_phase[i] = load(phase, from);
+    sorted_slot[i] = load(slot, from);
   }
 };
 
@@ -42,6 +58,13 @@ struct UpdateVelocity {
   MENISCUS_HD void operator()(uint32_t i) const {
     velocity[i] = with_w(inverse_dt * (position[i].xyz() - previous[i].xyz()), 0);
   }
+};
+
+struct Report {
+  View<const uint32_t> contacts, longest_list;
+  View<Found> found;
+
+  MENISCUS_HD void operator()(uint32_t) const { found[0] = {contacts[0], longest_list[0]}; }
 };
 
 /// Drops the motion of a substep.

@@ -67,15 +67,19 @@ class Observer {
   virtual void observe(const Substep<D>& substep) = 0;
 };
 
-/// Something that finds contacts: first their number for each particle, then, when there is room, they
-/// themselves.
+/// Something that finds contacts: first it keeps fast particles from passing through; then, in sorted order,
+/// the number of contacts for each particle, then, when there is room, they themselves.
 template <class D>
 class ContactSource {
  public:
   virtual ~ContactSource() = default;
+  /// Cuts short each motion from `from` to `to` that would pass through something. Particles are not sorted
+  /// yet.
+  virtual void limit_motion(View<const Vec4> /*from*/, View<Vec4> /*to*/, uint32_t /*count*/) {}
+  /// Adds the number of contacts of each particle.
   virtual void count(const Substep<D>& substep, View<uint32_t> counts) = 0;
-  /// Writes the contacts of particle i from contacts[cursor[i]] on, and moves the cursor past them.
-  virtual void fill(const Substep<D>& substep, View<uint32_t> cursor, View<Contact> contacts) = 0;
+  /// Writes as many contacts of each particle as it counted.
+  virtual void fill(const Substep<D>& substep, const ContactWriter& writer) = 0;
 };
 
 }  // namespace meniscus::pbd

@@ -39,12 +39,13 @@ class Buffer {
     std::swap(size_, other.size_);
   }
 
-  uint32_t size() const { return size_; }
-  View<T> view() { return {data_, size_}; }
-  View<const T> view() const { return {data_, size_}; }
+  size_t size() const { return size_; }
+  /// A view counts up to 2³² − 1 elements: who has more goes by the pointer.
+  View<T> view() { return {data_, viewed()}; }
+  View<const T> view() const { return {data_, viewed()}; }
 
   /// New length; what was inside is gone.
-  void resize_discard(uint32_t size) {
+  void resize_discard(size_t size) {
     if (size == size_) return;
     free_memory();
     if (size) data_ = static_cast<T*>(device_->allocate(bytes(size), what_));
@@ -52,7 +53,7 @@ class Buffer {
   }
 
   /// New length; the first `kept` elements stay.
-  void resize_keep(uint32_t size, uint32_t kept) {
+  void resize_keep(size_t size, size_t kept) {
     if (size == size_) return;
     Buffer next(*device_, what_);
     next.resize_discard(size);
@@ -70,14 +71,15 @@ class Buffer {
   void read(std::span<T> host, uint32_t at = 0) const {
     if (!host.empty()) device_->copy_out(host.data(), data_ + at, host.size_bytes());
   }
-  std::vector<T> read(uint32_t count) const {
+  std::vector<T> read(size_t count) const {
     std::vector<T> host(count);
     read(std::span<T>(host));
     return host;
   }
 
  private:
-  static size_t bytes(uint32_t count) { return size_t{count} * sizeof(T); }
+  static size_t bytes(size_t count) { return count * sizeof(T); }
+  uint32_t viewed() const { return static_cast<uint32_t>(size_ < 0xffffffff ? size_ : 0xffffffff); }
   void free_memory() noexcept {
     if (data_) device_->release(data_, bytes(size_));
     data_ = nullptr;
@@ -87,7 +89,7 @@ class Buffer {
   Device* device_;
   const char* what_;
   T* data_ = nullptr;
-  uint32_t size_ = 0;
+  size_t size_ = 0;
 };
 
 }  // namespace meniscus::pbd

@@ -8,3 +8,16 @@
 #else
 #define MENISCUS_HD
 #endif
+
+/// Before a loop of at most eight turns: unroll it, so that what depends on its counter is settled while
+/// compiling; or leave it a loop. In nvcc's host pass neither compiler knows the other's pragma.
+#if defined(__CUDA_ARCH__)
+#define MENISCUS_UNROLL _Pragma("unroll")
+#define MENISCUS_NO_UNROLL _Pragma("unroll 1")
+#elif defined(__CUDACC__)
+#define MENISCUS_UNROLL
+#define MENISCUS_NO_UNROLL
+#else
+#define MENISCUS_UNROLL _Pragma("GCC unroll 8")
+#define MENISCUS_NO_UNROLL _Pragma("GCC unroll 1")
+#endif

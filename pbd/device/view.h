@@ -34,4 +34,27 @@ struct View {
   }
 };
 
+/// Element i of an array that nobody writes while the kernel runs. Saying so lets the compiler keep several
+/// loads in flight across a store that it could not otherwise tell apart.
+template <class T>
+MENISCUS_HD T load(View<const T> from, uint32_t i) {
+#ifdef __CUDA_ARCH__
+  if constexpr (sizeof(T) == 16) {
+    const uint4 words = __ldg(reinterpret_cast<const uint4*>(from.data + i));
+    T value;
+    __builtin_memcpy(&value, &words, sizeof value);
+    return value;
+  } else if constexpr (sizeof(T) == 8) {
+    const uint2 words = __ldg(reinterpret_cast<const uint2*>(from.data + i));
+    T value;
+    __builtin_memcpy(&value, &words, sizeof value);
+    return value;
+  } else {
+    return __ldg(from.data + i);
+  }
+#else
+  return from[i];
+#endif
+}
+
 }  // namespace meniscus::pbd

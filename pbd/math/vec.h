@@ -138,6 +138,10 @@ MENISCUS_HD Vec3Of<R> operator-(const Vec3Of<R>& a, Vec3 b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class R>
+MENISCUS_HD Vec3Of<R> operator-(const Vec3Of<R>& a, const Vec3Of<R>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class R>
 MENISCUS_HD Vec3Of<R> operator*(const R& s, const Vec3Of<R>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
@@ -151,6 +155,10 @@ MENISCUS_HD Vec3Of<R>& operator+=(Vec3Of<R>& a, const Vec3Of<R>& b) {
 template <class R>
 MENISCUS_HD R dot(const Vec3Of<R>& a, const Vec3Of<R>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class R>
+MENISCUS_HD R dot(Vec3 a, const Vec3Of<R>& b) {
+  return R(a.x) * b.x + R(a.y) * b.y + R(a.z) * b.z;
 }
 template <class R>
 MENISCUS_HD Vec3Of<R> cross(const Vec3Of<R>& a, const Vec3Of<R>& b) {

@@ -14,8 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path samples_folder() {
-  const char* folder = std::getenv("MENISCUS_SAMPLES_DIR");
-  return folder ? folder : MENISCUS_SAMPLES_DIR;
+  if (const char* chosen = std::getenv("MENISCUS_SAMPLES_DIR")) return chosen;
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path installed = program.parent_path().parent_path() / MENISCUS_INSTALLED_SAMPLES;
+  return fs::is_directory(installed, unknown) ? installed : fs::path(MENISCUS_SAMPLES_DIR);
 }
 
 std::string sample_names() {

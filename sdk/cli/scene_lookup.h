@@ -10,8 +10,8 @@
 namespace meniscus::cli {
 
 /// The file of a scene that is given by its path, or by the name of a sample: NAME.json in the folder that
-/// the environment's MENISCUS_SAMPLES_DIR names, else in the source tree's samples/scenes. Throws Error(io),
-/// which lists the samples.
+/// the environment's MENISCUS_SAMPLES_DIR names, else where the program is installed, else in the source
+/// tree's samples/scenes. Throws Error(io), which lists the samples.
 std::string scene_path(const std::string& scene);
 
 /// Reads it; a scene without a name is called after its file. Throws what scene_path and read_scene throw.

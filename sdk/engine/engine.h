@@ -43,6 +43,12 @@ struct EngineStep {
   std::vector<bool> removed;  ///< by slot before the step; empty when nothing was
 };
 
+/// What a fresh search finds.
+struct EngineMeasure {
+  double neighbours_mean = 0;
+  uint32_t contacts = 0;
+};
+
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -50,15 +56,17 @@ class Engine {
   virtual pbd::Device& device() = 0;
 
   virtual void set_materials(std::span<const fluid::Material> materials) = 0;
-  /// Fields that shapes refer to by number; they stay as long as the engine.
+  /// Fields that shapes refer to by number.
   virtual uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) = 0;
   virtual uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
                                     std::span<const float> heights) = 0;
+  virtual void remove_sdf(uint32_t number) = 0;
+  virtual void remove_height_field(uint32_t number) = 0;
   virtual void set_shapes(std::span<const collision::Shape> shapes,
                           std::span<const collision::PlaneOpening> openings) = 0;
   virtual void set_sinks(std::span<const SinkBox> sinks) = 0;
   virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
-  virtual std::vector<fluid::ProbeSum> read_probes() = 0;
+  virtual void read_probes(std::span<fluid::ProbeSum> means) = 0;
 
   /// Which points of the cubic lattice with this spacing lie inside the mesh.
   virtual std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) = 0;
@@ -79,9 +87,9 @@ class Engine {
   virtual void read_velocities(std::span<Vec3> out) = 0;
   virtual void read_fluids(std::span<uint32_t> out) = 0;
   virtual void read_pressures(std::span<float> out, float dt) = 0;
-  /// C, and 1 where the support is full; measured afresh.
-  virtual void read_density_errors(std::span<float> error, std::span<float> full) = 0;
-  /// All but the density errors.
+  /// C, and 1 where the support is full, measured afresh.
+  virtual EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) = 0;
+  /// All that does not need neighbours.
   virtual Diagnostics measure(Vec3 gravity) = 0;
 };
 

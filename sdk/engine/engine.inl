@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <optional>
 
 #include "collision/contact_set.h"
 #include "collision/mesh_sampling.h"
@@ -49,11 +49,13 @@ class DeviceEngine final : public Engine {
   uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) override;
   uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
                             std::span<const float> heights) override;
+  void remove_sdf(uint32_t number) override { sdf_grids_[number].reset(); }
+  void remove_height_field(uint32_t number) override { height_samples_[number].reset(); }
   void set_shapes(std::span<const collision::Shape> shapes,
                   std::span<const collision::PlaneOpening> openings) override;
   void set_sinks(std::span<const SinkBox> sinks) override { replace(sinks_, sinks); }
   void set_probes(std::span<const fluid::Probe> probes) override { probes_.set_probes(probes); }
-  std::vector<fluid::ProbeSum> read_probes() override { return probes_.read(); }
+  void read_probes(std::span<fluid::ProbeSum> means) override { probes_.read(means); }
 
   std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) override;
   std::vector<float> solid_distances(std::span<const Vec3> points, float reach) override;
@@ -67,7 +69,7 @@ class DeviceEngine final : public Engine {
   void read_velocities(std::span<Vec3> out) override { read_vector(particles_.velocity.current.view(), out); }
   void read_fluids(std::span<uint32_t> out) override;
   void read_pressures(std::span<float> out, float dt) override;
-  void read_density_errors(std::span<float> error, std::span<float> full) override;
+  EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) override;
   Diagnostics measure(Vec3 gravity) override;
 
  private:
@@ -94,8 +96,8 @@ class DeviceEngine final : public Engine {
   pbd::Removal<D> removal_;
 
   collision::ShapeSet shape_set_;
-  std::deque<collision::Sdf> sdf_grids_;
-  std::deque<pbd::Buffer<float>> height_samples_;
+  std::vector<std::optional<collision::Sdf>> sdf_grids_;
+  std::vector<std::optional<pbd::Buffer<float>>> height_samples_;
   std::vector<collision::SdfView> sdf_views_;
   std::vector<collision::HeightFieldView> height_views_;
   pbd::Buffer<collision::Shape> shapes_{device_, "shapes"};
@@ -108,6 +110,7 @@ class DeviceEngine final : public Engine {
   pbd::Buffer<float> scalar_out_{device_, "read-out"};
   pbd::Buffer<float> full_out_{device_, "read-out"};
   pbd::Buffer<uint32_t> index_out_{device_, "read-out"};
+  pbd::Buffer<uint64_t> count_out_{device_, "neighbour total"};
   pbd::Buffer<engine_kernels::StateSum> state_sum_{device_, "state sum"};
 };
 

@@ -4,7 +4,7 @@
 // Read-outs, measurements and sinks.
 #pragma once
 
-#include "collision/shape.h"
+#include "collision/find_contact.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"
 
@@ -38,12 +38,13 @@ struct ReadScaled {
   MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = scale * from[i]; }
 };
 
-/// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. Beyond a
-/// wall with an opening a particle has left, and is not judged.
+/// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. Who is
+/// beyond a wall with an opening has left, and the other walls of that container are nothing to it.
 MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, Vec3 p, float reach) {
   for (uint32_t k = 0; k < set.shapes.count; ++k) {
     const collision::Shape& shape = set.shapes[k];
-    if (shape.opening_count == 0 && collision::sample_surface(set, shape, p, reach).distance < 0) return true;
+    if (collision::sample_surface(set, shape, p, reach).distance >= 0) continue;
+    if (shape.kind != collision::ShapeKind::plane || !left_through_opening(set, shape, {p, p})) return true;
   }
   return false;
 }
@@ -90,6 +91,16 @@ struct AddStates {
     return {a.kinetic + b.kinetic, a.potential + b.potential, pbd::max(a.max_speed2, b.max_speed2),
             a.non_finite + b.non_finite, a.outside + b.outside};
   }
+};
+
+struct CountNeighbours {
+  View<const uint32_t> counts;
+
+  MENISCUS_HD uint64_t operator()(uint32_t i) const { return counts[i]; }
+};
+
+struct AddCounts {
+  MENISCUS_HD uint64_t operator()(uint64_t a, uint64_t b) const { return a + b; }
 };
 
 struct MarkSinks {

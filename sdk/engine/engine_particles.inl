@@ -18,6 +18,7 @@ void DeviceEngine<D>::reserve(uint32_t capacity) {
   full_out_.resize_discard(capacity);
   index_out_.resize_discard(capacity);
   state_sum_.resize_discard(1);
+  count_out_.resize_discard(1);
 }
 
 template <class D>

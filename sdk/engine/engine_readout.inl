@@ -31,11 +31,20 @@ void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
 }
 
 template <class D>
-void DeviceEngine<D>::read_density_errors(std::span<float> error, std::span<float> full) {
-  solver_.measure(
-      [&](pbd::Substep<D>& substep) { density_.measure(substep, scalar_out_.view(), full_out_.view()); });
+EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::span<float> full) {
+  using namespace engine_kernels;
+  uint32_t contacts = 0;
+  solver_.measure([&](pbd::Substep<D>& substep) {
+    contacts = substep.contacts.particle.count;
+    density_.measure(substep, scalar_out_.view(), full_out_.view());
+    device_.reduce("measure/neighbours", particles_.count(), uint64_t{0},
+                   CountNeighbours{substep.neighbours.count}, AddCounts{}, count_out_.view());
+  });
   scalar_out_.read(error);
   full_out_.read(full);
+  uint64_t total = 0;
+  count_out_.read(std::span(&total, 1));
+  return {static_cast<double>(total) / std::max(1u, particles_.count()), contacts};
 }
 
 template <class D>
@@ -52,7 +61,6 @@ Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
   d.kinetic_energy = sum.kinetic;
   d.potential_energy = sum.potential;
   d.max_speed = std::sqrt(sum.max_speed2);
-  d.contacts = solver_.contact_count();
   d.non_finite = sum.non_finite;
   d.outside = sum.outside;
   return d;

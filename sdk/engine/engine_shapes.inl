@@ -6,23 +6,37 @@
 
 namespace meniscus {
 
+/// The first place of a table that nothing stands in; the table grows by one where there is none.
+template <class T>
+uint32_t free_place(std::vector<std::optional<T>>& table) {
+  const auto at = std::find_if(table.begin(), table.end(), [](const auto& entry) { return !entry; });
+  const auto place = static_cast<uint32_t>(at - table.begin());
+  if (at == table.end()) table.emplace_back();
+  return place;
+}
+
 template <class D>
 uint32_t DeviceEngine<D>::add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) {
-  sdf_grids_.push_back(collision::build_sdf(
-      device_, collision::DeviceTriangleBvh(device_, collision::TriangleBvh(mesh)), cell_size, margin));
-  sdf_views_.push_back(sdf_grids_.back().view());
+  const collision::DeviceTriangleBvh tree(device_, collision::TriangleBvh(mesh));
+  collision::Sdf field = collision::build_sdf(device_, tree, cell_size, margin);
+  const uint32_t place = free_place(sdf_grids_);
+  sdf_views_.resize(sdf_grids_.size());
+  sdf_views_[place] = sdf_grids_[place].emplace(std::move(field)).view();
   replace<collision::SdfView>(sdfs_, sdf_views_);
-  return static_cast<uint32_t>(sdf_views_.size() - 1);
+  return place;
 }
 
 template <class D>
 uint32_t DeviceEngine<D>::add_height_field(uint32_t columns, uint32_t rows, float cell_size,
                                            std::span<const float> heights) {
-  pbd::Buffer<float>& samples = height_samples_.emplace_back(device_, "height samples");
+  pbd::Buffer<float> samples(device_, "height samples");
   replace(samples, heights);
-  height_views_.push_back({columns, rows, cell_size, samples.view()});
+  const uint32_t place = free_place(height_samples_);
+  height_views_.resize(height_samples_.size());
+  height_views_[place] = {columns, rows, cell_size,
+                          height_samples_[place].emplace(std::move(samples)).view()};
   replace<collision::HeightFieldView>(height_fields_, height_views_);
-  return static_cast<uint32_t>(height_views_.size() - 1);
+  return place;
 }
 
 template <class D>
@@ -31,7 +45,8 @@ void DeviceEngine<D>::set_shapes(std::span<const collision::Shape> shapes,
   replace(shapes_, shapes);
   replace(openings_, openings);
   shape_set_ = {shapes_.view(), openings_.view(), sdfs_.view(), height_fields_.view()};
-  contacts_.set_shapes(shape_set_);
+  const auto is_plane = [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; };
+  contacts_.set_shapes(shape_set_, std::all_of(shapes.begin(), shapes.end(), is_plane));
 }
 
 template <class D>

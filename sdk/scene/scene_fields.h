@@ -46,7 +46,7 @@ void fields(V& v, WorldDef& d) {
   v("device", d.device, any_value, "", "where to run; auto takes a usable GPU, else the CPU");
   v("threads", d.threads, between(0, 1024), "", "of the CPU device; 0 is one a core");
   v("gravity", d.gravity, any_value, "m/s²", "acceleration of everything");
-  v("particle_spacing", d.particle_spacing, positive, "m", "rest distance between fluid particles");
+  v("particle_spacing", d.particle_spacing, between(1e-4, 1e3), "m", "rest distance between fluid particles");
   v("support_ratio", d.support_ratio, between(1.5, 3), "", "support radius over spacing");
   v("substeps", d.substeps, between(1, 1000), "", "substeps of a frame, where cfl_number is 0");
   v("iterations", d.iterations, between(1, 1000), "", "solver iterations of a substep");

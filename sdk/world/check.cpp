@@ -121,7 +121,7 @@ void pose(const char* name, const Pose& value) {
 void world(const WorldDef& def) {
   between("WorldDef::threads", def.threads, 0, 1024);
   finite("WorldDef::gravity", def.gravity);
-  positive("WorldDef::particle_spacing", def.particle_spacing);
+  between("WorldDef::particle_spacing", def.particle_spacing, 1e-4f, 1e3f);  // floats hold the kernel
   between("WorldDef::support_ratio", def.support_ratio, 1.5f, 3.0f);
   between("WorldDef::substeps", def.substeps, 1, 1000);
   between("WorldDef::iterations", def.iterations, 1, 1000);

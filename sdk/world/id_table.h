@@ -16,12 +16,13 @@ namespace meniscus {
 template <class IdType, class T>
 class IdTable {
  public:
-  explicit IdTable(const char* what) : what_(what) {}
+  /// Generations count from `first_generation` on: tables that start far apart refuse one another's ids.
+  IdTable(const char* what, uint32_t first_generation) : what_(what), first_generation_(first_generation) {}
 
   IdType insert(T value) {
     uint32_t index = 0;
     while (index < entries_.size() && entries_[index].value) ++index;
-    if (index == entries_.size()) entries_.emplace_back();
+    if (index == entries_.size()) entries_.push_back({std::nullopt, first_generation_});
     entries_[index].value = std::move(value);
     return {index, entries_[index].generation};
   }
@@ -32,14 +33,16 @@ class IdTable {
     ++entries_[id.index].generation;
   }
 
+  /// nullptr where there is none.
+  const T* find(IdType id) const {
+    if (id.index >= entries_.size() || entries_[id.index].generation != id.generation) return nullptr;
+    return entries_[id.index].value ? &*entries_[id.index].value : nullptr;
+  }
+
   const T& get(IdType id) const {
-    if (id.index >= entries_.size() || entries_[id.index].generation != id.generation ||
-        !entries_[id.index].value) {
-      throw Error(ErrorCode::not_found, std::string("no ") + what_ + " has the id " +
-                                            std::to_string(id.index) + "." + std::to_string(id.generation) +
-                                            " in this world");
-    }
-    return *entries_[id.index].value;
+    if (const T* value = find(id)) return *value;
+    throw Error(ErrorCode::not_found, std::string("no ") + what_ + " has the id " + std::to_string(id.index) +
+                                          "." + std::to_string(id.generation) + " in this world");
   }
 
   /// Calls visit(index, value) for each, in the order of the indices.
@@ -53,10 +56,11 @@ class IdTable {
  private:
   struct Entry {
     std::optional<T> value;
-    uint32_t generation = 0;
+    uint32_t generation;
   };
 
   const char* what_;
+  uint32_t first_generation_;
   std::vector<Entry> entries_;
 };
 

@@ -16,17 +16,11 @@ namespace {
 
 constexpr size_t most_particles = size_t{1} << 27;
 
-void check_fluid_id(FluidId id, size_t count) {
-  if (id.index >= count || id.generation != 0) {
-    throw Error(ErrorCode::not_found, "no fluid has the id " + std::to_string(id.index) + " in this world");
-  }
-}
-
-void check_room(size_t present, size_t added) {
-  if (present + added > most_particles) {
+void check_room(size_t present, double added) {
+  const double wanted = static_cast<double>(present) + added;
+  if (wanted > static_cast<double>(most_particles)) {
     throw Error(ErrorCode::capacity, "a world holds at most " + std::to_string(most_particles) +
-                                         " particles; " + std::to_string(present + added) +
-                                         " were asked for");
+                                         " particles; " + std::to_string(wanted) + " were asked for");
   }
 }
 
@@ -48,9 +42,8 @@ float World::support_radius() const {
 }
 
 float World::particle_mass(FluidId id) const {
-  check_fluid_id(id, impl_->fluids.size());
   const float s = impl_->def.particle_spacing;
-  return impl_->fluids[id.index].rest_density * s * s * s;
+  return impl_->fluids.get(id).rest_density * s * s * s;
 }
 
 // ---- what the world is made of
@@ -58,14 +51,14 @@ float World::particle_mass(FluidId id) const {
 
 FluidId World::create_fluid(const FluidDef& def) {
   check::fluid(def);
-  impl_->fluids.push_back(def);
+  const FluidId id = impl_->fluids.insert(def);
   std::vector<fluid::Material> materials;
-  for (const FluidDef& f : impl_->fluids) {
+  impl_->fluids.for_each([&](uint32_t, const FluidDef& f) {
     materials.push_back(
         {f.rest_density, f.viscosity, f.xsph, f.vorticity_confinement, f.cohesion, f.surface_tension});
-  }
+  });
   impl_->engine->set_materials(materials);
-  return {static_cast<uint32_t>(impl_->fluids.size() - 1), 0};
+  return id;
 }
 
 ShapeId World::create_shape(const ShapeDef& def) {
@@ -80,8 +73,13 @@ ShapeId World::create_shape(const ShapeDef& def) {
 }
 
 void World::destroy_shape(ShapeId id) {
+  for (const collision::Shape& part : impl_->shapes.get(id).shapes) {
+    if (part.kind == collision::ShapeKind::sdf) impl_->engine->remove_sdf(part.table);
+    if (part.kind == collision::ShapeKind::height_field) impl_->engine->remove_height_field(part.table);
+  }
   impl_->shapes.erase(id);
   impl_->shapes_changed();
+  impl_->probes_changed();
 }
 
 SinkId World::create_sink(const SinkDef& def) {
@@ -100,7 +98,11 @@ ProbeId World::create_probe(const ProbeDef& def) {
   check::finite("ProbeDef::point", def.point);
   if (def.patch) check::box("ProbeDef::patch", *def.patch);
   if (def.kind != ProbeKind::point_pressure) impl_->shapes.get(def.shape);
-  if (def.kind == ProbeKind::wall_pressure) check::positive("ProbeDef::area", def.area);
+  if (def.kind == ProbeKind::wall_pressure) {
+    check::positive("ProbeDef::area", def.area);
+    if (!def.patch)
+      throw Error(ErrorCode::invalid_argument, "ProbeDef::patch is left out; wall_pressure needs it");
+  }
   const ProbeId id = impl_->probes.insert(def);
   impl_->probes_changed();
   return id;
@@ -115,30 +117,33 @@ void World::destroy_probe(ProbeId id) {
 // -------------------------------------------------------------------------------------------------------
 
 size_t World::add_fluid(const FluidVolumeDef& def) {
-  check_fluid_id(def.fluid, impl_->fluids.size());
+  impl_->fluids.get(def.fluid);
   check::pose("FluidVolumeDef::pose", def.pose);
   check::finite("FluidVolumeDef::velocity", def.velocity);
   if (const auto* region = std::get_if<BoxRegion>(&def.region)) {
     check::box("BoxRegion", {region->lower, region->upper});
     const Vec3 cells = (region->upper - region->lower) / impl_->def.particle_spacing;
-    check_room(ids().size(), static_cast<size_t>(double(cells.x) * cells.y * cells.z));
+    check_room(ids().size(), double{cells.x} * cells.y * cells.z);
   }
-  if (const auto* region = std::get_if<BallRegion>(&def.region))
+  if (const auto* region = std::get_if<BallRegion>(&def.region)) {
     check::positive("BallRegion::radius", region->radius);
+    const double cells = 2.0 * region->radius / impl_->def.particle_spacing;
+    check_room(ids().size(), cells * cells * cells);
+  }
   if (const auto* region = std::get_if<MeshRegion>(&def.region))
     check::positive("MeshRegion::scale", region->scale);
   const float spacing = impl_->def.particle_spacing;
   const std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
   const std::vector<Vec3> safe = safe_points(points, positions(), *impl_->engine, spacing);
-  check_room(ids().size(), safe.size());
+  check_room(ids().size(), static_cast<double>(safe.size()));
   impl_->add(def.fluid, safe, {}, def.velocity);
   return safe.size();
 }
 
 ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
                                 std::span<const Vec3> velocities) {
-  check_fluid_id(fluid, impl_->fluids.size());
-  check_room(ids().size(), positions.size());
+  impl_->fluids.get(fluid);
+  check_room(ids().size(), static_cast<double>(positions.size()));
   if (!velocities.empty() && velocities.size() != positions.size()) {
     throw Error(ErrorCode::invalid_argument, "add_particles got " + std::to_string(velocities.size()) +
                                                  " velocities for " + std::to_string(positions.size()) +
@@ -190,7 +195,7 @@ StepReport World::step(float dt) {
   }
   impl_->time += dt;
   impl_->last_substep = dt / static_cast<float>(done.result.substeps);
-  impl_->probe_values = impl_->engine->read_probes();
+  impl_->engine->read_probes(impl_->probe_values);
   StepReport report;
   report.removed = static_cast<uint32_t>(std::count(done.removed.begin(), done.removed.end(), true));
   if (report.removed) impl_->remove(done.removed);
@@ -234,8 +239,9 @@ std::span<const uint32_t> World::fluids() const {
 std::span<const float> World::density_errors() const {
   return impl_->density_errors.get(particle_count(), [&](auto error) {
     impl_->full_support.valid = false;
-    impl_->full_support.get(particle_count(),
-                            [&](auto full) { impl_->engine->read_density_errors(error, full); });
+    impl_->full_support.get(particle_count(), [&](auto full) {
+      impl_->measured = impl_->engine->read_density_errors(error, full);
+    });
   });
 }
 
@@ -256,6 +262,8 @@ Diagnostics World::diagnostics() const {
     interior_count += full[i];
   }
   if (!error.empty()) d.density_error_mean = over / static_cast<double>(error.size());
+  d.neighbours_mean = impl_->measured.neighbours_mean;
+  d.contacts = impl_->measured.contacts;
   if (interior_count > 0) d.density_error_interior = interior / interior_count;
   return d;
 }

@@ -3,6 +3,7 @@
 #include "sdk/world/world_impl.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "sdk/world/check.h"
@@ -39,6 +40,11 @@ EngineDef engine_def(const WorldDef& def, const fluid::Kernel& kernel) {
 
 }  // namespace
 
+uint32_t World::Impl::next_first_generation() {
+  static std::atomic<uint32_t> worlds{0};
+  return ++worlds << 16;
+}
+
 World::Impl::Impl(const WorldDef& world_def) : def(world_def) {
   check::world(def);
   kernel = fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing);
@@ -48,7 +54,7 @@ World::Impl::Impl(const WorldDef& world_def) : def(world_def) {
 void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
                       std::span<const Vec3> new_velocities, Vec3 velocity) {
   const float s = def.particle_spacing;
-  const float inverse_mass = 1 / (fluids[fluid.index].rest_density * s * s * s);
+  const float inverse_mass = 1 / (fluids.get(fluid).rest_density * s * s * s);
   ParticleBatch batch;
   for (size_t i = 0; i < new_positions.size(); ++i) {
     batch.position.push_back(pbd::with_w(new_positions[i], inverse_mass));
@@ -64,9 +70,12 @@ void World::Impl::shapes_changed() {
   std::vector<collision::Shape> all;
   std::vector<collision::PlaneOpening> openings;
   shapes.for_each([&](uint32_t owner, const ShapeParts& parts) {
+    const auto first_wall = static_cast<uint32_t>(all.size());
     for (collision::Shape shape : parts.shapes) {
       shape.owner = owner;
       shape.first_opening += static_cast<uint32_t>(openings.size());
+      shape.first_wall = first_wall;
+      shape.wall_count = parts.openings.empty() ? 0 : static_cast<uint32_t>(parts.shapes.size());
       all.push_back(shape);
     }
     openings.insert(openings.end(), parts.openings.begin(), parts.openings.end());
@@ -85,7 +94,9 @@ void World::Impl::probes_changed() {
   std::vector<fluid::Probe> all;
   constexpr float everywhere = 1e30f;
   probes.for_each([&](uint32_t, const ProbeDef& probe) {
-    all.push_back({probe.kind == ProbeKind::point_pressure, probe.point, probe.shape.index,
+    // A shape that is gone has no contacts, and what took its place is not what was asked for.
+    const uint32_t body = shapes.find(probe.shape) ? probe.shape.index : pbd::no_index;
+    all.push_back({probe.kind == ProbeKind::point_pressure, probe.point, body,
                    probe.patch.value_or(
                        Aabb{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}})});
   });

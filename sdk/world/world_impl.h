@@ -33,6 +33,9 @@ struct CachedReadout {
 struct World::Impl {
   explicit Impl(const WorldDef& world_def);
 
+  /// Far from that of any other world of this process.
+  static uint32_t next_first_generation();
+
   void add(FluidId fluid, std::span<const Vec3> positions, std::span<const Vec3> velocities, Vec3 velocity);
   void shapes_changed();
   void sinks_changed();
@@ -47,10 +50,11 @@ struct World::Impl {
   double time = 0;
   float last_substep = 0;
 
-  std::vector<FluidDef> fluids;
-  IdTable<ShapeId, ShapeParts> shapes{"shape"};
-  IdTable<SinkId, SinkDef> sinks{"sink"};
-  IdTable<ProbeId, ProbeDef> probes{"probe"};
+  const uint32_t first_generation = next_first_generation();
+  IdTable<FluidId, FluidDef> fluids{"fluid", first_generation};
+  IdTable<ShapeId, ShapeParts> shapes{"shape", first_generation};
+  IdTable<SinkId, SinkDef> sinks{"sink", first_generation};
+  IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
   std::vector<fluid::ProbeSum> probe_values;
 
   ParticleId next_id = 0;
@@ -59,6 +63,7 @@ struct World::Impl {
   CachedReadout<Vec3> positions, velocities;
   CachedReadout<uint32_t> fluid_indices;
   CachedReadout<float> density_errors, full_support, pressures;
+  EngineMeasure measured;  // with density_errors
 };
 
 /// The engine for a choice of device, and what it runs on.

@@ -135,9 +135,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "camera.field_of_view: 180 is not allowed; must be greater than 0 and less than 180"},
         Mistake{"BeyondFloat", R"({"name": "x", "world": {"gravity": [0, -1e39, 0]}})",
                 "world.gravity[1]: -1e+39 is not allowed; must be a finite number of single precision"},
-        Mistake{
-            "TooSmallForFloat", R"({"name": "x", "world": {"particle_spacing": 1e-60}})",
-            "world.particle_spacing: 1e-60 is not allowed; must be far enough from 0 for single precision"},
+        Mistake{"TooSmallForFloat", R"({"name": "x", "frame_time": 1e-60})",
+                "frame_time: 1e-60 is not allowed; must be far enough from 0 for single precision"},
         Mistake{"BeyondInt", R"({"name": "x", "frames": 3000000000})",
                 "frames: 3000000000 is not allowed; must be a whole number of 32 bits"},
         Mistake{"EmptyText", R"({"name": ""})", "name: \"\" is not allowed; must be text that is not empty"},

@@ -92,7 +92,9 @@ void CpuDevice::sort_pairs(const char* /*name*/, View<const uint32_t> keys, View
     const bool into_caller = (passes - pass) % 2 == 1;
     View<uint32_t> keys_out = into_caller ? sorted_keys : spare_keys;
     View<uint32_t> values_out = into_caller ? sorted_values : spare_values;
-    radix_pass(keys, keys_out, values, values_out, pass * digit_bits, digit_bits, offsets);
+    const uint32_t shift = pass * digit_bits;
+    radix_pass(keys, keys_out, values, values_out, shift, std::min(digit_bits, bits - std::min(bits, shift)),
+               offsets);
     keys = keys_out;
     values = values_out;
   }
@@ -107,25 +109,28 @@ void CpuDevice::radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, V
   const uint32_t blocks = (count + sort_block - 1) / sort_block;
   const uint32_t digits = 1u << digit_bits;
   const auto digit_of = [=](uint32_t key) { return (key >> shift) & (digits - 1); };
-  arena_.execute([&] {
-    tbb::parallel_for(0u, blocks, [=](uint32_t b) {
-      uint32_t* histogram = offsets.data + size_t{b} * digits;
-      std::fill_n(histogram, digits, 0u);
-      for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i)
-        ++histogram[digit_of(keys[i])];
+  const auto for_each_block = [&](const auto& visit) {
+    parallel_loop(arena_, blocks, 1, [&](uint32_t begin, uint32_t end) {
+      for (uint32_t b = begin; b < end; ++b) visit(b);
     });
-    uint32_t running = 0;
-    for (uint32_t d = 0; d < digits; ++d) {
-      for (uint32_t b = 0; b < blocks; ++b) running += std::exchange(offsets[b * digits + d], running);
+  };
+  for_each_block([=](uint32_t b) {
+    uint32_t* histogram = offsets.data + size_t{b} * digits;
+    std::fill_n(histogram, digits, 0u);
+    for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i)
+      ++histogram[digit_of(keys[i])];
+  });
+  uint32_t running = 0;
+  for (uint32_t d = 0; d < digits; ++d) {
+    for (uint32_t b = 0; b < blocks; ++b) running += std::exchange(offsets[b * digits + d], running);
+  }
+  for_each_block([=](uint32_t b) {
+    uint32_t* next = offsets.data + size_t{b} * digits;
+    for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i) {
+      const uint32_t place = next[digit_of(keys[i])]++;
+      keys_out[place] = keys[i];
+      values_out[place] = values[i];
     }
-    tbb::parallel_for(0u, blocks, [=](uint32_t b) {
-      uint32_t* next = offsets.data + size_t{b} * digits;
-      for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i) {
-        const uint32_t place = next[digit_of(keys[i])]++;
-        keys_out[place] = keys[i];
-        values_out[place] = values[i];
-      }
-    });
   });
 }
 

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 #include <vector>
 
 #include "pbd/device/buffer.h"
 #include "pbd/device/cpu/lanes.h"
+#include "pbd/device/cpu/parallel_loop.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::pbd {
@@ -22,6 +20,10 @@ class CpuDevice final : public Device {
   using Real = Lanes;
   using LaneIndex = pbd::LaneIndex;
   static constexpr uint32_t lane_count = Lanes::count;
+  static constexpr bool interleaves_lists = false;  ///< see NeighbourView
+  using Lister = CpuDevice;                         ///< who looks through candidates to list neighbours
+  using Team = CpuDevice;                           ///< who runs the kernels of parallel_for_teams
+  static bool leads() { return true; }
 
   /// threads = 0: one a core.
   explicit CpuDevice(int threads = 0);
@@ -44,12 +46,25 @@ class CpuDevice final : public Device {
       for (uint32_t i = 0; i < count; ++i) kernel(i);
       return;
     }
-    arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, grain),
-                        [&](const tbb::blocked_range<uint32_t>& range) {
-                          for (uint32_t i = range.begin(); i < range.end(); ++i) kernel(i);
-                        });
+    parallel_loop(arena_, count, grain, [&](uint32_t begin, uint32_t end) {
+      for (uint32_t i = begin; i < end; ++i) kernel(i);
     });
+  }
+
+  /// For kernels whose single items take long: calls kernel.run<D>(i), where D is this device, or, on a GPU
+  /// with too few items to fill it, CudaTeam, of which eight threads run each i.
+  template <class Kernel>
+  void parallel_for_long(const char* name, uint32_t count, const Kernel& kernel) {
+    parallel_for(name, count, RunLong<Kernel>{kernel});
+  }
+
+  /// One launch of parallel_for and one of parallel_for_long that touch nothing of one another; a GPU runs
+  /// them at once.
+  template <class Kernel, class LongKernel>
+  void parallel_for_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
+                         const LongKernel& long_kernel) {
+    parallel_for(name, count, kernel);
+    parallel_for_long(name, long_count, long_kernel);
   }
 
   /// out[0] = combine over map(i) for all i below count, in segments of fixed size: the same bits each time.
@@ -69,7 +84,7 @@ class CpuDevice final : public Device {
     out[0] = total;
   }
 
-  /// out[i] = in[0] + … + in[i − 1]; out has one element more than in: the total.
+  /// out[i] = in[0] + … + in[i − 1], of unsigned integers; out has one element more than in: the total.
   void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out);
 
   /// Sorts pairs by the low `bits` of the keys; equal keys keep their order. The inputs are left as they
@@ -86,9 +101,15 @@ class CpuDevice final : public Device {
   void radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, View<const uint32_t> values,
                   View<uint32_t> values_out, uint32_t shift, uint32_t digit_bits, View<uint32_t> offsets);
 
+  template <class Kernel>
+  struct RunLong {
+    const Kernel& kernel;
+    void operator()(uint32_t i) const { kernel.template run<CpuDevice>(i); }
+  };
+
   template <class T>
   View<T> scratch(uint32_t count) {
-    const auto words = static_cast<uint32_t>((count * sizeof(T) + sizeof(uint64_t) - 1) / sizeof(uint64_t));
+    const size_t words = (count * sizeof(T) + sizeof(uint64_t) - 1) / sizeof(uint64_t);
     if (scratch_.size() < words) scratch_.resize_discard(std::max(words, 2 * scratch_.size()));
     return {reinterpret_cast<T*>(scratch_.view().data), count};
   }

@@ -18,7 +18,14 @@ CudaDevice::CudaDevice() {
   cudaDeviceProp properties;
   check_cuda(cudaGetDeviceProperties(&properties, 0), "reading the device's properties");
   name_ = properties.name;
+  overlaps_launches_ = properties.major >= 9;
   check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
+  // What runs on the side is short of threads and long: it goes first.
+  int least = 0, most = 0;
+  check_cuda(cudaDeviceGetStreamPriorityRange(&least, &most), "reading the stream priorities");
+  check_cuda(cudaStreamCreateWithPriority(&side_stream_, cudaStreamNonBlocking, most), "creating a stream");
+  check_cuda(cudaEventCreateWithFlags(&forked_, cudaEventDisableTiming), "creating an event");
+  check_cuda(cudaEventCreateWithFlags(&joined_, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
 }
 
@@ -26,7 +33,10 @@ CudaDevice::~CudaDevice() {
   cudaStreamSynchronize(stream_);
   scratch_.resize_discard(0);
   for (cudaEvent_t mark : marks_) cudaEventDestroy(mark);
+  cudaEventDestroy(forked_);
+  cudaEventDestroy(joined_);
   cudaFreeHost(pinned_);
+  cudaStreamDestroy(side_stream_);
   cudaStreamDestroy(stream_);
 }
 
@@ -46,7 +56,7 @@ void CudaDevice::do_release(void* memory) noexcept {
 }
 
 void* CudaDevice::scratch(size_t bytes) {
-  const auto words = static_cast<uint32_t>((bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t));
+  const size_t words = (bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t);
   if (scratch_.size() < words) {
     wait();
     scratch_.resize_discard(std::max(words, scratch_.size() + scratch_.size() / 2));
@@ -77,6 +87,16 @@ void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
 
 void CudaDevice::wait() {
   check_cuda(cudaStreamSynchronize(stream_), "running the kernels launched before");
+}
+
+void CudaDevice::fork() {
+  check_cuda(cudaEventRecord(forked_, stream_), "recording an event");
+  check_cuda(cudaStreamWaitEvent(side_stream_, forked_), "forking the stream");
+}
+
+void CudaDevice::join() {
+  check_cuda(cudaEventRecord(joined_, side_stream_), "recording an event");
+  check_cuda(cudaStreamWaitEvent(stream_, joined_), "joining the streams");
 }
 
 void CudaDevice::mark_time(uint32_t mark) {

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cub/block/block_reduce.cuh>
+#include <utility>
 #include <vector>
 
 #include "pbd/device/buffer.h"
+#include "pbd/device/cuda/batch.h"
 #include "pbd/device/cuda/cuda_check.cuh"
+#include "pbd/device/cuda/team.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::pbd {
@@ -14,14 +17,57 @@ namespace meniscus::pbd {
 namespace cuda_kernels {
 
 constexpr uint32_t block_size = 128;
+constexpr uint32_t teams = block_size / CudaTeam::lane_count;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
+constexpr uint32_t most_teams = 1u << 16;  // they fill a large GPU
+constexpr uint32_t most_for_one_launch =
+    1u << 18;  // items; beyond, occupancy counts more than a fork and a join
+
+/// A launch overlaps the end of the one before (programmatic dependent launch, from compute capability 9.0
+/// on): blocks are made ready while that one still runs, and wait here for what it wrote.
+__device__ __forceinline__ void wait_for_previous() {
+#if __CUDA_ARCH__ >= 900
+  cudaTriggerProgrammaticLaunchCompletion();
+  cudaGridDependencySynchronize();
+#endif
+}
 
 template <class Kernel>
 __global__ void __launch_bounds__(block_size)
     for_each(uint32_t count, const __grid_constant__ Kernel kernel) {
+  wait_for_previous();
   const uint32_t i = blockIdx.x * block_size + threadIdx.x;
   if (i < count) kernel(i);
+}
+
+template <class D, class Kernel>
+struct RunLong {
+  Kernel kernel;
+  __device__ void operator()(uint32_t i) const { kernel.template run<D>(i); }
+};
+
+template <class Kernel>
+__global__ void __launch_bounds__(block_size)
+    for_each_team(uint32_t count, const __grid_constant__ Kernel kernel) {
+  wait_for_previous();
+  const uint32_t i = (blockIdx.x * block_size + threadIdx.x) / CudaTeam::lane_count;
+  if (i < count) kernel.template run<CudaTeam>(i);
+}
+
+// The teams come first: their work is the longer.
+template <class Kernel, class TeamKernel>
+__global__ void __launch_bounds__(block_size)
+    for_each_of_both(uint32_t count, const __grid_constant__ Kernel kernel, uint32_t team_count,
+                     uint32_t team_blocks, const __grid_constant__ TeamKernel team_kernel) {
+  wait_for_previous();
+  if (blockIdx.x < team_blocks) {
+    const uint32_t i = (blockIdx.x * block_size + threadIdx.x) / CudaTeam::lane_count;
+    if (i < team_count) team_kernel.template run<CudaTeam>(i);
+  } else {
+    const uint32_t i = (blockIdx.x - team_blocks) * block_size + threadIdx.x;
+    if (i < count) kernel(i);
+  }
 }
 
 // A block takes one segment: each thread every 256th element, then CUB's fixed tree. No order is left to
@@ -30,6 +76,7 @@ template <class T, class Map, class Combine>
 __global__ void __launch_bounds__(reduce_block)
     reduce_segments(uint32_t count, uint32_t length, T identity, const __grid_constant__ Map map,
                     Combine combine, T* out) {
+  wait_for_previous();
   using BlockReduce = cub::BlockReduce<T, reduce_block>;
   __shared__ typename BlockReduce::TempStorage storage;
   const uint32_t begin = blockIdx.x * length;
@@ -54,6 +101,9 @@ class CudaDevice final : public Device {
   /// What a neighbour loop runs on: one neighbour at a time, a particle a thread.
   using Real = float;
   static constexpr uint32_t lane_count = 1;
+  static constexpr bool interleaves_lists = true;
+  using Lister = CudaBatch;
+  MENISCUS_HD static bool leads() { return true; }
 
   CudaDevice();
   ~CudaDevice() override;
@@ -74,8 +124,37 @@ class CudaDevice final : public Device {
   void parallel_for(const char* name, uint32_t count, const Kernel& kernel) {
     if (count == 0) return;
     using namespace cuda_kernels;
-    for_each<<<(count + block_size - 1) / block_size, block_size, 0, stream_>>>(count, kernel);
-    check_cuda(cudaGetLastError(), name);
+    launch(name, (count + block_size - 1) / block_size, block_size, for_each<Kernel>, count, kernel);
+  }
+
+  template <class Kernel>
+  void parallel_for_long(const char* name, uint32_t count, const Kernel& kernel) {
+    using namespace cuda_kernels;
+    if (count > most_teams) return parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
+    if (count == 0) return;
+    launch(name, (count + teams - 1) / teams, block_size, for_each_team<Kernel>, count, kernel);
+  }
+
+  template <class Kernel, class LongKernel>
+  void parallel_for_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
+                         const LongKernel& long_kernel) {
+    using namespace cuda_kernels;
+    if (count > most_for_one_launch) {
+      // Two launches side by side: in one, the first kernel would have to make do with the second one's
+      // registers.
+      fork();
+      std::swap(stream_, side_stream_);
+      parallel_for_long(name, long_count, long_kernel);
+      std::swap(stream_, side_stream_);
+      parallel_for(name, count, kernel);
+      join();
+      return;
+    }
+    const uint32_t team_blocks = (long_count + teams - 1) / teams;
+    const uint32_t blocks = team_blocks + (count + block_size - 1) / block_size;
+    if (blocks == 0) return;
+    launch(name, blocks, block_size, for_each_of_both<Kernel, LongKernel>, count, kernel, long_count,
+           team_blocks, long_kernel);
   }
 
   template <class T, class Map, class Combine>
@@ -84,10 +163,10 @@ class CudaDevice final : public Device {
     using namespace cuda_kernels;
     const uint32_t segments = count ? (count + segment - 1) / segment : 1;
     T* partial = static_cast<T*>(scratch(segments * sizeof(T)));
-    reduce_segments<<<segments, reduce_block, 0, stream_>>>(count, segment, identity, map, combine, partial);
-    reduce_segments<<<1, reduce_block, 0, stream_>>>(segments, segments, identity, ReadPartial<T>{partial},
-                                                     combine, out.data);
-    check_cuda(cudaGetLastError(), name);
+    launch(name, segments, reduce_block, reduce_segments<T, Map, Combine>, count, segment, identity, map,
+           combine, partial);
+    launch(name, 1, reduce_block, reduce_segments<T, ReadPartial<T>, Combine>, segments, segments, identity,
+           ReadPartial<T>{partial}, combine, out.data);
   }
 
   void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out);
@@ -98,9 +177,29 @@ class CudaDevice final : public Device {
   void* do_allocate(size_t bytes) override;
   void do_release(void* memory) noexcept override;
   void* scratch(size_t bytes);
+  void fork();  // what is launched on the side stream from here on follows what came before
+  void join();  // what is launched from here on follows the side stream
+
+  template <class... Parameters, class... Arguments>
+  void launch(const char* name, uint32_t blocks, uint32_t threads, void (*kernel)(Parameters...),
+              Arguments... arguments) {
+    cudaLaunchAttribute attribute{};
+    attribute.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    attribute.val.programmaticStreamSerializationAllowed = 1;
+    cudaLaunchConfig_t config{};
+    config.gridDim = blocks;
+    config.blockDim = threads;
+    config.stream = stream_;
+    config.attrs = &attribute;
+    config.numAttrs = overlaps_launches_ ? 1 : 0;
+    check_cuda(cudaLaunchKernelEx(&config, kernel, arguments...), name);
+  }
 
   cudaStream_t stream_ = nullptr;
+  cudaStream_t side_stream_ = nullptr;
+  cudaEvent_t forked_ = nullptr, joined_ = nullptr;
   std::string name_;
+  bool overlaps_launches_ = false;
   std::vector<cudaEvent_t> marks_;
   void* pinned_ = nullptr;  // small results come back through it, at a pinned copy's latency
   Buffer<uint64_t> scratch_{*this, "CUDA scratch"};

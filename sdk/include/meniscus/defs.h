@@ -42,7 +42,7 @@ struct DensitySolverDef {
   float spectral_bound = 4.5f;     ///< largest eigenvalue that Chebyshev's weights expect
   float compressibility = 0.0f;    ///< 1/Pa, the inverse bulk modulus; 0 is incompressible
   float correction_limit = 0.25f;  ///< largest correction of one iteration, in particle spacings
-  ArtificialPressureDef artificial_pressure;
+  ArtificialPressureDef artificial_pressure{};
 };
 
 struct WorldDef {
@@ -58,7 +58,7 @@ struct WorldDef {
   int min_substeps = 1;  ///< limits of that choice
   int max_substeps = 16;
   float contact_radius = 0.5f;  ///< distance at which a particle's centre stops at a surface, in spacings
-  DensitySolverDef density;
+  DensitySolverDef density{};
 };
 
 struct FluidDef {
@@ -96,7 +96,7 @@ struct Opening {
 /// A box seen from inside: its six faces hold the fluid in.
 struct ContainerGeometry {
   Vec3 half_extents{0.5f, 0.5f, 0.5f};  ///< m, of the inside
-  std::vector<Opening> openings;
+  std::vector<Opening> openings{};
 };
 
 struct SphereGeometry {
@@ -125,10 +125,10 @@ struct MeshGeometry {
 
 /// Heights over a regular grid in x and z, centred at the origin; solid below.
 struct HeightFieldGeometry {
-  int columns = 0;             ///< samples along x, at least 2
-  int rows = 0;                ///< samples along z, at least 2
-  float cell_size = 0.1f;      ///< m
-  std::vector<float> heights;  ///< m, columns · rows of them, x fastest
+  int columns = 0;               ///< samples along x, at least 2
+  int rows = 0;                  ///< samples along z, at least 2
+  float cell_size = 0.1f;        ///< m
+  std::vector<float> heights{};  ///< m, columns · rows of them, x fastest
 };
 
 using Geometry = std::variant<PlaneGeometry, BoxGeometry, ContainerGeometry, SphereGeometry, CapsuleGeometry,
@@ -137,7 +137,7 @@ using Geometry = std::variant<PlaneGeometry, BoxGeometry, ContainerGeometry, Sph
 struct ShapeDef {
   std::string name;
   Geometry geometry = PlaneGeometry{};
-  Pose pose;
+  Pose pose{};
   float friction = 0.0f;     ///< Coulomb's μ
   float restitution = 0.0f;  ///< 0 to 1
 };
@@ -166,7 +166,7 @@ using Region = std::variant<BoxRegion, BallRegion, MeshRegion>;
 struct FluidVolumeDef {
   FluidId fluid;
   Region region = BoxRegion{};
-  Pose pose;
+  Pose pose{};
   Vec3 velocity{0, 0, 0};  ///< m/s
 };
 
@@ -192,7 +192,7 @@ struct ProbeDef {
   std::string name;
   ProbeKind kind = ProbeKind::point_pressure;
   Vec3 point{0, 0, 0};          ///< point_pressure alone
-  ShapeId shape;                ///< wall_pressure and wall_force
+  ShapeId shape{};              ///< wall_pressure and wall_force
   std::optional<Aabb> patch{};  ///< contacts inside this box count; wall_pressure needs it, and its area
   float area = 0.0f;            ///< m², of the patch; wall_pressure alone
 };

@@ -34,10 +34,11 @@ struct Diagnostics {
   double density_error_mean = 0;      ///< mean of max(C, 0) over all particles
   double density_error_max = 0;       ///< largest C
   double density_error_interior = 0;  ///< mean of |C| over particles whose support is full
+  double neighbours_mean = 0;         ///< particles within the support radius of one
   double kinetic_energy = 0;          ///< J
   double potential_energy = 0;        ///< J, from the origin
   float max_speed = 0;                ///< m/s
-  std::size_t contacts = 0;  ///< particles that touch something: nearer than the support radius to a solid
+  std::size_t contacts = 0;           ///< between particles and solids near enough to count in the density
   std::size_t non_finite = 0;
   std::size_t outside = 0;  ///< particles beyond a container's wall, or inside a solid
 };

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The one place where work is handed to oneTBB.
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cstdint>
+
+#ifdef __SANITIZE_THREAD__
+#include "pbd/device/cpu/plain_threads.h"
+#endif
+
+namespace meniscus::pbd {
+
+/// Calls body(begin, end) for pieces of [0, count) of about `grain`, at once, and waits for all.
+template <class Body>
+void parallel_loop(tbb::task_arena& arena, uint32_t count, [[maybe_unused]] uint32_t grain,
+                   const Body& body) {
+#ifdef __SANITIZE_THREAD__
+  run_on_plain_threads(static_cast<uint32_t>(arena.max_concurrency()), count, body);
+#else
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, count, grain),
+                      [&](const tbb::blocked_range<uint32_t>& range) { body(range.begin(), range.end()); });
+  });
+#endif
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Stands in for oneTBB in a build with the thread sanitizer. oneTBB is not built for it, so that the
+// sanitizer would not see what its threads wait for, and take every loop for a race. Of plain threads it sees
+// all.
+#pragma once
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include <meniscus/error.h>
+
+namespace meniscus::pbd {
+
+template <class Body>
+struct ThreadPiece {
+  const Body* body;
+  uint32_t begin, end;
+
+  static void* run(void* piece) {
+    const auto* p = static_cast<const ThreadPiece*>(piece);
+    (*p->body)(p->begin, p->end);
+    return nullptr;
+  }
+};
+
+/// Calls body(begin, end) for one piece of [0, count) a thread, and waits for all. Not std::thread, which
+/// allocates.
+template <class Body>
+void run_on_plain_threads(uint32_t threads, uint32_t count, const Body& body) {
+  constexpr uint32_t most = 64;
+  ThreadPiece<Body> pieces[most];
+  pthread_t handles[most];
+  const uint32_t n = std::min({threads, most, count});
+  for (uint32_t k = 0; k < n; ++k) {
+    const auto end_of = [&](uint32_t piece) { return static_cast<uint32_t>(uint64_t{count} * piece / n); };
+    pieces[k] = {&body, end_of(k), end_of(k + 1)};
+    if (pthread_create(&handles[k], nullptr, ThreadPiece<Body>::run, &pieces[k]) != 0) {
+      throw Error(ErrorCode::out_of_memory, "a thread could not be started");
+    }
+  }
+  for (uint32_t k = 0; k < n; ++k) pthread_join(handles[k], nullptr);
+}
+
+}  // namespace meniscus::pbd

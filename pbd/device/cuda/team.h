@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Four threads of a warp that work on one particle, each with one lane of what device/cpu/lanes.h has in a
+// register: the same kernels run over either. For work that one thread would take too long over, such as a
+// long neighbour list, and for few particles, which would not fill the GPU.
+#pragma once
+
+#include <cstdint>
+
+#include "pbd/device/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::pbd {
+
+/// This thread's lane of four.
+struct TeamFloat {
+  float value;
+
+  TeamFloat() = default;
+  MENISCUS_HD TeamFloat(float v) : value(v) {}
+};
+
+MENISCUS_HD inline TeamFloat operator+(TeamFloat a, TeamFloat b) {
+  return a.value + b.value;
+}
+MENISCUS_HD inline TeamFloat operator-(TeamFloat a, TeamFloat b) {
+  return a.value - b.value;
+}
+MENISCUS_HD inline TeamFloat operator*(TeamFloat a, TeamFloat b) {
+  return a.value * b.value;
+}
+MENISCUS_HD inline TeamFloat operator/(TeamFloat a, TeamFloat b) {
+  return a.value / b.value;
+}
+MENISCUS_HD inline TeamFloat& operator+=(TeamFloat& a, TeamFloat b) {
+  return a = a + b;
+}
+MENISCUS_HD inline TeamFloat& operator*=(TeamFloat& a, TeamFloat b) {
+  return a = a * b;
+}
+MENISCUS_HD inline TeamFloat max(TeamFloat a, TeamFloat b) {
+  return max(a.value, b.value);
+}
+MENISCUS_HD inline TeamFloat select_less(TeamFloat x, TeamFloat y, TeamFloat a, TeamFloat b) {
+  return x.value < y.value ? a : b;
+}
+MENISCUS_HD inline TeamFloat inverse_sqrt(TeamFloat a) {
+#ifdef __CUDA_ARCH__
+  return rsqrtf(a.value);
+#else
+  return 1.0f / sqrtf(a.value);
+#endif
+}
+
+/// Which lane of its team a thread has.
+MENISCUS_HD inline uint32_t team_rank() {
+#ifdef __CUDA_ARCH__
+  return threadIdx.x & 3;
+#else
+  return 0;
+#endif
+}
+
+/// The warp's lanes that make up this thread's team.
+MENISCUS_HD inline uint32_t team_mask() {
+#ifdef __CUDA_ARCH__
+  return 0xfu << (threadIdx.x & 28);
+#else
+  return 1;
+#endif
+}
+
+/// The sum over the team, by halves: every thread gets it, with the same bits each time.
+MENISCUS_HD inline float sum(TeamFloat a) {
+#ifdef __CUDA_ARCH__
+  a.value += __shfl_xor_sync(team_mask(), a.value, 2);
+  a.value += __shfl_xor_sync(team_mask(), a.value, 1);
+#endif
+  return a.value;
+}
+
+/// The neighbour that this thread has of four.
+struct TeamIndex {
+  uint32_t j;
+};
+
+MENISCUS_HD inline Vec4Of<TeamFloat> gather(View<const Vec4> from, TeamIndex i) {
+  const Vec4 v = load(from, i.j);
+  return {v.x, v.y, v.z, v.w};
+}
+MENISCUS_HD inline TeamFloat gather(View<const float> from, TeamIndex i) {
+  return from[i.j];
+}
+
+/// What a kernel is a template over when a team runs it.
+struct CudaTeam {
+  using Real = TeamFloat;
+  static constexpr uint32_t lane_count = 4;
+
+  /// True in the one thread of a team that may write what all of them know.
+  MENISCUS_HD static bool leads() { return team_rank() == 0; }
+};
+
+}  // namespace meniscus::pbd

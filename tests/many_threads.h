@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <tbb/global_control.h>
+
+namespace meniscus::tests {
+
+/// While it lives, oneTBB starts as many threads as a device asks for, even where there are fewer cores.
+class ManyThreads {
+ private:
+  tbb::global_control control_{tbb::global_control::max_allowed_parallelism, 8};
+};
+
+}  // namespace meniscus::tests

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Once warm, a step allocates nothing: neither on the host nor on the device.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "sdk/engine/engine.h"
+#include "tests/worlds.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t bytes) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// Those with an alignment are left alone: oneTBB's threads may use them, and nothing here does.
+void* operator new(std::size_t bytes) {
+  return counted(bytes);
+}
+void* operator new[](std::size_t bytes) {
+  return counted(bytes);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace meniscus::tests {
+namespace {
+
+class AllocationTest : public OnDevice {
+ protected:
+  static long during(World& world, int steps) {
+    const long before = allocations.load();
+    run(world, steps, 0.016f);
+    return allocations.load() - before;
+  }
+
+  /// Water in a tank that it fills to the walls, so that the number of contacts hardly changes.
+  World pool() const {
+    World world(world_def(GetParam(), 0.05f));
+    world.create_shape(tank({0, 0, 0}, {0.5f, 1, 0.5f}));
+    world.add_fluid(block(world.create_fluid({}), {0, 0, 0}, {0.5f, 0.4f, 0.5f}));
+    return world;
+  }
+};
+
+TEST_P(AllocationTest, TheCountWorks) {
+  const long before = allocations.load();
+  delete new int(3);
+  EXPECT_EQ(allocations.load(), before + 1);
+}
+
+TEST_P(AllocationTest, AWarmStepAllocatesNothingOnTheHost) {
+  World world = pool();
+  run(world, 60, 0.016f);
+  EXPECT_EQ(during(world, 20), 0);
+}
+
+TEST_P(AllocationTest, NorWithProbesAndSinks) {
+  World world = pool();
+  world.create_probe({});
+  world.create_sink({"", {{5, 5, 5}, {6, 6, 6}}, false});
+  run(world, 60, 0.016f);
+  EXPECT_EQ(during(world, 20), 0);
+}
+
+TEST_P(AllocationTest, AWarmStepHoldsTheSameMemoryOnTheDevice) {
+  World world = pool();
+  run(world, 60, 0.016f);
+  const size_t held = world.device_bytes();
+  run(world, 40, 0.016f);
+  EXPECT_EQ(world.device_bytes(), held);
+}
+
+TEST_P(AllocationTest, LookingAtAWorldTwiceTakesNoMoreMemory) {
+  World world = pool();
+  run(world, 20, 0.016f);
+  world.diagnostics();
+  const size_t held = world.device_bytes();
+  for (int k = 0; k < 5; ++k) {
+    world.step(0.016f);
+    world.diagnostics();
+    world.pressures();
+    world.velocities();
+  }
+  EXPECT_EQ(world.device_bytes(), held);
+}
+
+TEST_P(AllocationTest, WhatIsDestroyedGivesItsMemoryBack) {
+  World world = pool();
+  const ShapeDef hills = shape(HeightFieldGeometry{64, 64, 0.1f, std::vector<float>(64 * 64, -5.0f)});
+  const auto come_and_go = [&] {
+    const ShapeId id = world.create_shape(hills);
+    world.step(0.016f);
+    world.destroy_shape(id);
+  };
+  come_and_go();
+  const size_t held = world.device_bytes();
+  for (int k = 0; k < 10; ++k) come_and_go();
+  EXPECT_LE(world.device_bytes(), held);
+}
+
+std::unique_ptr<Engine> make_engine_on(pbd::DeviceKind kind, const EngineDef& def) {
+#if MENISCUS_HAS_CUDA
+  if (kind == pbd::DeviceKind::cuda) return make_cuda_engine(def);
+#endif
+  return kind == pbd::DeviceKind::cpu ? make_cpu_engine(def, 0) : nullptr;
+}
+
+// The engine shows the device's own count: not even memory that is given back at once.
+TEST_P(AllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
+  constexpr float s = 0.05f;
+  EngineDef def;
+  def.kernel = fluid::calibrate(s, 2 * s);
+  def.solver.support_radius = 2 * s;
+  def.solver.contact_radius = 0.5f * s;
+  def.density.correction_limit = 0.25f * s;
+  const std::unique_ptr<Engine> engine = make_engine_on(GetParam(), def);
+  engine->set_materials(std::vector<fluid::Material>{{1000, 0, 5, 0, 0, 0}});
+  collision::Shape floor;  // y > 0
+  engine->set_shapes(std::span(&floor, 1), {});
+  ParticleBatch batch;
+  for (Vec3 p : lattice(10, 8, 10, s, {0, 0, 0})) {
+    batch.position.push_back(pbd::with_w(p, 1 / (1000 * s * s * s)));
+    batch.velocity.push_back({0, 0, 0, 0});
+    batch.phase.push_back(pbd::phase_fluid);
+  }
+  engine->append(batch);
+  for (int k = 0; k < 60; ++k) engine->step(0.016f);
+  const uint64_t count = engine->device().memory().allocations;
+  for (int k = 0; k < 20; ++k) engine->step(0.016f);
+  EXPECT_EQ(engine->device().memory().allocations, count);
+}
+
+MENISCUS_ON_EACH_DEVICE(AllocationTest);
+
+}  // namespace
+}  // namespace meniscus::tests

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The CPU and the GPU solve the same problem. They sum in another order, so that bits differ, and what is
+// chaotic drifts apart: one substep agrees closely, a settled tank in its means.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/worlds.h"
+
+namespace meniscus::tests {
+namespace {
+
+class CrossDeviceTest : public OnDevice {
+ protected:
+  static World one_substep(pbd::DeviceKind kind, DensitySolver solver) {
+    WorldDef def = world_def(kind, 0.05f);
+    def.substeps = 1;
+    def.iterations = 4;
+    def.density.solver = solver;
+    def.density.artificial_pressure.strength = 0.05f;
+    World world(def);
+    FluidDef first, second;
+    first.vorticity_confinement = 0.2f;
+    second.rest_density = 500;
+    const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
+    ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.5f});
+    walls.friction = 0.2f;
+    world.create_shape(walls);
+    world.create_shape(shape(SphereGeometry{0.2f}, {0.3f, 0.1f, 0.25f}));
+    std::mt19937 random(17);
+    for (FluidId id : {a, b}) {
+      std::vector<Vec3> positions, velocities;
+      for (Vec3 p : lattice(8, 8, 10, 0.049f, {0.001f, id == a ? 0.003f : 0.4f, 0.002f})) {
+        positions.push_back(p + random_vector(random, 0.005f));
+        velocities.push_back(random_vector(random, 0.5f));
+      }
+      world.add_particles(id, positions, velocities);
+    }
+    world.step(0.004f);
+    return world;
+  }
+};
+
+TEST_P(CrossDeviceTest, OneSubstepIsTheSameToRounding) {
+  for (DensitySolver solver : {DensitySolver::jacobi, DensitySolver::chebyshev}) {
+    const World cpu = one_substep(pbd::DeviceKind::cpu, solver), other = one_substep(GetParam(), solver);
+    const float h = cpu.support_radius();
+    for (size_t i = 0; i < cpu.particle_count(); ++i) {
+      EXPECT_LT(length(cpu.positions()[i] - other.positions()[i]), 1e-4f * h) << "particle " << i;
+      EXPECT_LT(length(cpu.velocities()[i] - other.velocities()[i]), 1e-4f * h / 0.004f) << "particle " << i;
+      EXPECT_NEAR(cpu.density_errors()[i], other.density_errors()[i], 1e-3) << "particle " << i;
+    }
+    EXPECT_EQ(cpu.diagnostics().contacts, other.diagnostics().contacts);
+  }
+}
+
+TEST_P(CrossDeviceTest, AfterTwoSecondsTheMeansAgree) {
+  World cpu = dam_break(pbd::DeviceKind::cpu), other = dam_break(GetParam());
+  for (World* world : {&cpu, &other}) run(*world, 125, 0.016f);
+  EXPECT_NEAR(mean_height(other) / mean_height(cpu), 1, 0.01);
+  EXPECT_NEAR(energy(other) / energy(cpu), 1, 0.01);
+}
+
+std::vector<pbd::DeviceKind> all_but_the_cpu() {
+  std::vector<pbd::DeviceKind> kinds = usable_devices();
+  std::erase(kinds, pbd::DeviceKind::cpu);
+  return kinds;
+}
+
+// With the CPU alone there is nothing to compare, and no test.
+INSTANTIATE_TEST_SUITE_P(On, CrossDeviceTest, testing::ValuesIn(all_but_the_cpu()), device_test_name);
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CrossDeviceTest);
+
+}  // namespace
+}  // namespace meniscus::tests

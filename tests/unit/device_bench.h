@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The parallel algorithms of a device with the device's type hidden, so that one test body serves all of
+// them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pbd/device/device.h"
+
+namespace meniscus::tests {
+
+struct SortedPairs {
+  std::vector<uint32_t> keys, places;  ///< places: where each key stood before
+};
+
+class DeviceBench {
+ public:
+  virtual ~DeviceBench() = default;
+
+  virtual pbd::Device& device() = 0;
+  virtual SortedPairs sort(std::span<const uint32_t> keys, uint32_t bits) = 0;
+  virtual std::vector<uint32_t> scan(std::span<const uint32_t> values) = 0;
+  virtual float sum(std::span<const float> values) = 0;
+  /// How often parallel_for ran each index below count, and one element more.
+  virtual std::vector<uint32_t> visits(uint32_t count) = 0;
+  /// A buffer that held 0, 1, 2, … after resize_keep(size, kept); the first `kept` elements.
+  virtual std::vector<uint32_t> resized(uint32_t from, uint32_t size, uint32_t kept) = 0;
+};
+
+std::unique_ptr<DeviceBench> make_cpu_bench(int threads);
+std::unique_ptr<DeviceBench> make_cuda_bench();
+
+inline std::unique_ptr<DeviceBench> make_device_bench(pbd::DeviceKind kind) {
+#if MENISCUS_HAS_CUDA
+  if (kind == pbd::DeviceKind::cuda) return make_cuda_bench();
+#endif
+  return kind == pbd::DeviceKind::cpu ? make_cpu_bench(0) : nullptr;
+}
+
+}  // namespace meniscus::tests

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cpu/cpu_device.h"
+#include "tests/unit/solver_bench.inl"
+
+namespace meniscus::tests {
+
+std::unique_ptr<SolverBench> make_cpu_solver_bench() {
+  return std::make_unique<SolverBenchOn<pbd::CpuDevice>>();
+}
+
+}  // namespace meniscus::tests

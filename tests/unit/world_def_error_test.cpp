@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the definition structs refuse, and that the message names the field.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "tests/expect_error.h"
+#include "tests/worlds.h"
+
+namespace meniscus::tests {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr ErrorCode invalid = ErrorCode::invalid_argument;
+
+struct BadWorld {
+  const char* name;
+  std::function<void(WorldDef&)> spoil;
+};
+
+TEST(WorldDefError, EachFieldIsChecked) {
+  const BadWorld bad[] = {
+      {"threads", [](WorldDef& d) { d.threads = -1; }},
+      {"gravity", [](WorldDef& d) { d.gravity.y = nan; }},
+      {"gravity", [](WorldDef& d) { d.gravity.x = inf; }},
+      {"particle_spacing", [](WorldDef& d) { d.particle_spacing = 0; }},
+      {"particle_spacing", [](WorldDef& d) { d.particle_spacing = -0.05f; }},
+      {"particle_spacing", [](WorldDef& d) { d.particle_spacing = nan; }},
+      {"support_ratio", [](WorldDef& d) { d.support_ratio = 1.4f; }},
+      {"support_ratio", [](WorldDef& d) { d.support_ratio = 3.1f; }},
+      {"substeps", [](WorldDef& d) { d.substeps = 0; }},
+      {"iterations", [](WorldDef& d) { d.iterations = 0; }},
+      {"cfl_number", [](WorldDef& d) { d.cfl_number = -1; }},
+      {"min_substeps", [](WorldDef& d) { d.min_substeps = 0; }},
+      {"max_substeps", [](WorldDef& d) { d.min_substeps = 9, d.max_substeps = 8; }},
+      {"contact_radius", [](WorldDef& d) { d.contact_radius = 0; }},
+      {"relaxation", [](WorldDef& d) { d.density.relaxation = 0.5f; }},
+      {"warm_start", [](WorldDef& d) { d.density.warm_start = 0.6f; }},
+      {"spectral_bound", [](WorldDef& d) { d.density.spectral_bound = 1; }},
+      {"compressibility", [](WorldDef& d) { d.density.compressibility = -1e-9f; }},
+      {"correction_limit", [](WorldDef& d) { d.density.correction_limit = 0; }},
+      {"strength", [](WorldDef& d) { d.density.artificial_pressure.strength = nan; }},
+      {"exponent", [](WorldDef& d) { d.density.artificial_pressure.exponent = 0; }},
+      {"distance", [](WorldDef& d) { d.density.artificial_pressure.distance = 1; }},
+  };
+  for (const BadWorld& b : bad) {
+    WorldDef def;
+    def.device = DeviceChoice::cpu;
+    b.spoil(def);
+    expect_error(invalid, b.name, [&] { World world(def); });
+  }
+}
+
+TEST(WorldDefError, ASpacingWithoutAFiniteKernelIsRefused) {
+  for (float spacing : {1e-12f, 1e12f}) {
+    WorldDef def;
+    def.device = DeviceChoice::cpu;
+    def.particle_spacing = spacing;
+    expect_error(invalid, "particle_spacing", [&] { World world(def); });
+  }
+}
+
+class DefErrorTest : public OnDevice {
+ protected:
+  World world_{world_def(GetParam(), 0.05f)};
+
+  template <class Geometry>
+  void expect_bad_shape(const char* name, const Geometry& geometry) {
+    expect_error(invalid, name, [&] { world_.create_shape(shape(geometry)); });
+  }
+};
+
+TEST_P(DefErrorTest, Fluids) {
+  const std::pair<const char*, std::function<void(FluidDef&)>> bad[] = {
+      {"rest_density", [](FluidDef& d) { d.rest_density = 0; }},
+      {"viscosity", [](FluidDef& d) { d.viscosity = -1; }},
+      {"xsph", [](FluidDef& d) { d.xsph = nan; }},
+      {"vorticity_confinement", [](FluidDef& d) { d.vorticity_confinement = -1; }},
+      {"cohesion", [](FluidDef& d) { d.cohesion = inf; }},
+      {"surface_tension", [](FluidDef& d) { d.surface_tension = -1; }},
+      {"color", [](FluidDef& d) { d.color.y = nan; }},
+  };
+  for (const auto& [name, spoil] : bad) {
+    FluidDef def;
+    spoil(def);
+    expect_error(invalid, name, [&] { world_.create_fluid(def); });
+  }
+  EXPECT_EQ(world_.create_fluid({}).index, 0u);  // the refused ones left nothing behind
+}
+
+TEST_P(DefErrorTest, Shapes) {
+  expect_bad_shape("normal", PlaneGeometry{{0, 0, 0}, 0});
+  expect_bad_shape("normal", PlaneGeometry{{0, nan, 0}, 0});
+  expect_bad_shape("offset", PlaneGeometry{{0, 1, 0}, inf});
+  expect_bad_shape("half_extents", BoxGeometry{{1, 0, 1}});
+  expect_bad_shape("half_extents", ContainerGeometry{{1, -1, 1}, {}});
+  expect_bad_shape("region", ContainerGeometry{{1, 1, 1}, {{Face::x_low, Aabb{{0, 1, 0}, {0, 0, 0}}}}});
+  expect_bad_shape("radius", SphereGeometry{0});
+  expect_bad_shape("radius", CapsuleGeometry{-1, 1});
+  expect_bad_shape("half_height", CapsuleGeometry{1, -1});
+  expect_bad_shape("radius", CylinderGeometry{nan, 1});
+  expect_bad_shape("half_height", CylinderGeometry{1, 0});
+  expect_bad_shape("scale", MeshGeometry{"x.obj", 0, 0});
+  expect_bad_shape("cell_size", MeshGeometry{"x.obj", 1, -1});
+  expect_bad_shape("columns", HeightFieldGeometry{1, 2, 1, {0, 0}});
+  expect_bad_shape("rows", HeightFieldGeometry{2, 0, 1, {0, 0}});
+  expect_bad_shape("cell_size", HeightFieldGeometry{2, 2, 0, {0, 0, 0, 0}});
+  expect_bad_shape("heights", HeightFieldGeometry{2, 2, 1, {0, 0, 0}});
+  expect_bad_shape("heights", HeightFieldGeometry{2, 2, 1, {0, 0, 0, nan}});
+}
+
+TEST_P(DefErrorTest, WhatAllShapesShare) {
+  ShapeDef def = shape(SphereGeometry{1});
+  def.friction = -0.1f;
+  expect_error(invalid, "friction", [&] { world_.create_shape(def); });
+  def.friction = 0;
+  def.restitution = 1.1f;
+  expect_error(invalid, "restitution", [&] { world_.create_shape(def); });
+  def.restitution = 0;
+  def.pose.rotation = {0, 0, 0, 2};
+  expect_error(invalid, "pose", [&] { world_.create_shape(def); });
+  def.pose = {};
+  def.pose.position.z = inf;
+  expect_error(invalid, "pose", [&] { world_.create_shape(def); });
+}
+
+TEST_P(DefErrorTest, AMeshFileThatIsNotThere) {
+  expect_error(ErrorCode::io, "/no/such/file.obj", [&] {
+    world_.create_shape(shape(MeshGeometry{"/no/such/file.obj", 1, 0}));
+  });
+  FluidVolumeDef fill;
+  fill.fluid = world_.create_fluid({});
+  fill.region = MeshRegion{"/no/such/file.obj", 1};
+  expect_error(ErrorCode::io, "/no/such/file.obj", [&] { world_.add_fluid(fill); });
+}
+
+TEST_P(DefErrorTest, SinksAndProbes) {
+  SinkDef sink;
+  sink.box = {{0, 0, 1}, {1, 1, 0}};
+  expect_error(invalid, "SinkDef::box", [&] { world_.create_sink(sink); });
+  ProbeDef probe;
+  probe.point.x = nan;
+  expect_error(invalid, "point", [&] { world_.create_probe(probe); });
+  probe = {};
+  probe.kind = ProbeKind::wall_force;
+  expect_error(ErrorCode::not_found, "shape", [&] { world_.create_probe(probe); });
+  probe.kind = ProbeKind::wall_pressure;
+  probe.shape = world_.create_shape(shape(PlaneGeometry{}));
+  probe.patch = Aabb{{0, 0, 0}, {1, 1, 1}};
+  expect_error(invalid, "area", [&] { world_.create_probe(probe); });
+  probe.area = 1;
+  probe.patch.reset();
+  expect_error(invalid, "patch", [&] { world_.create_probe(probe); });
+}
+
+MENISCUS_ON_EACH_DEVICE(DefErrorTest);
+
+}  // namespace
+}  // namespace meniscus::tests

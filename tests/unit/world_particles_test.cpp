@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Making and removing particles while the world runs: who is who stays known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "tests/worlds.h"
+
+namespace meniscus::tests {
+namespace {
+
+constexpr float s = 0.05f;
+
+class ParticlesTest : public OnDevice {
+ protected:
+  WorldDef def_ = world_def(GetParam(), s);
+
+  static std::vector<ParticleId> ids(const World& world) { return {world.ids().begin(), world.ids().end()}; }
+
+  /// Far enough apart that nothing acts on them but gravity, which here is none.
+  static std::vector<Vec3> apart(int count, float x = 0) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i) points.push_back({x, float(i), 0});
+    return points;
+  }
+};
+
+TEST_P(ParticlesTest, IdsCountFromZeroAndFollowTheOrderOfMaking) {
+  World world(def_);
+  const FluidId water = world.create_fluid({});
+  EXPECT_EQ(world.add_particles(water, apart(3)), 0u);
+  EXPECT_EQ(world.add_fluid(block(water, {5, 5, 5}, {5.1f, 5.1f, 5.1f})), 8u);
+  EXPECT_EQ(world.add_particles(water, apart(2, 9)), 11u);
+  std::vector<ParticleId> expected(13);
+  std::iota(expected.begin(), expected.end(), 0);
+  EXPECT_EQ(ids(world), expected);
+  EXPECT_EQ(world.particle_count(), 13u);
+}
+
+TEST_P(ParticlesTest, ReadOutsKeepTheOrderOfIdsThroughSteps) {
+  def_.gravity = {0, 0, 0};
+  World world(def_);
+  const FluidId water = world.create_fluid({}), oil = world.create_fluid({});
+  std::mt19937 random(2);
+  std::vector<Vec3> start, velocity;
+  for (int i = 0; i < 500; ++i) {
+    start.push_back({float(i % 10), float(i / 10 % 10), float(i / 100)});
+    velocity.push_back(random_vector(random, 0.2f));
+  }
+  std::shuffle(start.begin(), start.end(), random);
+  world.add_particles(water, std::span(start).first(250), std::span(velocity).first(250));
+  world.add_particles(oil, std::span(start).last(250), std::span(velocity).last(250));
+  run(world, 20, 0.01f);
+  for (size_t i = 0; i < 500; ++i) {
+    EXPECT_LT(length(world.positions()[i] - (start[i] + 0.2f * velocity[i])), 1e-4f);
+    EXPECT_LT(length(world.velocities()[i] - velocity[i]), 1e-3f);
+    EXPECT_EQ(world.fluids()[i], i < 250 ? water.index : oil.index);
+  }
+}
+
+TEST_P(ParticlesTest, RemovalClosesUpAndKeepsTheRest) {
+  World world = dam_break(GetParam());
+  run(world, 5, 0.016f);
+  std::map<ParticleId, Vec3> before;
+  for (size_t i = 0; i < world.particle_count(); ++i) before[world.ids()[i]] = world.positions()[i];
+  std::vector<ParticleId> gone;
+  for (ParticleId id = 0; id < before.size(); id += 3) gone.push_back(id);
+  std::reverse(gone.begin(), gone.end());
+  gone.push_back(gone.front());  // twice is once
+  world.remove_particles(gone);
+  for (ParticleId id : gone) before.erase(id);
+  ASSERT_EQ(world.particle_count(), before.size());
+  size_t i = 0;
+  for (const auto& [id, position] : before) {
+    EXPECT_EQ(world.ids()[i], id);
+    EXPECT_EQ(world.positions()[i], position);
+    ++i;
+  }
+  run(world, 5, 0.016f);
+  EXPECT_TRUE(std::is_sorted(world.ids().begin(), world.ids().end()));
+  EXPECT_EQ(world.diagnostics().outside, 0u);
+}
+
+TEST_P(ParticlesTest, AnIdIsNeverUsedAgain) {
+  World world(def_);
+  const FluidId water = world.create_fluid({});
+  world.add_particles(water, apart(4));
+  world.remove_particles(ids(world));
+  EXPECT_EQ(world.particle_count(), 0u);
+  EXPECT_EQ(world.add_particles(water, apart(2)), 4u);
+  EXPECT_EQ(ids(world), (std::vector<ParticleId>{4, 5}));
+}
+
+TEST_P(ParticlesTest, TheWorldGrowsWhileItRuns) {
+  World world(world_def(GetParam(), 0.1f));
+  const FluidId water = world.create_fluid({});
+  world.create_shape(tank({0, 0, 0}, {1, 2, 1}));
+  for (int k = 0; k < 25; ++k) {
+    world.add_particles(water, lattice(6, 1, 6, 0.1f, {0.2f, 1.8f, 0.2f}));
+    run(world, 6, 0.016f);
+  }
+  EXPECT_EQ(world.particle_count(), 900u);
+  EXPECT_EQ(world.diagnostics().non_finite, 0u);
+  EXPECT_EQ(world.diagnostics().outside, 0u);
+}
+
+TEST_P(ParticlesTest, AddFluidLeavesOutWhatIsTakenAndWhatIsSolid) {
+  World world(def_);
+  const FluidId water = world.create_fluid({});
+  world.create_shape(shape(SphereGeometry{0.25f}));
+  const size_t made = world.add_fluid(block(water, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}));
+  EXPECT_LT(made, 8000u - 500);
+  for (Vec3 p : world.positions()) EXPECT_GT(length(p), 0.25f + 0.48f * s);
+  EXPECT_EQ(world.add_fluid(block(water, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f})), 0u);
+  EXPECT_EQ(world.particle_count(), made);
+}
+
+TEST_P(ParticlesTest, AFilledBallHasTheVolumeOfTheBall) {
+  World world(def_);
+  FluidVolumeDef ball;
+  ball.fluid = world.create_fluid({});
+  ball.region = BallRegion{0.5f};
+  ball.pose.position = {3, 2, 1};
+  ball.velocity = {1, 2, 3};
+  const double expected = 4.0 / 3 * 3.14159265 * 0.125 / (double{s} * s * s);
+  EXPECT_NEAR(static_cast<double>(world.add_fluid(ball)) / expected, 1, 0.02);
+  for (Vec3 v : world.velocities()) EXPECT_EQ(v, (Vec3{1, 2, 3}));
+  for (Vec3 p : world.positions()) EXPECT_LT(length(p - Vec3{3, 2, 1}), 0.5f);
+}
+
+TEST_P(ParticlesTest, AParticleWeighsItsShareOfTheFluid) {
+  World world(def_);
+  FluidDef oil;
+  oil.rest_density = 800;
+  EXPECT_NEAR(world.particle_mass(world.create_fluid(oil)), 800 * s * s * s, 1e-6);
+}
+
+MENISCUS_ON_EACH_DEVICE(ParticlesTest);
+
+}  // namespace
+}  // namespace meniscus::tests
