@@ -34,7 +34,14 @@ struct Kernel {
     return R(poly6) * (u * u * u);
   }
 
-  /// V·|∇W| at distance r.
+  /// V·∇W over x_i − x_j, of poly6 as well, 1/m².
+  template <class R>
+  MENISCUS_HD R weight_slope(const R& r2) const {
+    const R u = max(R(h2) - r2, R(0.0f));
+    return R(-6.0f * poly6) * (u * u);
+  }
+
+  /// V·|∇W| of spiky at distance r.
   template <class R>
   MENISCUS_HD R slope(const R& r) const {
     const R q = max(R(h) - r, R(0.0f));

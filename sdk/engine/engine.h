@@ -22,6 +22,7 @@ namespace meniscus {
 struct EngineDef {
   pbd::SolverParameters solver;
   fluid::Kernel kernel{};
+  float particle_spacing = 0;  ///< m
   fluid::DensityParameters density;
 };
 

@@ -10,6 +10,7 @@
 #include "collision/mesh_sampling.h"
 #include "collision/sdf_build.h"
 #include "collision/shape_contacts.h"
+#include "fluid/surface_tension_pass.h"
 #include "fluid/viscosity_pass.h"
 #include "pbd/removal.h"
 #include "sdk/engine/engine.h"
@@ -29,12 +30,14 @@ class DeviceEngine final : public Engine {
         contacts_(device_, def.solver.support_radius, def.solver.contact_radius),
         density_(device_, def.kernel, def.density),
         contact_set_(device_),
+        tension_(device_, def.kernel, def.particle_spacing),
         viscosity_(device_, def.kernel),
         probes_(device_, density_),
         removal_(device_) {
     solver_.add(contacts_);
     solver_.add(density_);
     solver_.add(contact_set_);
+    solver_.add(tension_);
     solver_.add(viscosity_);
     solver_.add(probes_);
     reserve(1024);
@@ -44,6 +47,7 @@ class DeviceEngine final : public Engine {
   uint32_t particle_count() const override { return particles_.count(); }
 
   void set_materials(std::span<const fluid::Material> materials) override {
+    tension_.set_materials(materials);
     viscosity_.set_materials(materials);
   }
   uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) override;
@@ -91,6 +95,7 @@ class DeviceEngine final : public Engine {
   collision::ShapeContacts<D> contacts_;
   fluid::DensitySet<D> density_;
   collision::ContactSet<D> contact_set_;
+  fluid::SurfaceTensionPass<D> tension_;
   fluid::ViscosityPass<D> viscosity_;
   fluid::Probes<D> probes_;
   pbd::Removal<D> removal_;

@@ -68,8 +68,8 @@ void fields(V& v, FluidDef& d) {
   v("xsph", d.xsph, not_negative, "1/s", "rate at which a particle takes its neighbours' mean velocity");
   v("vorticity_confinement", d.vorticity_confinement, not_negative, "",
     "strength ε of the force that keeps swirls");
-  v("cohesion", d.cohesion, not_negative, "N/m", "surface tension from pairwise attraction");
-  v("surface_tension", d.surface_tension, not_negative, "N/m", "surface tension from surface normals");
+  v("cohesion", d.cohesion, not_negative, "N/m", "attraction on top of the surface tension");
+  v("surface_tension", d.surface_tension, not_negative, "N/m", "by attraction and curvature");
   v("color", d.color, between(0, 1), "", "linear red, green and blue");
 }
 

@@ -15,6 +15,7 @@ namespace {
 EngineDef engine_def(const WorldDef& def, const fluid::Kernel& kernel) {
   EngineDef e;
   e.kernel = kernel;
+  e.particle_spacing = def.particle_spacing;
   e.solver.gravity = def.gravity;
   e.solver.support_radius = kernel.h;
   e.solver.contact_radius = def.contact_radius * def.particle_spacing;

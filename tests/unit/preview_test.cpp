@@ -103,6 +103,19 @@ TEST(Preview, FastFluidIsWhiter) {
   EXPECT_GT(fast.r, still.r + 60);
 }
 
+TEST(Preview, SprayIsWhiterThanDeepWater) {
+  const Particles particles = ball(0.05f, {0, 0, 3});
+  const auto middle = [&](float density_error) {
+    const std::vector<float> errors(particles.positions.size(), density_error);
+    ParticleFrame frame = particles.frame();
+    frame.density_errors = errors;
+    return at(render_preview(frame, small_scene()), 160, 90);
+  };
+  const Pixel deep = middle(0), spray = middle(-0.8f);
+  EXPECT_GT(spray.r, deep.r + 25);
+  EXPECT_EQ(middle(std::numeric_limits<float>::quiet_NaN()).r, deep.r);
+}
+
 TEST(Preview, ParticlesTakeTheirFluidsColour) {
   Particles particles = ball(0.05f);
   for (std::size_t i = 0; i < particles.fluids.size(); ++i)

@@ -67,9 +67,10 @@ struct FluidDef {
   float viscosity = 0.0f;        ///< kinematic, m²/s
   float xsph = 5.0f;  ///< 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h²
   float vorticity_confinement = 0.0f;  ///< ε, no unit; the force is ε · h · (N × ω)
-  float cohesion = 0.0f;               ///< N/m: surface tension from pairwise attraction
-  float surface_tension = 0.0f;        ///< N/m: surface tension from the difference of surface normals
-  Vec3 color{0.10f, 0.35f, 0.75f};     ///< linear RGB, 0 to 1
+  /// σ, N/m: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀ s³/(2πσ)).
+  float surface_tension = 0.0f;
+  float cohesion = 0.0f;  ///< N/m, on top: attraction alone, which holds threads and sheets together
+  Vec3 color{0.10f, 0.35f, 0.75f};  ///< linear RGB, 0 to 1
 };
 
 // ---- solids that do not move

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "fluid/surface_tension.h"
+#include "pbd/substep.h"
+
+namespace meniscus::fluid {
+
+/// The forces of fluid/surface_tension.h. They are opposite and equal, and explicit: a substep must be
+/// shorter than about √(ρ₀ s³/(2πσ)), for the shortest capillary wave (Brackbill, Kothe & Zemach 1992). A
+/// wall completes a surface like a mirror: what would pull away from it is left out, so that fluid meets it
+/// at a right angle.
+template <class D>
+class SurfaceTensionPass final : public pbd::VelocityPass<D> {
+ public:
+  SurfaceTensionPass(D& device, const Kernel& kernel, double spacing)
+      : device_(device), kernel_(kernel), tension_(calibrate_tension(kernel, spacing)) {}
+
+  void set_materials(std::span<const Material> materials);
+  void apply(pbd::Substep<D>& substep, pbd::Particles& particles) override;
+  void reserve(uint32_t capacity) override;
+
+ private:
+  D& device_;
+  Kernel kernel_;
+  TensionKernel tension_;
+  bool pulls_ = false, bends_ = false;
+  uint32_t capacity_ = 0;
+  pbd::Buffer<Affinity> table_{device_, "fluid affinities"};
+  pbd::Buffer<float> cohesion_{device_, "cohesion"};
+  pbd::Buffer<float> curvature_{device_, "curvature"};
+  pbd::Buffer<pbd::Vec4> normal_{device_, "surface normals"};
+};
+
+}  // namespace meniscus::fluid
