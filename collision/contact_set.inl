@@ -29,8 +29,8 @@ struct Project {
   ContactView contacts;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t i = contacts.particle[n];
-    if (contacts.start[i] != n) return;
+    const uint32_t i = contacts.particle_starting_at(n);
+    if (i == pbd::no_index) return;
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     Vec4 p = position[i];
     if (p.w == 0) return;
@@ -68,8 +68,8 @@ struct Bounce {
   float resting_speed;  ///< m/s: slower impacts do not bounce, or nothing would come to rest
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t i = contacts.particle[n];
-    if (contacts.start[i] != n) return;
+    const uint32_t i = contacts.particle_starting_at(n);
+    if (i == pbd::no_index) return;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const Contact& c = contacts.contacts[k];
       if (c.normal_multiplier == 0) continue;
@@ -86,7 +86,7 @@ struct Bounce {
 template <class D>
 void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("contacts/project", substep.contacts.particle.count,
+  device_.parallel_for("contacts/project", substep.contacts.contacts.count,
                        contact_kernels::Project{p.position, p.previous, p.slot, substep.contacts});
 }
 
@@ -94,7 +94,7 @@ template <class D>
 void ContactSet<D>::end(pbd::Substep<D>& substep) {
   constexpr float gravity_scale = 9.81f;  // a contact at rest gathers about g·h_t within a substep
   device_.parallel_for(
-      "contacts/bounce", substep.contacts.particle.count,
+      "contacts/bounce", substep.contacts.contacts.count,
       contact_kernels::Bounce{substep.particles.velocity, substep.contacts, 4 * gravity_scale * substep.dt});
 }
 

@@ -65,28 +65,42 @@ MENISCUS_HD Constraint density_constraint(const Kernel& kernel, View<const Vec4>
   return sums.constraint(kernel, self.w);
 }
 
-/// How the multipliers move on: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0.
+/// λ of a particle in the present or last substep.
+struct alignas(8) Multiplier {
+  float value;     ///< kg·m²
+  float relieved;  ///< how much C fell in the substep; while it runs, C at its start
+};
+
+/// How the multipliers move on: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0. The first iteration
+/// starts from a share of the last substep's λ, and takes it that this share will relieve the same share of
+/// what it relieved then: so the start needs no pass of its own.
 struct Advancing {
   View<const Vec4> position;
-  View<float> multiplier, increment;
-  View<Vec4> staged;  ///< position and Δλ side by side, for Correct
+  View<Multiplier> multiplier;
+  View<float> increment;
+  View<Vec4> staged;  ///< position and, beside it, what Correct is to apply of λ
   float momentum, step;
   float compliance;  ///< α̃
   float limit;       ///< m
+  bool first, last;  ///< iteration of the substep
+  float share;       ///< of the last substep's multiplier
 
   MENISCUS_HD void advance(uint32_t i, const Constraint& c) const {
     const Vec4 p = position[i];
+    const Multiplier before = multiplier[i];
+    const float old = first ? share * before.value : before.value;
+    const float expected = first ? c.value - share * before.relieved : c.value;
     const float denominator = c.denominator + compliance;
-    const float old = multiplier[i];
-    float change = momentum * increment[i];
-    if (denominator > 0) change += step * (c.value - compliance * old) / denominator;
+    float change = first ? 0.0f : momentum * increment[i];
+    if (denominator > 0) change += step * (expected - compliance * old) / denominator;
     // The bound holds for the pair: the same Δλ moves both sides, so momentum is kept.
     const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
     change = pbd::clamp(change, -bound, bound);
     const float next = pbd::max(0.0f, old + change);
-    multiplier[i] = next;
+    const float start = first ? c.value : before.relieved;
+    multiplier[i] = {next, last && !first ? start - c.value : start};
     increment[i] = next - old;
-    staged[i] = pbd::with_w(p.xyz(), next - old);
+    staged[i] = pbd::with_w(p.xyz(), first ? next : next - old);
   }
 };
 
@@ -100,20 +114,6 @@ struct Advance {
   MENISCUS_HD void operator()(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
     advancing.advance(i, density_constraint<D>(kernel, advancing.position, neighbours, i));
-  }
-};
-
-/// The multipliers that a substep starts from: a share of the last one's.
-struct Start {
-  View<const Vec4> position;
-  View<float> multiplier, increment;
-  View<Vec4> staged;
-  float share;
-
-  MENISCUS_HD void operator()(uint32_t i) const {
-    multiplier[i] *= share;
-    increment[i] = 0;
-    staged[i] = pbd::with_w(position[i].xyz(), multiplier[i]);
   }
 };
 

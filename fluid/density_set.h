@@ -35,6 +35,10 @@ struct DensityParameters {
 /// iteration can take back what an earlier one overdid.
 ///
 /// `step` is ω for Jacobi, or the weights of the Chebyshev semi-iteration, which reuse the last increment.
+///
+/// The paper adds its repulsion (eq. 13) in every iteration, so that it grows with their number. Here it acts
+/// in the first alone, as a pressure: halving the step or doubling the iterations leaves the motion as it
+/// was.
 template <class D>
 class DensitySet final : public pbd::ConstraintSet<D> {
  public:
@@ -51,7 +55,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& substep, int iteration) override;
 
   /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
-  pbd::View<const float> multipliers() const { return multiplier_.current.view(); }
+  pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
   /// C of each particle at the substep's present positions.
   void measure(const pbd::Substep<D>& substep, pbd::View<float> error, pbd::View<float> full) const;
 
@@ -69,12 +73,13 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   Kernel kernel_;
   DensityParameters parameters_;
   float last_dt_ = 0, saved_dt_ = 0;
-  float rho_ = 0;  // of the Chebyshev recurrence
+  float share_ = 0;  // of the last substep's multipliers
+  float rho_ = 0;    // of the Chebyshev recurrence
 
-  pbd::DoubleBuffer<float> multiplier_{device_, "density multipliers"};
+  pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};
   pbd::Buffer<pbd::Vec4> staged_{device_, "staged corrections"};
-  pbd::Buffer<float> saved_multiplier_{device_, "saved multipliers"};
+  pbd::Buffer<density_kernels::Multiplier> saved_multiplier_{device_, "saved multipliers"};
 };
 
 }  // namespace meniscus::fluid

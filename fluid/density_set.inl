@@ -10,47 +10,42 @@
 
 namespace meniscus::fluid {
 
-// The paper adds its repulsion in every iteration, so that it grows with their number. Here it acts once a
-// substep, as a pressure: halving the step or doubling the iterations leaves the motion as it was.
 template <class D>
 void DensitySet<D>::begin(pbd::Substep<D>& substep) {
-  using namespace density_kernels;
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   last_dt_ = substep.dt;
-  const float share =
-      parameters_.warm_start * ratio * ratio;  // a multiplier grows with the square of the step
-  device_.parallel_for("density/start", substep.particles.owned,
-                       Start{substep.particles.position, multiplier_.current.view(), increment_.view(),
-                             staged_.view(), share});
-  const ArtificialPressure& artificial = parameters_.artificial_pressure;
-  if (artificial.pressure > 0) {
-    const float r2 = artificial.distance * artificial.distance * kernel_.h2;
-    correct<true>(substep, {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
-                            1 / kernel_.weight(r2), artificial.exponent});
-  } else if (share > 0) {
-    correct<false>(substep, {});
-  }
+  share_ = parameters_.warm_start * ratio * ratio;  // a multiplier grows with the square of the step
 }
 
 template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   const Weights weights = next_weights(iteration, substep.iterations);
-  const float compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt);
-  const Advancing advancing{substep.particles.position,
-                            multiplier_.current.view(),
-                            increment_.view(),
-                            staged_.view(),
-                            weights.momentum,
-                            weights.step,
-                            compliance,
-                            parameters_.correction_limit};
+  const Advancing advancing{
+      .position = substep.particles.position,
+      .multiplier = multiplier_.current.view(),
+      .increment = increment_.view(),
+      .staged = staged_.view(),
+      .momentum = weights.momentum,
+      .step = weights.step,
+      .compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt),
+      .limit = parameters_.correction_limit,
+      .first = iteration == 0,
+      .last = iteration + 1 == substep.iterations,
+      .share = share_};
   const pbd::ContactView& contacts = substep.contacts;
   device_.parallel_for_both("density/multipliers", substep.particles.owned,
                             Advance<D>{kernel_, substep.neighbours, contacts.start, advancing},
-                            contacts.particle.count,
+                            contacts.contacts.count,
                             AdvanceAtWalls{kernel_, substep.neighbours, contacts, advancing});
-  correct<false>(substep, {});
+  const ArtificialPressure& artificial = parameters_.artificial_pressure;
+  if (iteration == 0 && artificial.pressure > 0) {
+    const float r2 = artificial.distance * artificial.distance * kernel_.h2;
+    correct<true>(substep, {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
+                            1 / kernel_.weight(r2), artificial.exponent});
+  } else {
+    correct<false>(substep, {});
+  }
 }
 
 template <class D>
@@ -62,7 +57,7 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
       "density/correct", substep.particles.owned,
       Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
                                      substep.particles.position},
-      contacts.particle.count,
+      contacts.contacts.count,
       CorrectAtWalls<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts,
                                          substep.particles.position});
 }
@@ -112,7 +107,8 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
 
 template <class D>
 void DensitySet<D>::clear(uint32_t first, uint32_t count) {
-  if (count) device_.fill(multiplier_.current.view().data + first, 0, count * sizeof(float));
+  if (count)
+    device_.fill(multiplier_.current.view().data + first, 0, count * sizeof(density_kernels::Multiplier));
 }
 
 template <class D>
@@ -123,13 +119,15 @@ void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
 template <class D>
 void DensitySet<D>::save(uint32_t count) {
   saved_dt_ = last_dt_;
-  device_.copy(saved_multiplier_.view().data, multiplier_.current.view().data, count * sizeof(float));
+  device_.copy(saved_multiplier_.view().data, multiplier_.current.view().data,
+               count * sizeof(density_kernels::Multiplier));
 }
 
 template <class D>
 void DensitySet<D>::restore(uint32_t count) {
   last_dt_ = saved_dt_;
-  device_.copy(multiplier_.current.view().data, saved_multiplier_.view().data, count * sizeof(float));
+  device_.copy(multiplier_.current.view().data, saved_multiplier_.view().data,
+               count * sizeof(density_kernels::Multiplier));
 }
 
 }  // namespace meniscus::fluid

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The kernels of the density constraint, for particles that touch a wall: as in density_kernels.h, with
-// images. They run over the contacts, and work at the first one of each particle.
+// images. They run over the contacts, and work at each particle's first one.
 #pragma once
 
 #include "fluid/density_kernels.h"
@@ -48,8 +48,8 @@ struct AdvanceAtWalls {
 
   template <class D>
   MENISCUS_HD void run(uint32_t n) const {
-    const uint32_t i = contacts.particle[n];
-    if (contacts.start[i] != n) return;
+    const uint32_t i = contacts.particle_starting_at(n);
+    if (i == pbd::no_index) return;
     const Constraint c = density_constraint_at_walls<D>(kernel, advancing.position, neighbours, contacts, i);
     if (D::leads()) advancing.advance(i, c);
   }
@@ -67,8 +67,8 @@ struct CorrectAtWalls {
   template <class D>
   MENISCUS_HD void run(uint32_t n) const {
     using Real = typename D::Real;
-    const uint32_t i = contacts.particle[n];
-    if (contacts.start[i] != n) return;
+    const uint32_t i = contacts.particle_starting_at(n);
+    if (i == pbd::no_index) return;
     const Vec4 self = staged[i];
     const Vec3 x = self.xyz();
     const Mirrors mirrors = mirrors_at(contacts, i, x, kernel.h);

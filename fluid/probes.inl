@@ -17,14 +17,14 @@ MENISCUS_HD inline bool inside(const Aabb& box, Vec3 p) {
 struct PointPressure {
   Kernel kernel;
   pbd::View<const pbd::Vec4> position;
-  pbd::View<const float> multiplier;
+  pbd::View<const density_kernels::Multiplier> multiplier;
   Vec3 point;
   float to_pressure;
 
   MENISCUS_HD ProbeSum operator()(uint32_t i) const {
     const Vec3 d = position[i].xyz() - point;
     const double weight = kernel.weight(dot(d, d));
-    return {weight * (to_pressure * multiplier[i]), weight, 0, 0, 0};
+    return {weight * (to_pressure * multiplier[i].value), weight, 0, 0, 0};
   }
 };
 

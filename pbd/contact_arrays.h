@@ -8,7 +8,8 @@
 
 namespace meniscus::pbd {
 
-/// The contacts of one substep, gathered from all sources and packed particle by particle.
+/// The contacts of one substep, gathered from all sources and packed particle by particle. The total stays on
+/// the device: what there is no room for is left out, and total() then says capacity().
 template <class D>
 class ContactArrays {
  public:
@@ -21,15 +22,15 @@ class ContactArrays {
   void limit_motion(View<const Vec4> from, View<Vec4> to, uint32_t count) {
     for (ContactSource<D>* source : sources_) source->limit_motion(from, to, count);
   }
-  /// Counts the contacts of each particle.
-  void count(const Substep<D>& substep);
-  /// One element, on the device: how many there are.
+  void find(const Substep<D>& substep);
+  /// One element, on the device: how many there are, up to the capacity.
   View<const uint32_t> total() const { return {start_.view().data + counted_, 1}; }
-  /// Makes room for the contacts, and writes them.
-  void fill(const Substep<D>& substep, uint32_t total);
+  uint32_t capacity() const { return static_cast<uint32_t>(contacts_.size()); }
+  void grow() { resize(capacity() + capacity() / 2); }
 
-  uint32_t contact_count() const { return total_; }
-  ContactView view() { return {start_.view(), contacts_.view(), particle_.view().first(total_), radius_}; }
+  ContactView view() {
+    return {start_.view().first(counted_ + 1), contacts_.view(), particle_.view(), radius_};
+  }
 
  private:
   void resize(uint32_t contacts);
@@ -38,7 +39,6 @@ class ContactArrays {
   float radius_;
   std::vector<ContactSource<D>*> sources_;
   uint32_t counted_ = 0;
-  uint32_t total_ = 0;
   Buffer<uint32_t> counts_{device_, "contact counts"};
   Buffer<uint32_t> start_{device_, "contact offsets"};
   Buffer<uint32_t> particle_{device_, "contact particles"};

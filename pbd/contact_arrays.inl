@@ -20,21 +20,16 @@ template <class D>
 void ContactArrays<D>::resize(uint32_t contacts) {
   contacts_.resize_discard(contacts);
   particle_.resize_discard(contacts);
+  particle_.fill(0);
 }
 
 template <class D>
-void ContactArrays<D>::count(const Substep<D>& substep) {
+void ContactArrays<D>::find(const Substep<D>& substep) {
   counted_ = substep.particles.owned;
   device_.fill(counts_.view().data, 0, counted_ * sizeof(uint32_t));
   for (ContactSource<D>* source : sources_) source->count(substep, counts_.view());
   device_.exclusive_scan("contacts/offsets", View<const uint32_t>{counts_.view().data, counted_},
-                         start_.view());
-}
-
-template <class D>
-void ContactArrays<D>::fill(const Substep<D>& substep, uint32_t total) {
-  if (total > contacts_.size()) resize(total + total / 4);
-  total_ = total;
+                         start_.view(), capacity());
   const ContactWriter writer{start_.view(), counts_.view(), contacts_.view(), particle_.view()};
   for (ContactSource<D>* source : sources_) source->fill(substep, writer);
 }

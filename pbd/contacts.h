@@ -34,11 +34,18 @@ struct alignas(16) Contact {
 
 /// Contacts of particle i: contacts[start[i]] to contacts[start[i + 1] − 1].
 struct ContactView {
-  View<const uint32_t> start;
-  View<Contact> contacts;
-  View<const uint32_t>
-      particle;      ///< whose each contact is: work on a particle is done where start[particle[n]] = n
-  float radius = 0;  ///< m: a particle's centre stops at this distance
+  View<const uint32_t> start;     ///< of each owned particle, and the total
+  View<Contact> contacts;         ///< as many as there is room for: the host does not know the total
+  View<const uint32_t> particle;  ///< whose each contact is
+  float radius = 0;               ///< m: a particle's centre stops at this distance
+
+  /// For work on particles that have contacts, which runs over the contacts: the particle whose first one n
+  /// is, or no_index.
+  MENISCUS_HD uint32_t particle_starting_at(uint32_t n) const {
+    if (n >= start[start.count - 1]) return no_index;
+    const uint32_t i = particle[n];
+    return start[i] == n ? i : no_index;
+  }
 };
 
 /// Where the sources of contacts put what they find.
@@ -51,6 +58,7 @@ struct ContactWriter {
   MENISCUS_HD bool has_any(uint32_t i) const { return start[i] != start[i + 1]; }
   MENISCUS_HD void write(uint32_t i, const Contact& contact) const {
     const uint32_t n = start[i + 1] - remaining[i]--;
+    if (n < start[i] || n >= start[i + 1]) return;  // no room for it: the step will be done again
     contacts[n] = contact;
     particle[n] = i;
   }

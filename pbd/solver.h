@@ -30,10 +30,16 @@ struct ParticleSummary {
   uint32_t first_bad_slot;  ///< no_index when there is none
 };
 
-/// What the host must know before a substep's solve.
+/// What the substeps found. The host learns of it at the end of the step.
 struct Found {
-  uint32_t contacts;
-  uint32_t longest_list;  ///< of neighbours
+  uint32_t contacts;       ///< of the last substep
+  uint32_t most_contacts;  ///< of any
+  uint32_t longest_list;   ///< of neighbours
+};
+
+struct StepReadout {
+  ParticleSummary summary;
+  Found found;
 };
 
 struct StepResult {
@@ -66,9 +72,9 @@ class Solver {
   /// Solves for positions and drops the motion: dissolves overlaps.
   void relax(float dt, int times);
 
-  /// Calls measure(substep) with neighbours and contacts found afresh at the present positions, and leaves no
-  /// trace.
-  void measure(const std::function<void(Substep<D>&)>& measure);
+  /// Calls measure(substep, found) with neighbours and contacts found afresh at the present positions, and
+  /// leaves no trace.
+  void measure(const std::function<void(Substep<D>&, const Found&)>& measure);
 
   const ParticleSummary& summary();
   StageTimer& timer() { return timer_; }
@@ -78,6 +84,8 @@ class Solver {
   void predict(float dt, Vec3 gravity);
   void sort(float dt, Vec3 gravity);
   void find(Substep<D>& s);
+  Substep<D> find_at_rest(float dt);
+  bool had_room();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
   Substep<D> make_substep(float dt);
@@ -94,11 +102,9 @@ class Solver {
   std::vector<Observer<D>*> observers_;
   StageTimer timer_;
 
-  Buffer<Found> found_{device_, "found counts"};
-  Buffer<ParticleSummary> summary_buffer_{device_, "particle summary"};
-  ParticleSummary summary_{};
+  Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
+  StepReadout readout_{};
   bool summary_known_ = false;
-  uint32_t max_neighbours_ = 0;
 };
 
 }  // namespace meniscus::pbd

@@ -6,8 +6,8 @@
 // A substep follows Position Based Fluids (Macklin & Müller 2013, algorithm 1) with the small steps of
 // Macklin et al. 2019: positions are predicted, neighbours and contacts are found once, the constraint sets
 // correct the positions in turn for a number of iterations, and the velocity is what the positions did.
-// Neighbours and contacts have the capacity that they need before the solve begins: lists that were too short
-// grow, and are built again.
+// The host waits once, at the step's end. If neighbours or contacts were then too many for the room that they
+// had, there is made more, and the step is done again from the saved state.
 #pragma once
 
 #include <algorithm>
@@ -44,28 +44,27 @@ void Solver<D>::substep(float dt) {
 
 template <class D>
 StepResult Solver<D>::step(float dt) {
-  timer_.start_step();
   const int substeps = choose_substeps(dt);
-  save_state();
-  for (Observer<D>* observer : observers_) observer->start_step();
-  for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps));
-  timer_.enter(StageId::finish);
-  summary_known_ = false;
-  const ParticleSummary after = summary();
-  timer_.stop();
-  device_.wait();
-  if (after.non_finite) restore_state();
-  return {substeps, contacts_.contact_count(), max_neighbours_, after};
+  for (;;) {
+    timer_.start_step();
+    save_state();
+    for (Observer<D>* observer : observers_) observer->start_step();
+    for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps));
+    timer_.enter(StageId::finish);
+    summary_known_ = false;
+    const ParticleSummary after = summary();
+    timer_.stop();
+    device_.wait();
+    const bool done = had_room();
+    if (!done || after.non_finite) restore_state();
+    if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
+  }
 }
 
 template <class D>
 void Solver<D>::relax(float dt, int times) {
   for (int k = 0; k < times; ++k) {
-    timer_.start_step();
-    predict(0, {});
-    sort(0, {});
-    Substep<D> s = make_substep(dt);
-    find(s);
+    Substep<D> s = find_at_rest(dt);
     for (ConstraintSet<D>* set : sets_) set->begin(s);
     for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
       for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
@@ -76,14 +75,10 @@ void Solver<D>::relax(float dt, int times) {
 }
 
 template <class D>
-void Solver<D>::measure(const std::function<void(Substep<D>&)>& measure) {
+void Solver<D>::measure(const std::function<void(Substep<D>&, const Found&)>& measure) {
   save_state();
-  timer_.start_step();
-  predict(0, {});
-  sort(0, {});
-  Substep<D> s = make_substep(0);
-  find(s);
-  measure(s);
+  Substep<D> s = find_at_rest(0);
+  measure(s, readout_.found);
   restore_state();
 }
 
@@ -118,23 +113,37 @@ template <class D>
 void Solver<D>::find(Substep<D>& s) {
   timer_.enter(StageId::neighbours);
   search_.list(s.particles, s.sentinel);
-  timer_.enter(StageId::contacts);
-  contacts_.count(s);
-
-  // The one read of the host a substep: how many contacts there are, and how long the neighbour lists had to
-  // be.
-  device_.parallel_for("found", 1,
-                       solver_kernels::Report{contacts_.total(), search_.longest(), found_.view()});
-  Found found{};
-  found_.read(std::span(&found, 1));
-  max_neighbours_ = found.longest_list;
-  if (found.longest_list > search_.row_capacity()) {
-    search_.grow_rows(found.longest_list);
-    search_.list(s.particles, s.sentinel);
-  }
-  contacts_.fill(s, found.contacts);
   s.neighbours = search_.view();
+  timer_.enter(StageId::contacts);
+  contacts_.find(s);
   s.contacts = contacts_.view();
+  device_.parallel_for(
+      "found", 1, solver_kernels::NoteFound{contacts_.total(), search_.longest(), readout_buffer_.view()});
+}
+
+/// Finds what is near at the present positions, with room for all of it.
+template <class D>
+Substep<D> Solver<D>::find_at_rest(float dt) {
+  for (;;) {
+    timer_.start_step();
+    predict(0, {});
+    sort(0, {});
+    Substep<D> s = make_substep(dt);
+    find(s);
+    readout_buffer_.read(std::span(&readout_, 1));
+    if (had_room()) return s;
+  }
+}
+
+/// Whether all that was found since the last time fitted. If not, there is room for it now.
+template <class D>
+bool Solver<D>::had_room() {
+  const Found& found = readout_.found;
+  const bool lists = found.longest_list <= search_.row_capacity(),
+             contacts = found.most_contacts < contacts_.capacity();
+  if (!lists) search_.grow_rows(found.longest_list);
+  if (!contacts) contacts_.grow();
+  return lists && contacts;
 }
 
 template <class D>
@@ -164,8 +173,8 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       search_(device, parameters.support_radius),
       contacts_(device, parameters.contact_radius),
       timer_(device) {
-  summary_buffer_.resize_discard(1);
-  found_.resize_discard(1);
+  readout_buffer_.resize_discard(1);
+  readout_buffer_.fill(0);
 }
 
 template <class D>
@@ -190,11 +199,11 @@ const ParticleSummary& Solver<D>::summary() {
   if (!summary_known_) {
     const ParticleView p = particles_.view();
     device_.reduce("summary", p.owned, empty_summary(), Summarize{p.position, p.velocity, p.slot},
-                   MergeSummaries{}, summary_buffer_.view());
-    summary_buffer_.read(std::span(&summary_, 1));
+                   MergeSummaries{}, View<ParticleSummary>{&readout_buffer_.view().data->summary, 1});
+    readout_buffer_.read(std::span(&readout_, 1));
     summary_known_ = true;
   }
-  return summary_;
+  return readout_.summary;
 }
 
 template <class D>

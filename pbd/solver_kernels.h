@@ -60,11 +60,17 @@ struct UpdateVelocity {
   }
 };
 
-struct Report {
+/// Notes what a substep found.
+struct NoteFound {
   View<const uint32_t> contacts, longest_list;
-  View<Found> found;
+  View<StepReadout> readout;
 
-  MENISCUS_HD void operator()(uint32_t) const { found[0] = {contacts[0], longest_list[0]}; }
+  MENISCUS_HD void operator()(uint32_t) const {
+    Found& found = readout[0].found;
+    found.contacts = contacts[0];
+    if (found.most_contacts < contacts[0]) found.most_contacts = contacts[0];
+    found.longest_list = longest_list[0];
+  }
 };
 
 /// Drops the motion of a substep.

@@ -23,6 +23,15 @@ MENISCUS_HD inline float select_less(float x, float y, float a, float b) {
   return x < y ? a : b;
 }
 
+/// The sum, or the limit where it is greater: associative, as there are no negative numbers.
+struct SumUpTo {
+  uint32_t limit;
+
+  MENISCUS_HD uint32_t operator()(uint32_t a, uint32_t b) const {
+    return b < limit && a < limit - b ? a + b : limit;
+  }
+};
+
 MENISCUS_HD inline float inverse_sqrt(float a) {
 #ifdef __CUDA_ARCH__
   return rsqrtf(a);

@@ -29,13 +29,13 @@ struct ReadGroup {
   MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = pbd::phase_group(phase[i]); }
 };
 
-struct ReadScaled {
-  View<const float> from;
+struct ReadMultipliers {
+  View<const fluid::density_kernels::Multiplier> from;
   View<const uint32_t> slot;
   View<float> to;
   float scale;
 
-  MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = scale * from[i]; }
+  MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = scale * from[i].value; }
 };
 
 /// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. Who is

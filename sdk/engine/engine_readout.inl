@@ -25,7 +25,7 @@ template <class D>
 void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
   const float scale = dt > 0 ? 1 / (def_.kernel.volume * dt * dt) : 0;
   device_.parallel_for("read-out/pressures", particles_.count(),
-                       engine_kernels::ReadScaled{density_.multipliers(), particles_.slot.current.view(),
+                       engine_kernels::ReadMultipliers{density_.multipliers(), particles_.slot.current.view(),
                                                   scalar_out_.view(), scale});
   scalar_out_.read(out);
 }
@@ -34,8 +34,8 @@ template <class D>
 EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::span<float> full) {
   using namespace engine_kernels;
   uint32_t contacts = 0;
-  solver_.measure([&](pbd::Substep<D>& substep) {
-    contacts = substep.contacts.particle.count;
+  solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found& found) {
+    contacts = found.contacts;
     density_.measure(substep, scalar_out_.view(), full_out_.view());
     device_.reduce("measure/neighbours", particles_.count(), uint64_t{0},
                    CountNeighbours{substep.neighbours.count}, AddCounts{}, count_out_.view());

@@ -44,6 +44,8 @@ struct ExportLists {
 
 template <class D>
 class SolverBenchOn final : public SolverBench {
+  using Multiplier = fluid::density_kernels::Multiplier;
+
  public:
   NeighbourLists neighbours(std::span<const Vec3> points, float support_radius) override {
     std::vector<pbd::Vec4> particles;
@@ -51,7 +53,7 @@ class SolverBenchOn final : public SolverBench {
     Stage stage(support_radius);
     stage.add(particles, std::vector<Vec3>(points.size()), std::vector<uint32_t>(points.size()));
     NeighbourLists lists{{}, D::lane_count == 1 ? 4u : D::lane_count};
-    stage.solver.measure([&](pbd::Substep<D>& s) { lists.of = export_lists(s); });
+    stage.solver.measure([&](pbd::Substep<D>& s, const pbd::Found&) { lists.of = export_lists(s); });
     return lists;
   }
 
@@ -62,7 +64,8 @@ class SolverBenchOn final : public SolverBench {
       density.begin(s);
       for (int iteration = 0; iteration < setup.iterations; ++iteration) density.project(s, iteration);
       solution.positions = positions(s);
-      solution.multipliers = by_slot<float>(s, density.multipliers().data, std::identity{});
+      solution.multipliers =
+          by_slot<float>(s, density.multipliers().data, [](Multiplier m) { return m.value; });
     });
     return solution;
   }
@@ -73,10 +76,16 @@ class SolverBenchOn final : public SolverBench {
     std::vector<Vec3> pushed;
     with_density(warm, [&](pbd::Substep<D>& s, fluid::DensitySet<D>& density) {
       density.begin(s);  // the first substep has nothing to start from; the second starts from these
-      const std::vector<float> same(setup.particles.size(), multiplier);
-      s.device.copy_in(const_cast<float*>(density.multipliers().data), same.data(),
-                       same.size() * sizeof(float));
+      const std::vector<float> errors = measured_errors(s, density);
+      std::vector<uint32_t> slot(setup.particles.size());
+      s.device.copy_out(slot.data(), s.particles.slot.data, slot.size() * sizeof(uint32_t));
+      std::vector<Multiplier> start;  // that would relieve all there is: the iteration adds nothing
+      for (uint32_t k : slot) start.push_back({multiplier, errors[k]});
+      s.device.copy_in(const_cast<Multiplier*>(density.multipliers().data), start.data(),
+                       start.size() * sizeof(Multiplier));
       density.begin(s);
+      s.iterations = 1;
+      density.project(s, 0);
       pushed = positions(s);
     });
     return pushed;
@@ -89,7 +98,7 @@ class SolverBenchOn final : public SolverBench {
     stage.solver.add(viscosity);
     stage.add(setup.particles, setup.velocities, setup.groups);
     std::vector<Vec3> velocities;
-    stage.solver.measure([&](pbd::Substep<D>& s) {
+    stage.solver.measure([&](pbd::Substep<D>& s, const pbd::Found&) {
       s.dt = setup.dt;
       for (int pass = 0; pass < setup.passes; ++pass) viscosity.apply(s, stage.particles);
       velocities = by_slot<Vec3>(s, s.particles.velocity.data, [](pbd::Vec4 v) { return v.xyz(); });
@@ -145,7 +154,7 @@ class SolverBenchOn final : public SolverBench {
     stage.solver.add(density);
     stage.add(setup.particles, std::vector<Vec3>(setup.particles.size()),
               std::vector<uint32_t>(setup.particles.size()));
-    stage.solver.measure([&](pbd::Substep<D>& s) {
+    stage.solver.measure([&](pbd::Substep<D>& s, const pbd::Found&) {
       s.dt = setup.dt;
       s.iterations = setup.iterations;
       use(s, density);

@@ -56,22 +56,25 @@ double CpuDevice::elapsed_ms(uint32_t from, uint32_t to) const {
   return std::chrono::duration<double, std::milli>(marks_[to] - marks_[from]).count();
 }
 
-void CpuDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out) {
+void CpuDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out,
+                               uint32_t limit) {
+  const SumUpTo sum{limit};
   const uint32_t count = in.count;
   const uint32_t blocks = (count + sort_block - 1) / sort_block;
   View<uint32_t> base = scratch<uint32_t>(blocks + 1);
   parallel_for(name, blocks, [=](uint32_t b) {
     uint32_t total = 0;
-    for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i) total += in[i];
+    for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i)
+      total = sum(total, in[i]);
     base[b] = total;
   });
   uint32_t running = 0;
-  for (uint32_t b = 0; b < blocks; ++b) running += std::exchange(base[b], running);
+  for (uint32_t b = 0; b < blocks; ++b) running = sum(running, std::exchange(base[b], running));
   parallel_for(name, blocks, [=](uint32_t b) {
     uint32_t total = base[b];
     for (uint32_t i = b * sort_block; i < std::min(count, (b + 1) * sort_block); ++i) {
       out[i] = total;
-      total += in[i];
+      total = sum(total, in[i]);
     }
   });
   out[count] = running;

@@ -85,7 +85,7 @@ class CpuDevice final : public Device {
   }
 
   /// out[i] = in[0] + … + in[i − 1], of unsigned integers; out has one element more than in: the total.
-  void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out);
+  void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit = ~0u);
 
   /// Sorts pairs by the low `bits` of the keys; equal keys keep their order. The inputs are left as they
   /// were.

@@ -114,12 +114,17 @@ double CudaDevice::elapsed_ms(uint32_t from, uint32_t to) const {
   return ms;
 }
 
-void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out) {
+void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out,
+                                uint32_t limit) {
   fill(out.data, 0, sizeof(uint32_t));
+  const auto scan = [&](void* memory, size_t& bytes) {
+    check_cuda(cub::DeviceScan::InclusiveScan(memory, bytes, in.data, out.data + 1, SumUpTo{limit}, in.count,
+                                              stream_),
+               name);
+  };
   size_t bytes = 0;
-  check_cuda(cub::DeviceScan::InclusiveSum(nullptr, bytes, in.data, out.data + 1, in.count, stream_), name);
-  check_cuda(cub::DeviceScan::InclusiveSum(scratch(bytes), bytes, in.data, out.data + 1, in.count, stream_),
-             name);
+  scan(nullptr, bytes);
+  scan(scratch(bytes), bytes);
 }
 
 void CudaDevice::sort_pairs(const char* name, View<const uint32_t> keys, View<uint32_t> sorted_keys,
