@@ -53,7 +53,7 @@ struct Project {
   MENISCUS_HD static Vec3 hold_back(Contact& c, Vec3 x, Vec3 moved, float w) {
     const Vec3 slip = moved - dot(moved, c.normal) * c.normal;
     Vec3 wanted = c.tangent_multiplier - slip / w;
-    const float most = c.friction * (c.normal_multiplier + pbd::max(0.0f, dot(c.density_push, c.normal)));
+    const float most = c.friction * (c.normal_multiplier + pbd::max(0.0f, c.density_push));
     const float size = length(wanted);
     if (size > most) wanted = (most / size) * wanted;
     x += w * (wanted - c.tangent_multiplier);

@@ -18,11 +18,6 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
-template <class R>
-MENISCUS_HD Vec3 sum_vector(const Vec3Of<R>& v) {
-  return {sum(v.x), sum(v.y), sum(v.z)};
-}
-
 /// C and D of one particle.
 struct Constraint {
   float value;
@@ -47,7 +42,7 @@ struct DensitySums {
   }
 
   MENISCUS_HD Constraint constraint(const Kernel& kernel, float own_inverse_mass) const {
-    const Vec3 g = sum_vector(gradient);
+    const Vec3 g = sum(gradient);
     return {sum(weight) + kernel.weight(0.0f) - 1, own_inverse_mass * dot(g, g) + sum(gradient2), g};
   }
 };
@@ -132,14 +127,12 @@ struct PairPressure {
   }
 };
 
-/// What one pair's multipliers push particle i by, before its inverse mass.
+/// What one pair's multipliers push by, over x_i − x_j, before the inverse mass.
 template <bool with_pair_pressure, class R>
-MENISCUS_HD Vec3Of<R> pair_push(const Kernel& kernel, const PairPressure& pair, const Vec3Of<R>& d,
-                                R multiplier) {
-  const R r2 = dot(d, d) + R(tiny_distance2);
+MENISCUS_HD R push_coefficient(const Kernel& kernel, const PairPressure& pair, const R& r2, R multiplier) {
   const R inverse_r = inverse_sqrt(r2);
   if constexpr (with_pair_pressure) multiplier += pair.at(kernel.weight(r2));
-  return (multiplier * kernel.slope(r2 * inverse_r) * inverse_r) * d;
+  return multiplier * kernel.slope(r2 * inverse_r) * inverse_r;
 }
 
 /// Moves each particle by what the staged multipliers of itself and its neighbours say.
@@ -159,11 +152,12 @@ struct Correct {
     Vec3Of<Real> push{Real(0.0f), Real(0.0f), Real(0.0f)};
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
-      push +=
-          pair_push<with_pair_pressure, Real>(kernel, pair, self.xyz() - other.xyz(), Real(self.w) + other.w);
+      const Vec3Of<Real> d = self.xyz() - other.xyz();
+      const Real r2 = dot(d, d) + Real(tiny_distance2);
+      push += push_coefficient<with_pair_pressure, Real>(kernel, pair, r2, Real(self.w) + other.w) * d;
     });
     const float w = position[i].w;
-    position[i] = pbd::with_w(self.xyz() + w * sum_vector(push), w);
+    position[i] = pbd::with_w(self.xyz() + w * sum(push), w);
   }
 };
 

@@ -10,34 +10,53 @@
 
 namespace meniscus::fluid::density_kernels {
 
+/// D counts what each particle's own motion does to C, through its images as well: where i nears the wall, so
+/// does its image.
+template <class D, int n>
+MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
+                                               const NeighbourView& neighbours, const Mirrors& mirrors,
+                                               uint32_t i) {
+  using Real = typename D::Real;
+  const Vec4 self = position[i];
+  const Vec3 x = self.xyz();
+  ImageSums<Real, n> sums;
+  Real weight(0.0f), gradient2(0.0f);
+  const auto term = [&](const Real& share, const Real& r2) {
+    const Real inverse_r = inverse_sqrt(r2);
+    weight += share * kernel.weight(r2);
+    return share * kernel.slope(r2 * inverse_r) * inverse_r;
+  };
+  pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+    const auto other = gather(position, j);
+    const MirrorDistances<Real, n> distances(mirrors, other.xyz());
+    const Vec3Of<Real> d = x - other.xyz();
+    const Real r2 = dot(d, d) + Real(tiny_distance2);
+    PairTerms<Real, n> terms;
+    terms.total = term(Real(1.0f), r2);
+    terms.add_images(mirrors, distances, r2, term);
+    sums.add(mirrors, distances, d, terms);
+    const Vec3Of<Real> pull = terms.seen_by_other(mirrors, d);
+    gradient2 += other.w * dot(pull, pull);
+  });
+  float own_weight = 0;
+  const ImageSums<float, n> own = own_images<n>(mirrors, [&](float share, float r2) {
+    const float inverse_r = inverse_sqrt(r2);
+    own_weight += share * kernel.weight(r2);
+    return share * kernel.slope(r2 * inverse_r) * inverse_r;
+  });
+  const Vec3 own_gradient = own.vector(mirrors), gradient = sums.vector(mirrors) + own_gradient;
+  const Vec3 with_motion = gradient + own_gradient;
+  return {sum(weight) + own_weight + kernel.weight(0.0f) - 1,
+          self.w * dot(with_motion, with_motion) + sum(gradient2), gradient};
+}
+
 template <class D>
 MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<const Vec4> position,
                                                    const NeighbourView& neighbours,
                                                    const ContactView& contacts, uint32_t i) {
-  using Real = typename D::Real;
-  const Vec4 self = position[i];
-  const Vec3 x = self.xyz();
-  const Mirrors mirrors = mirrors_at(contacts, i, x, kernel.h);
-  DensitySums<Real> sums;
-  pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
-    const auto other = gather(position, j);
-    sums.add(kernel, x - other.xyz(), other.w, Real(1.0f));
-    MENISCUS_UNROLL
-    for (int image = 1; image < Mirrors::most_images; ++image) {
-      if (image > mirrors.image_count()) break;
-      sums.add(kernel, x - mirrors.reflect(image, other.xyz()), other.w, Real(mirrors.share[image]));
-    }
-  });
-  DensitySums<float> own_images;
-  MENISCUS_UNROLL
-  for (int image = 1; image < Mirrors::most_images; ++image) {
-    if (image > mirrors.image_count()) break;
-    const Vec3Of<float> d = x - mirrors.reflect(image, Vec3Of<float>{x.x, x.y, x.z});
-    own_images.add(kernel, d, 0.0f, mirrors.share[image]);
-  }
-  const Vec3 gradient = sum_vector(sums.gradient) + sum_vector(own_images.gradient);
-  return {sum(sums.weight) + own_images.weight + kernel.weight(0.0f) - 1,
-          self.w * dot(gradient, gradient) + sum(sums.gradient2), gradient};
+  const Mirrors mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
+  if (mirrors.count <= 1) return constraint_with_mirrors<D, 1>(kernel, position, neighbours, mirrors, i);
+  return constraint_with_mirrors<D, Mirrors::most>(kernel, position, neighbours, mirrors, i);
 }
 
 struct AdvanceAtWalls {
@@ -47,8 +66,8 @@ struct AdvanceAtWalls {
   Advancing advancing;
 
   template <class D>
-  MENISCUS_HD void run(uint32_t n) const {
-    const uint32_t i = contacts.particle_starting_at(n);
+  MENISCUS_HD void run(uint32_t contact) const {
+    const uint32_t i = contacts.particle_starting_at(contact);
     if (i == pbd::no_index) return;
     const Constraint c = density_constraint_at_walls<D>(kernel, advancing.position, neighbours, contacts, i);
     if (D::leads()) advancing.advance(i, c);
@@ -65,69 +84,46 @@ struct CorrectAtWalls {
   View<Vec4> position;
 
   template <class D>
-  MENISCUS_HD void run(uint32_t n) const {
-    using Real = typename D::Real;
-    const uint32_t i = contacts.particle_starting_at(n);
+  MENISCUS_HD void run(uint32_t contact) const {
+    const uint32_t i = contacts.particle_starting_at(contact);
     if (i == pbd::no_index) return;
-    const Vec4 self = staged[i];
-    const Vec3 x = self.xyz();
-    const Mirrors mirrors = mirrors_at(contacts, i, x, kernel.h);
-    Pushes<Real> pushes;
-    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
-      const auto other = gather(staged, j);
-      pushes.add(kernel, pair, mirrors, x, other.xyz(), Real(self.w) + other.w);
-    });
-    Pushes<float> own;
-    own.add(kernel, pair, mirrors, x, Vec3Of<float>{x.x, x.y, x.z}, 2 * self.w);
-    Vec3 total = sum_vector(pushes.direct);
-    Vec3 by_mirror[Mirrors::most];
-    for (int k = 0; k < Mirrors::most; ++k) {
-      by_mirror[k] = sum_vector(pushes.by_mirror[k]) + sum_vector(own.by_mirror[k]);
-      total += by_mirror[k];
-    }
-    if (!D::leads()) return;
-    for (int k = 0; k < Mirrors::most; ++k) {
-      if (k < mirrors.count) contacts.contacts[mirrors.contact[k]].density_push += by_mirror[k];
-    }
-    const float w = position[i].w;
-    position[i] = pbd::with_w(x + w * total, w);
+    const Mirrors mirrors = mirrors_at(contacts, i, staged[i].xyz(), kernel.h);
+    mirrors.count <= 1 ? correct<D, 1>(i, mirrors) : correct<D, Mirrors::most>(i, mirrors);
   }
 
-  /// What comes from particles, and what from images through each mirror, which is its part of the reaction.
-  template <class R>
-  struct Pushes {
-    Vec3Of<R> direct{R(0.0f), R(0.0f), R(0.0f)}, by_mirror[Mirrors::most]{direct, direct, direct};
-
-    MENISCUS_HD void add(const Kernel& kernel, const PairPressure& pair, const Mirrors& mirrors, Vec3 x,
-                         const Vec3Of<R>& other, const R& multiplier) {
-      direct += pair_push<with_pair_pressure, R>(kernel, pair, x - other, multiplier);
-      MENISCUS_UNROLL
-      for (int image = 1; image < Mirrors::most_images; ++image) {
-        if (image > mirrors.image_count()) break;
-        share_out(mirrors, image,
-                  R(mirrors.share[image]) * pair_push<with_pair_pressure, R>(
-                                                kernel, pair, x - mirrors.reflect(image, other), multiplier));
-      }
+  template <class D, int n>
+  MENISCUS_HD void correct(uint32_t i, const Mirrors& mirrors) const {
+    using Real = typename D::Real;
+    const Vec4 self = staged[i];
+    const Vec3 x = self.xyz();
+    ImageSums<Real, n> pushes;
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const auto other = gather(staged, j);
+      const MirrorDistances<Real, n> distances(mirrors, other.xyz());
+      const Vec3Of<Real> d = x - other.xyz();
+      const Real r2 = dot(d, d) + Real(tiny_distance2), multiplier = Real(self.w) + other.w;
+      const auto term = [&](const Real& share, const Real& image_r2) {
+        return share * push_coefficient<with_pair_pressure>(kernel, pair, image_r2, multiplier);
+      };
+      PairTerms<Real, n> terms;
+      terms.total = term(Real(1.0f), r2);
+      terms.add_images(mirrors, distances, r2, term);
+      pushes.add(mirrors, distances, d, terms);
+    });
+    const ImageSums<float, n> own = own_images<n>(mirrors, [&](float share, float r2) {
+      return share * push_coefficient<with_pair_pressure>(kernel, pair, r2, 2 * self.w);
+    });
+    const Vec3 push = pushes.vector(mirrors) + own.vector(mirrors);
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (k >= mirrors.count) break;
+      const float through = pushes.through(mirrors, k) + own.through(mirrors, k);
+      if (D::leads()) contacts.contacts[mirrors.contact[k]].density_push += through;
     }
-
-    /// An image of an image is pushed by each mirror along its normal; the last takes what is left, along the
-    /// edge.
-    MENISCUS_HD void share_out(const Mirrors& mirrors, int image, Vec3Of<R> push) {
-      MENISCUS_UNROLL
-      for (int k = 0; k < Mirrors::most; ++k) {
-        if (!(image >> k & 1)) continue;
-        const bool last = image >> (k + 1) == 0;
-        const Vec3Of<R> part = last ? push : along(mirrors.normal[k], push);
-        by_mirror[k] += part;
-        push = push - part;
-      }
-    }
-
-    MENISCUS_HD static Vec3Of<R> along(Vec3 n, const Vec3Of<R>& v) {
-      const R size = dot(n, v);
-      return {R(n.x) * size, R(n.y) * size, R(n.z) * size};
-    }
-  };
+    if (!D::leads()) return;
+    const float w = position[i].w;
+    position[i] = pbd::with_w(x + w * push, w);
+  }
 };
 
 struct Measure {

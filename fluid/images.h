@@ -10,8 +10,11 @@
 //
 // The image of j is farther from i than j is, so the neighbour list holds every image that counts. What i and
 // j get through a plane wall is opposite along it, and adds up away from it: the wall feels the pressure, and
-// no drag. Where walls meet there are images of images: x' = x − Σ 2 d_k n_k, exact for walls at right
-// angles.
+// no drag. Where walls meet there are images of images, exact for walls at right angles.
+//
+// With d the distances from mirror n,
+//   x_i − x_j' = x_i − x_j + 2 d_j n,   |x_i − x_j'|² = |x_i − x_j|² + 4 d_i d_j,
+// and so on for images of images: an image costs a few operations, and a pair sees the same from both sides.
 #pragma once
 
 #include "fluid/kernel.h"
@@ -29,36 +32,133 @@ struct Mirrors {
   uint32_t contact[most];
   Vec3 normal[most];
   float offset[most];        ///< m: the plane is normal · x = offset
+  float distance[most];      ///< m, of the particle; 0 if it has sunk in
   float weight[most];        ///< how much of a half-space is behind it
   float share[most_images];  ///< how much each image counts
   float slack;               ///< m: what has sunk in no deeper counts as on the surface
 
   /// Images are numbered 1 to image_count(): bit k says that mirror k takes part.
   MENISCUS_HD int image_count() const { return (1 << count) - 1; }
+};
 
-  /// Mirrors x; what is behind a mirror has no image, and is sent far away.
-  template <class R>
-  MENISCUS_HD pbd::Vec3Of<R> reflect(int image, const pbd::Vec3Of<R>& x) const {
-    pbd::Vec3Of<R> y = x;
+// What follows is for at most n mirrors: most particles at walls have one, and one alone needs no tests.
+
+template <int n>
+MENISCUS_HD bool is_used(const Mirrors& m, int k) {
+  return n == 1 || k < m.count;
+}
+
+/// Where another thing is, as each mirror sees it.
+template <class R, int n>
+struct MirrorDistances {
+  R distance[n];
+  R present[n];  ///< 0 for what is behind the mirror, and has no image in it
+
+  MirrorDistances() = default;
+  MENISCUS_HD MirrorDistances(const Mirrors& m, const pbd::Vec3Of<R>& x) {
     MENISCUS_UNROLL
-    for (int k = 0; k < most; ++k) {
-      if (!(image >> k & 1)) continue;
-      const R d = R(normal[k].x) * x.x + R(normal[k].y) * x.y + R(normal[k].z) * x.z - R(offset[k]);
-      const R twice = select_less(d, R(-slack), R(pbd::Particles::far_away), R(2.0f) * max(d, R(0.0f)));
-      y.x += R(-normal[k].x) * twice;
-      y.y += R(-normal[k].y) * twice;
-      y.z += R(-normal[k].z) * twice;
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      const R d = R(m.normal[k].x) * x.x + R(m.normal[k].y) * x.y + R(m.normal[k].z) * x.z - R(m.offset[k]);
+      distance[k] = max(d, R(0.0f));
+      present[k] = select_less(d, R(-m.slack), R(0.0f), R(1.0f));
     }
-    return y;
+  }
+};
+
+/// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and images.
+template <class R, int n>
+struct PairTerms {
+  R total{0.0f};
+  R by_mirror[n];  ///< of the images that mirror k makes
+
+  MENISCUS_HD PairTerms() {
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) by_mirror[k] = R(0.0f);
+  }
+
+  /// Adds those of the images; `coefficient(share, r²)` gives each. j: distances of the pair's other end.
+  template <class Coefficient>
+  MENISCUS_HD void add_images(const Mirrors& m, const MirrorDistances<R, n>& j, const R& r2,
+                              const Coefficient& coefficient) {
+    MENISCUS_UNROLL
+    for (int image = 1; image < 1 << n; ++image) {
+      if (n > 1 && image > m.image_count()) break;
+      R share(m.share[image]), image_r2 = r2;
+      MENISCUS_UNROLL
+      for (int k = 0; k < n; ++k) {
+        if (!(image >> k & 1)) continue;
+        share = share * j.present[k];
+        image_r2 += R(4 * m.distance[k]) * j.distance[k];
+      }
+      const R c = coefficient(share, image_r2);
+      total += c;
+      MENISCUS_UNROLL
+      for (int k = 0; k < n; ++k) {
+        if (image >> k & 1) by_mirror[k] += c;
+      }
+    }
+  }
+
+  /// Σ c (x_i' − x_j): as j sees it, with the images of i.
+  MENISCUS_HD pbd::Vec3Of<R> seen_by_other(const Mirrors& m, const pbd::Vec3Of<R>& d) const {
+    pbd::Vec3Of<R> v = total * d;
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      const Vec3 shift = (-2 * m.distance[k]) * m.normal[k];
+      v += by_mirror[k] * pbd::Vec3Of<R>{R(shift.x), R(shift.y), R(shift.z)};
+    }
+    return v;
+  }
+};
+
+/// Σ c (x_i − x_j) over neighbours and images.
+template <class R, int n>
+struct ImageSums {
+  pbd::Vec3Of<R> along{R(0.0f), R(0.0f), R(0.0f)};  // Σ c (x_i − x_j), j itself for its images too
+  R lift[n];                                        // Σ c d_j over the images that mirror k makes
+  R weight[n];                                      // Σ c
+
+  MENISCUS_HD ImageSums() {
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) lift[k] = weight[k] = R(0.0f);
+  }
+
+  MENISCUS_HD void add(const Mirrors& m, const MirrorDistances<R, n>& j, const pbd::Vec3Of<R>& d,
+                       const PairTerms<R, n>& terms) {
+    along += terms.total * d;
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      lift[k] += terms.by_mirror[k] * j.distance[k];
+      weight[k] += terms.by_mirror[k];
+    }
+  }
+
+  MENISCUS_HD Vec3 vector(const Mirrors& m) const {
+    Vec3 v = sum(along);
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (is_used<n>(m, k)) v += (2 * sum(lift[k])) * m.normal[k];
+    }
+    return v;
+  }
+
+  /// How much of the vector mirror k's images make, along its normal.
+  MENISCUS_HD float through(const Mirrors& m, int k) const {
+    return m.distance[k] * sum(weight[k]) + sum(lift[k]);
   }
 };
 
 /// Mirrors at right angles make an image of an image; parallel ones do not.
 MENISCUS_HD inline float share_of_image(const Mirrors& m, int image) {
   float share = 1;
+  MENISCUS_UNROLL
   for (int k = 0; k < Mirrors::most; ++k) {
     if (!(image >> k & 1)) continue;
     share *= m.weight[k];
+    MENISCUS_UNROLL
     for (int l = 0; l < k; ++l) {
       if (image >> l & 1) share *= 1 - fabsf(dot(m.normal[k], m.normal[l]));
     }
@@ -66,39 +166,72 @@ MENISCUS_HD inline float share_of_image(const Mirrors& m, int image) {
   return share;
 }
 
-/// The mirrors that the contacts of particle i at x make.
+/// Which mirror a contact at distance d takes the place of: a free one, or the farthest if that is farther.
+MENISCUS_HD inline int place_for(const Mirrors& m, float d) {
+  if (m.count < Mirrors::most) return m.count;
+  int at = 0;
+  float farthest = m.distance[0];
+  MENISCUS_UNROLL
+  for (int k = 1; k < Mirrors::most; ++k) {
+    if (m.distance[k] > farthest) {
+      at = k;
+      farthest = m.distance[k];
+    }
+  }
+  return farthest > d ? at : Mirrors::most;
+}
+
+/// The mirrors that the contacts of particle i at x make. Loops are unrolled, so that a GPU keeps them in
+/// registers.
 MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
-  Mirrors m;
+  Mirrors m{};
   m.slack = 0.25f * h;
-  float distance[Mirrors::most];
   for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c) {
     const pbd::Contact& contact = contacts.contacts[c];
     const float d = plane_distance(contact, x);
     if (d >= h || contact.fraction == 0) continue;
-    int at = m.count;
-    if (at == Mirrors::most) {  // the farthest gives way
-      at = 0;
-      for (int k = 1; k < Mirrors::most; ++k) at = distance[k] > distance[at] ? k : at;
-      if (distance[at] <= d) continue;
-    } else {
-      ++m.count;
+    const int at = place_for(m, d);
+    MENISCUS_UNROLL
+    for (int k = 0; k < Mirrors::most; ++k) {
+      if (k != at) continue;
+      m.distance[k] = d;
+      m.contact[k] = c;
+      m.normal[k] = contact.normal;
+      m.offset[k] = dot(contact.normal, contact.point);
+      m.weight[k] = contact.fraction;
     }
-    distance[at] = d;
-    m.contact[at] = c;
-    m.normal[at] = contact.normal;
-    m.offset[at] = dot(contact.normal, contact.point);
-    m.weight[at] = contact.fraction;
+    m.count = m.count < at + 1 && at < Mirrors::most ? at + 1 : m.count;
   }
-  for (int k = 1; k < m.count; ++k) {  // two solids that make up one wall share it
+  MENISCUS_UNROLL
+  for (int k = 1; k < Mirrors::most; ++k) {  // two solids that make up one wall share it
+    MENISCUS_UNROLL
     for (int l = 0; l < k; ++l) {
       if (dot(m.normal[k], m.normal[l]) > 0.9f) m.weight[k] = pbd::min(m.weight[k], 1 - m.weight[l]);
     }
   }
   MENISCUS_UNROLL
+  for (int k = 0; k < Mirrors::most; ++k) m.distance[k] = pbd::max(m.distance[k], 0.0f);
+  MENISCUS_UNROLL
   for (int image = 1; image < Mirrors::most_images; ++image) {
     m.share[image] = image <= m.image_count() ? share_of_image(m, image) : 0;
   }
   return m;
+}
+
+/// The sums over the images of the particle itself.
+template <int n, class Coefficient>
+MENISCUS_HD ImageSums<float, n> own_images(const Mirrors& m, const Coefficient& coefficient) {
+  MirrorDistances<float, n> self;
+  MENISCUS_UNROLL
+  for (int k = 0; k < n; ++k) {
+    self.distance[k] = m.distance[k];
+    self.present[k] = 1;
+  }
+  PairTerms<float, n> terms;
+  terms.add_images(m, self, float{tiny_distance2}, coefficient);
+  ImageSums<float, n> sums;
+  sums.add(m, self, {0, 0, 0}, terms);
+  return sums;
 }
 
 }  // namespace meniscus::fluid

@@ -40,7 +40,7 @@ struct WallForce {
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const pbd::Contact& c = contacts.contacts[k];
       if (c.body != body || !inside(patch, c.point)) continue;
-      const Vec3 f = -to_force * (c.normal_multiplier * c.normal + c.tangent_multiplier + c.density_push);
+      const Vec3 f = -to_force * ((c.normal_multiplier + c.density_push) * c.normal + c.tangent_multiplier);
       total.x += f.x;
       total.y += f.y;
       total.z += f.z;

@@ -58,7 +58,7 @@ struct SurfaceNormal {
       const Vec3Of<Real> d = self.xyz() - gather(position, j).xyz();
       n += (gather(curvature, j) * kernel.weight_slope(dot(d, d))) * d;
     });
-    const Vec3 inwards = held_by_walls(contacts, i, kernel.h * Vec3{sum(n.x), sum(n.y), sum(n.z)});
+    const Vec3 inwards = held_by_walls(contacts, i, kernel.h * sum(n));
     normal[i] = pbd::with_w(inwards, curvature[i]);
   }
 };
@@ -90,7 +90,7 @@ struct Pull {
         force += (scale * (Real(n.w) + other.w) * kernel.weight(r2)) * (other.xyz() - n.xyz());
       }
     });
-    const Vec3 f = held_by_walls(contacts, i, {sum(force.x), sum(force.y), sum(force.z)});
+    const Vec3 f = held_by_walls(contacts, i, sum(force));
     velocity[i] = pbd::with_w(velocity[i].xyz() + (dt * self.w) * f, 0);
   }
 };

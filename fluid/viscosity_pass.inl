@@ -60,9 +60,9 @@ struct Smooth {
         curl += cross(relative, (kernel.slope(r2 * inverse_r) * inverse_r) * d);
       }
     });
-    smoothed[i] = pbd::with_w(v.xyz() + Vec3{sum(change.x), sum(change.y), sum(change.z)}, 0);
+    smoothed[i] = pbd::with_w(v.xyz() + sum(change), 0);
     if constexpr (with_curl) {
-      const Vec3 w{sum(curl.x), sum(curl.y), sum(curl.z)};
+      const Vec3 w = sum(curl);
       vorticity[i] = pbd::with_w(w, 0);
       swirl[i] = pbd::with_w(p.xyz(), length(w));
     }
@@ -91,7 +91,7 @@ struct Confine {
       const Real inverse_r = inverse_sqrt(r2);
       eta += ((Real(own.w) - other.w) * kernel.slope(r2 * inverse_r) * inverse_r) * d;
     });
-    const Vec3 direction = normalized_or({sum(eta.x), sum(eta.y), sum(eta.z)}, {0, 0, 0});
+    const Vec3 direction = normalized_or(sum(eta), {0, 0, 0});
     velocity[i] = pbd::with_w(velocity[i].xyz() + strength * cross(direction, vorticity[i].xyz()), 0);
   }
 };

@@ -65,8 +65,9 @@ MENISCUS_HD inline float gather(View<const float> from, uint32_t j) {
   return from[j];
 }
 
-MENISCUS_HD inline Vec3 sum(const Vec3Of<float>& a) {
-  return {a.x, a.y, a.z};
+template <class R>
+MENISCUS_HD Vec3 sum(const Vec3Of<R>& a) {
+  return {sum(a.x), sum(a.y), sum(a.z)};
 }
 
 }  // namespace meniscus::pbd

@@ -38,7 +38,7 @@ class DensityReference {
   /// C_i = Σ V W − 1 over all particles and their images.
   double error(size_t i) const {
     double density = 0;
-    for_each_pair(i, [&](size_t, const Double3&, double r, bool) { density += weight(r); });
+    for_each_pair(i, [&](size_t, const Double3&, double r, size_t) { density += weight(r); });
     return density - 1;
   }
 
@@ -48,8 +48,8 @@ class DensityReference {
     std::vector<Double3> next = positions;
     for (size_t i = 0; i < positions.size(); ++i) {
       multipliers[i] += change[i];
-      for_each_pair(i, [&](size_t j, const Double3& d, double r, bool self) {
-        if (self) return;
+      for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t image) {
+        if (image == 0 && j == i) return;
         const double push = inverse_masses_[i] * (change[i] + change[j]) * slope(r) / r;
         for (int k = 0; k < 3; ++k) next[i][k] += push * d[k];
       });
@@ -61,17 +61,21 @@ class DensityReference {
   std::vector<double> multipliers;
 
  private:
-  /// Δλ_i = max(0, λ_i + ω (C_i − α̃ λ_i)/(D_i + α̃)) − λ_i, D_i = w_i |Σ e|² + Σ w_j |e|².
+  /// Δλ_i = max(0, λ_i + ω (C_i − α̃ λ_i)/(D_i + α̃)) − λ_i, D_i = Σ w |∂C_i/∂x|² over i and all others. Who
+  /// moves, moves its images too.
   double multiplier_change(size_t i) const {
-    Double3 gradient{};
-    double gradient2 = 0;
-    for_each_pair(i, [&](size_t j, const Double3& d, double r, bool self) {
-      if (self) return;
-      const double e = slope(r);
-      for (int k = 0; k < 3; ++k) gradient[k] += e / r * d[k];
-      if (j != i) gradient2 += inverse_masses_[j] * e * e;  // its own image moves with it
+    std::vector<Double3> gradient(positions.size());
+    for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t image) {
+      if (image == 0 && j == i) return;
+      const Double3 seen = turned(d, image);
+      for (int k = 0; k < 3; ++k) {
+        gradient[i][k] += slope(r) / r * d[k];
+        gradient[j][k] -= slope(r) / r * seen[k];
+      }
     });
-    const double denominator = inverse_masses_[i] * dot(gradient, gradient) + gradient2;
+    double denominator = 0;
+    for (size_t j = 0; j < positions.size(); ++j)
+      denominator += inverse_masses_[j] * dot(gradient[j], gradient[j]);
     const double dt2 = double{setup_.dt} * setup_.dt;
     const double compliance = setup_.parameters.compressibility / (setup_.kernel.volume * dt2);
     double step =
@@ -90,7 +94,7 @@ class DensityReference {
     return q > 0 ? setup_.kernel.spiky_gradient * q * q : 0;
   }
 
-  /// Calls visit(j, x_i − x_j, |x_i − x_j|, is j the particle itself) for each particle and each image, for
+  /// Calls visit(j, x_i − x_j, |x_i − x_j|, number of the image) for each particle and each image, for
   /// every choice of walls that are at right angles. Who is near whom is settled before the first iteration.
   template <class Visit>
   void for_each_pair(size_t i, const Visit& visit) const {
@@ -99,7 +103,7 @@ class DensityReference {
       for (size_t j = 0; j < positions.size(); ++j) {
         if (norm(difference(start_[i], start_[j])) >= setup_.support_radius) continue;
         const Double3 d = difference(positions[i], reflected(positions[j], image));
-        visit(j, d, norm(d), image == 0 && i == j);
+        visit(j, d, norm(d), image);
       }
     }
   }
@@ -116,6 +120,16 @@ class DensityReference {
   static double height(const ReferencePlane& p, const Double3& x) { return dot(p.normal, x) - p.offset; }
   static Double3 difference(const Double3& a, const Double3& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+
+  /// A direction, as the image sees it.
+  Double3 turned(Double3 d, size_t image) const {
+    for (size_t p = 0; p < planes_.size(); ++p) {
+      if (!(image >> p & 1)) continue;
+      const double twice = 2 * dot(planes_[p].normal, d);
+      for (int k = 0; k < 3; ++k) d[k] -= twice * planes_[p].normal[k];
+    }
+    return d;
   }
 
   Double3 reflected(Double3 x, size_t image) const {
