@@ -48,8 +48,8 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void reserve(uint32_t capacity, uint32_t kept) override;
   void clear(uint32_t first, uint32_t count) override;
   void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
-  void save(uint32_t count) override;
-  void restore(uint32_t count) override;
+  void save() override;
+  void restore() override;
 
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
@@ -73,6 +73,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   Kernel kernel_;
   DensityParameters parameters_;
   float last_dt_ = 0, saved_dt_ = 0;
+  bool saving_ = false;
   float share_ = 0;  // of the last substep's multipliers
   float rho_ = 0;    // of the Chebyshev recurrence
 

@@ -114,20 +114,23 @@ void DensitySet<D>::clear(uint32_t first, uint32_t count) {
 template <class D>
 void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
   pbd::gather_in_order(device_, "density/reorder", multiplier_, order, count);
+  if (saving_) multiplier_.next.swap(saved_multiplier_);
+  saving_ = false;
 }
 
+/// Nothing is copied: the next sort leaves the present values where they are, and takes other memory from
+/// then on.
 template <class D>
-void DensitySet<D>::save(uint32_t count) {
+void DensitySet<D>::save() {
   saved_dt_ = last_dt_;
-  device_.copy(saved_multiplier_.view().data, multiplier_.current.view().data,
-               count * sizeof(density_kernels::Multiplier));
+  saving_ = true;
 }
 
 template <class D>
-void DensitySet<D>::restore(uint32_t count) {
+void DensitySet<D>::restore() {
   last_dt_ = saved_dt_;
-  device_.copy(multiplier_.current.view().data, saved_multiplier_.view().data,
-               count * sizeof(density_kernels::Multiplier));
+  if (!saving_) multiplier_.current.swap(saved_multiplier_);
+  saving_ = false;
 }
 
 }  // namespace meniscus::fluid

@@ -43,9 +43,8 @@ struct ContactView {
   /// For work on particles that have contacts, which runs over the contacts: the particle whose first one n
   /// is, or no_index.
   MENISCUS_HD uint32_t particle_starting_at(uint32_t n) const {
-    if (n >= start[start.count - 1]) return no_index;
-    const uint32_t i = particle[n];
-    return start[i] == n ? i : no_index;
+    const uint32_t i = particle[n], total = start[start.count - 1];
+    return n < total && start[i] == n ? i : no_index;
   }
 };
 

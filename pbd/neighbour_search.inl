@@ -13,14 +13,18 @@ namespace meniscus::pbd {
 
 namespace neighbour_kernels {
 
+/// Empties the table's entries on the way.
 struct ComputeKeys {
   View<const Vec4> points;
   GridView grid;
+  View<CellRange> cells;
   View<uint32_t> keys, identity;
+  uint32_t count;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     keys[i] = grid.key(grid.coordinates(points[i].xyz()));
     identity[i] = i;
+    for (uint32_t cell = i; cell < cells.count; cell += count) cells[cell] = {0, 0};
   }
 };
 
@@ -117,11 +121,11 @@ void NeighbourSearch<D>::fit(const Aabb& extent) {
 template <class D>
 void NeighbourSearch<D>::sort(View<const Vec4> points, uint32_t count) {
   using namespace neighbour_kernels;
-  device_.parallel_for("neighbours/keys", count, ComputeKeys{points, grid_, keys_.view(), identity_.view()});
+  const View<CellRange> cells = cells_.view().first(grid_.cells.count);
+  device_.parallel_for("neighbours/keys", count,
+                       ComputeKeys{points, grid_, cells, keys_.view(), identity_.view(), count});
   device_.sort_pairs("neighbours/sort", keys_.view().first(count), sorted_keys_.view().first(count),
                      identity_.view().first(count), order_.view().first(count), grid_.key_bits());
-  const View<CellRange> cells = cells_.view().first(grid_.cells.count);
-  device_.fill(cells.data, 0, cells.count * sizeof(CellRange));
   device_.parallel_for("neighbours/cells", count, FindCells{sorted_keys_.view(), cells, count});
 }
 

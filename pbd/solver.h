@@ -86,6 +86,7 @@ class Solver {
   void find(Substep<D>& s);
   Substep<D> find_at_rest(float dt);
   bool had_room();
+  void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
   Substep<D> make_substep(float dt);
@@ -104,7 +105,7 @@ class Solver {
 
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
-  bool summary_known_ = false;
+  enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };
 
 }  // namespace meniscus::pbd

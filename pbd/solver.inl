@@ -51,10 +51,9 @@ StepResult Solver<D>::step(float dt) {
     for (Observer<D>* observer : observers_) observer->start_step();
     for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps));
     timer_.enter(StageId::finish);
-    summary_known_ = false;
-    const ParticleSummary after = summary();
+    summarize();
     timer_.stop();
-    device_.wait();
+    const ParticleSummary after = summary();
     const bool done = had_room();
     if (!done || after.non_finite) restore_state();
     if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
@@ -189,21 +188,25 @@ void Solver<D>::reserve(uint32_t capacity) {
 
 template <class D>
 void Solver<D>::particles_changed(uint32_t first, uint32_t count) {
-  summary_known_ = false;
+  summary_state_ = SummaryState::unknown;
   for (ConstraintSet<D>* set : sets_) set->clear(first, count);
 }
 
 template <class D>
 const ParticleSummary& Solver<D>::summary() {
-  using namespace solver_kernels;
-  if (!summary_known_) {
-    const ParticleView p = particles_.view();
-    device_.reduce("summary", p.owned, empty_summary(), Summarize{p.position, p.velocity, p.slot},
-                   MergeSummaries{}, View<ParticleSummary>{&readout_buffer_.view().data->summary, 1});
-    readout_buffer_.read(std::span(&readout_, 1));
-    summary_known_ = true;
-  }
+  if (summary_state_ == SummaryState::unknown) summarize();
+  if (summary_state_ == SummaryState::on_device) readout_buffer_.read(std::span(&readout_, 1));
+  summary_state_ = SummaryState::known;
   return readout_.summary;
+}
+
+template <class D>
+void Solver<D>::summarize() {
+  using namespace solver_kernels;
+  const ParticleView p = particles_.view();
+  device_.reduce("summary", p.owned, empty_summary(), Summarize{p.position, p.velocity, p.slot},
+                 MergeSummaries{}, View<ParticleSummary>{&readout_buffer_.view().data->summary, 1});
+  summary_state_ = SummaryState::on_device;
 }
 
 template <class D>
@@ -214,15 +217,15 @@ Substep<D> Solver<D>::make_substep(float dt) {
 template <class D>
 void Solver<D>::save_state() {
   summary();  // of the state while it is in place
-  for (ConstraintSet<D>* set : sets_) set->save(particles_.count());
+  for (ConstraintSet<D>* set : sets_) set->save();
   particles_.put_aside();
 }
 
 template <class D>
 void Solver<D>::restore_state() {
   particles_.take_back();
-  for (ConstraintSet<D>* set : sets_) set->restore(particles_.count());
-  summary_known_ = false;
+  for (ConstraintSet<D>* set : sets_) set->restore();
+  summary_state_ = SummaryState::unknown;
 }
 
 }  // namespace meniscus::pbd

@@ -31,8 +31,8 @@ class ParticleState {
   virtual void clear(uint32_t /*first*/, uint32_t /*count*/) {}
   /// Element i becomes what was at order[i].
   virtual void reorder(View<const uint32_t> /*order*/, uint32_t /*count*/) {}
-  virtual void save(uint32_t /*count*/) {}
-  virtual void restore(uint32_t /*count*/) {}
+  virtual void save() {}
+  virtual void restore() {}
 };
 
 /// One kind of constraint, for all particles that it concerns. Sets project in the order of their

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "pbd/device/cuda/cuda_device.cuh"
 
+#include <algorithm>
 #include <cstring>
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
@@ -11,6 +12,13 @@ namespace meniscus::pbd {
 namespace {
 
 constexpr size_t pinned_bytes = 4096;
+
+struct FillWords {
+  uint32_t* at;
+  uint32_t word;
+
+  __device__ void operator()(uint32_t i) const { at[i] = word; }
+};
 
 }  // namespace
 
@@ -32,10 +40,10 @@ CudaDevice::CudaDevice() {
 CudaDevice::~CudaDevice() {
   cudaStreamSynchronize(stream_);
   scratch_.resize_discard(0);
-  for (cudaEvent_t mark : marks_) cudaEventDestroy(mark);
   cudaEventDestroy(forked_);
   cudaEventDestroy(joined_);
   cudaFreeHost(pinned_);
+  cudaFreeHost(times_);
   cudaStreamDestroy(side_stream_);
   cudaStreamDestroy(stream_);
 }
@@ -82,10 +90,18 @@ void CudaDevice::copy(void* to, const void* from, size_t bytes) {
 }
 
 void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
-  check_cuda(cudaMemsetAsync(memory, byte, bytes, stream_), "filling memory");
+  // Not cudaMemsetAsync, which would come between two launches.
+  const uint32_t word = 0x01010101u * byte;
+  if (bytes % sizeof(uint32_t) == 0 && bytes < size_t{1} << 32) {
+    parallel_for("filling memory", static_cast<uint32_t>(bytes / sizeof(uint32_t)),
+                 FillWords{static_cast<uint32_t*>(memory), word});
+  } else {
+    check_cuda(cudaMemsetAsync(memory, byte, bytes, stream_), "filling memory");
+  }
 }
 
 void CudaDevice::wait() {
+  flush_mark();
   check_cuda(cudaStreamSynchronize(stream_), "running the kernels launched before");
 }
 
@@ -100,18 +116,24 @@ void CudaDevice::join() {
 }
 
 void CudaDevice::mark_time(uint32_t mark) {
-  while (marks_.size() <= mark) {
-    cudaEvent_t event = nullptr;
-    check_cuda(cudaEventCreate(&event), "creating an event");
-    marks_.push_back(event);
+  flush_mark();
+  if (mark >= times_capacity_) {
+    wait();
+    cudaFreeHost(times_);
+    times_ = nullptr;
+    times_capacity_ = std::max(256u, 2 * mark);
+    check_cuda(cudaMallocHost(&times_, times_capacity_ * sizeof(uint64_t)), "allocating pinned memory");
   }
-  check_cuda(cudaEventRecord(marks_[mark], stream_), "recording an event");
+  pending_mark_.at = times_ + mark;
+}
+
+/// For a mark that no launch took along.
+void CudaDevice::flush_mark() {
+  if (pending_mark_.at) launch("note time", 1, 1, cuda_kernels::note_time);
 }
 
 double CudaDevice::elapsed_ms(uint32_t from, uint32_t to) const {
-  float ms = 0;
-  check_cuda(cudaEventElapsedTime(&ms, marks_[from], marks_[to]), "reading a timer");
-  return ms;
+  return 1e-6 * static_cast<double>(times_[to] - times_[from]);
 }
 
 void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out,

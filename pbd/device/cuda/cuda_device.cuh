@@ -24,19 +24,32 @@ constexpr uint32_t most_teams = 1u << 16;  // they fill a large GPU
 constexpr uint32_t most_for_one_launch =
     1u << 18;  // items; beyond, occupancy counts more than a fork and a join
 
+/// Where a kernel notes when it begins, if anywhere. An event between two launches would keep them apart.
+struct TimeMark {
+  uint64_t* at;  ///< ns
+};
+
 /// A launch overlaps the end of the one before (programmatic dependent launch, from compute capability 9.0
 /// on): blocks are made ready while that one still runs, and wait here for what it wrote.
-__device__ __forceinline__ void wait_for_previous() {
+__device__ __forceinline__ void wait_for_previous(TimeMark mark) {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
   cudaGridDependencySynchronize();
 #endif
+  if (mark.at && blockIdx.x == 0 && threadIdx.x == 0) {
+    asm volatile("mov.u64 %0, %%globaltimer;" : "=l"(*mark.at));
+  }
+}
+
+/// Does nothing but note the time.
+static __global__ void note_time(TimeMark mark) {
+  wait_for_previous(mark);
 }
 
 template <class Kernel>
 __global__ void __launch_bounds__(block_size)
-    for_each(uint32_t count, const __grid_constant__ Kernel kernel) {
-  wait_for_previous();
+    for_each(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel) {
+  wait_for_previous(mark);
   const uint32_t i = blockIdx.x * block_size + threadIdx.x;
   if (i < count) kernel(i);
 }
@@ -49,8 +62,8 @@ struct RunLong {
 
 template <class Kernel>
 __global__ void __launch_bounds__(block_size)
-    for_each_team(uint32_t count, const __grid_constant__ Kernel kernel) {
-  wait_for_previous();
+    for_each_team(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel) {
+  wait_for_previous(mark);
   const uint32_t i = (blockIdx.x * block_size + threadIdx.x) / CudaTeam::lane_count;
   if (i < count) kernel.template run<CudaTeam>(i);
 }
@@ -58,9 +71,10 @@ __global__ void __launch_bounds__(block_size)
 // The teams come first: their work is the longer.
 template <class Kernel, class TeamKernel>
 __global__ void __launch_bounds__(block_size)
-    for_each_of_both(uint32_t count, const __grid_constant__ Kernel kernel, uint32_t team_count,
-                     uint32_t team_blocks, const __grid_constant__ TeamKernel team_kernel) {
-  wait_for_previous();
+    for_each_of_both(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel,
+                     uint32_t team_count, uint32_t team_blocks,
+                     const __grid_constant__ TeamKernel team_kernel) {
+  wait_for_previous(mark);
   if (blockIdx.x < team_blocks) {
     const uint32_t i = (blockIdx.x * block_size + threadIdx.x) / CudaTeam::lane_count;
     if (i < team_count) team_kernel.template run<CudaTeam>(i);
@@ -74,9 +88,9 @@ __global__ void __launch_bounds__(block_size)
 // chance.
 template <class T, class Map, class Combine>
 __global__ void __launch_bounds__(reduce_block)
-    reduce_segments(uint32_t count, uint32_t length, T identity, const __grid_constant__ Map map,
-                    Combine combine, T* out) {
-  wait_for_previous();
+    reduce_segments(TimeMark mark, uint32_t count, uint32_t length, T identity,
+                    const __grid_constant__ Map map, Combine combine, T* out) {
+  wait_for_previous(mark);
   using BlockReduce = cub::BlockReduce<T, reduce_block>;
   __shared__ typename BlockReduce::TempStorage storage;
   const uint32_t begin = blockIdx.x * length;
@@ -177,6 +191,7 @@ class CudaDevice final : public Device {
   void* do_allocate(size_t bytes) override;
   void do_release(void* memory) noexcept override;
   void* scratch(size_t bytes);
+  void flush_mark();
   void fork();  // what is launched on the side stream from here on follows what came before
   void join();  // what is launched from here on follows the side stream
 
@@ -192,7 +207,7 @@ class CudaDevice final : public Device {
     config.stream = stream_;
     config.attrs = &attribute;
     config.numAttrs = overlaps_launches_ ? 1 : 0;
-    check_cuda(cudaLaunchKernelEx(&config, kernel, arguments...), name);
+    check_cuda(cudaLaunchKernelEx(&config, kernel, std::exchange(pending_mark_, {}), arguments...), name);
   }
 
   cudaStream_t stream_ = nullptr;
@@ -200,7 +215,9 @@ class CudaDevice final : public Device {
   cudaEvent_t forked_ = nullptr, joined_ = nullptr;
   std::string name_;
   bool overlaps_launches_ = false;
-  std::vector<cudaEvent_t> marks_;
+  cuda_kernels::TimeMark pending_mark_{};  // for the next launch
+  uint64_t* times_ = nullptr;              // pinned, written by kernels
+  uint32_t times_capacity_ = 0;
   void* pinned_ = nullptr;  // small results come back through it, at a pinned copy's latency
   Buffer<uint64_t> scratch_{*this, "CUDA scratch"};
 };
