@@ -15,13 +15,14 @@ struct LimitMotion {
   pbd::View<const pbd::Vec4> from;
   pbd::View<pbd::Vec4> to;
   float radius;
+  bool planes_too;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{from[i].xyz(), to[i].xyz()};
     const Vec3 path = motion.to - motion.from;
     // A slower one comes no further than where its contact sees it.
     if (!(dot(path, path) > radius * radius) || !is_finite(path)) return;
-    to[i] = pbd::with_w(collision::limit_motion(set, motion, radius), to[i].w);
+    to[i] = pbd::with_w(collision::limit_motion(set, motion, radius, planes_too), to[i].w);
   }
 };
 
@@ -94,11 +95,11 @@ auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
 }
 
 template <class D>
-void ShapeContacts<D>::limit_motion(pbd::View<const pbd::Vec4> from, pbd::View<pbd::Vec4> to,
-                                    uint32_t count) {
-  if (only_planes_) return;  // nothing passes through a half-space
+void ShapeContacts<D>::limit_motion(pbd::View<const pbd::Vec4> from, pbd::View<pbd::Vec4> to, uint32_t count,
+                                    bool planes_too) {
+  if (only_planes_ && !planes_too) return;
   device_.parallel_for("contacts/limit motion", count,
-                       shape_contact_kernels::LimitMotion{shapes_, from, to, contact_radius_});
+                       shape_contact_kernels::LimitMotion{shapes_, from, to, contact_radius_, planes_too});
 }
 
 template <class D>

@@ -34,12 +34,25 @@ MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Moti
   return {t, s.normal, true};  // too far to follow: it stops here
 }
 
-MENISCUS_HD inline Hit first_hit(const ShapeSet& set, const Motion& m, float radius) {
+/// The same for a plane, from its open side.
+MENISCUS_HD inline Hit cross_plane(const ShapeSet& set, const Shape& plane, const Motion& m, float radius) {
+  const float before = plane_surface(plane, m.from).distance, after = plane_surface(plane, m.to).distance;
+  const float touch = 0.5f * radius;
+  if (before < 0 || after >= touch || after >= before || left_through_opening(set, plane, m)) return {};
+  return {before > touch ? (before - touch) / (before - after) : 0, plane_surface(plane, m.from).normal,
+          true};
+}
+
+MENISCUS_HD inline Hit first_hit(const ShapeSet& set, const Motion& m, float radius, bool planes_too) {
   Hit first;
   for (uint32_t k = 0; k < set.shapes.count; ++k) {
     const Shape& shape = set.shapes[k];
-    if (shape.kind == ShapeKind::plane || out_of_reach(shape, m.from, m.to, radius)) continue;
-    const Hit hit = sweep(set, shape, m, radius);
+    Hit hit;
+    if (shape.kind == ShapeKind::plane) {
+      if (planes_too) hit = cross_plane(set, shape, m, radius);
+    } else if (!out_of_reach(shape, m.from, m.to, radius)) {
+      hit = sweep(set, shape, m, radius);
+    }
     if (hit.found && hit.t <= first.t) first = hit;
   }
   return first;
@@ -47,12 +60,12 @@ MENISCUS_HD inline Hit first_hit(const ShapeSet& set, const Motion& m, float rad
 
 /// Where the motion ends if nothing is passed through. Each hit takes away what is left of the motion into
 /// the surface.
-MENISCUS_HD inline Vec3 limit_motion(const ShapeSet& set, Motion m, float radius) {
+MENISCUS_HD inline Vec3 limit_motion(const ShapeSet& set, Motion m, float radius, bool planes_too) {
   constexpr int most_hits = 4;
   for (int k = 0; k < most_hits; ++k) {
     const Vec3 path = m.to - m.from;
     if (dot(path, path) < 1e-6f * radius * radius) return m.to;
-    const Hit hit = first_hit(set, m, radius);
+    const Hit hit = first_hit(set, m, radius, planes_too);
     if (!hit.found) return m.to;
     const Vec3 at = m.from + hit.t * path;
     const Vec3 rest = (1 - hit.t) * path;

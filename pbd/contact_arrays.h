@@ -19,8 +19,8 @@ class ContactArrays {
   void reserve(uint32_t capacity);
 
   /// See ContactSource.
-  void limit_motion(View<const Vec4> from, View<Vec4> to, uint32_t count) {
-    for (ContactSource<D>* source : sources_) source->limit_motion(from, to, count);
+  void limit_motion(View<const Vec4> from, View<Vec4> to, uint32_t count, bool planes_too) {
+    for (ContactSource<D>* source : sources_) source->limit_motion(from, to, count, planes_too);
   }
   void find(const Substep<D>& substep);
   /// One element, on the device: how many there are, up to the capacity.

@@ -89,6 +89,7 @@ class Solver {
   void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
+  bool is_fast(float dt) const;
   Substep<D> make_substep(float dt);
   void save_state();
   void restore_state();
@@ -105,6 +106,7 @@ class Solver {
 
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
+  float step_speed_ = 0;  // m/s, that a particle can reach in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };
 

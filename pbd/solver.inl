@@ -36,6 +36,8 @@ void Solver<D>::substep(float dt) {
   }
 
   timer_.enter(StageId::velocity);
+  if (is_fast(dt))
+    contacts_.limit_motion(s.particles.previous, s.particles.position, s.particles.owned, true);
   update_velocities(s);
   for (ConstraintSet<D>* set : sets_) set->end(s);
   for (VelocityPass<D>* pass : passes_) pass->apply(s, particles_);
@@ -90,7 +92,7 @@ void Solver<D>::predict(float dt, Vec3 gravity) {
   const View<Vec4> predicted = particles_.predicted.view();
   device_.parallel_for("predict", from.owned,
                        solver_kernels::Predict{from.position, from.velocity, predicted, gravity, dt});
-  if (dt > 0) contacts_.limit_motion(from.position, predicted, from.owned);
+  if (dt > 0) contacts_.limit_motion(from.position, predicted, from.owned, false);
 }
 
 template <class D>
@@ -152,11 +154,18 @@ void Solver<D>::update_velocities(const Substep<D>& s) {
                                                       s.particles.velocity, 1.0f / s.dt});
 }
 
+/// Whether a substep is so long that the solve may carry a particle through a surface which was out of its
+/// reach when contacts were found.
+template <class D>
+bool Solver<D>::is_fast(float dt) const {
+  return step_speed_ * dt > 0.5f * (parameters_.support_radius - parameters_.contact_radius);
+}
+
 template <class D>
 int Solver<D>::choose_substeps(float dt) {
+  step_speed_ = std::sqrt(summary().max_speed2) + dt * length(parameters_.gravity);
   if (parameters_.cfl_number <= 0) return parameters_.substeps;
-  const float speed = std::sqrt(summary().max_speed2) + dt * length(parameters_.gravity);
-  const float wanted = std::ceil(speed * dt / (parameters_.cfl_number * parameters_.support_radius));
+  const float wanted = std::ceil(step_speed_ * dt / (parameters_.cfl_number * parameters_.support_radius));
   return static_cast<int>(std::clamp(wanted, static_cast<float>(parameters_.min_substeps),
                                      static_cast<float>(parameters_.max_substeps)));
 }

@@ -73,9 +73,11 @@ template <class D>
 class ContactSource {
  public:
   virtual ~ContactSource() = default;
-  /// Cuts short each motion from `from` to `to` that would pass through something. Particles are not sorted
-  /// yet.
-  virtual void limit_motion(View<const Vec4> /*from*/, View<Vec4> /*to*/, uint32_t /*count*/) {}
+  /// Cuts short each motion from `from` to `to` that would pass through something. Nothing passes through the
+  /// plane of a half-space on its way to the contact search, which sees it from behind as well; `planes_too`
+  /// is for after the solve.
+  virtual void limit_motion(View<const Vec4> /*from*/, View<Vec4> /*to*/, uint32_t /*count*/,
+                            bool /*planes_too*/) {}
   /// Adds the number of contacts of each particle.
   virtual void count(const Substep<D>& substep, View<uint32_t> counts) = 0;
   /// Writes as many contacts of each particle as it counted.

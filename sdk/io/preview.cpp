@@ -12,7 +12,7 @@ namespace {
 
 constexpr int samples = 2;              // a pixel's side
 constexpr float particle_size = 0.58f;  // radius in spacings: neighbours overlap a little
-constexpr int whitenings = 32;          // shades of a fluid between still and fast
+constexpr int whitenings = 32;          // shades of a fluid between clear and white
 
 struct Bounds {
   Vec3 lower{Raster::far_away, Raster::far_away, Raster::far_away};
@@ -62,10 +62,16 @@ Bounds bounds_of(std::span<const Vec3> points, float margin) {
   return {Vec3{x0, y0, z0} - m, Vec3{x1, y1, z1} + m};
 }
 
-/// For each fluid its colour from still to fast, as a run of surfaces.
+/// 0 for what is not a number.
+float smooth_step(float t) {
+  t = t > 0 ? std::min(t, 1.0f) : 0;
+  return t * t * (3 - 2 * t);
+}
+
+/// For each fluid its colour from clear to white, as a run of surfaces.
 class FluidPaint {
  public:
-  FluidPaint(Drawing& drawing, std::vector<Vec3> colors, float fast) : fluids_(colors.size()), fast_(fast) {
+  FluidPaint(Drawing& drawing, std::vector<Vec3> colors) : fluids_(colors.size()) {
     colors.push_back(FluidDef{}.color);
     first_ = static_cast<uint32_t>(drawing.surfaces.size());
     for (const Vec3 color : colors) {
@@ -76,15 +82,13 @@ class FluidPaint {
     }
   }
 
-  uint32_t surface(uint32_t fluid, Vec3 velocity) const {
-    const float t = std::clamp((length(velocity) / fast_ - 0.25f) / 0.75f, 0.0f, 1.0f);
-    const auto whiteness = static_cast<uint32_t>(t * t * (3 - 2 * t) * (whitenings - 1) + 0.5f);
-    return first_ + std::min(fluid, static_cast<uint32_t>(fluids_)) * whitenings + whiteness;
+  uint32_t surface(uint32_t fluid, float whiteness) const {
+    const auto shade = static_cast<uint32_t>(whiteness * (whitenings - 1) + 0.5f);
+    return first_ + std::min(fluid, static_cast<uint32_t>(fluids_)) * whitenings + shade;
   }
 
  private:
   std::size_t fluids_;
-  float fast_;
   uint32_t first_ = 0;
 };
 
@@ -94,12 +98,22 @@ float fast_speed(const PreviewScene& scene, float height) {
   return std::max(0.5f * std::sqrt(2 * length(scene.gravity) * height), 20 * scene.particle_spacing);
 }
 
+/// How much of a particle is seen as foam, 0 to 1: by its speed and, where density errors are at hand, by the
+/// water that it lacks around it. An edge lacks half of the rest density, a drop four fifths.
+float whiteness(const ParticleFrame& frame, std::size_t i, float fast) {
+  const float speed = smooth_step((length(frame.velocities[i]) / fast - 0.25f) / 0.75f);
+  if (frame.density_errors.empty()) return speed;
+  const float spray = smooth_step((-frame.density_errors[i] - 0.4f) / 0.35f);
+  return 0.2f * speed + 0.5f * spray;  // never all white: drops of two fluids can be told apart
+}
+
 void add_particles(Drawing& drawing, const ParticleFrame& frame, const PreviewScene& scene, float height) {
-  const FluidPaint paint(drawing, scene.fluid_colors, fast_speed(scene, height));
+  const FluidPaint paint(drawing, scene.fluid_colors);
+  const float fast = fast_speed(scene, height);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     if (!is_finite(frame.positions[i]) || !is_finite(frame.velocities[i])) continue;
     drawing.spheres.push_back({frame.positions[i], particle_size * scene.particle_spacing,
-                               paint.surface(frame.fluids[i], frame.velocities[i])});
+                               paint.surface(frame.fluids[i], whiteness(frame, i, fast))});
   }
 }
 

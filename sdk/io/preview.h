@@ -22,8 +22,9 @@ struct PreviewScene {
 /// The scene's own settings; the particles' fluids count in the order of its list.
 PreviewScene preview_of(const Scene& scene);
 
-/// Draws the particles as spheres among the solids, on the CPU. Fast fluid is whiter. Needs positions,
-/// velocities and fluids of the frame. Equal input gives equal bytes. May throw what load_mesh throws.
+/// Draws the particles as spheres among the solids, on the CPU. Fast fluid and spray are whiter. Needs
+/// positions, velocities and fluids of the frame, and without its density errors knows fast from slow alone.
+/// Equal input gives equal bytes. May throw what load_mesh throws.
 Image render_preview(const ParticleFrame& frame, const PreviewScene& scene);
 
 }  // namespace meniscus::io
