@@ -26,7 +26,7 @@ void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
   const float scale = dt > 0 ? 1 / (def_.kernel.volume * dt * dt) : 0;
   device_.parallel_for("read-out/pressures", particles_.count(),
                        engine_kernels::ReadMultipliers{density_.multipliers(), particles_.slot.current.view(),
-                                                  scalar_out_.view(), scale});
+                                                       scalar_out_.view(), scale});
   scalar_out_.read(out);
 }
 
