@@ -11,10 +11,6 @@
 
 namespace meniscus::pbd {
 
-struct alignas(8) CellRange {
-  uint32_t begin, end;
-};
-
 struct CellCoordinates {
   int32_t x, y, z;
 };
@@ -22,10 +18,11 @@ struct CellCoordinates {
 struct GridView {
   float inverse_cell = 1;  ///< 1/m
   uint32_t bits_x = 2, bits_y = 2,
-           bits_z = 2;          ///< the table is 2^bits cells wide on each axis, at least four
-  View<const CellRange> cells;  ///< of sorted particles; begin = end where there are none
+           bits_z = 2;         ///< the table is 2^bits cells wide on each axis, at least four
+  View<const uint32_t> start;  ///< of each cell's sorted particles, which end where the next one's start
 
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
+  MENISCUS_HD uint32_t cell_count() const { return 1u << key_bits(); }
 
   MENISCUS_HD CellCoordinates coordinates(Vec3 p) const {
     // The clamp keeps the conversion defined for any float, NaN included.
@@ -43,7 +40,7 @@ struct GridView {
 };
 
 /// Calls visit(begin, end) for runs of sorted particles that together hold every particle of the 27 cells
-/// around c.
+/// around c. Three cells in a row are one run, but where the table wraps around.
 template <class Visit>
 MENISCUS_HD void for_each_run(const GridView& grid, CellCoordinates c, const Visit& visit) {
   const uint32_t last = (1u << grid.bits_x) - 1;
@@ -51,23 +48,14 @@ MENISCUS_HD void for_each_run(const GridView& grid, CellCoordinates c, const Vis
   const bool wraps = x == 0 || x == last;
   MENISCUS_NO_UNROLL
   for (int32_t row = 0; row < 9; ++row) {
-    const CellCoordinates middle{c.x, c.y + row % 3 - 1, c.z + row / 3 - 1};
-    CellRange cells[3] = {load(grid.cells, grid.key({middle.x - 1, middle.y, middle.z})),
-                          load(grid.cells, grid.key(middle)),
-                          load(grid.cells, grid.key({middle.x + 1, middle.y, middle.z}))};
-    if (!wraps) {  // three cells in a row follow one another in memory, but for empty ones, whose range says
-                   // nothing
-      const CellRange a = cells[0], b = cells[1], d = cells[2];
-      cells[0] = {a.begin < a.end   ? a.begin
-                  : b.begin < b.end ? b.begin
-                                    : d.begin,
-                  d.begin < d.end   ? d.end
-                  : b.begin < b.end ? b.end
-                                    : a.end};
+    const uint32_t middle = grid.key({c.x, c.y + row % 3 - 1, c.z + row / 3 - 1});
+    if (!wraps) {
+      visit(load(grid.start, middle - 1), load(grid.start, middle + 2));
+      continue;
     }
-    for (int part = 0; part < (wraps ? 3 : 1); ++part) {
-      const CellRange range = part == 0 ? cells[0] : part == 1 ? cells[1] : cells[2];
-      visit(range.begin, range.end);
+    for (uint32_t part = 0; part < 3; ++part) {
+      const uint32_t cell = middle - x + ((x + part + last) & last);
+      visit(load(grid.start, cell), load(grid.start, cell + 1));
     }
   }
 }

@@ -13,31 +13,43 @@ namespace meniscus::pbd {
 
 namespace neighbour_kernels {
 
-/// Empties the table's entries on the way.
-struct ComputeKeys {
+// The sort is a counting sort by cell. In each cell particles are first placed as they happen to arrive, then
+// in the order of their present indices: so the result depends on nothing else.
+
+/// Notes each particle's cell, and counts the cell's particles.
+struct CountInCells {
   View<const Vec4> points;
   GridView grid;
-  View<CellRange> cells;
-  View<uint32_t> keys, identity;
-  uint32_t count;
+  View<uint32_t> key, arrival, counts;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    keys[i] = grid.key(grid.coordinates(points[i].xyz()));
-    identity[i] = i;
-    for (uint32_t cell = i; cell < cells.count; cell += count) cells[cell] = {0, 0};
+    const Vec3 p = points[i].xyz();
+    // What is not finite is near nothing; all in one cell it would take for ever.
+    const uint32_t cell = is_finite(p) ? grid.key(grid.coordinates(p)) : i & (grid.cell_count() - 1);
+    key[i] = cell;
+    arrival[i] = atomic_add(counts[cell], 1);
   }
 };
 
-/// Notes where each cell that holds particles begins and ends.
-struct FindCells {
-  View<const uint32_t> keys;
-  View<CellRange> cells;
-  uint32_t count;
+struct PlaceByArrival {
+  View<const uint32_t> key, arrival, start;
+  View<uint32_t> placed;
+
+  MENISCUS_HD void operator()(uint32_t i) const { placed[start[key[i]] + arrival[i]] = i; }
+};
+
+/// Empties the counts on the way, for the next time.
+struct PlaceInOrder {
+  View<const uint32_t> key, start, placed;
+  View<uint32_t> order, counts;
+  uint32_t particles, cells;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const uint32_t key = keys[i];
-    if (i == 0 || keys[i - 1] != key) cells[key].begin = i;
-    if (i + 1 == count || keys[i + 1] != key) cells[key].end = i + 1;
+    const uint32_t begin = start[key[i]], end = start[key[i] + 1];
+    uint32_t before = 0;
+    for (uint32_t k = begin; k < end; ++k) before += placed[k] < i;
+    order[begin + before] = i;
+    for (uint32_t cell = i; cell < cells; cell += particles) counts[cell] = 0;
   }
 };
 
@@ -52,9 +64,11 @@ struct ListNeighbours {
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 self = position[i].xyz();
     ListWriter<D> writer(index.data, row_capacity, stride, i);
-    for_each_run(grid, grid.coordinates(self), [&](uint32_t begin, uint32_t end) {
-      for (uint32_t j = begin; j < end; j += 32) writer.append(j, near_ones(self, i, j, end));
-    });
+    if (is_finite(self)) {
+      for_each_run(grid, grid.coordinates(self), [&](uint32_t begin, uint32_t end) {
+        for (uint32_t j = begin; j < end; j += 32) writer.append(j, near_ones(self, i, j, end));
+      });
+    }
     const uint32_t found = writer.finish(sentinel);
     counts[i] = found < row_capacity ? found : row_capacity;
     if (found > longest[0]) atomic_max(longest[0], found);
@@ -98,11 +112,13 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   capacity_ = capacity;
   if (row_capacity_ == 0) row_capacity_ = 64;  // about 32 are usual at h = 2 s
   const uint32_t size = capacity + Particles::padding;
-  for (Buffer<uint32_t>* b : {&keys_, &sorted_keys_, &identity_, &order_, &counts_}) b->resize_discard(size);
+  for (Buffer<uint32_t>* b : {&keys_, &arrival_, &placed_, &order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
   uint32_t cells = 4096;
   while (cells < 2 * capacity) cells *= 2;
-  cells_.resize_discard(cells);
+  cell_counts_.resize_discard(cells);
+  cell_counts_.fill(0);
+  cell_start_.resize_discard(cells + 1);
 }
 
 template <class D>
@@ -110,23 +126,27 @@ void NeighbourSearch<D>::fit(const Aabb& extent) {
   using neighbour_kernels::bits_for;
   const Vec3 cells = grid_.inverse_cell * (extent.upper - extent.lower) + Vec3{2, 2, 2};
   uint32_t bits[3] = {bits_for(cells.x), bits_for(cells.y), bits_for(cells.z)};
-  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cells_.size())) - 1;
+  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cell_counts_.size())) - 1;
   while (bits[0] + bits[1] + bits[2] > most_bits) --*std::max_element(bits, bits + 3);
   grid_.bits_x = bits[0];
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];
-  grid_.cells = cells_.view().first(1u << grid_.key_bits());
+  grid_.start = cell_start_.view().first(grid_.cell_count() + 1);
 }
 
 template <class D>
 void NeighbourSearch<D>::sort(View<const Vec4> points, uint32_t count) {
   using namespace neighbour_kernels;
-  const View<CellRange> cells = cells_.view().first(grid_.cells.count);
-  device_.parallel_for("neighbours/keys", count,
-                       ComputeKeys{points, grid_, cells, keys_.view(), identity_.view(), count});
-  device_.sort_pairs("neighbours/sort", keys_.view().first(count), sorted_keys_.view().first(count),
-                     identity_.view().first(count), order_.view().first(count), grid_.key_bits());
-  device_.parallel_for("neighbours/cells", count, FindCells{sorted_keys_.view(), cells, count});
+  const uint32_t cells = grid_.cell_count();
+  const View<uint32_t> counts = cell_counts_.view().first(cells);
+  device_.parallel_for("neighbours/cells", count,
+                       CountInCells{points, grid_, keys_.view(), arrival_.view(), counts});
+  device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
+  device_.parallel_for("neighbours/place", count,
+                       PlaceByArrival{keys_.view(), arrival_.view(), grid_.start, placed_.view()});
+  device_.parallel_for(
+      "neighbours/order", count,
+      PlaceInOrder{keys_.view(), grid_.start, placed_.view(), order_.view(), counts, count, cells});
 }
 
 template <class D>

@@ -24,11 +24,12 @@ MENISCUS_HD inline void atomic_max(uint32_t& target, uint32_t value) {
 #endif
 }
 
-MENISCUS_HD inline void atomic_add(uint32_t& target, uint32_t value) {
+/// Returns what was there before, which does depend on the order.
+MENISCUS_HD inline uint32_t atomic_add(uint32_t& target, uint32_t value) {
 #ifdef __CUDA_ARCH__
-  atomicAdd(&target, value);
+  return atomicAdd(&target, value);
 #else
-  std::atomic_ref<uint32_t>(target).fetch_add(value, std::memory_order_relaxed);
+  return std::atomic_ref<uint32_t>(target).fetch_add(value, std::memory_order_relaxed);
 #endif
 }
 
