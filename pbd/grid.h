@@ -15,6 +15,11 @@ struct CellCoordinates {
   int32_t x, y, z;
 };
 
+/// Of sorted particles.
+struct Run {
+  uint32_t begin, end;
+};
+
 struct GridView {
   float inverse_cell = 1;  ///< 1/m
   uint32_t bits_x = 2, bits_y = 2,
@@ -46,17 +51,19 @@ MENISCUS_HD void for_each_run(const GridView& grid, CellCoordinates c, const Vis
   const uint32_t last = (1u << grid.bits_x) - 1;
   const uint32_t x = static_cast<uint32_t>(c.x) & last;
   const bool wraps = x == 0 || x == last;
-  MENISCUS_NO_UNROLL
-  for (int32_t row = 0; row < 9; ++row) {
+  const auto run = [&](int32_t n) {
+    const int32_t row = wraps ? n / 3 : n;
     const uint32_t middle = grid.key({c.x, c.y + row % 3 - 1, c.z + row / 3 - 1});
-    if (!wraps) {
-      visit(load(grid.start, middle - 1), load(grid.start, middle + 2));
-      continue;
-    }
-    for (uint32_t part = 0; part < 3; ++part) {
-      const uint32_t cell = middle - x + ((x + part + last) & last);
-      visit(load(grid.start, cell), load(grid.start, cell + 1));
-    }
+    const uint32_t cell = middle - x + ((x + static_cast<uint32_t>(wraps ? n % 3 : 0) + last) & last);
+    return Run{load(grid.start, cell), load(grid.start, wraps ? cell + 1 : cell + 3)};
+  };
+  const int32_t runs = wraps ? 27 : 9;
+  Run next = run(0);  // the next run's bounds are on their way while this one is visited
+  MENISCUS_NO_UNROLL
+  for (int32_t n = 0; n < runs; ++n) {
+    const Run present = next;
+    if (n + 1 < runs) next = run(n + 1);
+    visit(present.begin, present.end);
   }
 }
 
