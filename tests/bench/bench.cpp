@@ -142,7 +142,13 @@ int main(int argc, char** argv) {
     Json all{
         {"command", ""}, {"date", o.date}, {"commit", o.commit}, {"device", ""}, {"results", Json::array()}};
     std::string command = "bench";
-    for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+    for (int i = 1; i < argc; ++i) {
+      if (argv[i] == std::string("--out")) {
+        ++i;  // where the file went says nothing about what is in it
+      } else {
+        command += std::string(" ") + argv[i];
+      }
+    }
     all["command"] = command;
     all["device"] = meniscus::World(Dam::def(o, 1)).device().name;
     for (int particles : o.particles) {
