@@ -32,16 +32,25 @@ cpu_count() {
   nproc 2>/dev/null || echo 2
 }
 
+# need_writable FOLDER: stops where a build folder cannot be written, as in a checkout that somebody else owns.
+need_writable() {
+  if ! mkdir -p "$root/$1" 2>/dev/null || [ ! -w "$root/$1" ]; then
+    fail "cannot write in $root/$1: the build needs a checkout of your own"
+  fi
+}
+
 # configure PRESET FOLDER OPTION...: configures a build folder.
 configure() {
   local preset=$1 folder=$2
   shift 2
+  need_writable "$folder"
   quietly "configuring $folder/" cmake -S "$root" -B "$root/$folder" --preset "$preset" "$@"
 }
 
 # build FOLDER [TARGET]: builds. On a terminal ninja shows its progress in one line.
 build() {
   local folder=$1
+  need_writable "$folder"
   set -- --parallel "$(cpu_count)" ${2:+--target "$2"}
   if [ -t 1 ]; then
     say "building in $folder/"

@@ -63,6 +63,17 @@ struct Fill {
       const FoundContact f = find(i, s);
       if (f.found) writer.write(i, make_contact(i, find.set.shapes[s], f));
     }
+    writer.finish(i, inert(i));
+  }
+
+  /// A contact that is too far away to do anything.
+  MENISCUS_HD pbd::Contact inert(uint32_t i) const {
+    const Vec3 up{0, 1, 0};
+    FoundContact f{{{find.h, up}}, find.position[i].xyz() - 1000 * find.h * up, false};
+    f.sample.fraction = 0;
+    pbd::Contact c = make_contact(i, Shape{}, f);
+    c.body = pbd::no_index;
+    return c;
   }
 
   MENISCUS_HD pbd::Contact make_contact(uint32_t i, const Shape& shape, const FoundContact& f) const {

@@ -14,7 +14,9 @@ template <class D>
 void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   last_dt_ = substep.dt;
-  share_ = parameters_.warm_start * ratio * ratio;  // a multiplier grows with the square of the step
+  // A multiplier grows with the square of the step; but after a step that was short for the error that it
+  // met, it is greater than the longer one's will be.
+  share_ = parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
 }
 
 template <class D>

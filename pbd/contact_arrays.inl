@@ -18,8 +18,13 @@ void ContactArrays<D>::reserve(uint32_t capacity) {
 
 template <class D>
 void ContactArrays<D>::resize(uint32_t contacts) {
-  contacts_.resize_discard(contacts);
-  particle_.resize_discard(contacts);
+  particle_.resize_or_stay(contacts);
+  try {
+    contacts_.resize_or_stay(contacts);
+  } catch (...) {
+    particle_.resize_discard(contacts_.size());
+    throw;
+  }
   particle_.fill(0);
 }
 

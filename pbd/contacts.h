@@ -55,6 +55,11 @@ struct ContactWriter {
   View<Contact> contacts;
   View<uint32_t> particle;
 
+  /// Fills up what was counted for i and not written. Counting and writing are compiled apart, and may judge
+  /// differently by a rounding.
+  MENISCUS_HD void finish(uint32_t i, const Contact& inert) const {
+    while (remaining[i] > 0 && remaining[i] <= start[i + 1] - start[i]) write(i, inert);
+  }
   MENISCUS_HD bool has_any(uint32_t i) const { return start[i] != start[i + 1]; }
   MENISCUS_HD void write(uint32_t i, const Contact& contact) const {
     const uint32_t n = start[i + 1] - remaining[i]--;

@@ -71,7 +71,7 @@ struct ListNeighbours {
     }
     const uint32_t found = writer.finish(sentinel);
     counts[i] = found < row_capacity ? found : row_capacity;
-    if (found > longest[0]) atomic_max(longest[0], found);
+    atomic_max(longest[0], found);
   }
 
   /// Bit k is set where particle first + k, one of at most 32 before `end`, is in reach and is not i. Whole
@@ -108,7 +108,6 @@ NeighbourSearch<D>::NeighbourSearch(D& device, float support_radius)
 
 template <class D>
 void NeighbourSearch<D>::reserve(uint32_t capacity) {
-  if (capacity <= capacity_) return;
   capacity_ = capacity;
   if (row_capacity_ == 0) row_capacity_ = 64;  // about 32 are usual at h = 2 s
   const uint32_t size = capacity + Particles::padding;
@@ -141,7 +140,12 @@ void NeighbourSearch<D>::sort(View<const Vec4> points, uint32_t count) {
   const View<uint32_t> counts = cell_counts_.view().first(cells);
   device_.parallel_for("neighbours/cells", count,
                        CountInCells{points, grid_, keys_.view(), arrival_.view(), counts});
-  device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
+  try {
+    device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
+  } catch (...) {
+    cell_counts_.fill(0);
+    throw;
+  }
   device_.parallel_for("neighbours/place", count,
                        PlaceByArrival{keys_.view(), arrival_.view(), grid_.start, placed_.view()});
   device_.parallel_for(
@@ -160,8 +164,9 @@ void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel) 
 
 template <class D>
 void NeighbourSearch<D>::grow_rows(uint32_t needed) {
-  row_capacity_ = (needed + needed / 8 + 15) / 16 * 16;
-  index_.resize_discard(size_t{capacity_ + Particles::padding} * row_capacity_);
+  const uint32_t row_capacity = (needed + needed / 8 + 15) / 16 * 16;
+  index_.resize_or_stay(size_t{capacity_ + Particles::padding} * row_capacity);
+  row_capacity_ = row_capacity;
 }
 
 template <class D>

@@ -3,7 +3,7 @@
 //
 // Neighbour lists as constraints read them: through for_each_neighbour alone, so that the form of the list
 // can change. What D is says who reads: the CPU with eight lanes (CpuDevice), a thread of the GPU
-// (CudaDevice), or eight (CudaTeam).
+// (CudaDevice), or four (CudaTeam).
 #pragma once
 
 #include <type_traits>

@@ -62,7 +62,6 @@ class Particles {
 
   /// Room for `capacity` particles; those that are there stay.
   void reserve(uint32_t capacity) {
-    if (capacity <= capacity_) return;
     const uint32_t size = capacity + padding;
     position.reserve(size, count_);
     velocity.reserve(size, count_);

@@ -85,7 +85,10 @@ class Solver {
   void sort(float dt, Vec3 gravity);
   void find(Substep<D>& s);
   Substep<D> find_at_rest(float dt);
+  ParticleSummary run(int substeps, float dt);
   bool had_room();
+  void make_room();
+  void reserve_all(uint32_t capacity);
   void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
@@ -106,6 +109,7 @@ class Solver {
 
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
+  bool fresh_ = true;     // particles were added or changed by hand since the last step
   float step_speed_ = 0;  // m/s, that a particle can reach in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };

@@ -48,17 +48,30 @@ template <class D>
 StepResult Solver<D>::step(float dt) {
   const int substeps = choose_substeps(dt);
   for (;;) {
-    timer_.start_step();
-    save_state();
+    const ParticleSummary after = run(substeps, dt / static_cast<float>(substeps));
+    const bool done = had_room();
+    if (!done || after.non_finite) restore_state();
+    fresh_ = !done || after.non_finite;
+    if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
+    make_room();
+  }
+}
+
+/// The substeps of a step, and what has come of them. Whatever goes wrong, the state is the one from before.
+template <class D>
+ParticleSummary Solver<D>::run(int substeps, float dt) {
+  timer_.start_step();
+  save_state();
+  try {
     for (Observer<D>* observer : observers_) observer->start_step();
-    for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps));
+    for (int k = 0; k < substeps; ++k) substep(dt);
     timer_.enter(StageId::finish);
     summarize();
     timer_.stop();
-    const ParticleSummary after = summary();
-    const bool done = had_room();
-    if (!done || after.non_finite) restore_state();
-    if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
+    return summary();
+  } catch (...) {
+    restore_state();
+    throw;
   }
 }
 
@@ -70,6 +83,7 @@ void Solver<D>::relax(float dt, int times) {
     for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
       for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
     }
+    contacts_.limit_motion(s.particles.previous, s.particles.position, s.particles.owned, true);
     device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
     particles_changed(0, particles_.count());
   }
@@ -78,8 +92,13 @@ void Solver<D>::relax(float dt, int times) {
 template <class D>
 void Solver<D>::measure(const std::function<void(Substep<D>&, const Found&)>& measure) {
   save_state();
-  Substep<D> s = find_at_rest(0);
-  measure(s, readout_.found);
+  try {
+    Substep<D> s = find_at_rest(0);
+    measure(s, readout_.found);
+  } catch (...) {
+    restore_state();
+    throw;
+  }
   restore_state();
 }
 
@@ -133,18 +152,22 @@ Substep<D> Solver<D>::find_at_rest(float dt) {
     find(s);
     readout_buffer_.read(std::span(&readout_, 1));
     if (had_room()) return s;
+    make_room();
   }
 }
 
-/// Whether all that was found since the last time fitted. If not, there is room for it now.
+/// Whether all that was found fitted.
 template <class D>
 bool Solver<D>::had_room() {
   const Found& found = readout_.found;
-  const bool lists = found.longest_list <= search_.row_capacity(),
-             contacts = found.most_contacts < contacts_.capacity();
-  if (!lists) search_.grow_rows(found.longest_list);
-  if (!contacts) contacts_.grow();
-  return lists && contacts;
+  return found.longest_list <= search_.row_capacity() && found.most_contacts < contacts_.capacity();
+}
+
+template <class D>
+void Solver<D>::make_room() {
+  const Found& found = readout_.found;
+  if (found.longest_list > search_.row_capacity()) search_.grow_rows(found.longest_list);
+  if (found.most_contacts >= contacts_.capacity()) contacts_.grow();
 }
 
 template <class D>
@@ -154,11 +177,11 @@ void Solver<D>::update_velocities(const Substep<D>& s) {
                                                       s.particles.velocity, 1.0f / s.dt});
 }
 
-/// Whether a substep is so long that the solve may carry a particle through a surface which was out of its
-/// reach when contacts were found.
+/// Whether a substep is so long for the speeds in it that the solve may carry a particle through a surface
+/// which was out of its reach when contacts were found. New particles may overlap, and be thrown apart.
 template <class D>
 bool Solver<D>::is_fast(float dt) const {
-  return step_speed_ * dt > 0.5f * (parameters_.support_radius - parameters_.contact_radius);
+  return fresh_ || step_speed_ * dt > 0.5f * (parameters_.support_radius - parameters_.contact_radius);
 }
 
 template <class D>
@@ -187,7 +210,18 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
 
 template <class D>
 void Solver<D>::reserve(uint32_t capacity) {
-  if (capacity <= particles_.capacity()) return;
+  const uint32_t before = particles_.capacity();
+  if (capacity <= before) return;
+  try {
+    reserve_all(capacity);
+  } catch (...) {
+    reserve_all(before);
+    throw;
+  }
+}
+
+template <class D>
+void Solver<D>::reserve_all(uint32_t capacity) {
   for (ConstraintSet<D>* set : sets_) set->reserve(capacity, particles_.count());
   for (VelocityPass<D>* pass : passes_) pass->reserve(capacity);
   particles_.reserve(capacity);
@@ -198,6 +232,7 @@ void Solver<D>::reserve(uint32_t capacity) {
 template <class D>
 void Solver<D>::particles_changed(uint32_t first, uint32_t count) {
   summary_state_ = SummaryState::unknown;
+  fresh_ = true;
   for (ConstraintSet<D>* set : sets_) set->clear(first, count);
 }
 

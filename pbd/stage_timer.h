@@ -24,7 +24,7 @@ class StageTimer {
     device_.mark_time(static_cast<uint32_t>(marks_.size()));
     marks_.push_back(stage);
   }
-  /// Ends the step; the device must be idle before read() is called.
+  /// Ends the step; the device must be idle before read_ms() is called.
   void stop() { device_.mark_time(static_cast<uint32_t>(marks_.size())); }
 
   std::array<double, stage_ids> read_ms() const {

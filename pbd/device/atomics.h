@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Integer atomics alone: their result does not depend on the order, so they keep a run reproducible.
+// Atomics on integers alone: what they leave behind does not depend on the order, so they keep a run
+// reproducible.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace meniscus::pbd {
 
 MENISCUS_HD inline void atomic_max(uint32_t& target, uint32_t value) {
 #ifdef __CUDA_ARCH__
-  atomicMax(&target, value);
+  if (value > target) atomicMax(&target, value);  // seldom so: a plain look first
 #else
   std::atomic_ref<uint32_t> shared(target);
   uint32_t seen = shared.load(std::memory_order_relaxed);

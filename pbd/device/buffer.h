@@ -52,6 +52,17 @@ class Buffer {
     size_ = size;
   }
 
+  /// The same, but when there is no memory for it the length stays as it was.
+  void resize_or_stay(size_t size) {
+    const size_t before = size_;
+    try {
+      resize_discard(size);
+    } catch (...) {
+      resize_discard(before);
+      throw;
+    }
+  }
+
   /// New length; the first `kept` elements stay.
   void resize_keep(size_t size, size_t kept) {
     if (size == size_) return;

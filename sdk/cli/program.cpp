@@ -47,7 +47,7 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->check(CLI::IsMember({"ply", "vtp"}).description(""));
   run.add_option("--threads", options.threads, "Threads of the CPU device; 0 is one a core")
       ->type_name("N")
-      ->check(CLI::Range(0, 4096).description(""));
+      ->check(CLI::Range(0, 1024).description(""));
   run.add_flag("--quiet", options.quiet, "Print errors alone");
   run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });
 }

@@ -52,6 +52,10 @@ float World::particle_mass(FluidId id) const {
 FluidId World::create_fluid(const FluidDef& def) {
   check::fluid(def);
   const FluidId id = impl_->fluids.insert(def);
+  if (id.index > pbd::phase_group_mask) {
+    impl_->fluids.erase(id);
+    throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
+  }
   std::vector<fluid::Material> materials;
   impl_->fluids.for_each([&](uint32_t, const FluidDef& f) {
     materials.push_back(
@@ -104,6 +108,8 @@ ProbeId World::create_probe(const ProbeDef& def) {
       throw Error(ErrorCode::invalid_argument, "ProbeDef::patch is left out; wall_pressure needs it");
   }
   const ProbeId id = impl_->probes.insert(def);
+  impl_->probe_values.resize(std::max<size_t>(impl_->probe_values.size(), id.index + 1));
+  impl_->probe_values[id.index] = {};
   impl_->probes_changed();
   return id;
 }
@@ -195,7 +201,7 @@ StepReport World::step(float dt) {
   }
   impl_->time += dt;
   impl_->last_substep = dt / static_cast<float>(done.result.substeps);
-  impl_->engine->read_probes(impl_->probe_values);
+  impl_->read_probes();
   StepReport report;
   report.removed = static_cast<uint32_t>(std::count(done.removed.begin(), done.removed.end(), true));
   if (report.removed) impl_->remove(done.removed);
@@ -270,9 +276,7 @@ Diagnostics World::diagnostics() const {
 
 double World::probe(ProbeId id) const {
   const ProbeDef& def = impl_->probes.get(id);
-  size_t place = 0;
-  impl_->probes.for_each([&](uint32_t index, const ProbeDef&) { place += index < id.index; });
-  const fluid::ProbeSum& value = impl_->probe_values[place];
+  const fluid::ProbeSum& value = impl_->probe_values[id.index];
   if (def.kind == ProbeKind::point_pressure) return value.pressure;
   const double force = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
   return def.kind == ProbeKind::wall_pressure ? force / def.area : force;

@@ -102,7 +102,13 @@ void World::Impl::probes_changed() {
                        Aabb{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}})});
   });
   engine->set_probes(all);
-  probe_values.assign(all.size(), {});
+  probe_sums.assign(all.size(), {});
+}
+
+void World::Impl::read_probes() {
+  engine->read_probes(probe_sums);
+  size_t place = 0;
+  probes.for_each([&](uint32_t index, const ProbeDef&) { probe_values[index] = probe_sums[place++]; });
 }
 
 void World::Impl::state_changed() {

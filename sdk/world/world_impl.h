@@ -40,6 +40,7 @@ struct World::Impl {
   void shapes_changed();
   void sinks_changed();
   void probes_changed();
+  void read_probes();
   void state_changed();
   void remove(const std::vector<bool>& removed);  // by slot; the engine has done so already
 
@@ -55,7 +56,8 @@ struct World::Impl {
   IdTable<ShapeId, ShapeParts> shapes{"shape", first_generation};
   IdTable<SinkId, SinkDef> sinks{"sink", first_generation};
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
-  std::vector<fluid::ProbeSum> probe_values;
+  std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes
+  std::vector<fluid::ProbeSum> probe_values;  // by the index of their ids
 
   ParticleId next_id = 0;
   std::vector<ParticleId> ids;  // by slot, ascending

@@ -186,6 +186,27 @@ TEST_P(SweepTest, ATurningVolleyStaysInItsContainer) {
   }
 }
 
+// The solve throws overlapping particles apart, further than contacts were looked for.
+TEST_P(SweepTest, ABurstStaysInItsContainer) {
+  for (float distance : {1.55f, 2.0f, 3.0f}) {
+    WorldDef def = world_def(GetParam(), 0.05f);
+    def.substeps = 1;
+    def.gravity = {0, 0, 0};
+    World world(def);
+    world.create_shape(tank({-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}));
+    std::mt19937 random(3);
+    std::vector<Vec3> clump;
+    for (int n = 0; n < 1080; ++n) {
+      clump.push_back(Vec3{0.5f - distance * 0.05f - 0.02f, 0, 0} + random_vector(random, 0.02f));
+    }
+    world.add_particles(world.create_fluid({}), clump);
+    for (int k = 0; k < 5; ++k) {
+      world.step(0.016f);
+      EXPECT_EQ(world.diagnostics().outside, 0u) << distance << " spacings from the wall, step " << k;
+    }
+  }
+}
+
 MENISCUS_ON_EACH_DEVICE(SweepTest);
 
 }  // namespace

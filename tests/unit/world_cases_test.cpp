@@ -97,7 +97,7 @@ TEST_P(CasesTest, TheHeavyFluidSinksBelowTheLight) {
   world.create_shape(tank({0, 0, 0}, {0.5f, 0.8f, 0.25f}));
   world.add_fluid(block(water, {0, 0.25f, 0}, {0.5f, 0.5f, 0.25f}));
   world.add_fluid(block(oil, {0, 0, 0}, {0.5f, 0.25f, 0.25f}));
-  run(world, 250, 0.016f);
+  run(world, 375, 0.016f);
   double height[2] = {}, count[2] = {};
   for (size_t i = 0; i < world.particle_count(); ++i) {
     height[world.fluids()[i]] += world.positions()[i].y;

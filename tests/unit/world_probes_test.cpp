@@ -120,6 +120,17 @@ TEST_P(ProbesTest, EachIdKeepsItsProbeWhenOthersGo) {
   EXPECT_NEAR(world_.probe(force) / weight(), 1, 0.3);
 }
 
+TEST_P(ProbesTest, OthersComeAndGoWithoutATrace) {
+  const ProbeId force = force_on(make_column()), gone = pressure_at({0.2f, 0.4f, 0.2f});
+  run(world_, 5, 0.016f);
+  const double before = world_.probe(force);
+  EXPECT_GT(before, 100);
+  world_.destroy_probe(gone);
+  EXPECT_EQ(world_.probe(force), before);
+  EXPECT_EQ(world_.probe(pressure_at({0.1f, 0.1f, 0.1f})), 0);
+  EXPECT_EQ(world_.probe(force), before);
+}
+
 TEST_P(ProbesTest, AProbeOfADestroyedShapeDoesNotFollowItsSuccessor) {
   const ShapeId floor = make_column();
   const ProbeId force = force_on(floor);

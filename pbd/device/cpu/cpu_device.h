@@ -22,7 +22,6 @@ class CpuDevice final : public Device {
   static constexpr uint32_t lane_count = Lanes::count;
   static constexpr bool interleaves_lists = false;  ///< see NeighbourView
   using Lister = CpuDevice;                         ///< who looks through candidates to list neighbours
-  using Team = CpuDevice;                           ///< who runs the kernels of parallel_for_teams
   static bool leads() { return true; }
 
   /// threads = 0: one a core.
@@ -52,7 +51,7 @@ class CpuDevice final : public Device {
   }
 
   /// For kernels whose single items take long: calls kernel.run<D>(i), where D is this device, or, on a GPU
-  /// with too few items to fill it, CudaTeam, of which eight threads run each i.
+  /// with too few items to fill it, CudaTeam, of which four threads run each i.
   template <class Kernel>
   void parallel_for_long(const char* name, uint32_t count, const Kernel& kernel) {
     parallel_for(name, count, RunLong<Kernel>{kernel});

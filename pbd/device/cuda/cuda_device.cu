@@ -119,10 +119,13 @@ void CudaDevice::mark_time(uint32_t mark) {
   flush_mark();
   if (mark >= times_capacity_) {
     wait();
+    uint64_t* more = nullptr;
+    const uint32_t capacity = std::max(256u, 2 * mark);
+    check_cuda(cudaMallocHost(&more, capacity * sizeof(uint64_t)), "allocating pinned memory");
+    std::copy(times_, times_ + times_capacity_, more);
     cudaFreeHost(times_);
-    times_ = nullptr;
-    times_capacity_ = std::max(256u, 2 * mark);
-    check_cuda(cudaMallocHost(&times_, times_capacity_ * sizeof(uint64_t)), "allocating pinned memory");
+    times_ = more;
+    times_capacity_ = capacity;
   }
   pending_mark_.at = times_ + mark;
 }

@@ -88,7 +88,9 @@ struct BoxGeometry {
 
 enum class Face { x_low, x_high, y_low, y_high, z_low, z_high };
 
-/// A hole in a container's face, through which fluid leaves. Without corners the whole face is open.
+/// A hole in a container's face, through which fluid leaves: what has passed it is outside of the container
+/// for good. Without corners the face is not there at all, and the walls around it go on without end, as
+/// those of a tall vessel or of a channel.
 struct Opening {
   Face face = Face::y_high;
   std::optional<Aabb> region{};  ///< in the container's frame; the extent along the face's normal is ignored
