@@ -92,8 +92,7 @@ void DensitySet<D>::measure(const pbd::Substep<D>& substep, pbd::View<float> err
                                                      substep.contacts, substep.particles.slot, error, full});
 }
 
-// ---- arrays that follow the particles
-// --------------------------------------------------------------------------------
+// ---- arrays that follow the particles ----
 
 template <class D>
 void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {

@@ -21,11 +21,13 @@ struct ViscosityCoefficients {
 /// Position Based Fluids, eqs. 15 to 17, with two changes that make the parameters independent of step and
 /// spacing.
 ///
-///   XSPH         v_i += c Σ 2w_i/(w_i + w_j) V W (v_j − v_i), c = 1 − exp(−(xsph + 22 ν/h²) h_t). The second
-///   moment of
-///                poly6 is 3h²/11, so that c diffuses velocity with ν = c h²/(22 h_t). The mean of the masses
-///                keeps momentum between fluids of different density.
-///   confinement  v_i += h_t ε h N × ω, N = ∇|ω|/|∇|ω||. The factor h makes it vanish with resolution.
+///   XSPH         v_i += c Σ 2w_i/(w_i + w_j) V W (v_j − v_i)
+///                c = 1 − exp(−(xsph + 22 ν/h²) h_t)
+///   confinement  v_i += h_t ε h N × ω, N = ∇|ω|/|∇|ω||
+///
+/// The second moment of poly6 is 3h²/11, so that c diffuses velocity with ν = c h²/(22 h_t). The mean of the
+/// masses keeps momentum between fluids of different density. The factor h makes confinement vanish with
+/// resolution.
 template <class D>
 class ViscosityPass final : public pbd::VelocityPass<D> {
  public:

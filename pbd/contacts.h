@@ -12,6 +12,7 @@ namespace meniscus::pbd {
 
 inline constexpr uint32_t no_index = 0xffffffff;
 
+/// What sources find today is one particle at a surface; the other three are for triangles to come.
 /// One particle, or up to four with weights (a triangle's corners against a particle), near a surface. Found
 /// once a substep; the surface is taken as the plane through `point` while the substep's iterations run.
 struct alignas(16) Contact {

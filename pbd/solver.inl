@@ -102,8 +102,7 @@ void Solver<D>::measure(const std::function<void(Substep<D>&, const Found&)>& me
   restore_state();
 }
 
-// ---- the stages
-// ----------------------------------------------------------------------------------------------------
+// ---- the stages ----
 
 template <class D>
 void Solver<D>::predict(float dt, Vec3 gravity) {
@@ -193,8 +192,7 @@ int Solver<D>::choose_substeps(float dt) {
                                      static_cast<float>(parameters_.max_substeps)));
 }
 
-// ---- state
-// ---------------------------------------------------------------------------------------------------------
+// ---- state ----
 
 template <class D>
 Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& parameters)

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/world/seeding.h"
 
+#include <meniscus/error.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 
 #include "collision/mesh.h"
@@ -48,7 +51,12 @@ struct FillRegion {
   }
 
   std::vector<Vec3> operator()(const MeshRegion& r) const {
-    return engine.fill_mesh(collision::load_mesh(r.file, r.scale), spacing);
+    std::vector<Vec3> points = engine.fill_mesh(collision::load_mesh(r.file, r.scale), spacing);
+    if (points.empty()) {
+      throw Error(ErrorCode::mesh,
+                  "the mesh " + r.file + " has no inside, or none that a particle fits into");
+    }
+    return points;
   }
 };
 

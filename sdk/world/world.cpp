@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "sdk/world/check.h"
 #include "sdk/world/seeding.h"
@@ -19,8 +20,11 @@ constexpr size_t most_particles = size_t{1} << 27;
 void check_room(size_t present, double added) {
   const double wanted = static_cast<double>(present) + added;
   if (wanted > static_cast<double>(most_particles)) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.4g", wanted);
     throw Error(ErrorCode::capacity, "a world holds at most " + std::to_string(most_particles) +
-                                         " particles; " + std::to_string(wanted) + " were asked for");
+                                         " particles; " + number +
+                                         " were asked for. A wider particle_spacing needs fewer");
   }
 }
 
@@ -46,8 +50,7 @@ float World::particle_mass(FluidId id) const {
   return impl_->fluids.get(id).rest_density * s * s * s;
 }
 
-// ---- what the world is made of
-// ---------------------------------------------------------------------------------------
+// ---- what the world is made of ----
 
 FluidId World::create_fluid(const FluidDef& def) {
   check::fluid(def);
@@ -119,8 +122,7 @@ void World::destroy_probe(ProbeId id) {
   impl_->probes_changed();
 }
 
-// ---- particles
-// -------------------------------------------------------------------------------------------------------
+// ---- particles ----
 
 size_t World::add_fluid(const FluidVolumeDef& def) {
   impl_->fluids.get(def.fluid);
@@ -184,8 +186,7 @@ void World::relax(int iterations) {
   impl_->state_changed();
 }
 
-// ---- time
-// ------------------------------------------------------------------------------------------------------------
+// ---- time ----
 
 StepReport World::step(float dt) {
   check::positive("step's dt", dt);
@@ -219,8 +220,7 @@ double World::time() const {
   return impl_->time;
 }
 
-// ---- read-outs
-// -------------------------------------------------------------------------------------------------------
+// ---- read-outs ----
 
 size_t World::particle_count() const {
   return impl_->ids.size();

@@ -125,17 +125,17 @@ int main(int argc, char** argv) {
   Options o;
   CLI::App app("Times the steps of a dam break");
   app.add_option("--device", o.device, "auto, cpu or cuda");
-  app.add_option("--particles", o.particles)->delimiter(',');
-  app.add_option("--iterations", o.iterations)->delimiter(',');
-  app.add_option("--substeps", o.substeps);
-  app.add_option("--threads", o.threads);
+  app.add_option("--particles", o.particles, "how many, one case each")->delimiter(',');
+  app.add_option("--iterations", o.iterations, "a substep, one case each")->delimiter(',');
+  app.add_option("--substeps", o.substeps, "a step");
+  app.add_option("--threads", o.threads, "of the CPU; 0: one a core");
   app.add_option("--warm", o.warm_steps, "steps before the clock starts");
   app.add_option("--steps", o.timed_steps, "steps that are timed");
   app.add_option("--step-in-h", o.step_in_h,
                  "motion a substep, in support radii, that the time step is chosen for");
   app.add_option("--solver", o.solver, "jacobi or chebyshev");
-  app.add_option("--commit", o.commit);
-  app.add_option("--date", o.date);
+  app.add_option("--commit", o.commit, "noted in the results");
+  app.add_option("--date", o.date, "noted in the results");
   app.add_option("--out", o.out, "write the results here as well");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -222,8 +222,7 @@ TEST_F(SceneFile, AliasStandsForAModelOfGlmark2) {
   EXPECT_EQ(found, path("hare.obj"));
 }
 
-// ---- samples
-// -------------------------------------------------------------------------------------------------------
+// ---- samples ----
 
 TEST_F(SceneFile, EverySampleReads) {
   write("bunny.obj", "");

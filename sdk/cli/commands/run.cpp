@@ -33,6 +33,7 @@ std::filesystem::path made_folder(const RunOptions& options, const Scene& scene)
   // A name is not a path.
   std::string name = scene.name;
   std::replace(name.begin(), name.end(), '/', '_');
+  if (name == "." || name == "..") name = "scene";
   const std::filesystem::path folder = options.out.empty() ? "out/" + name : options.out;
   make_folder(folder);
   return folder;
@@ -42,10 +43,12 @@ class Run {
  public:
   explicit Run(const RunOptions& options)
       : scene_(scene_of(options)),
+        built_(build_scene(scene_)),
         folder_(made_folder(options, scene_)),
         recorder_(folder_, scene_),
-        exporter_(folder_, options.formats),
-        built_(build_scene(scene_)) {}
+        exporter_(folder_, options.formats) {
+    if (built_.world.particle_count() == 0) spdlog::warn("the scene has no particles: nothing will happen");
+  }
 
   /// From here on an error ends the run but not the program: what was done is still written.
   void step_through(bool quiet) {
@@ -96,11 +99,10 @@ class Run {
   }
 
   Scene scene_;
+  BuiltScene built_;  // first of all: a run that cannot start leaves the folder as it was
   std::filesystem::path folder_;
-  RunRecorder
-      recorder_;  // opens its files before the world is built: a folder that cannot be used is known at once
+  RunRecorder recorder_;
   FrameExporter exporter_;
-  BuiltScene built_;
   RunEnd end_;
 };
 

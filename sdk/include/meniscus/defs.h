@@ -73,8 +73,7 @@ struct FluidDef {
   Vec3 color{0.10f, 0.35f, 0.75f};  ///< linear RGB, 0 to 1
 };
 
-// ---- solids that do not move
-// ---------------------------------------------------------------------------------------
+// ---- solids that do not move ----
 
 /// Everything with normal · x < offset is solid.
 struct PlaneGeometry {
@@ -145,8 +144,7 @@ struct ShapeDef {
   float restitution = 0.0f;  ///< 0 to 1
 };
 
-// ---- fluid volumes
-// -------------------------------------------------------------------------------------------------
+// ---- fluid volumes ----
 
 struct BoxRegion {
   Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};  ///< m, before the pose
@@ -173,8 +171,7 @@ struct FluidVolumeDef {
   Vec3 velocity{0, 0, 0};  ///< m/s
 };
 
-// ---- sinks and probes
-// ----------------------------------------------------------------------------------------------
+// ---- sinks and probes ----
 
 /// Removes every particle inside the box at the end of a step; or, with `outside`, every particle outside of
 /// it.
