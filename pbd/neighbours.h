@@ -61,53 +61,52 @@ MENISCUS_HD void for_each_neighbour(const NeighbourView& list, uint32_t i, const
   }
 }
 
-/// Writes the list of one particle while it is built, to a row of its own.
-class RowWriter {
+/// Writes the list of one particle while it is built. Form::add(j) stores one, if it fits.
+template <class Form>
+class ListBuilder {
  public:
-  MENISCUS_HD RowWriter(uint32_t* index, uint32_t row_capacity, uint32_t /*stride*/, uint32_t i)
-      : row_(index + size_t{i} * row_capacity), capacity_(row_capacity) {}
-
   /// Adds first + k for each bit k of `chosen`. All are counted; those that fit are stored.
   MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
-    for (; chosen; chosen &= chosen - 1) add(first + lowest_bit(chosen));
+    for (; chosen; chosen &= chosen - 1) form().add(first + lowest_bit(chosen));
   }
 
   /// Fills up with `sentinel` to a multiple of eight; returns the number found, which may be more than
   /// fitted.
   MENISCUS_HD uint32_t finish(uint32_t sentinel) {
     const uint32_t found = count_;
-    while (count_ % 8) add(sentinel);
+    while (count_ % 8) form().add(sentinel);
     return found;
   }
 
+ protected:
+  uint32_t count_ = 0;
+
  private:
+  MENISCUS_HD Form& form() { return static_cast<Form&>(*this); }
+};
+
+/// To a row of its own.
+class RowWriter : public ListBuilder<RowWriter> {
+ public:
+  MENISCUS_HD RowWriter(uint32_t* index, uint32_t row_capacity, uint32_t /*stride*/, uint32_t i)
+      : row_(index + size_t{i} * row_capacity), capacity_(row_capacity) {}
+
   MENISCUS_HD void add(uint32_t j) {
     if (count_ < capacity_) row_[count_] = j;
     ++count_;
   }
 
+ private:
   uint32_t* row_;
   uint32_t capacity_;
-  uint32_t count_ = 0;
 };
 
-/// The same for an interleaved list, a group of four at a time.
-class GroupWriter {
+/// To an interleaved list, a group of four at a time.
+class GroupWriter : public ListBuilder<GroupWriter> {
  public:
   MENISCUS_HD GroupWriter(uint32_t* index, uint32_t row_capacity, uint32_t stride, uint32_t i)
       : at_(reinterpret_cast<IndexGroup*>(index) + i), capacity_(row_capacity), stride_(stride) {}
 
-  MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
-    for (; chosen; chosen &= chosen - 1) add(first + lowest_bit(chosen));
-  }
-
-  MENISCUS_HD uint32_t finish(uint32_t sentinel) {
-    const uint32_t found = count_;
-    while (count_ % 8) add(sentinel);
-    return found;
-  }
-
- private:
   MENISCUS_HD void add(uint32_t j) {
     group_ = {group_.b, group_.c, group_.d, j};
     if (++count_ % 4 || count_ > capacity_) return;
@@ -115,9 +114,9 @@ class GroupWriter {
     at_ += stride_;
   }
 
+ private:
   IndexGroup* at_;
   uint32_t capacity_, stride_;
-  uint32_t count_ = 0;
   IndexGroup group_{};
 };
 
