@@ -130,6 +130,7 @@ std::unique_ptr<Engine> make_engine_on(pbd::DeviceKind kind, const EngineDef& de
 TEST_P(AllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
   constexpr float s = 0.05f;
   EngineDef def;
+  def.particle_spacing = s;
   def.kernel = fluid::calibrate(s, 2 * s);
   def.solver.support_radius = 2 * s;
   def.solver.contact_radius = 0.5f * s;
