@@ -22,6 +22,7 @@ class ContactArrays {
   void limit_motion(View<const Vec4> from, View<Vec4> to, uint32_t count, bool planes_too) {
     for (ContactSource<D>* source : sources_) source->limit_motion(from, to, count, planes_too);
   }
+  /// Counts the contacts of each particle, and writes those that there is room for.
   void find(const Substep<D>& substep);
   /// One element, on the device: how many there are, up to the capacity.
   View<const uint32_t> total() const { return {start_.view().data + counted_, 1}; }

@@ -25,8 +25,7 @@ struct alignas(16) Contact {
   Vec3 tangent_multiplier;  ///< kg·m, friction so far in this substep; over the substep's length it is the
                             ///< impulse
   float normal_multiplier;  ///< kg·m, non-penetration so far
-  float
-      density_push;  ///< kg·m along the normal, what the density constraint gave through this surface so far
+  float density_push;    ///< kg·m along the normal, from the density constraint through this surface so far
   float approach_speed;  ///< m/s along the normal, before the substep's solve; negative towards the surface
   float friction;        ///< Coulomb's μ
   float restitution;     ///< 0 to 1

@@ -67,8 +67,8 @@ class Observer {
   virtual void observe(const Substep<D>& substep) = 0;
 };
 
-/// Something that finds contacts: first it keeps fast particles from passing through; then, in sorted order,
-/// the number of contacts for each particle, then, when there is room, they themselves.
+/// Something that finds contacts: first it keeps fast particles from passing through; then it finds, in
+/// sorted order, the number of contacts of each particle, then the contacts themselves.
 template <class D>
 class ContactSource {
  public:
