@@ -16,7 +16,7 @@ configure_package_config_file(cmake/MeniscusConfig.cmake.in ${PROJECT_BINARY_DIR
   INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/MeniscusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/MeniscusConfig.cmake ${PROJECT_BINARY_DIR}/MeniscusConfigVersion.cmake
-  DESTINATION ${package_folder})
+  cmake/MeniscusBullet.cmake DESTINATION ${package_folder})
 
 if(MENISCUS_BUILD_CLI)
   install(TARGETS meniscus_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

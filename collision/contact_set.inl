@@ -23,7 +23,7 @@ MENISCUS_HD inline float jitter(uint32_t slot) {
 }
 
 struct Project {
-  View<Vec4> position;
+  View<Vec4> position, moved;
   View<const Vec4> previous;
   View<const uint32_t> slot;
   ContactView contacts;
@@ -35,48 +35,61 @@ struct Project {
     Vec4 p = position[i];
     if (p.w == 0) return;
     const float radius = contacts.radius * (1 - 0.01f * jitter(slot[i]));
-    Vec3 x = p.xyz();
+    Vec3 x = p.xyz(), step{0, 0, 0};
     for (uint32_t k = begin; k < end; ++k) {
       Contact& c = contacts.contacts[k];
-      x = push_out(c, x, p.w, radius);
-      if (c.friction > 0) x = hold_back(c, x, x - previous[i].xyz(), p.w);
+      step += p.w * push_out(c, x + step, p.w, radius);
+      if (c.friction > 0) step += p.w * hold_back(c, x + step - previous[i].xyz(), p.w);
     }
-    position[i] = pbd::with_w(x, p.w);
+    position[i] = pbd::with_w(x + step, p.w);
+    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
   }
 
+  /// What the contact adds to its normal push, kg·m.
   MENISCUS_HD static Vec3 push_out(Contact& c, Vec3 x, float w, float radius) {
-    const float old = c.normal_multiplier;
-    c.normal_multiplier = pbd::max(0.0f, old + (radius - plane_distance(c, x)) / w);
-    return x + w * (c.normal_multiplier - old) * c.normal;
+    const float old = c.normal_multiplier, distance = plane_distance(c, x);
+    // Adhesion reaches as far again as the contact.
+    const float least = distance < 2 * radius ? -c.adhesion : 0.0f;
+    c.normal_multiplier = pbd::max(least, old + (radius - distance) / (w + c.body_inverse_mass));
+    return (c.normal_multiplier - old) * c.normal;
   }
 
-  MENISCUS_HD static Vec3 hold_back(Contact& c, Vec3 x, Vec3 moved, float w) {
-    const Vec3 slip = moved - dot(moved, c.normal) * c.normal;
-    Vec3 wanted = c.tangent_multiplier - slip / w;
-    const float most = c.friction * (c.normal_multiplier + pbd::max(0.0f, c.density_push));
-    const float size = length(wanted);
+  /// What it adds to its friction, kg·m.
+  MENISCUS_HD static Vec3 hold_back(Contact& c, Vec3 way, float w) {
+    const Vec3 on_surface = way - c.surface_motion;
+    const Vec3 slip = on_surface - dot(on_surface, c.normal) * c.normal;
+    Vec3 wanted = c.tangent_multiplier - slip / (w + c.body_inverse_mass);
+    const float load = c.normal_multiplier + pbd::max(0.0f, dot(c.density_push, c.normal));
+    const float most = c.friction * pbd::max(0.0f, load), size = length(wanted);
     if (size > most) wanted = (most / size) * wanted;
-    x += w * (wanted - c.tangent_multiplier);
+    const Vec3 old = c.tangent_multiplier;
     c.tangent_multiplier = wanted;
-    return x;
+    return wanted - old;
   }
 };
 
 struct Bounce {
   View<Vec4> velocity;
+  View<const Vec4> position;
   ContactView contacts;
+  float dt;
   float resting_speed;  ///< m/s: slower impacts do not bounce, or nothing would come to rest
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.particle_starting_at(n);
     if (i == pbd::no_index) return;
+    const float w = position[i].w;
+    if (w == 0) return;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
-      const Contact& c = contacts.contacts[k];
-      if (c.normal_multiplier == 0) continue;
+      Contact& c = contacts.contacts[k];
+      if (c.normal_multiplier <= 0) continue;
       const Vec3 v = velocity[i].xyz();
       const float bounce = c.approach_speed < -resting_speed ? -c.restitution * c.approach_speed : 0;
-      const float lacking = bounce - dot(v, c.normal);
-      if (lacking > 0) velocity[i] = pbd::with_w(v + lacking * c.normal, 0);
+      const float lacking = bounce - dot(v - c.surface_motion / dt, c.normal);
+      if (lacking <= 0) continue;
+      const float impulse = lacking / (w + c.body_inverse_mass);
+      velocity[i] = pbd::with_w(v + w * impulse * c.normal, 0);
+      c.normal_multiplier += dt * impulse;
     }
   }
 };
@@ -87,15 +100,15 @@ template <class D>
 void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("contacts/project", substep.contacts.contacts.count,
-                       contact_kernels::Project{p.position, p.previous, p.slot, substep.contacts});
+                       contact_kernels::Project{p.position, p.moved, p.previous, p.slot, substep.contacts});
 }
 
 template <class D>
 void ContactSet<D>::end(pbd::Substep<D>& substep) {
   constexpr float gravity_scale = 9.81f;  // a contact at rest gathers about g·h_t within a substep
-  device_.parallel_for(
-      "contacts/bounce", substep.contacts.contacts.count,
-      contact_kernels::Bounce{substep.particles.velocity, substep.contacts, 4 * gravity_scale * substep.dt});
+  device_.parallel_for("contacts/bounce", substep.contacts.contacts.count,
+                       contact_kernels::Bounce{substep.particles.velocity, substep.particles.position,
+                                               substep.contacts, substep.dt, 4 * gravity_scale * substep.dt});
 }
 
 }  // namespace meniscus::collision

@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "collision/mesh_clean.h"
+#include "collision/mesh_defects.h"
+#include "collision/mesh_orient.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::collision {
@@ -37,6 +39,16 @@ void check_arguments(const std::string& path, float scale) {
   if (!std::filesystem::is_regular_file(path, status))
     refuse(ErrorCode::io, path, "is not there, or is not a file");
   if (std::filesystem::file_size(path, status) == 0) refuse(ErrorCode::mesh, path, "is empty");
+}
+
+// FBX says how many centimetres its unit is.
+double metres_a_unit(const aiScene& scene) {
+  double centimetres = 0;
+  float single = 0;
+  if (!scene.mMetaData) return 1;
+  if (scene.mMetaData->Get("UnitScaleFactor", single)) centimetres = single;
+  scene.mMetaData->Get("UnitScaleFactor", centimetres);
+  return centimetres > 0 ? 0.01 * centimetres : 1;
 }
 
 // A mesh that hangs on several nodes is there several times.
@@ -105,24 +117,55 @@ void check_size(const TriangleMesh& mesh, const std::string& path) {
   refuse(ErrorCode::mesh, path, why.str());
 }
 
-}  // namespace
-
-TriangleMesh load_mesh(const std::string& path, float scale) {
-  check_arguments(path, scale);
+TriangleMesh read_triangles(const std::string& path, float scale) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
   if (!scene) refuse(ErrorCode::io, path, std::string("cannot be read: ") + importer.GetErrorString());
-
+  const auto metres = static_cast<float>(scale * metres_a_unit(*scene));
   TriangleMesh soup;
   for (const PlacedNode& placed : placed_nodes(*scene)) {
     for (unsigned m = 0; m < placed.node->mNumMeshes; ++m) {
-      append_part(soup, *scene->mMeshes[placed.node->mMeshes[m]], placed.to_world, scale, path);
+      append_part(soup, *scene->mMeshes[placed.node->mMeshes[m]], placed.to_world, metres, path);
     }
   }
-  TriangleMesh mesh = clean_mesh(soup);
-  if (mesh.triangles.empty()) refuse(ErrorCode::mesh, path, "has no triangle with an area");
-  check_size(mesh, path);
-  return mesh;
+  return soup;
+}
+
+CleanedMesh load(const std::string& path, float scale) {
+  check_arguments(path, scale);
+  CleanedMesh cleaned = clean_mesh_with_sources(read_triangles(path, scale));
+  if (cleaned.mesh.triangles.empty()) refuse(ErrorCode::mesh, path, "has no triangle with an area");
+  check_size(cleaned.mesh, path);
+  orient_faces(cleaned.mesh);
+  return cleaned;
+}
+
+// Throws for the first of the defects, if there is one. `faces`: the numbers of the file.
+void refuse_defects(const std::vector<MeshDefect>& defects, const std::string& path, const std::string& what,
+                    const std::vector<uint32_t>& faces, const std::string& remedy) {
+  if (defects.empty()) return;
+  const uint32_t face = faces[defects.front().face], other = faces[defects.front().other];
+  std::string where = " at face " + std::to_string(face);
+  if (other != face) where += " with face " + std::to_string(other);
+  refuse(ErrorCode::mesh, path,
+         "has " + what + where + " (" + std::to_string(defects.size()) + " in all): " + remedy);
+}
+
+}  // namespace
+
+TriangleMesh load_mesh(const std::string& path, float scale) {
+  return load(path, scale).mesh;
+}
+
+TriangleMesh load_solid(const std::string& path, float scale) {
+  CleanedMesh cleaned = load(path, scale);
+  const MeshDefects defects = find_defects(cleaned.mesh);
+  refuse_defects(defects.open_edges, path, "an open edge", cleaned.sources, "a solid must be closed");
+  refuse_defects(defects.non_manifold_edges, path, "a non-manifold edge", cleaned.sources,
+                 "two faces must meet at each edge of a solid, and show the same side");
+  refuse_defects(defects.self_intersections, path, "a self-intersection", cleaned.sources,
+                 "the faces of a solid must not cross");
+  return std::move(cleaned.mesh);
 }
 
 Aabb bounds(const TriangleMesh& mesh) {

@@ -18,11 +18,17 @@ struct TriangleMesh {
 };
 
 /// Reads any file that assimp knows and makes one clean mesh of all that is in it (see clean_mesh): node
-/// transforms are applied, polygons triangulated, points and lines passed over. `scale`: metres a file unit.
-/// Throws Error(io) for a file that is missing or cannot be understood, Error(mesh) for one without a
-/// triangle, with a vertex that is not finite or of a size beyond 1e-6 to 1e6 m, Error(invalid_argument) for
-/// a scale that is not positive.
+/// transforms are applied, polygons triangulated, points and lines passed over, faces turned outwards (see
+/// orient_faces). It may have holes. `scale`: metres a file unit; where the file says how long its unit is,
+/// as FBX does, metres for each metre. Axes are left as the file has them. Throws Error(io) for a file that
+/// is missing or cannot be understood, Error(mesh) for one without a triangle, with a vertex that is not
+/// finite or of a size beyond 1e-6 to 1e6 m, Error(invalid_argument) for a scale that is not positive.
 TriangleMesh load_mesh(const std::string& path, float scale = 1.0f);
+
+/// The same for a body whose volume counts. Throws also Error(mesh) where the faces do not bound a solid (see
+/// find_defects); the message names the defect and a face, by its place in the file, from 0, after
+/// triangulation and over all parts.
+TriangleMesh load_solid(const std::string& path, float scale = 1.0f);
 
 /// The box around the vertices, of which there must be one.
 Aabb bounds(const TriangleMesh& mesh);

@@ -107,15 +107,16 @@ Corners turned(Corners t) {
   return t;
 }
 
-std::vector<Corners> without_repeats(const std::vector<Corners>& triangles) {
+// The first of each kind, in their old order.
+std::vector<uint32_t> without_repeats(const std::vector<Corners>& triangles) {
   std::vector<std::pair<Corners, uint32_t>> sorted;
   for (uint32_t i = 0; i < triangles.size(); ++i) sorted.emplace_back(turned(triangles[i]), i);
   std::sort(sorted.begin(), sorted.end());
   const auto end =
       std::unique(sorted.begin(), sorted.end(), [](auto& a, auto& b) { return a.first == b.first; });
-  std::sort(sorted.begin(), end, [](auto& a, auto& b) { return a.second < b.second; });
-  std::vector<Corners> kept;
-  for (auto entry = sorted.begin(); entry != end; ++entry) kept.push_back(triangles[entry->second]);
+  std::vector<uint32_t> kept;
+  for (auto entry = sorted.begin(); entry != end; ++entry) kept.push_back(entry->second);
+  std::sort(kept.begin(), kept.end());
   return kept;
 }
 
@@ -138,16 +139,31 @@ TriangleMesh compact(const std::vector<Vec3>& vertices, std::vector<Corners> tri
 
 }  // namespace
 
-TriangleMesh clean_mesh(const TriangleMesh& mesh) {
+CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh) {
   if (mesh.vertices.empty()) return {};
   const std::vector<uint32_t> kept = weld_all(mesh);
-  std::vector<Corners> triangles;
-  for (const Corners& t : mesh.triangles) {
-    const Corners welded{kept[t[0]], kept[t[1]], kept[t[2]]};
+  std::vector<Corners> welded;
+  std::vector<uint32_t> sources;
+  for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Corners& t = mesh.triangles[i];
+    const Corners corners{kept[t[0]], kept[t[1]], kept[t[2]]};
     const auto& v = mesh.vertices;
-    if (!is_flat(v[welded[0]], v[welded[1]], v[welded[2]])) triangles.push_back(welded);
+    if (is_flat(v[corners[0]], v[corners[1]], v[corners[2]])) continue;
+    welded.push_back(corners);
+    sources.push_back(i);
   }
-  return compact(mesh.vertices, without_repeats(triangles));
+  CleanedMesh result;
+  std::vector<Corners> triangles;
+  for (uint32_t i : without_repeats(welded)) {
+    triangles.push_back(welded[i]);
+    result.sources.push_back(sources[i]);
+  }
+  result.mesh = compact(mesh.vertices, std::move(triangles));
+  return result;
+}
+
+TriangleMesh clean_mesh(const TriangleMesh& mesh) {
+  return clean_mesh_with_sources(mesh).mesh;
 }
 
 }  // namespace meniscus::collision

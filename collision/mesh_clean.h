@@ -11,4 +11,11 @@ namespace meniscus::collision {
 /// finite.
 TriangleMesh clean_mesh(const TriangleMesh& mesh);
 
+/// A clean mesh that knows where its triangles come from.
+struct CleanedMesh {
+  TriangleMesh mesh;
+  std::vector<uint32_t> sources;  ///< the number that each triangle had
+};
+CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh);
+
 }  // namespace meniscus::collision

@@ -11,18 +11,23 @@ namespace meniscus::collision {
 class Sdf {
  public:
   /// Memory for a field on these nodes, not filled yet.
-  Sdf(pbd::Device& device, const Lattice& nodes) : nodes_(nodes), values_(device, "signed distance field") {
+  Sdf(pbd::Device& device, const Lattice& nodes)
+      : nodes_(nodes), values_(device, "signed distance field"), density_(device, "density map") {
     values_.resize_discard(nodes.count());
   }
 
-  SdfView view() const { return {nodes_, values_.view()}; }
+  SdfView view() const { return {{nodes_, values_.view()}, density_.view()}; }
   const Lattice& nodes() const { return nodes_; }
   pbd::Buffer<float>& values() { return values_; }
   const pbd::Buffer<float>& values() const { return values_; }
+  /// Empty until build_density_map fills it.
+  pbd::Buffer<pbd::Vec4>& density() { return density_; }
+  const pbd::Buffer<pbd::Vec4>& density() const { return density_; }
 
  private:
   Lattice nodes_;
   pbd::Buffer<float> values_;
+  pbd::Buffer<pbd::Vec4> density_;
 };
 
 /// The field of a mesh, on a grid that reaches `margin` (m) beyond the mesh's box. The magnitude at a node is

@@ -7,27 +7,43 @@
 #include "collision/height_field.h"
 #include "collision/sdf.h"
 #include "collision/surface_sample.h"
+#include "pbd/contacts.h"
 #include "pbd/device/scalar.h"
 #include "pbd/device/view.h"
 #include "pbd/math/half_space.h"
 
 namespace meniscus::collision {
 
+/// How a solid treats particles.
+struct Surface {
+  float friction = 0;     ///< Coulomb's μ
+  float restitution = 0;  ///< 0 to 1
+  float adhesion = 0;     ///< N, of one particle
+  CollisionFilter filter;
+};
+
 enum class ShapeKind : uint32_t { plane, box, sphere, capsule, cylinder, sdf, height_field };
 
 struct Shape {
   ShapeKind kind = ShapeKind::plane;
-  uint32_t owner = 0;  ///< the user's shape, of which this is the whole or a part
+  uint32_t owner = 0;             ///< the user's shape or body, of which this is the whole or a part
+  uint32_t body = pbd::no_index;  ///< the rigid body, for what moves
+  uint32_t table = 0;             ///< which of the fields, for sdf and height_field
   Pose pose;
+  Pose start;          ///< where it was at the substep's start; kept up for what moves alone
   Vec3 size{0, 1, 0};  ///< plane: unit normal, world; box: half extents; round shapes: radius, half height, –
   float offset = 0;    ///< plane: normal · p on the surface, m
-  float friction = 0;
-  float restitution = 0;
-  uint32_t table = 0;  ///< which of the fields, for sdf and height_field
+  Surface surface;
   uint32_t first_opening = 0, opening_count = 0;
   uint32_t first_wall = 0, wall_count = 0;  ///< plane: all walls of its container, where that has openings
-  Aabb bounds{{0, 0, 0}, {0, 0, 0}};        ///< of the solid, world; planes have none
+  Aabb bounds{{0, 0, 0},
+              {0, 0, 0}};  ///< world, of the solid, all the way from start to pose; planes have none
 };
+
+MENISCUS_HD inline bool collide(const Shape& shape, const CollisionFilter& other) {
+  const CollisionFilter& own = shape.surface.filter;
+  return (own.groups & other.mask) && (other.groups & own.mask);
+}
 
 /// A rectangle cut out of a plane: where a point's projection lies inside `box`, in the plane's frame,
 /// nothing holds it.
@@ -35,12 +51,25 @@ struct PlaneOpening {
   Aabb box;
 };
 
+/// All solids. Those that do not move come first.
 struct ShapeSet {
   pbd::View<const Shape> shapes;
+  uint32_t fixed = 0;  ///< how many
   pbd::View<const PlaneOpening> openings;
   pbd::View<const SdfView> sdfs;
   pbd::View<const HeightFieldView> height_fields;
 };
+
+/// A particle's motion over a substep.
+struct Motion {
+  Vec3 from, to;  ///< m
+};
+
+/// The motion as the shape sees it from where it is at the end: a straight line, the start having come along.
+MENISCUS_HD inline Motion motion_beside(const Shape& shape, const Motion& m) {
+  if (shape.body == pbd::no_index) return m;
+  return {to_world(shape.pose, to_local(shape.start, m.from)), m.to};
+}
 
 /// The nearest surface, and how the solid behind it differs from a half-space.
 struct ShapeSample {
@@ -161,6 +190,8 @@ MENISCUS_HD inline ShapeSample sample_shape(const ShapeSet& set, const Shape& sh
     const float density = pbd::half_space_density((rho - shape.size.x) / h, 0.5f * h / shape.size.x) *
                           slab_density(q.y, shape.size.y, h);
     s.fraction = ratio_to_half_space(density, s.surface.distance, h);
+  } else if (shape.kind == ShapeKind::sdf) {
+    s.fraction = ratio_to_half_space(sample_density(set.sdfs[shape.table], q).density, s.surface.distance, h);
   } else if (shape.kind == ShapeKind::sphere) {
     s.fraction = curved_fraction(s.surface.distance, 1 / shape.size.x, h);
   } else if (shape.kind == ShapeKind::capsule) {

@@ -2,38 +2,52 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "collision/shape.h"
+#include "collision/candidates.h"
 #include "pbd/substep.h"
 
 namespace meniscus::collision {
 
-/// Finds the contacts of particles with shapes that do not move.
+/// Finds the contacts of particles with shapes, fixed and moving.
 template <class D>
 class ShapeContacts final : public pbd::ContactSource<D> {
  public:
   ShapeContacts(D& device, float support_radius, float contact_radius)
-      : device_(device), support_radius_(support_radius), contact_radius_(contact_radius) {}
+      : device_(device),
+        support_radius_(support_radius),
+        contact_radius_(contact_radius),
+        candidates_(device),
+        filters_(device, "fluid filters") {}
 
   /// The views must stay valid until they are set anew.
-  void set_shapes(const ShapeSet& shapes, bool only_planes) {
-    shapes_ = shapes;
-    only_planes_ = only_planes;
-  }
+  void set_shapes(const ShapeSet& shapes, bool only_fixed_planes);
+  /// By fluid.
+  void set_filters(std::span<const CollisionFilter> filters);
 
-  void limit_motion(pbd::View<const pbd::Vec4> from, pbd::View<pbd::Vec4> to, uint32_t count,
-                    bool planes_too) override;
+  void reserve(uint32_t particles) override;
+  void limit_motion(const pbd::MotionView& motion, bool planes_too) override;
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
 
+  /// Takes back what has passed through a moving shape since the substep began. Shapes are where they have
+  /// got to, by no more than `furthest` (m): so far a particle may be taken along, and meet another.
+  void limit_beside_moving(const pbd::MotionView& motion, float furthest);
+  /// Shapes that are within `reach` (m) of where particles are.
+  CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
+
+  const ShapeSet& shapes() const { return shapes_; }
+
  private:
-  template <bool only_planes>
+  template <bool only_fixed_planes>
   auto finder(const pbd::Substep<D>& substep) const;
 
   D& device_;
   float support_radius_, contact_radius_;
   ShapeSet shapes_;
-  bool only_planes_ =
+  bool only_fixed_planes_ =
       true;  // a tank and nothing in it, as so often: its kernels need a third of the registers
+  uint32_t particles_ = 0;
+  Candidates candidates_;
+  pbd::Buffer<CollisionFilter> filters_;
 };
 
 }  // namespace meniscus::collision

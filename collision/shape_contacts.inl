@@ -2,96 +2,139 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "collision/find_contact.h"
+#include "collision/limit_motion.h"
 #include "collision/shape_contacts.h"
-#include "collision/sweep.h"
 
 namespace meniscus::collision {
 
 namespace shape_contact_kernels {
 
-struct LimitMotion {
+/// Which solids a particle collides with, by its fluid.
+struct Filters {
+  pbd::View<const pbd::Phase> phase;
+  pbd::View<const CollisionFilter> by_fluid;
+
+  MENISCUS_HD CollisionFilter of(uint32_t i) const {
+    return by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
+  }
+};
+
+struct LimitByFixed {
   ShapeSet set;
-  pbd::View<const pbd::Vec4> from;
-  pbd::View<pbd::Vec4> to;
+  Filters filters;
+  pbd::MotionView motions;
   float radius;
   bool planes_too;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const Motion motion{from[i].xyz(), to[i].xyz()};
+    const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
     const Vec3 path = motion.to - motion.from;
     // A slower one comes no further than where its contact sees it.
     if (!(dot(path, path) > radius * radius) || !is_finite(path)) return;
-    to[i] = pbd::with_w(collision::limit_motion(set, motion, radius, planes_too), to[i].w);
+    const Vec3 end = limit_by_fixed(set, motion, radius, planes_too, filters.of(i));
+    motions.to[i] = pbd::with_w(end, motions.to[i].w);
+    if (motions.moved.count) motions.moved[i] = pbd::with_w(motions.moved[i].xyz() + end - motion.to, 0);
   }
 };
 
-template <bool only_planes>
+struct LimitByMoving {
+  ShapeSet set;
+  CandidateView candidates;
+  Filters filters;
+  pbd::MotionView motions;
+  float radius;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
+    if (!is_finite(motion.to)) return;
+    const Vec3 end = limit_by_moving(set, candidates, i, motion, radius, filters.of(i));
+    motions.to[i] = pbd::with_w(end, motions.to[i].w);
+  }
+};
+
+template <bool only_fixed_planes>
 struct Finder {
   ShapeSet set;
+  CandidateView candidates;
+  Filters filters;
   pbd::View<const pbd::Vec4> position, previous;
   float radius, h;
 
-  MENISCUS_HD FoundContact operator()(uint32_t i, uint32_t shape) const {
-    const Motion motion{previous[i].xyz(), position[i].xyz()};
-    if constexpr (only_planes) return find_plane_contact(set, set.shapes[shape], motion, radius, h);
-    return find_contact(set, set.shapes[shape], motion, radius, h);
+  /// Calls visit(shape, found) for each contact of particle i.
+  template <class Visit>
+  MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
+    const CollisionFilter filter = filters.of(i);
+    const auto look_at = [&](uint32_t number) {
+      const Shape& shape = set.shapes[number];
+      if (!collide(shape, filter)) return;
+      const FoundContact found = find(shape, {previous[i].xyz(), position[i].xyz()});
+      if (found.found) visit(shape, found);
+    };
+    if constexpr (only_fixed_planes) {
+      for (uint32_t s = 0; s < set.shapes.count; ++s) look_at(s);
+    } else {
+      candidates.for_each(i, look_at);
+    }
+  }
+
+  MENISCUS_HD FoundContact find(const Shape& shape, const Motion& motion) const {
+    if constexpr (only_fixed_planes) return find_plane_contact(set, shape, motion, radius, h);
+    return find_contact(set, shape, motion_beside(shape, motion), radius, h);
   }
 };
 
-template <bool only_planes>
+template <bool only_fixed_planes>
 struct Count {
-  Finder<only_planes> find;
+  Finder<only_fixed_planes> find;
   pbd::View<uint32_t> counts;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     uint32_t found = 0;
-    for (uint32_t s = 0; s < find.set.shapes.count; ++s) found += find(i, s).found;
+    find.for_each(i, [&](const Shape&, const FoundContact&) { ++found; });
     counts[i] += found;
   }
 };
 
-template <bool only_planes>
+template <bool only_fixed_planes>
 struct Fill {
-  Finder<only_planes> find;
+  Finder<only_fixed_planes> find;
   pbd::View<const pbd::Vec4> velocity;
+  float dt;
   pbd::ContactWriter writer;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (!writer.has_any(i)) return;
-    for (uint32_t s = 0; s < find.set.shapes.count; ++s) {
-      const FoundContact f = find(i, s);
-      if (f.found) writer.write(i, make_contact(i, find.set.shapes[s], f));
-    }
+    find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
+      writer.write(i, make_contact(i, shape, found));
+    });
     writer.finish(i, inert(i));
   }
 
   /// A contact that is too far away to do anything.
   MENISCUS_HD pbd::Contact inert(uint32_t i) const {
-    const Vec3 up{0, 1, 0};
-    FoundContact f{{{find.h, up}}, find.position[i].xyz() - 1000 * find.h * up, false};
-    f.sample.fraction = 0;
-    pbd::Contact c = make_contact(i, Shape{}, f);
-    c.body = pbd::no_index;
+    pbd::Contact c{};
+    c.normal = {0, 1, 0};
+    c.point = find.position[i].xyz() - 1000 * find.h * c.normal;
+    c.solid = c.body = pbd::no_index;
     return c;
   }
 
   MENISCUS_HD pbd::Contact make_contact(uint32_t i, const Shape& shape, const FoundContact& f) const {
-    using pbd::no_index;
     const Vec3 normal = f.sample.surface.normal;
     pbd::Contact c{};
-    c.particle[0] = i;
-    for (int k = 1; k < 4; ++k) c.particle[k] = no_index;
-    c.weight[0] = 1;
     c.point = f.point;
-    c.body = shape.owner;
+    c.solid = shape.owner;
     c.normal = normal;
-    c.distance = dot(normal, find.position[i].xyz() - f.point);
-    c.approach_speed = dot(normal, velocity[i].xyz());
-    c.friction = shape.friction;
-    c.restitution = shape.restitution;
     c.fraction = f.sample.fraction;
-    c.side = dot(normal, find.previous[i].xyz() - f.point) < 0 ? -1.0f : 1.0f;
+    c.friction = shape.surface.friction;
+    c.restitution = shape.surface.restitution;
+    c.adhesion = shape.surface.adhesion * dt * dt;
+    c.body = shape.body;
+    c.approach_speed = dot(normal, velocity[i].xyz());
+    if (shape.body != pbd::no_index) {
+      c.surface_motion = f.point - to_world(shape.start, to_local(shape.pose, f.point));
+      if (dt > 0) c.approach_speed -= dot(normal, c.surface_motion) / dt;
+    }
     return c;
   }
 };
@@ -99,29 +142,69 @@ struct Fill {
 }  // namespace shape_contact_kernels
 
 template <class D>
-template <bool only_planes>
-auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
-  return shape_contact_kernels::Finder<only_planes>{
-      shapes_, substep.particles.position, substep.particles.previous, contact_radius_, support_radius_};
+void ShapeContacts<D>::set_shapes(const ShapeSet& shapes, bool only_fixed_planes) {
+  shapes_ = shapes;
+  only_fixed_planes_ = only_fixed_planes;
+  reserve(particles_);
 }
 
 template <class D>
-void ShapeContacts<D>::limit_motion(pbd::View<const pbd::Vec4> from, pbd::View<pbd::Vec4> to, uint32_t count,
-                                    bool planes_too) {
-  if (only_planes_ && !planes_too) return;
-  device_.parallel_for("contacts/limit motion", count,
-                       shape_contact_kernels::LimitMotion{shapes_, from, to, contact_radius_, planes_too});
+void ShapeContacts<D>::set_filters(std::span<const CollisionFilter> filters) {
+  filters_.resize_discard(filters.size());
+  filters_.write(filters);
+}
+
+template <class D>
+void ShapeContacts<D>::reserve(uint32_t particles) {
+  candidates_.reserve(particles, only_fixed_planes_ ? 0 : shapes_.shapes.count);
+  particles_ = particles;
+}
+
+template <class D>
+template <bool only_fixed_planes>
+auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
+  const pbd::ParticleView& p = substep.particles;
+  return shape_contact_kernels::Finder<only_fixed_planes>{
+      shapes_,         candidates_.view(), {p.phase, filters_.view()}, p.position, p.previous,
+      contact_radius_, support_radius_};
+}
+
+template <class D>
+void ShapeContacts<D>::limit_motion(const pbd::MotionView& motion, bool planes_too) {
+  if (shapes_.fixed == 0 || (only_fixed_planes_ && !planes_too)) return;
+  device_.parallel_for("contacts/limit motion", motion.count,
+                       shape_contact_kernels::LimitByFixed{
+                           shapes_, {motion.phase, filters_.view()}, motion, contact_radius_, planes_too});
+}
+
+template <class D>
+void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, float furthest) {
+  if (shapes_.fixed == shapes_.shapes.count || motion.count == 0) return;
+  candidates_.find(device_, shapes_, motion.from, motion.to, motion.count, contact_radius_ + furthest);
+  device_.parallel_for(
+      "contacts/limit beside moving", motion.count,
+      shape_contact_kernels::LimitByMoving{
+          shapes_, candidates_.view(), {motion.phase, filters_.view()}, motion, contact_radius_});
+}
+
+template <class D>
+CandidateView ShapeContacts<D>::find_near(pbd::View<const pbd::Vec4> position, uint32_t particles,
+                                          float reach) {
+  candidates_.reserve(particles_, shapes_.shapes.count);
+  candidates_.find(device_, shapes_, position, position, particles, reach);
+  return candidates_.view();
 }
 
 template <class D>
 void ShapeContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
   using namespace shape_contact_kernels;
-  const uint32_t particles = substep.particles.owned;
+  const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
-  if (only_planes_) {
-    device_.parallel_for("contacts/count", particles, Count<true>{finder<true>(substep), counts});
+  if (only_fixed_planes_) {
+    device_.parallel_for("contacts/count", p.owned, Count<true>{finder<true>(substep), counts});
   } else {
-    device_.parallel_for("contacts/count", particles, Count<false>{finder<false>(substep), counts});
+    candidates_.find(device_, shapes_, p.previous, p.position, p.owned, support_radius_);
+    device_.parallel_for("contacts/count", p.owned, Count<false>{finder<false>(substep), counts});
   }
 }
 
@@ -130,10 +213,12 @@ void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWr
   using namespace shape_contact_kernels;
   const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
-  if (only_planes_) {
-    device_.parallel_for("contacts/fill", p.owned, Fill<true>{finder<true>(substep), p.velocity, writer});
+  if (only_fixed_planes_) {
+    device_.parallel_for("contacts/fill", p.owned,
+                         Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer});
   } else {
-    device_.parallel_for("contacts/fill", p.owned, Fill<false>{finder<false>(substep), p.velocity, writer});
+    device_.parallel_for("contacts/fill", p.owned,
+                         Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer});
   }
 }
 

@@ -143,7 +143,7 @@ struct Correct {
   View<const Vec4> staged;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
-  View<Vec4> position;
+  View<Vec4> position, moved;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
@@ -157,7 +157,9 @@ struct Correct {
       push += push_coefficient<with_pair_pressure, Real>(kernel, pair, r2, Real(self.w) + other.w) * d;
     });
     const float w = position[i].w;
-    position[i] = pbd::with_w(self.xyz() + w * sum(push), w);
+    const Vec3 step = w * sum(push);
+    position[i] = pbd::with_w(self.xyz() + step, w);
+    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
   }
 };
 

@@ -58,10 +58,10 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   device_.parallel_for_both(
       "density/correct", substep.particles.owned,
       Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
-                                     substep.particles.position},
+                                     substep.particles.position, substep.particles.moved},
       contacts.contacts.count,
       CorrectAtWalls<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts,
-                                         substep.particles.position});
+                                         substep.particles.position, substep.particles.moved});
 }
 
 // Chebyshev semi-iteration on the interval [bound (1.5/m)², bound] of D⁻¹A's spectrum, m iterations: the

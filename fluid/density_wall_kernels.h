@@ -10,12 +10,30 @@
 
 namespace meniscus::fluid::density_kernels {
 
+/// What the bodies behind the mirrors add to D: where one gives way by δ along the normal, each image draws
+/// back by 2δ. Their inverse masses are split among their contacts, so that the bound on the spectrum of D⁻¹A
+/// stays.
+template <class Through>
+MENISCUS_HD float give_of_bodies(const ContactView& contacts, const Mirrors& mirrors, int n,
+                                 const Through& through) {
+  float give = 0;
+  MENISCUS_UNROLL
+  for (int k = 0; k < n; ++k) {
+    if (k >= mirrors.count) break;
+    const float w = contacts.contacts[mirrors.contact[k]].body_inverse_mass;
+    if (w == 0) continue;
+    const float e = 2 * through(k);
+    give += w * e * e;
+  }
+  return give;
+}
+
 /// D counts what each particle's own motion does to C, through its images as well: where i nears the wall, so
 /// does its image.
 template <class D, int n>
 MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
-                                               const NeighbourView& neighbours, const Mirrors& mirrors,
-                                               uint32_t i) {
+                                               const NeighbourView& neighbours, const ContactView& contacts,
+                                               const Mirrors& mirrors, uint32_t i) {
   using Real = typename D::Real;
   const Vec4 self = position[i];
   const Vec3 x = self.xyz();
@@ -32,7 +50,7 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
     const Vec3Of<Real> d = x - other.xyz();
     const Real r2 = dot(d, d) + Real(tiny_distance2);
     PairTerms<Real, n> terms;
-    terms.total = term(Real(1.0f), r2);
+    terms.itself = term(Real(1.0f), r2);
     terms.add_images(mirrors, distances, r2, term);
     sums.add(mirrors, distances, d, terms);
     const Vec3Of<Real> pull = terms.seen_by_other(mirrors, d);
@@ -46,8 +64,10 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
   });
   const Vec3 own_gradient = own.vector(mirrors), gradient = sums.vector(mirrors) + own_gradient;
   const Vec3 with_motion = gradient + own_gradient;
+  const float give = give_of_bodies(
+      contacts, mirrors, n, [&](int k) { return sums.through(mirrors, k) + own.through(mirrors, k); });
   return {sum(weight) + own_weight + kernel.weight(0.0f) - 1,
-          self.w * dot(with_motion, with_motion) + sum(gradient2), gradient};
+          self.w * dot(with_motion, with_motion) + sum(gradient2) + give, gradient};
 }
 
 template <class D>
@@ -55,8 +75,9 @@ MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<co
                                                    const NeighbourView& neighbours,
                                                    const ContactView& contacts, uint32_t i) {
   const Mirrors mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
-  if (mirrors.count <= 1) return constraint_with_mirrors<D, 1>(kernel, position, neighbours, mirrors, i);
-  return constraint_with_mirrors<D, Mirrors::most>(kernel, position, neighbours, mirrors, i);
+  if (mirrors.count <= 1)
+    return constraint_with_mirrors<D, 1>(kernel, position, neighbours, contacts, mirrors, i);
+  return constraint_with_mirrors<D, Mirrors::most>(kernel, position, neighbours, contacts, mirrors, i);
 }
 
 struct AdvanceAtWalls {
@@ -81,7 +102,7 @@ struct CorrectAtWalls {
   View<const Vec4> staged;
   NeighbourView neighbours;
   ContactView contacts;
-  View<Vec4> position;
+  View<Vec4> position, moved;
 
   template <class D>
   MENISCUS_HD void run(uint32_t contact) const {
@@ -106,7 +127,7 @@ struct CorrectAtWalls {
         return share * push_coefficient<with_pair_pressure>(kernel, pair, image_r2, multiplier);
       };
       PairTerms<Real, n> terms;
-      terms.total = term(Real(1.0f), r2);
+      terms.itself = term(Real(1.0f), r2);
       terms.add_images(mirrors, distances, r2, term);
       pushes.add(mirrors, distances, d, terms);
     });
@@ -114,15 +135,21 @@ struct CorrectAtWalls {
       return share * push_coefficient<with_pair_pressure>(kernel, pair, r2, 2 * self.w);
     });
     const Vec3 push = pushes.vector(mirrors) + own.vector(mirrors);
+    // All that the images push a particle with, the solids get back: each what its own mirror makes, and the
+    // first what little of images of images is left over.
+    Vec3 rest = pushes.vector_of_images(mirrors) + own.vector_of_images(mirrors);
     MENISCUS_UNROLL
-    for (int k = 0; k < n; ++k) {
-      if (k >= mirrors.count) break;
-      const float through = pushes.through(mirrors, k) + own.through(mirrors, k);
-      if (D::leads()) contacts.contacts[mirrors.contact[k]].density_push += through;
+    for (int k = n - 1; k >= 0; --k) {
+      if (k >= mirrors.count) continue;
+      const Vec3 through = pushes.through_vector(mirrors, k) + own.through_vector(mirrors, k);
+      rest = rest - through;
+      if (D::leads()) contacts.contacts[mirrors.contact[k]].density_push += k == 0 ? through + rest : through;
     }
     if (!D::leads()) return;
     const float w = position[i].w;
-    position[i] = pbd::with_w(x + w * push, w);
+    const Vec3 step = w * push;
+    position[i] = pbd::with_w(x + step, w);
+    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
   }
 };
 

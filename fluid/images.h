@@ -69,12 +69,13 @@ struct MirrorDistances {
 /// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and images.
 template <class R, int n>
 struct PairTerms {
-  R total{0.0f};
-  R by_mirror[n];  ///< of the images that mirror k makes
+  R itself{0.0f};  ///< of j
+  R by_first[n];   ///< of its images, by the first mirror that makes each
+  R by_mirror[n];  ///< of those that mirror k makes, alone or with others
 
   MENISCUS_HD PairTerms() {
     MENISCUS_UNROLL
-    for (int k = 0; k < n; ++k) by_mirror[k] = R(0.0f);
+    for (int k = 0; k < n; ++k) by_first[k] = by_mirror[k] = R(0.0f);
   }
 
   /// Adds those of the images; `coefficient(share, r²)` gives each. j: distances of the pair's other end.
@@ -92,16 +93,20 @@ struct PairTerms {
         image_r2 += R(4 * m.distance[k]) * j.distance[k];
       }
       const R c = coefficient(share, image_r2);
-      total += c;
       MENISCUS_UNROLL
       for (int k = 0; k < n; ++k) {
-        if (image >> k & 1) by_mirror[k] += c;
+        if (!(image >> k & 1)) continue;
+        by_mirror[k] += c;
+        if ((image & ((1 << k) - 1)) == 0) by_first[k] += c;
       }
     }
   }
 
   /// Σ c (x_i' − x_j): as j sees it, with the images of i.
   MENISCUS_HD pbd::Vec3Of<R> seen_by_other(const Mirrors& m, const pbd::Vec3Of<R>& d) const {
+    R total = itself;
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) total += by_first[k];
     pbd::Vec3Of<R> v = total * d;
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
@@ -116,36 +121,50 @@ struct PairTerms {
 /// Σ c (x_i − x_j) over neighbours and images.
 template <class R, int n>
 struct ImageSums {
-  pbd::Vec3Of<R> along{R(0.0f), R(0.0f), R(0.0f)};  // Σ c (x_i − x_j), j itself for its images too
-  R lift[n];                                        // Σ c d_j over the images that mirror k makes
-  R weight[n];                                      // Σ c
+  pbd::Vec3Of<R> to_others{R(0.0f), R(0.0f), R(0.0f)};  // Σ c (x_i − x_j) over neighbours
+  pbd::Vec3Of<R> to_images[n];  // the same with the c of images, by their first mirror
+  R lift[n];                    // Σ c d_j over the images that mirror k makes
+  R weight[n];                  // Σ c
 
   MENISCUS_HD ImageSums() {
     MENISCUS_UNROLL
-    for (int k = 0; k < n; ++k) lift[k] = weight[k] = R(0.0f);
+    for (int k = 0; k < n; ++k) {
+      lift[k] = weight[k] = R(0.0f);
+      to_images[k] = {R(0.0f), R(0.0f), R(0.0f)};
+    }
   }
 
   MENISCUS_HD void add(const Mirrors& m, const MirrorDistances<R, n>& j, const pbd::Vec3Of<R>& d,
                        const PairTerms<R, n>& terms) {
-    along += terms.total * d;
+    to_others += terms.itself * d;
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
       if (!is_used<n>(m, k)) break;
+      to_images[k] += terms.by_first[k] * d;
       lift[k] += terms.by_mirror[k] * j.distance[k];
       weight[k] += terms.by_mirror[k];
     }
   }
 
-  MENISCUS_HD Vec3 vector(const Mirrors& m) const {
-    Vec3 v = sum(along);
+  MENISCUS_HD Vec3 vector(const Mirrors& m) const { return sum(to_others) + vector_of_images(m); }
+
+  MENISCUS_HD Vec3 vector_of_images(const Mirrors& m) const {
+    Vec3 v{0, 0, 0};
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
-      if (is_used<n>(m, k)) v += (2 * sum(lift[k])) * m.normal[k];
+      if (is_used<n>(m, k)) v += sum(to_images[k]) + (2 * sum(lift[k])) * m.normal[k];
     }
     return v;
   }
 
-  /// How much of the vector mirror k's images make, along its normal.
+  /// The part of the images' vector that mirror k makes: `through` along its normal, and what is along the
+  /// mirror.
+  MENISCUS_HD Vec3 through_vector(const Mirrors& m, int k) const {
+    const Vec3 n_k = m.normal[k], along = sum(to_images[k]);
+    return along + (through(m, k) - dot(along, n_k)) * n_k;
+  }
+
+  /// How much of the images' vector mirror k makes, along its normal.
   MENISCUS_HD float through(const Mirrors& m, int k) const {
     return m.distance[k] * sum(weight[k]) + sum(lift[k]);
   }

@@ -14,7 +14,7 @@ namespace meniscus::fluid {
 struct Probe {
   bool at_point = true;  ///< pressure at `point`; else the force on a shape
   Vec3 point{0, 0, 0};
-  uint32_t body = 0;                 ///< pbd::Contact::body
+  uint32_t shape = 0;                ///< pbd::Contact::solid
   Aabb patch{{0, 0, 0}, {0, 0, 0}};  ///< contacts whose point lies inside count
 };
 

@@ -28,10 +28,10 @@ struct PointPressure {
   }
 };
 
-/// What the contacts of particle i with one shape take up, as a force on the shape.
+/// What the contacts of particle i with one fixed shape take up, as a force on the shape.
 struct WallForce {
   pbd::ContactView contacts;
-  uint32_t body;
+  uint32_t shape;
   Aabb patch;
   float to_force;  ///< 1/h_t²
 
@@ -39,8 +39,8 @@ struct WallForce {
     ProbeSum total{};
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const pbd::Contact& c = contacts.contacts[k];
-      if (c.body != body || !inside(patch, c.point)) continue;
-      const Vec3 f = -to_force * ((c.normal_multiplier + c.density_push) * c.normal + c.tangent_multiplier);
+      if (c.solid != shape || c.body != pbd::no_index || !inside(patch, c.point)) continue;
+      const Vec3 f = -to_force * multiplier_sum(c);
       total.x += f.x;
       total.y += f.y;
       total.z += f.z;
@@ -94,7 +94,8 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
                      Add{}, value_.view());
     } else {
       device_.reduce("probes/wall", count, ProbeSum{},
-                     WallForce{substep.contacts, probe.body, probe.patch, inverse_dt2}, Add{}, value_.view());
+                     WallForce{substep.contacts, probe.shape, probe.patch, inverse_dt2}, Add{},
+                     value_.view());
     }
     device_.parallel_for("probes/accumulate", 1, Accumulate{value_.view(), totals_.view(), k});
   }

@@ -19,8 +19,8 @@ class ContactArrays {
   void reserve(uint32_t capacity);
 
   /// See ContactSource.
-  void limit_motion(View<const Vec4> from, View<Vec4> to, uint32_t count, bool planes_too) {
-    for (ContactSource<D>* source : sources_) source->limit_motion(from, to, count, planes_too);
+  void limit_motion(const MotionView& motion, bool planes_too) {
+    for (ContactSource<D>* source : sources_) source->limit_motion(motion, planes_too);
   }
   /// Counts the contacts of each particle, and writes those that there is room for.
   void find(const Substep<D>& substep);

@@ -12,26 +12,32 @@ namespace meniscus::pbd {
 
 inline constexpr uint32_t no_index = 0xffffffff;
 
-/// What sources find today is one particle at a surface; the other three are for triangles to come.
-/// One particle, or up to four with weights (a triangle's corners against a particle), near a surface. Found
-/// once a substep; the surface is taken as the plane through `point` while the substep's iterations run.
+/// One particle near a surface. Found once a substep; the surface is taken as the plane through `point` while
+/// the substep's iterations run. Where the surface belongs to a body, the plane moves along with it.
 struct alignas(16) Contact {
-  uint32_t particle[4];     ///< sorted indices; no_index beyond the last
-  float weight[4];          ///< of each particle in the constraint: +1 for a particle alone
-  Vec3 point;               ///< m, on the surface
-  uint32_t body;            ///< the shape or body that the surface belongs to
-  Vec3 normal;              ///< unit, out of the solid
-  float distance;           ///< m, signed, when the contact was found
+  Vec3 point;      ///< m, on the surface
+  uint32_t solid;  ///< the user's shape or body; no_index for a contact that does nothing
+  Vec3 normal;     ///< unit, out of the solid
+  float fraction;  ///< of the half-space's share in the kernel: 1 on a plane, less over edges and thin things
   Vec3 tangent_multiplier;  ///< kg·m, friction so far in this substep; over the substep's length it is the
                             ///< impulse
-  float normal_multiplier;  ///< kg·m, non-penetration so far
-  float density_push;    ///< kg·m along the normal, from the density constraint through this surface so far
+  float normal_multiplier;  ///< kg·m, non-penetration and bounce so far
+  Vec3 density_push;    ///< kg·m, on the particle, from the density constraint through this surface so far
+  float friction;       ///< Coulomb's μ
+  Vec3 surface_motion;  ///< m, of the surface here, from the substep's start to now
+  float body_inverse_mass;  ///< 1/kg: how the body gives way along the normal, split among its contacts; 0:
+                            ///< not at all
+  Vec3 arm;                 ///< m, from the body's centre of mass to where impulses act
+  uint32_t body;            ///< the rigid body, or no_index
   float approach_speed;  ///< m/s along the normal, before the substep's solve; negative towards the surface
-  float friction;        ///< Coulomb's μ
   float restitution;     ///< 0 to 1
-  float fraction;  ///< of the half-space's share in the kernel: 1 on a plane, less over edges and thin things
-  float side;      ///< +1 where the particle started the substep on the normal's side, else −1
+  float adhesion;        ///< kg·m, the most that the surface pulls back with in this substep
 };
+
+/// What a contact has done to its particle so far, kg·m; the solid has got the opposite.
+MENISCUS_HD inline Vec3 multiplier_sum(const Contact& c) {
+  return c.normal_multiplier * c.normal + c.tangent_multiplier + c.density_push;
+}
 
 /// Contacts of particle i: contacts[start[i]] to contacts[start[i + 1] − 1].
 struct ContactView {
@@ -40,11 +46,13 @@ struct ContactView {
   View<const uint32_t> particle;  ///< whose each contact is
   float radius = 0;               ///< m: a particle's centre stops at this distance
 
+  /// How many there are.
+  MENISCUS_HD uint32_t total() const { return start[start.count - 1]; }
   /// For work on particles that have contacts, which runs over the contacts: the particle whose first one n
   /// is, or no_index.
   MENISCUS_HD uint32_t particle_starting_at(uint32_t n) const {
-    const uint32_t i = particle[n], total = start[start.count - 1];
-    return n < total && start[i] == n ? i : no_index;
+    const uint32_t i = particle[n];
+    return n < total() && start[i] == n ? i : no_index;
   }
 };
 

@@ -25,7 +25,8 @@ MENISCUS_HD constexpr uint32_t phase_group(Phase phase) {
 struct ParticleView {
   View<Vec4> position;        ///< m; w: inverse mass, 1/kg, 0 for what nothing moves
   View<const Vec4> previous;  ///< m, at the substep's start
-  View<Vec4> velocity;        ///< m/s
+  View<Vec4> moved;     ///< m, by constraints in this substep: kept beside the position, which rounds it
+  View<Vec4> velocity;  ///< m/s
   View<const Phase> phase;
   View<const uint32_t> slot;
   uint32_t owned = 0;
@@ -66,6 +67,7 @@ class Particles {
     position.reserve(size, count_);
     velocity.reserve(size, count_);
     previous.resize_discard(size);
+    moved.resize_discard(size);
     predicted.resize_discard(size);
     phase.reserve(size, count_);
     slot.reserve(size, count_);
@@ -104,7 +106,7 @@ class Particles {
   /// The state that is to be predicted, and sorted into the next buffers.
   ParticleView source() {
     if (!from_aside_) return view();
-    return {aside_position_.view(), previous.view(),    aside_velocity_.view(),
+    return {aside_position_.view(), previous.view(),    moved.view(), aside_velocity_.view(),
             aside_phase_.view(),    aside_slot_.view(), count_};
   }
   /// What was sorted into the next buffers is the present state.
@@ -117,12 +119,13 @@ class Particles {
   }
 
   ParticleView view() {
-    return {position.current.view(), previous.view(),     velocity.current.view(),
+    return {position.current.view(), previous.view(),     moved.view(), velocity.current.view(),
             phase.current.view(),    slot.current.view(), count_};
   }
 
   DoubleBuffer<Vec4> position{device_, "particle positions"};
   Buffer<Vec4> previous{device_, "previous positions"};
+  Buffer<Vec4> moved{device_, "constraint displacements"};
   Buffer<Vec4> predicted{device_, "predicted positions"};  ///< in the order before the sort
   DoubleBuffer<Vec4> velocity{device_, "particle velocities"};
   DoubleBuffer<Phase> phase{device_, "particle phases"};

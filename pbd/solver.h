@@ -77,6 +77,8 @@ class Solver {
   void measure(const std::function<void(Substep<D>&, const Found&)>& measure);
 
   const ParticleSummary& summary();
+  /// Of the last substep, or measurement.
+  ContactView contacts() { return contacts_.view(); }
   StageTimer& timer() { return timer_; }
 
  private:
@@ -92,10 +94,12 @@ class Solver {
   void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
+  static MotionView motion_of(const Substep<D>& s);
   bool is_fast(float dt) const;
   Substep<D> make_substep(float dt);
   void save_state();
   void restore_state();
+  void undo_step();
 
   D& device_;
   Particles& particles_;

@@ -23,6 +23,7 @@ namespace meniscus::pbd {
 template <class D>
 void Solver<D>::substep(float dt) {
   timer_.enter(StageId::predict);
+  for (ConstraintSet<D>* set : sets_) set->predict(dt);
   predict(dt, parameters_.gravity);
   sort(dt, parameters_.gravity);
 
@@ -36,12 +37,14 @@ void Solver<D>::substep(float dt) {
   }
 
   timer_.enter(StageId::velocity);
-  if (is_fast(dt))
-    contacts_.limit_motion(s.particles.previous, s.particles.position, s.particles.owned, true);
+  if (is_fast(dt)) contacts_.limit_motion(motion_of(s), true);
   update_velocities(s);
   for (ConstraintSet<D>* set : sets_) set->end(s);
   for (VelocityPass<D>* pass : passes_) pass->apply(s, particles_);
   for (Observer<D>* observer : observers_) observer->observe(s);
+
+  timer_.enter(StageId::exchange);
+  for (ConstraintSet<D>* set : sets_) set->exchange(s);
 }
 
 template <class D>
@@ -50,7 +53,7 @@ StepResult Solver<D>::step(float dt) {
   for (;;) {
     const ParticleSummary after = run(substeps, dt / static_cast<float>(substeps));
     const bool done = had_room();
-    if (!done || after.non_finite) restore_state();
+    if (!done || after.non_finite) undo_step();
     fresh_ = !done || after.non_finite;
     if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
     make_room();
@@ -63,14 +66,16 @@ ParticleSummary Solver<D>::run(int substeps, float dt) {
   timer_.start_step();
   save_state();
   try {
+    for (ConstraintSet<D>* set : sets_) set->start_step();
     for (Observer<D>* observer : observers_) observer->start_step();
     for (int k = 0; k < substeps; ++k) substep(dt);
+    for (ConstraintSet<D>* set : sets_) set->end_step();
     timer_.enter(StageId::finish);
     summarize();
     timer_.stop();
     return summary();
   } catch (...) {
-    restore_state();
+    undo_step();
     throw;
   }
 }
@@ -83,7 +88,7 @@ void Solver<D>::relax(float dt, int times) {
     for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
       for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
     }
-    contacts_.limit_motion(s.particles.previous, s.particles.position, s.particles.owned, true);
+    contacts_.limit_motion(motion_of(s), true);
     device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
     particles_changed(0, particles_.count());
   }
@@ -110,7 +115,7 @@ void Solver<D>::predict(float dt, Vec3 gravity) {
   const View<Vec4> predicted = particles_.predicted.view();
   device_.parallel_for("predict", from.owned,
                        solver_kernels::Predict{from.position, from.velocity, predicted, gravity, dt});
-  if (dt > 0) contacts_.limit_motion(from.position, predicted, from.owned, false);
+  if (dt > 0) contacts_.limit_motion({from.position, predicted, {}, from.phase, from.owned}, false);
 }
 
 template <class D>
@@ -122,8 +127,8 @@ void Solver<D>::sort(float dt, Vec3 gravity) {
   device_.parallel_for(
       "reorder", p.count(),
       solver_kernels::Reorder{search_.order(), p.predicted.view(), from.position, from.velocity, from.phase,
-                              from.slot, p.position.next.view(), p.previous.view(), p.velocity.next.view(),
-                              p.phase.next.view(), p.slot.next.view(), gravity, dt});
+                              from.slot, p.position.next.view(), p.previous.view(), p.moved.view(),
+                              p.velocity.next.view(), p.phase.next.view(), p.slot.next.view(), gravity, dt});
   p.flip();
   for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), p.count());
 }
@@ -172,8 +177,13 @@ void Solver<D>::make_room() {
 template <class D>
 void Solver<D>::update_velocities(const Substep<D>& s) {
   device_.parallel_for("velocity/update", s.particles.owned,
-                       solver_kernels::UpdateVelocity{s.particles.position, s.particles.previous,
-                                                      s.particles.velocity, 1.0f / s.dt});
+                       solver_kernels::UpdateVelocity{s.particles.moved, s.particles.velocity, 1.0f / s.dt});
+}
+
+template <class D>
+MotionView Solver<D>::motion_of(const Substep<D>& s) {
+  return {s.particles.previous, s.particles.position, s.particles.moved, s.particles.phase,
+          s.particles.owned};
 }
 
 /// Whether a substep is so long for the speeds in it that the solve may carry a particle through a surface
@@ -186,6 +196,7 @@ bool Solver<D>::is_fast(float dt) const {
 template <class D>
 int Solver<D>::choose_substeps(float dt) {
   step_speed_ = std::sqrt(summary().max_speed2) + dt * length(parameters_.gravity);
+  for (ConstraintSet<D>* set : sets_) step_speed_ = std::fmax(step_speed_, set->speed(dt));
   if (parameters_.cfl_number <= 0) return parameters_.substeps;
   const float wanted = std::ceil(step_speed_ * dt / (parameters_.cfl_number * parameters_.support_radius));
   return static_cast<int>(std::clamp(wanted, static_cast<float>(parameters_.min_substeps),
@@ -261,6 +272,12 @@ void Solver<D>::save_state() {
   summary();  // of the state while it is in place
   for (ConstraintSet<D>* set : sets_) set->save();
   particles_.put_aside();
+}
+
+template <class D>
+void Solver<D>::undo_step() {
+  restore_state();
+  for (ConstraintSet<D>* set : sets_) set->undo_step();
 }
 
 template <class D>

@@ -13,6 +13,11 @@ MENISCUS_HD inline Vec3 drawn(const Vec4& position, const Vec4& velocity, Vec3 g
   return position.w > 0 ? velocity.xyz() + dt * gravity : velocity.xyz();
 }
 
+/// p = x + h·v
+MENISCUS_HD inline Vec3 advanced(const Vec4& position, Vec3 velocity, float dt) {
+  return position.xyz() + dt * velocity;
+}
+
 /// p = x + h·(v + h·g)
 struct Predict {
   View<const Vec4> position, velocity;
@@ -22,7 +27,7 @@ struct Predict {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec4 x = position[i];
-    predicted[i] = with_w(x.xyz() + dt * drawn(x, velocity[i], gravity, dt), x.w);
+    predicted[i] = with_w(advanced(x, drawn(x, velocity[i], gravity, dt), dt), x.w);
   }
 };
 
@@ -32,7 +37,7 @@ struct Reorder {
   View<const Vec4> predicted, position, velocity;
   View<const Phase> phase;
   View<const uint32_t> slot;
-  View<Vec4> sorted_predicted, previous, sorted_velocity;
+  View<Vec4> sorted_predicted, previous, moved, sorted_velocity;
   View<Phase> sorted_phase;
   View<uint32_t> sorted_slot;
   Vec3 gravity;
@@ -41,22 +46,25 @@ struct Reorder {
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t from = load(order, i);
     const Vec4 x = load(position, from);
-    sorted_predicted[i] = load(predicted, from);
+    const Vec3 v = drawn(x, load(velocity, from), gravity, dt);
+    const Vec4 p = load(predicted, from);
+    sorted_predicted[i] = p;
     previous[i] = x;
-    sorted_velocity[i] = with_w(drawn(x, load(velocity, from), gravity, dt), 0);
+    moved[i] = with_w(p.xyz() - advanced(x, v, dt), 0);  // by what cut its motion short, if anything
+    sorted_velocity[i] = with_w(v, 0);
     sorted_phase[i] = load(phase, from);
     sorted_slot[i] = load(slot, from);
   }
 };
 
-/// v = (p − x) / h.
+/// v = (p − x)/h, without the rounding of p: far from the origin that would be a force of its own.
 struct UpdateVelocity {
-  View<const Vec4> position, previous;
+  View<const Vec4> moved;
   View<Vec4> velocity;
   float inverse_dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    velocity[i] = with_w(inverse_dt * (position[i].xyz() - previous[i].xyz()), 0);
+    velocity[i] = with_w(velocity[i].xyz() + inverse_dt * moved[i].xyz(), 0);
   }
 };
 

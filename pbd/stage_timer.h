@@ -10,8 +10,8 @@
 
 namespace meniscus::pbd {
 
-enum class StageId { predict, neighbours, contacts, solve, velocity, finish };
-inline constexpr size_t stage_ids = 6;
+enum class StageId { predict, neighbours, contacts, solve, velocity, exchange, finish };
+inline constexpr size_t stage_ids = 7;
 
 /// Splits the device's time among the stages of a step.
 class StageTimer {

@@ -40,12 +40,25 @@ class ParticleState {
 template <class D>
 class ConstraintSet : public ParticleState {
  public:
+  /// m/s, the fastest that this set can move a surface in dt.
+  virtual float speed(float /*dt*/) { return 0; }
+  /// Nothing is predicted yet: what moves along with the particles is predicted here.
+  virtual void predict(float /*dt*/) {}
   /// Neighbours and contacts are known; nothing is solved yet.
   virtual void begin(Substep<D>&) {}
   /// One iteration: moves particles.position towards C(p) = 0.
   virtual void project(Substep<D>&, int iteration) = 0;
   /// Velocities are known.
   virtual void end(Substep<D>&) {}
+  /// The particles are done. What lives outside of the device takes its share, and is advanced by the
+  /// substep.
+  virtual void exchange(Substep<D>&) {}
+
+  // Around the substeps of a step, for what lives outside of the device: undo_step() takes it back to
+  // start_step().
+  virtual void start_step() {}
+  virtual void end_step() {}
+  virtual void undo_step() {}
 };
 
 /// Something that changes velocities after the constraints.
@@ -67,17 +80,26 @@ class Observer {
   virtual void observe(const Substep<D>& substep) = 0;
 };
 
+/// Motions that are to be checked.
+struct MotionView {
+  View<const Vec4> from;
+  View<Vec4> to;
+  View<Vec4> moved;  ///< what takes a motion back is added, where there is a view
+  View<const Phase> phase;
+  uint32_t count = 0;
+};
+
 /// Something that finds contacts: first it keeps fast particles from passing through; then it finds, in
 /// sorted order, the number of contacts of each particle, then the contacts themselves.
 template <class D>
 class ContactSource {
  public:
   virtual ~ContactSource() = default;
-  /// Cuts short each motion from `from` to `to` that would pass through something. Nothing passes through the
-  /// plane of a half-space on its way to the contact search, which sees it from behind as well; `planes_too`
-  /// is for after the solve.
-  virtual void limit_motion(View<const Vec4> /*from*/, View<Vec4> /*to*/, uint32_t /*count*/,
-                            bool /*planes_too*/) {}
+  virtual void reserve(uint32_t /*particles*/) {}
+  /// Cuts short each motion that would pass through something fixed. Nothing passes through the plane of a
+  /// half-space on its way to the contact search, which sees it from behind as well; `planes_too` is for
+  /// after the solve.
+  virtual void limit_motion(const MotionView& /*motion*/, bool /*planes_too*/) {}
   /// Adds the number of contacts of each particle.
   virtual void count(const Substep<D>& substep, View<uint32_t> counts) = 0;
   /// Writes as many contacts of each particle as it counted.

@@ -9,15 +9,28 @@ namespace meniscus::pbd {
 
 void* Device::allocate(size_t bytes, const char* what) {
   void* memory = do_allocate(bytes);
-  if (!memory) {
-    throw Error(ErrorCode::out_of_memory,
-                "no memory for " + std::string(what) + ": " + std::to_string(bytes >> 20) + " MiB asked on " +
-                    name() + ", which holds " + std::to_string(memory_.bytes >> 20) + " MiB for this world");
-  }
+  if (!memory) refuse(bytes, what);
   memory_.bytes += bytes;
   memory_.peak_bytes = std::max(memory_.peak_bytes, memory_.bytes);
   ++memory_.allocations;
   return memory;
+}
+
+void* Device::allocate_shared(size_t bytes, const char* what) {
+  void* memory = do_allocate_shared(bytes);
+  if (!memory) refuse(bytes, what);
+  ++memory_.allocations;
+  return memory;
+}
+
+void Device::release_shared(void* memory) noexcept {
+  if (memory) do_release_shared(memory);
+}
+
+void Device::refuse(size_t bytes, const char* what) const {
+  throw Error(ErrorCode::out_of_memory,
+              "no memory for " + std::string(what) + ": " + std::to_string(bytes >> 20) + " MiB asked on " +
+                  name() + ", which holds " + std::to_string(memory_.bytes >> 20) + " MiB for this world");
 }
 
 void Device::release(void* memory, size_t bytes) noexcept {

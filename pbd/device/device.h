@@ -33,12 +33,19 @@ class Device {
   void release(void* memory, size_t bytes) noexcept;
   const MemoryUse& memory() const { return memory_; }
 
+  /// Memory of the host that kernels can use as well. Throws Error(out_of_memory), naming `what`.
+  void* allocate_shared(size_t bytes, const char* what);
+  void release_shared(void* memory) noexcept;
+
   /// Copies are ordered with the kernels launched before and after; copy_out alone waits for the result.
   virtual void copy_in(void* device_memory, const void* host, size_t bytes) = 0;
   virtual void copy_out(void* host, const void* device_memory, size_t bytes) = 0;
   virtual void copy(void* to, const void* from, size_t bytes) = 0;
   virtual void fill(void* memory, unsigned char byte, size_t bytes) = 0;
   virtual void wait() = 0;
+  /// Marks a place in the device's work; wait_for_fence() returns when all before it is done.
+  virtual void set_fence() = 0;
+  virtual void wait_for_fence() = 0;
 
   /// Marks the present place in the device's work as number `mark`; elapsed_ms may be asked after wait().
   virtual void mark_time(uint32_t mark) = 0;
@@ -48,8 +55,11 @@ class Device {
   Device() = default;
 
  private:
+  [[noreturn]] void refuse(size_t bytes, const char* what) const;
   virtual void* do_allocate(size_t bytes) = 0;  // nullptr when there is none left
   virtual void do_release(void* memory) noexcept = 0;
+  virtual void* do_allocate_shared(size_t bytes) = 0;
+  virtual void do_release_shared(void* memory) noexcept = 0;
 
   MemoryUse memory_;
 };

@@ -97,11 +97,35 @@ MENISCUS_HD constexpr Vec3 rotate(Quat q, Vec3 v) {
 MENISCUS_HD constexpr Quat conjugate(Quat q) {
   return {-q.x, -q.y, -q.z, q.w};
 }
+MENISCUS_HD constexpr Quat operator*(Quat a, Quat b) {
+  const Vec3 u{a.x, a.y, a.z}, v{b.x, b.y, b.z};
+  const Vec3 w = a.w * v + b.w * u + cross(u, v);
+  return {w.x, w.y, w.z, a.w * b.w - dot(u, v)};
+}
+MENISCUS_HD inline Quat normalized(Quat q) {
+  const float inverse = 1 / sqrtf(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  return {inverse * q.x, inverse * q.y, inverse * q.z, inverse * q.w};
+}
+/// The turn by a rotation vector: its direction is the axis, its length the angle in rad.
+MENISCUS_HD inline Quat rotation_by(Vec3 turn) {
+  const float angle = length(turn);
+  // sin(a/2)/a; near 0 its series, of which the next term is below a float's rounding.
+  const float scale = angle < 0.02f ? 0.5f - angle * angle / 48 : sinf(0.5f * angle) / angle;
+  return {scale * turn.x, scale * turn.y, scale * turn.z, cosf(0.5f * angle)};
+}
 MENISCUS_HD constexpr Vec3 to_world(const Pose& pose, Vec3 local) {
   return pose.position + rotate(pose.rotation, local);
 }
 MENISCUS_HD constexpr Vec3 to_local(const Pose& pose, Vec3 world) {
   return rotate(conjugate(pose.rotation), world - pose.position);
+}
+/// The placement of what sits at `inner` in the frame of `outer`.
+MENISCUS_HD inline Pose operator*(const Pose& outer, const Pose& inner) {
+  return {to_world(outer, inner.position), normalized(outer.rotation * inner.rotation)};
+}
+MENISCUS_HD constexpr Pose inverse(const Pose& pose) {
+  const Quat back = conjugate(pose.rotation);
+  return {rotate(back, -pose.position), back};
 }
 
 namespace pbd {

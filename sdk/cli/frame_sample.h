@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <meniscus/bodies.h>
 #include <meniscus/outputs.h>
 
 #include <vector>
@@ -17,7 +18,8 @@ struct FrameSample {
   Diagnostics diagnostics;
   double mass = 0;  ///< kg, of all particles
   io::ParticleFrame particles;
-  std::vector<double> probes;  ///< in the order of the scene's list
+  std::vector<double> probes;     ///< in the order of the scene's list
+  std::vector<BodyState> bodies;  ///< likewise
 };
 
 }  // namespace meniscus::cli

@@ -5,28 +5,11 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cerrno>
-
-#include "sdk/io/output_file.h"
 
 namespace meniscus::cli {
 namespace {
 
-/// As RFC 4180 has it: in quotes where a comma, a quote or a line break would be misread.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
-}  // namespace
-
-FrameTable::FrameTable(std::filesystem::path path, const std::vector<std::string>& probe_names)
-    : path_(std::move(path)) {
-  errno = 0;
-  stream_.open(path_, std::ios::trunc);
-  if (!stream_) io::throw_io_error("write", path_);
+std::string header_of(const std::vector<std::string>& probe_names) {
   std::string header = "frame,time_s";
   for (std::size_t i = 0; i < stage_count; ++i)
     header += fmt::format(",ms_{}", stage_name(static_cast<Stage>(i)));
@@ -35,8 +18,13 @@ FrameTable::FrameTable(std::filesystem::path path, const std::vector<std::string
       "contacts,"
       "max_speed,non_finite,outside,substeps,removed";
   for (const std::string& name : probe_names) header += ',' + csv_field(name);
-  write_row(header);
+  return header;
 }
+
+}  // namespace
+
+FrameTable::FrameTable(std::filesystem::path path, const std::vector<std::string>& probe_names)
+    : file_(std::move(path), header_of(probe_names)) {}
 
 void FrameTable::add(const FrameSample& sample) {
   const Diagnostics& d = sample.diagnostics;
@@ -47,13 +35,7 @@ void FrameTable::add(const FrameSample& sample) {
                      d.kinetic_energy, d.potential_energy, d.contacts, d.max_speed, d.non_finite, d.outside,
                      sample.step.substeps, sample.step.removed);
   for (const double value : sample.probes) row += fmt::format(",{:.9g}", value);
-  write_row(row);
-}
-
-void FrameTable::write_row(const std::string& row) {
-  errno = 0;
-  stream_ << row << '\n' << std::flush;
-  if (!stream_) io::throw_io_error("write", path_);
+  file_.write(row);
 }
 
 }  // namespace meniscus::cli

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "sdk/cli/csv_file.h"
 #include "sdk/cli/frame_sample.h"
 
 namespace meniscus::cli {
@@ -21,10 +21,7 @@ class FrameTable {
   void add(const FrameSample& sample);
 
  private:
-  void write_row(const std::string& row);
-
-  std::filesystem::path path_;
-  std::ofstream stream_;
+  CsvFile file_;
 };
 
 }  // namespace meniscus::cli

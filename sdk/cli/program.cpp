@@ -40,11 +40,12 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->check(CLI::Range(1, 100'000'000).description(""));
   run.add_option("--out", options.out, "The folder for the results; by default out/<scene name>")
       ->type_name("DIR");
-  run.add_option("--export", options.formats, "Write every frame's particles, as ply and/or vtp")
-      ->type_name("ply,vtp")
+  run.add_option("--export", options.formats,
+                 "Write every frame's particles and bodies, as ply, vtp and/or obj")
+      ->type_name("ply,vtp,obj")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"ply", "vtp"}).description(""));
+      ->check(CLI::IsMember({"ply", "vtp", "obj"}).description(""));
   run.add_option("--threads", options.threads, "Threads of the CPU device; 0 is one a core")
       ->type_name("N")
       ->check(CLI::Range(0, 1024).description(""));
@@ -94,7 +95,7 @@ int run_program(int argc, char** argv) {
   RunOptions run;
   CheckOptions check;
   Command command;
-  CLI::App app("Position-based liquid on the GPU and on the CPU", "meniscus");
+  CLI::App app("Position-based liquid and rigid bodies on the GPU and on the CPU", "meniscus");
   app.set_version_flag("--version", "meniscus " MENISCUS_VERSION);
   app.require_subcommand(0, 1);
   add_run(app, run, command);

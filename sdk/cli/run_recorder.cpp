@@ -19,6 +19,16 @@ std::vector<std::string> probe_names(const Scene& scene) {
   return names;
 }
 
+std::vector<std::string> body_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const BodyDef& body : bodies_of(scene)) names.push_back(body.name);
+  return names;
+}
+
+nlohmann::ordered_json json_of(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
 /// 0.016 rather than 0.01600000076: seven digits are what a float holds.
 double without_noise(double value) {
   return std::stod(fmt::format("{:.7g}", value));
@@ -32,10 +42,15 @@ RunRecorder::RunRecorder(std::filesystem::path folder, const Scene& scene)
       scene_(scene),
       table_(folder_ / "frames.csv", probe_names(scene)),
       energy_(scene),
-      density_error_(1e-5, 100'000) {}
+      density_error_(1e-5, 100'000),
+      body_names_(body_names(scene)) {
+  if (!body_names_.empty()) body_table_.emplace(folder_ / "bodies.csv", body_names_);
+}
 
-void RunRecorder::start(const DeviceInfo& device, const FrameSample& sample) {
+void RunRecorder::start(const DeviceInfo& device, const FrameSample& sample, std::vector<BodyMass> masses) {
   device_ = device;
+  masses_ = std::move(masses);
+  bodies_ = sample.bodies;
   diagnostics_ = sample.diagnostics;
   energy_.add(sample);
 }
@@ -44,6 +59,7 @@ void RunRecorder::add(const FrameSample& sample) {
   step_ = sample.step;
   diagnostics_ = sample.diagnostics;
   probes_ = sample.probes;
+  bodies_ = sample.bodies;
   time_.push_back(sample.particles.time);
   density_mean_.push_back(diagnostics_.density_error_mean);
   density_max_.push_back(diagnostics_.density_error_max);
@@ -61,6 +77,7 @@ void RunRecorder::add(const FrameSample& sample) {
   non_finite_ = std::max(non_finite_, diagnostics_.non_finite);
   energy_.add(sample);
   table_.add(sample);
+  if (body_table_) body_table_->add(sample);
 }
 
 nlohmann::ordered_json RunRecorder::finish(const RunEnd& end) {
@@ -95,6 +112,7 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"contacts", diagnostics_.contacts},
           {"device_bytes", end.device_bytes},
           {"probes", probes()},
+          {"bodies", bodies()},
           {"interrupted", end.interrupted},
           {"error", end.error.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(end.error)},
           {"state_hash", fmt::format("{:016x}", end.state_hash)}};
@@ -122,6 +140,26 @@ nlohmann::ordered_json RunRecorder::probes() const {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < probes_.size(); ++i) values[scene_.probes[i].def.name] = probes_[i];
   return values;
+}
+
+/// The last state of each, and what does not change.
+nlohmann::ordered_json RunRecorder::bodies() const {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyState& body = bodies_[i];
+    const Quat q = body.pose.rotation;
+    list.push_back({{"name", body_names_[i]},
+                    {"mass_kg", masses_.at(i).mass},
+                    {"volume_m3", masses_.at(i).volume},
+                    {"position_m", json_of(body.pose.position)},
+                    {"rotation", {q.x, q.y, q.z, q.w}},
+                    {"velocity_m_s", json_of(body.velocity)},
+                    {"angular_velocity_rad_s", json_of(body.angular_velocity)},
+                    {"fluid_force_n", json_of(body.fluid_force)},
+                    {"fluid_torque_n_m", json_of(body.fluid_torque)},
+                    {"awake", body.awake}});
+  }
+  return list;
 }
 
 double percentile(std::vector<double> values, double share) {

@@ -5,8 +5,10 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
+#include "sdk/cli/body_table.h"
 #include "sdk/cli/energy_history.h"
 #include "sdk/cli/frame_table.h"
 #include "sdk/cli/histogram.h"
@@ -21,14 +23,15 @@ struct RunEnd {
   std::size_t device_bytes = 0;
 };
 
-/// Keeps the figures of a run: frames.csv as it goes, summary.json and density.svg at its end.
+/// Keeps the figures of a run: frames.csv, and bodies.csv where the scene has bodies, as it goes;
+/// summary.json and density.svg at its end.
 class RunRecorder {
  public:
   /// `scene` must outlive the recorder. Throws Error(io) where the folder cannot be written to.
   RunRecorder(std::filesystem::path folder, const Scene& scene);
 
-  /// The state before the first step.
-  void start(const DeviceInfo& device, const FrameSample& sample);
+  /// The state before the first step; `masses` in the order of the scene's bodies.
+  void start(const DeviceInfo& device, const FrameSample& sample, std::vector<BodyMass> masses = {});
   /// The state after a step. Throws Error(io).
   void add(const FrameSample& sample);
   /// Writes the files; returns what is in summary.json. Throws Error(io).
@@ -39,13 +42,17 @@ class RunRecorder {
   nlohmann::ordered_json times() const;
   nlohmann::ordered_json density() const;
   nlohmann::ordered_json probes() const;
+  nlohmann::ordered_json bodies() const;
 
   std::filesystem::path folder_;
   const Scene& scene_;
   FrameTable table_;
+  std::optional<BodyTable> body_table_;
   EnergyHistory energy_;
   Histogram density_error_;
+  std::vector<std::string> body_names_;
   DeviceInfo device_;
+  std::vector<BodyMass> masses_;
 
   // One element a frame.
   std::vector<double> time_, density_mean_, density_max_, step_ms_;
@@ -60,6 +67,7 @@ class RunRecorder {
   StepReport step_;
   Diagnostics diagnostics_;
   std::vector<double> probes_;
+  std::vector<BodyState> bodies_;
 };
 
 /// By nearest rank; 0 where there are no values.

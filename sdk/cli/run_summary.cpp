@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace meniscus::cli {
@@ -69,10 +70,19 @@ std::string trouble_line(const json& figures) {
                      count(figures, "non_finite"), count(figures, "removed"));
 }
 
-std::string file_list(const std::vector<std::string>& formats) {
+std::string body_line(const json& bodies) {
+  const auto awake = std::count_if(bodies.begin(), bodies.end(),
+                                   [](const json& body) { return body.at("awake").get<bool>(); });
+  return fmt::format("{}, of which {} awake at the end", bodies.size(), awake);
+}
+
+std::string file_list(const std::vector<std::string>& formats, bool bodies) {
   std::string text = "summary.json, frames.csv, density.svg, preview.png";
-  for (const std::string& format : formats)
-    text += ", frames/*." + format + (format == "vtp" ? ", particles.pvd" : "");
+  if (bodies) text += ", bodies.csv";
+  for (const std::string& format : formats) {
+    text += ", frames/*." + format;
+    if (format == "vtp") text += bodies ? ", particles.pvd, bodies.pvd" : ", particles.pvd";
+  }
   return text;
 }
 
@@ -91,8 +101,10 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   for (const auto& [name, value] : figures.at("probes").items()) {
     text += line("probe", fmt::format("{}: {:.6g}", name, value.get<double>()));
   }
+  const json& bodies = figures.at("bodies");
+  if (!bodies.empty()) text += line("bodies", body_line(bodies));
   text += line("state", text_of(figures, "state_hash"));
-  text += line("files", folder.string() + ": " + file_list(formats));
+  text += line("files", folder.string() + ": " + file_list(formats, !bodies.empty()));
   return text + fmt::format("The picture to open: {}\n", (folder / "preview.png").string());
 }
 

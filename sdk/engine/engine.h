@@ -10,7 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "collision/body_proxy.h"
 #include "collision/mesh.h"
+#include "collision/rigid_world.h"
 #include "collision/shape.h"
 #include "fluid/density_set.h"
 #include "fluid/material.h"
@@ -24,6 +26,24 @@ struct EngineDef {
   fluid::Kernel kernel{};
   float particle_spacing = 0;  ///< m
   fluid::DensityParameters density;
+  collision::RigidWorld* rigid = nullptr;  ///< must outlive the engine
+};
+
+/// All solids as the solver wants them: fixed shapes first; those of bodies are placed by what carries them.
+struct SolidShapes {
+  std::vector<collision::Shape> shapes;
+  uint32_t fixed = 0;
+  std::vector<collision::PlaneOpening> openings;
+  std::vector<collision::CarriedShape> carried;
+};
+
+/// What a contact of the last substep did.
+struct ContactReadout {
+  uint32_t slot;   ///< of the particle
+  uint32_t solid;  ///< fixed shape, or body
+  bool is_body;
+  Vec3 point, normal;
+  Vec3 impulse;  ///< N·s, on the particle
 };
 
 /// Removes the particles inside the box, or those outside of it.
@@ -41,6 +61,7 @@ struct ParticleBatch {
 struct EngineStep {
   pbd::StepResult result;
   std::array<double, stage_count> stage_ms{};
+  double rigid_ms = 0;
   std::vector<bool> removed;  ///< by slot before the step; empty when nothing was
 };
 
@@ -56,15 +77,24 @@ class Engine {
 
   virtual pbd::Device& device() = 0;
 
-  virtual void set_materials(std::span<const fluid::Material> materials) = 0;
+  /// By fluid.
+  virtual void set_materials(std::span<const fluid::Material> materials,
+                             std::span<const CollisionFilter> filters) = 0;
   /// Fields that shapes refer to by number.
-  virtual uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) = 0;
+  /// With `max_error` > 0 as fine as that takes, else of the cell size; m.
+  virtual uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
+                           float margin) = 0;
   virtual uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
                                     std::span<const float> heights) = 0;
   virtual void remove_sdf(uint32_t number) = 0;
   virtual void remove_height_field(uint32_t number) = 0;
-  virtual void set_shapes(std::span<const collision::Shape> shapes,
-                          std::span<const collision::PlaneOpening> openings) = 0;
+  virtual void set_shapes(const SolidShapes& solids) = 0;
+  /// Bodies were moved by hand.
+  virtual void place_bodies() = 0;
+  /// What particles gave to each body in the last step: N and N·m, the mean over the step.
+  virtual std::span<const collision::RigidImpulse> body_forces() const = 0;
+  /// Of the last substep, in the order of the slots; those that did something.
+  virtual std::vector<ContactReadout> read_contacts() = 0;
   virtual void set_sinks(std::span<const SinkBox> sinks) = 0;
   virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
   virtual void read_probes(std::span<fluid::ProbeSum> means) = 0;

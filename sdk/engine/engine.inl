@@ -6,9 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "collision/body_set.h"
 #include "collision/contact_set.h"
 #include "collision/mesh_sampling.h"
-#include "collision/sdf_build.h"
+#include "collision/mesh_fields.h"
 #include "collision/shape_contacts.h"
 #include "fluid/surface_tension_pass.h"
 #include "fluid/viscosity_pass.h"
@@ -28,6 +29,7 @@ class DeviceEngine final : public Engine {
         def_(def),
         solver_(device_, particles_, def.solver),
         contacts_(device_, def.solver.support_radius, def.solver.contact_radius),
+        bodies_(device_, *def.rigid, contacts_),
         density_(device_, def.kernel, def.density),
         contact_set_(device_),
         tension_(device_, def.kernel, def.particle_spacing),
@@ -37,6 +39,7 @@ class DeviceEngine final : public Engine {
     solver_.add(contacts_);
     solver_.add(density_);
     solver_.add(contact_set_);
+    solver_.add(bodies_);
     solver_.add(tension_);
     solver_.add(viscosity_);
     solver_.add(probes_);
@@ -46,17 +49,22 @@ class DeviceEngine final : public Engine {
   pbd::Device& device() override { return device_; }
   uint32_t particle_count() const override { return particles_.count(); }
 
-  void set_materials(std::span<const fluid::Material> materials) override {
+  void set_materials(std::span<const fluid::Material> materials,
+                     std::span<const CollisionFilter> filters) override {
+    contacts_.set_filters(filters);
     tension_.set_materials(materials);
     viscosity_.set_materials(materials);
   }
-  uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) override;
+  uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
+                   float margin) override;
   uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
                             std::span<const float> heights) override;
-  void remove_sdf(uint32_t number) override { sdf_grids_[number].reset(); }
+  void remove_sdf(uint32_t number) override { mesh_fields_.release(number); }
   void remove_height_field(uint32_t number) override { height_samples_[number].reset(); }
-  void set_shapes(std::span<const collision::Shape> shapes,
-                  std::span<const collision::PlaneOpening> openings) override;
+  void set_shapes(const SolidShapes& solids) override;
+  void place_bodies() override { bodies_.place(); }
+  std::span<const collision::RigidImpulse> body_forces() const override { return bodies_.mean_forces(); }
+  std::vector<ContactReadout> read_contacts() override;
   void set_sinks(std::span<const SinkBox> sinks) override { replace(sinks_, sinks); }
   void set_probes(std::span<const fluid::Probe> probes) override { probes_.set_probes(probes); }
   void read_probes(std::span<fluid::ProbeSum> means) override { probes_.read(means); }
@@ -81,6 +89,7 @@ class DeviceEngine final : public Engine {
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
   std::vector<bool> take_sinks();
   std::vector<uint32_t> remove_marked(uint32_t kept);
+  void fetch_contacts();
 
   template <class T>
   static void replace(pbd::Buffer<T>& buffer, std::span<const T> values) {
@@ -93,6 +102,7 @@ class DeviceEngine final : public Engine {
   pbd::Particles particles_{device_};
   pbd::Solver<D> solver_;
   collision::ShapeContacts<D> contacts_;
+  collision::BodySet<D> bodies_;
   fluid::DensitySet<D> density_;
   collision::ContactSet<D> contact_set_;
   fluid::SurfaceTensionPass<D> tension_;
@@ -100,10 +110,12 @@ class DeviceEngine final : public Engine {
   fluid::Probes<D> probes_;
   pbd::Removal<D> removal_;
 
+  float last_substep_ = 0;  // s
+  std::vector<ContactReadout> fetched_contacts_;
+  bool contacts_fetched_ = true;
   collision::ShapeSet shape_set_;
-  std::vector<std::optional<collision::Sdf>> sdf_grids_;
+  collision::MeshFields<D> mesh_fields_;
   std::vector<std::optional<pbd::Buffer<float>>> height_samples_;
-  std::vector<collision::SdfView> sdf_views_;
   std::vector<collision::HeightFieldView> height_views_;
   pbd::Buffer<collision::Shape> shapes_{device_, "shapes"};
   pbd::Buffer<collision::PlaneOpening> openings_{device_, "openings"};

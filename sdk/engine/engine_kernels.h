@@ -4,7 +4,7 @@
 // Read-outs, measurements and sinks.
 #pragma once
 
-#include "collision/find_contact.h"
+#include "collision/candidates.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"
 
@@ -40,13 +40,15 @@ struct ReadMultipliers {
 
 /// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. Who is
 /// beyond a wall with an opening has left, and the other walls of that container are nothing to it.
-MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, Vec3 p, float reach) {
-  for (uint32_t k = 0; k < set.shapes.count; ++k) {
+MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, const collision::CandidateView& candidates,
+                                   uint32_t i, Vec3 p, float reach) {
+  bool outside = false;
+  candidates.for_each(i, [&](uint32_t k) {
     const collision::Shape& shape = set.shapes[k];
-    if (collision::sample_surface(set, shape, p, reach).distance >= 0) continue;
-    if (shape.kind != collision::ShapeKind::plane || !left_through_opening(set, shape, {p, p})) return true;
-  }
-  return false;
+    if (outside || collision::sample_surface(set, shape, p, reach).distance >= 0) return;
+    outside = shape.kind != collision::ShapeKind::plane || !left_through_opening(set, shape, {p, p});
+  });
+  return outside;
 }
 
 struct SolidDistance {
@@ -58,7 +60,10 @@ struct SolidDistance {
   MENISCUS_HD void operator()(uint32_t i) const {
     float nearest = reach;
     for (uint32_t k = 0; k < set.shapes.count; ++k) {
-      nearest = pbd::min(nearest, collision::sample_surface(set, set.shapes[k], points[i], reach).distance);
+      const collision::Shape& shape = set.shapes[k];
+      if (shape.kind != collision::ShapeKind::plane && out_of_reach(shape, points[i], points[i], reach))
+        continue;
+      nearest = pbd::min(nearest, collision::sample_surface(set, shape, points[i], reach).distance);
     }
     distance[i] = nearest;
   }
@@ -73,6 +78,7 @@ struct StateSum {
 struct SumState {
   View<const pbd::Vec4> position, velocity;
   collision::ShapeSet set;
+  collision::CandidateView candidates;
   Vec3 gravity;
   float reach;
 
@@ -82,7 +88,8 @@ struct SumState {
     if (!is_finite(x.xyz()) || !is_finite(v)) return {0, 0, 0, 1, 0};
     const double mass = x.w > 0 ? 1.0 / x.w : 0;
     const float v2 = dot(v, v);
-    return {0.5 * mass * v2, -mass * dot(gravity, x.xyz()), v2, 0, is_outside(set, x.xyz(), reach)};
+    return {0.5 * mass * v2, -mass * dot(gravity, x.xyz()), v2, 0,
+            is_outside(set, candidates, i, x.xyz(), reach)};
   }
 };
 

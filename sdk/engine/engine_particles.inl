@@ -60,6 +60,7 @@ std::vector<bool> DeviceEngine<D>::take_sinks() {
       engine_kernels::MarkSinks{particles_.position.current.view(), sinks_.view(), removal_.keep()});
   const uint32_t kept = removal_.count_kept(particles_);
   if (kept == particles_.count()) return {};
+  fetch_contacts();  // while they fit the particles
   const std::vector<uint32_t> by_slot = remove_marked(kept);
   std::vector<bool> removed(by_slot.size());
   std::transform(by_slot.begin(), by_slot.end(), removed.begin(), [](uint32_t stays) { return stays == 0; });
@@ -71,8 +72,11 @@ EngineStep DeviceEngine<D>::step(float dt) {
   EngineStep done;
   done.result = solver_.step(dt);
   if (done.result.summary.non_finite) return done;
+  last_substep_ = dt / static_cast<float>(done.result.substeps);
+  contacts_fetched_ = false;
   done.removed = take_sinks();
   done.stage_ms = solver_.timer().read_ms();
+  done.rigid_ms = bodies_.step_ms();
   return done;
 }
 

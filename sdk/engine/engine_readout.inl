@@ -47,11 +47,45 @@ EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::
   return {static_cast<double>(total) / std::max(1u, particles_.count()), contacts};
 }
 
+/// Brings what the last substep's contacts did to the host, by slot; once a step, and before particles change
+/// places.
+template <class D>
+void DeviceEngine<D>::fetch_contacts() {
+  if (contacts_fetched_) return;
+  contacts_fetched_ = true;
+  fetched_contacts_.clear();
+  const pbd::ContactView view = solver_.contacts();
+  uint32_t total = 0;
+  device_.copy_out(&total, view.start.data + view.start.count - 1, sizeof total);
+  std::vector<pbd::Contact> contacts(total);
+  std::vector<uint32_t> particle(total), slot(particles_.count());
+  if (total == 0) return;
+  device_.copy_out(contacts.data(), view.contacts.data, total * sizeof(pbd::Contact));
+  device_.copy_out(particle.data(), view.particle.data, total * sizeof(uint32_t));
+  particles_.slot.current.read(std::span(slot));
+  for (uint32_t n = 0; n < total; ++n) {
+    const pbd::Contact& c = contacts[n];
+    const Vec3 impulse = multiplier_sum(c) / last_substep_;
+    if (c.solid == pbd::no_index || impulse == Vec3{0, 0, 0}) continue;
+    const bool is_body = c.body != pbd::no_index;
+    fetched_contacts_.push_back({slot[particle[n]], c.solid, is_body, c.point, c.normal, impulse});
+  }
+  std::stable_sort(fetched_contacts_.begin(), fetched_contacts_.end(),
+                   [](const ContactReadout& a, const ContactReadout& b) { return a.slot < b.slot; });
+}
+
+template <class D>
+std::vector<ContactReadout> DeviceEngine<D>::read_contacts() {
+  fetch_contacts();
+  return fetched_contacts_;
+}
+
 template <class D>
 Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
   using namespace engine_kernels;
   device_.reduce("measure/state", particles_.count(), StateSum{},
                  SumState{particles_.position.current.view(), particles_.velocity.current.view(), shape_set_,
+                          contacts_.find_near(particles_.position.current.view(), particles_.count(), 0),
                           gravity, def_.solver.support_radius},
                  AddStates{}, state_sum_.view());
   StateSum sum{};

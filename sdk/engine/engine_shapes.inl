@@ -16,14 +16,12 @@ uint32_t free_place(std::vector<std::optional<T>>& table) {
 }
 
 template <class D>
-uint32_t DeviceEngine<D>::add_sdf(const collision::TriangleMesh& mesh, float cell_size, float margin) {
-  const collision::DeviceTriangleBvh tree(device_, collision::TriangleBvh(mesh));
-  collision::Sdf field = collision::build_sdf(device_, tree, cell_size, margin);
-  const uint32_t place = free_place(sdf_grids_);
-  sdf_views_.resize(sdf_grids_.size());
-  sdf_views_[place] = sdf_grids_[place].emplace(std::move(field)).view();
-  replace<collision::SdfView>(sdfs_, sdf_views_);
-  return place;
+uint32_t DeviceEngine<D>::add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
+                                  float margin) {
+  const uint32_t number =
+      mesh_fields_.acquire(device_, mesh, cell_size, max_error, margin, def_.solver.support_radius);
+  replace<collision::SdfView>(sdfs_, mesh_fields_.views());
+  return number;
 }
 
 template <class D>
@@ -40,13 +38,16 @@ uint32_t DeviceEngine<D>::add_height_field(uint32_t columns, uint32_t rows, floa
 }
 
 template <class D>
-void DeviceEngine<D>::set_shapes(std::span<const collision::Shape> shapes,
-                                 std::span<const collision::PlaneOpening> openings) {
-  replace(shapes_, shapes);
-  replace(openings_, openings);
-  shape_set_ = {shapes_.view(), openings_.view(), sdfs_.view(), height_fields_.view()};
-  const auto is_plane = [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; };
-  contacts_.set_shapes(shape_set_, std::all_of(shapes.begin(), shapes.end(), is_plane));
+void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
+  replace<collision::Shape>(shapes_, solids.shapes);
+  replace<collision::PlaneOpening>(openings_, solids.openings);
+  shape_set_ = {shapes_.view(), solids.fixed, openings_.view(), sdfs_.view(), height_fields_.view()};
+  const bool only_fixed_planes =
+      solids.fixed == solids.shapes.size() &&
+      std::all_of(solids.shapes.begin(), solids.shapes.end(),
+                  [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; });
+  contacts_.set_shapes(shape_set_, only_fixed_planes);
+  bodies_.set_shapes(solids.carried, shapes_.view());
 }
 
 template <class D>

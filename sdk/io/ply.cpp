@@ -23,6 +23,27 @@ struct PlyVertex {
 };
 static_assert(sizeof(PlyVertex) == 9 * 4);
 
+/// Without padding, as the file has it.
+#pragma pack(push, 1)
+struct PlyFace {
+  uint8_t count;
+  std::array<uint32_t, 3> corners;
+  uint32_t body;
+};
+#pragma pack(pop)
+static_assert(sizeof(PlyFace) == 1 + 4 * 4);
+
+std::string header(const SurfaceFrame& frame) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment Meniscus bodies at {:.7g} s; metres\n"
+      "element vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "element face {}\n"
+      "property list uchar uint vertex_indices\nproperty uint body\n"
+      "end_header\n",
+      frame.time, frame.vertices.size(), frame.triangles.size());
+}
+
 std::string header(const ParticleFrame& frame) {
   return fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment Meniscus particles at {:.7g} s; metres, metres a "
@@ -53,6 +74,16 @@ void write_ply(const std::filesystem::path& path, const ParticleFrame& frame) {
   OutputFile file(path);
   file.write(header(frame));
   file.write(std::span<const PlyVertex>(vertices));
+  file.commit();
+}
+
+void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame) {
+  std::vector<PlyFace> faces(frame.triangles.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {3, frame.triangles[i], frame.bodies[i]};
+  OutputFile file(path);
+  file.write(header(frame));
+  file.write(std::span<const Vec3>(frame.vertices));
+  file.write(std::span<const PlyFace>(faces));
   file.commit();
 }
 

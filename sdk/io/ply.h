@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "sdk/io/particle_frame.h"
+#include "sdk/io/surface_frame.h"
 
 namespace meniscus::io {
 
@@ -12,5 +13,9 @@ namespace meniscus::io {
 /// (m/s), fluid, id and density_error. Throws Error(io), and Error(capacity) for an id beyond the 32 bits of
 /// a PLY integer.
 void write_ply(const std::filesystem::path& path, const ParticleFrame& frame);
+
+/// Triangles in the same format. A vertex has x y z (m); a face also has `body`, its body in the order of the
+/// scene. Throws Error(io).
+void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame);
 
 }  // namespace meniscus::io

@@ -121,8 +121,29 @@ void add_shapes(Drawing& drawing, const PreviewScene& scene, Vec3 up) {
   constexpr Vec3 colors[] = {
       {0.58f, 0.55f, 0.50f}, {0.62f, 0.27f, 0.11f}, {0.30f, 0.38f, 0.20f}, {0.42f, 0.30f, 0.42f}};
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    add_shape(drawing, scene.shapes[i], up, drawing.add_surface({colors[i % std::size(colors)], 0.15f}));
+    add_solid(drawing, scene.shapes[i].geometry, scene.shapes[i].pose, up,
+              drawing.add_surface({colors[i % std::size(colors)], 0.15f}));
   }
+}
+
+/// Colours that part from each other, from those of shapes and from water.
+void add_bodies(Drawing& drawing, const PreviewScene& scene, std::span<const BodyState> states, Vec3 up) {
+  constexpr Vec3 colors[] = {{0.52f, 0.29f, 0.10f}, {0.80f, 0.52f, 0.08f}, {0.55f, 0.09f, 0.06f},
+                             {0.70f, 0.60f, 0.42f}, {0.20f, 0.34f, 0.10f}, {0.75f, 0.30f, 0.06f},
+                             {0.33f, 0.14f, 0.30f}, {0.30f, 0.17f, 0.08f}, {0.62f, 0.65f, 0.14f},
+                             {0.62f, 0.24f, 0.26f}};
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const BodyDef& body = scene.bodies[i];
+    add_solid(drawing, body.geometry, states.empty() ? body.pose : states[i].pose, up,
+              drawing.add_surface({colors[i % std::size(colors)], 0.2f}));
+  }
+}
+
+void check_states(std::span<const BodyState> states, const std::vector<BodyDef>& bodies) {
+  if (states.empty() || states.size() == bodies.size()) return;
+  throw Error(ErrorCode::invalid_argument, "states has " + std::to_string(states.size()) +
+                                               " elements, but the scene has " +
+                                               std::to_string(bodies.size()) + " bodies");
 }
 
 /// From over the viewer's left shoulder.
@@ -145,6 +166,7 @@ Studio studio_of(const Bounds& bounds, const SceneCamera& view, Vec3 up, float s
 PreviewScene preview_of(const Scene& scene) {
   PreviewScene preview;
   preview.shapes = scene.shapes;
+  preview.bodies = bodies_of(scene);
   preview.gravity = scene.world.gravity;
   preview.particle_spacing = scene.world.particle_spacing;
   preview.camera = scene.camera;
@@ -152,10 +174,13 @@ PreviewScene preview_of(const Scene& scene) {
   return preview;
 }
 
-Image render_preview(const ParticleFrame& frame, const PreviewScene& scene) {
+Image render_preview(const ParticleFrame& frame, const PreviewScene& scene,
+                     std::span<const BodyState> states) {
+  check_states(states, scene.bodies);
   const Vec3 up = normalized_or(-scene.gravity, {0, 1, 0});
   Drawing drawing;
   add_shapes(drawing, scene, up);
+  add_bodies(drawing, scene, states, up);
   Bounds bounds = bounds_of(drawing);
   const Bounds fluid = bounds_of(frame.positions, scene.particle_spacing);
   bounds.add(fluid.lower, fluid.upper);

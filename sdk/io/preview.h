@@ -13,6 +13,7 @@ struct PreviewScene {
   std::vector<Vec3>
       fluid_colors;  ///< linear RGB, by ParticleFrame::fluids; a fluid beyond the end is water blue
   std::vector<ShapeDef> shapes;
+  std::vector<BodyDef> bodies;
   Vec3 gravity{0, -9.81f, 0};         ///< m/s²; up is the other way
   float particle_spacing = 0.05f;     ///< m
   std::optional<SceneCamera> camera;  ///< left out: a view that holds everything
@@ -24,7 +25,10 @@ PreviewScene preview_of(const Scene& scene);
 
 /// Draws the particles as spheres among the solids, on the CPU. Fast fluid and spray are whiter. Needs
 /// positions, velocities and fluids of the frame, and without its density errors knows fast from slow alone.
-/// Equal input gives equal bytes. May throw what load_mesh throws.
-Image render_preview(const ParticleFrame& frame, const PreviewScene& scene);
+/// `states` are of the scene's bodies, in their order; without any, the bodies are where they start. Equal
+/// input gives equal bytes. May throw what solid_triangles throws, and Error(invalid_argument) where there
+/// are states, but not one a body.
+Image render_preview(const ParticleFrame& frame, const PreviewScene& scene,
+                     std::span<const BodyState> states = {});
 
 }  // namespace meniscus::io

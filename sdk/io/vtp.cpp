@@ -5,7 +5,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <bit>
-#include <numeric>
 #include <vector>
 
 #include "sdk/io/output_file.h"
@@ -16,115 +15,98 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "the arrays below are written as they lie in memory");
 
-/// One array of the file: its name in the XML, and the block that the XML points to.
-struct Block {
-  const char* type;
-  const char* name;
-  int components;
-  std::span<const std::byte> bytes;
-};
-
-template <class T>
-Block block(const char* type, const char* name, int components, std::span<const T> values) {
-  return {type, name, components, std::as_bytes(values)};
-}
-
 /// The XML and the appended data grow together, since an array's offset is the length of those before it.
-class VtpWriter {
+class AppendedArrays {
  public:
-  explicit VtpWriter(const ParticleFrame& frame) : frame_(frame), first_(frame.size()), past_(frame.size()) {
-    std::iota(first_.begin(), first_.end(), int64_t{0});
-    std::iota(past_.begin(), past_.end(), int64_t{1});
-  }
-
-  void write(OutputFile& file) {
-    file.write(document());
-    for (const Block& b : blocks_) {
-      const uint64_t length = b.bytes.size();
-      file.write(std::span<const uint64_t>(&length, 1));
-      file.write(b.bytes);
-    }
-    file.write("\n</AppendedData>\n</VTKFile>\n");
-  }
-
- private:
-  std::string data_array(Block b) {
+  template <class T>
+  std::string add(const char* type, const char* name, int components, std::span<const T> values) {
     const std::string xml = fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-        b.type, b.name, b.components, offset_);
-    offset_ += sizeof(uint64_t) + b.bytes.size();
-    blocks_.push_back(b);
+        type, name, components, offset_);
+    offset_ += sizeof(uint64_t) + values.size_bytes();
+    blocks_.push_back(std::as_bytes(values));
     return xml;
   }
 
-  std::string point_data() {
-    return data_array(block("Float32", "velocity", 3, frame_.velocities)) +
-           data_array(block("UInt32", "fluid", 1, frame_.fluids)) +
-           data_array(block("UInt64", "id", 1, frame_.ids)) +
-           data_array(block("Float32", "density_error", 1, frame_.density_errors)) +
-           data_array(block("Float32", "pressure", 1, frame_.pressures));
+  void write(OutputFile& file) const {
+    for (const std::span<const std::byte> block : blocks_) {
+      const uint64_t length = block.size();
+      file.write(std::span<const uint64_t>(&length, 1));
+      file.write(block);
+    }
   }
 
-  std::string vertex_cells() {
-    return data_array(block("Int64", "connectivity", 1, std::span<const int64_t>(first_))) +
-           data_array(block("Int64", "offsets", 1, std::span<const int64_t>(past_)));
-  }
-
-  std::string document() {
-    std::string xml =
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n<PolyData>\n";
-    xml += fmt::format(
-        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-        "format=\"ascii\">{:.7g}"
-        "</DataArray>\n</FieldData>\n",
-        frame_.time);
-    xml += fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\">\n", frame_.size());
-    xml += "<PointData Vectors=\"velocity\">\n" + point_data() + "</PointData>\n";
-    xml += "<Points>\n" + data_array(block("Float32", "Points", 3, frame_.positions)) + "</Points>\n";
-    xml += "<Verts>\n" + vertex_cells() + "</Verts>\n";
-    return xml + "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-  }
-
-  const ParticleFrame& frame_;
-  std::vector<int64_t> first_, past_;
-  std::vector<Block> blocks_;
+ private:
+  std::vector<std::span<const std::byte>> blocks_;  // the arrays must outlive this
   uint64_t offset_ = 0;
 };
 
-constexpr const char* pvd_end = "</Collection>\n</VTKFile>\n";
+std::vector<int64_t> counting(std::size_t count, int64_t first, int64_t step) {
+  std::vector<int64_t> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = first + step * static_cast<int64_t>(i);
+  return values;
+}
+
+/// A PolyData file of one piece, whose XML refers to the arrays.
+void write_polydata(const std::filesystem::path& path, double time, const std::string& piece,
+                    const AppendedArrays& arrays) {
+  OutputFile file(path);
+  file.write(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<PolyData>\n");
+  file.write(
+      fmt::format("<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+                  "format=\"ascii\">{:.7g}</DataArray>\n</FieldData>\n",
+                  time));
+  file.write(piece);
+  file.write("</PolyData>\n<AppendedData encoding=\"raw\">\n_");
+  arrays.write(file);
+  file.write("\n</AppendedData>\n</VTKFile>\n");
+  file.commit();
+}
+
+std::string points(AppendedArrays& arrays, std::span<const Vec3> positions) {
+  return "<Points>\n" + arrays.add("Float32", "Points", 3, positions) + "</Points>\n";
+}
+
+/// `offsets`: where each cell ends in `corners`.
+std::string cells(AppendedArrays& arrays, std::span<const int64_t> corners,
+                  std::span<const int64_t> offsets) {
+  return arrays.add("Int64", "connectivity", 1, corners) + arrays.add("Int64", "offsets", 1, offsets);
+}
 
 }  // namespace
 
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
   check_lengths(frame);
-  OutputFile file(path);
-  VtpWriter(frame).write(file);
-  file.commit();
+  const std::vector<int64_t> corners = counting(frame.size(), 0, 1), ends = counting(frame.size(), 1, 1);
+  AppendedArrays arrays;
+  std::string piece = fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\">\n", frame.size());
+  piece += "<PointData Vectors=\"velocity\">\n";
+  piece += arrays.add("Float32", "velocity", 3, frame.velocities);
+  piece += arrays.add("UInt32", "fluid", 1, frame.fluids);
+  piece += arrays.add("UInt64", "id", 1, frame.ids);
+  piece += arrays.add("Float32", "density_error", 1, frame.density_errors);
+  piece += arrays.add("Float32", "pressure", 1, frame.pressures);
+  piece += "</PointData>\n" + points(arrays, frame.positions);
+  piece += "<Verts>\n" + cells(arrays, corners, ends) + "</Verts>\n</Piece>\n";
+  write_polydata(path, frame.time, piece, arrays);
 }
 
-PvdFile::PvdFile(std::filesystem::path path) : path_(std::move(path)) {
-  errno = 0;
-  stream_.open(path_, std::ios::binary | std::ios::trunc);
-  if (!stream_) throw_io_error("write", path_);
-  write_and_close(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-      "<Collection>\n");
-}
-
-void PvdFile::add(double time, const std::filesystem::path& file) {
-  write_and_close(fmt::format("<DataSet timestep=\"{:.7g}\" part=\"0\" file=\"{}\"/>\n", time,
-                              xml_escaped(file.generic_string())));
-}
-
-void PvdFile::write_and_close(const std::string& text) {
-  // The closing tags go out with the entry in one write, and the next entry starts on top of them.
-  const auto start = stream_.tellp();
-  errno = 0;
-  stream_ << text + pvd_end << std::flush;
-  if (!stream_) throw_io_error("write", path_);
-  stream_.seekp(start + static_cast<std::streamoff>(text.size()));
+void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
+  std::vector<int64_t> corners;
+  for (const auto& triangle : frame.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  const std::vector<int64_t> ends = counting(frame.triangles.size(), 3, 3);
+  AppendedArrays arrays;
+  std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
+                                  frame.vertices.size(), frame.triangles.size());
+  piece += "<CellData Scalars=\"body\">\n" +
+           arrays.add("UInt32", "body", 1, std::span<const uint32_t>(frame.bodies)) + "</CellData>\n";
+  piece += points(arrays, frame.vertices);
+  piece += "<Polys>\n" + cells(arrays, corners, ends) + "</Polys>\n</Piece>\n";
+  write_polydata(path, frame.time, piece, arrays);
 }
 
 }  // namespace meniscus::io

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 
 #include "sdk/io/particle_frame.h"
+#include "sdk/io/surface_frame.h"
 
 namespace meniscus::io {
 
@@ -13,20 +13,8 @@ namespace meniscus::io {
 /// arrays velocity, fluid, id, density_error and pressure. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame);
 
-/// A ParaView collection: the frames of a run with their times. It is a valid file after every add().
-class PvdFile {
- public:
-  /// Throws Error(io).
-  explicit PvdFile(std::filesystem::path path);
-
-  /// `file` is relative to the collection's folder; `time` is in seconds. Throws Error(io).
-  void add(double time, const std::filesystem::path& file);
-
- private:
-  void write_and_close(const std::string& text);
-
-  std::filesystem::path path_;
-  std::ofstream stream_;
-};
+/// Triangles in the same format, with the cell array `body`: a triangle's body, in the order of the scene.
+/// Throws Error(io).
+void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame);
 
 }  // namespace meniscus::io

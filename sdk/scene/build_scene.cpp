@@ -22,13 +22,26 @@ ProbeDef with_shape(const SceneProbe& probe, const Scene& scene, const std::vect
   return def;
 }
 
+JointDef with_bodies(const SceneJoint& joint, const std::vector<BodyDef>& defs,
+                     const std::vector<BodyId>& ids) {
+  JointDef def = joint.def;
+  def.a = id_of(joint.a, defs, ids, "body");
+  if (!joint.b.empty()) def.b = id_of(joint.b, defs, ids, "body");
+  return def;
+}
+
 }  // namespace
 
 BuiltScene build_scene(const Scene& scene) {
-  BuiltScene built{World(scene.world), {}, {}, {}};
+  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}};
   for (const FluidDef& def : scene.fluids) built.fluids.push_back(built.world.create_fluid(def));
-  // Shapes before volumes: filling a region leaves out what would stand inside a solid.
+  // Solids before volumes: filling a region leaves out what would stand inside one.
   for (const ShapeDef& def : scene.shapes) built.shapes.push_back(built.world.create_shape(def));
+  const std::vector<BodyDef> bodies = bodies_of(scene);
+  for (const BodyDef& def : bodies) built.bodies.push_back(built.world.create_body(def));
+  for (const SceneJoint& joint : scene.joints) {
+    built.joints.push_back(built.world.create_joint(with_bodies(joint, bodies, built.bodies)));
+  }
   for (const SceneVolume& volume : scene.volumes) {
     FluidVolumeDef def = volume.def;
     def.fluid = id_of(volume.fluid, scene.fluids, built.fluids, "fluid");

@@ -22,6 +22,22 @@ struct SceneProbe {
   ProbeDef def;       ///< its shape id is filled in when the scene is built
 };
 
+/// Equal bodies at the points of a lattice.
+struct SceneCopies {
+  std::vector<int> count{1, 1, 1};  ///< along x, y and z
+  Vec3 step{0, 0, 0};               ///< m, from one to the next along each
+};
+
+struct SceneBody {
+  BodyDef def;                        ///< of the first copy
+  std::optional<SceneCopies> copies;  ///< left out, there is one
+};
+
+struct SceneJoint {
+  std::string a, b;  ///< names of bodies; an empty b is the world
+  JointDef def;      ///< its body ids are filled in when the scene is built
+};
+
 /// Where the preview looks from. Left out, a view is chosen that holds everything.
 struct SceneCamera {
   Vec3 position{3, 2, 4};       ///< m
@@ -38,17 +54,29 @@ struct Scene {
   WorldDef world;
   std::vector<FluidDef> fluids;
   std::vector<ShapeDef> shapes;
+  std::vector<SceneBody> bodies;
+  std::vector<SceneJoint> joints;
   std::vector<SceneVolume> volumes;
   std::vector<SinkDef> sinks;
   std::vector<SceneProbe> probes;
   std::optional<SceneCamera> camera;
 };
 
-/// A world made from a scene. The ids stand in the order of the scene's lists.
+/// The bodies of an entry: itself, or its copies, x fastest, with their numbers from 0 on at the end of their
+/// names, as in crate_12.
+std::vector<BodyDef> copies_of(const SceneBody& body);
+
+/// All bodies of a scene, in its order.
+std::vector<BodyDef> bodies_of(const Scene& scene);
+
+/// A world made from a scene. The ids stand in the order of the scene's lists; of bodies, in that of
+/// bodies_of.
 struct BuiltScene {
   World world;
   std::vector<FluidId> fluids;
   std::vector<ShapeId> shapes;
+  std::vector<BodyId> bodies;
+  std::vector<JointId> joints;
   std::vector<ProbeId> probes;
 };
 

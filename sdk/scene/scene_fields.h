@@ -10,6 +10,7 @@
 #include "pbd/math/vec.h"
 #include "sdk/scene/scene.h"
 #include "sdk/scene/scene_field_rule.h"
+#include "sdk/scene/scene_fields_bodies.h"
 #include "sdk/scene/scene_fields_shapes.h"
 
 namespace meniscus {
@@ -42,6 +43,12 @@ void fields(V& v, DensitySolverDef& d) {
 }
 
 template <class V>
+void fields(V& v, RigidSolverDef& d) {
+  v("substeps", d.substeps, between(1, 1000), "", "steps of the bodies in a substep");
+  v("iterations", d.iterations, between(1, 1000), "", "solver iterations of each");
+}
+
+template <class V>
 void fields(V& v, WorldDef& d) {
   v("device", d.device, any_value, "", "where to run; auto takes a usable GPU, else the CPU");
   v("threads", d.threads, between(0, 1024), "", "of the CPU device; 0 is one a core");
@@ -57,6 +64,7 @@ void fields(V& v, WorldDef& d) {
   v("contact_radius", d.contact_radius, between(0.01, 1), "spacings",
     "distance from a surface at which a particle's centre stops");
   v("density", d.density, any_value, "", "the density constraint");
+  v("rigid", d.rigid, any_value, "", "how contacts and joints among solids are solved");
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps");
 }
 
@@ -70,6 +78,7 @@ void fields(V& v, FluidDef& d) {
     "strength ε of the force that keeps swirls");
   v("cohesion", d.cohesion, not_negative, "N/m", "attraction on top of the surface tension");
   v("surface_tension", d.surface_tension, not_negative, "N/m", "by attraction and curvature");
+  filter_fields(v, d.filter);
   v("color", d.color, between(0, 1), "", "linear red, green and blue");
 }
 
@@ -147,6 +156,8 @@ void fields(V& v, Scene& d) {
   v("world", d.world, any_value, "", "gravity, resolution and solver");
   v("fluids", d.fluids, any_value, "", "kinds of liquid");
   v("shapes", d.shapes, any_value, "", "solids that do not move");
+  v("bodies", d.bodies, any_value, "", "solids that move");
+  v("joints", d.joints, any_value, "", "what holds bodies together, or to the world");
   v("volumes", d.volumes, any_value, "", "regions filled with fluid at the start");
   v("sinks", d.sinks, any_value, "", "boxes that remove particles");
   v("probes", d.probes, any_value, "", "measurements");

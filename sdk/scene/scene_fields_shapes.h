@@ -7,6 +7,8 @@
 #include <meniscus/defs.h>
 
 #include <array>
+#include <limits>
+#include <optional>
 #include <string>
 
 #include "pbd/math/vec.h"
@@ -114,6 +116,19 @@ void fields(V& v, MeshGeometry& d) {
   v("file", d.file, required(any_value), "", mesh_file_text);
   v("scale", d.scale, positive, "m", "length of a unit of the file");
   v("cell_size", d.cell_size, not_negative, "m", "of the distance field; 0 is half of the particle spacing");
+  v("max_error", d.max_error, not_negative, "m",
+    "when above 0, the distance field is as fine as it takes to be off by no more");
+}
+
+template <class V>
+void fields(V& v, HullGeometry& d) {
+  std::optional<std::string> file;  // its vertices are added by resolve_meshes()
+  float scale = 1;
+  v("points", d.points, any_value, "m", "what the hull holds; without a file, at least 4, not in a plane");
+  v("file", file, any_value, "", "mesh whose vertices the hull holds too; a file as that of a mesh");
+  v("scale", scale, positive, "m", "length of a unit of the file");
+  v.check(file || d.points.size() >= 4,
+          "a hull needs at least 4 points, not " + std::to_string(d.points.size()) + ", or a file");
 }
 
 template <class V>
@@ -127,16 +142,70 @@ void fields(V& v, HeightFieldGeometry& d) {
               " numbers, not " + std::to_string(d.heights.size()));
 }
 
+/// Solids with an outside all around.
 template <class V>
-void choices(V& v, Geometry& g) {
-  v.choice("plane", PlaneGeometry{}, g, "everything below a plane is solid");
+void solid_choices(V& v, Geometry& g) {
   v.choice("box", BoxGeometry{}, g, "a solid box");
-  v.choice("container", ContainerGeometry{}, g, "a box seen from inside: its faces hold the fluid in");
   v.choice("sphere", SphereGeometry{}, g, "a solid ball");
   v.choice("capsule", CapsuleGeometry{}, g, "a cylinder along y with round ends");
   v.choice("cylinder", CylinderGeometry{}, g, "a cylinder along y");
   v.choice("mesh", MeshGeometry{}, g, "the inside of a closed triangle mesh");
+  v.choice("hull", HullGeometry{}, g, "the convex hull of points");
+}
+
+/// What a part of a compound may be.
+struct PartGeometry {
+  Geometry geometry;
+};
+
+template <class V>
+void choices(V& v, PartGeometry& g) {
+  solid_choices(v, g.geometry);
+}
+
+template <class V>
+void fields(V& v, CompoundPart& d) {
+  PartGeometry part{d.geometry};
+  v("geometry", part, required(any_value), "", "what it is");
+  v("pose", d.pose, any_value, "", "placement in the compound's frame");
+  d.geometry = part.geometry;
+}
+
+template <class V>
+void fields(V& v, CompoundGeometry& d) {
+  v("parts", d.parts, required(not_empty), "", "the solids that it is made of; they may overlap");
+}
+
+template <class V>
+void choices(V& v, Geometry& g) {
+  v.choice("plane", PlaneGeometry{}, g, "everything below a plane is solid");
+  v.choice("container", ContainerGeometry{}, g, "a box seen from inside: its faces hold the fluid in");
   v.choice("height_field", HeightFieldGeometry{}, g, "heights over a grid in x and z, centred; solid below");
+  solid_choices(v, g);
+  v.choice("compound", CompoundGeometry{}, g, "several solids as one");
+}
+
+/// How a solid's surface treats what touches it: keys of the solid itself.
+template <class V>
+void surface_fields(V& v, SurfaceDef& d) {
+  v("friction", d.friction, not_negative, "", "Coulomb's coefficient for particles");
+  v("restitution", d.restitution, between(0, 1), "",
+    "share of the normal speed that a particle's bounce keeps");
+  v("adhesion", d.adhesion, not_negative, "Pa", "pull on a wet layer of particles, per area");
+  v("solid_friction", d.solid_friction, not_negative, "",
+    "Coulomb's coefficient for solids; of two that touch, the geometric mean counts");
+  v("solid_restitution", d.solid_restitution, between(0, 1), "",
+    "share of the normal speed that a bounce off a solid keeps");
+}
+
+/// What collides with what: keys of the fluid or solid itself.
+template <class V>
+void filter_fields(V& v, CollisionFilter& d) {
+  constexpr FieldRule bits = between(0, std::numeric_limits<uint32_t>::max());
+  v("groups", d.groups, bits, "", "what it is, as the sum of powers of 2");
+  v("mask", d.mask, bits, "",
+    "which groups it collides with, as the sum of powers of 2; two things collide where each one's group is "
+    "in the other's mask");
 }
 
 template <class V>
@@ -144,8 +213,8 @@ void fields(V& v, ShapeDef& d) {
   v("name", d.name, required(not_empty), "", "what probes call this shape");
   v("geometry", d.geometry, required(any_value), "", "what it is");
   v("pose", d.pose, any_value, "", "placement of the geometry");
-  v("friction", d.friction, not_negative, "", "Coulomb's coefficient");
-  v("restitution", d.restitution, between(0, 1), "", "share of the normal speed that a bounce keeps");
+  surface_fields(v, d.surface);
+  filter_fields(v, d.filter);
 }
 
 template <class V>

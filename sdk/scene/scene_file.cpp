@@ -87,7 +87,7 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
   Json document = parse_text(read_text(path), path);
   for (const std::string& text : overrides) apply_override(document, text);
   Scene scene = parse_scene(document, path);
-  resolve_meshes(scene, std::filesystem::path(path).parent_path(), path);
+  resolve_meshes(scene, document, std::filesystem::path(path).parent_path(), path);
   return scene;
 }
 

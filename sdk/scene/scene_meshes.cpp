@@ -4,13 +4,16 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "collision/mesh.h"
 #include "sdk/scene/scene_place.h"
 
 namespace meniscus {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 constexpr std::string_view alias = "glmark2:";
 
@@ -40,18 +43,60 @@ void resolve(std::string& file, const fs::path& folder, const ScenePlace& place)
   file = path.lexically_normal().string();
 }
 
+/// Puts the files of a geometry, and of its parts, in their place.
+class GeometryFiles {
+ public:
+  explicit GeometryFiles(const fs::path& folder) : folder_(folder) {}
+
+  void resolve_in(Geometry& geometry, const Json& json, const ScenePlace& place) const {
+    std::visit([&](auto& g) { resolve_in(g, json, place); }, geometry);
+  }
+
+ private:
+  void resolve_in(MeshGeometry& mesh, const Json&, const ScenePlace& place) const {
+    resolve(mesh.file, folder_, place.key("file"));
+  }
+
+  void resolve_in(HullGeometry& hull, const Json& json, const ScenePlace& place) const {
+    if (!json.contains("file")) return;
+    std::string file = json["file"];
+    resolve(file, folder_, place.key("file"));
+    try {
+      const collision::TriangleMesh mesh = collision::load_mesh(file, json.value("scale", 1.0f));
+      hull.points.insert(hull.points.end(), mesh.vertices.begin(), mesh.vertices.end());
+    } catch (const Error& error) {
+      place.key("file").fail(error.what(), error.code());
+    }
+  }
+
+  void resolve_in(CompoundGeometry& compound, const Json& json, const ScenePlace& place) const {
+    for (std::size_t i = 0; i < compound.parts.size(); ++i) {
+      resolve_in(compound.parts[i].geometry, json["parts"][i]["geometry"],
+                 place.key("parts").item(i).key("geometry"));
+    }
+  }
+
+  template <class Other>
+  void resolve_in(Other&, const Json&, const ScenePlace&) const {}
+
+  const fs::path& folder_;
+};
+
 }  // namespace
 
 bool is_mesh_alias(const std::string& file) {
   return file.starts_with(alias);
 }
 
-void resolve_meshes(Scene& scene, const fs::path& folder, const std::string& source) {
+void resolve_meshes(Scene& scene, const Json& document, const fs::path& folder, const std::string& source) {
   const ScenePlace root{source, ""};
-  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    auto* mesh = std::get_if<MeshGeometry>(&scene.shapes[i].geometry);
-    if (mesh) resolve(mesh->file, folder, root.key("shapes").item(i).key("geometry").key("file"));
-  }
+  const GeometryFiles files(folder);
+  const auto resolve_solid = [&](Geometry& geometry, const char* list, std::size_t i) {
+    files.resolve_in(geometry, document[list][i]["geometry"], root.key(list).item(i).key("geometry"));
+  };
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) resolve_solid(scene.shapes[i].geometry, "shapes", i);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    resolve_solid(scene.bodies[i].def.geometry, "bodies", i);
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
     auto* mesh = std::get_if<MeshRegion>(&scene.volumes[i].def.region);
     if (mesh) resolve(mesh->file, folder, root.key("volumes").item(i).key("region").key("file"));

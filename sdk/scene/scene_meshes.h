@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "sdk/scene/scene.h"
@@ -13,7 +14,10 @@ namespace meniscus {
 bool is_mesh_alias(const std::string& file);
 
 /// Replaces the names of mesh files by paths: aliases by what they stand for, relative ones by those from
-/// `folder`. Throws Error(io) for one that is empty or not there.
-void resolve_meshes(Scene& scene, const std::filesystem::path& folder, const std::string& source);
+/// `folder`. Hulls get the vertices of the files that their part of the `document`, which the scene was read
+/// from, names. Throws Error(io) for a file name that is empty or not there, and for a hull's file what
+/// load_mesh throws.
+void resolve_meshes(Scene& scene, const nlohmann::json& document, const std::filesystem::path& folder,
+                    const std::string& source);
 
 }  // namespace meniscus

@@ -11,21 +11,38 @@
 namespace meniscus {
 namespace {
 
-/// The names of a list, in its order; no name stands there twice.
+/// Names of which none may be there twice, with the places that bear them.
+class UniqueNames {
+ public:
+  /// `place`: of what bears the name.
+  void add(const std::string& name, const ScenePlace& place) {
+    const auto [earlier, is_new] = owners_.emplace(name, place.path);
+    if (!is_new) place.key("name").fail("\"" + name + "\" is the name of " + earlier->second + " already");
+    names_.push_back(name);
+  }
+
+  const std::vector<std::string>& in_order() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::string> owners_;
+};
+
 template <class List, class NameOf>
 std::vector<std::string> unique_names(const List& list, const ScenePlace& place, NameOf name_of) {
-  std::vector<std::string> names;
-  std::map<std::string, std::size_t> first;
-  for (const auto& element : list) {
-    const std::string& name = name_of(element);
-    const auto [earlier, is_new] = first.emplace(name, names.size());
-    if (!is_new) {
-      const std::string owner = place.path + "[" + std::to_string(earlier->second) + "]";
-      place.item(names.size()).key("name").fail("\"" + name + "\" is the name of " + owner + " already");
-    }
-    names.push_back(name);
+  UniqueNames names;
+  for (std::size_t i = 0; i < list.size(); ++i) names.add(name_of(list[i]), place.item(i));
+  return names.in_order();
+}
+
+/// A solid has one name: a body must not be called as a shape is.
+void check_solids(const Scene& scene, const ScenePlace& root) {
+  UniqueNames names;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+    names.add(scene.shapes[i].name, root.key("shapes").item(i));
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    for (const BodyDef& body : copies_of(scene.bodies[i])) names.add(body.name, root.key("bodies").item(i));
   }
-  return names;
 }
 
 void check_reference(const std::string& name, const std::vector<std::string>& names, const ScenePlace& place,
@@ -34,17 +51,30 @@ void check_reference(const std::string& name, const std::vector<std::string>& na
   place.fail("there is no " + std::string(kind) + " named \"" + name + "\"" + name_hint(name, names));
 }
 
+void check_joints(const Scene& scene, const ScenePlace& place) {
+  std::vector<std::string> bodies;
+  for (const BodyDef& body : bodies_of(scene)) bodies.push_back(body.name);
+  for (std::size_t i = 0; i < scene.joints.size(); ++i) {
+    check_reference(scene.joints[i].a, bodies, place.item(i).key("a"), "body");
+    if (!scene.joints[i].b.empty())
+      check_reference(scene.joints[i].b, bodies, place.item(i).key("b"), "body");
+  }
+}
+
 }  // namespace
 
 void check_names(const Scene& scene, const std::string& source) {
   const ScenePlace root{source, ""};
   const auto own_name = [](const auto& def) -> const std::string& { return def.name; };
+  const auto name_of_def = [](const auto& thing) -> const std::string& { return thing.def.name; };
   const auto fluids = unique_names(scene.fluids, root.key("fluids"), own_name);
   const auto shapes = unique_names(scene.shapes, root.key("shapes"), own_name);
+  check_solids(scene, root);
+  unique_names(scene.joints, root.key("joints"), name_of_def);
   unique_names(scene.sinks, root.key("sinks"), own_name);
-  unique_names(scene.probes, root.key("probes"),
-               [](const SceneProbe& probe) -> const std::string& { return probe.def.name; });
+  unique_names(scene.probes, root.key("probes"), name_of_def);
 
+  check_joints(scene, root.key("joints"));
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
     check_reference(scene.volumes[i].fluid, fluids, root.key("volumes").item(i).key("fluid"), "fluid");
   }

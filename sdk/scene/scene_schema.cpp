@@ -19,7 +19,7 @@ Json schema_of(T& value, const FieldRule& rule);
 
 /// A number as a person would write it: 4 for 4.0, and 0.05 for the float nearest to it.
 Json plain_number(double x) {
-  if (x == std::floor(x) && std::fabs(x) < 1e9) return int64_t(x);
+  if (x == std::floor(x) && std::fabs(x) < 1e15) return int64_t(x);
   return x;
 }
 Json plain_number(float x) {
@@ -48,6 +48,9 @@ Json plain_schema(float, const FieldRule& rule) {
 Json plain_schema(int, const FieldRule& rule) {
   return number_schema("integer", rule);
 }
+Json plain_schema(uint32_t, const FieldRule& rule) {
+  return number_schema("integer", rule);
+}
 Json plain_schema(bool, const FieldRule&) {
   return {{"type", "boolean"}};
 }
@@ -71,6 +74,9 @@ Json default_of(float x) {
   return plain_number(x);
 }
 Json default_of(int x) {
+  return x;
+}
+Json default_of(uint32_t x) {
   return x;
 }
 Json default_of(bool x) {

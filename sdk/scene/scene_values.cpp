@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 std::string number_text(double x) {
   std::ostringstream out;
-  out.precision(9);
+  out.precision(10);
   out << x;
   return out.str();
 }
@@ -42,6 +42,15 @@ double read_number(const Json& json, const ScenePlace& place, const FieldRule& r
   const double x = json.get<double>();
   if (!in_range(x, rule)) fail_type(json, place, range_text(rule));
   return x;
+}
+
+template <class T>
+T read_whole(const Json& json, const ScenePlace& place, const FieldRule& rule) {
+  const double x = read_number(json, place, rule, "a whole number");
+  if (x != std::floor(x)) fail_type(json, place, "a whole number");
+  constexpr std::numeric_limits<T> limits;
+  if (x < limits.min() || x > limits.max()) fail_type(json, place, "a whole number of 32 bits");
+  return T(x);
 }
 
 template <std::size_t count>
@@ -73,11 +82,11 @@ void read_plain(const Json& json, const ScenePlace& place, const FieldRule& rule
 }
 
 void read_plain(const Json& json, const ScenePlace& place, const FieldRule& rule, int& value) {
-  const double x = read_number(json, place, rule, "a whole number");
-  if (x != std::floor(x)) fail_type(json, place, "a whole number");
-  constexpr std::numeric_limits<int> limits;
-  if (x < limits.min() || x > limits.max()) fail_type(json, place, "a whole number of 32 bits");
-  value = int(x);
+  value = read_whole<int>(json, place, rule);
+}
+
+void read_plain(const Json& json, const ScenePlace& place, const FieldRule& rule, uint32_t& value) {
+  value = read_whole<uint32_t>(json, place, rule);
 }
 
 void read_plain(const Json& json, const ScenePlace& place, const FieldRule&, bool& value) {

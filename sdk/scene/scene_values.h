@@ -4,6 +4,7 @@
 
 #include <meniscus/types.h>
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -15,6 +16,7 @@ namespace meniscus {
 // Plain values out of JSON. Each throws Error(parse) that names the place, the value and what is allowed.
 void read_plain(const nlohmann::json& json, const ScenePlace& place, const FieldRule& rule, float& value);
 void read_plain(const nlohmann::json& json, const ScenePlace& place, const FieldRule& rule, int& value);
+void read_plain(const nlohmann::json& json, const ScenePlace& place, const FieldRule& rule, uint32_t& value);
 void read_plain(const nlohmann::json& json, const ScenePlace& place, const FieldRule& rule, bool& value);
 void read_plain(const nlohmann::json& json, const ScenePlace& place, const FieldRule& rule,
                 std::string& value);

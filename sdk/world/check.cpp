@@ -11,20 +11,8 @@
 
 namespace meniscus::check {
 
-namespace {
-
-template <class T>
-[[noreturn]] void refuse(const char* name, const T& value, const std::string& allowed) {
-  std::ostringstream text;
-  text << name << " is " << value << "; it must be " << allowed;
-  throw Error(ErrorCode::invalid_argument, text.str());
-}
-
-template <class T>
-std::string range(T lower, T upper) {
-  std::ostringstream text;
-  text << "from " << lower << " to " << upper;
-  return text.str();
+void refuse(const char* name, const std::string& value, const std::string& allowed) {
+  throw Error(ErrorCode::invalid_argument, std::string(name) + " is " + value + "; it must be " + allowed);
 }
 
 std::string text_of(Vec3 v) {
@@ -33,49 +21,21 @@ std::string text_of(Vec3 v) {
   return text.str();
 }
 
-struct CheckGeometry {
-  void operator()(const PlaneGeometry& g) const {
-    finite("PlaneGeometry::normal", g.normal);
-    finite("PlaneGeometry::offset", g.offset);
-    if (length(g.normal) < 1e-6f) refuse("PlaneGeometry::normal", text_of(g.normal), "a direction, not zero");
-  }
-  void operator()(const BoxGeometry& g) const { extents("BoxGeometry::half_extents", g.half_extents); }
-  void operator()(const ContainerGeometry& g) const {
-    extents("ContainerGeometry::half_extents", g.half_extents);
-    for (const Opening& o : g.openings) {
-      if (o.region) box("Opening::region", *o.region);
-    }
-  }
-  void operator()(const SphereGeometry& g) const { positive("SphereGeometry::radius", g.radius); }
-  void operator()(const CapsuleGeometry& g) const {
-    positive("CapsuleGeometry::radius", g.radius);
-    not_negative("CapsuleGeometry::half_height", g.half_height);
-  }
-  void operator()(const CylinderGeometry& g) const {
-    positive("CylinderGeometry::radius", g.radius);
-    positive("CylinderGeometry::half_height", g.half_height);
-  }
-  void operator()(const MeshGeometry& g) const {
-    positive("MeshGeometry::scale", g.scale);
-    not_negative("MeshGeometry::cell_size", g.cell_size);
-  }
-  void operator()(const HeightFieldGeometry& g) const {
-    between("HeightFieldGeometry::columns", g.columns, 2, 1 << 15);
-    between("HeightFieldGeometry::rows", g.rows, 2, 1 << 15);
-    positive("HeightFieldGeometry::cell_size", g.cell_size);
-    const size_t wanted = size_t(g.columns) * size_t(g.rows);
-    if (g.heights.size() != wanted) {
-      refuse("HeightFieldGeometry::heights", std::to_string(g.heights.size()) + " values",
-             "columns · rows = " + std::to_string(wanted));
-    }
-    for (float height : g.heights) finite("HeightFieldGeometry::heights", height);
-  }
+namespace {
 
-  static void extents(const char* name, Vec3 v) {
-    finite(name, v);
-    if (!(v.x > 0 && v.y > 0 && v.z > 0)) refuse(name, text_of(v), "> 0 on each axis");
-  }
-};
+template <class T>
+[[noreturn]] void refuse(const char* name, const T& value, const std::string& allowed) {
+  std::ostringstream text;
+  text << value;
+  check::refuse(name, text.str(), allowed);
+}
+
+template <class T>
+std::string range(T lower, T upper) {
+  std::ostringstream text;
+  text << "from " << lower << " to " << upper;
+  return text.str();
+}
 
 }  // namespace
 
@@ -135,6 +95,8 @@ void world(const WorldDef& def) {
   between("DensitySolverDef::spectral_bound", d.spectral_bound, 3.0f, 20.0f);
   not_negative("DensitySolverDef::compressibility", d.compressibility);
   positive("DensitySolverDef::correction_limit", d.correction_limit);
+  between("RigidSolverDef::substeps", def.rigid.substeps, 1, 1000);
+  between("RigidSolverDef::iterations", def.rigid.iterations, 1, 10000);
   not_negative("ArtificialPressureDef::strength", d.artificial_pressure.strength);
   between("ArtificialPressureDef::exponent", d.artificial_pressure.exponent, 1, 16);
   between("ArtificialPressureDef::distance", d.artificial_pressure.distance, 0.0f, 0.9f);
@@ -148,10 +110,6 @@ void fluid(const FluidDef& def) {
   not_negative("FluidDef::cohesion", def.cohesion);
   not_negative("FluidDef::surface_tension", def.surface_tension);
   finite("FluidDef::color", def.color);
-}
-
-void geometry(const Geometry& g) {
-  std::visit(CheckGeometry{}, g);
 }
 
 }  // namespace meniscus::check

@@ -5,11 +5,14 @@
 // allowed.
 #pragma once
 
-#include <meniscus/defs.h>
+#include <meniscus/bodies.h>
 
 #include <string>
 
 namespace meniscus::check {
+
+[[noreturn]] void refuse(const char* name, const std::string& value, const std::string& allowed);
+std::string text_of(Vec3 v);
 
 void finite(const char* name, float value);
 void finite(const char* name, Vec3 value);
@@ -22,6 +25,8 @@ void pose(const char* name, const Pose& value);
 
 void world(const WorldDef& def);
 void fluid(const FluidDef& def);
-void geometry(const Geometry& geometry);
+void shape(const ShapeDef& def);
+void body(const BodyDef& def);
+void joint(const JointDef& def);
 
 }  // namespace meniscus::check

@@ -20,6 +20,8 @@ const char* stage_name(Stage stage) {
       return "solve";
     case Stage::velocity:
       return "velocity";
+    case Stage::exchange:
+      return "exchange";
     case Stage::finish:
       return "finish";
   }

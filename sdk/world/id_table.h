@@ -45,6 +45,9 @@ class IdTable {
                                           "." + std::to_string(id.generation) + " in this world");
   }
 
+  /// Of what stands at an index, where something does.
+  IdType id(uint32_t index) const { return {index, entries_[index].generation}; }
+
   /// Calls visit(index, value) for each, in the order of the indices.
   template <class Visit>
   void for_each(const Visit& visit) const {

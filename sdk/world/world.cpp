@@ -60,32 +60,36 @@ FluidId World::create_fluid(const FluidDef& def) {
     throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
   }
   std::vector<fluid::Material> materials;
+  std::vector<CollisionFilter> filters;
   impl_->fluids.for_each([&](uint32_t, const FluidDef& f) {
     materials.push_back(
         {f.rest_density, f.viscosity, f.xsph, f.vorticity_confinement, f.cohesion, f.surface_tension});
+    filters.push_back(f.filter);
   });
-  impl_->engine->set_materials(materials);
+  impl_->engine->set_materials(materials, filters);
   return id;
 }
 
 ShapeId World::create_shape(const ShapeDef& def) {
-  check::pose("ShapeDef::pose", def.pose);
-  check::not_negative("ShapeDef::friction", def.friction);
-  check::between("ShapeDef::restitution", def.restitution, 0.0f, 1.0f);
-  check::geometry(def.geometry);
-  ShapeParts parts = make_shape_parts(def, *impl_->engine, impl_->def.particle_spacing, impl_->kernel.h);
-  const ShapeId id = impl_->shapes.insert(std::move(parts));
-  impl_->shapes_changed();
+  check::shape(def);
+  ShapeEntry entry{def.pose, make_solid(def.geometry, def.surface, def.filter, SolidRole::fixed, 0,
+                                        impl_->solid_context())};
+  try {
+    impl_->rigid.add_fixed(rigid_solid(entry.solid, def.pose, def.surface, def.filter));
+  } catch (...) {
+    release_fields(entry.solid, *impl_->engine);
+    throw;
+  }
+  const ShapeId id = impl_->shapes.insert(std::move(entry));
+  impl_->solids_changed();
   return id;
 }
 
 void World::destroy_shape(ShapeId id) {
-  for (const collision::Shape& part : impl_->shapes.get(id).shapes) {
-    if (part.kind == collision::ShapeKind::sdf) impl_->engine->remove_sdf(part.table);
-    if (part.kind == collision::ShapeKind::height_field) impl_->engine->remove_height_field(part.table);
-  }
+  release_fields(impl_->shapes.get(id).solid, *impl_->engine);
+  impl_->rigid.remove_fixed(id.index);
   impl_->shapes.erase(id);
-  impl_->shapes_changed();
+  impl_->solids_changed();
   impl_->probes_changed();
 }
 
@@ -203,6 +207,7 @@ StepReport World::step(float dt) {
   impl_->time += dt;
   impl_->last_substep = dt / static_cast<float>(done.result.substeps);
   impl_->read_probes();
+  impl_->note_events();
   StepReport report;
   report.removed = static_cast<uint32_t>(std::count(done.removed.begin(), done.removed.end(), true));
   if (report.removed) impl_->remove(done.removed);
@@ -210,6 +215,7 @@ StepReport World::step(float dt) {
   report.substeps = done.result.substeps;
   report.iterations = impl_->def.iterations;
   report.stage_ms = done.stage_ms;
+  report.rigid_ms = done.rigid_ms;
   report.contacts = done.result.contacts;
   report.max_neighbours = done.result.max_neighbours;
   report.max_speed = std::sqrt(done.result.summary.max_speed2);
@@ -283,13 +289,23 @@ double World::probe(ProbeId id) const {
 }
 
 uint64_t World::state_hash() const {
-  // FNV-1a over the bytes of positions, then velocities.
+  // FNV-1a over the bytes of positions, then velocities, then of the bodies' poses and velocities.
   uint64_t hash = 14695981039346656037ull;
   const auto add = [&](std::span<const Vec3> values) {
     for (std::byte b : std::as_bytes(values)) hash = (hash ^ static_cast<uint64_t>(b)) * 1099511628211ull;
   };
   add(positions());
   add(velocities());
+  impl_->bodies.for_each([&](uint32_t number, const BodyEntry&) {
+    const Pose pose = impl_->rigid.pose(number);
+    const Quat q = pose.rotation;
+    const Vec3 state[] = {pose.position,
+                          {q.x, q.y, q.z},
+                          {q.w, 0, 0},
+                          impl_->rigid.velocity(number),
+                          impl_->rigid.angular_velocity(number)};
+    add(state);
+  });
   return hash;
 }
 

@@ -46,10 +46,13 @@ uint32_t World::Impl::next_first_generation() {
   return ++worlds << 16;
 }
 
-World::Impl::Impl(const WorldDef& world_def) : def(world_def) {
-  check::world(def);
-  kernel = fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing);
-  engine = make_engine(engine_def(def, kernel), def.device, def.threads, device);
+World::Impl::Impl(const WorldDef& world_def)
+    : def((check::world(world_def), world_def)),
+      rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
+      kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing)) {
+  EngineDef engine_parts = engine_def(def, kernel);
+  engine_parts.rigid = &rigid;
+  engine = make_engine(engine_parts, def.device, def.threads, device);
 }
 
 void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
@@ -67,21 +70,37 @@ void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
   state_changed();
 }
 
-void World::Impl::shapes_changed() {
-  std::vector<collision::Shape> all;
-  std::vector<collision::PlaneOpening> openings;
-  shapes.for_each([&](uint32_t owner, const ShapeParts& parts) {
-    const auto first_wall = static_cast<uint32_t>(all.size());
-    for (collision::Shape shape : parts.shapes) {
+void World::Impl::solids_changed() {
+  SolidShapes all;
+  const auto add = [&](uint32_t owner, const SolidPieces& solid, const auto& finish) {
+    const auto first_wall = static_cast<uint32_t>(all.shapes.size());
+    for (const SolidPieces::Piece& piece : solid.pieces) {
+      collision::Shape shape = piece.shape;
+      finish(piece, shape);
       shape.owner = owner;
-      shape.first_opening += static_cast<uint32_t>(openings.size());
+      shape.first_opening += static_cast<uint32_t>(all.openings.size());
       shape.first_wall = first_wall;
-      shape.wall_count = parts.openings.empty() ? 0 : static_cast<uint32_t>(parts.shapes.size());
-      all.push_back(shape);
+      shape.wall_count = solid.openings.empty() ? 0 : static_cast<uint32_t>(solid.pieces.size());
+      all.shapes.push_back(shape);
     }
-    openings.insert(openings.end(), parts.openings.begin(), parts.openings.end());
+    all.openings.insert(all.openings.end(), solid.openings.begin(), solid.openings.end());
+  };
+  shapes.for_each([&](uint32_t number, const ShapeEntry& entry) {
+    add(number, entry.solid,
+        [&](const SolidPieces::Piece& piece, collision::Shape& shape) { shape = placed(piece, entry.pose); });
   });
-  engine->set_shapes(all, openings);
+  all.fixed = static_cast<uint32_t>(all.shapes.size());
+  bodies.for_each([&](uint32_t number, const BodyEntry& entry) {
+    add(number, entry.solid, [&](const SolidPieces::Piece& piece, collision::Shape& shape) {
+      shape.body = number;
+      collision::CarriedShape carried = piece.place;
+      carried.shape = static_cast<uint32_t>(all.shapes.size());
+      carried.body = number;
+      carried.pose = inverse(entry.principal) * piece.place.pose;
+      all.carried.push_back(carried);
+    });
+  });
+  engine->set_shapes(all);
   state_changed();
 }
 
@@ -96,8 +115,8 @@ void World::Impl::probes_changed() {
   constexpr float everywhere = 1e30f;
   probes.for_each([&](uint32_t, const ProbeDef& probe) {
     // A shape that is gone has no contacts, and what took its place is not what was asked for.
-    const uint32_t body = shapes.find(probe.shape) ? probe.shape.index : pbd::no_index;
-    all.push_back({probe.kind == ProbeKind::point_pressure, probe.point, body,
+    const uint32_t shape = shapes.find(probe.shape) ? probe.shape.index : pbd::no_index;
+    all.push_back({probe.kind == ProbeKind::point_pressure, probe.point, shape,
                    probe.patch.value_or(
                        Aabb{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}})});
   });

@@ -30,6 +30,18 @@ struct CachedReadout {
   }
 };
 
+struct ShapeEntry {
+  Pose pose;
+  SolidPieces solid;
+};
+
+struct BodyEntry {
+  BodyMotion motion = BodyMotion::dynamic;
+  SolidPieces solid;
+  Pose principal;  ///< the frame of the inertia in the geometry's frame
+  BodyMass mass;
+};
+
 struct World::Impl {
   explicit Impl(const WorldDef& world_def);
 
@@ -37,7 +49,11 @@ struct World::Impl {
   static uint32_t next_first_generation();
 
   void add(FluidId fluid, std::span<const Vec3> positions, std::span<const Vec3> velocities, Vec3 velocity);
-  void shapes_changed();
+  void solids_changed();
+  SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
+  BodyId body_id(uint32_t number) const { return bodies.id(number); }
+  ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
+  void note_events();
   void sinks_changed();
   void probes_changed();
   void read_probes();
@@ -46,14 +62,19 @@ struct World::Impl {
 
   WorldDef def;
   DeviceInfo device;
-  std::unique_ptr<Engine> engine;
+  collision::RigidWorld rigid;  // its fixed solids and bodies have the numbers of shapes and bodies
   fluid::Kernel kernel{};
+  std::unique_ptr<Engine> engine;
   double time = 0;
   float last_substep = 0;
 
   const uint32_t first_generation = next_first_generation();
   IdTable<FluidId, FluidDef> fluids{"fluid", first_generation};
-  IdTable<ShapeId, ShapeParts> shapes{"shape", first_generation};
+  IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
+  IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
+  IdTable<JointId, JointDef> joints{"joint", first_generation};
+  std::vector<collision::RigidTouch> touches;  // after the last step
+  std::vector<ContactEvent> events;            // of the last step
   IdTable<SinkId, SinkDef> sinks{"sink", first_generation};
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
   std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes

@@ -4,6 +4,7 @@
 // Times steps of a dam break and says what the solve was worth: a speed without its density error says
 // nothing.
 //   bench --device cuda --particles 100000,1000000 --iterations 4 --out FILE
+//   bench --device cuda --particles 100000 --iterations 4 --boxes 1000 --out FILE
 #include <meniscus/meniscus.h>
 
 #include <CLI/CLI.hpp>
@@ -25,6 +26,7 @@ struct Options {
   std::vector<int> iterations{4};
   int substeps = 1;
   int threads = 0;
+  int boxes = 0;
   int warm_steps = 200;
   int timed_steps = 200;
   float step_in_h =
@@ -71,7 +73,22 @@ struct Dam {
     volume.fluid = fluid;
     volume.region = meniscus::BoxRegion{{0, 0, 0}, block};
     world.add_fluid(volume);
+    add_boxes(o.boxes, block);
     dt = float(o.substeps) * o.step_in_h * world.support_radius() / std::sqrt(2 * 9.81f * block.y);
+  }
+
+  /// Boxes of three spacings, half as dense as water, in layers over the dry part of the floor.
+  void add_boxes(int count, Vec3 block) {
+    const float edge = 3 * world.def().particle_spacing, pitch = 4 * world.def().particle_spacing;
+    const int along = int(2 * block.x / pitch), across = int(block.z / pitch);
+    meniscus::BodyDef box;
+    box.geometry = meniscus::BoxGeometry{{edge / 2, edge / 2, edge / 2}};
+    for (int k = 0; k < count; ++k) {
+      const int layer = k / (along * across), row = k / along % across, column = k % along;
+      box.pose.position = {block.x + (float(column) + 0.5f) * pitch, (float(layer) + 0.5f) * pitch,
+                           (float(row) + 0.5f) * pitch};
+      world.create_body(box);
+    }
   }
 };
 
@@ -85,11 +102,13 @@ Json run_case(const Options& o, int particles, int iterations) {
   for (int k = 0; k < o.warm_steps; ++k) dam.world.step(dam.dt);
   const double warm_speed = dam.world.diagnostics().max_speed;
   std::vector<double> ms;
+  std::vector<double> rigid_ms;
   std::array<std::vector<double>, meniscus::stage_count> stages;
   const auto begin = std::chrono::steady_clock::now();
   for (int k = 0; k < o.timed_steps; ++k) {
     const meniscus::StepReport report = dam.world.step(dam.dt);
     ms.push_back(report.ms);
+    rigid_ms.push_back(report.rigid_ms);
     for (size_t s = 0; s < stages.size(); ++s) stages[s].push_back(report.stage_ms[s]);
   }
   const double wall =
@@ -107,6 +126,9 @@ Json run_case(const Options& o, int particles, int iterations) {
          {"neighbours", d.neighbours_mean},
          {"ms_per_step", median(ms)},
          {"ms_per_step_mean_wall", wall},
+         {"boxes", o.boxes},
+         {"rigid_ms", median(rigid_ms)},
+         {"contacts", d.contacts},
          {"density_error_mean_percent", 100 * d.density_error_mean},
          {"density_error_max_percent", 100 * d.density_error_max},
          {"density_error_interior_percent", 100 * d.density_error_interior},
@@ -128,6 +150,7 @@ int main(int argc, char** argv) {
   app.add_option("--particles", o.particles, "how many, one case each")->delimiter(',');
   app.add_option("--iterations", o.iterations, "a substep, one case each")->delimiter(',');
   app.add_option("--substeps", o.substeps, "a step");
+  app.add_option("--boxes", o.boxes, "rigid bodies in the water's way");
   app.add_option("--threads", o.threads, "of the CPU; 0: one a core");
   app.add_option("--warm", o.warm_steps, "steps before the clock starts");
   app.add_option("--steps", o.timed_steps, "steps that are timed");

@@ -96,13 +96,13 @@ TEST_P(StaticShapesTest, AMesh) {
 
 TEST_P(StaticShapesTest, AThinWallWithFriction) {
   ShapeDef wall = shape(BoxGeometry{{0.004f, 0.2f, 0.25f}}, {0.7f, 0.2f, 0.25f});
-  wall.friction = 0.5f;
+  wall.surface.friction = 0.5f;
   expect_held(wall);
 }
 
 TEST_P(StaticShapesTest, ABouncyBall) {
   ShapeDef ball = shape(SphereGeometry{0.2f}, {0.7f, 0.1f, 0.25f});
-  ball.restitution = 0.7f;
+  ball.surface.restitution = 0.7f;
   expect_held(ball);
 }
 
@@ -141,7 +141,7 @@ TEST_P(StaticShapesTest, FrictionHoldsFluidBack) {
     World world(world_def(GetParam(), 0.05f));
     const Vec3 normal{std::sin(0.25f), std::cos(0.25f), 0};
     ShapeDef slope = shape(PlaneGeometry{normal, 0});
-    slope.friction = rough ? 1.0f : 0.0f;
+    slope.surface.friction = rough ? 1.0f : 0.0f;
     world.create_shape(slope);
     FluidVolumeDef fill = block(world.create_fluid({}), {0, 0, 0}, {0.4f, 0.2f, 0.4f});
     fill.pose.rotation = about_z(-0.25f * 180 / 3.14159265f);

@@ -135,10 +135,14 @@ TEST_P(AllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
   def.solver.support_radius = 2 * s;
   def.solver.contact_radius = 0.5f * s;
   def.density.correction_limit = 0.25f * s;
+  collision::RigidWorld rigid({});
+  def.rigid = &rigid;
   const std::unique_ptr<Engine> engine = make_engine_on(GetParam(), def);
-  engine->set_materials(std::vector<fluid::Material>{{1000, 0, 5, 0, 0, 0}});
-  collision::Shape floor;  // y > 0
-  engine->set_shapes(std::span(&floor, 1), {});
+  engine->set_materials(std::vector<fluid::Material>{{1000, 0, 5, 0, 0, 0}}, std::vector<CollisionFilter>(1));
+  SolidShapes solids;
+  solids.shapes.resize(1);  // y > 0
+  solids.fixed = 1;
+  engine->set_shapes(solids);
   ParticleBatch batch;
   for (Vec3 p : lattice(10, 8, 10, s, {0, 0, 0})) {
     batch.position.push_back(pbd::with_w(p, 1 / (1000 * s * s * s)));

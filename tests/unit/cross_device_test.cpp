@@ -26,7 +26,7 @@ class CrossDeviceTest : public OnDevice {
     second.rest_density = 500;
     const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
     ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.5f});
-    walls.friction = 0.2f;
+    walls.surface.friction = 0.2f;
     world.create_shape(walls);
     world.create_shape(shape(SphereGeometry{0.2f}, {0.3f, 0.1f, 0.25f}));
     std::mt19937 random(17);

@@ -4,67 +4,31 @@
 #include <assimp/scene.h>
 #include <gtest/gtest.h>
 #include <meniscus/error.h>
-#include <unistd.h>
 
 #include <assimp/Importer.hpp>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 
+#include "sdk/io/obj.h"
 #include "sdk/io/output_file.h"
 #include "sdk/io/ply.h"
+#include "sdk/io/pvd.h"
 #include "sdk/io/vtp.h"
+#include "tests/unit/export_files.h"
 
 namespace meniscus::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string contents(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-template <class T>
-T value_at(const std::string& bytes, std::size_t offset) {
-  T value{};
-  EXPECT_LE(offset + sizeof value, bytes.size());
-  if (offset + sizeof value <= bytes.size()) std::memcpy(&value, bytes.data() + offset, sizeof value);
-  return value;
-}
-
-/// The text between the first `before` after `key` and the next quote.
-std::string attribute(const std::string& xml, const std::string& key, const std::string& before) {
-  const std::size_t start = xml.find(before, xml.find(key)) + before.size();
-  return xml.substr(start, xml.find('"', start) - start);
-}
-
-class ExportTest : public testing::Test {
+class ExportTest : public ExportFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("meniscus_export_" + std::to_string(getpid()) + "_" +
-                                           testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   ParticleFrame frame() const { return {0.25, positions_, velocities_, ids_, fluids_, errors_, pressures_}; }
 
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 
-  /// The bytes of an appended array, checked against the length that stands before them.
-  std::string appended(const std::string& file, const std::string& name, std::size_t length) const {
-    const std::size_t data = file.find("encoding=\"raw\">\n_") + std::strlen("encoding=\"raw\">\n_");
-    const std::size_t start = data + std::stoul(attribute(file, "Name=\"" + name + "\"", "offset=\""));
-    EXPECT_EQ(value_at<uint64_t>(file, start), length) << name;
-    return file.substr(start + sizeof(uint64_t), length);
-  }
-
-  fs::path folder_;
   std::vector<Vec3> positions_{{1, 2, 3}, {-4, 5.5f, 6}, {0.125f, 0, -7}};
   std::vector<Vec3> velocities_{{0, 0, 0}, {1, -2, 3}, {9, 8, 7}};
   std::vector<ParticleId> ids_{0, 7, 4'000'000'000u};
@@ -126,11 +90,25 @@ TEST_F(ExportTest, VtpOffsetsPointToTheArrays) {
   EXPECT_EQ(file.substr(file.size() - end.size()), end);
 }
 
+TEST_F(ExportTest, AnotherProgramReadsTheObj) {
+  write_obj(folder_ / "a.obj", frame());
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile((folder_ / "a.obj").string(), 0);
+  ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+  ASSERT_EQ(scene->mNumMeshes, 1u);
+  const aiMesh& mesh = *scene->mMeshes[0];
+  EXPECT_EQ(mesh.mPrimitiveTypes, unsigned(aiPrimitiveType_POINT));
+  ASSERT_EQ(mesh.mNumFaces, 3u);
+  EXPECT_EQ(mesh.mVertices[mesh.mFaces[1].mIndices[0]], aiVector3D(-4, 5.5f, 6));
+}
+
 TEST_F(ExportTest, NoParticlesAreAFileToo) {
-  write_ply(folder_ / "a.ply", {});
-  write_vtp(folder_ / "a.vtp", {});
+  write_ply(folder_ / "a.ply", ParticleFrame{});
+  write_vtp(folder_ / "a.vtp", ParticleFrame{});
   EXPECT_NE(contents(folder_ / "a.ply").find("element vertex 0\n"), std::string::npos);
+  write_obj(folder_ / "a.obj", ParticleFrame{});
   EXPECT_NE(contents(folder_ / "a.vtp").find("NumberOfPoints=\"0\""), std::string::npos);
+  EXPECT_NE(contents(folder_ / "a.obj").find("# Meniscus particles"), std::string::npos);
 }
 
 TEST_F(ExportTest, CollectionIsWholeAfterEachFrame) {

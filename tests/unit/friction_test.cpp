@@ -29,8 +29,8 @@ class FrictionTest : public OnDevice {
 
   ShapeDef plane(Vec3 normal, float friction, float restitution = 0) const {
     ShapeDef def = shape(PlaneGeometry{normal, 0});
-    def.friction = friction;
-    def.restitution = restitution;
+    def.surface.friction = friction;
+    def.surface.restitution = restitution;
     return def;
   }
 
@@ -114,7 +114,7 @@ TEST_P(RestitutionTest, ItBouncesToTheSquare) {
 
 TEST_P(RestitutionTest, OnABoxToo) {
   ShapeDef box = shape(BoxGeometry{{1, 0.01f, 1}}, {0, -0.01f, 0});
-  box.restitution = 0.6f;
+  box.surface.restitution = 0.6f;
   EXPECT_NEAR(bounce(box), 0.36f, 0.03f);
 }
 

@@ -41,6 +41,18 @@ class MeshFile : public testing::Test {
     }
   }
 
+  // The message that load_solid refuses the file with.
+  std::string why_not_solid(const std::string& path) {
+    try {
+      load_solid(path);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::mesh);
+      EXPECT_NE(std::string(error.what()).find(path), std::string::npos) << error.what();
+      return error.what();
+    }
+    return "nothing";
+  }
+
   std::filesystem::path folder_;
 };
 
@@ -70,6 +82,38 @@ const char* const two_nodes_dae = R"(<?xml version="1.0"?>
 <node id="c"><translate>-10 0 0</translate><scale>-2 1 1</scale><instance_geometry url="#g"/></node>
 </visual_scene></library_visual_scenes>
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+
+// The tetrahedron in inches.
+const char* const inches_fbx = R"(; FBX 7.4.0 project file
+FBXHeaderExtension:  {
+  FBXHeaderVersion: 1003
+  FBXVersion: 7400
+}
+GlobalSettings:  {
+  Version: 1000
+  Properties70:  {
+    P: "UnitScaleFactor", "double", "Number", "",2.54
+  }
+}
+Objects:  {
+  Geometry: 1000, "Geometry::g", "Mesh" {
+    Vertices: *12 {
+      a: 0,0,0,1,0,0,0,1,0,0,0,1
+    }
+    PolygonVertexIndex: *12 {
+      a: 0,2,-2,0,1,-4,0,3,-3,1,2,-4
+    }
+    GeometryVersion: 124
+  }
+  Model: 2000, "Model::m", "Mesh" {
+    Version: 232
+  }
+}
+Connections:  {
+  C: "OO",1000,2000
+  C: "OO",2000,0
+}
+)";
 
 void expect_box(const TriangleMesh& mesh, Vec3 lower, Vec3 upper) {
   const Aabb box = bounds(mesh);
@@ -111,6 +155,52 @@ TEST_F(MeshFile, LinesAndPointsArePassedOver) {
   const TriangleMesh mesh = load_mesh(write("line.obj", text), 1);
   EXPECT_EQ(mesh.triangles.size(), 12u);
   expect_box(mesh, {0, 0, 0}, {1, 1, 1});
+}
+
+TEST_F(MeshFile, FbxSaysHowLongItsUnitIs) {
+  const std::string path = write("inches.fbx", inches_fbx);
+  expect_box(load_mesh(path), {0, 0, 0}, {0.0254f, 0.0254f, 0.0254f});
+  expect_box(load_solid(path, 100), {0, 0, 0}, {2.54f, 2.54f, 2.54f});
+}
+
+TEST_F(MeshFile, FacesThatShowTheWrongSideAreTurned) {
+  const std::string text =
+      std::string(cube_obj).replace(std::string(cube_obj).find("f 1 2 6 5"), 9, "f 5 6 2 1");
+  const std::string path = write("turned.obj", text);
+  EXPECT_NEAR(signed_volume(load_mesh(path)), 1, 1e-6);
+  EXPECT_NEAR(signed_volume(load_solid(path)), 1, 1e-6);
+}
+
+TEST_F(MeshFile, ASolidIsRefusedByItsDefectAndTheFilesFace) {
+  const std::string cube = cube_obj;
+  EXPECT_EQ(why_not_solid(write("cube.obj", cube)), "nothing");
+
+  // The first face has no area, and counts. The second has lost its neighbour at the edge 1 4.
+  const std::string open =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 1 2\n"
+      "f 2 3 7\nf 2 7 6\nf 1 4 3\nf 1 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\n";
+  const std::string why_open = why_not_solid(write("open.obj", open));
+  EXPECT_NE(why_open.find("open edge at face 3 (4 in all)"), std::string::npos) << why_open;
+  EXPECT_NO_THROW(load_mesh((folder_ / "open.obj").string()));
+
+  const std::string beside = "v 2 1 0\nv 2 2 0\nv 1 2 0\nv 2 1 1\nv 2 2 1\nv 1 2 1\n";
+  const std::string touching =
+      cube + beside + "f 3 11 10 9\nf 7 12 13 14\nf 3 9 12 7\nf 9 10 13 12\nf 10 11 14 13\nf 11 3 7 14\n";
+  const std::string why_touching = why_not_solid(write("touching.obj", touching));
+  EXPECT_NE(why_touching.find("non-manifold edge at face 6 with face 2"), std::string::npos) << why_touching;
+
+  const std::string through = cube +
+                              "v 0.2 0.3 -1\nv 0.4 0.3 -1\nv 0.3 0.5 -1\nv 0.3 0.35 0.5\n"
+                              "f 9 11 10\nf 9 10 12\nf 10 11 12\nf 11 9 12\n";
+  const std::string why_through = why_not_solid(write("through.obj", through));
+  EXPECT_NE(why_through.find("self-intersection at face 0 with face 1"), std::string::npos) << why_through;
+}
+
+TEST(Mesh, AScanIsASolid) {
+  const char* const bunny_file = "/usr/share/glmark2/models/bunny.obj";
+  if (!std::filesystem::exists(bunny_file))
+    GTEST_SKIP() << "the bunny of the package glmark2-data is not here";
+  EXPECT_EQ(load_solid(bunny_file).triangles, load_mesh(bunny_file).triangles);
 }
 
 TEST_F(MeshFile, BadFilesAreRefusedByName) {

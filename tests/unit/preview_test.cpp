@@ -170,6 +170,65 @@ TEST(Preview, EdgesOfAContainerHideBehindFluid) {
   EXPECT_LT(at(with, 110, 90).b, at(without, 110, 90).b - 20);
 }
 
+/// Two boxes side by side.
+PreviewScene two_boxes() {
+  PreviewScene scene = small_scene();
+  scene.bodies.resize(2);
+  for (BodyDef& body : scene.bodies) body.geometry = BoxGeometry{{0.3f, 0.3f, 0.3f}};
+  scene.bodies[0].pose.position = {-0.5f, 0, 0};
+  scene.bodies[1].pose.position = {0.5f, 0, 0};
+  return scene;
+}
+
+int difference(Pixel a, Pixel b) {
+  return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+}
+
+TEST(Preview, BodiesStandWhereTheirStatesSay) {
+  const PreviewScene scene = two_boxes();
+  const Pixel nothing = at(render_preview({}, small_scene()), 160, 90);
+  const Image start = render_preview({}, scene);
+  EXPECT_GT(difference(at(start, 125, 90), nothing), 60) << "without states they stand where they start";
+  EXPECT_EQ(difference(at(start, 160, 90), nothing), 0);
+  std::vector<BodyState> states(2);
+  states[1].pose.position = {0, 50, 0};  // out of the picture
+  const Image moved = render_preview({}, scene, states);
+  EXPECT_GT(difference(at(moved, 160, 90), nothing), 60);
+  EXPECT_EQ(difference(at(moved, 125, 90), nothing), 0);
+}
+
+TEST(Preview, BodiesDifferInColour) {
+  const Image image = render_preview({}, two_boxes());
+  EXPECT_GT(difference(at(image, 130, 90), at(image, 200, 90)), 60);
+}
+
+TEST(Preview, EveryPartOfACompoundIsDrawn) {
+  PreviewScene scene = small_scene();
+  scene.bodies.resize(1);
+  CompoundGeometry pair;
+  pair.parts.resize(2);
+  pair.parts[0] = {HullGeometry{{{-0.2f, -0.3f, 0}, {0.2f, -0.3f, 0}, {0, 0.3f, 0}, {0, 0, 0.3f}}},
+                   {{-0.5f, 0, 0}, {0, 0, 0, 1}}};
+  pair.parts[1] = {CapsuleGeometry{0.2f, 0.2f}, {{0.5f, 0, 0}, {0, 0, 0, 1}}};
+  scene.bodies[0].geometry = pair;
+  const Image image = render_preview({}, scene);
+  const Pixel nothing = at(render_preview({}, small_scene()), 160, 90);
+  EXPECT_GT(difference(at(image, 125, 90), nothing), 40);
+  EXPECT_GT(difference(at(image, 195, 90), nothing), 40);
+  EXPECT_EQ(difference(at(image, 160, 90), nothing), 0);
+}
+
+TEST(Preview, OneStateTooFewIsRefused) {
+  const std::vector<BodyState> states(1);
+  try {
+    render_preview({}, two_boxes(), states);
+    FAIL() << "a body without a state was drawn";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+    EXPECT_NE(std::string(error.what()).find("states has 1"), std::string::npos);
+  }
+}
+
 TEST(Raster, FindsDepthAndNormalOfASphereFarAway) {
   // Small against its distance: where a careless intersection would be noise.
   const Camera camera(SceneCamera{{0, 0, 100}, {0, 0, 0}, 0.02f}, {0, 1, 0}, 100, 100);

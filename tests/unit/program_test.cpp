@@ -25,6 +25,23 @@ constexpr const char* scene = R"({
   "volumes": [{ "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.4, 0.4, 0.4] } }]
 })";
 
+constexpr const char* scene_with_bodies = R"({
+  "name": "raft", "frame_time": 0.01, "frames": 2,
+  "world": { "particle_spacing": 0.1, "substeps": 2, "iterations": 2 },
+  "fluids": [{ "name": "water" }],
+  "shapes": [{ "name": "floor", "geometry": { "type": "plane" } }],
+  "bodies": [
+    { "name": "crate", "geometry": { "type": "box", "half_extents": [0.1, 0.2, 0.3] }, "pose": { "position": [1, 2, 0] } },
+    { "name": "lever", "geometry": { "type": "hull", "points": [[0, 0, 0], [1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]] },
+      "pose": { "position": [3, 2, 0] } },
+    { "name": "lift", "motion": "kinematic", "geometry": { "type": "box" }, "pose": { "position": [-3, 0, 0] },
+      "keyframes": [{ "time": 0, "position": [-3, 0, 0] }, { "time": 1, "position": [-3, 10, 0] }] }
+  ],
+  "joints": [{ "type": "hinge", "name": "axle", "a": "lever", 
+               "frame": { "position": [3, 2, 0], "rotation": { "axis": [1, 0, 0], "degrees": 90 } } }],
+  "volumes": [{ "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.4, 0.4, 0.4] } }]
+})";
+
 /// Each command line runs in a process of its own, and the folder stands for the samples of the source tree.
 class ProgramTest : public testing::Test {
  protected:
@@ -35,6 +52,7 @@ class ProgramTest : public testing::Test {
                                            testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(folder_);
     std::ofstream(folder_ / "drop.json") << scene;
+    std::ofstream(folder_ / "raft.json") << scene_with_bodies;
     setenv("MENISCUS_SAMPLES_DIR", folder_.c_str(), 1);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -64,6 +82,33 @@ TEST_F(ProgramTest, ARunLeavesItsFiles) {
   EXPECT_EQ(figures["device"]["kind"], "cpu");
 }
 
+TEST_F(ProgramTest, BodiesAreMovedMeasuredAndExported) {
+  EXPECT_EXIT(run({"run", "raft", "--device", "cpu", "--out", out(), "--export", "ply,vtp,obj", "--quiet"}),
+              testing::ExitedWithCode(success), "^$");
+  for (const char* name : {"bodies.csv", "bodies.pvd", "frames/bodies_00001.ply", "frames/bodies_00001.obj",
+                           "frames/bodies_00002.vtp", "frames/frame_00002.obj"}) {
+    EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
+  }
+  const auto figures = nlohmann::json::parse(std::ifstream(fs::path(out()) / "summary.json"));
+  const auto& bodies = figures["bodies"];
+  ASSERT_EQ(bodies.size(), 3u);
+  EXPECT_EQ(bodies[0]["name"], "crate");
+  EXPECT_NEAR(bodies[0]["mass_kg"].get<double>(), 500 * 0.2 * 0.4 * 0.6, 1e-3);
+  EXPECT_NEAR(bodies[0]["velocity_m_s"][1].get<double>(), -9.81 * 0.02, 1e-3) << "it falls";
+  EXPECT_LT(bodies[1]["angular_velocity_rad_s"][2].get<double>(), 0) << "it turns about its end";
+  EXPECT_EQ(bodies[2]["mass_kg"], 0);
+  EXPECT_NEAR(bodies[2]["position_m"][1].get<double>(), 0.2, 1e-4) << "where its keyframes are at 0.02 s";
+}
+
+TEST_F(ProgramTest, CheckCountsBodiesAndJoints) {
+  testing::internal::CaptureStdout();
+  std::vector<std::string> arguments{"meniscus", "check", "raft"};
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  EXPECT_EQ(run_program(static_cast<int>(argv.size()), argv.data()), success);
+  EXPECT_NE(testing::internal::GetCapturedStdout().find("shapes 1, bodies 3, joints 1,"), std::string::npos);
+}
+
 TEST_F(ProgramTest, OptionsChangeTheScene) {
   EXPECT_EXIT(run({"run", (folder_ / "drop.json").string(), "--set", "world.iterations=5", "--frames", "3",
                    "--device", "cpu", "--out", out(), "--quiet"}),
@@ -78,7 +123,7 @@ TEST_F(ProgramTest, BadInputIsOneLineAndCodeTwo) {
   EXPECT_EXIT(run({"dance"}), testing::ExitedWithCode(bad_input), "^meniscus: [^\n]*dance[^\n]*\n$");
   EXPECT_EXIT(run({"run"}), testing::ExitedWithCode(bad_input), "^meniscus: scene is required[^\n]*\n$");
   EXPECT_EXIT(run({"run", "flood"}), testing::ExitedWithCode(bad_input),
-              "^meniscus: [^\n]*'flood'; samples: drop\n$");
+              "^meniscus: [^\n]*'flood'; samples: drop, raft\n$");
   EXPECT_EXIT(run({"run", "drop", "--device", "gpu"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --device: gpu");
   EXPECT_EXIT(run({"check", "drop", "--set", "frames=none"}), testing::ExitedWithCode(bad_input),

@@ -62,8 +62,8 @@ class RunRecorderTest : public testing::Test {
     return s;
   }
 
-  std::vector<std::string> csv() const {
-    std::ifstream stream(folder_ / "frames.csv");
+  std::vector<std::string> csv(const char* name = "frames.csv") const {
+    std::ifstream stream(folder_ / name);
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     return lines;
@@ -84,7 +84,8 @@ TEST_F(RunRecorderTest, ARowIsOnDiskAsSoonAsItIsKnown) {
   ASSERT_EQ(csv().size(), 1u);
   EXPECT_EQ(
       csv()[0],
-      "frame,time_s,ms_predict,ms_neighbours,ms_contacts,ms_solve,ms_velocity,ms_finish,ms_step,particles,"
+      "frame,time_s,ms_predict,ms_neighbours,ms_contacts,ms_solve,ms_velocity,ms_exchange,ms_finish,ms_step,"
+      "particles,"
       "density_error_mean_percent,density_error_max_percent,kinetic_j,potential_j,contacts,max_speed,non_"
       "finite,"
       "outside,substeps,removed,\"wall, left\"");
@@ -92,7 +93,7 @@ TEST_F(RunRecorderTest, ARowIsOnDiskAsSoonAsItIsKnown) {
   recorder.add(sample(1, 3, 1.5, 0.04f));
   ASSERT_EQ(csv().size(), 2u);
   EXPECT_EQ(csv()[1],
-            "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,101");
+            "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,101");
 }
 
 TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
@@ -167,6 +168,80 @@ TEST_F(RunRecorderTest, ARunWithoutAStepHasASummaryToo) {
   const std::string text = run_summary(figures, "out/pool", {"vtp"});
   EXPECT_NE(text.find("INTERRUPTED"), std::string::npos);
   EXPECT_NE(text.find("particles.pvd"), std::string::npos);
+}
+
+/// Two bodies; the second, once they move, has numbers that tell its members apart.
+std::vector<BodyState> body_states(float x) {
+  std::vector<BodyState> states(2);
+  states[1] = {.pose = {{x, 2, 3}, {0.5f, -0.5f, 0.5f, 0.5f}},
+               .centre_of_mass = {9, 9, 9},
+               .velocity = {4, 5, 6},
+               .angular_velocity = {7, 8, 9},
+               .fluid_force = {10, 11, 12},
+               .fluid_torque = {13, 14, 15.25f},
+               .awake = false};
+  return states;
+}
+
+TEST_F(RunRecorderTest, EveryBodyHasARowAFrame) {
+  scene_.bodies.resize(2);
+  scene_.bodies[0].def.name = "lid";
+  scene_.bodies[1].def.name = "crate, red";
+  RunRecorder recorder(folder_, scene_);
+  FrameSample s = sample(1, 3, 0, 0);
+  s.bodies = body_states(1.5f);
+  recorder.add(s);
+  s.frame = 2;
+  recorder.add(s);
+  const std::vector<std::string> lines = csv("bodies.csv");
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0],
+            "frame,time_s,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fluid_fx,fluid_fy,fluid_fz,fluid_tx,"
+            "fluid_ty,fluid_tz");
+  EXPECT_EQ(lines[1], "1,0.01,lid,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0");
+  EXPECT_EQ(lines[2], "1,0.01,\"crate, red\",1.5,2,3,0.5,-0.5,0.5,0.5,4,5,6,7,8,9,10,11,12,13,14,15.25");
+  EXPECT_EQ(lines[3].substr(0, 2), "2,");
+}
+
+TEST_F(RunRecorderTest, TheSummaryHasTheBodiesLastStates) {
+  scene_.bodies.resize(2);
+  scene_.bodies[1].def.name = "crate";
+  RunRecorder recorder(folder_, scene_);
+  FrameSample s = sample(0, 3, 0, 0);
+  s.bodies = body_states(0);
+  std::vector<BodyMass> masses(2);
+  masses[1].mass = 80;
+  masses[1].volume = 0.16f;
+  recorder.start({"cpu", "test", true, "", 0}, s, masses);
+  s.bodies = body_states(1.5f);
+  s.bodies[0].awake = true;
+  recorder.add(s);
+  const nlohmann::ordered_json figures = recorder.finish({});
+  ASSERT_EQ(figures["bodies"].size(), 2u);
+  const nlohmann::ordered_json& crate = figures["bodies"][1];
+  EXPECT_EQ(crate["name"], "crate");
+  EXPECT_EQ(crate["mass_kg"], 80);
+  EXPECT_EQ(crate["volume_m3"].get<float>(), 0.16f);
+  EXPECT_EQ(crate["position_m"], nlohmann::ordered_json({1.5, 2, 3}));
+  EXPECT_EQ(crate["rotation"], nlohmann::ordered_json({0.5, -0.5, 0.5, 0.5}));
+  EXPECT_EQ(crate["velocity_m_s"], nlohmann::ordered_json({4, 5, 6}));
+  EXPECT_EQ(crate["angular_velocity_rad_s"], nlohmann::ordered_json({7, 8, 9}));
+  EXPECT_EQ(crate["fluid_force_n"], nlohmann::ordered_json({10, 11, 12}));
+  EXPECT_EQ(crate["fluid_torque_n_m"], nlohmann::ordered_json({13, 14, 15.25}));
+  EXPECT_EQ(crate["awake"], false);
+  const std::string text = run_summary(figures, "out/pool", {"vtp"});
+  EXPECT_NE(text.find("2, of which 1 awake at the end"), std::string::npos) << text;
+  EXPECT_NE(text.find("bodies.csv"), std::string::npos);
+  EXPECT_NE(text.find("bodies.pvd"), std::string::npos);
+}
+
+TEST_F(RunRecorderTest, WithoutBodiesThereIsNoTableOfThem) {
+  RunRecorder recorder(folder_, scene_);
+  recorder.add(sample(1, 3, 0, 0));
+  const nlohmann::ordered_json figures = recorder.finish({});
+  EXPECT_TRUE(figures["bodies"].empty());
+  EXPECT_FALSE(fs::exists(folder_ / "bodies.csv"));
+  EXPECT_EQ(run_summary(figures, "out/pool", {"vtp"}).find("bodies"), std::string::npos);
 }
 
 TEST_F(RunRecorderTest, ThePictureIsNamedLast) {

@@ -214,5 +214,123 @@ INSTANTIATE_TEST_SUITE_P(
                 R"(probes[0].shape: there is no shape named "ceiling"; allowed: "floor")"}),
     mistake_name);
 
+/// A scene of one body with the keys of `rest`.
+#define BODY(rest) R"({"name": "x", "bodies": [{"name": "a", )" rest "}]}"
+#define BOX R"("geometry": {"type": "box"})"
+
+INSTANTIATE_TEST_SUITE_P(
+    Body, SceneMistake,
+    testing::Values(
+        Mistake{
+            "UnknownKey", BODY(BOX R"(, "weight": 3)"),
+            R"(bodies[0].weight: unknown key; allowed: "name", "motion", "geometry", "pose", "velocity", )"
+            R"("angular_velocity", "density", "mass", "friction", "restitution", "adhesion", )"
+            R"("solid_friction", "solid_restitution", "groups", "mask", "linear_damping", )"
+            R"("angular_damping", "can_sleep", "keyframes", "loop", "copies")"},
+        Mistake{"Motion", BODY(BOX R"(, "motion": "static")"),
+                R"(bodies[0].motion: "static" is not known; allowed: "dynamic", "kinematic")"},
+        Mistake{"NoGeometry", R"({"name": "x", "bodies": [{"name": "a"}]})",
+                "bodies[0].geometry: missing, and needed: what it is"},
+        Mistake{"PlaneCannotMove", BODY(R"("geometry": {"type": "plane"})"),
+                R"(bodies[0].geometry.type: "plane" is not known; allowed: "box", "sphere", "capsule", )"
+                R"("cylinder", "mesh", "hull", "compound", "container")"},
+        Mistake{"ContainerMustBeKinematic", BODY(R"("geometry": {"type": "container"})"),
+                "bodies[0]: a container must be kinematic"},
+        Mistake{"Density", BODY(BOX R"(, "density": 0)"),
+                "bodies[0].density: 0 is not allowed; must be greater than 0"},
+        Mistake{"Mass", BODY(BOX R"(, "mass": -1)"),
+                "bodies[0].mass: -1 is not allowed; must be greater than 0"},
+        Mistake{"Damping", BODY(BOX R"(, "angular_damping": 1.5)"),
+                "bodies[0].angular_damping: 1.5 is not allowed; must be at least 0 and at most 1"},
+        Mistake{"Adhesion", BODY(BOX R"(, "adhesion": -1)"),
+                "bodies[0].adhesion: -1 is not allowed; must be at least 0"},
+        Mistake{"SolidRestitution", BODY(BOX R"(, "solid_restitution": 2)"),
+                "bodies[0].solid_restitution: 2 is not allowed; must be at least 0 and at most 1"},
+        Mistake{"NegativeBits", BODY(BOX R"(, "groups": -1)"),
+                "bodies[0].groups: -1 is not allowed; must be at least 0 and at most 4294967295"},
+        Mistake{"BrokenBits", BODY(BOX R"(, "mask": 1.5)"),
+                "bodies[0].mask: 1.5 is not allowed; must be a whole number"},
+        Mistake{"KeyframesOfADynamicBody", BODY(BOX R"(, "keyframes": [{"time": 0}])"),
+                "bodies[0]: keyframes are for kinematic bodies alone"},
+        Mistake{"KeyframesOutOfOrder",
+                BODY(BOX R"(, "motion": "kinematic", "keyframes": [{"time": 1}, {"time": 1}])"),
+                "bodies[0]: the times of keyframes must increase"},
+        Mistake{"KeyframeWithoutATime", BODY(BOX R"(, "motion": "kinematic", "keyframes": [{}])"),
+                "bodies[0].keyframes[0].time: missing, and needed: when, from the start of the run"},
+        Mistake{"KeyframeBeforeTheStart", BODY(BOX R"(, "motion": "kinematic", "keyframes": [{"time": -1}])"),
+                "bodies[0].keyframes[0].time: -1 is not allowed; must be at least 0"},
+        Mistake{"LoopOfNothing", BODY(BOX R"(, "motion": "kinematic", "loop": true)"),
+                "bodies[0]: loop needs at least 2 keyframes"},
+        Mistake{"FewPoints", BODY(R"("geometry": {"type": "hull", "points": [[0, 0, 0], [1, 0, 0]]})"),
+                "bodies[0].geometry: a hull needs at least 4 points, not 2, or a file"},
+        Mistake{"NoParts", BODY(R"("geometry": {"type": "compound", "parts": []})"),
+                "bodies[0].geometry.parts: an array of 0 is not allowed; must have at least 1 items"},
+        Mistake{"PartInAPart",
+                BODY(R"("geometry": {"type": "compound", "parts": [{"geometry": {"type": "compound"}}]})"),
+                R"(bodies[0].geometry.parts[0].geometry.type: "compound" is not known; allowed: "box", )"
+                R"("sphere", "capsule", "cylinder", "mesh", "hull")"},
+        Mistake{"CopiesInAPlane", BODY(BOX R"(, "copies": {"count": [2, 3]})"),
+                "bodies[0].copies.count: an array of 2 is not allowed; must have at least 3 items"},
+        Mistake{"CopiesInTime", BODY(BOX R"(, "copies": {"count": [2, 3, 1, 1]})"),
+                "bodies[0].copies: count must hold 3 numbers, not 4"},
+        Mistake{"TooManyCopies", BODY(BOX R"(, "copies": {"count": [100, 100, 11]})"),
+                "bodies[0].copies: there must be at most 100000 copies"},
+        Mistake{"NoCopies", BODY(BOX R"(, "copies": {"count": [2, 0, 3]})"),
+                "bodies[0].copies.count[1]: 0 is not allowed; must be at least 1 and at most 100000"},
+        Mistake{"NameOfACopy", R"({"name": "x", "bodies": [
+                    {"name": "a", "geometry": {"type": "box"}, "copies": {"count": [2, 1, 1]}},
+                    {"name": "a_1", "geometry": {"type": "box"}}]})",
+                R"(bodies[1].name: "a_1" is the name of bodies[0] already)"},
+        Mistake{"Rigid", R"({"name": "x", "world": {"rigid": {"iterations": 0}}})",
+                "world.rigid.iterations: 0 is not allowed; must be at least 1 and at most 1000"},
+        Mistake{"NameOfAShape", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"}}],
+                                "bodies": [{"name": "b", "geometry": {"type": "box"}},
+                                           {"name": "a", "geometry": {"type": "box"}}]})",
+                R"(bodies[1].name: "a" is the name of shapes[0] already)"},
+        Mistake{"FilterOfAFluid", R"({"name": "x", "fluids": [{"mask": "all"}]})",
+                R"(fluids[0].mask: "all" is not allowed; must be a whole number)"}),
+    mistake_name);
+
+/// Two bodies, and a joint with the keys of `rest`.
+#define JOINT(rest)                                                                  \
+  R"({"name": "x", "bodies": [{"name": "wheel", )" BOX R"(}, {"name": "cart", )" BOX \
+  R"(}], "joints": [{)" rest "}]}"
+
+INSTANTIATE_TEST_SUITE_P(
+    Joint, SceneMistake,
+    testing::Values(
+        Mistake{"Type", JOINT(R"("type": "hing", "name": "j", "a": "wheel")"),
+                R"(joints[0].type: "hing" is not known; did you mean "hinge"?)"},
+        Mistake{"KeyOfAnotherType", JOINT(R"("type": "ball", "name": "j", "a": "wheel", "motor_speed": 1)"),
+                R"(joints[0].motor_speed: unknown key; allowed: "type", "name", "a", "b", "frame", )"
+                R"("bodies_collide")"},
+        Mistake{"NoBody", JOINT(R"("type": "fixed", "name": "j")"),
+                "joints[0].a: missing, and needed: name of a body"},
+        Mistake{"NoSuchA", JOINT(R"("type": "fixed", "name": "j", "a": "weel")"),
+                R"(joints[0].a: there is no body named "weel"; did you mean "wheel"?)"},
+        Mistake{"NoSuchB", JOINT(R"("type": "fixed", "name": "j", "a": "wheel", "b": "axle")"),
+                R"(joints[0].b: there is no body named "axle"; allowed: "wheel", "cart")"},
+        Mistake{"ToItself", JOINT(R"("type": "fixed", "name": "j", "a": "wheel", "b": "wheel")"),
+                "joints[0]: a and b must differ"},
+        Mistake{"OneLimit", JOINT(R"("type": "slider", "name": "j", "a": "wheel", "lower": 0)"),
+                "joints[0]: lower and upper must come together"},
+        Mistake{"LimitsCrossed",
+                JOINT(R"("type": "hinge", "name": "j", "a": "wheel", "lower": 10, "upper": -10)"),
+                "joints[0]: lower must not be above upper"},
+        Mistake{"LimitBeyondHalfATurn",
+                JOINT(R"("type": "hinge", "name": "j", "a": "wheel", "lower": -181, "upper": 0)"),
+                "joints[0].lower: -181 is not allowed; must be at least -180 and at most 180"},
+        Mistake{"Motor", JOINT(R"("type": "hinge", "name": "j", "a": "wheel", "motor_torque": -1)"),
+                "joints[0].motor_torque: -1 is not allowed; must be at least 0"},
+        Mistake{"Stiffness", JOINT(R"("type": "spring", "name": "j", "a": "wheel", "stiffness": [1, -1, 1])"),
+                "joints[0].stiffness[1]: -1 is not allowed; must be at least 0"},
+        Mistake{"Held", JOINT(R"("type": "spring", "name": "j", "a": "wheel", "held": ["height"])"),
+                R"(joints[0].held[0]: "height" is not known; allowed: "x", "y", "z")"},
+        Mistake{"NameTwice", R"({"name": "x", "bodies": [{"name": "a", "geometry": {"type": "box"}}],
+                             "joints": [{"type": "ball", "name": "j", "a": "a"},
+                                        {"type": "ball", "name": "j", "a": "a"}]})",
+                R"(joints[1].name: "j" is the name of joints[0] already)"}),
+    mistake_name);
+
 }  // namespace
 }  // namespace meniscus

@@ -4,9 +4,10 @@
 #include <meniscus/error.h>
 
 #include "collision/sdf_build.h"
+#include "collision/sdf_error.h"
 #include "collision/triangle_bvh_query.h"
 #include "pbd/device/cpu/cpu_device.h"
-#include "tests/unit/mesh_shapes.h"
+#include "tests/unit/solid_shapes.h"
 
 namespace meniscus::collision {
 namespace {
@@ -107,10 +108,8 @@ TEST(Sdf, APointThatIsNotANumberReadsNoForeignMemory) {
 
 TEST(Sdf, OverlappingPartsAreOneSolid) {
   pbd::CpuDevice device;
-  TriangleMesh mesh = box_mesh({-0.6f, -0.2f, -0.2f}, {0.2f, 0.2f, 0.2f});
-  const TriangleMesh second = box_mesh({-0.2f, -0.3f, -0.3f}, {0.6f, 0.3f, 0.3f});
-  mesh.vertices.insert(mesh.vertices.end(), second.vertices.begin(), second.vertices.end());
-  for (const auto& [a, b, c] : second.triangles) mesh.triangles.push_back({a + 8, b + 8, c + 8});
+  const TriangleMesh mesh = joined(box_mesh({-0.6f, -0.2f, -0.2f}, {0.2f, 0.2f, 0.2f}),
+                                   box_mesh({-0.2f, -0.3f, -0.3f}, {0.6f, 0.3f, 0.3f}));
   const BuiltSdf both = build(device, mesh, 0.05f, 0.1f);
   EXPECT_LT(sample_sdf(both.sdf.view(), {0, 0, 0}).distance, 0);
   EXPECT_LT(sample_sdf(both.sdf.view(), {-0.5f, 0, 0}).distance, 0);
@@ -167,6 +166,91 @@ TEST(Sdf, BadSizesAreRefusedByName) {
     }
   }
   EXPECT_THROW(build(device, mesh, 0.1f, -0.1f), Error);
+}
+
+Sdf build_to_error(pbd::CpuDevice& device, const TriangleMesh& mesh, float target_error, float margin,
+                   uint32_t max_points = max_sdf_points) {
+  const DeviceTriangleBvh tree(device, TriangleBvh(mesh));
+  return build_sdf_to_error(device, mesh, tree, target_error, margin, max_points);
+}
+
+TEST(SdfToError, CellsAreAsSmallAsTheTargetAsks) {
+  pbd::CpuDevice device;
+  const TriangleMesh ball = ball_mesh(1, 4);
+  const TriangleBvh tree(ball);
+  float last = 1;
+  for (float target : {0.02f, 0.005f, 0.003f}) {
+    const Sdf sdf = build_to_error(device, ball, target, 0.2f);
+    EXPECT_LT(sdf.nodes().spacing, last);
+    EXPECT_GT(sdf.nodes().spacing, 3 * target);  // a smooth surface needs no fine cells
+    last = sdf.nodes().spacing;
+    Noise noise(7);
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 p = (0.95f + 0.1f * noise.next()) * normalized_or(noise.in_cube(1), {0, 1, 0});
+      const float distance = closest_point(tree.view(), p).distance;
+      const float exact = is_inside(tree.view(), p) ? -distance : distance;
+      EXPECT_NEAR(sample_sdf(sdf.view(), p).distance, exact, 1.1f * target);  // other points than were tried
+    }
+  }
+}
+
+// Inside a wall the distance is that of a cup, by hand.
+TEST(SdfToError, ThinWallsAreResolved) {
+  pbd::CpuDevice device;
+  const float half = 0.1f, wall = 0.01f, target = 0.002f;
+  const Sdf sdf = build_to_error(device, cup_mesh(half, wall), target, 0.02f);
+  EXPECT_LE(sdf.nodes().spacing, 0.5f * wall);
+  EXPECT_GT(sdf.nodes().spacing, 0.1f * wall);
+  for (float across = -0.008f; across < 0.02f; across += 0.0007f) {
+    for (float y : {0.05f, 0.083f, 0.121f, 0.15f}) {
+      const float exact = std::max(across - 0.01f, -across);  // of the wall from 0 to .01, inwards
+      const float side = half - across, along = 0.013f;
+      for (Vec3 p : {Vec3{side, y, along}, Vec3{-side, y, along}, Vec3{along, y, -side}}) {
+        EXPECT_NEAR(sample_sdf(sdf.view(), p).distance, exact, target);
+      }
+    }
+  }
+}
+
+TEST(SdfToError, AHoleIsNoError) {
+  pbd::CpuDevice device;
+  const Sdf sdf = build_to_error(device, open_ball_mesh(1, 4, 0.7f), 0.03f, 0.2f);
+  EXPECT_LE(sdf.nodes().spacing, 0.13f);
+  EXPECT_LT(sample_sdf(sdf.view(), {0, 0.3f, 0}).distance, -0.2f);
+}
+
+TEST(SdfToError, TheErrorIsMeasured) {
+  pbd::CpuDevice device;
+  const TriangleMesh mesh = box_mesh({-0.53f, -0.51f, -0.57f}, {0.5f, 0.52f, 0.55f});
+  const DeviceTriangleBvh tree(device, TriangleBvh(mesh));
+  Sdf sdf = build_sdf(device, tree, 0.1f, 0.2f);
+  const float before = sdf_error(device, mesh, tree, sdf);
+  EXPECT_GT(before, 0.01f);  // at the edges
+  EXPECT_LT(before, 0.05f);
+  std::vector<float> values = sdf.values().read(sdf.nodes().count());
+  for (float& d : values) d += 0.1f;
+  sdf.values().write(values);
+  EXPECT_NEAR(sdf_error(device, mesh, tree, sdf), 0.1f + before, 0.02f);
+}
+
+TEST(SdfToError, TargetsOutOfReachAreRefusedWithTheNumbers) {
+  pbd::CpuDevice device;
+  const TriangleMesh mesh = box_mesh({0, 0, 0}, {1, 1, 1});
+  const auto refused = [&](float target, float margin, ErrorCode code) -> std::string {
+    try {
+      build_to_error(device, mesh, target, margin, 100000);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), code) << error.what();
+      return error.what();
+    }
+    return "nothing";
+  };
+  const std::string why = refused(0.001f, 0.1f, ErrorCode::capacity);
+  EXPECT_NE(why.find("target_error is 0.001 m"), std::string::npos) << why;
+  EXPECT_NE(why.find("100000"), std::string::npos) << why;
+  EXPECT_NE(refused(0.001f, 100, ErrorCode::capacity), "nothing");  // where no field at all fits
+  for (float bad : {0.0f, -1.0f, std::nanf("")}) refused(bad, 0.1f, ErrorCode::invalid_argument);
+  EXPECT_NE(refused(0.01f, std::nanf(""), ErrorCode::invalid_argument), "nothing");
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ class SolverBenchOn final : public SolverBench {
     shapes.write(setup.planes);
     // With a radius of 0 for contacts a particle may lie anywhere, and has all of its images.
     collision::ShapeContacts<D> contacts(stage.device, setup.support_radius, 0);
-    contacts.set_shapes({shapes.view(), {}, {}, {}}, true);
+    contacts.set_shapes({shapes.view(), static_cast<uint32_t>(setup.planes.size()), {}, {}, {}}, true);
     fluid::DensitySet<D> density(stage.device, setup.kernel, setup.parameters);
     stage.solver.add(contacts);
     stage.solver.add(density);

@@ -61,7 +61,7 @@ TEST_P(SweepTest, AThinWallStopsAll) {
     for (float restitution : {0.0f, 0.5f}) {
       World world = empty_world();
       ShapeDef sheet = shape(BoxGeometry{{0.1f * radius, 1, 1}});  // a fifth of a radius thick
-      sheet.restitution = restitution;
+      sheet.surface.restitution = restitution;
       world.create_shape(sheet);
       shoot(world, speed);
       fly(world, speed, [] {});
@@ -170,7 +170,7 @@ TEST_P(SweepTest, ATurningVolleyStaysInItsContainer) {
   for (float speed : speeds) {
     World world = empty_world();
     ShapeDef walls = tank({-1.5f, -0.7f, -0.7f}, {1, 0.7f, 0.7f});
-    walls.restitution = 0.9f;
+    walls.surface.restitution = 0.9f;
     world.create_shape(walls);
     std::mt19937 random(8);
     const std::vector<Vec3> points = volley();

@@ -115,12 +115,12 @@ TEST_P(DefErrorTest, Shapes) {
 
 TEST_P(DefErrorTest, WhatAllShapesShare) {
   ShapeDef def = shape(SphereGeometry{1});
-  def.friction = -0.1f;
+  def.surface.friction = -0.1f;
   expect_error(invalid, "friction", [&] { world_.create_shape(def); });
-  def.friction = 0;
-  def.restitution = 1.1f;
+  def.surface.friction = 0;
+  def.surface.restitution = 1.1f;
   expect_error(invalid, "restitution", [&] { world_.create_shape(def); });
-  def.restitution = 0;
+  def.surface.restitution = 0;
   def.pose.rotation = {0, 0, 0, 2};
   expect_error(invalid, "pose", [&] { world_.create_shape(def); });
   def.pose = {};

@@ -21,7 +21,7 @@ World busy_world(WorldDef def) {
   second.viscosity = 0.001f;
   const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
   ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.6f});
-  walls.friction = 0.3f;
+  walls.surface.friction = 0.3f;
   world.create_shape(walls);
   world.create_shape(shape(SphereGeometry{0.15f}, {0.7f, 0.1f, 0.3f}));
   world.add_fluid(block(a, {0, 0, 0}, {0.4f, 0.5f, 0.6f}));

@@ -35,6 +35,8 @@ class CpuDevice final : public Device {
   void copy(void* to, const void* from, size_t bytes) override;
   void fill(void* memory, unsigned char byte, size_t bytes) override;
   void wait() override {}
+  void set_fence() override {}
+  void wait_for_fence() override {}
   void mark_time(uint32_t mark) override;
   double elapsed_ms(uint32_t from, uint32_t to) const override;
 
@@ -97,6 +99,8 @@ class CpuDevice final : public Device {
 
   void* do_allocate(size_t bytes) override;
   void do_release(void* memory) noexcept override;
+  void* do_allocate_shared(size_t bytes) override { return do_allocate(bytes); }
+  void do_release_shared(void* memory) noexcept override { do_release(memory); }
   void radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, View<const uint32_t> values,
                   View<uint32_t> values_out, uint32_t shift, uint32_t digit_bits, View<uint32_t> offsets);
 

@@ -34,6 +34,7 @@ CudaDevice::CudaDevice() {
   check_cuda(cudaStreamCreateWithPriority(&side_stream_, cudaStreamNonBlocking, most), "creating a stream");
   check_cuda(cudaEventCreateWithFlags(&forked_, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaEventCreateWithFlags(&joined_, cudaEventDisableTiming), "creating an event");
+  check_cuda(cudaEventCreateWithFlags(&fence_, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
 }
 
@@ -42,6 +43,7 @@ CudaDevice::~CudaDevice() {
   scratch_.resize_discard(0);
   cudaEventDestroy(forked_);
   cudaEventDestroy(joined_);
+  cudaEventDestroy(fence_);
   cudaFreeHost(pinned_);
   cudaFreeHost(times_);
   cudaStreamDestroy(side_stream_);
@@ -61,6 +63,17 @@ void* CudaDevice::do_allocate(size_t bytes) {
 
 void CudaDevice::do_release(void* memory) noexcept {
   cudaFree(memory);
+}
+
+void* CudaDevice::do_allocate_shared(size_t bytes) {
+  void* memory = nullptr;
+  if (cudaMallocHost(&memory, bytes) == cudaSuccess) return memory;
+  cudaGetLastError();
+  return nullptr;
+}
+
+void CudaDevice::do_release_shared(void* memory) noexcept {
+  cudaFreeHost(memory);
 }
 
 void* CudaDevice::scratch(size_t bytes) {
@@ -103,6 +116,14 @@ void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
 void CudaDevice::wait() {
   flush_mark();
   check_cuda(cudaStreamSynchronize(stream_), "running the kernels launched before");
+}
+
+void CudaDevice::set_fence() {
+  check_cuda(cudaEventRecord(fence_, stream_), "recording an event");
+}
+
+void CudaDevice::wait_for_fence() {
+  check_cuda(cudaEventSynchronize(fence_), "running the kernels launched before");
 }
 
 void CudaDevice::fork() {

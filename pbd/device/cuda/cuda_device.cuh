@@ -130,6 +130,8 @@ class CudaDevice final : public Device {
   void copy(void* to, const void* from, size_t bytes) override;
   void fill(void* memory, unsigned char byte, size_t bytes) override;
   void wait() override;
+  void set_fence() override;
+  void wait_for_fence() override;
   void mark_time(uint32_t mark) override;
   double elapsed_ms(uint32_t from, uint32_t to) const override;
 
@@ -190,6 +192,8 @@ class CudaDevice final : public Device {
  private:
   void* do_allocate(size_t bytes) override;
   void do_release(void* memory) noexcept override;
+  void* do_allocate_shared(size_t bytes) override;
+  void do_release_shared(void* memory) noexcept override;
   void* scratch(size_t bytes);
   void flush_mark();
   void fork();  // what is launched on the side stream from here on follows what came before
@@ -212,7 +216,7 @@ class CudaDevice final : public Device {
 
   cudaStream_t stream_ = nullptr;
   cudaStream_t side_stream_ = nullptr;
-  cudaEvent_t forked_ = nullptr, joined_ = nullptr;
+  cudaEvent_t forked_ = nullptr, joined_ = nullptr, fence_ = nullptr;
   std::string name_;
   bool overlaps_launches_ = false;
   cuda_kernels::TimeMark pending_mark_{};  // for the next launch

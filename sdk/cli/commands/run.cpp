@@ -46,20 +46,22 @@ class Run {
         built_(build_scene(scene_)),
         folder_(made_folder(options, scene_)),
         recorder_(folder_, scene_),
-        exporter_(folder_, options.formats) {
-    if (built_.world.particle_count() == 0) spdlog::warn("the scene has no particles: nothing will happen");
+        exporter_(folder_, options.formats, bodies_of(scene_)) {
+    if (built_.world.particle_count() == 0 && built_.bodies.empty()) {
+      spdlog::warn("the scene has no particles and no bodies: nothing will happen");
+    }
   }
 
   /// From here on an error ends the run but not the program: what was done is still written.
   void step_through(bool quiet) {
     const Interrupt interrupt;
     Progress progress(scene_.frames, quiet);
-    recorder_.start(built_.world.device(), sample(0, {}));
+    recorder_.start(built_.world.device(), sample(0, {}), masses());
     try {
       for (int frame = 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         const FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
         recorder_.add(now);
-        exporter_.write(frame, now.particles);
+        exporter_.write(frame, now.particles, now.bodies);
         progress.show(frame, now.step.ms, now.diagnostics.density_error_mean);
       }
     } catch (const std::exception& error) {
@@ -73,7 +75,7 @@ class Run {
     end_.device_bytes = built_.world.device_bytes();
     nlohmann::ordered_json figures = recorder_.finish(end_);
     io::write_png(folder_ / "preview.png",
-                  io::render_preview(io::frame_of(built_.world), io::preview_of(scene_)));
+                  io::render_preview(io::frame_of(built_.world), io::preview_of(scene_), states()));
     return figures;
   }
 
@@ -88,7 +90,8 @@ class Run {
                     .diagnostics = world.diagnostics(),
                     .mass = 0,
                     .particles = io::frame_of(world),
-                    .probes = {}};
+                    .probes = {},
+                    .bodies = states()};
     std::vector<std::size_t> counts(built_.fluids.size());
     for (const uint32_t fluid : now.particles.fluids) ++counts.at(fluid);
     for (const FluidId fluid : built_.fluids) {
@@ -96,6 +99,18 @@ class Run {
     }
     for (const ProbeId probe : built_.probes) now.probes.push_back(world.probe(probe));
     return now;
+  }
+
+  std::vector<BodyState> states() const {
+    std::vector<BodyState> states;
+    for (const BodyId body : built_.bodies) states.push_back(built_.world.body_state(body));
+    return states;
+  }
+
+  std::vector<BodyMass> masses() const {
+    std::vector<BodyMass> masses;
+    for (const BodyId body : built_.bodies) masses.push_back(built_.world.body_mass(body));
+    return masses;
   }
 
   Scene scene_;

@@ -9,6 +9,7 @@
 #include <meniscus/types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -45,6 +46,13 @@ struct DensitySolverDef {
   ArtificialPressureDef artificial_pressure{};
 };
 
+/// How Bullet solves contacts and joints among solids. Stacks of mass ratios up to 1000 want steps of at most
+/// 1 ms and 50 iterations.
+struct RigidSolverDef {
+  int substeps = 1;     ///< Bullet's steps in a substep
+  int iterations = 10;  ///< of each
+};
+
 struct WorldDef {
   DeviceChoice device = DeviceChoice::automatic;
   int threads = 0;                 ///< of the CPU device; 0: one a core
@@ -59,6 +67,7 @@ struct WorldDef {
   int max_substeps = 16;
   float contact_radius = 0.5f;  ///< distance at which a particle's centre stops at a surface, in spacings
   DensitySolverDef density{};
+  RigidSolverDef rigid{};
 };
 
 struct FluidDef {
@@ -69,7 +78,8 @@ struct FluidDef {
   float vorticity_confinement = 0.0f;  ///< ε, no unit; the force is ε · h · (N × ω)
   /// σ, N/m: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀ s³/(2πσ)).
   float surface_tension = 0.0f;
-  float cohesion = 0.0f;  ///< N/m, on top: attraction alone, which holds threads and sheets together
+  float cohesion = 0.0f;     ///< N/m, on top: attraction alone, which holds threads and sheets together
+  CollisionFilter filter{};  ///< which solids it collides with
   Vec3 color{0.10f, 0.35f, 0.75f};  ///< linear RGB, 0 to 1
 };
 
@@ -117,12 +127,23 @@ struct CylinderGeometry {
   float half_height = 0.5f;  ///< m
 };
 
-/// A closed surface from any file that assimp reads, as a signed distance field. Holes are closed by the
-/// winding number.
+/// A closed surface from any file that assimp reads, as a signed distance field. Holes of a fixed shape are
+/// closed by the winding number; a body's mesh must be closed.
 struct MeshGeometry {
   std::string file;
   float scale = 1.0f;      ///< metres a file unit
   float cell_size = 0.0f;  ///< of the field, m; 0: half of the particle spacing
+  float max_error = 0.0f;  ///< m; when > 0, the field is as fine as it takes to be off by no more
+};
+
+/// The convex hull of points.
+struct HullGeometry {
+  std::vector<Vec3> points;  ///< m, at least 4, not in a plane
+};
+
+/// Several solids as one.
+struct CompoundGeometry {
+  std::vector<struct CompoundPart> parts;
 };
 
 /// Heights over a regular grid in x and z, centred at the origin; solid below.
@@ -133,15 +154,31 @@ struct HeightFieldGeometry {
   std::vector<float> heights{};  ///< m, columns · rows of them, x fastest
 };
 
-using Geometry = std::variant<PlaneGeometry, BoxGeometry, ContainerGeometry, SphereGeometry, CapsuleGeometry,
-                              CylinderGeometry, MeshGeometry, HeightFieldGeometry>;
+using Geometry =
+    std::variant<PlaneGeometry, BoxGeometry, ContainerGeometry, SphereGeometry, CapsuleGeometry,
+                 CylinderGeometry, MeshGeometry, HeightFieldGeometry, HullGeometry, CompoundGeometry>;
+
+struct CompoundPart {
+  Geometry geometry = BoxGeometry{};  ///< no plane, container, height field or compound
+  Pose pose{};
+};
+
+/// How a solid's surface treats particles, and other solids. Of two solids that touch, the geometric mean
+/// counts.
+struct SurfaceDef {
+  float friction = 0.0f;           ///< Coulomb's μ for particles
+  float restitution = 0.0f;        ///< for particles, 0 to 1
+  float adhesion = 0.0f;           ///< Pa: the pull on a wet layer of particles, per area
+  float solid_friction = 0.5f;     ///< Coulomb's μ for solids
+  float solid_restitution = 0.0f;  ///< for solids, 0 to 1
+};
 
 struct ShapeDef {
   std::string name;
   Geometry geometry = PlaneGeometry{};
   Pose pose{};
-  float friction = 0.0f;     ///< Coulomb's μ
-  float restitution = 0.0f;  ///< 0 to 1
+  SurfaceDef surface{};
+  CollisionFilter filter{};
 };
 
 // ---- fluid volumes ----

@@ -18,6 +18,8 @@ struct Id {
 
 using FluidId = Id<struct FluidTag>;
 using ShapeId = Id<struct ShapeTag>;
+using BodyId = Id<struct BodyTag>;
+using JointId = Id<struct JointTag>;
 using SinkId = Id<struct SinkTag>;
 using ProbeId = Id<struct ProbeTag>;
 

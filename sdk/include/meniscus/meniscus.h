@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <meniscus/bodies.h>
 #include <meniscus/defs.h>
 #include <meniscus/error.h>
 #include <meniscus/ids.h>

@@ -5,6 +5,8 @@
 // otherwise.
 #pragma once
 
+#include <cstdint>
+
 namespace meniscus {
 
 struct Vec3 {
@@ -25,6 +27,12 @@ struct Aabb {
 struct Pose {
   Vec3 position{0, 0, 0};
   Quat rotation{0, 0, 0, 1};
+};
+
+/// Two things collide where each one's group is in the other's mask.
+struct CollisionFilter {
+  uint32_t groups = 1;          ///< bits: what it is
+  uint32_t mask = 0xffffffffu;  ///< bits: what it collides with
 };
 
 }  // namespace meniscus

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <meniscus/bodies.h>
 #include <meniscus/defs.h>
 #include <meniscus/error.h>
 #include <meniscus/ids.h>
@@ -9,8 +10,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace meniscus {
 
@@ -36,6 +39,11 @@ class World {
   void destroy_sink(SinkId id);
   ProbeId create_probe(const ProbeDef& def);
   void destroy_probe(ProbeId id);
+  /// Throws Error(mesh) where a mesh is not a closed, simple surface, and names the face.
+  BodyId create_body(const BodyDef& def);
+  void destroy_body(BodyId id);  ///< and its joints
+  JointId create_joint(const JointDef& def);
+  void destroy_joint(JointId id);
 
   /// Fills a region; returns how many particles were made.
   std::size_t add_fluid(const FluidVolumeDef& def);
@@ -52,6 +60,29 @@ class World {
   StepReport step(float dt);
   double time() const;  ///< s
 
+  // Bodies. What is set or applied counts from the next step on; forces act for that step alone, impulses at
+  // once.
+  BodyState body_state(BodyId id) const;
+  BodyMass body_mass(BodyId id) const;
+  double hinge_angle(JointId id) const;  ///< rad, of a hinge, from the placement at creation
+  void set_body_pose(BodyId id, const Pose& pose);
+  void set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies
+  void apply_force(BodyId id, Vec3 force, Vec3 point);                      ///< N, at a world point
+  void apply_torque(BodyId id, Vec3 torque);                                ///< N·m
+  void apply_impulse(BodyId id, Vec3 impulse, Vec3 point);                  ///< N·s, at a world point
+  /// Takes a kinematic body to a pose in `duration` seconds, at an even rate; instead of its keyframes from
+  /// now on.
+  void move_body(BodyId id, const Pose& target, float duration);
+
+  // Contacts and queries, as of the last step.
+  std::vector<ParticleContact> particle_contacts() const;  ///< with an impulse
+  std::vector<SolidContact> solid_contacts() const;        ///< of which one is a body
+  const std::vector<ContactEvent>& contact_events() const;
+  /// The first solid or particle on the way from `from` to `to`; a particle is a ball of half a spacing.
+  std::optional<RayHit> cast_ray(Vec3 from, Vec3 to) const;
+  Overlaps overlap_ball(Vec3 centre, float radius) const;
+  Overlaps overlap_box(const Pose& pose, Vec3 half_extents) const;
+
   std::size_t particle_count() const;
   // Read-outs, one element a particle in the order of the ids; valid until the next call that is not const.
   std::span<const ParticleId> ids() const;
@@ -63,7 +94,7 @@ class World {
 
   Diagnostics diagnostics() const;
   double probe(ProbeId id) const;  ///< unit by its kind; of the last step
-  /// Over positions and velocities in the order of the ids: equal for equal bits.
+  /// Over positions and velocities of particles, in the order of the ids, and of bodies: equal for equal bits.
   uint64_t state_hash() const;
   std::size_t device_bytes() const;  ///< held on the device
 

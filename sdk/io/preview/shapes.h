@@ -8,9 +8,9 @@
 
 namespace meniscus::io {
 
-/// Adds a solid as it looks: bodies as triangles, a container as its edges and its floor. Planes are not
-/// drawn here, since they have no end: see add_ground. May throw what load_mesh throws.
-void add_shape(Drawing& drawing, const ShapeDef& shape, Vec3 up, uint32_t surface);
+/// Adds a solid as it looks: a container as its edges and its floor, all else by its surface. Planes are not
+/// drawn here, since they have no end: see add_ground. May throw what solid_triangles throws.
+void add_solid(Drawing& drawing, const Geometry& geometry, const Pose& pose, Vec3 up, uint32_t surface);
 
 /// Adds a plane that faces up as a ground of tiles; another plane adds nothing. `size`: of the scene, m.
 void add_ground(Drawing& drawing, const ShapeDef& shape, Vec3 up, float size);

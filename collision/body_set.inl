@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/error.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+
+#include "collision/body_set.h"
+
+namespace meniscus::collision {
+
+template <class D>
+void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Shape> shapes) {
+  bodies_ = world_.body_slots();
+  shapes_ = shapes;
+  reach_.assign(bodies_, 0);
+  for (const CarriedShape& c : carried) {
+    const Vec3 far = max(abs(c.bounds.lower), abs(c.bounds.upper)) + abs(c.pose.position);
+    reach_[c.body] = std::max(reach_[c.body], length(far));
+  }
+  std::vector<RigidMass> mass(bodies_);
+  for (uint32_t b = 0; b < bodies_; ++b) mass[b] = world_.mass(b);
+  any_moved_ = std::any_of(mass.begin(), mass.end(), [](const RigidMass& m) { return m.inverse_mass > 0; });
+  sums_.assign(bodies_, {});
+  mean_forces_.resize(bodies_);
+
+  device_.wait();
+  motion_.resize_discard(bodies_);
+  arrived_.resize_discard(bodies_);
+  impulses_.resize_discard(bodies_);
+  mass_.resize_discard(bodies_);
+  mass_.write(mass);
+  proxies_.resize_discard(bodies_);
+  carried_.resize_discard(carried.size());
+  carried_.write(carried);
+  partial_.resize_discard(bodies_ * lanes());
+  place();
+}
+
+template <class D>
+void BodySet<D>::place() {
+  if (bodies_ == 0) return;
+  device_.wait();
+  world_.predict(0, arrived_.host());
+  end_step();
+}
+
+/// A body's sums run in so many lanes: enough to fill a GPU with few bodies, not too many for one thread to
+/// add up.
+template <class D>
+uint32_t BodySet<D>::lanes() const {
+  return std::clamp(std::bit_floor(16384u / std::max(1u, bodies_)), 16u, 256u);
+}
+
+template <class D>
+float BodySet<D>::speed(float dt) {
+  if (bodies_ == 0) return 0;
+  device_.wait();
+  world_.predict(dt, motion_.host());
+  float fastest = 0;
+  for (uint32_t b = 0; b < bodies_; ++b) {
+    const RigidMotion& m = motion_.host()[b];
+    fastest = std::max(fastest, length(m.velocity) + reach_[b] * length(m.angular_velocity));
+  }
+  return fastest;
+}
+
+template <class D>
+void BodySet<D>::carry_shapes() {
+  device_.parallel_for("bodies/carry", static_cast<uint32_t>(carried_.size()),
+                       body_kernels::Carry{carried_.view(), proxies_.view(), shapes_});
+}
+
+template <class D>
+void BodySet<D>::predict(float dt) {
+  if (bodies_ == 0) return;
+  world_.predict(dt, motion_.host());
+  device_.parallel_for("bodies/predict", bodies_,
+                       body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
+  carry_shapes();
+}
+
+template <class D>
+void BodySet<D>::begin(pbd::Substep<D>& substep) {
+  if (bodies_ == 0) return;
+  using namespace body_kernels;
+  const pbd::ContactView& contacts = substep.contacts;
+  const uint32_t room = contacts.contacts.count;
+  for (auto* buffer : {&key_, &sorted_key_, &number_, &grouped_}) buffer->resize_discard(room);
+  device_.parallel_for("bodies/keys", room, NoteBodies{contacts, key_.view(), number_.view(), bodies_});
+  device_.sort_pairs("bodies/group", key_.view(), sorted_key_.view(), number_.view(), grouped_.view(),
+                     static_cast<uint32_t>(std::bit_width(bodies_)));
+  device_.parallel_for("bodies/groups", bodies_, FindGroups{sorted_key_.view(), proxies_.view()});
+  device_.parallel_for("bodies/split", room,
+                       Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts});
+}
+
+template <class D>
+void BodySet<D>::sum_contacts(pbd::Substep<D>& substep) {
+  device_.parallel_for("bodies/sum", bodies_ * lanes(),
+                       body_kernels::SumLanes{grouped_.view(), proxies_.view(), substep.contacts.contacts,
+                                              partial_.view(), lanes()});
+}
+
+template <class D>
+void BodySet<D>::project(pbd::Substep<D>& substep, int) {
+  if (!any_moved_) return;
+  sum_contacts(substep);
+  device_.parallel_for("bodies/move", bodies_, body_kernels::Move{partial_.view(), proxies_.view(), lanes()});
+  device_.parallel_for("bodies/follow", substep.contacts.contacts.count,
+                       body_kernels::Follow{proxies_.view(), substep.contacts});
+}
+
+template <class D>
+void BodySet<D>::end(pbd::Substep<D>& substep) {
+  if (bodies_ == 0) return;
+  sum_contacts(substep);
+  device_.parallel_for("bodies/impulse", bodies_,
+                       body_kernels::TakeImpulse{partial_.view(), impulses_.view(), lanes(), 1 / substep.dt});
+  device_.set_fence();
+}
+
+template <class D>
+void BodySet<D>::exchange(pbd::Substep<D>& substep) {
+  if (bodies_ == 0) return;
+  // What was launched after the impulses, the velocity passes, runs on while Bullet steps.
+  device_.wait_for_fence();
+  const std::span<RigidImpulse> impulses = impulses_.host();
+  for (uint32_t b = 0; b < bodies_; ++b) {
+    RigidImpulse& impulse = impulses[b];
+    // A solve that went wrong is found, and taken back, at the step's end: Bullet need not see it.
+    if (!is_finite(impulse.linear) || !is_finite(impulse.angular)) impulse = {};
+    sums_[b].linear += impulse.linear;
+    sums_[b].angular += impulse.angular;
+  }
+  step_time_ += substep.dt;
+  const auto start = std::chrono::steady_clock::now();
+  world_.step(substep.dt, impulses);
+  step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  world_.predict(0, arrived_.host());
+  check_finite();
+  device_.parallel_for("bodies/arrive", bodies_, body_kernels::Arrive{arrived_.view(), proxies_.view()});
+  carry_shapes();
+  const pbd::ParticleView& p = substep.particles;
+  contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned}, furthest_motion());
+}
+
+template <class D>
+void BodySet<D>::check_finite() const {
+  for (uint32_t b = 0; b < bodies_; ++b) {
+    if (is_finite(arrived_.host()[b].start.position)) continue;
+    throw Error(ErrorCode::non_finite,
+                "the rigid body with the index " + std::to_string(b) +
+                    " became non-finite; the state is the one before the step. More of "
+                    "RigidSolverDef::substeps may help");
+  }
+}
+
+/// The way of the outermost point of any body in the present substep, or more.
+template <class D>
+float BodySet<D>::furthest_motion() const {
+  float furthest = 0;
+  for (uint32_t b = 0; b < bodies_; ++b) {
+    const Pose& from = motion_.host()[b].start;
+    const Pose& to = arrived_.host()[b].start;
+    const Quat turn = to.rotation * conjugate(from.rotation);
+    const float chord = 2 * length(Vec3{turn.x, turn.y, turn.z});  // of a unit circle
+    furthest = std::max(furthest, length(to.position - from.position) + reach_[b] * chord);
+  }
+  return furthest;
+}
+
+template <class D>
+void BodySet<D>::end_step() {
+  if (bodies_ == 0) return;
+  world_.end_step();
+  device_.parallel_for("bodies/rest", bodies_, body_kernels::Rest{arrived_.view(), proxies_.view()});
+  carry_shapes();
+  for (uint32_t b = 0; b < bodies_ && step_time_ > 0; ++b) {
+    mean_forces_[b] = {sums_[b].linear / step_time_, sums_[b].angular / step_time_};
+    sums_[b] = {};
+  }
+  step_time_ = 0;
+}
+
+template <class D>
+void BodySet<D>::start_step() {
+  if (bodies_ == 0) return;
+  std::fill(sums_.begin(), sums_.end(), RigidImpulse{});
+  step_time_ = 0;
+  step_ms_ = 0;
+  world_.save(*snapshot_);
+}
+
+template <class D>
+void BodySet<D>::undo_step() {
+  if (bodies_ == 0) return;
+  std::fill(sums_.begin(), sums_.end(), RigidImpulse{});
+  step_time_ = 0;
+  world_.restore(*snapshot_);
+  place();
+}
+
+}  // namespace meniscus::collision

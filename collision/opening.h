@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collision/shape.h"
+
+namespace meniscus::collision {
+
+/// Whether the plane, a wall of a container with openings, has nothing to do with this motion: it starts
+/// beyond a wall of that container, which is to say that it left through an opening, or it passes through an
+/// opening of this one.
+MENISCUS_HD inline bool left_through_opening(const ShapeSet& set, const Shape& plane, const Motion& m) {
+  for (uint32_t k = plane.first_wall; k < plane.first_wall + plane.wall_count; ++k) {
+    const Shape& wall = set.shapes[k];
+    if (wall.opening_count && plane_surface(wall, m.from).distance < 0) return true;
+  }
+  if (plane.opening_count == 0) return false;
+  const float before = plane_surface(plane, m.from).distance, after = plane_surface(plane, m.to).distance;
+  const float t = after < 0 ? before / (before - after) : 1;
+  return in_opening(set, plane, m.from + t * (m.to - m.from));
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Bullet's headers for the files that make up RigidWorld, and its types to and from ours. It is the Bullet of
+// the distribution, in single precision.
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+#include <btBulletDynamicsCommon.h>
+#include <meniscus/types.h>
+
+namespace meniscus::collision {
+
+inline btVector3 to_bullet(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+inline btQuaternion to_bullet(Quat q) {
+  return {q.x, q.y, q.z, q.w};
+}
+inline btTransform to_bullet(const Pose& pose) {
+  return btTransform(to_bullet(pose.rotation), to_bullet(pose.position));
+}
+
+inline Vec3 from_bullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+inline Pose from_bullet(const btTransform& t) {
+  const btQuaternion q = t.getRotation();
+  return {from_bullet(t.getOrigin()), {q.x(), q.y(), q.z(), q.w()}};
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/rigid_dynamics.h"
+
+#include <algorithm>
+
+namespace meniscus::collision {
+
+RigidDispatcher::RigidDispatcher(btCollisionConfiguration* configuration, btOverlappingPairCache* pairs)
+    : btCollisionDispatcher(configuration), pairs_(pairs) {
+  // Compounds are tested part by part. Bullet's algorithm for two of them keeps a cache in the order of
+  // events.
+  registerCollisionCreateFunc(
+      COMPOUND_SHAPE_PROXYTYPE, COMPOUND_SHAPE_PROXYTYPE,
+      configuration->getCollisionAlgorithmCreateFunc(COMPOUND_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE));
+  for (int kind = 0; kind < MAX_BROADPHASE_COLLISION_TYPES; ++kind) {
+    if (!btBroadphaseProxy::isConvex(kind)) continue;
+    registerCollisionCreateFunc(kind, STATIC_PLANE_PROXYTYPE, &plane_second_);
+    registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, kind, &plane_first_);
+  }
+}
+
+bool RigidDispatcher::needsCollision(const btCollisionObject* a, const btCollisionObject* b) {
+  return every_pair_ || btCollisionDispatcher::needsCollision(a, b);
+}
+
+void RigidDispatcher::dispatchAllCollisionPairs(btOverlappingPairCache*, const btDispatcherInfo& info,
+                                                btDispatcher*) {
+  order_pairs();
+  btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
+  for (const PairPlace& place : order_) (*getNearCallback())(pairs[place.index], *this, info);
+  order_manifolds();
+}
+
+void RigidDispatcher::order_pairs() {
+  const btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
+  order_.clear();
+  for (int i = 0; i < pairs.size(); ++i) {
+    const auto a = static_cast<uint64_t>(pairs[i].m_pProxy0->m_uniqueId);
+    order_.push_back({a << 32 | static_cast<uint64_t>(pairs[i].m_pProxy1->m_uniqueId), i});
+  }
+  std::ranges::sort(order_, {}, &PairPlace::key);
+}
+
+void RigidDispatcher::order_manifolds() {
+  order_pairs();
+  const btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
+  ordered_.resizeNoInitialize(0);
+  for (const PairPlace& place : order_) {
+    if (pairs[place.index].m_algorithm) pairs[place.index].m_algorithm->getAllContactManifolds(ordered_);
+  }
+  const int of_pairs = ordered_.size();
+  for (int i = 0; i < of_pairs; ++i) ordered_[i]->m_index1a = i;
+  for (int i = 0; i < m_manifoldsPtr.size(); ++i) {
+    btPersistentManifold* other = m_manifoldsPtr[i];
+    if (other->m_index1a < of_pairs && ordered_[other->m_index1a] == other) continue;
+    other->m_index1a = ordered_.size();
+    ordered_.push_back(other);
+  }
+  m_manifoldsPtr.copyFromArray(ordered_);
+}
+
+void RigidDynamics::advance(float dt) {
+  applyGravity();
+  internalSingleStepSimulation(dt);
+}
+
+void RigidDynamics::performDiscreteCollisionDetection() {
+  btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+    const btRigidBody& body = *m_nonStaticRigidBodies[i];
+    detected[static_cast<size_t>(body.getUserIndex())] = body.getWorldTransform();
+  }
+  prepare_contacts();
+}
+
+namespace {
+
+/// Velocity of a body's point at the end of a step, had it no contacts.
+btVector3 free_velocity(const btRigidBody& body, const btVector3& point, float dt) {
+  const btVector3 v = body.getLinearVelocity() + dt * body.getInvMass() * body.getTotalForce();
+  const btVector3 w =
+      body.getAngularVelocity() + dt * (body.getInvInertiaTensorWorld() * body.getTotalTorque());
+  return v + w.cross(point - body.getCenterOfMassPosition());
+}
+
+/// Bullet bounds friction along two directions apart. With the first one along the slip that is about to be,
+/// the bound is Coulomb's cone, also for what rests on a slope that runs askew to the axes.
+void aim_friction(btManifoldPoint& point, const btVector3& velocity) {
+  const btVector3& n = point.m_normalWorldOnB;
+  const btVector3 slip = velocity - n.dot(velocity) * n;
+  const float speed = slip.length();
+  if (speed > 1e-6f) {
+    point.m_lateralFrictionDir1 = slip / speed;
+    point.m_lateralFrictionDir2 = point.m_lateralFrictionDir1.cross(n);
+  } else {
+    btPlaneSpace1(n, point.m_lateralFrictionDir1, point.m_lateralFrictionDir2);
+  }
+  point.m_contactPointFlags |= BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+}
+
+/// Bullet takes what would close a gap in one step off the speed of a bounce. What bounces does so here as if
+/// the gap were closed.
+void close_gap(btManifoldPoint& point, const btVector3& velocity, float dt, float resting_speed) {
+  const float approach = -point.m_normalWorldOnB.dot(velocity);
+  const bool bounces = point.m_combinedRestitution > 0 && approach > resting_speed;
+  if (bounces && point.getDistance() > 0 && point.getDistance() < approach * dt) point.setDistance(0);
+}
+
+}  // namespace
+
+void RigidDynamics::prepare_contacts() {
+  const float dt = getDispatchInfo().m_timeStep;
+  for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
+    btPersistentManifold& manifold = *getDispatcher()->getManifoldByIndexInternal(i);
+    if (manifold.getNumContacts() == 0) continue;
+    const btRigidBody& a = *btRigidBody::upcast(manifold.getBody0());
+    const btRigidBody& b = *btRigidBody::upcast(manifold.getBody1());
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+      btManifoldPoint& point = manifold.getContactPoint(p);
+      const btVector3 velocity = free_velocity(a, point.getPositionWorldOnA(), dt) -
+                                 free_velocity(b, point.getPositionWorldOnB(), dt);
+      aim_friction(point, velocity);
+      close_gap(point, velocity, dt, getSolverInfo().m_restitutionVelocityThreshold);
+    }
+  }
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What is behind RigidWorld. Its functions are spread over rigid_world.cpp (what there is), rigid_step.cpp
+// (how it moves), rigid_joints.cpp, rigid_queries.cpp and rigid_snapshot.cpp.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "collision/rigid_broadphase.h"
+#include "collision/rigid_dynamics.h"
+#include "collision/rigid_kinematics.h"
+#include "collision/rigid_shapes.h"
+#include "collision/rigid_solver.h"
+#include "collision/rigid_world.h"
+
+namespace meniscus::collision {
+
+enum class KinematicDrive { still, keyframes, move };
+
+/// What a body remembers beside what Bullet does: plain data, so that it can be saved.
+struct RigidMemory {
+  Vec3 force{0, 0, 0}, torque{0, 0, 0};              ///< the user's, N and N·m, until end_step()
+  Vec3 usual_force{0, 0, 0}, usual_torque{0, 0, 0};  ///< smoothed, of the particles, while it was awake
+  Pose pose;                                         ///< kinematic bodies: of the geometry's frame
+  KinematicDrive drive = KinematicDrive::still;
+  KinematicMove move{};
+};
+
+struct RigidBodyRecord {
+  RigidShape shape;
+  std::unique_ptr<btRigidBody> bullet;
+  bool kinematic = false;
+  std::vector<Keyframe> keyframes;
+  bool loop = false;
+  RigidMemory memory;
+  Pose from, to;  ///< kinematic bodies: of the step that is under way
+};
+
+struct RigidFixedRecord {
+  RigidShape shape;
+  std::unique_ptr<btRigidBody> bullet;
+};
+
+struct RigidJointRecord {
+  uint32_t a, b;  ///< bodies; no_index is the world
+  std::unique_ptr<btTypedConstraint> bullet;
+  btHingeConstraint* hinge = nullptr;
+  float motor_torque = 0;  ///< N·m, of the hinge
+};
+
+/// Things by number: a free number is given out again, the lowest first.
+template <class T>
+struct Numbered {
+  std::vector<std::unique_ptr<T>> slots;
+
+  uint32_t add(std::unique_ptr<T> thing) {
+    size_t n = 0;
+    while (n < slots.size() && slots[n]) ++n;
+    if (n == slots.size()) slots.emplace_back();
+    slots[n] = std::move(thing);
+    return static_cast<uint32_t>(n);
+  }
+  void remove(uint32_t n) {
+    slots[n].reset();
+    while (!slots.empty() && !slots.back()) slots.pop_back();
+  }
+  bool has(uint32_t n) const { return n < slots.size() && slots[n]; }
+};
+
+struct RigidWorld::Impl {
+  explicit Impl(const RigidWorldDef& definition);
+  ~Impl();
+
+  RigidWorldDef def;
+  btHashedOverlappingPairCache pairs;
+  RigidFilter filter;
+  btDefaultCollisionConfiguration configuration;
+  RigidBroadphase broadphase;
+  RigidDispatcher dispatcher;
+  RigidSolver solver;
+  RigidDynamics dynamics;
+  btRigidBody ground;  ///< what joints with the world hold on to; it is not in the world
+  Numbered<RigidBodyRecord> bodies;
+  Numbered<RigidFixedRecord> fixed;
+  Numbered<RigidJointRecord> joints;
+  double time = 0;  ///< s
+
+  RigidBodyRecord& body(uint32_t n) const;
+  float acceleration_scale() const;  ///< m/s², of gravity, at least 1
+
+  /// To be called before something is changed that others may rest on.
+  void wake_around(const btRigidBody& body);
+
+  Pose kinematic_pose(const RigidBodyRecord& body, double at) const;
+  void place_kinematic(RigidBodyRecord& body, const Pose& pose);
+
+  void take_impulses(float dt, std::span<const RigidImpulse> impulses);
+  void drive_kinematics(float dt);
+  void advance_kinematics(float share);
+  void apply_forces();
+  void limit_motors(float dt);
+
+  RigidRef solid_of(const btCollisionObject* object) const;
+};
+
+/// What a step begins with: velocities of one that will be at `target` when dt has passed.
+struct KinematicVelocity {
+  Vec3 linear, angular;
+};
+KinematicVelocity velocity_to(const Pose& start, const Pose& target, float dt);
+
+void wake_up(btRigidBody& body);
+void set_speed(btRigidBody& body, Vec3 linear, Vec3 angular);
+
+}  // namespace meniscus::collision

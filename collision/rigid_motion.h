@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the rigid world and the particles tell one another, once a substep.
+#pragma once
+
+#include <meniscus/types.h>
+
+namespace meniscus::collision {
+
+/// What particles must know of a body for a substep. Poses are of the principal frame: the origin is the
+/// centre of mass, the axes are those of the inertia.
+struct RigidMotion {
+  Pose start;     ///< now
+  Vec3 velocity;  ///< m/s, with the forces that Bullet will integrate, so that the body is predicted at
+                  ///< start.position + dt · velocity
+  Vec3 angular_velocity;  ///< rad/s, likewise
+};
+
+struct RigidMass {
+  float inverse_mass;    ///< 1/kg; 0 for kinematic bodies
+  Vec3 inverse_inertia;  ///< 1/(kg m²), principal
+  Pose principal;        ///< the principal frame in the geometry's frame
+};
+
+struct RigidImpulse {
+  Vec3 linear;   ///< N·s
+  Vec3 angular;  ///< N·m·s, about the centre of mass
+};
+
+}  // namespace meniscus::collision

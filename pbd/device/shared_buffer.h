@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <type_traits>
+
+#include "pbd/device/device.h"
+#include "pbd/device/view.h"
+
+namespace meniscus::pbd {
+
+/// Owns an array in the host's memory that kernels read and write as well: for little that goes to and fro
+/// often. The host may touch it when what was launched with it is done (Device::wait,
+/// Device::wait_for_fence).
+template <class T>
+class SharedBuffer {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  SharedBuffer(Device& device, const char* what) : device_(device), what_(what) {}
+  ~SharedBuffer() { device_.release_shared(data_); }
+  SharedBuffer(const SharedBuffer&) = delete;
+  SharedBuffer& operator=(const SharedBuffer&) = delete;
+
+  /// New length; what was inside is gone.
+  void resize_discard(uint32_t size) {
+    if (size == size_) return;
+    device_.release_shared(data_);
+    data_ = nullptr;
+    size_ = 0;
+    if (size) data_ = static_cast<T*>(device_.allocate_shared(size * sizeof(T), what_));
+    size_ = size;
+  }
+
+  View<T> view() const { return {data_, size_}; }
+  std::span<T> host() const { return {data_, size_}; }
+
+ private:
+  Device& device_;
+  const char* what_;
+  T* data_ = nullptr;
+  uint32_t size_ = 0;
+};
+
+}  // namespace meniscus::pbd

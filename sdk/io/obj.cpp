@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/io/obj.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "sdk/io/output_file.h"
+
+namespace meniscus::io {
+namespace {
+
+void add_vertices(std::string& text, std::span<const Vec3> vertices) {
+  for (const Vec3 p : vertices) fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
+}
+
+/// Readers take a name up to the next blank, and a line break would begin another statement.
+std::string object_name(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c <= ' '; }, '_');
+  return name;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace
+
+void write_obj(const std::filesystem::path& path, const ParticleFrame& frame) {
+  std::string text = fmt::format("# Meniscus particles at {:.7g} s; metres\n", frame.time);
+  add_vertices(text, frame.positions);
+  for (std::size_t i = 1; i <= frame.size(); ++i) fmt::format_to(std::back_inserter(text), "p {}\n", i);
+  write_text(path, text);
+}
+
+void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame) {
+  std::string text = fmt::format("# Meniscus bodies at {:.7g} s; metres\n", frame.time);
+  add_vertices(text, frame.vertices);
+  for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
+    if (i == 0 || frame.bodies[i] != frame.bodies[i - 1]) {
+      text += "o " + object_name(frame.names[frame.bodies[i]]) + '\n';
+    }
+    const auto& [a, b, c] = frame.triangles[i];
+    fmt::format_to(std::back_inserter(text), "f {} {} {}\n", a + 1, b + 1, c + 1);
+  }
+  write_text(path, text);
+}
+
+}  // namespace meniscus::io

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/bodies.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "collision/mesh.h"
+
+namespace meniscus::io {
+
+/// The surfaces of all bodies at one moment, as the writers take them. Corners turn counter-clockwise as seen
+/// from outside.
+struct SurfaceFrame {
+  double time = 0;                                 ///< s
+  std::vector<Vec3> vertices;                      ///< m, world
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< the first body's first, then the next one's
+  std::vector<uint32_t> bodies;                    ///< one a triangle: its body, in the order of the scene
+  std::vector<std::string> names;                  ///< of the bodies
+};
+
+/// Bodies as triangles: the geometry is made once, and then only moved.
+class BodySurfaces {
+ public:
+  /// May throw what solid_triangles throws.
+  explicit BodySurfaces(const std::vector<BodyDef>& bodies);
+
+  /// `states` in the order of the bodies. Throws Error(invalid_argument) unless there is one a body.
+  SurfaceFrame at(double time, std::span<const BodyState> states) const;
+
+ private:
+  std::vector<collision::TriangleMesh> meshes_;  // in the bodies' frames
+  std::vector<std::string> names_;
+};
+
+}  // namespace meniscus::io

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// World's calls about rigid bodies and joints.
+#include <meniscus/error.h>
+#include <meniscus/world.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "sdk/world/check.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+namespace {
+
+collision::MassProperties mass_of(const BodyDef& def, const SolidPieces& solid) {
+  if (def.motion == BodyMotion::kinematic) return {};
+  const collision::MassProperties by_density = collision::combine(solid.masses);
+  const collision::MassProperties mass =
+      def.mass ? collision::with_mass(by_density, double{*def.mass}) : by_density;
+  // Floats hold these and their inverses, and those of the moments of inertia.
+  if (!(mass.mass >= 1e-20 && mass.mass <= 1e20)) {
+    std::ostringstream value;
+    value << (def.mass ? double{*def.mass} : double{def.density});
+    check::refuse(def.mass ? "BodyDef::mass" : "BodyDef::density", value.str(),
+                  "such that the body has from 1e-20 to 1e20 kg");
+  }
+  return mass;
+}
+
+BodyEntry make_entry(const BodyDef& def, const collision::MassProperties& mass, double volume,
+                     SolidPieces solid) {
+  BodyEntry entry;
+  entry.motion = def.motion;
+  entry.solid = std::move(solid);
+  entry.principal = {mass.centre, mass.axes};
+  entry.mass = {static_cast<float>(mass.mass), static_cast<float>(volume), mass.centre, mass.inertia,
+                mass.axes};
+  return entry;
+}
+
+collision::RigidBodyDef rigid_def(const BodyDef& def, const SolidPieces& solid,
+                                  const collision::MassProperties& mass) {
+  collision::RigidBodyDef rigid;
+  rigid.solid = rigid_solid(solid, def.pose, def.surface, def.filter);
+  rigid.motion = def.motion;
+  rigid.mass = mass;
+  rigid.velocity = def.velocity;
+  rigid.angular_velocity = def.angular_velocity;
+  rigid.linear_damping = def.linear_damping;
+  rigid.angular_damping = def.angular_damping;
+  rigid.can_sleep = def.can_sleep;
+  rigid.keyframes = def.keyframes;
+  rigid.loop = def.loop;
+  return rigid;
+}
+
+void expect_motion(const BodyEntry& entry, BodyMotion motion, const char* call, const char* kind) {
+  if (entry.motion == motion) return;
+  throw Error(ErrorCode::invalid_argument, std::string(call) + " is for " + kind + " bodies alone");
+}
+
+}  // namespace
+
+BodyId World::create_body(const BodyDef& def) {
+  check::body(def);
+  const bool dynamic = def.motion == BodyMotion::dynamic;
+  SolidPieces solid =
+      make_solid(def.geometry, def.surface, def.filter, dynamic ? SolidRole::dynamic : SolidRole::kinematic,
+                 def.density, impl_->solid_context());
+  BodyEntry entry;
+  try {
+    double volume = 0;
+    for (const collision::PlacedMass& part : solid.masses) volume += part.body.mass / double{def.density};
+    const collision::MassProperties mass = mass_of(def, solid);
+    impl_->rigid.add_body(rigid_def(def, solid, mass));
+    entry = make_entry(def, mass, volume, std::move(solid));
+  } catch (...) {
+    release_fields(solid, *impl_->engine);
+    throw;
+  }
+  const BodyId id = impl_->bodies.insert(std::move(entry));
+  impl_->solids_changed();
+  return id;
+}
+
+void World::destroy_body(BodyId id) {
+  release_fields(impl_->bodies.get(id).solid, *impl_->engine);
+  impl_->rigid.remove_body(id.index);
+  std::vector<uint32_t> gone;
+  impl_->joints.for_each([&](uint32_t number, const JointDef&) {
+    if (!impl_->rigid.has_joint(number)) gone.push_back(number);
+  });
+  for (uint32_t number : gone) impl_->joints.erase(impl_->joints.id(number));
+  impl_->bodies.erase(id);
+  std::erase_if(impl_->touches, [&](const collision::RigidTouch& t) {
+    const auto is_it = [&](const collision::RigidRef& r) { return r.is_body && r.number == id.index; };
+    return is_it(t.a) || is_it(t.b);
+  });
+  impl_->solids_changed();
+}
+
+JointId World::create_joint(const JointDef& def) {
+  check::joint(def);
+  impl_->bodies.get(def.a);
+  if (def.b) impl_->bodies.get(*def.b);
+  if (def.b == def.a) throw Error(ErrorCode::invalid_argument, "JointDef::b is the same body as a");
+  impl_->rigid.add_joint(
+      {def.a.index, def.b ? def.b->index : pbd::no_index, def.frame, def.kind, def.bodies_collide});
+  return impl_->joints.insert(def);
+}
+
+void World::destroy_joint(JointId id) {
+  impl_->joints.get(id);
+  impl_->rigid.remove_joint(id.index);
+  impl_->joints.erase(id);
+}
+
+// ---- state ----
+
+BodyState World::body_state(BodyId id) const {
+  impl_->bodies.get(id);
+  const collision::RigidWorld& rigid = impl_->rigid;
+  const collision::RigidImpulse force = impl_->engine->body_forces()[id.index];
+  return {rigid.pose(id.index),
+          rigid.centre_of_mass(id.index),
+          rigid.velocity(id.index),
+          rigid.angular_velocity(id.index),
+          force.linear,
+          force.angular,
+          rigid.awake(id.index)};
+}
+
+BodyMass World::body_mass(BodyId id) const {
+  return impl_->bodies.get(id).mass;
+}
+
+double World::hinge_angle(JointId id) const {
+  if (!std::holds_alternative<HingeJoint>(impl_->joints.get(id).kind))
+    throw Error(ErrorCode::invalid_argument, "hinge_angle is for hinges alone");
+  return impl_->rigid.hinge_angle(id.index);
+}
+
+void World::set_body_pose(BodyId id, const Pose& pose) {
+  impl_->bodies.get(id);
+  check::pose("set_body_pose's pose", pose);
+  impl_->rigid.set_pose(id.index, pose);
+  impl_->engine->place_bodies();
+  impl_->state_changed();
+}
+
+void World::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
+  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "set_body_velocity", "dynamic");
+  check::finite("set_body_velocity's velocity", velocity);
+  check::finite("set_body_velocity's angular_velocity", angular_velocity);
+  impl_->rigid.set_velocity(id.index, velocity, angular_velocity);
+}
+
+void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
+  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_force", "dynamic");
+  check::finite("apply_force's force", force);
+  check::finite("apply_force's point", point);
+  impl_->rigid.apply_force(id.index, force, point);
+}
+
+void World::apply_torque(BodyId id, Vec3 torque) {
+  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_torque", "dynamic");
+  check::finite("apply_torque's torque", torque);
+  impl_->rigid.apply_torque(id.index, torque);
+}
+
+void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
+  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_impulse", "dynamic");
+  check::finite("apply_impulse's impulse", impulse);
+  check::finite("apply_impulse's point", point);
+  impl_->rigid.apply_impulse(id.index, impulse, point);
+}
+
+void World::move_body(BodyId id, const Pose& target, float duration) {
+  expect_motion(impl_->bodies.get(id), BodyMotion::kinematic, "move_body", "kinematic");
+  check::pose("move_body's target", target);
+  check::positive("move_body's duration", duration);
+  impl_->rigid.move(id.index, target, duration);
+}
+
+}  // namespace meniscus
