@@ -75,24 +75,16 @@ struct NoteBodies {
   }
 };
 
-/// How many of the sorted keys are below `bound`.
-MENISCUS_HD inline uint32_t lower_bound(View<const uint32_t> keys, uint32_t bound) {
-  uint32_t low = 0, high = keys.count;
-  while (low < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    keys[middle] < bound ? low = middle + 1 : high = middle;
-  }
-  return low;
-}
-
+/// Where the sorted keys change, one body's contacts end and another's begin. The counts are 0 before.
 struct FindGroups {
   View<const uint32_t> sorted_key;
   View<BodyProxy> bodies;
 
-  MENISCUS_HD void operator()(uint32_t b) const {
-    const uint32_t first = lower_bound(sorted_key, b);
-    bodies[b].first = first;
-    bodies[b].contacts = lower_bound(sorted_key, b + 1) - first;
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t b = sorted_key[n];
+    if (b >= bodies.count) return;
+    if (n == 0 || sorted_key[n - 1] != b) bodies[b].first = n;
+    if (n + 1 == sorted_key.count || sorted_key[n + 1] != b) bodies[b].end = n + 1;
   }
 };
 
@@ -113,19 +105,20 @@ struct Split {
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
     c.arm = c.point + pbd::max(distance, contacts.radius) * c.normal - body.pose.position;
-    c.body_inverse_mass = static_cast<float>(body.contacts) * inverse_mass_at(body, c.arm, c.normal);
+    c.body_inverse_mass = static_cast<float>(body.end - body.first) * inverse_mass_at(body, c.arm, c.normal);
   }
 };
 
-/// What a body's contacts have done to particles, kg·m and kg·m².
+/// What a body's contacts have done to particles; w is not used.
 struct ContactSum {
-  Vec3 push{0, 0, 0}, twist{0, 0, 0};
-};
+  pbd::Vec4 push{0, 0, 0, 0};   ///< kg·m
+  pbd::Vec4 twist{0, 0, 0, 0};  ///< kg·m², about the centre of mass
 
-MENISCUS_HD inline void add(ContactSum& sum, const ContactSum& other) {
-  sum.push += other.push;
-  sum.twist += other.twist;
-}
+  MENISCUS_HD void add(Vec3 more_push, Vec3 more_twist) {
+    push = pbd::with_w(push.xyz() + more_push, 0);
+    twist = pbd::with_w(twist.xyz() + more_twist, 0);
+  }
+};
 
 /// One lane of one body.
 struct SumLanes {
@@ -138,50 +131,59 @@ struct SumLanes {
   MENISCUS_HD void operator()(uint32_t n) const {
     const BodyProxy& body = bodies[n / lanes];
     ContactSum sum;
-    for (uint32_t k = n % lanes; k < body.contacts; k += lanes) {
-      const Contact& c = contacts[grouped[body.first + k]];
+    for (uint32_t k = body.first + n % lanes; k < body.end; k += lanes) {
+      const Contact& c = contacts[grouped[k]];
       const Vec3 push = multiplier_sum(c);
-      add(sum, {push, cross(c.arm, push)});
+      sum.add(push, cross(c.arm, push));
     }
     partial[n] = sum;
   }
 };
 
+inline constexpr uint32_t lane_batch = 8;  ///< a body's lanes are a multiple of these
+
+/// In the order of the lanes, a batch at a time, so that a GPU has as many loads on their way.
 MENISCUS_HD inline ContactSum sum_of_lanes(View<const ContactSum> partial, uint32_t body, uint32_t lanes) {
+  const View<const pbd::Vec4> values{&partial.data[body * lanes].push, 2 * lanes};
   ContactSum sum;
-  for (uint32_t k = 0; k < lanes; ++k) add(sum, partial[body * lanes + k]);
+  for (uint32_t first = 0; first < lanes; first += lane_batch) {
+    pbd::Vec4 next[2 * lane_batch];
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < 2 * lane_batch; ++k) next[k] = pbd::load(values, 2 * first + k);
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < lane_batch; ++k) sum.add(next[2 * k].xyz(), next[2 * k + 1].xyz());
+  }
   return sum;
 }
 
-/// Moves each proxy by what its contacts have pushed it so far.
-struct Move {
-  View<const ContactSum> partial;
-  View<BodyProxy> bodies;
-  uint32_t lanes;
-
-  MENISCUS_HD void operator()(uint32_t b) const {
-    BodyProxy& body = bodies[b];
-    if (body.inverse_mass == 0) return;
-    const ContactSum sum = sum_of_lanes(partial, b, lanes);
-    const Vec3 shift = -body.inverse_mass * sum.push, turn = -inverse_inertia_times(body, sum.twist);
-    body.last_shift = shift - body.shift;
-    body.last_turn = turn - body.turn;
-    body.shift = shift;
-    body.turn = turn;
-  }
+/// How contacts have moved a body so far in the substep: m and rad.
+struct ContactMotion {
+  Vec3 shift, turn;
 };
 
-/// The planes of a body's contacts go with it.
-struct Follow {
-  View<const BodyProxy> bodies;
-  ContactView contacts;
+MENISCUS_HD inline ContactMotion motion_by(const BodyProxy& body, const ContactSum& sum) {
+  return {-body.inverse_mass * sum.push.xyz(), -inverse_inertia_times(body, sum.twist.xyz())};
+}
 
-  MENISCUS_HD void operator()(uint32_t n) const {
-    if (n >= contacts.total()) return;
-    Contact& c = contacts.contacts[n];
+/// The planes of a body's contacts go to where all of them have pushed it. Each contact adds up its body's
+/// lanes for itself, which costs less than a launch; the body's first one notes the motion for the next time.
+struct Follow {
+  View<const uint32_t> grouped;
+  View<const BodyProxy> bodies;
+  View<const ContactSum> partial;
+  View<const ContactMotion> before;
+  View<ContactMotion> after;
+  ContactView contacts;
+  uint32_t lanes;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    if (k >= contacts.total()) return;
+    Contact& c = contacts.contacts[grouped[k]];
     if (c.body_inverse_mass == 0) return;
     const BodyProxy& body = bodies[c.body];
-    const Vec3 step = body.last_shift + cross(body.last_turn, c.arm);
+    const ContactMotion now = motion_by(body, sum_of_lanes(partial, c.body, lanes)), old = before[c.body];
+    if (k == body.first) after[c.body] = now;
+    const Vec3 step = now.shift - old.shift + cross(now.turn - old.turn, c.arm);
     c.point += step;
     c.surface_motion += step;
   }
@@ -196,7 +198,7 @@ struct TakeImpulse {
 
   MENISCUS_HD void operator()(uint32_t b) const {
     const ContactSum sum = sum_of_lanes(partial, b, lanes);
-    impulses[b] = {-inverse_dt * sum.push, -inverse_dt * sum.twist};
+    impulses[b] = {-inverse_dt * sum.push.xyz(), -inverse_dt * sum.twist.xyz()};
   }
 };
 

@@ -14,10 +14,8 @@ namespace meniscus::collision {
 struct BodyProxy {
   Pose start, pose;  ///< at the substep's start; predicted for its end
   float inverse_mass;
-  Vec3 inverse_inertia;        ///< principal
-  Vec3 shift, turn;            ///< m and rad: what the contacts have moved it by in this substep
-  Vec3 last_shift, last_turn;  ///< of that, in the last iteration
-  uint32_t first, contacts;    ///< of the contacts grouped by body
+  Vec3 inverse_inertia;  ///< principal
+  uint32_t first, end;   ///< of its contacts, among those that are grouped by body
 };
 
 /// I⁻¹ t in world axes.

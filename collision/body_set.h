@@ -43,6 +43,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
   void end(pbd::Substep<D>& substep) override;
+  bool exchanges() const override { return bodies_ > 0; }
   void exchange(pbd::Substep<D>& substep) override;
   void start_step() override;
   void end_step() override;
@@ -55,7 +56,9 @@ class BodySet final : public pbd::ConstraintSet<D> {
 
  private:
   void sum_contacts(pbd::Substep<D>& substep);
+  void look_ahead(float dt);
   void carry_shapes();
+  void rest();
   float furthest_motion() const;
   void check_finite() const;
   uint32_t lanes() const;
@@ -69,6 +72,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
   std::vector<RigidImpulse> sums_, mean_forces_;
   float step_time_ = 0;  // s, of the substeps so far
   double step_ms_ = 0;
+  float ahead_ = -1;  // s: what motion_ has been predicted for; -1: nothing
+  bool saved_ = false;
   RigidWorld::SnapshotPtr snapshot_;
 
   pbd::SharedBuffer<RigidMotion> motion_{device_, "body motions"};
@@ -79,6 +84,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<CarriedShape> carried_{device_, "carried shapes"};
   pbd::View<Shape> shapes_;
   pbd::Buffer<body_kernels::ContactSum> partial_{device_, "body sums"};
+  pbd::DoubleBuffer<body_kernels::ContactMotion> contact_motion_{device_, "body displacements"};
   pbd::Buffer<uint32_t> key_{device_, "contact bodies"};
   pbd::Buffer<uint32_t> sorted_key_{device_, "contact bodies"};
   pbd::Buffer<uint32_t> number_{device_, "contact numbers"};

@@ -25,7 +25,11 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
   for (uint32_t b = 0; b < bodies_; ++b) mass[b] = world_.mass(b);
   any_moved_ = std::any_of(mass.begin(), mass.end(), [](const RigidMass& m) { return m.inverse_mass > 0; });
   sums_.assign(bodies_, {});
-  mean_forces_.resize(bodies_);
+  std::vector<RigidImpulse> forces(bodies_);  // of a place that is used again, none
+  for (const CarriedShape& c : carried) {
+    if (c.body < mean_forces_.size()) forces[c.body] = mean_forces_[c.body];
+  }
+  mean_forces_ = std::move(forces);
 
   device_.wait();
   motion_.resize_discard(bodies_);
@@ -37,35 +41,43 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
   carried_.resize_discard(carried.size());
   carried_.write(carried);
   partial_.resize_discard(bodies_ * lanes());
+  contact_motion_.reserve(bodies_, 0);
   place();
 }
 
 template <class D>
 void BodySet<D>::place() {
+  ahead_ = -1;
   if (bodies_ == 0) return;
   device_.wait();
   world_.predict(0, arrived_.host());
-  end_step();
+  rest();
 }
 
 /// A body's sums run in so many lanes: enough to fill a GPU with few bodies, not too many for one thread to
 /// add up.
 template <class D>
 uint32_t BodySet<D>::lanes() const {
-  return std::clamp(std::bit_floor(16384u / std::max(1u, bodies_)), 16u, 256u);
+  return std::clamp(std::bit_floor(2048u / std::max(1u, bodies_)), 2 * body_kernels::lane_batch, 64u);
 }
 
 template <class D>
 float BodySet<D>::speed(float dt) {
   if (bodies_ == 0) return 0;
-  device_.wait();
-  world_.predict(dt, motion_.host());
+  look_ahead(dt);
   float fastest = 0;
   for (uint32_t b = 0; b < bodies_; ++b) {
     const RigidMotion& m = motion_.host()[b];
     fastest = std::max(fastest, length(m.velocity) + reach_[b] * length(m.angular_velocity));
   }
   return fastest;
+}
+
+/// Asks for the motions of the next dt, if they are not there already.
+template <class D>
+void BodySet<D>::look_ahead(float dt) {
+  if (ahead_ != dt) world_.predict(dt, motion_.host());
+  ahead_ = dt;
 }
 
 template <class D>
@@ -76,8 +88,9 @@ void BodySet<D>::carry_shapes() {
 
 template <class D>
 void BodySet<D>::predict(float dt) {
+  step_time_ += dt;
   if (bodies_ == 0) return;
-  world_.predict(dt, motion_.host());
+  look_ahead(dt);
   device_.parallel_for("bodies/predict", bodies_,
                        body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
   carry_shapes();
@@ -89,11 +102,12 @@ void BodySet<D>::begin(pbd::Substep<D>& substep) {
   using namespace body_kernels;
   const pbd::ContactView& contacts = substep.contacts;
   const uint32_t room = contacts.contacts.count;
+  contact_motion_.current.fill(0);
   for (auto* buffer : {&key_, &sorted_key_, &number_, &grouped_}) buffer->resize_discard(room);
   device_.parallel_for("bodies/keys", room, NoteBodies{contacts, key_.view(), number_.view(), bodies_});
   device_.sort_pairs("bodies/group", key_.view(), sorted_key_.view(), number_.view(), grouped_.view(),
                      static_cast<uint32_t>(std::bit_width(bodies_)));
-  device_.parallel_for("bodies/groups", bodies_, FindGroups{sorted_key_.view(), proxies_.view()});
+  device_.parallel_for("bodies/groups", room, FindGroups{sorted_key_.view(), proxies_.view()});
   device_.parallel_for("bodies/split", room,
                        Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts});
 }
@@ -109,9 +123,11 @@ template <class D>
 void BodySet<D>::project(pbd::Substep<D>& substep, int) {
   if (!any_moved_) return;
   sum_contacts(substep);
-  device_.parallel_for("bodies/move", bodies_, body_kernels::Move{partial_.view(), proxies_.view(), lanes()});
-  device_.parallel_for("bodies/follow", substep.contacts.contacts.count,
-                       body_kernels::Follow{proxies_.view(), substep.contacts});
+  device_.parallel_for(
+      "bodies/follow", substep.contacts.contacts.count,
+      body_kernels::Follow{grouped_.view(), proxies_.view(), partial_.view(), contact_motion_.current.view(),
+                           contact_motion_.next.view(), substep.contacts, lanes()});
+  contact_motion_.flip();
 }
 
 template <class D>
@@ -125,7 +141,9 @@ void BodySet<D>::end(pbd::Substep<D>& substep) {
 
 template <class D>
 void BodySet<D>::exchange(pbd::Substep<D>& substep) {
-  if (bodies_ == 0) return;
+  // The device still works: time to put aside what Bullet is about to change.
+  if (!saved_) world_.save(*snapshot_);
+  saved_ = true;
   // What was launched after the impulses, the velocity passes, runs on while Bullet steps.
   device_.wait_for_fence();
   const std::span<RigidImpulse> impulses = impulses_.host();
@@ -136,7 +154,7 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
     sums_[b].linear += impulse.linear;
     sums_[b].angular += impulse.angular;
   }
-  step_time_ += substep.dt;
+  ahead_ = -1;
   const auto start = std::chrono::steady_clock::now();
   world_.step(substep.dt, impulses);
   step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -173,34 +191,34 @@ float BodySet<D>::furthest_motion() const {
   return furthest;
 }
 
+/// Leaves the shapes where the bodies are, with no motion.
 template <class D>
-void BodySet<D>::end_step() {
-  if (bodies_ == 0) return;
-  world_.end_step();
+void BodySet<D>::rest() {
   device_.parallel_for("bodies/rest", bodies_, body_kernels::Rest{arrived_.view(), proxies_.view()});
   carry_shapes();
-  for (uint32_t b = 0; b < bodies_ && step_time_ > 0; ++b) {
+}
+
+template <class D>
+void BodySet<D>::end_step() {
+  if (bodies_ == 0) return world_.pass(step_time_);
+  world_.end_step();
+  rest();
+  for (uint32_t b = 0; b < bodies_; ++b)
     mean_forces_[b] = {sums_[b].linear / step_time_, sums_[b].angular / step_time_};
-    sums_[b] = {};
-  }
-  step_time_ = 0;
 }
 
 template <class D>
 void BodySet<D>::start_step() {
-  if (bodies_ == 0) return;
   std::fill(sums_.begin(), sums_.end(), RigidImpulse{});
   step_time_ = 0;
   step_ms_ = 0;
-  world_.save(*snapshot_);
+  saved_ = false;
 }
 
 template <class D>
 void BodySet<D>::undo_step() {
   if (bodies_ == 0) return;
-  std::fill(sums_.begin(), sums_.end(), RigidImpulse{});
-  step_time_ = 0;
-  world_.restore(*snapshot_);
+  if (saved_) world_.restore(*snapshot_);
   place();
 }
 

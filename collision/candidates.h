@@ -14,15 +14,16 @@ inline constexpr uint32_t cluster_size = 32;  ///< particles; a warp's
 
 /// For kernels.
 struct CandidateView {
-  pbd::View<const uint32_t> masks;  ///< `words` a cluster
-  uint32_t words = 0;
+  pbd::View<const uint32_t> masks;  ///< the first 32 shapes of each cluster, then the next of each, …
+  uint32_t words = 0, clusters = 0;
 
   /// Calls visit(shape) for each, in the order of their numbers.
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t particle, const Visit& visit) const {
-    const uint32_t first = particle / cluster_size * words;
+    const uint32_t cluster = particle / cluster_size;
     for (uint32_t w = 0; w < words; ++w) {
-      for (uint32_t mask = masks[first + w]; mask; mask &= mask - 1) visit(32 * w + pbd::lowest_bit(mask));
+      uint32_t mask = masks[w * clusters + cluster];
+      for (; mask; mask &= mask - 1) visit(32 * w + pbd::lowest_bit(mask));
     }
   }
 };
@@ -36,35 +37,50 @@ struct BoundClusters {
   uint32_t particles;
 
   MENISCUS_HD void operator()(uint32_t c) const {
-    const uint32_t begin = c * cluster_size;
-    const uint32_t end = begin + cluster_size < particles ? begin + cluster_size : particles;
-    Aabb box{from[begin].xyz(), from[begin].xyz()};
-    for (uint32_t i = begin; i < end; ++i) {
-      const Vec3 a = from[i].xyz(), b = to[i].xyz();
-      box = {min(box.lower, min(a, b)), max(box.upper, max(a, b))};
+    constexpr uint32_t batch = 8;  // as many loads are on their way at once
+    const uint32_t begin = c * cluster_size, last = particles - 1;
+    const Vec3 any = from[begin].xyz();
+    Aabb box{any, any};
+    for (uint32_t first = begin; first < begin + cluster_size; first += batch) {
+      pbd::Vec4 a[batch], b[batch];
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        const uint32_t i = first + k < last ? first + k : last;
+        a[k] = pbd::load(from, i);
+        b[k] = pbd::load(to, i);
+      }
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        box = {min(box.lower, min(a[k].xyz(), b[k].xyz())), max(box.upper, max(a[k].xyz(), b[k].xyz()))};
+      }
     }
     bounds[c] = box;
   }
 };
 
+/// Eight shapes for one cluster.
 struct MarkCandidates {
+  static constexpr uint32_t batch = 8, batches = 32 / batch;
+
   ShapeSet set;
   pbd::View<const Aabb> bounds;
-  pbd::View<uint32_t> masks;
-  uint32_t words;
+  pbd::View<uint8_t> masks;  ///< the words' bytes, the lowest first
+  uint32_t clusters;
   float reach;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const Aabb box = bounds[n / words];
-    const uint32_t first = n % words * 32;
-    const uint32_t count = set.shapes.count - first < 32 ? set.shapes.count - first : 32;
+    const uint32_t part = n / clusters, cluster = n % clusters;
+    const Aabb box = bounds[cluster];
+    const uint32_t last = set.shapes.count - 1;
     uint32_t mask = 0;
-    for (uint32_t k = 0; k < count; ++k) {
-      const Shape& shape = set.shapes[first + k];
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < batch; ++k) {
+      const uint32_t number = part * batch + k;
+      const Shape& shape = set.shapes[number < last ? number : last];
       const bool near = shape.kind == ShapeKind::plane || !out_of_reach(shape, box.lower, box.upper, reach);
-      mask |= static_cast<uint32_t>(near) << k;
+      mask |= static_cast<uint32_t>(near && number <= last) << k;
     }
-    masks[n] = mask;
+    masks[batches * (part / batches * clusters + cluster) + part % batches] = static_cast<uint8_t>(mask);
   }
 };
 
@@ -88,16 +104,17 @@ class Candidates {
   void find(D& device, const ShapeSet& set, pbd::View<const pbd::Vec4> from, pbd::View<const pbd::Vec4> to,
             uint32_t particles, float reach) {
     using namespace candidate_kernels;
-    const uint32_t clusters = (particles + cluster_size - 1) / cluster_size;
-    device.parallel_for("contacts/clusters", clusters, BoundClusters{from, to, bounds_.view(), particles});
-    device.parallel_for("contacts/candidates", clusters * words_,
-                        MarkCandidates{set, bounds_.view(), masks_.view(), words_, reach});
+    clusters_ = (particles + cluster_size - 1) / cluster_size;
+    device.parallel_for("contacts/clusters", clusters_, BoundClusters{from, to, bounds_.view(), particles});
+    const pbd::View<uint8_t> bytes{reinterpret_cast<uint8_t*>(masks_.view().data), 4 * masks_.view().count};
+    device.parallel_for("contacts/candidates", clusters_ * words_ * MarkCandidates::batches,
+                        MarkCandidates{set, bounds_.view(), bytes, clusters_, reach});
   }
 
-  CandidateView view() const { return {masks_.view(), words_}; }
+  CandidateView view() const { return {masks_.view(), words_, clusters_}; }
 
  private:
-  uint32_t words_ = 0;
+  uint32_t words_ = 0, clusters_ = 0;
   pbd::Buffer<Aabb> bounds_;
   pbd::Buffer<uint32_t> masks_;
 };

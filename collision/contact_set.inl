@@ -78,19 +78,20 @@ struct Bounce {
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.particle_starting_at(n);
     if (i == pbd::no_index) return;
-    const float w = position[i].w;
-    if (w == 0) return;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       Contact& c = contacts.contacts[k];
-      if (c.normal_multiplier <= 0) continue;
-      const Vec3 v = velocity[i].xyz();
-      const float bounce = c.approach_speed < -resting_speed ? -c.restitution * c.approach_speed : 0;
-      const float lacking = bounce - dot(v - c.surface_motion / dt, c.normal);
-      if (lacking <= 0) continue;
-      const float impulse = lacking / (w + c.body_inverse_mass);
-      velocity[i] = pbd::with_w(v + w * impulse * c.normal, 0);
-      c.normal_multiplier += dt * impulse;
+      if (c.normal_multiplier > 0) part(c, i);
     }
+  }
+
+  MENISCUS_HD void part(Contact& c, uint32_t i) const {
+    const Vec3 v = velocity[i].xyz();
+    const float bounce = c.approach_speed < -resting_speed ? -c.restitution * c.approach_speed : 0;
+    const float lacking = bounce - dot(v - c.surface_motion / dt, c.normal);
+    if (lacking <= 0) return;
+    const float w = position[i].w, impulse = lacking / (w + c.body_inverse_mass);
+    velocity[i] = pbd::with_w(v + w * impulse * c.normal, 0);
+    c.normal_multiplier += dt * impulse;
   }
 };
 

@@ -19,7 +19,7 @@ MENISCUS_HD inline FoundContact find_plane_contact(const ShapeSet& set, const Sh
   const SurfaceSample s = plane_surface(plane, m.to);
   // Images end where what touches the surface is a support radius away.
   const bool near = s.distance < h - radius;
-  return {{s}, m.to - s.distance * s.normal, near && !left_through_opening(set, plane, m)};
+  return {{s}, m.to - s.distance * s.normal, near && !left_through_opening(set, plane, m, radius)};
 }
 
 MENISCUS_HD inline FoundContact no_contact() {

@@ -31,9 +31,9 @@ TriangleMesh hull_mesh(std::span<const Vec3> points) {
   if (points.size() >= 4) {
     btConvexHullComputer hull;
     hull.compute(&points[0].x, sizeof(Vec3), static_cast<int>(points.size()), 0, 0);
-    for (int v = 0; v < hull.vertices.size(); ++v) {
-      mesh.vertices.push_back({hull.vertices[v].x(), hull.vertices[v].y(), hull.vertices[v].z()});
-    }
+    // The points themselves: what Bullet gives back is rounded to a ten-thousandth of the size.
+    for (int v = 0; v < hull.vertices.size(); ++v)
+      mesh.vertices.push_back(points[static_cast<size_t>(hull.original_vertex_index[v])]);
     for (int face = 0; face < hull.faces.size(); ++face) append_face(mesh, hull, face);
   }
   const double volume = mesh.triangles.size() >= 4 ? std::fabs(signed_volume(mesh)) : 0;

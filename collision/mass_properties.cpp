@@ -114,7 +114,7 @@ MassProperties cylinder_mass(float radius, float half_height, double density) {
 
 MassProperties capsule_mass(float radius, float half_height, double density) {
   check_positive(radius, "radius", "m");
-  check_positive(half_height, "half height", "m");
+  if (half_height != 0) check_positive(half_height, "half height", "m");  // 0: a ball
   check_density(density);
   const double r = radius, half = half_height;
   const double tube = density * 2 * half * pi * r * r, ball = density * 4 / 3 * pi * r * r * r;

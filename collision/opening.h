@@ -7,12 +7,14 @@
 namespace meniscus::collision {
 
 /// Whether the plane, a wall of a container with openings, has nothing to do with this motion: it starts
-/// beyond a wall of that container, which is to say that it left through an opening, or it passes through an
-/// opening of this one.
-MENISCUS_HD inline bool left_through_opening(const ShapeSet& set, const Shape& plane, const Motion& m) {
+/// outside of that container, which is to say that it left through an opening, or it passes through an
+/// opening of this one. Outside is beyond a wall with an opening, or further beyond a closed one than a solve
+/// lets anything sink in.
+MENISCUS_HD inline bool left_through_opening(const ShapeSet& set, const Shape& plane, const Motion& m,
+                                             float radius) {
   for (uint32_t k = plane.first_wall; k < plane.first_wall + plane.wall_count; ++k) {
     const Shape& wall = set.shapes[k];
-    if (wall.opening_count && plane_surface(wall, m.from).distance < 0) return true;
+    if (plane_surface(wall, m.from).distance < (wall.opening_count ? 0.0f : -2 * radius)) return true;
   }
   if (plane.opening_count == 0) return false;
   const float before = plane_surface(plane, m.from).distance, after = plane_surface(plane, m.to).distance;

@@ -50,7 +50,11 @@ void RigidDispatcher::order_manifolds() {
     if (pairs[place.index].m_algorithm) pairs[place.index].m_algorithm->getAllContactManifolds(ordered_);
   }
   const int of_pairs = ordered_.size();
-  for (int i = 0; i < of_pairs; ++i) ordered_[i]->m_index1a = i;
+  touching_.clear();
+  for (int i = 0; i < of_pairs; ++i) {
+    ordered_[i]->m_index1a = i;
+    if (ordered_[i]->getNumContacts() > 0) touching_.push_back(i);
+  }
   for (int i = 0; i < m_manifoldsPtr.size(); ++i) {
     btPersistentManifold* other = m_manifoldsPtr[i];
     if (other->m_index1a < of_pairs && ordered_[other->m_index1a] == other) continue;

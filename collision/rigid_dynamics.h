@@ -23,6 +23,8 @@ class RigidDispatcher final : public btCollisionDispatcher {
 
   /// Puts the manifolds into the order of their pairs, and what belongs to no pair behind them.
   void order_manifolds();
+  /// Which manifolds of pairs have contacts, in their order. Most have none, as boxes around bodies are wide.
+  const std::vector<int>& touching() const { return touching_; }
   /// While true, sleepers collide too.
   void set_every_pair(bool every_pair) { every_pair_ = every_pair; }
 
@@ -36,6 +38,7 @@ class RigidDispatcher final : public btCollisionDispatcher {
   btOverlappingPairCache* pairs_;
   RigidPlaneContacts plane_second_{false}, plane_first_{true};
   std::vector<PairPlace> order_;
+  std::vector<int> touching_;
   btManifoldArray ordered_, of_pair_;
   bool every_pair_ = false;
 };

@@ -93,11 +93,9 @@ void RigidWorld::save(Snapshot& to) const {
   to.manifolds.clear();
   to.points.clear();
   auto& predictive = impl_->dynamics.predictive();
-  const int of_pairs = impl_->dispatcher.getNumManifolds() - predictive.size();
-  for (int i = 0; i < of_pairs; ++i) {
+  for (const int i : impl_->dispatcher.touching()) {
     const btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(i);
     const int count = manifold.getNumContacts();
-    if (count == 0) continue;
     to.manifolds.push_back({i, count});
     const btManifoldPoint* first = &manifold.getContactPoint(0);
     to.points.insert(to.points.end(), first, first + count);
@@ -138,7 +136,7 @@ void refill(btPersistentManifold& manifold, const btManifoldPoint* points, int c
   for (int p = 0; p < count; ++p) manifold.getContactPoint(p) = points[p];
 }
 
-void refill_all(btDispatcher& dispatcher, const std::vector<SavedManifold>& saved,
+void refill_all(RigidDispatcher& dispatcher, const std::vector<SavedManifold>& saved,
                 const btManifoldPoint* points) {
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     dispatcher.getManifoldByIndexInternal(i)->setNumContacts(0);
@@ -148,6 +146,7 @@ void refill_all(btDispatcher& dispatcher, const std::vector<SavedManifold>& save
     refill(*dispatcher.getManifoldByIndexInternal(manifold.index), points, manifold.points);
     points += manifold.points;
   }
+  dispatcher.order_manifolds();
 }
 
 }  // namespace

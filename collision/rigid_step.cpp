@@ -109,7 +109,9 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
   for (uint32_t n = 0; n < body_slots(); ++n) {
     if (!impl_->bodies.has(n)) continue;
     const RigidBodyRecord& body = impl_->body(n);
-    if (body.kinematic) {
+    if (dt == 0) {
+      out[n].start = from_bullet(body.bullet->getWorldTransform());
+    } else if (body.kinematic) {
       const Pose start = body.memory.pose * body.shape.frame;
       const Pose target = impl_->kinematic_pose(body, impl_->time + dt) * body.shape.frame;
       const KinematicVelocity v = velocity_to(start, target, dt);
@@ -175,6 +177,11 @@ void RigidWorld::step(float dt, std::span<const RigidImpulse> impulses) {
     world.advance_kinematics(i < substeps ? static_cast<float>(i) / static_cast<float>(substeps) : 1);
   }
   world.time += dt;
+}
+
+void RigidWorld::pass(float dt) {
+  assert(body_count() == 0);
+  impl_->time += dt;
 }
 
 void RigidWorld::end_step() {

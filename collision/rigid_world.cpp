@@ -242,6 +242,7 @@ void RigidWorld::set_pose(uint32_t number, const Pose& pose) {
   } else {
     place(*body.bullet, to_bullet(pose) * to_bullet(body.shape.frame));
   }
+  impl_->dynamics.updateSingleAabb(body.bullet.get());  // queries before the next step find it there
   collision::wake_up(*body.bullet);
 }
 

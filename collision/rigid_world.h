@@ -129,10 +129,12 @@ class RigidWorld {
 
   // ---- a substep of length dt, in this order ----
 
-  /// Where bodies are and where they would get to in dt, by number.
+  /// Where bodies are and where they would get to in dt, by number; with dt = 0 where they are alone.
   void predict(float dt, std::span<RigidMotion> out) const;
   /// Gives each body its impulse, wakes those that one changes, and advances by dt.
   void step(float dt, std::span<const RigidImpulse> impulses);
+  /// Advances time alone, in place of step(), where there are no bodies.
+  void pass(float dt);
   /// At the end of a series of steps: forgets forces that were applied.
   void end_step();
   double time() const;  ///< s

@@ -7,6 +7,20 @@
 
 namespace meniscus::collision {
 
+namespace shape_contact_kernels {
+
+/// Which solids a particle collides with, by its fluid.
+struct Filters {
+  pbd::View<const pbd::Phase> phase;
+  pbd::View<const CollisionFilter> by_fluid;
+
+  MENISCUS_HD CollisionFilter of(uint32_t i) const {
+    return by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
+  }
+};
+
+}  // namespace shape_contact_kernels
+
 /// Finds the contacts of particles with shapes, fixed and moving.
 template <class D>
 class ShapeContacts final : public pbd::ContactSource<D> {
@@ -24,6 +38,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   void set_filters(std::span<const CollisionFilter> filters);
 
   void reserve(uint32_t particles) override;
+  bool any_moving() const override { return shapes_.fixed < shapes_.shapes.count; }
   void limit_motion(const pbd::MotionView& motion, bool planes_too) override;
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
@@ -31,6 +46,8 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   /// Takes back what has passed through a moving shape since the substep began. Shapes are where they have
   /// got to, by no more than `furthest` (m): so far a particle may be taken along, and meet another.
   void limit_beside_moving(const pbd::MotionView& motion, float furthest);
+  /// By fluid; where there are none, fluids collide with all.
+  pbd::View<const CollisionFilter> filters() const { return filters_.view(); }
   /// Shapes that are within `reach` (m) of where particles are.
   CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
 

@@ -2,22 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "collision/limit_motion.h"
 #include "collision/shape_contacts.h"
 
 namespace meniscus::collision {
 
 namespace shape_contact_kernels {
-
-/// Which solids a particle collides with, by its fluid.
-struct Filters {
-  pbd::View<const pbd::Phase> phase;
-  pbd::View<const CollisionFilter> by_fluid;
-
-  MENISCUS_HD CollisionFilter of(uint32_t i) const {
-    return by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
-  }
-};
 
 struct LimitByFixed {
   ShapeSet set;
@@ -79,6 +71,8 @@ struct Finder {
 
   MENISCUS_HD FoundContact find(const Shape& shape, const Motion& motion) const {
     if constexpr (only_fixed_planes) return find_plane_contact(set, shape, motion, radius, h);
+    if (shape.body == pbd::no_index) return find_contact(set, shape, motion, radius, h);
+    if (shape.kind != ShapeKind::plane && out_of_reach(shape, motion.from, motion.to, h)) return no_contact();
     return find_contact(set, shape, motion_beside(shape, motion), radius, h);
   }
 };
@@ -150,8 +144,10 @@ void ShapeContacts<D>::set_shapes(const ShapeSet& shapes, bool only_fixed_planes
 
 template <class D>
 void ShapeContacts<D>::set_filters(std::span<const CollisionFilter> filters) {
-  filters_.resize_discard(filters.size());
-  filters_.write(filters);
+  const auto collides_with_all = [](const CollisionFilter& f) { return f == CollisionFilter{}; };
+  const bool usual = std::all_of(filters.begin(), filters.end(), collides_with_all);
+  filters_.resize_discard(usual ? 0 : filters.size());  // without, nobody looks them up
+  if (!usual) filters_.write(filters);
 }
 
 template <class D>

@@ -39,13 +39,16 @@ MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Moti
 MENISCUS_HD inline Hit cross_plane(const ShapeSet& set, const Shape& plane, const Motion& m, float radius) {
   const float before = plane_surface(plane, m.from).distance, after = plane_surface(plane, m.to).distance;
   const float touch = 0.5f * radius;
-  if (before < 0 || after >= touch || after >= before || left_through_opening(set, plane, m)) return {};
+  if (before < 0 || after >= touch || after >= before || left_through_opening(set, plane, m, radius))
+    return {};
   const float t = before > touch ? (before - touch) / (before - after) : 0;
   return {t, m.from + t * (m.to - m.from), plane_surface(plane, m.from).normal, true};
 }
 
 /// Where a motion meets one shape, as that shape sees it.
 MENISCUS_HD inline Hit meet(const ShapeSet& set, const Shape& shape, const Motion& m, float radius) {
+  // Its bounds hold it all the way: what stays away from them need not be looked at from the shape.
+  if (shape.kind != ShapeKind::plane && out_of_reach(shape, m.from, m.to, radius)) return {};
   const Motion beside = motion_beside(shape, m);
   if (shape.kind == ShapeKind::plane) return cross_plane(set, shape, beside, radius);
   if (out_of_reach(shape, beside.from, beside.to, radius)) return {};

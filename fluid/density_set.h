@@ -66,7 +66,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
     float momentum, step;
   };
   Weights next_weights(int iteration, int iterations);
-  template <bool with_pair_pressure>
+  template <bool any_moving>
+  void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
+               const density_kernels::PairPressure& pair);
+  template <bool with_pair_pressure, bool any_moving>
   void correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
 
   D& device_;

@@ -35,33 +35,43 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .first = iteration == 0,
       .last = iteration + 1 == substep.iterations,
       .share = share_};
+  const ArtificialPressure& artificial = parameters_.artificial_pressure;
+  PairPressure pair;
+  if (iteration == 0 && artificial.pressure > 0) {
+    const float r2 = artificial.distance * artificial.distance * kernel_.h2;
+    pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt, 1 / kernel_.weight(r2),
+            artificial.exponent};
+  }
+  substep.contacts.any_moving ? iterate<true>(substep, advancing, pair)
+                              : iterate<false>(substep, advancing, pair);
+}
+
+template <class D>
+template <bool any_moving>
+void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
+                            const density_kernels::PairPressure& pair) {
+  using namespace density_kernels;
   const pbd::ContactView& contacts = substep.contacts;
   device_.parallel_for_both("density/multipliers", substep.particles.owned,
                             Advance<D>{kernel_, substep.neighbours, contacts.start, advancing},
                             contacts.contacts.count,
-                            AdvanceAtWalls{kernel_, substep.neighbours, contacts, advancing});
-  const ArtificialPressure& artificial = parameters_.artificial_pressure;
-  if (iteration == 0 && artificial.pressure > 0) {
-    const float r2 = artificial.distance * artificial.distance * kernel_.h2;
-    correct<true>(substep, {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
-                            1 / kernel_.weight(r2), artificial.exponent});
-  } else {
-    correct<false>(substep, {});
-  }
+                            AdvanceAtWalls<any_moving>{kernel_, substep.neighbours, contacts, advancing});
+  pair.multiplier > 0 ? correct<true, any_moving>(substep, pair) : correct<false, any_moving>(substep, pair);
 }
 
 template <class D>
-template <bool with_pair_pressure>
+template <bool with_pair_pressure, bool any_moving>
 void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
   const pbd::ContactView& contacts = substep.contacts;
+  const pbd::ParticleView& p = substep.particles;
   device_.parallel_for_both(
-      "density/correct", substep.particles.owned,
+      "density/correct", p.owned,
       Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
-                                     substep.particles.position, substep.particles.moved},
+                                     p.position, p.moved},
       contacts.contacts.count,
-      CorrectAtWalls<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts,
-                                         substep.particles.position, substep.particles.moved});
+      CorrectAtWalls<with_pair_pressure, any_moving>{kernel_, pair, staged_.view(), substep.neighbours,
+                                                     contacts, p.position, p.moved});
 }
 
 // Chebyshev semi-iteration on the interval [bound (1.5/m)², bound] of D⁻¹A's spectrum, m iterations: the

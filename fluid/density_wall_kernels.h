@@ -20,24 +20,22 @@ MENISCUS_HD float give_of_bodies(const ContactView& contacts, const Mirrors& mir
   MENISCUS_UNROLL
   for (int k = 0; k < n; ++k) {
     if (k >= mirrors.count) break;
-    const float w = contacts.contacts[mirrors.contact[k]].body_inverse_mass;
-    if (w == 0) continue;
     const float e = 2 * through(k);
-    give += w * e * e;
+    give += contacts.contacts[mirrors.contact[k]].body_inverse_mass * e * e;
   }
   return give;
 }
 
 /// D counts what each particle's own motion does to C, through its images as well: where i nears the wall, so
 /// does its image.
-template <class D, int n>
+template <class D, int n, bool any_moving>
 MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
                                                const NeighbourView& neighbours, const ContactView& contacts,
                                                const Mirrors& mirrors, uint32_t i) {
   using Real = typename D::Real;
   const Vec4 self = position[i];
   const Vec3 x = self.xyz();
-  ImageSums<Real, n> sums;
+  ImageSums<Real, n, false> sums;
   Real weight(0.0f), gradient2(0.0f);
   const auto term = [&](const Real& share, const Real& r2) {
     const Real inverse_r = inverse_sqrt(r2);
@@ -49,37 +47,43 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
     const MirrorDistances<Real, n> distances(mirrors, other.xyz());
     const Vec3Of<Real> d = x - other.xyz();
     const Real r2 = dot(d, d) + Real(tiny_distance2);
-    PairTerms<Real, n> terms;
-    terms.itself = term(Real(1.0f), r2);
+    PairTerms<Real, n, false> terms;
+    terms.total = term(Real(1.0f), r2);
     terms.add_images(mirrors, distances, r2, term);
     sums.add(mirrors, distances, d, terms);
     const Vec3Of<Real> pull = terms.seen_by_other(mirrors, d);
     gradient2 += other.w * dot(pull, pull);
   });
   float own_weight = 0;
-  const ImageSums<float, n> own = own_images<n>(mirrors, [&](float share, float r2) {
+  const auto own = own_images<n, false>(mirrors, [&](float share, float r2) {
     const float inverse_r = inverse_sqrt(r2);
     own_weight += share * kernel.weight(r2);
     return share * kernel.slope(r2 * inverse_r) * inverse_r;
   });
+  float give = 0;
+  if constexpr (any_moving) {
+    give = give_of_bodies(contacts, mirrors, n,
+                          [&](int k) { return sums.through(mirrors, k) + own.through(mirrors, k); });
+  }
   const Vec3 own_gradient = own.vector(mirrors), gradient = sums.vector(mirrors) + own_gradient;
   const Vec3 with_motion = gradient + own_gradient;
-  const float give = give_of_bodies(
-      contacts, mirrors, n, [&](int k) { return sums.through(mirrors, k) + own.through(mirrors, k); });
   return {sum(weight) + own_weight + kernel.weight(0.0f) - 1,
           self.w * dot(with_motion, with_motion) + sum(gradient2) + give, gradient};
 }
 
-template <class D>
+template <class D, bool any_moving>
 MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<const Vec4> position,
                                                    const NeighbourView& neighbours,
                                                    const ContactView& contacts, uint32_t i) {
   const Mirrors mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
-  if (mirrors.count <= 1)
-    return constraint_with_mirrors<D, 1>(kernel, position, neighbours, contacts, mirrors, i);
-  return constraint_with_mirrors<D, Mirrors::most>(kernel, position, neighbours, contacts, mirrors, i);
+  if (mirrors.count <= 1) {
+    return constraint_with_mirrors<D, 1, any_moving>(kernel, position, neighbours, contacts, mirrors, i);
+  }
+  return constraint_with_mirrors<D, Mirrors::most, any_moving>(kernel, position, neighbours, contacts,
+                                                               mirrors, i);
 }
 
+template <bool any_moving>
 struct AdvanceAtWalls {
   Kernel kernel;
   NeighbourView neighbours;
@@ -90,12 +94,15 @@ struct AdvanceAtWalls {
   MENISCUS_HD void run(uint32_t contact) const {
     const uint32_t i = contacts.particle_starting_at(contact);
     if (i == pbd::no_index) return;
-    const Constraint c = density_constraint_at_walls<D>(kernel, advancing.position, neighbours, contacts, i);
+    const Constraint c =
+        density_constraint_at_walls<D, any_moving>(kernel, advancing.position, neighbours, contacts, i);
     if (D::leads()) advancing.advance(i, c);
   }
 };
 
-template <bool with_pair_pressure>
+/// With `any_moving`, all that the images push with is noted in the contacts; else what goes through the
+/// walls alone. What is along a fixed one comes to nothing, and takes registers.
+template <bool with_pair_pressure, bool any_moving>
 struct CorrectAtWalls {
   Kernel kernel;
   PairPressure pair;
@@ -117,7 +124,7 @@ struct CorrectAtWalls {
     using Real = typename D::Real;
     const Vec4 self = staged[i];
     const Vec3 x = self.xyz();
-    ImageSums<Real, n> pushes;
+    ImageSums<Real, n, any_moving> pushes;
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
       const MirrorDistances<Real, n> distances(mirrors, other.xyz());
@@ -126,30 +133,40 @@ struct CorrectAtWalls {
       const auto term = [&](const Real& share, const Real& image_r2) {
         return share * push_coefficient<with_pair_pressure>(kernel, pair, image_r2, multiplier);
       };
-      PairTerms<Real, n> terms;
-      terms.itself = term(Real(1.0f), r2);
+      PairTerms<Real, n, any_moving> terms;
+      terms.total = term(Real(1.0f), r2);
       terms.add_images(mirrors, distances, r2, term);
       pushes.add(mirrors, distances, d, terms);
     });
-    const ImageSums<float, n> own = own_images<n>(mirrors, [&](float share, float r2) {
+    const auto own = own_images<n, any_moving>(mirrors, [&](float share, float r2) {
       return share * push_coefficient<with_pair_pressure>(kernel, pair, r2, 2 * self.w);
     });
-    const Vec3 push = pushes.vector(mirrors) + own.vector(mirrors);
-    // All that the images push a particle with, the solids get back: each what its own mirror makes, and the
-    // first what little of images of images is left over.
-    Vec3 rest = pushes.vector_of_images(mirrors) + own.vector_of_images(mirrors);
+    const auto others = pushes.in_one(mirrors);
+    if (!D::leads()) return;
+    note_pushes(mirrors, others, own);
+    const float w = position[i].w;
+    const Vec3 step = w * (others.vector(mirrors) + own.vector(mirrors));
+    position[i] = pbd::with_w(x + step, w);
+    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+  }
+
+  /// The solids get back what their images push a particle with: each what its own mirror makes, and the
+  /// first what little of images of images is left over.
+  template <int n>
+  MENISCUS_HD void note_pushes(const Mirrors& mirrors, const ImageSums<float, n, any_moving>& others,
+                               const ImageSums<float, n, any_moving>& own) const {
+    Vec3 rest = others.vector(mirrors) - sum(others.along) + own.vector(mirrors) - sum(own.along);
     MENISCUS_UNROLL
     for (int k = n - 1; k >= 0; --k) {
       if (k >= mirrors.count) continue;
-      const Vec3 through = pushes.through_vector(mirrors, k) + own.through_vector(mirrors, k);
-      rest = rest - through;
-      if (D::leads()) contacts.contacts[mirrors.contact[k]].density_push += k == 0 ? through + rest : through;
+      Vec3 push = (others.through(mirrors, k) + own.through(mirrors, k)) * mirrors.normal[k];
+      if constexpr (any_moving) {
+        push += others.along_mirror(mirrors, k) + own.along_mirror(mirrors, k);
+        rest = rest - push;
+        if (k == 0) push += rest;
+      }
+      contacts.contacts[mirrors.contact[k]].density_push += push;
     }
-    if (!D::leads()) return;
-    const float w = position[i].w;
-    const Vec3 step = w * push;
-    position[i] = pbd::with_w(x + step, w);
-    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
   }
 };
 
@@ -164,7 +181,7 @@ struct Measure {
 
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
-    const Constraint c = density_constraint_at_walls<D>(kernel, position, neighbours, contacts, i);
+    const Constraint c = density_constraint_at_walls<D, false>(kernel, position, neighbours, contacts, i);
     if (!D::leads()) return;
     error[slot[i]] = c.value;
     // On a free surface |Σe| is about ½ over the spacing; in the inside it is the noise of disorder.

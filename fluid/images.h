@@ -66,11 +66,12 @@ struct MirrorDistances {
   }
 };
 
-/// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and images.
-template <class R, int n>
+/// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and images. With `apart` the
+/// images of different mirrors are told apart.
+template <class R, int n, bool apart>
 struct PairTerms {
-  R itself{0.0f};  ///< of j
-  R by_first[n];   ///< of its images, by the first mirror that makes each
+  R total{0.0f};   ///< of j; unless apart, and of its images
+  R by_first[n];   ///< if apart: of its images, by the first mirror that makes each
   R by_mirror[n];  ///< of those that mirror k makes, alone or with others
 
   MENISCUS_HD PairTerms() {
@@ -93,20 +94,19 @@ struct PairTerms {
         image_r2 += R(4 * m.distance[k]) * j.distance[k];
       }
       const R c = coefficient(share, image_r2);
+      if constexpr (!apart) total += c;
       MENISCUS_UNROLL
       for (int k = 0; k < n; ++k) {
         if (!(image >> k & 1)) continue;
         by_mirror[k] += c;
-        if ((image & ((1 << k) - 1)) == 0) by_first[k] += c;
+        if constexpr (apart) by_first[k] += (image & ((1 << k) - 1)) == 0 ? c : R(0.0f);
       }
     }
   }
 
   /// Σ c (x_i' − x_j): as j sees it, with the images of i.
   MENISCUS_HD pbd::Vec3Of<R> seen_by_other(const Mirrors& m, const pbd::Vec3Of<R>& d) const {
-    R total = itself;
-    MENISCUS_UNROLL
-    for (int k = 0; k < n; ++k) total += by_first[k];
+    static_assert(!apart);
     pbd::Vec3Of<R> v = total * d;
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
@@ -119,12 +119,15 @@ struct PairTerms {
 };
 
 /// Σ c (x_i − x_j) over neighbours and images.
-template <class R, int n>
+template <class R, int n, bool apart>
 struct ImageSums {
-  pbd::Vec3Of<R> to_others{R(0.0f), R(0.0f), R(0.0f)};  // Σ c (x_i − x_j) over neighbours
-  pbd::Vec3Of<R> to_images[n];  // the same with the c of images, by their first mirror
-  R lift[n];                    // Σ c d_j over the images that mirror k makes
-  R weight[n];                  // Σ c
+  using Terms = PairTerms<R, n, apart>;
+
+  pbd::Vec3Of<R> along{R(0.0f), R(0.0f),
+                       R(0.0f)};  // Σ c (x_i − x_j): of neighbours if apart, else of images too
+  pbd::Vec3Of<R> to_images[n];    // if apart: the same of images, by their first mirror
+  R lift[n];                      // Σ c d_j over the images that mirror k makes
+  R weight[n];                    // Σ c
 
   MENISCUS_HD ImageSums() {
     MENISCUS_UNROLL
@@ -135,38 +138,56 @@ struct ImageSums {
   }
 
   MENISCUS_HD void add(const Mirrors& m, const MirrorDistances<R, n>& j, const pbd::Vec3Of<R>& d,
-                       const PairTerms<R, n>& terms) {
-    to_others += terms.itself * d;
+                       const Terms& terms) {
+    along += terms.total * d;
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
       if (!is_used<n>(m, k)) break;
-      to_images[k] += terms.by_first[k] * d;
+      if constexpr (apart) to_images[k] += terms.by_first[k] * d;
       lift[k] += terms.by_mirror[k] * j.distance[k];
       weight[k] += terms.by_mirror[k];
     }
   }
 
-  MENISCUS_HD Vec3 vector(const Mirrors& m) const { return sum(to_others) + vector_of_images(m); }
-
-  MENISCUS_HD Vec3 vector_of_images(const Mirrors& m) const {
-    Vec3 v{0, 0, 0};
+  /// The lanes' sums in one.
+  MENISCUS_HD ImageSums<float, n, apart> in_one(const Mirrors& m) const {
+    ImageSums<float, n, apart> one;
+    const auto vector_sum = [](const pbd::Vec3Of<R>& v) {
+      const Vec3 total = sum(v);
+      return pbd::Vec3Of<float>{total.x, total.y, total.z};
+    };
+    one.along = vector_sum(along);
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
-      if (is_used<n>(m, k)) v += sum(to_images[k]) + (2 * sum(lift[k])) * m.normal[k];
+      if (!is_used<n>(m, k)) break;
+      if constexpr (apart) one.to_images[k] = vector_sum(to_images[k]);
+      one.lift[k] = sum(lift[k]);
+      one.weight[k] = sum(weight[k]);
     }
-    return v;
-  }
-
-  /// The part of the images' vector that mirror k makes: `through` along its normal, and what is along the
-  /// mirror.
-  MENISCUS_HD Vec3 through_vector(const Mirrors& m, int k) const {
-    const Vec3 n_k = m.normal[k], along = sum(to_images[k]);
-    return along + (through(m, k) - dot(along, n_k)) * n_k;
+    return one;
   }
 
   /// How much of the images' vector mirror k makes, along its normal.
   MENISCUS_HD float through(const Mirrors& m, int k) const {
     return m.distance[k] * sum(weight[k]) + sum(lift[k]);
+  }
+
+  /// If apart: what the images of mirror k push along it.
+  MENISCUS_HD Vec3 along_mirror(const Mirrors& m, int k) const {
+    const Vec3 to = sum(to_images[k]);
+    return to - dot(to, m.normal[k]) * m.normal[k];
+  }
+
+  /// Of neighbours and images.
+  MENISCUS_HD Vec3 vector(const Mirrors& m) const {
+    Vec3 v = sum(along);
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      v += (2 * sum(lift[k])) * m.normal[k];
+      if constexpr (apart) v += sum(to_images[k]);
+    }
+    return v;
   }
 };
 
@@ -238,17 +259,17 @@ MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t
 }
 
 /// The sums over the images of the particle itself.
-template <int n, class Coefficient>
-MENISCUS_HD ImageSums<float, n> own_images(const Mirrors& m, const Coefficient& coefficient) {
+template <int n, bool apart, class Coefficient>
+MENISCUS_HD ImageSums<float, n, apart> own_images(const Mirrors& m, const Coefficient& coefficient) {
   MirrorDistances<float, n> self;
   MENISCUS_UNROLL
   for (int k = 0; k < n; ++k) {
     self.distance[k] = m.distance[k];
     self.present[k] = 1;
   }
-  PairTerms<float, n> terms;
+  PairTerms<float, n, apart> terms;
   terms.add_images(m, self, float{tiny_distance2}, coefficient);
-  ImageSums<float, n> sums;
+  ImageSums<float, n, apart> sums;
   sums.add(m, self, {0, 0, 0}, terms);
   return sums;
 }

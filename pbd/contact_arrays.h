@@ -30,7 +30,9 @@ class ContactArrays {
   void grow() { resize(capacity() + capacity() / 2); }
 
   ContactView view() {
-    return {start_.view().first(counted_ + 1), contacts_.view(), particle_.view(), radius_};
+    bool any_moving = false;
+    for (const ContactSource<D>* source : sources_) any_moving |= source->any_moving();
+    return {start_.view().first(counted_ + 1), contacts_.view(), particle_.view(), radius_, any_moving};
   }
 
  private:

@@ -45,6 +45,7 @@ struct ContactView {
   View<Contact> contacts;         ///< as many as there is room for: the host does not know the total
   View<const uint32_t> particle;  ///< whose each contact is
   float radius = 0;               ///< m: a particle's centre stops at this distance
+  bool any_moving = false;  ///< whether solids may move; for the host: kernels for fixed ones are leaner
 
   /// How many there are.
   MENISCUS_HD uint32_t total() const { return start[start.count - 1]; }

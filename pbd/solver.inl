@@ -43,8 +43,11 @@ void Solver<D>::substep(float dt) {
   for (VelocityPass<D>* pass : passes_) pass->apply(s, particles_);
   for (Observer<D>* observer : observers_) observer->observe(s);
 
-  timer_.enter(StageId::exchange);
-  for (ConstraintSet<D>* set : sets_) set->exchange(s);
+  for (ConstraintSet<D>* set : sets_) {
+    if (!set->exchanges()) continue;
+    timer_.enter(StageId::exchange);
+    set->exchange(s);
+  }
 }
 
 template <class D>
@@ -53,8 +56,10 @@ StepResult Solver<D>::step(float dt) {
   for (;;) {
     const ParticleSummary after = run(substeps, dt / static_cast<float>(substeps));
     const bool done = had_room();
-    if (!done || after.non_finite) undo_step();
-    fresh_ = !done || after.non_finite;
+    if (!done || after.non_finite)
+      undo_step();
+    else
+      fresh_ = false;
     if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
     make_room();
   }

@@ -50,8 +50,9 @@ class ConstraintSet : public ParticleState {
   virtual void project(Substep<D>&, int iteration) = 0;
   /// Velocities are known.
   virtual void end(Substep<D>&) {}
-  /// The particles are done. What lives outside of the device takes its share, and is advanced by the
-  /// substep.
+  /// The particles are done. What lives outside of the device, if anything does, takes its share, and is
+  /// advanced by the substep.
+  virtual bool exchanges() const { return false; }
   virtual void exchange(Substep<D>&) {}
 
   // Around the substeps of a step, for what lives outside of the device: undo_step() takes it back to
@@ -96,6 +97,8 @@ class ContactSource {
  public:
   virtual ~ContactSource() = default;
   virtual void reserve(uint32_t /*particles*/) {}
+  /// Whether its solids may move.
+  virtual bool any_moving() const { return false; }
   /// Cuts short each motion that would pass through something fixed. Nothing passes through the plane of a
   /// half-space on its way to the contact search, which sees it from behind as well; `planes_too` is for
   /// after the solve.

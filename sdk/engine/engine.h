@@ -95,14 +95,17 @@ class Engine {
   virtual std::span<const collision::RigidImpulse> body_forces() const = 0;
   /// Of the last substep, in the order of the slots; those that did something.
   virtual std::vector<ContactReadout> read_contacts() = 0;
+  /// Takes those of a solid that is destroyed out of them.
+  virtual void forget_contacts(uint32_t solid, bool is_body) = 0;
   virtual void set_sinks(std::span<const SinkBox> sinks) = 0;
   virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
   virtual void read_probes(std::span<fluid::ProbeSum> means) = 0;
 
   /// Which points of the cubic lattice with this spacing lie inside the mesh.
   virtual std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) = 0;
-  /// Signed distance of each point to the nearest solid.
-  virtual std::vector<float> solid_distances(std::span<const Vec3> points, float reach) = 0;
+  /// Signed distance of each point to the nearest solid that this filter collides with.
+  virtual std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
+                                             const CollisionFilter& filter) = 0;
 
   virtual uint32_t particle_count() const = 0;
   virtual void append(const ParticleBatch& batch) = 0;

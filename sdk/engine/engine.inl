@@ -8,8 +8,8 @@
 
 #include "collision/body_set.h"
 #include "collision/contact_set.h"
-#include "collision/mesh_sampling.h"
 #include "collision/mesh_fields.h"
+#include "collision/mesh_sampling.h"
 #include "collision/shape_contacts.h"
 #include "fluid/surface_tension_pass.h"
 #include "fluid/viscosity_pass.h"
@@ -65,17 +65,22 @@ class DeviceEngine final : public Engine {
   void place_bodies() override { bodies_.place(); }
   std::span<const collision::RigidImpulse> body_forces() const override { return bodies_.mean_forces(); }
   std::vector<ContactReadout> read_contacts() override;
+  void forget_contacts(uint32_t solid, bool is_body) override;
   void set_sinks(std::span<const SinkBox> sinks) override { replace(sinks_, sinks); }
   void set_probes(std::span<const fluid::Probe> probes) override { probes_.set_probes(probes); }
   void read_probes(std::span<fluid::ProbeSum> means) override { probes_.read(means); }
 
   std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) override;
-  std::vector<float> solid_distances(std::span<const Vec3> points, float reach) override;
+  std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
+                                     const CollisionFilter& filter) override;
 
   void append(const ParticleBatch& batch) override;
   void keep(const std::vector<bool>& keep) override;
   EngineStep step(float dt) override;
-  void relax(float dt, int iterations) override { solver_.relax(dt, iterations); }
+  void relax(float dt, int iterations) override {
+    fetch_contacts();
+    solver_.relax(dt, iterations);
+  }
 
   void read_positions(std::span<Vec3> out) override { read_vector(particles_.position.current.view(), out); }
   void read_velocities(std::span<Vec3> out) override { read_vector(particles_.velocity.current.view(), out); }
@@ -90,6 +95,7 @@ class DeviceEngine final : public Engine {
   std::vector<bool> take_sinks();
   std::vector<uint32_t> remove_marked(uint32_t kept);
   void fetch_contacts();
+  void keep_contacts(std::span<const uint32_t> stays);
 
   template <class T>
   static void replace(pbd::Buffer<T>& buffer, std::span<const T> values) {

@@ -4,7 +4,7 @@
 // Read-outs, measurements and sinks.
 #pragma once
 
-#include "collision/candidates.h"
+#include "collision/shape_contacts.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"
 
@@ -41,12 +41,14 @@ struct ReadMultipliers {
 /// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. Who is
 /// beyond a wall with an opening has left, and the other walls of that container are nothing to it.
 MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, const collision::CandidateView& candidates,
-                                   uint32_t i, Vec3 p, float reach) {
+                                   const CollisionFilter& filter, uint32_t i, Vec3 p, float reach,
+                                   float radius) {
   bool outside = false;
   candidates.for_each(i, [&](uint32_t k) {
     const collision::Shape& shape = set.shapes[k];
-    if (outside || collision::sample_surface(set, shape, p, reach).distance >= 0) return;
-    outside = shape.kind != collision::ShapeKind::plane || !left_through_opening(set, shape, {p, p});
+    if (outside || !collide(shape, filter)) return;
+    if (collision::sample_surface(set, shape, p, reach).distance >= 0) return;
+    outside = shape.kind != collision::ShapeKind::plane || !left_through_opening(set, shape, {p, p}, radius);
   });
   return outside;
 }
@@ -56,11 +58,13 @@ struct SolidDistance {
   View<const Vec3> points;
   View<float> distance;
   float reach;
+  CollisionFilter filter;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     float nearest = reach;
     for (uint32_t k = 0; k < set.shapes.count; ++k) {
       const collision::Shape& shape = set.shapes[k];
+      if (!collide(shape, filter)) continue;
       if (shape.kind != collision::ShapeKind::plane && out_of_reach(shape, points[i], points[i], reach))
         continue;
       nearest = pbd::min(nearest, collision::sample_surface(set, shape, points[i], reach).distance);
@@ -79,8 +83,9 @@ struct SumState {
   View<const pbd::Vec4> position, velocity;
   collision::ShapeSet set;
   collision::CandidateView candidates;
+  collision::shape_contact_kernels::Filters filters;
   Vec3 gravity;
-  float reach;
+  float reach, radius;
 
   MENISCUS_HD StateSum operator()(uint32_t i) const {
     const pbd::Vec4 x = position[i];
@@ -89,7 +94,7 @@ struct SumState {
     const double mass = x.w > 0 ? 1.0 / x.w : 0;
     const float v2 = dot(v, v);
     return {0.5 * mass * v2, -mass * dot(gravity, x.xyz()), v2, 0,
-            is_outside(set, candidates, i, x.xyz(), reach)};
+            is_outside(set, candidates, filters.of(i), i, x.xyz(), reach, radius)};
   }
 };
 

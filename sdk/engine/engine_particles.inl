@@ -11,6 +11,7 @@ namespace meniscus {
 template <class D>
 void DeviceEngine<D>::reserve(uint32_t capacity) {
   if (capacity <= particles_.capacity()) return;
+  fetch_contacts();
   solver_.reserve(capacity);
   removal_.reserve(capacity);
   vector_out_.resize_discard(capacity);
@@ -45,11 +46,22 @@ void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
 
 template <class D>
 std::vector<uint32_t> DeviceEngine<D>::remove_marked(uint32_t kept) {
+  fetch_contacts();  // while they fit the particles
   std::vector<uint32_t> by_slot = removal_.apply(
       particles_, kept,
       [&](pbd::View<const uint32_t> order, uint32_t count) { density_.reorder(order, count); });
   solver_.particles_changed(kept, 0);
+  keep_contacts(by_slot);
   return by_slot;
+}
+
+/// Contacts of particles that stay go with them to their new slots.
+template <class D>
+void DeviceEngine<D>::keep_contacts(std::span<const uint32_t> stays) {
+  std::vector<uint32_t> place(stays.size());
+  std::exclusive_scan(stays.begin(), stays.end(), place.begin(), 0u);
+  std::erase_if(fetched_contacts_, [&](const ContactReadout& c) { return stays[c.slot] == 0; });
+  for (ContactReadout& c : fetched_contacts_) c.slot = place[c.slot];
 }
 
 template <class D>
@@ -60,7 +72,6 @@ std::vector<bool> DeviceEngine<D>::take_sinks() {
       engine_kernels::MarkSinks{particles_.position.current.view(), sinks_.view(), removal_.keep()});
   const uint32_t kept = removal_.count_kept(particles_);
   if (kept == particles_.count()) return {};
-  fetch_contacts();  // while they fit the particles
   const std::vector<uint32_t> by_slot = remove_marked(kept);
   std::vector<bool> removed(by_slot.size());
   std::transform(by_slot.begin(), by_slot.end(), removed.begin(), [](uint32_t stays) { return stays == 0; });

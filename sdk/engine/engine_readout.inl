@@ -33,6 +33,7 @@ void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
 template <class D>
 EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::span<float> full) {
   using namespace engine_kernels;
+  fetch_contacts();
   uint32_t contacts = 0;
   solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found& found) {
     contacts = found.contacts;
@@ -81,12 +82,24 @@ std::vector<ContactReadout> DeviceEngine<D>::read_contacts() {
 }
 
 template <class D>
+void DeviceEngine<D>::forget_contacts(uint32_t solid, bool is_body) {
+  fetch_contacts();
+  std::erase_if(fetched_contacts_,
+                [&](const ContactReadout& c) { return c.solid == solid && c.is_body == is_body; });
+}
+
+template <class D>
 Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
   using namespace engine_kernels;
   device_.reduce("measure/state", particles_.count(), StateSum{},
-                 SumState{particles_.position.current.view(), particles_.velocity.current.view(), shape_set_,
+                 SumState{particles_.position.current.view(),
+                          particles_.velocity.current.view(),
+                          shape_set_,
                           contacts_.find_near(particles_.position.current.view(), particles_.count(), 0),
-                          gravity, def_.solver.support_radius},
+                          {particles_.phase.current.view(), contacts_.filters()},
+                          gravity,
+                          def_.solver.support_radius,
+                          def_.solver.contact_radius},
                  AddStates{}, state_sum_.view());
   StateSum sum{};
   state_sum_.read(std::span(&sum, 1));

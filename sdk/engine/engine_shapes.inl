@@ -57,14 +57,15 @@ std::vector<Vec3> DeviceEngine<D>::fill_mesh(const collision::TriangleMesh& mesh
 }
 
 template <class D>
-std::vector<float> DeviceEngine<D>::solid_distances(std::span<const Vec3> points, float reach) {
+std::vector<float> DeviceEngine<D>::solid_distances(std::span<const Vec3> points, float reach,
+                                                    const CollisionFilter& filter) {
   const auto count = static_cast<uint32_t>(points.size());
   pbd::Buffer<Vec3> in(device_, "points");
   pbd::Buffer<float> out(device_, "distances");
   replace(in, points);
   out.resize_discard(count);
   device_.parallel_for("shapes/distance", count,
-                       engine_kernels::SolidDistance{shape_set_, in.view(), out.view(), reach});
+                       engine_kernels::SolidDistance{shape_set_, in.view(), out.view(), reach, filter});
   return out.read(count);
 }
 

@@ -111,10 +111,10 @@ std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float s
 }
 
 std::vector<Vec3> safe_points(std::span<const Vec3> points, std::span<const Vec3> taken, Engine& engine,
-                              float spacing) {
+                              float spacing, const CollisionFilter& filter) {
   // A lattice that just fits a container has its outer layer at half a spacing: leave that to rounding.
   const float clearance = 0.49f * spacing, apart = 0.7f * spacing;
-  const std::vector<float> distance = engine.solid_distances(points, spacing);
+  const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
   const PointCells cells(taken, spacing);
   std::vector<Vec3> safe;
   safe.reserve(points.size());

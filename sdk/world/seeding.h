@@ -14,9 +14,10 @@ namespace meniscus {
 /// Points of the cubic lattice with this spacing inside the region, under its pose.
 std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing);
 
-/// Those of `points` that lie further than half a spacing from every solid and further than 0.7 spacings from
+/// Those of `points` that lie further than half a spacing from every solid that the filter
+/// collides with, and further than 0.7 spacings from
 /// every point of `taken`.
 std::vector<Vec3> safe_points(std::span<const Vec3> points, std::span<const Vec3> taken, Engine& engine,
-                              float spacing);
+                              float spacing, const CollisionFilter& filter);
 
 }  // namespace meniscus

@@ -89,6 +89,7 @@ void World::destroy_shape(ShapeId id) {
   release_fields(impl_->shapes.get(id).solid, *impl_->engine);
   impl_->rigid.remove_fixed(id.index);
   impl_->shapes.erase(id);
+  impl_->forget_touches(false, id.index);
   impl_->solids_changed();
   impl_->probes_changed();
 }
@@ -146,7 +147,8 @@ size_t World::add_fluid(const FluidVolumeDef& def) {
     check::positive("MeshRegion::scale", region->scale);
   const float spacing = impl_->def.particle_spacing;
   const std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
-  const std::vector<Vec3> safe = safe_points(points, positions(), *impl_->engine, spacing);
+  const std::vector<Vec3> safe =
+      safe_points(points, positions(), *impl_->engine, spacing, impl_->fluids.get(def.fluid).filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
   impl_->add(def.fluid, safe, {}, def.velocity);
   return safe.size();

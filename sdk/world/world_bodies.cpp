@@ -35,7 +35,6 @@ BodyEntry make_entry(const BodyDef& def, const collision::MassProperties& mass, 
   BodyEntry entry;
   entry.motion = def.motion;
   entry.solid = std::move(solid);
-  entry.principal = {mass.centre, mass.axes};
   entry.mass = {static_cast<float>(mass.mass), static_cast<float>(volume), mass.centre, mass.inertia,
                 mass.axes};
   return entry;
@@ -75,8 +74,9 @@ BodyId World::create_body(const BodyDef& def) {
     double volume = 0;
     for (const collision::PlacedMass& part : solid.masses) volume += part.body.mass / double{def.density};
     const collision::MassProperties mass = mass_of(def, solid);
-    impl_->rigid.add_body(rigid_def(def, solid, mass));
+    const uint32_t number = impl_->rigid.add_body(rigid_def(def, solid, mass));
     entry = make_entry(def, mass, volume, std::move(solid));
+    entry.principal = impl_->rigid.mass(number).principal;
   } catch (...) {
     release_fields(solid, *impl_->engine);
     throw;
@@ -95,10 +95,7 @@ void World::destroy_body(BodyId id) {
   });
   for (uint32_t number : gone) impl_->joints.erase(impl_->joints.id(number));
   impl_->bodies.erase(id);
-  std::erase_if(impl_->touches, [&](const collision::RigidTouch& t) {
-    const auto is_it = [&](const collision::RigidRef& r) { return r.is_body && r.number == id.index; };
-    return is_it(t.a) || is_it(t.b);
-  });
+  impl_->forget_touches(true, id.index);
   impl_->solids_changed();
 }
 

@@ -38,7 +38,7 @@ struct ShapeEntry {
 struct BodyEntry {
   BodyMotion motion = BodyMotion::dynamic;
   SolidPieces solid;
-  Pose principal;  ///< the frame of the inertia in the geometry's frame
+  Pose principal;  ///< the frame that the rigid world moves, in the geometry's frame
   BodyMass mass;
 };
 
@@ -54,6 +54,7 @@ struct World::Impl {
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
   void note_events();
+  void forget_touches(bool is_body, uint32_t number);  // of what is destroyed
   void sinks_changed();
   void probes_changed();
   void read_probes();

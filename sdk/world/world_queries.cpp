@@ -61,6 +61,12 @@ void World::Impl::note_events() {
   touches = std::move(now);
 }
 
+void World::Impl::forget_touches(bool is_body, uint32_t number) {
+  const auto is_it = [&](const RigidRef& r) { return r.is_body == is_body && r.number == number; };
+  std::erase_if(touches, [&](const RigidTouch& t) { return is_it(t.a) || is_it(t.b); });
+  engine->forget_contacts(number, is_body);
+}
+
 const std::vector<ContactEvent>& World::contact_events() const {
   return impl_->events;
 }

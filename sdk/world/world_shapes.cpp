@@ -66,9 +66,9 @@ class SolidBuilder {
     const auto mesh = std::make_shared<const TriangleMesh>(falls ? collision::load_solid(g.file, g.scale)
                                                                  : collision::load_mesh(g.file, g.scale));
     const float cell_size = g.cell_size > 0 ? g.cell_size : 0.5f * context_.spacing;
+    weigh([&](double d) { return collision::mesh_mass(*mesh, d); });  // may refuse it: before a field is made
     add_field(*mesh, cell_size, g.max_error);
     add_part(mesh, falls ? RigidPart::Kind::hull : RigidPart::Kind::mesh);
-    weigh([&](double d) { return collision::mesh_mass(*mesh, d); });
   }
   void operator()(const HullGeometry& g) {
     const auto mesh = std::make_shared<const TriangleMesh>(collision::hull_mesh(g.points));

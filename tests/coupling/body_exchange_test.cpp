@@ -30,7 +30,7 @@ struct Meeting {
     flying.surface.friction = friction;
     flying.can_sleep = false;
     body = world.create_body(flying);
-    world.add_fluid(block(water, {0.3f, -0.4f, -0.4f}, {0.7f, 0.4f, 0.4f}));
+    world.add_fluid(block(water, {0.3f, -0.3f, -0.3f}, {0.6f, 0.3f, 0.3f}));
   }
 
   Momentum momentum() const { return fluid_momentum(world, water) + body_momentum(world, body); }
@@ -57,36 +57,40 @@ class BodyExchangeTest : public OnDevice {
     return drift / gross;
   }
 
-  /// kg·m²/s after 0.4 s, over the whole that was there.
+  /// kg·m²/s after 0.32 s, over the whole that was there.
   static double angular_drift(Meeting& scene) {
     const Momentum start = scene.momentum();
-    run(scene.world, 50, 0.008f);
+    run(scene.world, 40, 0.008f);
     return norm(scene.momentum().angular - start.angular) / norm(start.angular);
   }
 };
 
 TEST_P(BodyExchangeTest, LinearMomentumIsKept) {
+  float friction = 0;
   for (const Geometry& geometry : bodies) {
-    for (float friction : {0.0f, 0.5f}) {
-      Meeting scene(world_def(GetParam(), s), geometry, friction, 5);
-      const double drift = linear_drift(scene);
-      EXPECT_LT(drift, 1e-5) << "geometry " << geometry.index() << ", friction " << friction;
-      EXPECT_GT(norm(fluid_momentum(scene.world, scene.water).linear), 10);  // they have met
-    }
+    Meeting scene(world_def(GetParam(), s), geometry, friction, 5);
+    const double drift = linear_drift(scene);
+    RecordProperty("geometry_" + std::to_string(geometry.index()), std::to_string(1e6 * drift) + "e-6");
+    EXPECT_LT(drift, 1e-5) << "geometry " << geometry.index() << ", friction " << friction;
+    EXPECT_GT(norm(fluid_momentum(scene.world, scene.water).linear), 10);  // they have met
+    friction += 0.4f;
   }
 }
 
+// Positions, and with them levers, are known to the order of the substep: a quarter of it, a quarter of the
+// drift. XSPH is left out, as it is no central force.
 TEST_P(BodyExchangeTest, AngularMomentumDriftsByTheOrderOfTheSubstep) {
   double drift[2];
   for (int fine : {0, 1}) {
     WorldDef def = world_def(GetParam(), s);
-    def.substeps = fine ? 16 : 4;
+    def.substeps = fine ? 32 : 8;
     Meeting scene(def, BoxGeometry{{0.2f, 0.15f, 0.25f}}, 0.3f, 0);
     drift[fine] = angular_drift(scene);
   }
   RecordProperty("coarse", std::to_string(drift[0]));
   RecordProperty("fine", std::to_string(drift[1]));
-  EXPECT_LT(drift[1], 0.25 * drift[0]);
+  EXPECT_LT(drift[0], 0.01);
+  EXPECT_NEAR(drift[1] / drift[0], 0.25, 0.04);
 }
 
 // In a step of one substep the contacts that can be read are all that there were.
@@ -95,7 +99,7 @@ TEST_P(BodyExchangeTest, WhatTheParticlesGetTheBodyGives) {
     WorldDef def = world_def(GetParam(), s);
     def.substeps = 1;
     Meeting scene(def, geometry, 0.4f, 5);
-    double worst = 0, worst_torque = 0;
+    double worst = 0, worst_reported = 0;
     int touching = 0;
     for (int k = 0; k < 150; ++k) {
       const Momentum before = body_momentum(scene.world, scene.body);
@@ -117,11 +121,14 @@ TEST_P(BodyExchangeTest, WhatTheParticlesGetTheBodyGives) {
       const double rounding = 2e-7 * after.gross;
       worst = std::max(worst, (norm(left_over) - rounding) / gross);
       const Sum3 given = 0.002 * Sum3(state.fluid_force);
-      worst_torque = std::max(worst_torque, norm(given + impulse) / gross);
+      worst_reported = std::max(worst_reported, norm(given + impulse) / gross);
     }
+    RecordProperty("worst_" + std::to_string(geometry.index()), std::to_string(1e6 * worst) + "e-6");
+    RecordProperty("worst_reported_" + std::to_string(geometry.index()),
+                   std::to_string(1e6 * worst_reported) + "e-6");
     EXPECT_GT(touching, 20);
     EXPECT_LT(worst, 1e-6) << "geometry " << geometry.index();
-    EXPECT_LT(worst_torque, 1e-6) << "geometry " << geometry.index();
+    EXPECT_LT(worst_reported, 1e-6) << "geometry " << geometry.index();
   }
 }
 

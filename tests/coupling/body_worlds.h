@@ -19,9 +19,8 @@ inline BodyDef body(const Geometry& geometry, Vec3 position, float density) {
 }
 
 inline BodyDef kinematic(const Geometry& geometry, Vec3 position) {
-  BodyDef def = body(geometry, position, 0);
+  BodyDef def = body(geometry, position, 1000);
   def.motion = BodyMotion::kinematic;
-  def.density = 1000;  // of no consequence
   return def;
 }
 

@@ -70,7 +70,7 @@ class Example {
 Json with_fitting_names(Json document) {
   document["bodies"][0]["name"] = "body";
   document["bodies"][0]["motion"] = "kinematic";  // the one kind that may have every key
-  document["joints"][0]["a"] = "body_0";  // the first of the copies
+  document["joints"][0]["a"] = "body_0";          // the first of the copies
   document["joints"][0]["b"] = "";
   return document;
 }

@@ -27,20 +27,25 @@ struct DraftCase {
   float depth() const { return draft() + 6 * spacing; }
 };
 
-/// The mean over columns a spacing wide of where their highest particle's centre is, m. Columns nearer to the
-/// body than four spacings do not count.
-inline double highest_centres(const World& world, const DraftCase& draft, const BodyState* box) {
-  const double s = double{draft.spacing}, half = 0.5 * double{draft.tank_width()};
-  const double clear = 0.5 * double{draft.base()} + 4 * s;
+/// A square about the body's middle, in its own frame, over which the water's level is not looked at.
+struct LeftOut {
+  Pose pose{};
+  double half_width = 0;  ///< m
+};
+
+/// The mean of where the highest particle's centre is, m, over columns a spacing wide in a tank around the
+/// origin.
+inline double highest_centres(const World& world, float spacing, float tank_width, const LeftOut& left_out) {
+  const double s = double{spacing}, half = 0.5 * double{tank_width};
   const int across = static_cast<int>(std::lround(2 * half / s));
-  std::vector<double> top(static_cast<size_t>(across) * static_cast<size_t>(across), -1);
-  const auto column = [&](double at) { return std::clamp(static_cast<int>((at + half) / s), 0, across - 1); };
+  std::vector<double> top(static_cast<size_t>(across * across), -1);
+  const auto column = [&](float at) {
+    return std::clamp(static_cast<int>((double{at} + half) / s), 0, across - 1);
+  };
   for (Vec3 p : world.positions()) {
-    if (box) {
-      const Sum3 local = rotated_back(box->pose.rotation, Sum3(p) - box->pose.position);
-      if (std::max(std::fabs(local.x), std::fabs(local.z)) < clear) continue;
-    }
-    double& highest = top[static_cast<size_t>(column(double{p.x}) * across + column(double{p.z}))];
+    const Sum3 local = rotated_back(left_out.pose.rotation, Sum3(p) - left_out.pose.position);
+    if (std::max(std::fabs(local.x), std::fabs(local.z)) < left_out.half_width) continue;
+    double& highest = top[static_cast<size_t>(column(p.x) * across + column(p.z))];
     highest = std::max(highest, double{p.y});
   }
   double sum = 0;
@@ -53,14 +58,18 @@ inline double highest_centres(const World& world, const DraftCase& draft, const 
   return sum / columns;
 }
 
-inline World draft_world(pbd::DeviceKind device, const DraftCase& draft, float xsph, BodyId* box) {
+/// Without the columns nearer to the box than four spacings.
+inline double highest_centres(const World& world, const DraftCase& draft, const Pose& box) {
+  const double clear = 0.5 * double{draft.base()} + 4 * double{draft.spacing};
+  return highest_centres(world, draft.spacing, draft.tank_width(), {box, clear});
+}
+
+inline World draft_world(pbd::DeviceKind device, const DraftCase& draft, float xsph, BodyId& box) {
   World world(world_def(device, draft.spacing));
   const float half = 0.5f * draft.tank_width(), depth = draft.depth();
+  const float b = 0.5f * draft.base(), h = 0.5f * draft.box_height();
   world.create_shape(tank({-half, 0, -half}, {half, 3 * depth, half}));
-  if (box) {
-    const float b = 0.5f * draft.base(), h = 0.5f * draft.box_height();
-    *box = world.create_body(body(BoxGeometry{{b, h, b}}, {0, depth - draft.draft() + h, 0}, draft.density));
-  }
+  box = world.create_body(body(BoxGeometry{{b, h, b}}, {0, depth - draft.draft() + h, 0}, draft.density));
   FluidDef water;
   water.xsph = xsph;
   world.add_fluid(block(world.create_fluid(water), {-half, 0, -half}, {half, depth, half}));
@@ -69,16 +78,19 @@ inline World draft_world(pbd::DeviceKind device, const DraftCase& draft, float x
 
 /// What the surface lies above the highest centres, m: measured where the volume says how high it is. In a
 /// lattice it is half a spacing; in a fluid a column's highest particle lies lower than that.
-inline double surface_offset(pbd::DeviceKind device, const DraftCase& draft, float xsph, float seconds) {
-  World world = draft_world(device, draft, xsph, nullptr);
-  const double s = double{draft.spacing}, width = double{draft.tank_width()};
-  const double level = static_cast<double>(world.particle_count()) * s * s * s / (width * width);
+inline double surface_offset(pbd::DeviceKind device, float spacing, float xsph) {
+  World world(world_def(device, spacing));
+  const float half = 9 * spacing, depth = 12 * spacing;
+  world.create_shape(tank({-half, 0, -half}, {half, 3 * depth, half}));
+  FluidDef water;
+  water.xsph = xsph;
+  world.add_fluid(block(world.create_fluid(water), {-half, 0, -half}, {half, depth, half}));
   double sum = 0;
   int frames = 0;
-  while (world.time() < double{seconds}) {
+  while (world.time() < 6) {
     world.step(0.016f);
-    if (world.time() < double{seconds} - 1) continue;
-    sum += level - highest_centres(world, draft, nullptr);
+    if (world.time() < 4) continue;
+    sum += double{depth} - highest_centres(world, spacing, 2 * half, {});
     ++frames;
   }
   return sum / frames;
@@ -86,23 +98,25 @@ inline double surface_offset(pbd::DeviceKind device, const DraftCase& draft, flo
 
 /// Ten seconds with xsph at 50 1/s. In the last one the box's mean draft must be what Archimedes says, within
 /// 3 % of the box's height; at the end it is at rest (1 cm/s) and level (1°).
-inline void expect_draft(pbd::DeviceKind device, const DraftCase& draft, double offset) {
+inline void expect_draft(pbd::DeviceKind device, const DraftCase& draft) {
+  const double offset = surface_offset(device, draft.spacing, 50);
   BodyId box;
-  World world = draft_world(device, draft, 50, &box);
+  World world = draft_world(device, draft, 50, box);
   record_device(world);
   double sum = 0;
   int frames = 0;
   while (world.time() < 10) {
     world.step(0.016f);
     if (world.time() < 9) continue;
-    const BodyState state = world.body_state(box);
-    sum += highest_centres(world, draft, &state) + offset - double{state.pose.position.y};
+    const Pose pose = world.body_state(box).pose;
+    sum += highest_centres(world, draft, pose) + offset - double{pose.position.y};
     ++frames;
   }
   const BodyState state = world.body_state(box);
   const double height = double{draft.box_height()};
   const double error = (sum / frames + 0.5 * height - double{draft.draft()}) / height;
   const double upright = rotated(state.pose.rotation, {0, 1, 0}).y;
+  record("surface_offset_spacings", offset / double{draft.spacing});
   record("draft_error_percent", 100 * error);
   record("tilt_degrees", std::acos(std::min(1.0, upright)) * 180 / M_PI);
   record("speed", norm(state.velocity));

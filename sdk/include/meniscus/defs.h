@@ -105,7 +105,9 @@ struct Opening {
   std::optional<Aabb> region{};  ///< in the container's frame; the extent along the face's normal is ignored
 };
 
-/// A box seen from inside: its six faces hold the fluid in.
+/// A box seen from inside: its six faces hold fluid and bodies in. Outside of them is solid: for fluid
+/// without end, for bodies as far as the largest half extent. What stands beside it may be kept apart by a
+/// CollisionFilter.
 struct ContainerGeometry {
   Vec3 half_extents{0.5f, 0.5f, 0.5f};  ///< m, of the inside
   std::vector<Opening> openings{};
@@ -131,7 +133,8 @@ struct CylinderGeometry {
 /// closed by the winding number; a body's mesh must be closed.
 struct MeshGeometry {
   std::string file;
-  float scale = 1.0f;      ///< metres a file unit
+  float scale =
+      1.0f;  ///< metres a file unit; where the file says how long its unit is, as FBX does, a factor
   float cell_size = 0.0f;  ///< of the field, m; 0: half of the particle spacing
   float max_error = 0.0f;  ///< m; when > 0, the field is as fine as it takes to be off by no more
 };

@@ -33,6 +33,8 @@ struct Pose {
 struct CollisionFilter {
   uint32_t groups = 1;          ///< bits: what it is
   uint32_t mask = 0xffffffffu;  ///< bits: what it collides with
+
+  friend bool operator==(const CollisionFilter&, const CollisionFilter&) = default;
 };
 
 }  // namespace meniscus

@@ -94,7 +94,8 @@ class World {
 
   Diagnostics diagnostics() const;
   double probe(ProbeId id) const;  ///< unit by its kind; of the last step
-  /// Over positions and velocities of particles, in the order of the ids, and of bodies: equal for equal bits.
+  /// Over positions and velocities of particles, in the order of the ids, and of bodies: equal for equal
+  /// bits.
   uint64_t state_hash() const;
   std::size_t device_bytes() const;  ///< held on the device
 

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "tests/validation/rigid_neutral.h"
+
+namespace meniscus::tests {
+namespace {
+
+TEST(RigidNeutral, BodiesAsDenseAsWaterNeitherSinkNorRise) {
+  expect_all_neutral(pbd::DeviceKind::cpu, 0.4f, 0.05f, 2);
+}
+
+}  // namespace
+}  // namespace meniscus::tests
