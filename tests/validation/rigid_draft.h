@@ -117,7 +117,7 @@ inline void expect_draft(pbd::DeviceKind device, const DraftCase& draft) {
   const double error = (sum / frames + 0.5 * height - double{draft.draft()}) / height;
   const double upright = rotated(state.pose.rotation, {0, 1, 0}).y;
   record("surface_offset_spacings", offset / double{draft.spacing});
-  record("draft_error_percent", 100 * error);
+  record("draft_error_percent", 100 * std::fabs(error));
   record("tilt_degrees", std::acos(std::min(1.0, upright)) * 180 / M_PI);
   record("speed", norm(state.velocity));
   EXPECT_LT(std::fabs(error), 0.03);

@@ -123,6 +123,7 @@ void CudaDevice::set_fence() {
 }
 
 void CudaDevice::wait_for_fence() {
+  flush_mark();
   check_cuda(cudaEventSynchronize(fence_), "running the kernels launched before");
 }
 

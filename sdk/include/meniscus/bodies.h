@@ -104,12 +104,11 @@ struct BodyMass {
 /// A particle that touches a body or a fixed shape, in the last substep.
 struct ParticleContact {
   ParticleId particle = 0;
-  BodyId body{};         ///< valid where a body is touched
-  ShapeId shape{};       ///< valid where a fixed shape is
-  Vec3 point{0, 0, 0};   ///< m, on the surface
-  Vec3 normal{0, 0, 0};  ///< unit, out of the solid
-  Vec3 impulse{0, 0,
-               0};  ///< N·s, on the particle, in that substep; the solid gets the opposite at the same point
+  BodyId body{};          ///< valid where a body is touched
+  ShapeId shape{};        ///< valid where a fixed shape is
+  Vec3 point{0, 0, 0};    ///< m, on the surface
+  Vec3 normal{0, 0, 0};   ///< unit, out of the solid
+  Vec3 impulse{0, 0, 0};  ///< N·s, on the particle; the solid gets the opposite, where the particle is
 };
 
 /// Two solids that touch; the first is always a body.
@@ -120,7 +119,7 @@ struct SolidContact {
   Vec3 point{0, 0, 0};   ///< m, on b
   Vec3 normal{0, 0, 0};  ///< unit, from b to a
   float distance = 0;    ///< m, negative where they overlap
-  float impulse = 0;     ///< N·s along the normal, in the last substep
+  float impulse = 0;     ///< N·s along the normal, in Bullet's last step
 };
 
 /// Two solids that began or ended to touch in the last step; at least one is a body.

@@ -46,8 +46,9 @@ struct DensitySolverDef {
   ArtificialPressureDef artificial_pressure{};
 };
 
-/// How Bullet solves contacts and joints among solids. Stacks of mass ratios up to 1000 want steps of at most
-/// 1 ms and 50 iterations.
+/// How Bullet solves contacts and joints among solids. Stacks of mass ratios up to 1000 want Bullet's steps
+/// of at most 1 ms and 50 iterations. Afloat, where a light body bears a heavy one, the world's own substeps
+/// must be so short too: particles know a body by its own mass, and not by what rests on it.
 struct RigidSolverDef {
   int substeps = 1;     ///< Bullet's steps in a substep
   int iterations = 10;  ///< of each

@@ -64,7 +64,7 @@ class World {
   // once.
   BodyState body_state(BodyId id) const;
   BodyMass body_mass(BodyId id) const;
-  double hinge_angle(JointId id) const;  ///< rad, of a hinge, from the placement at creation
+  double hinge_angle(JointId id) const;  ///< rad, of b (or the world) about a, from the placement at creation
   void set_body_pose(BodyId id, const Pose& pose);
   void set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies
   void apply_force(BodyId id, Vec3 force, Vec3 point);                      ///< N, at a world point
