@@ -17,13 +17,11 @@ namespace meniscus::collision {
 ///
 ///   predict   stands a proxy for each body, predicted with the forces that Bullet will integrate;
 ///   begin     groups the contacts by body, and splits each body among its contacts;
-///   project   after the other sets, moves the proxies by what their contacts have gathered, and the
-///   contacts' planes
-///             along: a contact and the density constraint find the body where it has given way to;
+///   project   after the other sets, moves the proxies by what their contacts have gathered, and the planes
+///             of the contacts along: the other sets find the body where it has given way to;
 ///   end       sums the impulses;
 ///   exchange  hands them to Bullet, which advances; its poses are the truth. What a body that was stopped by
-///   another
-///             would leave on the wrong side is taken along.
+///             another would leave on the wrong side is taken along.
 ///
 /// Particles and bodies exchange equal and opposite impulses at one point, so that linear momentum is kept to
 /// rounding, and angular momentum to the order of the substep.
@@ -69,11 +67,12 @@ class BodySet final : public pbd::ConstraintSet<D> {
   uint32_t bodies_ = 0;
   bool any_moved_ = false;    // by particles
   std::vector<float> reach_;  // m, of each body's outermost point from its centre
-  std::vector<RigidImpulse> sums_, mean_forces_;
+  std::vector<RigidImpulse> sums_, mean_forces_, mean_forces_before_;
   float step_time_ = 0;  // s, of the substeps so far
   double step_ms_ = 0;
-  float ahead_ = -1;  // s: what motion_ has been predicted for; -1: nothing
-  bool saved_ = false;
+  float ahead_ = -1;                    // s: what motion_ has been predicted for; -1: nothing
+  double start_time_ = 0;               // s, of the world
+  bool saved_ = false, ended_ = false;  // in the present step
   RigidWorld::SnapshotPtr snapshot_;
 
   pbd::SharedBuffer<RigidMotion> motion_{device_, "body motions"};

@@ -168,13 +168,11 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
 
 template <class D>
 void BodySet<D>::check_finite() const {
-  for (uint32_t b = 0; b < bodies_; ++b) {
-    if (is_finite(arrived_.host()[b].start.position)) continue;
-    throw Error(ErrorCode::non_finite,
-                "the rigid body with the index " + std::to_string(b) +
-                    " became non-finite; the state is the one before the step. More of "
-                    "RigidSolverDef::substeps may help");
-  }
+  const uint32_t body = world_.first_non_finite();
+  if (body == pbd::no_index) return;
+  throw Error(ErrorCode::non_finite, "the rigid body with the index " + std::to_string(body) +
+                                         " became non-finite; the state is the one before the step. More of "
+                                         "RigidSolverDef::substeps may help");
 }
 
 /// The way of the outermost point of any body in the present substep, or more.
@@ -200,9 +198,11 @@ void BodySet<D>::rest() {
 
 template <class D>
 void BodySet<D>::end_step() {
-  if (bodies_ == 0) return world_.pass(step_time_);
+  if (bodies_ == 0) return world_.set_time(start_time_ + double{step_time_});
   world_.end_step();
   rest();
+  mean_forces_before_ = mean_forces_;
+  ended_ = true;
   for (uint32_t b = 0; b < bodies_; ++b)
     mean_forces_[b] = {sums_[b].linear / step_time_, sums_[b].angular / step_time_};
 }
@@ -212,13 +212,15 @@ void BodySet<D>::start_step() {
   std::fill(sums_.begin(), sums_.end(), RigidImpulse{});
   step_time_ = 0;
   step_ms_ = 0;
-  saved_ = false;
+  start_time_ = world_.time();
+  saved_ = ended_ = false;
 }
 
 template <class D>
 void BodySet<D>::undo_step() {
-  if (bodies_ == 0) return;
+  if (bodies_ == 0) return world_.set_time(start_time_);
   if (saved_) world_.restore(*snapshot_);
+  if (ended_) mean_forces_ = mean_forces_before_;
   place();
 }
 

@@ -179,9 +179,21 @@ void RigidWorld::step(float dt, std::span<const RigidImpulse> impulses) {
   world.time += dt;
 }
 
-void RigidWorld::pass(float dt) {
+uint32_t RigidWorld::first_non_finite() const {
+  for (uint32_t n = 0; n < body_slots(); ++n) {
+    if (!impl_->bodies.has(n)) continue;
+    const btRigidBody& body = *impl_->body(n).bullet;
+    const btTransform& at = body.getWorldTransform();
+    btVector3 all = at.getOrigin() + body.getLinearVelocity() + body.getAngularVelocity();
+    for (int row = 0; row < 3; ++row) all += at.getBasis().getRow(row);
+    if (!is_finite(from_bullet(all))) return n;
+  }
+  return pbd::no_index;
+}
+
+void RigidWorld::set_time(double time) {
   assert(body_count() == 0);
-  impl_->time += dt;
+  impl_->time = time;
 }
 
 void RigidWorld::end_step() {

@@ -133,8 +133,10 @@ class RigidWorld {
   void predict(float dt, std::span<RigidMotion> out) const;
   /// Gives each body its impulse, wakes those that one changes, and advances by dt.
   void step(float dt, std::span<const RigidImpulse> impulses);
-  /// Advances time alone, in place of step(), where there are no bodies.
-  void pass(float dt);
+  /// Sets the time, in place of step(), where there are no bodies.
+  void set_time(double time);
+  /// The first body whose pose or velocity is not finite; no_index where all are.
+  uint32_t first_non_finite() const;
   /// At the end of a series of steps: forgets forces that were applied.
   void end_step();
   double time() const;  ///< s

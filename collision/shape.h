@@ -71,12 +71,6 @@ MENISCUS_HD inline Motion motion_beside(const Shape& shape, const Motion& m) {
   return {to_world(shape.pose, to_local(shape.start, m.from)), m.to};
 }
 
-/// The nearest surface, and how the solid behind it differs from a half-space.
-struct ShapeSample {
-  SurfaceSample surface;
-  float fraction = 1;  ///< see pbd::Contact
-};
-
 namespace detail {
 
 MENISCUS_HD inline float nonzero_sign(float x) {
@@ -173,33 +167,34 @@ MENISCUS_HD inline SurfaceSample sample_surface(const ShapeSet& set, const Shape
   return s;
 }
 
-/// The same with the solid's share in the kernel of support radius h. Faces that meet at an edge fill the
-/// product of their shares: exact on the face and on the edge of a box.
-MENISCUS_HD inline ShapeSample sample_shape(const ShapeSet& set, const Shape& shape, Vec3 p, float h) {
+/// How the solid differs from a half-space behind the surface that is `distance` (m) from p: its share in the
+/// kernel of support radius h, over the half-space's. Faces that meet at an edge fill the product of their
+/// shares: exact on the face and on the edge of a box.
+MENISCUS_HD inline float solid_fraction(const ShapeSet& set, const Shape& shape, Vec3 p, float distance,
+                                        float h) {
   using namespace detail;
-  if (shape.kind == ShapeKind::plane) return {plane_surface(shape, p)};
   const Vec3 q = to_local(shape.pose, p);
-  ShapeSample s;
-  s.surface = local_surface(set, shape, q, h);
-  if (shape.kind == ShapeKind::box) {
-    const float density = slab_density(q.x, shape.size.x, h) * slab_density(q.y, shape.size.y, h) *
-                          slab_density(q.z, shape.size.z, h);
-    s.fraction = ratio_to_half_space(density, s.surface.distance, h);
-  } else if (shape.kind == ShapeKind::cylinder) {
-    const float rho = sqrtf(q.x * q.x + q.z * q.z);
-    const float density = pbd::half_space_density((rho - shape.size.x) / h, 0.5f * h / shape.size.x) *
-                          slab_density(q.y, shape.size.y, h);
-    s.fraction = ratio_to_half_space(density, s.surface.distance, h);
-  } else if (shape.kind == ShapeKind::sdf) {
-    s.fraction = ratio_to_half_space(sample_density(set.sdfs[shape.table], q).density, s.surface.distance, h);
-  } else if (shape.kind == ShapeKind::sphere) {
-    s.fraction = curved_fraction(s.surface.distance, 1 / shape.size.x, h);
-  } else if (shape.kind == ShapeKind::capsule) {
-    s.fraction =
-        curved_fraction(s.surface.distance, (fabsf(q.y) > shape.size.y ? 1.0f : 0.5f) / shape.size.x, h);
+  switch (shape.kind) {
+    case ShapeKind::plane:
+    case ShapeKind::height_field:
+      break;
+    case ShapeKind::box:
+      return ratio_to_half_space(slab_density(q.x, shape.size.x, h) * slab_density(q.y, shape.size.y, h) *
+                                     slab_density(q.z, shape.size.z, h),
+                                 distance, h);
+    case ShapeKind::cylinder: {
+      const float rho = sqrtf(q.x * q.x + q.z * q.z);
+      const float round = pbd::half_space_density((rho - shape.size.x) / h, 0.5f * h / shape.size.x);
+      return ratio_to_half_space(round * slab_density(q.y, shape.size.y, h), distance, h);
+    }
+    case ShapeKind::sdf:
+      return ratio_to_half_space(sample_density(set.sdfs[shape.table], q).density, distance, h);
+    case ShapeKind::sphere:
+      return curved_fraction(distance, 1 / shape.size.x, h);
+    case ShapeKind::capsule:
+      return curved_fraction(distance, (fabsf(q.y) > shape.size.y ? 1.0f : 0.5f) / shape.size.x, h);
   }
-  s.surface.normal = rotate(shape.pose.rotation, s.surface.normal);
-  return s;
+  return 1;
 }
 
 /// Whether the plane holds nothing at p: its projection lies in an opening.

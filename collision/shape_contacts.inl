@@ -114,19 +114,21 @@ struct Fill {
   }
 
   MENISCUS_HD pbd::Contact make_contact(uint32_t i, const Shape& shape, const FoundContact& f) const {
-    const Vec3 normal = f.sample.surface.normal;
+    const Vec3 normal = f.surface.normal;
     pbd::Contact c{};
-    c.point = f.point;
+    c.point = f.at - f.surface.distance * normal;
     c.solid = shape.owner;
     c.normal = normal;
-    c.fraction = f.sample.fraction;
+    c.fraction = 1;
+    if constexpr (!only_fixed_planes)
+      c.fraction = solid_fraction(find.set, shape, f.at, f.surface.distance, find.h);
     c.friction = shape.surface.friction;
     c.restitution = shape.surface.restitution;
     c.adhesion = shape.surface.adhesion * dt * dt;
     c.body = shape.body;
     c.approach_speed = dot(normal, velocity[i].xyz());
-    if (shape.body != pbd::no_index) {
-      c.surface_motion = f.point - to_world(shape.start, to_local(shape.pose, f.point));
+    if (!only_fixed_planes && shape.body != pbd::no_index) {
+      c.surface_motion = c.point - to_world(shape.start, to_local(shape.pose, c.point));
       if (dt > 0) c.approach_speed -= dot(normal, c.surface_motion) / dt;
     }
     return c;

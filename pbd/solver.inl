@@ -6,8 +6,9 @@
 // A substep follows Position Based Fluids (Macklin & Müller 2013, algorithm 1) with the small steps of
 // Macklin et al. 2019: positions are predicted, neighbours and contacts are found once, the constraint sets
 // correct the positions in turn for a number of iterations, and the velocity is what the positions did.
-// The host waits once, at the step's end. If neighbours or contacts were then too many for the room that they
-// had, there is made more, and the step is done again from the saved state.
+// The host waits at the step's end, and where there are rigid bodies once a substep. If neighbours or
+// contacts were too many for the room that they had, there is made more, and the step is done again from the
+// saved state.
 #pragma once
 
 #include <algorithm>

@@ -36,7 +36,7 @@ class ParticleState {
 };
 
 /// One kind of constraint, for all particles that it concerns. Sets project in the order of their
-/// registration, contacts last.
+/// registration; contacts come after the fluid, bodies last.
 template <class D>
 class ConstraintSet : public ParticleState {
  public:

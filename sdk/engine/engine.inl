@@ -19,7 +19,7 @@
 
 namespace meniscus {
 
-/// The simulation on device D: the solver with what a world of fluid and fixed solids registers with it.
+/// The simulation on device D: the solver with what a world of fluid and solids registers with it.
 template <class D>
 class DeviceEngine final : public Engine {
  public:

@@ -18,10 +18,8 @@ uint32_t free_place(std::vector<std::optional<T>>& table) {
 template <class D>
 uint32_t DeviceEngine<D>::add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
                                   float margin) {
-  const uint32_t number =
-      mesh_fields_.acquire(device_, mesh, cell_size, max_error, margin, def_.solver.support_radius);
-  replace<collision::SdfView>(sdfs_, mesh_fields_.views());
-  return number;
+  // The device hears of it with the shapes: until then its table, which kernels read, stays as it is.
+  return mesh_fields_.acquire(device_, mesh, cell_size, max_error, margin, def_.solver.support_radius);
 }
 
 template <class D>
@@ -33,12 +31,13 @@ uint32_t DeviceEngine<D>::add_height_field(uint32_t columns, uint32_t rows, floa
   height_views_.resize(height_samples_.size());
   height_views_[place] = {columns, rows, cell_size,
                           height_samples_[place].emplace(std::move(samples)).view()};
-  replace<collision::HeightFieldView>(height_fields_, height_views_);
   return place;
 }
 
 template <class D>
 void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
+  replace<collision::SdfView>(sdfs_, mesh_fields_.views());
+  replace<collision::HeightFieldView>(height_fields_, height_views_);
   replace<collision::Shape>(shapes_, solids.shapes);
   replace<collision::PlaneOpening>(openings_, solids.openings);
   shape_set_ = {shapes_.view(), solids.fixed, openings_.view(), sdfs_.view(), height_fields_.view()};

@@ -10,7 +10,7 @@
 #include "collision/mesh.h"
 #include "pbd/math/vec.h"
 #include "sdk/io/box_faces.h"
-#include "sdk/io/container_faces.h"
+#include "sdk/world/container_faces.h"
 
 namespace meniscus::io {
 namespace {

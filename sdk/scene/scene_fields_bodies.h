@@ -128,8 +128,8 @@ void fields(V& v, HingeJoint& d) {
 
 template <class V>
 void fields(V& v, SliderJoint& d) {
-  v("lower", d.lower, any_value, "m", "least displacement, from the placement at the start");
-  v("upper", d.upper, any_value, "m", "greatest displacement");
+  v("lower", d.lower, between(-1e6, 1e6), "m", "least displacement, from the placement at the start");
+  v("upper", d.upper, between(-1e6, 1e6), "m", "greatest displacement");
   v("motor_speed", d.motor_speed, any_value, "m/s", "at which the motor moves b along a");
   v("motor_force", d.motor_force, not_negative, "N", "the most that the motor gives; 0 is no motor");
   check_limits(v, d.lower, d.upper);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+#include <bitset>
 #include <cmath>
 
 #include "pbd/math/vec.h"
@@ -18,9 +19,15 @@ struct CheckGeometry {
   void operator()(const BoxGeometry& g) const { extents("BoxGeometry::half_extents", g.half_extents); }
   void operator()(const ContainerGeometry& g) const {
     extents("ContainerGeometry::half_extents", g.half_extents);
+    std::bitset<6> missing;
     for (const Opening& o : g.openings) {
-      if (o.region) box("Opening::region", *o.region);
+      between("Opening::face", static_cast<int>(o.face), 0, 5);
+      if (o.region)
+        box("Opening::region", *o.region);
+      else
+        missing.set(static_cast<size_t>(o.face));
     }
+    if (missing.all()) refuse("ContainerGeometry::openings", "all six faces", "such that a face is left");
   }
   void operator()(const SphereGeometry& g) const { positive("SphereGeometry::radius", g.radius); }
   void operator()(const CapsuleGeometry& g) const {
@@ -102,13 +109,14 @@ void keyframes(const BodyDef& def) {
   }
 }
 
+/// Infinite stiffness holds an axis.
 void stiffness(const char* name, Vec3 v) {
   if (!(v.x >= 0 && v.y >= 0 && v.z >= 0)) refuse(name, text_of(v), "≥ 0 on each axis");
 }
 
 void damping(const char* name, Vec3 v) {
   finite(name, v);
-  if (!(v.x >= 0 && v.y >= 0 && v.z >= 0)) refuse(name, text_of(v), "≥ 0 on each axis");
+  stiffness(name, v);
 }
 
 void limits(const char* name, const std::optional<float>& lower, const std::optional<float>& upper,

@@ -82,7 +82,12 @@ BodyId World::create_body(const BodyDef& def) {
     throw;
   }
   const BodyId id = impl_->bodies.insert(std::move(entry));
-  impl_->solids_changed();
+  try {
+    impl_->solids_changed();
+  } catch (...) {
+    destroy_body(id);
+    throw;
+  }
   return id;
 }
 

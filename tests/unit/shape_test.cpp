@@ -167,7 +167,7 @@ TEST(Shape, APlaneIsAHalfSpace) {
   const SurfaceSample s = sample_surface({}, plane, {3, 0, 0}, 1);
   EXPECT_NEAR(s.distance, 0.5f, 1e-6f);
   EXPECT_EQ(s.normal, plane.size);
-  EXPECT_EQ(sample_shape({}, plane, {3, 0, 0}, 1).fraction, 1);
+  EXPECT_EQ(solid_fraction({}, plane, {3, 0, 0}, s.distance, 1), 1);
 }
 
 /// ∫ W_poly6 over the solid, around the point q of its frame.
@@ -195,12 +195,12 @@ TEST(Shape, TheFractionFillsTheKernelAsTheSolidDoes) {
     int seen = 0;
     while (seen < 60) {
       const Vec3 q = noise.in_cube(0.7f);
-      const ShapeSample s = sample_shape({}, shape, to_world(shape.pose, q), h);
-      if (s.surface.distance < 0 || s.surface.distance > 0.6f * h) continue;
+      const Vec3 p = to_world(shape.pose, q);
+      const float distance = sample_surface({}, shape, p, h).distance;
+      if (distance < 0 || distance > 0.6f * h) continue;
       ++seen;
-      const float found = s.fraction * pbd::half_space_density(s.surface.distance / h);
-      EXPECT_NEAR(found, kernel_inside(known, q, h), 0.035)
-          << known.name << " at " << s.surface.distance / h << " h";
+      const float found = solid_fraction({}, shape, p, distance, h) * pbd::half_space_density(distance / h);
+      EXPECT_NEAR(found, kernel_inside(known, q, h), 0.035) << known.name << " at " << distance / h << " h";
     }
   }
 }
@@ -210,9 +210,9 @@ TEST(Shape, AThinBoxFillsLittle) {
   sheet.kind = ShapeKind::box;
   sheet.size = {1, 0.005f, 1};
   const float h = 0.1f;
-  const ShapeSample s = sample_shape({}, sheet, {0, 0.025f, 0}, h);
+  const float fraction = solid_fraction({}, sheet, {0, 0.025f, 0}, 0.02f, h);
   const float expected = pbd::half_space_density(0.2f) - pbd::half_space_density(0.3f);
-  EXPECT_NEAR(s.fraction * pbd::half_space_density(0.2f), expected, 1e-3f);
+  EXPECT_NEAR(fraction * pbd::half_space_density(0.2f), expected, 1e-3f);
 }
 
 }  // namespace

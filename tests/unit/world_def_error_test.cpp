@@ -99,6 +99,10 @@ TEST_P(DefErrorTest, Shapes) {
   expect_bad_shape("half_extents", BoxGeometry{{1, 0, 1}});
   expect_bad_shape("half_extents", ContainerGeometry{{1, -1, 1}, {}});
   expect_bad_shape("region", ContainerGeometry{{1, 1, 1}, {{Face::x_low, Aabb{{0, 1, 0}, {0, 0, 0}}}}});
+  std::vector<Opening> nothing_left;
+  for (int face = 0; face < 6; ++face) nothing_left.push_back({static_cast<Face>(face), {}});
+  expect_bad_shape("openings", ContainerGeometry{{1, 1, 1}, nothing_left});
+  expect_bad_shape("face", ContainerGeometry{{1, 1, 1}, {{static_cast<Face>(6), {}}}});
   expect_bad_shape("radius", SphereGeometry{0});
   expect_bad_shape("radius", CapsuleGeometry{-1, 1});
   expect_bad_shape("half_height", CapsuleGeometry{1, -1});

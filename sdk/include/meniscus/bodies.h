@@ -16,18 +16,19 @@ enum class BodyMotion {
 /// Where a kinematic body is at a time. Between two keyframes its position moves on a line and its rotation
 /// about one axis, both at an even rate.
 struct Keyframe {
-  float time = 0;  ///< s
+  float time = 0;  ///< s, of World::time; ≥ 0, and later than that of the keyframe before
   Pose pose{};
 };
 
+/// Mass and density are > 0, and the mass of a dynamic body is from 1e-20 to 1e20 kg.
 struct BodyDef {
   std::string name;
   BodyMotion motion = BodyMotion::dynamic;
   Geometry geometry =
       BoxGeometry{};  ///< planes and height fields cannot move; a container is for kinematic bodies alone
   Pose pose{};        ///< of the geometry's frame
-  Vec3 velocity{0, 0, 0};          ///< m/s, of the centre of mass
-  Vec3 angular_velocity{0, 0, 0};  ///< rad/s
+  Vec3 velocity{0, 0, 0};          ///< m/s, of the centre of mass; dynamic bodies
+  Vec3 angular_velocity{0, 0, 0};  ///< rad/s; dynamic bodies
   float density = 500.0f;          ///< kg/m³: mass, centre of mass and inertia follow from the geometry
   std::optional<float> mass{};     ///< kg; takes the place of what the density gives
   SurfaceDef surface{};
@@ -35,8 +36,8 @@ struct BodyDef {
   float linear_damping = 0;           ///< share of the velocity lost in a second, 0 to 1
   float angular_damping = 0;          ///< the same of the angular velocity
   bool can_sleep = true;              ///< at rest it is left out of the simulation until something pushes it
-  std::vector<Keyframe> keyframes{};  ///< kinematic bodies alone; in the order of their times
-  bool loop = false;                  ///< after the last keyframe starts again at the first; else it stays
+  std::vector<Keyframe> keyframes{};  ///< kinematic bodies alone; in place of the pose
+  bool loop = false;  ///< after the last keyframe starts again at the first; else it stays there
 };
 
 // ---- joints ----
@@ -53,7 +54,7 @@ struct HingeJoint {
 
 /// Slides along the frame's y axis.
 struct SliderJoint {
-  std::optional<float> lower{}, upper{};  ///< m, from the placement at creation; both or neither
+  std::optional<float> lower{}, upper{};  ///< m, from the placement at creation; −10⁶ to 10⁶; both or neither
   float motor_speed = 0;                  ///< m/s, of b along a
   float motor_force = 0;                  ///< N, the most that the motor gives; 0: no motor
 };
@@ -61,8 +62,8 @@ struct SliderJoint {
 /// Turns freely about the frame's origin.
 struct BallJoint {};
 
-/// Springs towards the placement at creation, one an axis of the frame. An axis with no stiffness is free;
-/// one with infinite stiffness is held.
+/// Springs towards the placement at creation, one an axis of the frame. Stiffness is ≥ 0: an axis with none
+/// is free, and one with infinite stiffness is held. Damping is finite and ≥ 0; a free axis has none.
 struct SpringJoint {
   Vec3 stiffness{0, 0, 0};          ///< N/m
   Vec3 damping{0, 0, 0};            ///< N·s/m
@@ -75,7 +76,7 @@ using JointKind = std::variant<FixedJoint, HingeJoint, SliderJoint, BallJoint, S
 struct JointDef {
   std::string name;
   BodyId a;
-  std::optional<BodyId> b{};  ///< left out: the world
+  std::optional<BodyId> b{};  ///< another body; left out: the world
   Pose frame{};               ///< of the joint, in the world, at creation
   JointKind kind = BallJoint{};
   bool bodies_collide = false;  ///< whether a and b still collide with one another
@@ -93,8 +94,9 @@ struct BodyState {
   bool awake = true;
 };
 
+/// Kinematic bodies have none, and read as the defaults.
 struct BodyMass {
-  float mass = 0;                   ///< kg; 0 for kinematic bodies
+  float mass = 0;                   ///< kg
   float volume = 0;                 ///< m³
   Vec3 centre{0, 0, 0};             ///< m, of mass, in the geometry's frame
   Vec3 inertia{0, 0, 0};            ///< kg·m², about the principal axes
@@ -111,7 +113,7 @@ struct ParticleContact {
   Vec3 impulse{0, 0, 0};  ///< N·s, on the particle; the solid gets the opposite, where the particle is
 };
 
-/// Two solids that touch; the first is always a body.
+/// Two solids that touch, or are about to; the first is always a body.
 struct SolidContact {
   BodyId a{};
   BodyId b{};            ///< valid where the second is a body

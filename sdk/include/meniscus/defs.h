@@ -50,8 +50,8 @@ struct DensitySolverDef {
 /// of at most 1 ms and 50 iterations. Afloat, where a light body bears a heavy one, the world's own substeps
 /// must be so short too: particles know a body by its own mass, and not by what rests on it.
 struct RigidSolverDef {
-  int substeps = 1;     ///< Bullet's steps in a substep
-  int iterations = 10;  ///< of each
+  int substeps = 1;     ///< Bullet's steps in a substep, 1 to 1000
+  int iterations = 10;  ///< of each, 1 to 10,000
 };
 
 struct WorldDef {
@@ -130,8 +130,9 @@ struct CylinderGeometry {
   float half_height = 0.5f;  ///< m
 };
 
-/// A closed surface from any file that assimp reads, as a signed distance field. Holes of a fixed shape are
-/// closed by the winding number; a body's mesh must be closed.
+/// A closed surface from any file that assimp reads, as a signed distance field. Holes are closed by the
+/// winding number; the mesh of a dynamic body must have none. For other solids, rays and overlaps a dynamic
+/// body's mesh is its convex hull.
 struct MeshGeometry {
   std::string file;
   float scale =
@@ -140,20 +141,20 @@ struct MeshGeometry {
   float max_error = 0.0f;  ///< m; when > 0, the field is as fine as it takes to be off by no more
 };
 
-/// The convex hull of points.
+/// The convex hull of points. For solids, rays and overlaps, of 200 of them at most, those furthest out.
 struct HullGeometry {
   std::vector<Vec3> points;  ///< m, at least 4, not in a plane
 };
 
-/// Several solids as one.
+/// Several solids as one. Where parts overlap, the mass of both counts.
 struct CompoundGeometry {
   std::vector<struct CompoundPart> parts;
 };
 
 /// Heights over a regular grid in x and z, centred at the origin; solid below.
 struct HeightFieldGeometry {
-  int columns = 0;               ///< samples along x, at least 2
-  int rows = 0;                  ///< samples along z, at least 2
+  int columns = 0;               ///< samples along x, 2 to 32,768
+  int rows = 0;                  ///< samples along z, 2 to 32,768
   float cell_size = 0.1f;        ///< m
   std::vector<float> heights{};  ///< m, columns · rows of them, x fastest
 };
@@ -170,10 +171,10 @@ struct CompoundPart {
 /// How a solid's surface treats particles, and other solids. Of two solids that touch, the geometric mean
 /// counts.
 struct SurfaceDef {
-  float friction = 0.0f;           ///< Coulomb's μ for particles
+  float friction = 0.0f;           ///< Coulomb's μ for particles, ≥ 0
   float restitution = 0.0f;        ///< for particles, 0 to 1
-  float adhesion = 0.0f;           ///< Pa: the pull on a wet layer of particles, per area
-  float solid_friction = 0.5f;     ///< Coulomb's μ for solids
+  float adhesion = 0.0f;           ///< Pa, ≥ 0: the pull on a wet layer of particles, per area
+  float solid_friction = 0.5f;     ///< Coulomb's μ for solids, ≥ 0
   float solid_restitution = 0.0f;  ///< for solids, 0 to 1
 };
 
@@ -203,8 +204,9 @@ struct MeshRegion {
 
 using Region = std::variant<BoxRegion, BallRegion, MeshRegion>;
 
-/// A region filled with particles on a cubic lattice. Points nearer to a solid than half a spacing, and
-/// points nearer to a particle that is already there than 0.7 spacings, are left out.
+/// A region filled with particles on a cubic lattice. Points nearer than half a spacing to a solid that the
+/// fluid collides with, and points nearer to a particle that is already there than 0.7 spacings, are left
+/// out.
 struct FluidVolumeDef {
   FluidId fluid;
   Region region = BoxRegion{};

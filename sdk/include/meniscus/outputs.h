@@ -22,7 +22,7 @@ struct StepReport {
   int iterations = 0;                          ///< a substep
   double ms = 0;                               ///< wall clock, host and device
   std::array<double, stage_count> stage_ms{};  ///< on the device, summed over the substeps
-  double rigid_ms = 0;                         ///< of that, on the host, in Bullet
+  double rigid_ms = 0;                         ///< of ms, what Bullet took on the host
   uint32_t contacts = 0;                       ///< in the last substep
   uint32_t max_neighbours = 0;                 ///< the fullest neighbour list that a particle ever needed
   uint32_t removed = 0;                        ///< particles that a sink took

@@ -39,7 +39,8 @@ class World {
   void destroy_sink(SinkId id);
   ProbeId create_probe(const ProbeDef& def);
   void destroy_probe(ProbeId id);
-  /// Throws Error(mesh) where a mesh is not a closed, simple surface, and names the face.
+  /// Throws Error(mesh) where the mesh of a dynamic body is not a closed, simple surface, and names the face;
+  /// and where a body is a needle, with a moment of inertia below a millionth of the largest.
   BodyId create_body(const BodyDef& def);
   void destroy_body(BodyId id);  ///< and its joints
   JointId create_joint(const JointDef& def);
@@ -60,25 +61,28 @@ class World {
   StepReport step(float dt);
   double time() const;  ///< s
 
-  // Bodies. What is set or applied counts from the next step on; forces act for that step alone, impulses at
-  // once.
+  // Bodies. What is set or applied counts from the next step on; forces act for that step alone, or, where it
+  // fails, for the next one; impulses at once. Points are in the world. A call on a body of the wrong motion
+  // is Error(invalid_argument).
   BodyState body_state(BodyId id) const;
   BodyMass body_mass(BodyId id) const;
   double hinge_angle(JointId id) const;  ///< rad, of b (or the world) about a, from the placement at creation
+  /// A dynamic body keeps its velocity; a kinematic one stands still from now on.
   void set_body_pose(BodyId id, const Pose& pose);
   void set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies
-  void apply_force(BodyId id, Vec3 force, Vec3 point);                      ///< N, at a world point
-  void apply_torque(BodyId id, Vec3 torque);                                ///< N·m
-  void apply_impulse(BodyId id, Vec3 impulse, Vec3 point);                  ///< N·s, at a world point
+  void apply_force(BodyId id, Vec3 force, Vec3 point);      ///< N; dynamic bodies, as the next two
+  void apply_torque(BodyId id, Vec3 torque);                ///< N·m
+  void apply_impulse(BodyId id, Vec3 impulse, Vec3 point);  ///< N·s
   /// Takes a kinematic body to a pose in `duration` seconds, at an even rate; instead of its keyframes from
   /// now on.
   void move_body(BodyId id, const Pose& target, float duration);
 
   // Contacts and queries, as of the last step.
-  std::vector<ParticleContact> particle_contacts() const;  ///< with an impulse
-  std::vector<SolidContact> solid_contacts() const;        ///< of which one is a body
+  std::vector<ParticleContact> particle_contacts() const;  ///< with an impulse; none after a step that failed
+  std::vector<SolidContact> solid_contacts() const;        ///< one of each is a body
   const std::vector<ContactEvent>& contact_events() const;
-  /// The first solid or particle on the way from `from` to `to`; a particle is a ball of half a spacing.
+  /// The first solid or particle on the way from `from` to `to`; a particle is a ball of half a spacing. A
+  /// ray that starts in a convex solid meets it there; a particle that it starts in does not count.
   std::optional<RayHit> cast_ray(Vec3 from, Vec3 to) const;
   Overlaps overlap_ball(Vec3 centre, float radius) const;
   Overlaps overlap_box(const Pose& pose, Vec3 half_extents) const;

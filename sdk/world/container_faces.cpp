@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "sdk/io/container_faces.h"
+#include "sdk/world/container_faces.h"
 
 #include <algorithm>
 
 #include "pbd/math/vec.h"
 
-namespace meniscus::io {
+namespace meniscus {
+
 namespace {
 
 float Vec3::*const axes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
@@ -24,14 +25,15 @@ std::vector<float> cuts(const std::vector<Aabb>& holes, float half, float Vec3::
   return at;
 }
 
-void add_pieces(std::vector<FacePiece>& pieces, Face face, Vec3 half, const std::vector<Aabb>& holes) {
+void add_pieces(std::vector<FacePiece>& pieces, Face face, Vec3 half, float beyond,
+                const std::vector<Aabb>& holes) {
   const int number = static_cast<int>(face);
   float Vec3::*const normal = axes[number / 2];
   float Vec3::*const u = axes[(number / 2 + 1) % 3];
   float Vec3::*const v = axes[(number / 2 + 2) % 3];
-  const std::vector<float> us = cuts(holes, half.*u, u), vs = cuts(holes, half.*v, v);
-  for (std::size_t i = 0; i + 1 < us.size(); ++i) {
-    for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
+  const std::vector<float> us = cuts(holes, half.*u + beyond, u), vs = cuts(holes, half.*v + beyond, v);
+  for (size_t i = 0; i + 1 < us.size(); ++i) {
+    for (size_t j = 0; j + 1 < vs.size(); ++j) {
       const float middle_u = 0.5f * (us[i] + us[i + 1]), middle_v = 0.5f * (vs[j] + vs[j + 1]);
       const bool open = std::any_of(holes.begin(), holes.end(), [&](const Aabb& hole) {
         return middle_u > hole.lower.*u && middle_u < hole.upper.*u && middle_v > hole.lower.*v &&
@@ -49,7 +51,7 @@ void add_pieces(std::vector<FacePiece>& pieces, Face face, Vec3 half, const std:
 
 }  // namespace
 
-std::vector<FacePiece> container_faces(const ContainerGeometry& container) {
+std::vector<FacePiece> container_faces(const ContainerGeometry& container, float beyond) {
   std::vector<FacePiece> pieces;
   for (int number = 0; number < 6; ++number) {
     const Face face = static_cast<Face>(number);
@@ -62,9 +64,9 @@ std::vector<FacePiece> container_faces(const ContainerGeometry& container) {
       else
         missing = true;
     }
-    if (!missing) add_pieces(pieces, face, container.half_extents, holes);
+    if (!missing) add_pieces(pieces, face, container.half_extents, beyond, holes);
   }
   return pieces;
 }
 
-}  // namespace meniscus::io
+}  // namespace meniscus

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace meniscus::io {
+namespace meniscus {
 
 /// What is there of a container's faces: rectangles around the openings, as boxes without depth, in the
 /// container's frame.
@@ -15,6 +15,7 @@ struct FacePiece {
   Vec3 lower, upper;  ///< m; equal along the face's normal
 };
 
-std::vector<FacePiece> container_faces(const ContainerGeometry& container);
+/// Each face goes on for `beyond` (m) past its borders; openings may go there with it.
+std::vector<FacePiece> container_faces(const ContainerGeometry& container, float beyond = 0);
 
-}  // namespace meniscus::io
+}  // namespace meniscus

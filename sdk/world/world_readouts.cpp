@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What World says of its particles.
+#include <meniscus/world.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+size_t World::particle_count() const {
+  return impl_->ids.size();
+}
+
+std::span<const ParticleId> World::ids() const {
+  return impl_->ids;
+}
+
+std::span<const Vec3> World::positions() const {
+  return impl_->positions.get(particle_count(), [&](auto out) { impl_->engine->read_positions(out); });
+}
+
+std::span<const Vec3> World::velocities() const {
+  return impl_->velocities.get(particle_count(), [&](auto out) { impl_->engine->read_velocities(out); });
+}
+
+std::span<const uint32_t> World::fluids() const {
+  return impl_->fluid_indices.get(particle_count(), [&](auto out) { impl_->engine->read_fluids(out); });
+}
+
+std::span<const float> World::density_errors() const {
+  return impl_->density_errors.get(particle_count(), [&](auto error) {
+    impl_->full_support.valid = false;
+    impl_->full_support.get(particle_count(), [&](auto full) {
+      impl_->measured = impl_->engine->read_density_errors(error, full);
+    });
+  });
+}
+
+std::span<const float> World::pressures() const {
+  return impl_->pressures.get(particle_count(),
+                              [&](auto out) { impl_->engine->read_pressures(out, impl_->last_substep); });
+}
+
+Diagnostics World::diagnostics() const {
+  Diagnostics d = impl_->engine->measure(impl_->def.gravity);
+  const std::span<const float> error = density_errors();
+  const std::vector<float>& full = impl_->full_support.values;
+  double over = 0, interior = 0, interior_count = 0;
+  for (size_t i = 0; i < error.size(); ++i) {
+    over += std::max(error[i], 0.0f);
+    d.density_error_max = std::max<double>(d.density_error_max, error[i]);
+    interior += full[i] > 0 ? std::fabs(error[i]) : 0;
+    interior_count += full[i];
+  }
+  if (!error.empty()) d.density_error_mean = over / static_cast<double>(error.size());
+  d.neighbours_mean = impl_->measured.neighbours_mean;
+  d.contacts = impl_->measured.contacts;
+  if (interior_count > 0) d.density_error_interior = interior / interior_count;
+  return d;
+}
+
+double World::probe(ProbeId id) const {
+  const ProbeDef& def = impl_->probes.get(id);
+  const fluid::ProbeSum& value = impl_->probe_values[id.index];
+  if (def.kind == ProbeKind::point_pressure) return value.pressure;
+  const double force = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
+  return def.kind == ProbeKind::wall_pressure ? force / def.area : force;
+}
+
+uint64_t World::state_hash() const {
+  // FNV-1a over the bytes of positions, then velocities, then of the bodies' poses and velocities.
+  uint64_t hash = 14695981039346656037ull;
+  const auto add = [&](std::span<const Vec3> values) {
+    for (std::byte b : std::as_bytes(values)) hash = (hash ^ static_cast<uint64_t>(b)) * 1099511628211ull;
+  };
+  add(positions());
+  add(velocities());
+  impl_->bodies.for_each([&](uint32_t number, const BodyEntry&) {
+    const Pose pose = impl_->rigid.pose(number);
+    const Quat q = pose.rotation;
+    const Vec3 state[] = {pose.position,
+                          {q.x, q.y, q.z},
+                          {q.w, 0, 0},
+                          impl_->rigid.velocity(number),
+                          impl_->rigid.angular_velocity(number)};
+    add(state);
+  });
+  return hash;
+}
+
+size_t World::device_bytes() const {
+  return impl_->engine->device().memory().bytes;
+}
+
+}  // namespace meniscus
