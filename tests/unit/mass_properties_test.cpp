@@ -148,7 +148,8 @@ TEST(MassProperties, WhatHasNoMassIsRefused) {
     expect_error(ErrorCode::invalid_argument, [&] { sphere_mass(bad, 1000); });
     expect_error(ErrorCode::invalid_argument, [&] { sphere_mass(1, bad); });
     expect_error(ErrorCode::invalid_argument, [&] { box_mass({1, bad, 1}, 1000); });
-    expect_error(ErrorCode::invalid_argument, [&] { capsule_mass(1, bad, 1000); });
+    expect_error(ErrorCode::invalid_argument, [&] { capsule_mass(bad, 1, 1000); });
+    if (bad != 0) expect_error(ErrorCode::invalid_argument, [&] { capsule_mass(1, bad, 1000); });
     expect_error(ErrorCode::invalid_argument, [&] { cylinder_mass(bad, 1, 1000); });
     expect_error(ErrorCode::invalid_argument, [&] { mesh_mass(ball_mesh(1, 2), bad); });
     expect_error(ErrorCode::invalid_argument, [&] { with_mass(sphere_mass(1, 1), bad); });
