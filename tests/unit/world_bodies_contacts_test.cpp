@@ -46,6 +46,14 @@ class BodyContactsTest : public OnDevice {
   }
 };
 
+void expect_same(const std::vector<ParticleContact>& found, const std::vector<ParticleContact>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(found[k].particle, expected[k].particle);
+    EXPECT_EQ(found[k].impulse, expected[k].impulse);
+  }
+}
+
 TEST_P(BodyContactsTest, EventsTellWhenATouchBeginsAndWhenItEnds) {
   const ShapeId floor = world_.create_shape(shape(PlaneGeometry{}));
   const BodyId id = world_.create_body(cube({0, 0.15f, 0}));
@@ -191,11 +199,7 @@ TEST_P(BodyContactsTest, LookingAtTheWorldDoesNotChangeItsContacts) {
   ASSERT_FALSE(expected.empty());
   world.diagnostics();
   const std::vector<ParticleContact> found = world.particle_contacts();
-  ASSERT_EQ(found.size(), expected.size());
-  for (size_t k = 0; k < found.size(); ++k) {
-    EXPECT_EQ(found[k].particle, expected[k].particle);
-    EXPECT_EQ(found[k].impulse, expected[k].impulse);
-  }
+  expect_same(found, expected);
 }
 
 TEST_P(BodyContactsTest, ContactsOfParticlesThatStayKeepTheirNames) {
@@ -213,11 +217,7 @@ TEST_P(BodyContactsTest, ContactsOfParticlesThatStayKeepTheirNames) {
                [&](const ParticleContact& c) { return c.particle > first_half.back(); });
   ASSERT_FALSE(expected.empty());
   const std::vector<ParticleContact> found = world.particle_contacts();
-  ASSERT_EQ(found.size(), expected.size());
-  for (size_t k = 0; k < found.size(); ++k) {
-    EXPECT_EQ(found[k].particle, expected[k].particle);
-    EXPECT_EQ(found[k].impulse, expected[k].impulse);
-  }
+  expect_same(found, expected);
 }
 
 TEST_P(BodyContactsTest, ContactsOfParticlesThatASinkLeavesKeepTheirNames) {
