@@ -30,6 +30,12 @@ MENISCUS_HD inline float inverse_mass_at(const BodyProxy& body, Vec3 r, Vec3 n) 
   return body.inverse_mass + dot(lever, inverse_inertia_times(body, lever));
 }
 
+/// No less than inverse_mass_at along any direction.
+MENISCUS_HD inline float largest_inverse_mass_at(const BodyProxy& body, Vec3 r) {
+  const Vec3 i = body.inverse_inertia;
+  return body.inverse_mass + dot(r, r) * pbd::max(i.x, pbd::max(i.y, i.z));
+}
+
 /// Where a body gets to: the same map as Bullet's (btTransformUtil::integrateTransform).
 MENISCUS_HD inline Pose moved(const Pose& from, Vec3 shift, Vec3 turn) {
   return {from.position + shift, normalized(rotation_by(turn) * from.rotation)};

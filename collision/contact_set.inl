@@ -34,15 +34,26 @@ struct Project {
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     Vec4 p = position[i];
     if (p.w == 0) return;
-    const float radius = contacts.radius * (1 - 0.01f * jitter(slot[i]));
+    const float tighter = 1 - 0.01f * jitter(slot[i]);
     Vec3 x = p.xyz(), step{0, 0, 0};
     for (uint32_t k = begin; k < end; ++k) {
       Contact& c = contacts.contacts[k];
-      step += p.w * push_out(c, x + step, p.w, radius);
+      if (is_tie(c)) {
+        step += p.w * hold(c, x + step, p.w);
+        continue;
+      }
+      step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
       if (c.friction > 0) step += p.w * hold_back(c, x + step - previous[i].xyz(), p.w);
     }
     position[i] = pbd::with_w(x + step, p.w);
     moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+  }
+
+  /// What a tie pulls, kg·m.
+  MENISCUS_HD static Vec3 hold(Contact& c, Vec3 x, float w) {
+    const Vec3 pull = (c.point - x) / (w + c.body_inverse_mass);
+    c.tangent_multiplier += pull;
+    return pull;
   }
 
   /// What the contact adds to its normal push, kg·m.

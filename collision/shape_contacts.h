@@ -7,16 +7,26 @@
 
 namespace meniscus::collision {
 
+/// What a particle collides with, and at what distance its centre stops, m.
+struct Touch {
+  CollisionFilter filter;
+  float radius;
+};
+
 namespace shape_contact_kernels {
 
-/// Which solids a particle collides with, by its fluid.
-struct Filters {
+/// How a particle meets solids, by its fluid or its piece of cloth.
+struct Touches {
   pbd::View<const pbd::Phase> phase;
   pbd::View<const CollisionFilter> by_fluid;
+  pbd::View<const Touch> by_piece;
+  float fluid_radius;
 
-  MENISCUS_HD CollisionFilter of(uint32_t i) const {
-    return by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
+  MENISCUS_HD Touch of(uint32_t i) const {
+    if (by_piece.count && is_vertex(i)) return by_piece[pbd::phase_group(phase[i])];
+    return {by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{}, fluid_radius};
   }
+  MENISCUS_HD bool is_vertex(uint32_t i) const { return (phase[i] & pbd::phase_vertex) != 0; }
 };
 
 }  // namespace shape_contact_kernels
@@ -29,15 +39,20 @@ class ShapeContacts final : public pbd::ContactSource<D> {
       : device_(device),
         support_radius_(support_radius),
         contact_radius_(contact_radius),
+        largest_radius_(contact_radius),
         candidates_(device),
-        filters_(device, "fluid filters") {}
+        filters_(device, "fluid filters"),
+        pieces_(device, "cloth surfaces") {}
 
   /// The views must stay valid until they are set anew.
   void set_shapes(const ShapeSet& shapes, bool only_fixed_planes);
   /// By fluid.
   void set_filters(std::span<const CollisionFilter> filters);
+  /// By piece of cloth.
+  void set_pieces(std::span<const Touch> pieces);
 
   void reserve(uint32_t particles) override;
+  bool any() const override { return shapes_.shapes.count > 0; }
   bool any_moving() const override { return shapes_.fixed < shapes_.shapes.count; }
   void limit_motion(const pbd::MotionView& motion, bool planes_too) override;
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
@@ -46,8 +61,9 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   /// Takes back what has passed through a moving shape since the substep began. Shapes are where they have
   /// got to, by no more than `furthest` (m): so far a particle may be taken along, and meet another.
   void limit_beside_moving(const pbd::MotionView& motion, float furthest);
-  /// By fluid; where there are none, fluids collide with all.
-  pbd::View<const CollisionFilter> filters() const { return filters_.view(); }
+  shape_contact_kernels::Touches touches(pbd::View<const pbd::Phase> phase) const {
+    return {phase, filters_.view(), pieces_.view(), contact_radius_};
+  }
   /// Shapes that are within `reach` (m) of where particles are.
   CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
 
@@ -58,13 +74,14 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   auto finder(const pbd::Substep<D>& substep) const;
 
   D& device_;
-  float support_radius_, contact_radius_;
+  float support_radius_, contact_radius_, largest_radius_;
   ShapeSet shapes_;
   bool only_fixed_planes_ =
       true;  // a tank and nothing in it, as so often: its kernels need a third of the registers
   uint32_t particles_ = 0;
   Candidates candidates_;
   pbd::Buffer<CollisionFilter> filters_;
+  pbd::Buffer<Touch> pieces_;
 };
 
 }  // namespace meniscus::collision

@@ -13,17 +13,17 @@ namespace shape_contact_kernels {
 
 struct LimitByFixed {
   ShapeSet set;
-  Filters filters;
+  Touches touches;
   pbd::MotionView motions;
-  float radius;
   bool planes_too;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
     const Vec3 path = motion.to - motion.from;
+    const Touch touch = touches.of(i);
     // A slower one comes no further than where its contact sees it.
-    if (!(dot(path, path) > radius * radius) || !is_finite(path)) return;
-    const Vec3 end = limit_by_fixed(set, motion, radius, planes_too, filters.of(i));
+    if (!(dot(path, path) > touch.radius * touch.radius) || !is_finite(path)) return;
+    const Vec3 end = limit_by_fixed(set, motion, touch.radius, planes_too, touch.filter);
     motions.to[i] = pbd::with_w(end, motions.to[i].w);
     if (motions.moved.count) motions.moved[i] = pbd::with_w(motions.moved[i].xyz() + end - motion.to, 0);
   }
@@ -32,14 +32,14 @@ struct LimitByFixed {
 struct LimitByMoving {
   ShapeSet set;
   CandidateView candidates;
-  Filters filters;
+  Touches touches;
   pbd::MotionView motions;
-  float radius;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
     if (!is_finite(motion.to)) return;
-    const Vec3 end = limit_by_moving(set, candidates, i, motion, radius, filters.of(i));
+    const Touch touch = touches.of(i);
+    const Vec3 end = limit_by_moving(set, candidates, i, motion, touch.radius, touch.filter);
     motions.to[i] = pbd::with_w(end, motions.to[i].w);
   }
 };
@@ -48,18 +48,18 @@ template <bool only_fixed_planes>
 struct Finder {
   ShapeSet set;
   CandidateView candidates;
-  Filters filters;
+  Touches touches;
   pbd::View<const pbd::Vec4> position, previous;
-  float radius, h;
+  float h;
 
   /// Calls visit(shape, found) for each contact of particle i.
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
-    const CollisionFilter filter = filters.of(i);
+    const Touch touch = touches.of(i);
     const auto look_at = [&](uint32_t number) {
       const Shape& shape = set.shapes[number];
-      if (!collide(shape, filter)) return;
-      const FoundContact found = find(shape, {previous[i].xyz(), position[i].xyz()});
+      if (!collide(shape, touch.filter)) return;
+      const FoundContact found = find(shape, {previous[i].xyz(), position[i].xyz()}, touch.radius);
       if (found.found) visit(shape, found);
     };
     if constexpr (only_fixed_planes) {
@@ -69,7 +69,7 @@ struct Finder {
     }
   }
 
-  MENISCUS_HD FoundContact find(const Shape& shape, const Motion& motion) const {
+  MENISCUS_HD FoundContact find(const Shape& shape, const Motion& motion, float radius) const {
     if constexpr (only_fixed_planes) return find_plane_contact(set, shape, motion, radius, h);
     if (shape.body == pbd::no_index) return find_contact(set, shape, motion, radius, h);
     if (shape.kind != ShapeKind::plane && out_of_reach(shape, motion.from, motion.to, h)) return no_contact();
@@ -120,7 +120,8 @@ struct Fill {
     c.solid = shape.owner;
     c.normal = normal;
     c.fraction = 1;
-    if constexpr (!only_fixed_planes)
+    c.radius = find.touches.of(i).radius;
+    if (!only_fixed_planes && !find.touches.is_vertex(i))
       c.fraction = solid_fraction(find.set, shape, f.at, f.surface.distance, find.h);
     c.friction = shape.surface.friction;
     c.restitution = shape.surface.restitution;
@@ -153,6 +154,14 @@ void ShapeContacts<D>::set_filters(std::span<const CollisionFilter> filters) {
 }
 
 template <class D>
+void ShapeContacts<D>::set_pieces(std::span<const Touch> pieces) {
+  pieces_.resize_discard(pieces.size());
+  pieces_.write(pieces);
+  largest_radius_ = contact_radius_;
+  for (const Touch& piece : pieces) largest_radius_ = std::max(largest_radius_, piece.radius);
+}
+
+template <class D>
 void ShapeContacts<D>::reserve(uint32_t particles) {
   candidates_.reserve(particles, only_fixed_planes_ ? 0 : shapes_.shapes.count);
   particles_ = particles;
@@ -162,27 +171,25 @@ template <class D>
 template <bool only_fixed_planes>
 auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
   const pbd::ParticleView& p = substep.particles;
-  return shape_contact_kernels::Finder<only_fixed_planes>{
-      shapes_,         candidates_.view(), {p.phase, filters_.view()}, p.position, p.previous,
-      contact_radius_, support_radius_};
+  return shape_contact_kernels::Finder<only_fixed_planes>{shapes_,    candidates_.view(), touches(p.phase),
+                                                          p.position, p.previous,         support_radius_};
 }
 
 template <class D>
 void ShapeContacts<D>::limit_motion(const pbd::MotionView& motion, bool planes_too) {
   if (shapes_.fixed == 0 || (only_fixed_planes_ && !planes_too)) return;
-  device_.parallel_for("contacts/limit motion", motion.count,
-                       shape_contact_kernels::LimitByFixed{
-                           shapes_, {motion.phase, filters_.view()}, motion, contact_radius_, planes_too});
+  device_.parallel_for(
+      "contacts/limit motion", motion.count,
+      shape_contact_kernels::LimitByFixed{shapes_, touches(motion.phase), motion, planes_too});
 }
 
 template <class D>
 void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, float furthest) {
   if (shapes_.fixed == shapes_.shapes.count || motion.count == 0) return;
-  candidates_.find(device_, shapes_, motion.from, motion.to, motion.count, contact_radius_ + furthest);
+  candidates_.find(device_, shapes_, motion.from, motion.to, motion.count, largest_radius_ + furthest);
   device_.parallel_for(
       "contacts/limit beside moving", motion.count,
-      shape_contact_kernels::LimitByMoving{
-          shapes_, candidates_.view(), {motion.phase, filters_.view()}, motion, contact_radius_});
+      shape_contact_kernels::LimitByMoving{shapes_, candidates_.view(), touches(motion.phase), motion});
 }
 
 template <class D>

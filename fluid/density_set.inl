@@ -22,6 +22,7 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
 template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
+  if (substep.particles.sorted == 0) return;
   const Weights weights = next_weights(iteration, substep.iterations);
   const Advancing advancing{
       .position = substep.particles.position,
@@ -51,11 +52,11 @@ template <bool any_moving>
 void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                             const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
-  const pbd::ContactView& contacts = substep.contacts;
-  device_.parallel_for_both("density/multipliers", substep.particles.owned,
-                            Advance<D>{kernel_, substep.neighbours, contacts.start, advancing},
-                            contacts.contacts.count,
-                            AdvanceAtWalls<any_moving>{kernel_, substep.neighbours, contacts, advancing});
+  const uint32_t fluid = substep.particles.sorted;
+  const pbd::ContactView contacts = substep.contacts.of_first(fluid);
+  device_.parallel_for_both(
+      "density/multipliers", fluid, Advance<D>{kernel_, substep.neighbours, contacts.start, advancing},
+      contacts.contacts.count, AdvanceAtWalls<any_moving>{kernel_, substep.neighbours, contacts, advancing});
   pair.multiplier > 0 ? correct<true, any_moving>(substep, pair) : correct<false, any_moving>(substep, pair);
 }
 
@@ -63,10 +64,10 @@ template <class D>
 template <bool with_pair_pressure, bool any_moving>
 void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
-  const pbd::ContactView& contacts = substep.contacts;
   const pbd::ParticleView& p = substep.particles;
+  const pbd::ContactView contacts = substep.contacts.of_first(p.sorted);
   device_.parallel_for_both(
-      "density/correct", p.owned,
+      "density/correct", p.sorted,
       Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
                                      p.position, p.moved},
       contacts.contacts.count,
@@ -97,7 +98,7 @@ typename DensitySet<D>::Weights DensitySet<D>::next_weights(int iteration, int i
 template <class D>
 void DensitySet<D>::measure(const pbd::Substep<D>& substep, pbd::View<float> error,
                             pbd::View<float> full) const {
-  device_.parallel_for_long("density/measure", substep.particles.owned,
+  device_.parallel_for_long("density/measure", substep.particles.sorted,
                             density_kernels::Measure{kernel_, substep.particles.position, substep.neighbours,
                                                      substep.contacts, substep.particles.slot, error, full});
 }

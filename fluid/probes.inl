@@ -86,7 +86,7 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
   const Kernel& kernel = density_.kernel();
   for (uint32_t k = 0; k < probes_.size(); ++k) {
     const Probe& probe = probes_[k];
-    const uint32_t count = substep.particles.owned;
+    const uint32_t count = substep.particles.sorted;
     if (probe.at_point) {
       device_.reduce("probes/point", count, ProbeSum{},
                      PointPressure{kernel, substep.particles.position, density_.multipliers(), probe.point,

@@ -114,16 +114,16 @@ void SurfaceTensionPass<D>::set_materials(std::span<const Material> materials) {
 template <class D>
 void SurfaceTensionPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles&) {
   using namespace surface_tension_kernels;
-  if (!pulls_) return;
+  if (!pulls_ || substep.particles.sorted == 0) return;
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("velocity/affinities", p.owned,
+  device_.parallel_for("velocity/affinities", p.sorted,
                        Spread{p.phase, table_.view(), cohesion_.view(), curvature_.view()});
   if (bends_) {
-    device_.parallel_for("velocity/normals", p.owned,
+    device_.parallel_for("velocity/normals", p.sorted,
                          SurfaceNormal<D>{kernel_, p.position, curvature_.view(), substep.neighbours,
                                           substep.contacts, normal_.view()});
   }
-  device_.parallel_for("velocity/tension", p.owned,
+  device_.parallel_for("velocity/tension", p.sorted,
                        Pull<D>{kernel_, tension_, bends_, p.position, normal_.view(), cohesion_.view(),
                                substep.neighbours, substep.contacts, p.velocity, substep.dt});
 }

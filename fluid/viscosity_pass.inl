@@ -116,7 +116,7 @@ void ViscosityPass<D>::set_materials(std::span<const Material> materials) {
 
 template <class D>
 void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles) {
-  if (!smooths_ && !confines_) return;
+  if (substep.particles.sorted == 0 || (!smooths_ && !confines_)) return;
   if (table_dt_ != substep.dt) {
     host_table_.clear();
     for (const Material& m : materials_) {
@@ -133,7 +133,7 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
   }
   if (confines_) {
     using namespace viscosity_kernels;
-    device_.parallel_for("velocity/confine", substep.particles.owned,
+    device_.parallel_for("velocity/confine", substep.particles.sorted,
                          Confine<D>{kernel_, swirl_.view(), vorticity_.view(), substep.particles.velocity,
                                     substep.neighbours, substep.particles.phase, table_.view(), substep.dt});
   }
@@ -145,14 +145,15 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
   using namespace viscosity_kernels;
   const pbd::ParticleView& p = substep.particles;
   if (!uniform) {
-    device_.parallel_for("velocity/coefficients", p.owned,
+    device_.parallel_for("velocity/coefficients", p.sorted,
                          SpreadSmoothing{p.phase, table_.view(), smoothing_.view()});
   }
   device_.parallel_for(
-      "velocity/smooth", p.owned,
+      "velocity/smooth", p.sorted,
       Smooth<D, uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours, smoothing_.view(),
                                     host_table_.front().smoothing, particles.velocity.next.view(),
                                     vorticity_.view(), swirl_.view()});
+  particles.keep_vertex_velocities();
   particles.velocity.flip();
   substep.particles = particles.view();
 }

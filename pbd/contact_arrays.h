@@ -13,7 +13,7 @@ namespace meniscus::pbd {
 template <class D>
 class ContactArrays {
  public:
-  ContactArrays(D& device, float radius) : device_(device), radius_(radius) {}
+  explicit ContactArrays(D& device) : device_(device) {}
 
   void add(ContactSource<D>& source) { sources_.push_back(&source); }
   void reserve(uint32_t capacity);
@@ -32,16 +32,17 @@ class ContactArrays {
   ContactView view() {
     bool any_moving = false;
     for (const ContactSource<D>* source : sources_) any_moving |= source->any_moving();
-    return {start_.view().first(counted_ + 1), contacts_.view(), particle_.view(), radius_, any_moving};
+    return {start_.view().first(counted_ + 1), contacts_.view().first(any_ ? capacity() : 0),
+            particle_.view(), any_moving};
   }
 
  private:
   void resize(uint32_t contacts);
 
   D& device_;
-  float radius_;
   std::vector<ContactSource<D>*> sources_;
   uint32_t counted_ = 0;
+  bool any_ = false;  // at the last search
   Buffer<uint32_t> counts_{device_, "contact counts"};
   Buffer<uint32_t> start_{device_, "contact offsets"};
   Buffer<uint32_t> particle_{device_, "contact particles"};

@@ -32,7 +32,13 @@ struct alignas(16) Contact {
   float approach_speed;  ///< m/s along the normal, before the substep's solve; negative towards the surface
   float restitution;     ///< 0 to 1
   float adhesion;        ///< kg·m, the most that the surface pulls back with in this substep
+  float radius;          ///< m: the particle's centre stops at this distance; negative: it is held at `point`
 };
+
+/// Whether the particle is tied to the contact's point, in all directions: an attachment, not a touch.
+MENISCUS_HD inline bool is_tie(const Contact& c) {
+  return c.radius < 0;
+}
 
 /// What a contact has done to its particle so far, kg·m; the solid has got the opposite.
 MENISCUS_HD inline Vec3 multiplier_sum(const Contact& c) {
@@ -44,11 +50,14 @@ struct ContactView {
   View<const uint32_t> start;     ///< of each owned particle, and the total
   View<Contact> contacts;         ///< as many as there is room for: the host does not know the total
   View<const uint32_t> particle;  ///< whose each contact is
-  float radius = 0;               ///< m: a particle's centre stops at this distance
   bool any_moving = false;  ///< whether solids may move; for the host: kernels for fixed ones are leaner
 
   /// How many there are.
   MENISCUS_HD uint32_t total() const { return start[start.count - 1]; }
+  /// Those of the first `particles` alone.
+  ContactView of_first(uint32_t particles) const {
+    return {start.first(particles + 1), contacts, particle, any_moving};
+  }
   /// For work on particles that have contacts, which runs over the contacts: the particle whose first one n
   /// is, or no_index.
   MENISCUS_HD uint32_t particle_starting_at(uint32_t n) const {

@@ -157,7 +157,7 @@ template <class D>
 void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel) {
   using namespace neighbour_kernels;
   device_.parallel_for(
-      "neighbours/list", particles.owned,
+      "neighbours/list", particles.sorted,
       ListNeighbours<D>{particles.position, grid_, support_radius_ * support_radius_, index_.view(),
                         counts_.view(), longest_.view(), row_capacity_, stride(), sentinel});
 }

@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The particles of a world, as arrays in a device's memory. They are kept sorted by grid cell, so that
-// neighbours in space are neighbours in memory; `slot` says which element of the user's arrays each one is.
+// The particles of a world, as arrays in a device's memory. First come those of fluids, sorted by grid cell,
+// so that neighbours in space are neighbours in memory; `slot` says which element of the user's arrays each
+// one is. Behind them come the vertices of cloth and rods, in an order that stays, so that what joins them
+// can name them by number.
 #pragma once
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include "pbd/device/buffer.h"
 #include "pbd/math/vec.h"
@@ -16,21 +20,31 @@ namespace meniscus::pbd {
 using Phase = uint32_t;
 inline constexpr Phase phase_group_mask = 0xffff;
 inline constexpr Phase phase_fluid = 1u << 16;
+inline constexpr Phase phase_vertex = 1u << 17;  ///< of cloth or rods; the group is the piece
 
 MENISCUS_HD constexpr uint32_t phase_group(Phase phase) {
   return phase & phase_group_mask;
+}
+
+/// Slots of vertices start here: they are numbers of their own.
+inline constexpr uint32_t vertex_slot = 1u << 31;
+
+MENISCUS_HD constexpr bool is_vertex_slot(uint32_t slot) {
+  return slot >= vertex_slot;
 }
 
 /// What kernels see. Loops run over [0, owned) and may read [0, owned + ghosts).
 struct ParticleView {
   View<Vec4> position;        ///< m; w: inverse mass, 1/kg, 0 for what nothing moves
   View<const Vec4> previous;  ///< m, at the substep's start
-  View<Vec4> moved;     ///< m, by constraints in this substep: kept beside the position, which rounds it
+  View<Vec4> moved;  ///< m, by constraints in this substep: kept beside the position, which rounds it; of
+                     ///< what nothing moves the impulse that it took, kg·m
   View<Vec4> velocity;  ///< m/s
   View<const Phase> phase;
   View<const uint32_t> slot;
   uint32_t owned = 0;
   uint32_t ghosts = 0;
+  uint32_t sorted = 0;  ///< those of fluids come first; vertex v is the particle sorted + v
 };
 
 /// Two arrays of which one is current: a reordering reads one and writes the other.
@@ -58,6 +72,8 @@ class Particles {
   explicit Particles(Device& device) : device_(device) {}
 
   uint32_t count() const { return count_; }
+  uint32_t sorted() const { return sorted_; }
+  uint32_t vertices() const { return count_ - sorted_; }
   uint32_t capacity() const { return capacity_; }
   uint32_t sentinel() const { return capacity_; }
 
@@ -79,35 +95,69 @@ class Particles {
     write_sentinels();
   }
 
+  /// Adds fluid particles, in front of the vertices.
   void append(std::span<const Vec4> new_position, std::span<const Vec4> new_velocity,
               std::span<const Phase> new_phase, std::span<const uint32_t> new_slot) {
-    position.current.write(new_position, count_);
-    velocity.current.write(new_velocity, count_);
-    phase.current.write(new_phase, count_);
-    slot.current.write(new_slot, count_);
-    count_ += static_cast<uint32_t>(new_position.size());
+    const auto added = static_cast<uint32_t>(new_position.size());
+    move_vertices(sorted_ + added);
+    position.current.write(new_position, sorted_);
+    velocity.current.write(new_velocity, sorted_);
+    phase.current.write(new_phase, sorted_);
+    slot.current.write(new_slot, sorted_);
+    set_sorted(sorted_ + added);
   }
 
-  void set_count(uint32_t count) { count_ = count; }
+  /// Puts these in the place of all vertices.
+  void set_vertices(std::span<const Vec4> new_position, std::span<const Vec4> new_velocity,
+                    std::span<const Phase> new_phase) {
+    std::vector<uint32_t> new_slot(new_position.size());
+    std::iota(new_slot.begin(), new_slot.end(), vertex_slot);
+    position.current.write(new_position, sorted_);
+    velocity.current.write(new_velocity, sorted_);
+    phase.current.write(new_phase, sorted_);
+    slot.current.write(new_slot, sorted_);
+    count_ = sorted_ + static_cast<uint32_t>(new_position.size());
+  }
+
+  /// How many of fluids there are now, the vertices' number staying.
+  void set_sorted(uint32_t sorted) {
+    count_ = sorted + vertices();
+    sorted_ = sorted;
+  }
 
   /// Puts the present state aside; where it then is, the next sort takes it from (see source()). Costs
   /// nothing.
   void put_aside() {
     swap_with_aside();
     aside_count_ = count_;
+    aside_sorted_ = sorted_;
     from_aside_ = true;
   }
   /// Makes the state put aside the present one again.
   void take_back() {
     swap_with_aside();
     count_ = aside_count_;
+    sorted_ = aside_sorted_;
     from_aside_ = false;
   }
   /// The state that is to be predicted, and sorted into the next buffers.
   ParticleView source() {
     if (!from_aside_) return view();
-    return {aside_position_.view(), previous.view(),    moved.view(), aside_velocity_.view(),
-            aside_phase_.view(),    aside_slot_.view(), count_};
+    return {aside_position_.view(),
+            previous.view(),
+            moved.view(),
+            aside_velocity_.view(),
+            aside_phase_.view(),
+            aside_slot_.view(),
+            count_,
+            0,
+            sorted_};
+  }
+  /// Before velocity.flip() where only the fluids' next velocities were written.
+  void keep_vertex_velocities() {
+    if (vertices() == 0) return;
+    device_.copy(velocity.next.view().data + sorted_, velocity.current.view().data + sorted_,
+                 vertices() * sizeof(Vec4));
   }
   /// What was sorted into the next buffers is the present state.
   void flip() {
@@ -119,8 +169,15 @@ class Particles {
   }
 
   ParticleView view() {
-    return {position.current.view(), previous.view(),     moved.view(), velocity.current.view(),
-            phase.current.view(),    slot.current.view(), count_};
+    return {position.current.view(),
+            previous.view(),
+            moved.view(),
+            velocity.current.view(),
+            phase.current.view(),
+            slot.current.view(),
+            count_,
+            0,
+            sorted_};
   }
 
   DoubleBuffer<Vec4> position{device_, "particle positions"};
@@ -132,6 +189,19 @@ class Particles {
   DoubleBuffer<uint32_t> slot{device_, "particle slots"};
 
  private:
+  /// Makes room in front of the vertices.
+  void move_vertices(uint32_t first) {
+    const uint32_t moving = vertices();
+    if (moving == 0 || first == sorted_) return;
+    const auto move = [&]<class T>(DoubleBuffer<T>& values) {
+      device_.copy(values.next.view().data, values.current.view().data + sorted_, moving * sizeof(T));
+      device_.copy(values.current.view().data + first, values.next.view().data, moving * sizeof(T));
+    };
+    move(position);
+    move(velocity);
+    move(phase);
+    move(slot);
+  }
   void write_sentinels() {
     const Vec4 away[] = {{far_away, far_away, far_away, 0}};
     const Vec4 still[] = {{0, 0, 0, 0}};
@@ -155,8 +225,8 @@ class Particles {
   Buffer<Vec4> aside_velocity_{device_, "velocities put aside"};
   Buffer<Phase> aside_phase_{device_, "phases put aside"};
   Buffer<uint32_t> aside_slot_{device_, "slots put aside"};
-  uint32_t count_ = 0;
-  uint32_t aside_count_ = 0;
+  uint32_t count_ = 0, sorted_ = 0;
+  uint32_t aside_count_ = 0, aside_sorted_ = 0;
   uint32_t capacity_ = 0;
   bool from_aside_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Taking particles out: the rest close up, in memory and in the user's order.
+// Taking particles of fluids out: the rest close up, in memory and in the user's order.
 #pragma once
 
 #include "pbd/gather.h"
@@ -24,21 +24,27 @@ struct SpreadBySlot {
   View<const uint32_t> by_index, slot;
   View<uint32_t> by_slot;
 
-  MENISCUS_HD void operator()(uint32_t i) const { by_slot[slot[i]] = by_index[i]; }
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (!is_vertex_slot(slot[i])) by_slot[slot[i]] = by_index[i];
+  }
 };
 
 struct PickBySlot {
   View<const uint32_t> by_slot, slot;
   View<uint32_t> by_index;
 
-  MENISCUS_HD void operator()(uint32_t i) const { by_index[i] = by_slot[slot[i]]; }
+  MENISCUS_HD void operator()(uint32_t i) const {
+    by_index[i] = is_vertex_slot(slot[i]) ? 1 : by_slot[slot[i]];
+  }
 };
 
 struct Renumber {
   View<const uint32_t> new_slot;
   View<uint32_t> slot;
 
-  MENISCUS_HD void operator()(uint32_t i) const { slot[i] = new_slot[slot[i]]; }
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (!is_vertex_slot(slot[i])) slot[i] = new_slot[slot[i]];
+  }
 };
 
 }  // namespace removal_kernels
@@ -54,7 +60,7 @@ class Removal {
     slot_offset_.resize_discard(capacity + 1);
   }
 
-  /// By sorted index: 1 for who stays, 0 for who goes. To be filled before apply().
+  /// By index: 1 for who stays, as vertices always do, 0 for who goes. To be filled before apply().
   View<uint32_t> keep() { return keep_.view(); }
 
   /// Fills keep() from an array by slot.
@@ -65,35 +71,35 @@ class Removal {
         removal_kernels::PickBySlot{keep_by_slot_.view(), particles.slot.current.view(), keep_.view()});
   }
 
-  /// How many of keep() stay.
+  /// How many of the fluids' particles stay.
   uint32_t count_kept(const Particles& particles) {
     const uint32_t n = particles.count();
     device_.exclusive_scan("removal/offsets", View<const uint32_t>(keep_.view().first(n)), offset_.view());
     uint32_t kept = 0;
     offset_.read(std::span(&kept, 1), n);
-    return kept;
+    return kept - particles.vertices();
   }
 
   /// Removes who does not stay, after count_kept; reorder(order, count) is called for arrays that live
   /// elsewhere. Returns keep() by slot as it was before.
   template <class Reorder>
   std::vector<uint32_t> apply(Particles& particles, uint32_t kept, const Reorder& reorder) {
-    const uint32_t n = particles.count();
+    const uint32_t n = particles.count(), fluid = particles.sorted(), stay = kept + particles.vertices();
     using namespace removal_kernels;
     View<uint32_t> slot = particles.slot.current.view();
     device_.parallel_for("removal/slots", n, SpreadBySlot{keep_.view(), slot, keep_by_slot_.view()});
-    device_.exclusive_scan("removal/slot offsets", View<const uint32_t>(keep_by_slot_.view().first(n)),
+    device_.exclusive_scan("removal/slot offsets", View<const uint32_t>(keep_by_slot_.view().first(fluid)),
                            slot_offset_.view());
     device_.parallel_for("removal/renumber", n, Renumber{slot_offset_.view(), slot});
     device_.parallel_for("removal/order", n, ScatterOrder{keep_.view(), offset_.view(), order_.view()});
     const View<const uint32_t> order = order_.view();
-    gather_in_order(device_, "removal/positions", particles.position, order, kept);
-    gather_in_order(device_, "removal/velocities", particles.velocity, order, kept);
-    gather_in_order(device_, "removal/phases", particles.phase, order, kept);
-    gather_in_order(device_, "removal/slots", particles.slot, order, kept);
+    gather_in_order(device_, "removal/positions", particles.position, order, stay);
+    gather_in_order(device_, "removal/velocities", particles.velocity, order, stay);
+    gather_in_order(device_, "removal/phases", particles.phase, order, stay);
+    gather_in_order(device_, "removal/slots", particles.slot, order, stay);
     reorder(order, kept);
-    particles.set_count(kept);
-    return keep_by_slot_.read(n);
+    particles.set_sorted(kept);
+    return keep_by_slot_.read(fluid);
   }
 
  private:

@@ -61,8 +61,8 @@ class Solver {
   void add(VelocityPass<D>& pass) { passes_.push_back(&pass); }
   void add(Observer<D>& observer) { observers_.push_back(&observer); }
 
-  /// Room for `capacity` particles here and in all parts.
-  void reserve(uint32_t capacity);
+  /// Room for so many particles of fluids, and vertices, here and in all parts.
+  void reserve(uint32_t fluid, uint32_t vertices = 0);
   /// The particles [first, first + count) are new, or all have changed by hand.
   void particles_changed(uint32_t first, uint32_t count);
 
@@ -90,7 +90,7 @@ class Solver {
   ParticleSummary run(int substeps, float dt);
   bool had_room();
   void make_room();
-  void reserve_all(uint32_t capacity);
+  void reserve_all(uint32_t fluid, uint32_t vertices);
   void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
@@ -113,6 +113,7 @@ class Solver {
 
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
+  uint32_t fluid_room_ = 0, vertex_room_ = 0;
   bool fresh_ = true;     // particles were added or changed by hand since the last step
   float step_speed_ = 0;  // m/s, that a particle can reach in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;

@@ -38,6 +38,7 @@ void Solver<D>::substep(float dt) {
   }
 
   timer_.enter(StageId::velocity);
+  for (ConstraintSet<D>* set : sets_) set->settle(s);
   if (is_fast(dt)) contacts_.limit_motion(motion_of(s), true);
   update_velocities(s);
   for (ConstraintSet<D>* set : sets_) set->end(s);
@@ -127,22 +128,25 @@ void Solver<D>::predict(float dt, Vec3 gravity) {
 template <class D>
 void Solver<D>::sort(float dt, Vec3 gravity) {
   Particles& p = particles_;
-  search_.fit({summary().lower, summary().upper});
-  search_.sort(p.predicted.view(), p.count());
+  if (p.sorted()) {
+    search_.fit({summary().lower, summary().upper});
+    search_.sort(p.predicted.view(), p.sorted());
+  }
   const ParticleView from = p.source();
   device_.parallel_for(
       "reorder", p.count(),
-      solver_kernels::Reorder{search_.order(), p.predicted.view(), from.position, from.velocity, from.phase,
-                              from.slot, p.position.next.view(), p.previous.view(), p.moved.view(),
-                              p.velocity.next.view(), p.phase.next.view(), p.slot.next.view(), gravity, dt});
+      solver_kernels::Reorder{search_.order().first(p.sorted()), p.predicted.view(), from.position,
+                              from.velocity, from.phase, from.slot, p.position.next.view(), p.previous.view(),
+                              p.moved.view(), p.velocity.next.view(), p.phase.next.view(), p.slot.next.view(),
+                              gravity, dt});
   p.flip();
-  for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), p.count());
+  for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), p.sorted());
 }
 
 template <class D>
 void Solver<D>::find(Substep<D>& s) {
   timer_.enter(StageId::neighbours);
-  search_.list(s.particles, s.sentinel);
+  if (s.particles.sorted) search_.list(s.particles, s.sentinel);
   s.neighbours = search_.view();
   timer_.enter(StageId::contacts);
   contacts_.find(s);
@@ -170,7 +174,8 @@ Substep<D> Solver<D>::find_at_rest(float dt) {
 template <class D>
 bool Solver<D>::had_room() {
   const Found& found = readout_.found;
-  return found.longest_list <= search_.row_capacity() && found.most_contacts < contacts_.capacity();
+  return found.longest_list <= search_.row_capacity() && found.most_contacts < contacts_.capacity() &&
+         std::all_of(sets_.begin(), sets_.end(), [](ConstraintSet<D>* set) { return set->had_room(); });
 }
 
 template <class D>
@@ -178,12 +183,16 @@ void Solver<D>::make_room() {
   const Found& found = readout_.found;
   if (found.longest_list > search_.row_capacity()) search_.grow_rows(found.longest_list);
   if (found.most_contacts >= contacts_.capacity()) contacts_.grow();
+  for (ConstraintSet<D>* set : sets_) {
+    if (!set->had_room()) set->make_room();
+  }
 }
 
 template <class D>
 void Solver<D>::update_velocities(const Substep<D>& s) {
   device_.parallel_for("velocity/update", s.particles.owned,
-                       solver_kernels::UpdateVelocity{s.particles.moved, s.particles.velocity, 1.0f / s.dt});
+                       solver_kernels::UpdateVelocity{s.particles.position, s.particles.moved,
+                                                      s.particles.velocity, 1.0f / s.dt});
 }
 
 template <class D>
@@ -217,30 +226,33 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       particles_(particles),
       parameters_(parameters),
       search_(device, parameters.support_radius),
-      contacts_(device, parameters.contact_radius),
+      contacts_(device),
       timer_(device) {
   readout_buffer_.resize_discard(1);
   readout_buffer_.fill(0);
 }
 
 template <class D>
-void Solver<D>::reserve(uint32_t capacity) {
-  const uint32_t before = particles_.capacity();
-  if (capacity <= before) return;
+void Solver<D>::reserve(uint32_t fluid, uint32_t vertices) {
+  if (fluid <= fluid_room_ && vertices <= vertex_room_) return;
+  const uint32_t more_fluid = std::max(fluid, fluid_room_), more_vertices = std::max(vertices, vertex_room_);
   try {
-    reserve_all(capacity);
+    reserve_all(more_fluid, more_vertices);
   } catch (...) {
-    reserve_all(before);
+    reserve_all(fluid_room_, vertex_room_);
     throw;
   }
+  fluid_room_ = more_fluid;
+  vertex_room_ = more_vertices;
 }
 
 template <class D>
-void Solver<D>::reserve_all(uint32_t capacity) {
+void Solver<D>::reserve_all(uint32_t fluid, uint32_t vertices) {
+  const uint32_t capacity = fluid + vertices;
   for (ConstraintSet<D>* set : sets_) set->reserve(capacity, particles_.count());
   for (VelocityPass<D>* pass : passes_) pass->reserve(capacity);
   particles_.reserve(capacity);
-  search_.reserve(capacity);
+  search_.reserve(fluid);
   contacts_.reserve(capacity);
 }
 

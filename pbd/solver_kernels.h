@@ -31,7 +31,8 @@ struct Predict {
   }
 };
 
-/// Brings the state into sorted order, in which everything is from here on; v += h·g on the way.
+/// Brings the state into sorted order, in which everything is from here on; v += h·g on the way. What is not
+/// sorted stays where it is.
 struct Reorder {
   View<const uint32_t> order;
   View<const Vec4> predicted, position, velocity;
@@ -44,7 +45,7 @@ struct Reorder {
   float dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const uint32_t from = load(order, i);
+    const uint32_t from = i < order.count ? load(order, i) : i;
     const Vec4 x = load(position, from);
     const Vec3 v = drawn(x, load(velocity, from), gravity, dt);
     const Vec4 p = load(predicted, from);
@@ -59,11 +60,12 @@ struct Reorder {
 
 /// v = (p − x)/h, without the rounding of p: far from the origin that would be a force of its own.
 struct UpdateVelocity {
-  View<const Vec4> moved;
+  View<const Vec4> position, moved;
   View<Vec4> velocity;
   float inverse_dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
+    if (position[i].w == 0) return;
     velocity[i] = with_w(velocity[i].xyz() + inverse_dt * moved[i].xyz(), 0);
   }
 };

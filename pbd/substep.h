@@ -22,8 +22,8 @@ struct Substep {
   int iterations = 0;
 };
 
-/// Arrays that belong to particles but live in a set: they follow when particles are sorted, added and
-/// removed.
+/// Arrays that belong to particles of fluids but live in a set: they follow when particles are sorted, added
+/// and removed.
 class ParticleState {
  public:
   virtual ~ParticleState() = default;
@@ -48,6 +48,8 @@ class ConstraintSet : public ParticleState {
   virtual void begin(Substep<D>&) {}
   /// One iteration: moves particles.position towards C(p) = 0.
   virtual void project(Substep<D>&, int iteration) = 0;
+  /// Positions are final, velocities are not known yet.
+  virtual void settle(Substep<D>&) {}
   /// Velocities are known.
   virtual void end(Substep<D>&) {}
   /// The particles are done. What lives outside of the device, if anything does, takes its share, and is
@@ -60,6 +62,11 @@ class ConstraintSet : public ParticleState {
   virtual void start_step() {}
   virtual void end_step() {}
   virtual void undo_step() {}
+
+  /// Asked when the step's work is done on the device: whether all that it found had room. Where it had not,
+  /// make_room() is called, and the step is done again.
+  virtual bool had_room() { return true; }
+  virtual void make_room() {}
 };
 
 /// Something that changes velocities after the constraints.
@@ -97,6 +104,8 @@ class ContactSource {
  public:
   virtual ~ContactSource() = default;
   virtual void reserve(uint32_t /*particles*/) {}
+  /// Whether there is anything to touch.
+  virtual bool any() const = 0;
   /// Whether its solids may move.
   virtual bool any_moving() const { return false; }
   /// Cuts short each motion that would pass through something fixed. Nothing passes through the plane of a

@@ -43,11 +43,11 @@ class DeviceEngine final : public Engine {
     solver_.add(tension_);
     solver_.add(viscosity_);
     solver_.add(probes_);
-    reserve(1024);
+    reserve(1024, 0);
   }
 
   pbd::Device& device() override { return device_; }
-  uint32_t particle_count() const override { return particles_.count(); }
+  uint32_t particle_count() const override { return particles_.sorted(); }
 
   void set_materials(std::span<const fluid::Material> materials,
                      std::span<const CollisionFilter> filters) override {
@@ -90,7 +90,7 @@ class DeviceEngine final : public Engine {
   Diagnostics measure(Vec3 gravity) override;
 
  private:
-  void reserve(uint32_t capacity);
+  void reserve(uint32_t fluid, uint32_t vertices);
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
   std::vector<bool> take_sinks();
   std::vector<uint32_t> remove_marked(uint32_t kept);
@@ -117,6 +117,7 @@ class DeviceEngine final : public Engine {
   pbd::Removal<D> removal_;
 
   float last_substep_ = 0;  // s
+  uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   bool contacts_fetched_ = true;
   collision::ShapeSet shape_set_;

@@ -83,9 +83,9 @@ struct SumState {
   View<const pbd::Vec4> position, velocity;
   collision::ShapeSet set;
   collision::CandidateView candidates;
-  collision::shape_contact_kernels::Filters filters;
+  collision::shape_contact_kernels::Touches touches;
   Vec3 gravity;
-  float reach, radius;
+  float reach;
 
   MENISCUS_HD StateSum operator()(uint32_t i) const {
     const pbd::Vec4 x = position[i];
@@ -93,8 +93,9 @@ struct SumState {
     if (!is_finite(x.xyz()) || !is_finite(v)) return {0, 0, 0, 1, 0};
     const double mass = x.w > 0 ? 1.0 / x.w : 0;
     const float v2 = dot(v, v);
+    const collision::Touch touch = touches.of(i);
     return {0.5 * mass * v2, -mass * dot(gravity, x.xyz()), v2, 0,
-            is_outside(set, candidates, filters.of(i), i, x.xyz(), reach, radius)};
+            is_outside(set, candidates, touch.filter, i, x.xyz(), reach, touch.radius)};
   }
 };
 
@@ -119,11 +120,12 @@ struct MarkSinks {
   View<const pbd::Vec4> position;
   View<const SinkBox> sinks;
   View<uint32_t> keep;
+  uint32_t sorted;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 p = position[i].xyz();
     uint32_t stays = 1;
-    for (uint32_t k = 0; k < sinks.count; ++k) {
+    for (uint32_t k = 0; k < sinks.count && i < sorted; ++k) {
       const Aabb& b = sinks[k].box;
       const bool inside = p.x >= b.lower.x && p.x <= b.upper.x && p.y >= b.lower.y && p.y <= b.upper.y &&
                           p.z >= b.lower.z && p.z <= b.upper.z;

@@ -9,10 +9,12 @@
 namespace meniscus {
 
 template <class D>
-void DeviceEngine<D>::reserve(uint32_t capacity) {
-  if (capacity <= particles_.capacity()) return;
+void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
+  const uint32_t capacity = fluid + vertices;
   fetch_contacts();
-  solver_.reserve(capacity);
+  solver_.reserve(fluid, vertices);
+  fluid_capacity_ = fluid;
+  vertex_capacity_ = vertices;
   removal_.reserve(capacity);
   vector_out_.resize_discard(capacity);
   scalar_out_.resize_discard(capacity);
@@ -24,13 +26,13 @@ void DeviceEngine<D>::reserve(uint32_t capacity) {
 
 template <class D>
 void DeviceEngine<D>::append(const ParticleBatch& batch) {
-  const uint32_t first = particles_.count();
+  const uint32_t first = particles_.sorted();
   const auto added = static_cast<uint32_t>(batch.position.size());
   if (added == 0) return;
   const uint32_t needed = first + added;
   // A first fill gets what it asks for; later ones leave room for more, so that an emitter does not
   // reallocate often.
-  if (needed > particles_.capacity()) reserve(first == 0 ? needed : needed + needed / 4);
+  if (needed > fluid_capacity_) reserve(first == 0 ? needed : needed + needed / 4, vertex_capacity_);
   std::vector<uint32_t> slot(added);
   std::iota(slot.begin(), slot.end(), first);
   particles_.append(batch.position, batch.velocity, batch.phase, slot);
@@ -66,12 +68,12 @@ void DeviceEngine<D>::keep_contacts(std::span<const uint32_t> stays) {
 
 template <class D>
 std::vector<bool> DeviceEngine<D>::take_sinks() {
-  if (sinks_.size() == 0 || particles_.count() == 0) return {};
-  device_.parallel_for(
-      "sinks/mark", particles_.count(),
-      engine_kernels::MarkSinks{particles_.position.current.view(), sinks_.view(), removal_.keep()});
+  if (sinks_.size() == 0 || particles_.sorted() == 0) return {};
+  device_.parallel_for("sinks/mark", particles_.count(),
+                       engine_kernels::MarkSinks{particles_.position.current.view(), sinks_.view(),
+                                                 removal_.keep(), particles_.sorted()});
   const uint32_t kept = removal_.count_kept(particles_);
-  if (kept == particles_.count()) return {};
+  if (kept == particles_.sorted()) return {};
   const std::vector<uint32_t> by_slot = remove_marked(kept);
   std::vector<bool> removed(by_slot.size());
   std::transform(by_slot.begin(), by_slot.end(), removed.begin(), [](uint32_t stays) { return stays == 0; });

@@ -8,14 +8,14 @@ namespace meniscus {
 
 template <class D>
 void DeviceEngine<D>::read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out) {
-  device_.parallel_for("read-out/vectors", particles_.count(),
+  device_.parallel_for("read-out/vectors", particles_.sorted(),
                        engine_kernels::ReadVector{from, particles_.slot.current.view(), vector_out_.view()});
   vector_out_.read(out);
 }
 
 template <class D>
 void DeviceEngine<D>::read_fluids(std::span<uint32_t> out) {
-  device_.parallel_for("read-out/fluids", particles_.count(),
+  device_.parallel_for("read-out/fluids", particles_.sorted(),
                        engine_kernels::ReadGroup{particles_.phase.current.view(),
                                                  particles_.slot.current.view(), index_out_.view()});
   index_out_.read(out);
@@ -24,7 +24,7 @@ void DeviceEngine<D>::read_fluids(std::span<uint32_t> out) {
 template <class D>
 void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
   const float scale = dt > 0 ? 1 / (def_.kernel.volume * dt * dt) : 0;
-  device_.parallel_for("read-out/pressures", particles_.count(),
+  device_.parallel_for("read-out/pressures", particles_.sorted(),
                        engine_kernels::ReadMultipliers{density_.multipliers(), particles_.slot.current.view(),
                                                        scalar_out_.view(), scale});
   scalar_out_.read(out);
@@ -38,14 +38,14 @@ EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::
   solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found& found) {
     contacts = found.contacts;
     density_.measure(substep, scalar_out_.view(), full_out_.view());
-    device_.reduce("measure/neighbours", particles_.count(), uint64_t{0},
+    device_.reduce("measure/neighbours", particles_.sorted(), uint64_t{0},
                    CountNeighbours{substep.neighbours.count}, AddCounts{}, count_out_.view());
   });
   scalar_out_.read(error);
   full_out_.read(full);
   uint64_t total = 0;
   count_out_.read(std::span(&total, 1));
-  return {static_cast<double>(total) / std::max(1u, particles_.count()), contacts};
+  return {static_cast<double>(total) / std::max(1u, particles_.sorted()), contacts};
 }
 
 /// Brings what the last substep's contacts did to the host, by slot; once a step, and before particles change
@@ -68,6 +68,7 @@ void DeviceEngine<D>::fetch_contacts() {
     const pbd::Contact& c = contacts[n];
     const Vec3 impulse = multiplier_sum(c) / last_substep_;
     if (c.solid == pbd::no_index || impulse == Vec3{0, 0, 0}) continue;
+    if (pbd::is_vertex_slot(slot[particle[n]])) continue;
     const bool is_body = c.body != pbd::no_index;
     fetched_contacts_.push_back({slot[particle[n]], c.solid, is_body, c.point, c.normal, impulse});
   }
@@ -91,20 +92,16 @@ void DeviceEngine<D>::forget_contacts(uint32_t solid, bool is_body) {
 template <class D>
 Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
   using namespace engine_kernels;
-  device_.reduce("measure/state", particles_.count(), StateSum{},
-                 SumState{particles_.position.current.view(),
-                          particles_.velocity.current.view(),
-                          shape_set_,
-                          contacts_.find_near(particles_.position.current.view(), particles_.count(), 0),
-                          {particles_.phase.current.view(), contacts_.filters()},
-                          gravity,
-                          def_.solver.support_radius,
-                          def_.solver.contact_radius},
-                 AddStates{}, state_sum_.view());
+  device_.reduce(
+      "measure/state", particles_.count(), StateSum{},
+      SumState{particles_.position.current.view(), particles_.velocity.current.view(), shape_set_,
+               contacts_.find_near(particles_.position.current.view(), particles_.count(), 0),
+               contacts_.touches(particles_.phase.current.view()), gravity, def_.solver.support_radius},
+      AddStates{}, state_sum_.view());
   StateSum sum{};
   state_sum_.read(std::span(&sum, 1));
   Diagnostics d;
-  d.particles = particles_.count();
+  d.particles = particles_.sorted();
   d.kinetic_energy = sum.kinetic;
   d.potential_energy = sum.potential;
   d.max_speed = std::sqrt(sum.max_speed2);

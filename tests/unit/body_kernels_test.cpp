@@ -57,6 +57,7 @@ struct Bench {
     c.normal = normal;
     c.body = body;
     c.fraction = 1;
+    c.radius = radius;
     contacts.push_back(c);
     particle.push_back(static_cast<uint32_t>(position.size()));
     position.push_back(pbd::with_w(point + (radius - depth) * normal, 1 / particle_mass));
@@ -65,7 +66,7 @@ struct Bench {
     start.push_back(static_cast<uint32_t>(contacts.size()));
   }
 
-  ContactView contact_view() { return {view(start), view(contacts), view(particle), radius}; }
+  ContactView contact_view() { return {view(start), view(contacts), view(particle)}; }
 
   void group() {
     const size_t n = contacts.size();

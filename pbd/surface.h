@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Surfaces of triangles among the particles: what cloth collides with, and later the fluid.
+#pragma once
+
+#include <cstdint>
+
+#include "pbd/device/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::pbd {
+
+/// Vertex numbers: vertex v is the particle ParticleView::sorted + v.
+struct SurfaceTriangle {
+  uint32_t a, b, c;
+  uint32_t part;  ///< the piece of cloth that it belongs to
+};
+
+struct SurfaceView {
+  View<const SurfaceTriangle> triangles;
+  View<const Vec3> rest;  ///< m, of each vertex: the shape in which it is free of strain
+};
+
+}  // namespace meniscus::pbd
