@@ -12,7 +12,7 @@
 namespace meniscus::cloth {
 
 /// C = |x_b − x_a| − L
-struct EdgeConstraint {
+struct alignas(16) EdgeConstraint {
   uint32_t a, b;
   float rest_length;  ///< L, m
   float compliance;   ///< m/N
@@ -22,7 +22,7 @@ struct EdgeConstraint {
 /// inverse_rest, with columns f_u along the warp and f_v along the weft:
 ///
 ///   C_u = |f_u| − 1,  C_v = |f_v| − 1,  C_uv = f_u·f_v / (|f_u||f_v|)
-struct StrainConstraint {
+struct alignas(8) StrainConstraint {
   uint32_t a, b, c;
   float inverse_rest[4];  ///< 1/m, row by row: of (x_b − x_a, x_c − x_a) in the fabric's u and v
   float warp_compliance, weft_compliance, shear_compliance;  ///< 1/J: 1/(stiffness · area)
@@ -30,7 +30,7 @@ struct StrainConstraint {
 
 /// C = θ − θ₀ between the triangles (a, b, c) and (b, a, d): 0 where they lie flat, positive where c and d
 /// have bent towards the side that the normal of (a, b, c) points to.
-struct HingeConstraint {
+struct alignas(16) HingeConstraint {
   uint32_t a, b, c, d;
   float rest_angle;  ///< θ₀, rad
   float compliance;  ///< 1/J: (A₁ + A₂)/(D l²)
@@ -38,7 +38,7 @@ struct HingeConstraint {
 
 /// C = |k_a x_a + k_b x_b + k_c x_c + k_d x_d|, by the cotangents of Bergou, Wardetzky, Harmon, Zorin &
 /// Grinspun 2006: l·2 sin(θ/2) while lengths are kept. For what is flat at rest.
-struct IsometricConstraint {
+struct alignas(16) IsometricConstraint {
   uint32_t a, b, c, d;
   float weight[4];   ///< they add up to 0
   float compliance;  ///< m²/J: (A₁ + A₂)/D

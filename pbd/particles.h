@@ -21,6 +21,8 @@ using Phase = uint32_t;
 inline constexpr Phase phase_group_mask = 0xffff;
 inline constexpr Phase phase_fluid = 1u << 16;
 inline constexpr Phase phase_vertex = 1u << 17;  ///< of cloth or rods; the group is the piece
+inline constexpr Phase phase_face = 1u
+                                    << 18;  ///< a point of a face, there for one substep; with phase_vertex
 
 MENISCUS_HD constexpr uint32_t phase_group(Phase phase) {
   return phase & phase_group_mask;
@@ -37,8 +39,8 @@ MENISCUS_HD constexpr bool is_vertex_slot(uint32_t slot) {
 struct ParticleView {
   View<Vec4> position;        ///< m; w: inverse mass, 1/kg, 0 for what nothing moves
   View<const Vec4> previous;  ///< m, at the substep's start
-  View<Vec4> moved;  ///< m, by constraints in this substep: kept beside the position, which rounds it; of
-                     ///< what nothing moves the impulse that it took, kg·m
+  View<Vec4> moved;     ///< m, by constraints in this substep: kept beside the position, which rounds it; of
+                        ///< what nothing moves the impulse that it took, kg·m
   View<Vec4> velocity;  ///< m/s
   View<const Phase> phase;
   View<const uint32_t> slot;

@@ -91,6 +91,7 @@ class Solver {
   bool had_room();
   void make_room();
   void reserve_all(uint32_t fluid, uint32_t vertices);
+  void reserve_extra();
   void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
@@ -113,7 +114,7 @@ class Solver {
 
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
-  uint32_t fluid_room_ = 0, vertex_room_ = 0;
+  uint32_t fluid_room_ = 0, vertex_room_ = 0, extra_room_ = 0;
   bool fresh_ = true;     // particles were added or changed by hand since the last step
   float step_speed_ = 0;  // m/s, that a particle can reach in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;

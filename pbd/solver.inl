@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pbd/contact_arrays.inl"
 #include "pbd/neighbour_search.inl"
@@ -29,6 +30,7 @@ void Solver<D>::substep(float dt) {
   sort(dt, parameters_.gravity);
 
   Substep<D> s = make_substep(dt);
+  for (ConstraintSet<D>* set : sets_) set->arrange(s);
   find(s);
 
   timer_.enter(StageId::solve);
@@ -56,6 +58,7 @@ template <class D>
 StepResult Solver<D>::step(float dt) {
   const int substeps = choose_substeps(dt);
   for (;;) {
+    reserve_extra();
     const ParticleSummary after = run(substeps, dt / static_cast<float>(substeps));
     const bool done = had_room();
     if (!done || after.non_finite)
@@ -122,7 +125,8 @@ void Solver<D>::predict(float dt, Vec3 gravity) {
   const View<Vec4> predicted = particles_.predicted.view();
   device_.parallel_for("predict", from.owned,
                        solver_kernels::Predict{from.position, from.velocity, predicted, gravity, dt});
-  if (dt > 0) contacts_.limit_motion({from.position, predicted, {}, from.phase, from.owned}, false);
+  if (dt > 0)
+    contacts_.limit_motion({from.position, predicted, {}, from.phase, from.owned, from.sorted}, false);
 }
 
 template <class D>
@@ -197,8 +201,8 @@ void Solver<D>::update_velocities(const Substep<D>& s) {
 
 template <class D>
 MotionView Solver<D>::motion_of(const Substep<D>& s) {
-  return {s.particles.previous, s.particles.position, s.particles.moved, s.particles.phase,
-          s.particles.owned};
+  return {s.particles.previous, s.particles.position, s.particles.moved,
+          s.particles.phase,    s.particles.owned,    s.particles.sorted};
 }
 
 /// Whether a substep is so long for the speeds in it that the solve may carry a particle through a surface
@@ -248,12 +252,28 @@ void Solver<D>::reserve(uint32_t fluid, uint32_t vertices) {
 
 template <class D>
 void Solver<D>::reserve_all(uint32_t fluid, uint32_t vertices) {
-  const uint32_t capacity = fluid + vertices;
+  const uint32_t capacity = fluid + vertices + extra_room_;
   for (ConstraintSet<D>* set : sets_) set->reserve(capacity, particles_.count());
   for (VelocityPass<D>* pass : passes_) pass->reserve(capacity);
   particles_.reserve(capacity);
   search_.reserve(fluid);
   contacts_.reserve(capacity);
+}
+
+/// Room for the particles that sets add to a substep. The state is in place, nothing is put aside.
+template <class D>
+void Solver<D>::reserve_extra() {
+  uint32_t extra = 0;
+  for (const ConstraintSet<D>* set : sets_) extra += set->extra_particles();
+  if (extra <= extra_room_) return;
+  const uint32_t before = std::exchange(extra_room_, extra);
+  try {
+    reserve_all(fluid_room_, vertex_room_);
+  } catch (...) {
+    extra_room_ = before;
+    reserve_all(fluid_room_, vertex_room_);
+    throw;
+  }
 }
 
 template <class D>

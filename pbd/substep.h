@@ -44,6 +44,10 @@ class ConstraintSet : public ParticleState {
   virtual float speed(float /*dt*/) { return 0; }
   /// Nothing is predicted yet: what moves along with the particles is predicted here.
   virtual void predict(float /*dt*/) {}
+  /// Room for so many particles that a substep adds for itself, behind all others; one set at most has any.
+  virtual uint32_t extra_particles() const { return 0; }
+  /// Positions are predicted, and contacts not found yet: adds such particles to substep.particles.owned.
+  virtual void arrange(Substep<D>&) {}
   /// Neighbours and contacts are known; nothing is solved yet.
   virtual void begin(Substep<D>&) {}
   /// One iteration: moves particles.position towards C(p) = 0.
@@ -95,6 +99,7 @@ struct MotionView {
   View<Vec4> moved;  ///< what takes a motion back is added, where there is a view
   View<const Phase> phase;
   uint32_t count = 0;
+  uint32_t sorted = 0;  ///< see ParticleView
 };
 
 /// Something that finds contacts: first it keeps fast particles from passing through; then it finds, in

@@ -34,4 +34,36 @@ MENISCUS_HD inline uint32_t atomic_add(uint32_t& target, uint32_t value) {
 #endif
 }
 
+MENISCUS_HD inline void atomic_min(uint32_t& target, uint32_t value) {
+#ifdef __CUDA_ARCH__
+  if (value < target) atomicMin(&target, value);
+#else
+  std::atomic_ref<uint32_t> shared(target);
+  uint32_t seen = shared.load(std::memory_order_relaxed);
+  while (seen > value && !shared.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+  }
+#endif
+}
+
+/// Room for n elements at the end of a list: where it begins, which depends on the order. On a GPU the
+/// threads of a warp that happen to ask at once take theirs in one go, as one address takes one at a time.
+MENISCUS_HD inline uint32_t append(uint32_t& size, uint32_t n) {
+#ifdef __CUDA_ARCH__
+  const unsigned together = __activemask(), lane = threadIdx.x & 31;
+  uint32_t before = 0, total = 0;
+  for (unsigned left = together; left; left &= left - 1) {
+    const int from = __ffs(static_cast<int>(left)) - 1;
+    const uint32_t theirs = __shfl_sync(together, n, from);
+    if (static_cast<unsigned>(from) < lane) before += theirs;
+    total += theirs;
+  }
+  const int leader = __ffs(static_cast<int>(together)) - 1;
+  uint32_t first = 0;
+  if (lane == static_cast<unsigned>(leader)) first = atomicAdd(&size, total);
+  return __shfl_sync(together, first, leader) + before;
+#else
+  return atomic_add(size, n);
+#endif
+}
+
 }  // namespace meniscus::pbd

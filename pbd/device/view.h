@@ -34,6 +34,16 @@ struct View {
   }
 };
 
+/// Has element i brought near: it is read soon.
+template <class T>
+MENISCUS_HD void prefetch(View<T> from, uint32_t i) {
+#ifdef __CUDA_ARCH__
+  asm volatile("prefetch.global.L1 [%0];" ::"l"(from.data + i));
+#else
+  __builtin_prefetch(from.data + i);
+#endif
+}
+
 /// Element i of an array that nobody writes while the kernel runs. Saying so lets the compiler keep several
 /// loads in flight across a store that it could not otherwise tell apart.
 template <class T>

@@ -59,6 +59,18 @@ class CpuDevice final : public Device {
     parallel_for(name, count, RunLong<Kernel>{kernel});
   }
 
+  /// Runs kernel(group, scratch, n) for each n below count, each by a group of threads with a scratch of type
+  /// Kernel::Scratch between them: the kernel calls group.for_each(m, f), which runs f(i) for each i below m
+  /// and waits for all of them. Here a group is one thread, on a GPU a block, with its scratch in the
+  /// multiprocessor's own memory.
+  template <class Kernel>
+  void parallel_for_groups(const char* /*name*/, uint32_t count, const Kernel& kernel) {
+    parallel_loop(arena_, count, 1, [&](uint32_t begin, uint32_t end) {
+      typename Kernel::Scratch scratch;
+      for (uint32_t n = begin; n < end; ++n) kernel(OneThread{}, scratch, n);
+    });
+  }
+
   /// One launch of parallel_for and one of parallel_for_long that touch nothing of one another; a GPU runs
   /// them at once.
   template <class Kernel, class LongKernel>
@@ -103,6 +115,13 @@ class CpuDevice final : public Device {
   void do_release_shared(void* memory) noexcept override { do_release(memory); }
   void radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, View<const uint32_t> values,
                   View<uint32_t> values_out, uint32_t shift, uint32_t digit_bits, View<uint32_t> offsets);
+
+  struct OneThread {
+    template <class F>
+    void for_each(uint32_t count, const F& f) const {
+      for (uint32_t i = 0; i < count; ++i) f(i);
+    }
+  };
 
   template <class Kernel>
   struct RunLong {

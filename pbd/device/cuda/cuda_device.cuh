@@ -18,6 +18,7 @@ namespace cuda_kernels {
 
 constexpr uint32_t block_size = 128;
 constexpr uint32_t teams = block_size / CudaTeam::lane_count;
+constexpr uint32_t group_size = 128;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
 constexpr uint32_t most_teams = 1u << 16;  // they fill a large GPU
@@ -52,6 +53,23 @@ __global__ void __launch_bounds__(block_size)
   wait_for_previous(mark);
   const uint32_t i = blockIdx.x * block_size + threadIdx.x;
   if (i < count) kernel(i);
+}
+
+/// See CpuDevice::parallel_for_groups.
+struct Block {
+  template <class F>
+  __device__ void for_each(uint32_t count, const F& f) const {
+    for (uint32_t i = threadIdx.x; i < count; i += group_size) f(i);
+    __syncthreads();
+  }
+};
+
+template <class Kernel>
+__global__ void __launch_bounds__(group_size)
+    for_each_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
+  wait_for_previous(mark);
+  __shared__ typename Kernel::Scratch scratch;
+  kernel(Block{}, scratch, blockIdx.x);
 }
 
 template <class D, class Kernel>
@@ -141,6 +159,12 @@ class CudaDevice final : public Device {
     if (count == 0) return;
     using namespace cuda_kernels;
     launch(name, (count + block_size - 1) / block_size, block_size, for_each<Kernel>, count, kernel);
+  }
+
+  template <class Kernel>
+  void parallel_for_groups(const char* name, uint32_t count, const Kernel& kernel) {
+    using namespace cuda_kernels;
+    if (count) launch(name, count, group_size, for_each_group<Kernel>, kernel);
   }
 
   template <class Kernel>

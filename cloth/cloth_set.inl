@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "cloth/cloth_set.h"
+#include "cloth/sweep_kernel.h"
+#include "cloth/tear_kernels.h"
+#include "cloth/tether_kernels.h"
+#include "cloth/wind_kernels.h"
+
+namespace meniscus::cloth {
+
+template <class D>
+void ClothSet<D>::set_model(const ClothModel& model) {
+  device_.wait();
+  const auto any = [&](auto has) { return std::any_of(model.pieces.begin(), model.pieces.end(), has); };
+  any_air_ = any([](const Piece& p) { return p.drag > 0 || p.lift > 0; });
+  any_gas_ = any([](const Piece& p) { return p.inside > 0; });
+  any_tears_ = any([](const Piece& p) { return p.tear_strain > 0; });
+  damping_ = common_damping(model.pieces);
+  vertex_count_ = static_cast<uint32_t>(model.rest.size());
+  last_dt_ = 0;
+
+  upload_constraints(model);
+  upload(tethers_, model.tethers);
+  tether_pull_.resize_discard(model.tethers.size());
+  upload(held_, model.held);
+  std::vector<uint32_t> tether_start{0};
+  for (uint32_t v : model.held) {
+    uint32_t end = tether_start.back();
+    while (end < model.tethers.size() && model.tethers[end].anchor == v) ++end;
+    tether_start.push_back(end);
+  }
+  upload(tether_start_, tether_start);
+  reaction_.resize_discard(model.held.size());
+  reaction_.fill(0);
+
+  upload(pieces_, model.pieces);
+  upload(triangles_, model.triangles);
+  upload(rest_, model.rest);
+  volume_gradient_.resize_discard(any_gas_ ? vertex_count_ : 0);
+  gas_partial_.resize_discard(any_gas_ ? volume_kernels::lanes * model.pieces.size() : 0);
+  gas_.resize_discard(any_gas_ ? model.pieces.size() : 0);
+  gas_.fill(0);
+  gas_step_.resize_discard(any_gas_ ? model.pieces.size() : 0);
+  wind_force_.resize_discard(any_air_ ? model.triangles.size() : 0);
+  tears_.resize_discard(1);
+  tears_.host()[0] = 0;
+}
+
+template <class D>
+void ClothSet<D>::upload_constraints(const ClothModel& model) {
+  Clusters c = build_clusters(model.constraints, model.rest);
+  upload_fans(model, c.edges);
+  number_locally(c);
+  upload(edges_, c.edges);
+  upload(strains_, c.strains);
+  upload(isometric_, c.isometric);
+  upload(hinges_, c.hinges);
+  upload(batches_, c.batches);
+  upload(clusters_, c.clusters);
+  upload(cluster_vertices_, c.vertices);
+  pass_starts_ = c.pass_starts;
+  edge_multiplier_.resize_discard(c.edges.size());
+  saved_edge_multiplier_.resize_discard(parameters_.warm_start > 0 ? c.edges.size() : 0);
+  strain_multiplier_.resize_discard(c.strains.size());
+  isometric_multiplier_.resize_discard(c.isometric.size());
+  hinge_multiplier_.resize_discard(c.hinges.size());
+  edge_multiplier_.fill(0);
+}
+
+template <class D>
+void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges) {
+  const bool by_triangle = any_air_ || any_gas_;
+  const Fans triangles = by_triangle ? triangle_fans(model.triangles, model.rest.size()) : Fans{};
+  upload(fan_start_, triangles.start);
+  upload(fan_, triangles.items);
+  const bool warm_starts = parameters_.warm_start > 0;
+  const Fans by_edge = warm_starts ? edge_fans(edges, model.rest.size()) : Fans{};
+  upload(edge_fan_start_, by_edge.start);
+  upload(edge_fan_, by_edge.items);
+}
+
+template <class D>
+void ClothSet<D>::begin(pbd::Substep<D>& substep) {
+  if (vertex_count_ == 0) return;
+  // A multiplier grows with the square of the substep.
+  const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
+  share_ = parameters_.warm_start * std::min(1.0f, ratio * ratio);
+  last_dt_ = substep.dt;
+  if (share_ > 0 && edges_.size()) {
+    device_.parallel_for("cloth/warm start", vertex_count_,
+                         stretch_kernels::WarmStart{edge_fan_start_.view(), edge_fan_.view(),
+                                                    edge_multiplier_.view(), vertices(substep), share_});
+  }
+  if (any_air_ && wind_.density > 0) {
+    using namespace wind_kernels;
+    device_.parallel_for("cloth/wind", static_cast<uint32_t>(triangles_.size()),
+                         BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
+                                         static_cast<float>(time_), wind_force_.view()});
+    device_.parallel_for(
+        "cloth/blow", vertex_count_,
+        Blow{fan_start_.view(), fan_.view(), wind_force_.view(), vertices(substep), substep.dt});
+  }
+  time_ += substep.dt;
+}
+
+template <class D>
+void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
+  if (vertex_count_ == 0) return;
+  const bool starts = iteration == 0, backwards = iteration % 2 != 0;
+  if (any_gas_ && !backwards) blow_up(substep, starts);
+  sweep(substep, starts, backwards);
+  if (any_gas_ && backwards) blow_up(substep, starts);
+  device_.parallel_for(
+      "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
+      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), starts});
+}
+
+template <class D>
+void ClothSet<D>::sweep(pbd::Substep<D>& substep, bool starts, bool backwards) {
+  const float relaxation = parameters_.over_relaxation;
+  SolveClusters solve{.clusters = clusters_.view(),
+                      .batches = batches_.view(),
+                      .numbers = cluster_vertices_.view(),
+                      .all = vertices(substep),
+                      .isometric = {isometric_.view(), isometric_multiplier_.view(), starts},
+                      .hinge = {hinges_.view(), hinge_multiplier_.view(), starts},
+                      .strain = {strains_.view(), strain_multiplier_.view(), relaxation, starts},
+                      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1},
+                      .first = 0,
+                      .backwards = backwards};
+  const size_t passes = pass_starts_.size() - 1;
+  for (size_t k = 0; k < passes; ++k) {
+    const size_t pass = backwards ? passes - 1 - k : k;
+    solve.first = pass_starts_[pass];
+    device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
+  }
+}
+
+template <class D>
+void ClothSet<D>::blow_up(pbd::Substep<D>& substep, bool starts) {
+  using namespace volume_kernels;
+  const auto pieces = static_cast<uint32_t>(pieces_.size());
+  const VertexState state = vertices(substep);
+  device_.parallel_for(
+      "cloth/volume gradients", vertex_count_,
+      Gradients{triangles_.view(), fan_start_.view(), fan_.view(), state, volume_gradient_.view()});
+  device_.parallel_for("cloth/volume sums", pieces * lanes,
+                       SumLanes{volume_gradient_.view(), state, gas_partial_.view()});
+  device_.parallel_for(
+      "cloth/gas", pieces,
+      Solve{gas_partial_.view(), pieces_.view(), gas_.view(), gas_step_.view(), state.inverse_dt, starts});
+  device_.parallel_for("cloth/pressure", vertex_count_,
+                       Push{volume_gradient_.view(), gas_step_.view(), state});
+}
+
+template <class D>
+void ClothSet<D>::settle(pbd::Substep<D>& substep) {
+  device_.parallel_for("cloth/reactions", static_cast<uint32_t>(held_.size()),
+                       tether_kernels::NoteReactions{held_.view(), tether_start_.view(), tether_pull_.view(),
+                                                     vertices(substep), reaction_.view()});
+}
+
+template <class D>
+void ClothSet<D>::end(pbd::Substep<D>& substep) {
+  if (!any_tears_) return;
+  device_.parallel_for("cloth/tears", static_cast<uint32_t>(triangles_.size()),
+                       tear_kernels::FindTears{surface(), vertices(substep), tears_.view()});
+}
+
+template <class D>
+void ClothSet<D>::start_step() {
+  start_time_ = time_;
+  reaction_.fill(0);
+  if (tears_.host().size()) tears_.host()[0] = 0;
+}
+
+template <class D>
+void ClothSet<D>::save() {
+  saved_last_dt_ = last_dt_;
+  if (saved_edge_multiplier_.size() == 0) return;
+  device_.copy(saved_edge_multiplier_.view().data, edge_multiplier_.view().data,
+               edge_multiplier_.size() * sizeof(Vec4));
+}
+
+template <class D>
+void ClothSet<D>::restore() {
+  last_dt_ = saved_last_dt_;
+  if (saved_edge_multiplier_.size() == 0) return;
+  device_.copy(edge_multiplier_.view().data, saved_edge_multiplier_.view().data,
+               edge_multiplier_.size() * sizeof(Vec4));
+}
+
+template <class D>
+std::vector<Vec3> ClothSet<D>::read_reactions() const {
+  std::vector<Vec3> out;
+  for (const Vec4& r : reaction_.read(reaction_.size())) out.push_back(r.xyz());
+  return out;
+}
+
+template <class D>
+std::vector<float> ClothSet<D>::read_pressures(float dt) const {
+  std::vector<float> out;
+  for (const volume_kernels::GasState& g : gas_.read(gas_.size())) out.push_back(-g.multiplier / (dt * dt));
+  return out;
+}
+
+}  // namespace meniscus::cloth

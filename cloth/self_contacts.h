@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "cloth/self_contacts_views.h"
+#include "pbd/device/shared_buffer.h"
+#include "pbd/substep.h"
+#include "pbd/surface_tree.h"
+
+namespace meniscus::cloth {
+
+/// How the triangles of one part meet others, and one another.
+struct ContactPart {
+  float thickness = 0.01f;   ///< m, > 0: two parts keep half of the sum of theirs
+  float friction = 0.3f;     ///< Coulomb's μ, ≥ 0; of two parts the geometric mean
+  CollisionFilter filter{};  ///< which other parts it meets
+  bool self = true;          ///< whether it meets itself
+};
+
+/// Keeps cloth from passing through cloth: contacts of vertices with triangles and of edges with edges.
+///
+///   begin    fits the tree of boxes to the substep's predicted motion, finds pairs of features that come
+///            within the thickness, and the side on which each stays;
+///   project  pushes them apart, with friction;
+///   settle   makes sure that nothing has passed through: where the solve has not sufficed, vertices are held
+///            back on their way. There, momentum is not kept.
+///
+/// It should come after cloth's own constraints, and settle after whatever else moves vertices. The state at
+/// a substep's start must not have cloth passed through cloth; what overlaps by thickness alone is pushed
+/// apart slowly. What only prescribed motion brings together is not kept apart by it.
+template <class D>
+class SelfContacts final : public pbd::ConstraintSet<D> {
+ public:
+  /// The tree may serve others too; it holds the boxes of the last begin().
+  SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree) {}
+
+  /// All cloth from now on. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
+  /// free of strain, also where it lies in the device's memory; that view must stay valid. `heaviest` is the
+  /// mass of the heaviest vertex, kg.
+  void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
+                   pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts, float heaviest);
+
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+  void settle(pbd::Substep<D>& substep) override;
+
+  void start_step() override;
+  bool had_room() override;
+  void make_room() override;
+  void save() override;
+  void restore() override;
+
+  /// Of the last step's substeps, the most contacts in any.
+  uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }
+  /// The same for pairs that had to be held back.
+  uint32_t most_held_back() const { return found(self_contact_kernels::crossings); }
+
+ private:
+  static constexpr uint32_t first_rounds = 3;
+
+  uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
+  /// A step is done again for want of rounds up to so many; then only the next one gets more. Each is three
+  /// launches a substep.
+  static constexpr uint32_t rounds_to_insist = 6;
+
+  uint32_t used_rounds() const;
+  bool ran_short() const { return used_rounds() == rounds_; }
+  uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
+  static bool any_meet(std::span<const ContactPart> parts);
+  bool idle() const { return tree_.places() == 0; }
+  void set_parts(std::span<const ContactPart> parts, std::span<const float> fineness);
+  void reserve_rows(uint32_t capacity);
+  void reserve_contacts(uint32_t capacity);
+  void find_pairs(pbd::Substep<D>& substep);
+  void make_contacts(pbd::Substep<D>& substep);
+  self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
+  self_contact_kernels::ContactList list();
+  uint32_t launched(uint32_t counter, size_t capacity);
+
+  D& device_;
+  pbd::SurfaceTree<D>& tree_;
+  pbd::View<const Vec3> rest_;
+  uint32_t vertices_ = 0, groups_ = 0, row_capacity_ = 0, rounds_ = first_rounds;
+  bool again_ = false;        // the step is done again
+  float least_distance_ = 0;  // m: see FindCrossings
+  float unit_ = 0;            // kg·m, of the integers that pushes are summed in
+
+  pbd::Buffer<self_contact_kernels::Part> parts_{device_, "cloth contact parts"};
+  pbd::Buffer<uint16_t> features_{device_, "cloth features"};
+  pbd::Buffer<uint32_t> vertex_part_{device_, "parts of cloth vertices"};
+  pbd::Buffer<uint32_t> neighbour_start_{device_, "cloth neighbourhoods"};
+  pbd::Buffer<uint32_t> neighbours_{device_, "cloth neighbourhoods"};
+  pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
+  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};
+  pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
+  pbd::Buffer<uint32_t> limit_{device_, "cloth motion limits"};
+  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, squeezed_{device_, "cloth group flags"};
+  pbd::Buffer<uint32_t> flags_{device_, "cloth group flags"};
+  pbd::Buffer<uint32_t> rows_{device_, "cloth group rows"}, row_count_{device_, "cloth group rows"};
+  pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};
+  pbd::Buffer<self_contact_kernels::Corners> corners_{device_, "cloth contact vertices"};
+  pbd::Buffer<pbd::Vec4> plane_{device_, "cloth contact planes"};
+  pbd::Buffer<pbd::Vec4> multiplier_{device_, "cloth contact multipliers"};
+  pbd::Buffer<pbd::Vec4> push_{device_, "cloth contact pushes"};
+  pbd::Buffer<self_contact_kernels::ContactWeights> weights_{device_, "cloth contact weights"};
+  pbd::Buffer<uint32_t> entry_count_{device_, "contacts of cloth vertices"};
+  pbd::Buffer<uint32_t> entry_start_{device_, "contacts of cloth vertices"};
+  pbd::Buffer<uint32_t> entries_{device_, "contacts of cloth vertices"};
+  pbd::Buffer<uint32_t> counters_{device_, "cloth contact counters"};
+  pbd::SharedBuffer<uint32_t> found_{device_, "cloth contact counts"};
+};
+
+}  // namespace meniscus::cloth

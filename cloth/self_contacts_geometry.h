@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Nearest places of a vertex and a triangle, or of two edges, which move along straight lines; and the time
+// at which they meet.
+#pragma once
+
+#include <cstdint>
+
+#include "pbd/math/vec.h"
+
+namespace meniscus::cloth {
+
+/// Four vertices: a vertex and the three of a triangle, or two edges of two.
+struct FeaturePair {
+  Vec3 start[4];   ///< m, from a place near them
+  Vec3 motion[4];  ///< m
+  bool edges = false;
+
+  MENISCUS_HD Vec3 at(int corner, float t) const { return start[corner] + t * motion[corner]; }
+};
+
+/// Where a pair is nearest: r = Σ weight · corner, from the triangle, or the second edge, to the other.
+struct Nearest {
+  Vec3 r;          ///< m
+  float distance;  ///< m, |r|
+  float u, v;      ///< of the triangle's second and third corner; or along the first and the second edge
+  uint32_t on;     ///< bit k: corner k has a share (of a vertex and a triangle: of the triangle's corners)
+};
+
+/// The weights of the four corners in r.
+MENISCUS_HD inline void corner_weights(bool edges, float u, float v, float (&weight)[4]) {
+  weight[0] = edges ? 1 - u : 1;
+  weight[1] = edges ? u : u + v - 1;
+  weight[2] = edges ? v - 1 : -u;
+  weight[3] = -v;
+}
+
+namespace nearest_detail {
+
+/// How far along the segment from a to b (from the origin) the origin is nearest, 0 to 1.
+MENISCUS_HD inline float along_segment(Vec3 a, Vec3 b) {
+  const Vec3 ab = b - a;
+  const float along = -dot(ab, a), whole = dot(ab, ab);
+  return along <= 0 ? 0 : along < whole ? along / whole : 1;
+}
+
+/// The nearest of an edge of the triangle, if it is nearer than what was found.
+MENISCUS_HD inline void try_edge(const Vec3 (&corner)[3], uint32_t k, Nearest& best, float& best2) {
+  const uint32_t next = k < 2 ? k + 1 : 0;
+  const float t = along_segment(corner[k], corner[next]);
+  const Vec3 nearest = corner[k] + t * (corner[next] - corner[k]);
+  const float d2 = dot(nearest, nearest);
+  if (d2 >= best2) return;
+  best2 = d2;
+  float weight[3] = {0, 0, 0};
+  weight[k] = 1 - t;
+  weight[next] = t;
+  best = {-nearest, 0, weight[1], weight[2], (t < 1 ? 1u << k : 0u) | (t > 0 ? 1u << next : 0u)};
+}
+
+}  // namespace nearest_detail
+
+/// Of a triangle to a point. Its regions are told apart by a plane an edge, which holds for slivers in float.
+MENISCUS_HD inline Nearest nearest_on_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2) {
+  const Vec3 corner[3] = {t0 - p, t1 - p, t2 - p};
+  const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const float nn = dot(n, n);
+  bool past[3], inside = nn > 0;
+  for (uint32_t k = 0; k < 3; ++k) {
+    const Vec3 a = corner[k], b = corner[k < 2 ? k + 1 : 0];
+    past[k] = dot(cross(b - a, n), a) < 0;
+    inside = inside && !past[k];
+  }
+  Nearest best{{0, 0, 0}, 0, 0, 0, 7};
+  if (inside) {
+    best.u = dot(cross(corner[2], corner[0]), n) / nn;
+    best.v = dot(cross(corner[0], corner[1]), n) / nn;
+    best.r = (-dot(n, corner[0]) / nn) * n;
+  } else {
+    // It lies on an edge that the point is past; of a triangle without area all three are tried.
+    float best2 = 3e38f;
+    for (uint32_t k = 0; k < 3; ++k)
+      if (past[k] || !(nn > 0)) nearest_detail::try_edge(corner, k, best, best2);
+    if (best2 > 1e38f)
+      for (uint32_t k = 0; k < 3; ++k) nearest_detail::try_edge(corner, k, best, best2);
+  }
+  best.distance = length(best.r);
+  return best;
+}
+
+/// Of the edges from a to b and from c to d: at their insides, or else an end of one of them.
+MENISCUS_HD inline Nearest nearest_of_edges(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const Vec3 e = b - a, f = d - c, r = a - c;
+  const Vec3 n = cross(e, f);
+  const float nn = dot(n, n);
+  if (nn > 1e-10f * dot(e, e) * dot(f, f)) {
+    const float u = dot(cross(f, r), n) / nn, v = dot(cross(e, r), n) / nn;
+    if (u > 0 && u < 1 && v > 0 && v < 1) {
+      const Vec3 across = (dot(n, r) / nn) * n;
+      return {across, length(across), u, v, 15};
+    }
+  }
+  Nearest best{};
+  float best2 = 3e38f;
+  const auto consider = [&](float u, float v) {
+    const Vec3 way = r + u * e - v * f;
+    const float d2 = dot(way, way);
+    if (d2 >= best2) return;
+    best2 = d2;
+    best = {way, 0, u, v, (u < 1 ? 1u : 0u) | (u > 0 ? 2u : 0u) | (v < 1 ? 4u : 0u) | (v > 0 ? 8u : 0u)};
+  };
+  consider(0, nearest_detail::along_segment(c - a, d - a));
+  consider(1, nearest_detail::along_segment(c - b, d - b));
+  consider(nearest_detail::along_segment(a - c, b - c), 0);
+  consider(nearest_detail::along_segment(a - d, b - d), 1);
+  best.distance = length(best.r);
+  return best;
+}
+
+MENISCUS_HD inline Nearest nearest(const FeaturePair& p, float t) {
+  if (p.edges) return nearest_of_edges(p.at(0, t), p.at(1, t), p.at(2, t), p.at(3, t));
+  return nearest_on_triangle(p.at(0, t), p.at(1, t), p.at(2, t), p.at(3, t));
+}
+
+/// m: no two points of the two features move further than this against one another.
+MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
+  const int first = p.edges ? 2 : 1;
+  float most2 = 0;
+  for (int a = 0; a < first; ++a) {
+    for (int b = first; b < 4; ++b) {
+      const Vec3 d = p.motion[a] - p.motion[b];
+      most2 = pbd::max(most2, dot(d, d));
+    }
+  }
+  return sqrtf(most2);
+}
+
+/// The part of the motion, 0 to 1, after which the two first come as near as `gap`, and no nearer than
+/// 3/4 of it; 2 where they do not. By
+/// additive advancement (Li, Kaufman & Jiang 2021, section 5): each step is as long as nothing can cut
+/// short, and there are no roots to be missed. `distance` is at the start, and greater than the gap;
+/// `motion` as relative_motion() has it.
+MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float distance, float motion, float gap) {
+  constexpr int most_steps = 64;
+  float t = 0;
+  for (int k = 0; k < most_steps; ++k) {
+    t += (distance - 0.75f * gap) / motion;  // > 0.25 gap / motion
+    if (t >= 1) return 2;
+    distance = nearest(p, t).distance;
+    if (distance <= gap) return t;
+  }
+  return t;  // they have grazed: it stops here
+}
+
+}  // namespace meniscus::cloth

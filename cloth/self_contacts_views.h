@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the kernels of cloth-to-cloth contacts share.
+#pragma once
+
+#include "cloth/self_contacts_geometry.h"
+#include "cloth/self_contacts_tables.h"
+#include "pbd/particles.h"
+#include "pbd/surface_boxes.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+using pbd::joined;
+using pbd::no_index;
+using pbd::overlap;
+using pbd::SurfaceTriangle;
+using pbd::Vec4;
+using pbd::View;
+
+struct Part {
+  float thickness;  // m
+  float friction;
+  uint32_t filter_groups, filter_mask;
+  uint32_t self;
+  float
+      tolerance;  // m: a vertex that the solve carries further from where it was foreseen is looked at again
+};
+
+/// Rounds of holding back are counted one by one.
+inline constexpr uint32_t most_rounds = 12;
+enum Counter : uint32_t {
+  candidates,
+  contacts,
+  longest_row,
+  crossings,
+  counter_count = crossings + most_rounds
+};
+
+/// A feature of the triangle at a place: 0 to 2 a vertex, 3 to 5 an edge, 6 the face.
+using Feature = uint32_t;
+inline constexpr uint32_t face = 6;
+
+MENISCUS_HD constexpr Feature feature(uint32_t place, uint32_t which) {
+  return place << 3 | which;
+}
+
+/// A vertex and a face, or two edges.
+struct FeatureCode {
+  Feature first, second;
+};
+
+MENISCUS_HD inline uint32_t corner_of(const SurfaceTriangle& t, uint32_t k) {
+  return k == 0 ? t.a : k == 1 ? t.b : t.c;
+}
+MENISCUS_HD inline bool has_vertex(const SurfaceTriangle& t, uint32_t v) {
+  return t.a == v || t.b == v || t.c == v;
+}
+
+/// The four vertices of a contact; bit 31 of the first: two edges.
+struct alignas(16) Corners {
+  static constexpr uint32_t edges_bit = 1u << 31;
+
+  uint32_t v[4];
+
+  MENISCUS_HD bool edges() const { return (v[0] & edges_bit) != 0; }
+  MENISCUS_HD uint32_t vertex(uint32_t k) const { return v[k] & ~edges_bit; }
+};
+
+struct ContactWeights {
+  float u, v, friction;
+};
+
+/// Contacts, array by array.
+struct ContactList {
+  View<Corners> corners;
+  View<Vec4> plane;       // normal n, and the distance to be kept
+  View<Vec4> multiplier;  // of friction, and of the normal push, kg·m
+  View<Vec4> push;        // what an iteration adds, kg·m; w: distance at the substep's start, m
+  View<ContactWeights> weights;
+  View<uint32_t> counters;
+
+  MENISCUS_HD uint32_t count() const {
+    return counters[contacts] < corners.count ? counters[contacts] : corners.count;
+  }
+};
+
+/// In a row: the two groups lie in one smooth sheet, and cannot touch while they do.
+inline constexpr uint32_t in_one_sheet = 1u << 31;
+
+/// The vertices of a substep, and what is known of the surface.
+struct ClothState {
+  View<const Vec4> previous;  // by vertex
+  View<const Vec4> foreseen;  // by vertex: the predicted position; w: how far its box goes beyond its way
+  pbd::SurfaceTreeView tree;
+  View<const uint16_t> features;
+  View<const Part> parts;
+  View<const uint32_t> rough;            // by group: whether it is bent so much that its edges stand out
+  View<const uint32_t> rows, row_count;  // by group: the groups that it may touch
+  uint32_t row_capacity;
+
+  MENISCUS_HD uint32_t row_size(uint32_t g) const {
+    return row_count[g] < row_capacity ? row_count[g] : row_capacity;
+  }
+  MENISCUS_HD Aabb way_box(uint32_t v) const {
+    const Vec4 to = load(foreseen, v);
+    const Vec3 from = load(previous, v).xyz();
+    return pbd::inflated({min(from, to.xyz()), max(from, to.xyz())}, to.w);
+  }
+  /// The vertices of a pair of features.
+  MENISCUS_HD Corners corners_of(FeatureCode code) const {
+    const SurfaceTriangle s = load(tree.triangles, code.first >> 3),
+                          t = load(tree.triangles, code.second >> 3);
+    const uint32_t a = code.first & 7, b = code.second & 7;
+    if (b == face) return {corner_of(s, a), t.a, t.b, t.c};
+    return {corner_of(s, a - 3) | Corners::edges_bit, corner_of(s, a == 5 ? 0 : a - 2), corner_of(t, b - 3),
+            corner_of(t, b == 5 ? 0 : b - 2)};
+  }
+};
+
+/// The pair's way from `from` to `to`, from its first vertex.
+MENISCUS_HD inline FeaturePair pair_of(const Corners& corners, View<const Vec4> from, View<const Vec4> to) {
+  FeaturePair pair;
+  pair.edges = corners.edges();
+  const Vec3 origin = load(from, corners.vertex(0)).xyz();
+  for (uint32_t k = 0; k < 4; ++k) {
+    const uint32_t v = corners.vertex(k);
+    const Vec3 x = load(from, v).xyz();
+    pair.start[k] = x - origin;
+    pair.motion[k] = to[v].xyz() - x;
+  }
+  return pair;
+}
+
+}  // namespace meniscus::cloth::self_contact_kernels

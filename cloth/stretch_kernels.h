@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cloth/constraints.h"
+#include "cloth/vertex_state.h"
+
+namespace meniscus::cloth::stretch_kernels {
+
+/// What is pressed together is relaxed by no more than this. Cloth that hangs from a mesh of triangles is
+/// pressed together somewhere; lengthened in full each substep it buckles to and fro, and does not rest.
+inline constexpr float compressed_relaxation = 0.2f;
+
+struct SolveEdge {
+  View<const EdgeConstraint> edges;
+  View<Vec4> multiplier;  ///< kg·m: λ n, and λ
+  float relaxation;       ///< ω of successive over-relaxation
+  float share;            ///< of the multiplier that there is
+
+  MENISCUS_HD void prefetch(uint32_t k) const {
+    pbd::prefetch(edges, k);
+    pbd::prefetch(multiplier, k);
+  }
+
+  template <class Vertices>
+  MENISCUS_HD void operator()(const Vertices& vertices, uint32_t k) const {
+    const EdgeConstraint e = load(edges, k);
+    const float before = share * multiplier[k].w;
+    const Vertex a = vertices.at(e.a), b = vertices.at(e.b);
+    const float weight = a.x.w + b.x.w;
+    Vec4 d = plus(b.x, -1, a.x);
+    d.w = 0;
+    const float l = length(d.xyz());
+    const float compliance = e.compliance * vertices.inverse_dt() * vertices.inverse_dt();
+    if (weight + compliance == 0 || l < 1e-12f) return;
+    const float damping = vertices.stretch_damping(e.a), inverse_l = 1 / l;
+    float rate = 0;
+    if (damping > 0) {
+      const Vec4 was = plus(vertices.previous(e.b), -1, vertices.previous(e.a));
+      rate = inverse_l * dot(d.xyz(), d.xyz() - was.xyz());
+    }
+    const float c = l - e.rest_length;
+    const float step = (c < 0 ? compressed_relaxation : relaxation) *
+                       xpbd_step(c, rate, weight, before, compliance, damping);
+    const float now = before + step, scale = inverse_l * now;
+    multiplier[k] = {scale * d.x, scale * d.y, scale * d.z, now};
+    vertices.push(e.a, a, -inverse_l * step, d);
+    vertices.push(e.b, b, inverse_l * step, d);
+  }
+};
+
+/// Starts vertices from a share of the edges' last multipliers.
+struct WarmStart {
+  View<const uint32_t> fan_start, fan;
+  View<const Vec4> multiplier;
+  VertexState vertices;
+  float share;
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    Vec4 impulse{0, 0, 0, 0};
+    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k)
+      impulse = plus(impulse, fan[k] % 2 ? 1.0f : -1.0f, load(multiplier, fan[k] / 2));
+    impulse.w = 0;
+    vertices.push(v, vertices.at(v), share, impulse);
+  }
+};
+
+/// Warp, weft and shear of a triangle, one after the other.
+struct SolveStrain {
+  View<const StrainConstraint> strains;
+  View<Vec4> multiplier;  ///< kg·m², of warp, weft and shear
+  float relaxation;
+  bool starts;  ///< the substep's multipliers
+
+  struct Corners {
+    Vec4 x[3];
+    Vec3 impulse[3];
+  };
+  /// One strain and its gradients at b and c; that at a is minus their sum.
+  struct Strain {
+    float value;
+    Vec3 by_b, by_c;
+  };
+
+  MENISCUS_HD void prefetch(uint32_t k) const {
+    pbd::prefetch(strains, k);
+    pbd::prefetch(multiplier, k);
+  }
+
+  template <class Vertices>
+  MENISCUS_HD void operator()(const Vertices& vertices, uint32_t k) const {
+    const StrainConstraint s = strains[k];
+    const Vec4 start = starts ? Vec4{0, 0, 0, 0} : multiplier[k];
+    const Vertex a = vertices.at(s.a), b = vertices.at(s.b), c = vertices.at(s.c);
+    Corners t{{a.x, b.x, c.x}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+    const float scale = vertices.inverse_dt() * vertices.inverse_dt();
+    Vec4 now = start;
+    now.x = solve(vertices, s, t, stretch(s, t, 0), start.x, scale * s.warp_compliance, true);
+    now.y = solve(vertices, s, t, stretch(s, t, 1), start.y, scale * s.weft_compliance, true);
+    now.z = solve(vertices, s, t, shear(s, t), start.z, scale * s.shear_compliance, false);
+    multiplier[k] = now;
+    vertices.push(s.a, a, t.impulse[0]);
+    vertices.push(s.b, b, t.impulse[1]);
+    vertices.push(s.c, c, t.impulse[2]);
+  }
+
+  MENISCUS_HD static Vec3 direction(const StrainConstraint& s, const Corners& t, int axis) {
+    const Vec3 ab = t.x[1].xyz() - t.x[0].xyz(), ac = t.x[2].xyz() - t.x[0].xyz();
+    return s.inverse_rest[axis] * ab + s.inverse_rest[2 + axis] * ac;
+  }
+
+  MENISCUS_HD static Strain stretch(const StrainConstraint& s, const Corners& t, int axis) {
+    const Vec3 f = direction(s, t, axis);
+    const float l = length(f);
+    const Vec3 n = l > 1e-12f ? f / l : Vec3{0, 0, 0};
+    return {l - 1, s.inverse_rest[axis] * n, s.inverse_rest[2 + axis] * n};
+  }
+
+  MENISCUS_HD static Strain shear(const StrainConstraint& s, const Corners& t) {
+    const Vec3 fu = direction(s, t, 0), fv = direction(s, t, 1);
+    const float lu = length(fu), lv = length(fv);
+    if (lu < 1e-12f || lv < 1e-12f) return {0, {0, 0, 0}, {0, 0, 0}};
+    const Vec3 u = fu / lu, v = fv / lv;
+    const float cosine = dot(u, v);
+    const Vec3 by_u = (v - cosine * u) / lu, by_v = (u - cosine * v) / lv;
+    return {cosine, s.inverse_rest[0] * by_u + s.inverse_rest[1] * by_v,
+            s.inverse_rest[2] * by_u + s.inverse_rest[3] * by_v};
+  }
+
+  /// Moves the corners; returns the new multiplier.
+  template <class Vertices>
+  MENISCUS_HD float solve(const Vertices& vertices, const StrainConstraint& s, Corners& t,
+                          const Strain& strain, float before, float compliance, bool stretches) const {
+    const Vec3 gradient[3] = {-(strain.by_b + strain.by_c), strain.by_b, strain.by_c};
+    const uint32_t number[3] = {s.a, s.b, s.c};
+    const float damping = vertices.stretch_damping(s.a);
+    float weight = 0, rate = 0;
+    for (int i = 0; i < 3; ++i) {
+      weight += t.x[i].w * dot(gradient[i], gradient[i]);
+      if (damping > 0) rate += dot(gradient[i], t.x[i].xyz() - vertices.previous(number[i]).xyz());
+    }
+    // What yields without limit, or has no direction to go, is left alone.
+    if (!(weight + compliance > 0) || !(compliance < 1e30f)) return before;
+    const float relaxing = strain.value < 0 && stretches ? compressed_relaxation : relaxation;
+    const float step = relaxing * xpbd_step(strain.value, rate, weight, before, compliance, damping);
+    for (int i = 0; i < 3; ++i) {
+      t.impulse[i] += step * gradient[i];
+      t.x[i] = pbd::with_w(t.x[i].xyz() + t.x[i].w * step * gradient[i], t.x[i].w);
+    }
+    return before + step;
+  }
+};
+
+}  // namespace meniscus::cloth::stretch_kernels

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cloth/bending_kernels.h"
+#include "cloth/clusters.h"
+#include "cloth/stretch_kernels.h"
+
+namespace meniscus::cloth {
+
+/// The vertices of a cluster while it is worked on: in a GPU's shared memory, which gathers them many times
+/// faster than its cache does.
+struct ClusterScratch {
+  Vec4 x[Cluster::most_vertices], moved[Cluster::most_vertices], previous[Cluster::most_vertices];
+  uint32_t number[Cluster::most_vertices];
+};
+
+/// What constraints see of it.
+struct ClusterVertices {
+  ClusterScratch& scratch;
+  const VertexState& all;
+
+  MENISCUS_HD Vertex at(uint32_t v) const { return {scratch.x[v], scratch.moved[v]}; }
+  MENISCUS_HD Vec4 previous(uint32_t v) const { return scratch.previous[v]; }
+  MENISCUS_HD float inverse_dt() const { return all.inverse_dt; }
+  MENISCUS_HD float stretch_damping(uint32_t v) const { return all.stretch_damping(scratch.number[v]); }
+  MENISCUS_HD float bending_damping(uint32_t v) const { return all.bending_damping(scratch.number[v]); }
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& impulse) const {
+    const Vertex after = pushed(vertex, s, impulse);
+    scratch.x[v] = after.x;
+    scratch.moved[v] = after.moved;
+  }
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 impulse) const {
+    push(v, vertex, 1, pbd::with_w(impulse, 0));
+  }
+};
+
+/// The clusters of one pass, each by a group of threads, batch by batch.
+struct SolveClusters {
+  using Scratch = ClusterScratch;
+
+  View<const Cluster> clusters;
+  View<const Batch> batches;
+  View<const uint32_t> numbers;  ///< of the clusters' vertices
+  VertexState all;
+  bending_kernels::SolveIsometric isometric;
+  bending_kernels::SolveHinge hinge;
+  stretch_kernels::SolveStrain strain;
+  stretch_kernels::SolveEdge edge;
+  uint32_t first;  ///< cluster of the pass
+  bool backwards;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    const Cluster cluster = clusters[first + n];
+    const uint32_t vertices = cluster.end_vertex - cluster.first_vertex;
+    group.for_each(vertices, [&](uint32_t v) {
+      const uint32_t number = numbers[cluster.first_vertex + v], i = all.particles.sorted + number;
+      scratch.number[v] = number;
+      scratch.x[v] = all.particles.position[i];
+      scratch.moved[v] = all.particles.moved[i];
+      scratch.previous[v] = all.particles.previous[i];
+    });
+    sweep(group, cluster, ClusterVertices{scratch, all});
+    group.for_each(vertices, [&](uint32_t v) {
+      const uint32_t i = all.particles.sorted + scratch.number[v];
+      all.particles.position[i] = scratch.x[v];
+      all.particles.moved[i] = scratch.moved[v];
+    });
+  }
+
+  template <class Group>
+  MENISCUS_HD void sweep(const Group& group, const Cluster& cluster, const ClusterVertices& vertices) const {
+    const uint32_t count = cluster.end_batch - cluster.first_batch;
+    const auto batch_at = [&](uint32_t k) {
+      return batches[backwards ? cluster.end_batch - 1 - k : cluster.first_batch + k];
+    };
+    Batch batch = batch_at(0);
+    for (uint32_t k = 0; k < count; ++k) {
+      const Batch next = k + 1 < count ? batch_at(k + 1) : Batch{batch.kind, 0, 0};
+      switch (batch.kind) {
+        case ConstraintKind::isometric:
+          solve(group, vertices, batch, next, isometric);
+          break;
+        case ConstraintKind::hinge:
+          solve(group, vertices, batch, next, hinge);
+          break;
+        case ConstraintKind::strain:
+          solve(group, vertices, batch, next, strain);
+          break;
+        case ConstraintKind::edge:
+          solve(group, vertices, batch, next, edge);
+          break;
+      }
+      batch = next;
+    }
+  }
+
+  /// While a batch is solved, the next one comes near.
+  template <class Group, class Solver>
+  MENISCUS_HD static void solve(const Group& group, const ClusterVertices& vertices, const Batch& batch,
+                                const Batch& next, const Solver& solver) {
+    const uint32_t ahead = next.kind == batch.kind ? next.count : 0;
+    group.for_each(batch.count, [&](uint32_t i) {
+      if (i < ahead) solver.prefetch(next.first + i);
+      solver(vertices, batch.first + i);
+    });
+  }
+};
+
+}  // namespace meniscus::cloth

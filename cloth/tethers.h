@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cloth/cloth_mesh.h"
+#include "cloth/constraints.h"
+
+namespace meniscus::cloth {
+
+/// Long-range attachments (Kim, Chentanez & Müller 2012): ties each vertex that is not held to the held
+/// vertex nearest to it along the surface at rest, with that distance as its length. Vertices of parts that
+/// nothing holds get none. In the order of anchors, then of vertices. Throws Error(invalid_argument) where a
+/// number in `held` is no vertex.
+///
+/// Distances by fast marching over the triangles (Kimmel & Sethian 1998), so that they are not those of paths
+/// along edges, and never shorter than the straight line. Where the code departs from the paper: tethers.cpp.
+std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_t> held);
+
+}  // namespace meniscus::cloth

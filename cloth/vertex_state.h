@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What all kernels of cloth begin with: the vertices, and XPBD's step of one constraint.
+#pragma once
+
+#include "cloth/piece.h"
+#include "cloth/push_vertex.h"
+#include "pbd/particles.h"
+
+namespace meniscus::cloth {
+
+using pbd::Vec4;
+using pbd::View;
+
+/// Vertices by their numbers.
+struct VertexState {
+  pbd::ParticleView particles;
+  View<const Piece> pieces;
+  CommonDamping damping;
+  float inverse_dt = 0;  ///< 1/s
+
+  MENISCUS_HD Vec4 position(uint32_t v) const { return particles.position[particles.sorted + v]; }
+  MENISCUS_HD Vertex at(uint32_t v) const { return vertex_at(particles, v); }
+  MENISCUS_HD Vec4 previous(uint32_t v) const { return particles.previous[particles.sorted + v]; }
+  /// m, of the present position x of v since the substep began.
+  MENISCUS_HD Vec3 way(uint32_t v, const Vec4& x) const { return x.xyz() - previous(v).xyz(); }
+  MENISCUS_HD const Piece& piece_of(uint32_t v) const {
+    return pieces[pbd::phase_group(particles.phase[particles.sorted + v])];
+  }
+  /// τ/h, with Rayleigh's β = τ/α.
+  MENISCUS_HD float stretch_damping(uint32_t v) const {
+    return inverse_dt * (damping.stretch >= 0 ? damping.stretch : piece_of(v).stretch_damping);
+  }
+  MENISCUS_HD float bending_damping(uint32_t v) const {
+    return inverse_dt * (damping.bending >= 0 ? damping.bending : piece_of(v).bending_damping);
+  }
+
+  /// Gives s times an impulse (kg·m; w is 0) to v.
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& impulse) const {
+    push_vertex(particles, v, vertex, s, impulse);
+  }
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 impulse) const {
+    push(v, vertex, 1, pbd::with_w(impulse, 0));
+  }
+};
+
+/// What one constraint adds to its multiplier (Macklin, Müller & Chentanez 2016, eq. 26):
+///
+///   Δλ = (−C − α̃ λ − γ ∇C·(x − x₀)) / ((1 + γ) Σ w|∇C|² + α̃)
+///
+/// for any number of constraints with a common weight Σ w|∇C|²: V is float or Vec3. `damping` is τ/h, and γ
+/// that times α̃/(α̃ + weight): what is stiffer than a substep resolves acts with the stiffness that the solve
+/// gives it, and is damped in proportion to that. Else damping would keep unyielding cloth from its length.
+template <class V>
+MENISCUS_HD V xpbd_step(V c, V rate, float weight, V multiplier, float compliance, float damping) {
+  const float gamma = damping > 0 ? damping * compliance / (compliance + weight) : 0;
+  return -1.0f / ((1 + gamma) * weight + compliance) * (c + compliance * multiplier + gamma * rate);
+}
+
+}  // namespace meniscus::cloth

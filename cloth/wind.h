@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Moving air: a mean velocity, and gusts as a sum of waves that are free of divergence, each across its own
+// direction of travel (after Kraichnan 1970).
+#pragma once
+
+#include "pbd/math/vec.h"
+
+namespace meniscus::cloth {
+
+struct Gust {
+  Vec3 wave;       ///< rad/m
+  Vec3 amplitude;  ///< m/s, across the wave
+  float rate;      ///< rad/s
+  float phase;     ///< rad
+};
+
+struct Wind {
+  static constexpr int gust_count = 8;
+
+  Vec3 velocity{0, 0, 0};  ///< m/s
+  float density = 1.2f;    ///< kg/m³, of the air
+  Gust gusts[gust_count] = {};
+  bool gusty = false;
+
+  MENISCUS_HD Vec3 at(Vec3 x, float time) const {
+    Vec3 v = velocity;
+    if (!gusty) return v;
+    for (const Gust& g : gusts) v += sinf(dot(g.wave, x) - g.rate * time + g.phase) * g.amplitude;
+    return v;
+  }
+};
+
+/// Wind with gusts of this standard deviation (m/s), about this size (m), the same for the same seed.
+Wind make_wind(Vec3 velocity, float air_density, float gust_speed, float gust_size, uint32_t seed);
+
+}  // namespace meniscus::cloth

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "pbd/surface_order.h"
+#include "pbd/surface_tree.h"
+
+namespace meniscus::pbd {
+
+namespace surface_kernels {
+
+/// The box of each triangle's way.
+template <class Reach>
+struct FitTriangles {
+  SurfaceTreeView tree;
+  View<const Vec4> previous, position;
+  uint32_t first_vertex;
+  Reach reach;
+
+  MENISCUS_HD void operator()(uint32_t place) const {
+    const SurfaceTriangle t = load(tree.triangles, place);
+    Aabb box = empty_box;
+    if (t.a != no_index) box = joined(joined(way(t.a, t.part), way(t.b, t.part)), way(t.c, t.part));
+    tree.group(0, place / 8).set(place % 8, box);
+  }
+
+  MENISCUS_HD Aabb way(uint32_t v, uint32_t part) const {
+    const Vec3 from = load(previous, first_vertex + v).xyz(), to = load(position, first_vertex + v).xyz();
+    return inflated({min(from, to), max(from, to)}, reach(v, part, from, to));
+  }
+};
+
+/// A level's boxes from those of the level below.
+struct FitLevel {
+  SurfaceTreeView tree;
+  uint32_t level;
+
+  MENISCUS_HD void operator()(uint32_t b) const {
+    Aabb box = empty_box;
+    if (b < tree.boxes[level]) {
+      const BoxGroup& below = tree.group(level - 1, b);
+      for (uint32_t k = 0; k < BoxGroup::size; ++k) box = joined(box, below.box(k));
+    }
+    tree.group(level, b / 8).set(b % 8, box);
+  }
+};
+
+}  // namespace surface_kernels
+
+template <class D>
+void SurfaceTree<D>::set_surface(std::span<const SurfaceTriangle> triangles,
+                                 std::span<const Vec3> positions) {
+  constexpr uint32_t most_roots = 64;  // fewer boxes than this are looked through one by one
+  order_ = tree_order(triangles, positions);
+  sorted_.clear();
+  for (uint32_t t : order_)
+    sorted_.push_back(t == no_index ? SurfaceTriangle{no_index, no_index, no_index, 0} : triangles[t]);
+
+  layout_ = {};
+  uint32_t groups = 0, boxes = places();
+  while (boxes > 0) {
+    layout_.start[layout_.levels] = groups;
+    layout_.boxes[layout_.levels] = boxes;
+    groups += layout_.groups_of(layout_.levels++);
+    const bool enough = layout_.levels > 1 && boxes <= most_roots;
+    if (enough || layout_.levels == SurfaceTreeView::most_levels) break;
+    boxes = (boxes + 7) / 8;
+  }
+  triangles_.resize_discard(sorted_.size());
+  triangles_.write(sorted_);
+  groups_.resize_discard(groups);
+}
+
+template <class D>
+template <class Reach>
+void SurfaceTree<D>::refit(const ParticleView& particles, const Reach& reach) {
+  using namespace surface_kernels;
+  const SurfaceTreeView tree = view();
+  device_.parallel_for(
+      "surface/triangles", places(),
+      FitTriangles<Reach>{tree, particles.previous, particles.position, particles.sorted, reach});
+  for (uint32_t level = 1; level < tree.levels; ++level)
+    device_.parallel_for("surface/boxes", 8 * tree.groups_of(level), FitLevel{tree, level});
+}
+
+template <class D>
+SurfaceTreeView SurfaceTree<D>::view() {
+  SurfaceTreeView tree = layout_;
+  tree.groups = groups_.view();
+  tree.triangles = triangles_.view();
+  return tree;
+}
+
+}  // namespace meniscus::pbd
