@@ -47,6 +47,12 @@ class BodySet final : public pbd::ConstraintSet<D> {
   void end_step() override;
   void undo_step() override;
 
+  /// By body: where it is predicted to be. For what is found once bodies are predicted.
+  pbd::View<const BodyProxy> proxies() const { return proxies_.view(); }
+  /// By body, of those that have contacts: what these have moved it by so far in the substep.
+  pbd::View<const body_kernels::ContactMotion> contact_motions() const {
+    return contact_motion_.current.view();
+  }
   /// What Bullet took of the host's time in the last step, ms.
   double step_ms() const { return step_ms_; }
   /// By body: what the particles gave it in the last step, over the step's length. N and N·m.

@@ -163,7 +163,7 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
   device_.parallel_for("bodies/arrive", bodies_, body_kernels::Arrive{arrived_.view(), proxies_.view()});
   carry_shapes();
   const pbd::ParticleView& p = substep.particles;
-  contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned}, furthest_motion());
+  contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, furthest_motion());
 }
 
 template <class D>

@@ -42,4 +42,18 @@ MENISCUS_HD inline FoundContact find_contact(const ShapeSet& set, const Shape& s
   return {surface, m.to, surface.distance < h - radius};
 }
 
+/// The same for a point of a face, whose motion nothing has cut short: on its way it may have met what is
+/// fixed as well, and where it ends in a solid, its way says which side it came from.
+MENISCUS_HD inline FoundContact find_face_contact(const ShapeSet& set, const Shape& shape, const Motion& m,
+                                                  float radius, float h) {
+  if (shape.kind == ShapeKind::plane) return find_plane_contact(set, shape, m, radius, h);
+  if (out_of_reach(shape, m.from, m.to, h)) return no_contact();
+  const SurfaceSample surface = sample_surface(set, shape, m.to, h);
+  if (surface.distance < 0.5f * radius || squared_length(m.to - m.from) > radius * radius) {
+    const Hit hit = sweep(set, shape, m, radius);
+    if (hit.found) return {sample_surface(set, shape, hit.at, h), hit.at, true};
+  }
+  return {surface, m.to, surface.distance < h - radius};
+}
+
 }  // namespace meniscus::collision

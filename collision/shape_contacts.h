@@ -15,18 +15,25 @@ struct Touch {
 
 namespace shape_contact_kernels {
 
-/// How a particle meets solids, by its fluid or its piece of cloth.
+/// How a particle meets solids, by its fluid or its piece of cloth. What is tied to a body does not touch it.
 struct Touches {
   pbd::View<const pbd::Phase> phase;
   pbd::View<const CollisionFilter> by_fluid;
   pbd::View<const Touch> by_piece;
   float fluid_radius;
+  pbd::View<const uint32_t> tied_body;  ///< by vertex; no_index: to none
+  uint32_t sorted = 0;                  ///< see ParticleView
 
   MENISCUS_HD Touch of(uint32_t i) const {
     if (by_piece.count && is_vertex(i)) return by_piece[pbd::phase_group(phase[i])];
     return {by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{}, fluid_radius};
   }
   MENISCUS_HD bool is_vertex(uint32_t i) const { return (phase[i] & pbd::phase_vertex) != 0; }
+  MENISCUS_HD bool is_face(uint32_t i) const { return by_piece.count && (phase[i] & pbd::phase_face) != 0; }
+  /// The body that i is tied to, or no_index.
+  MENISCUS_HD uint32_t body_of(uint32_t i) const {
+    return i >= sorted && i - sorted < tied_body.count ? tied_body[i - sorted] : pbd::no_index;
+  }
 };
 
 }  // namespace shape_contact_kernels
@@ -50,10 +57,13 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   void set_filters(std::span<const CollisionFilter> filters);
   /// By piece of cloth.
   void set_pieces(std::span<const Touch> pieces);
+  /// By vertex: the body that it is tied to, or no_index. Must stay valid until it is set anew.
+  void set_tied_bodies(pbd::View<const uint32_t> bodies) { tied_body_ = bodies; }
 
   void reserve(uint32_t particles) override;
   bool any() const override { return shapes_.shapes.count > 0; }
   bool any_moving() const override { return shapes_.fixed < shapes_.shapes.count; }
+  bool any_but_fixed_planes() const { return !only_fixed_planes_ && any(); }
   void limit_motion(const pbd::MotionView& motion, bool planes_too) override;
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
@@ -61,8 +71,8 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   /// Takes back what has passed through a moving shape since the substep began. Shapes are where they have
   /// got to, by no more than `furthest` (m): so far a particle may be taken along, and meet another.
   void limit_beside_moving(const pbd::MotionView& motion, float furthest);
-  shape_contact_kernels::Touches touches(pbd::View<const pbd::Phase> phase) const {
-    return {phase, filters_.view(), pieces_.view(), contact_radius_};
+  shape_contact_kernels::Touches touches(pbd::View<const pbd::Phase> phase, uint32_t sorted) const {
+    return {phase, filters_.view(), pieces_.view(), contact_radius_, tied_body_, sorted};
   }
   /// Shapes that are within `reach` (m) of where particles are.
   CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
@@ -82,6 +92,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   Candidates candidates_;
   pbd::Buffer<CollisionFilter> filters_;
   pbd::Buffer<Touch> pieces_;
+  pbd::View<const uint32_t> tied_body_;
 };
 
 }  // namespace meniscus::collision

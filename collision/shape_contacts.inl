@@ -20,6 +20,7 @@ struct LimitByFixed {
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
     const Vec3 path = motion.to - motion.from;
+    if (touches.is_face(i)) return;  // its triangle's vertices are limited
     const Touch touch = touches.of(i);
     // A slower one comes no further than where its contact sees it.
     if (!(dot(path, path) > touch.radius * touch.radius) || !is_finite(path)) return;
@@ -37,9 +38,10 @@ struct LimitByMoving {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
-    if (!is_finite(motion.to)) return;
+    if (!is_finite(motion.to) || touches.is_face(i)) return;
     const Touch touch = touches.of(i);
-    const Vec3 end = limit_by_moving(set, candidates, i, motion, touch.radius, touch.filter);
+    const Vec3 end =
+        limit_by_moving(set, candidates, i, motion, touch.radius, touch.filter, touches.body_of(i));
     motions.to[i] = pbd::with_w(end, motions.to[i].w);
   }
 };
@@ -56,10 +58,14 @@ struct Finder {
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
     const Touch touch = touches.of(i);
+    const bool face = touches.is_face(i);
+    if (face && position[i].w == 0) return;  // not in use
+    const uint32_t tied_body = touches.body_of(i);
     const auto look_at = [&](uint32_t number) {
       const Shape& shape = set.shapes[number];
       if (!collide(shape, touch.filter)) return;
-      const FoundContact found = find(shape, {previous[i].xyz(), position[i].xyz()}, touch.radius);
+      if (tied_body != pbd::no_index && shape.body == tied_body) return;
+      const FoundContact found = find(shape, {previous[i].xyz(), position[i].xyz()}, touch.radius, face);
       if (found.found) visit(shape, found);
     };
     if constexpr (only_fixed_planes) {
@@ -69,8 +75,9 @@ struct Finder {
     }
   }
 
-  MENISCUS_HD FoundContact find(const Shape& shape, const Motion& motion, float radius) const {
+  MENISCUS_HD FoundContact find(const Shape& shape, const Motion& motion, float radius, bool face) const {
     if constexpr (only_fixed_planes) return find_plane_contact(set, shape, motion, radius, h);
+    if (face) return find_face_contact(set, shape, motion_beside(shape, motion), radius, h);
     if (shape.body == pbd::no_index) return find_contact(set, shape, motion, radius, h);
     if (shape.kind != ShapeKind::plane && out_of_reach(shape, motion.from, motion.to, h)) return no_contact();
     return find_contact(set, shape, motion_beside(shape, motion), radius, h);
@@ -171,8 +178,8 @@ template <class D>
 template <bool only_fixed_planes>
 auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
   const pbd::ParticleView& p = substep.particles;
-  return shape_contact_kernels::Finder<only_fixed_planes>{shapes_,    candidates_.view(), touches(p.phase),
-                                                          p.position, p.previous,         support_radius_};
+  return shape_contact_kernels::Finder<only_fixed_planes>{
+      shapes_, candidates_.view(), touches(p.phase, p.sorted), p.position, p.previous, support_radius_};
 }
 
 template <class D>
@@ -180,16 +187,16 @@ void ShapeContacts<D>::limit_motion(const pbd::MotionView& motion, bool planes_t
   if (shapes_.fixed == 0 || (only_fixed_planes_ && !planes_too)) return;
   device_.parallel_for(
       "contacts/limit motion", motion.count,
-      shape_contact_kernels::LimitByFixed{shapes_, touches(motion.phase), motion, planes_too});
+      shape_contact_kernels::LimitByFixed{shapes_, touches(motion.phase, motion.sorted), motion, planes_too});
 }
 
 template <class D>
 void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, float furthest) {
   if (shapes_.fixed == shapes_.shapes.count || motion.count == 0) return;
   candidates_.find(device_, shapes_, motion.from, motion.to, motion.count, largest_radius_ + furthest);
-  device_.parallel_for(
-      "contacts/limit beside moving", motion.count,
-      shape_contact_kernels::LimitByMoving{shapes_, candidates_.view(), touches(motion.phase), motion});
+  device_.parallel_for("contacts/limit beside moving", motion.count,
+                       shape_contact_kernels::LimitByMoving{shapes_, candidates_.view(),
+                                                            touches(motion.phase, motion.sorted), motion});
 }
 
 template <class D>

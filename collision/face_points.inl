@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "collision/face_points.h"
+#include "collision/face_points_guard.h"
+
+namespace meniscus::collision {
+
+template <class D>
+void FacePoints<D>::set_surface(pbd::View<const pbd::SurfaceTriangle> surface,
+                                std::span<const pbd::SurfaceTriangle> triangles) {
+  device_.wait();
+  triangles_ = surface;
+  vertices_ = 0;
+  for (const pbd::SurfaceTriangle& t : triangles)
+    vertices_ = std::max({vertices_, t.a + 1, t.b + 1, t.c + 1});
+
+  std::vector<uint32_t> start(vertices_ + 1), fan(3 * triangles.size());
+  const auto corner = [&](size_t k) {
+    const pbd::SurfaceTriangle& t = triangles[k / 3];
+    return k % 3 == 0 ? t.a : k % 3 == 1 ? t.b : t.c;
+  };
+  for (size_t k = 0; k < fan.size(); ++k) ++start[corner(k) + 1];
+  for (uint32_t v = 0; v < vertices_; ++v) start[v + 1] += start[v];
+  std::vector<uint32_t> next(start);
+  for (uint32_t k = 0; k < fan.size(); ++k) fan[next[corner(k)]++] = k;
+  fan_start_.resize_discard(start.size());
+  fan_start_.write(start);
+  fan_.resize_discard(fan.size());
+  fan_.write(fan);
+  wanted_.host()[0] = 0;
+  set_room(triangles.empty() ? 0 : room_);
+}
+
+template <class D>
+void FacePoints<D>::set_room(uint32_t points) {
+  room_ = points;
+  const uint32_t faces = points ? triangles_.count : 0;
+  needed_.resize_discard(faces);
+  number_.resize_discard(points ? faces + 1 : 0);
+  weights_.resize_discard(faces);
+  triangle_of_.resize_discard(points);
+  pushed_.resize_discard(points);
+  demand_.resize_discard(points);
+  at_vertex_.resize_discard(points ? vertices_ : 0);
+}
+
+/// Where none were needed for long, none are kept ready: a step that needs some after all is done again, with
+/// the same result as if they had been.
+template <class D>
+void FacePoints<D>::save() {
+  constexpr uint32_t longest_idle = 100;
+  idle_ = wanted() == 0 ? idle_ + 1 : 0;
+  if (idle_ > longest_idle) active_ = false;
+}
+
+template <class D>
+void FacePoints<D>::make_room() {
+  active_ = true;
+  idle_ = 0;
+  if (wanted() > room_) set_room(std::max(256u, wanted() + wanted() / 2));
+}
+
+template <class D>
+face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const {
+  return {triangles_,
+          needed_.view(),
+          number_.view(),
+          weights_.view(),
+          triangle_of_.view(),
+          fan_start_.view(),
+          fan_.view(),
+          substep.particles.owned - room_,
+          room_};
+}
+
+template <class D>
+void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
+  using namespace face_kernels;
+  if (triangles_.count == 0 || !shapes_.any_but_fixed_planes()) return;
+  device_.parallel_for(
+      "faces/decide", triangles_.count,
+      Decide{shapes_.shapes(), shapes_.touches(substep.particles.phase, substep.particles.sorted), triangles_,
+             substep.particles, active_ ? needed_.view() : pbd::View<uint32_t>{}, weights_.view(),
+             wanted_.view()});
+  if (!active_) return;
+  device_.exclusive_scan("faces/number", needed_.view(), number_.view());
+  device_.parallel_for("faces/list", triangles_.count,
+                       ListPoints{needed_.view(), number_.view(), triangle_of_.view(), wanted_.view()});
+  substep.particles.owned += room_;
+  device_.parallel_for("faces/particles", room_,
+                       MakeParticles{points(substep), substep.particles, particles_.previous.view(),
+                                     particles_.phase.current.view(), particles_.slot.current.view()});
+}
+
+template <class D>
+void FacePoints<D>::begin(pbd::Substep<D>& substep) {
+  using namespace face_kernels;
+  if (!any(substep)) return contacts_.begin(substep);
+  device_.parallel_for("faces/loosen", room_, Loosen{points(substep), substep.contacts});
+  contacts_.begin(substep);
+  device_.parallel_for("faces/count", vertices_,
+                       CountAtVertices{points(substep), substep.contacts.start, at_vertex_.view()});
+}
+
+template <class D>
+void FacePoints<D>::project(pbd::Substep<D>& substep, int iteration) {
+  using namespace face_kernels;
+  if (!any(substep)) return contacts_.project(substep, iteration);
+  device_.parallel_for("faces/place", room_,
+                       Place{points(substep), substep.particles, substep.contacts, pushed_.view()});
+  device_.parallel_for("faces/weigh", room_,
+                       Weigh{points(substep), substep.particles, substep.contacts, pushed_.view()});
+  contacts_.project(substep, iteration);
+  device_.parallel_for("faces/hand back", vertices_,
+                       HandBack{points(substep), substep.particles, at_vertex_.view()});
+}
+
+template <class D>
+void FacePoints<D>::settle(pbd::Substep<D>& substep) {
+  using namespace face_kernels;
+  constexpr int rounds = 3;
+  if (!any(substep)) return;
+  const Points all = points(substep);
+  const pbd::ParticleView& p = substep.particles;
+  for (int k = 0; k < rounds; ++k) {
+    device_.parallel_for(
+        "faces/demand", room_,
+        Demand{all, p, substep.contacts, shapes_.shapes(), shapes_.touches(p.phase, p.sorted),
+               bodies_.proxies(), bodies_.contact_motions(), demand_.view()});
+    device_.parallel_for("faces/account", room_, Account{all, p, substep.contacts, demand_.view()});
+    device_.parallel_for("faces/obey", vertices_, Obey{all, p, at_vertex_.view(), demand_.view()});
+  }
+}
+
+template <class D>
+void FacePoints<D>::end(pbd::Substep<D>& substep) {
+  using namespace face_kernels;
+  if (!any(substep)) return contacts_.end(substep);
+  device_.parallel_for("faces/velocities", room_, PlaceVelocities{points(substep), substep.particles});
+  contacts_.end(substep);
+  device_.parallel_for("faces/hand back velocities", vertices_,
+                       HandBackVelocities{points(substep), substep.particles, at_vertex_.view()});
+}
+
+}  // namespace meniscus::collision
