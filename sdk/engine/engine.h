@@ -10,10 +10,16 @@
 #include <span>
 #include <vector>
 
+#include "cloth/cloth_model.h"
+#include "cloth/cloth_set.h"
+#include "cloth/rod.h"
+#include "cloth/self_contacts.h"
 #include "collision/body_proxy.h"
+#include "collision/body_ties.h"
 #include "collision/mesh.h"
 #include "collision/rigid_world.h"
 #include "collision/shape.h"
+#include "collision/shape_contacts.h"
 #include "fluid/density_set.h"
 #include "fluid/material.h"
 #include "fluid/probes.h"
@@ -26,6 +32,7 @@ struct EngineDef {
   fluid::Kernel kernel{};
   float particle_spacing = 0;  ///< m
   fluid::DensityParameters density;
+  cloth::ClothSolverParameters cloth;
   collision::RigidWorld* rigid = nullptr;  ///< must outlive the engine
 };
 
@@ -56,6 +63,19 @@ struct ParticleBatch {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
   std::vector<pbd::Phase> phase;
+};
+
+/// All cloth and ropes of a world: their vertices, by number, and what joins them.
+struct EngineCloth {
+  std::vector<pbd::Vec4> position;  ///< w: inverse mass
+  std::vector<pbd::Vec4> velocity;
+  std::vector<pbd::Phase> phase;                  ///< the group is the piece
+  std::vector<collision::Touch> touches;          ///< by piece
+  std::vector<cloth::ContactPart> contact_parts;  ///< by piece
+  std::vector<collision::BodyTie> ties;
+  cloth::ClothModel model;
+  cloth::RodModel rods, ropes;
+  std::vector<cloth::SegmentState> segments;  ///< of the rods
 };
 
 struct EngineStep {
@@ -106,6 +126,21 @@ class Engine {
   /// Signed distance of each point to the nearest solid that this filter collides with.
   virtual std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                              const CollisionFilter& filter) = 0;
+
+  /// Takes the place of all cloth and ropes that were there.
+  virtual void set_cloth(const EngineCloth& cloth) = 0;
+  virtual void set_wind(const cloth::Wind& wind) = 0;
+  /// By vertex.
+  virtual void read_vertices(std::span<Vec3> positions, std::span<Vec3> velocities) = 0;
+  virtual std::vector<cloth::SegmentState> read_segments() = 0;
+  /// By held vertex, N·s over the last step.
+  virtual std::vector<Vec3> read_reactions() = 0;
+  /// By tie, N·s on its vertex over the last step.
+  virtual std::vector<Vec3> read_tie_impulses() = 0;
+  /// By piece, Pa; empty where none holds gas.
+  virtual std::vector<float> read_gas_pressures() = 0;
+  /// Whether an edge was stretched further than it bears in the last step.
+  virtual bool found_tears() = 0;
 
   virtual uint32_t particle_count() const = 0;
   virtual void append(const ParticleBatch& batch) = 0;

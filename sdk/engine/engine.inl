@@ -6,8 +6,12 @@
 #include <cmath>
 #include <optional>
 
+#include "cloth/rod_set.h"
+#include "cloth/rope_set.h"
 #include "collision/body_set.h"
+#include "collision/body_ties.h"
 #include "collision/contact_set.h"
+#include "collision/face_points.h"
 #include "collision/mesh_fields.h"
 #include "collision/mesh_sampling.h"
 #include "collision/shape_contacts.h"
@@ -30,19 +34,32 @@ class DeviceEngine final : public Engine {
         solver_(device_, particles_, def.solver),
         contacts_(device_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
+        ties_(device_, bodies_),
         density_(device_, def.kernel, def.density),
+        cloth_(device_, def.cloth),
+        rods_(device_),
+        ropes_(device_),
+        tree_(device_),
+        self_contacts_(device_, tree_),
         contact_set_(device_),
+        face_points_(device_, particles_, contacts_, bodies_, contact_set_),
         tension_(device_, def.kernel, def.particle_spacing),
         viscosity_(device_, def.kernel),
         probes_(device_, density_),
         removal_(device_) {
+    solver_.add(static_cast<pbd::ContactSource<D>&>(ties_));
     solver_.add(contacts_);
     solver_.add(density_);
-    solver_.add(contact_set_);
+    solver_.add(cloth_);
+    solver_.add(rods_);
+    solver_.add(ropes_);
+    solver_.add(self_contacts_);
+    solver_.add(face_points_);
     solver_.add(bodies_);
     solver_.add(tension_);
     solver_.add(viscosity_);
     solver_.add(probes_);
+    solver_.add(static_cast<pbd::Observer<D>&>(ties_));
     reserve(1024, 0);
   }
 
@@ -73,6 +90,15 @@ class DeviceEngine final : public Engine {
   std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) override;
   std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                      const CollisionFilter& filter) override;
+
+  void set_cloth(const EngineCloth& cloth) override;
+  void set_wind(const cloth::Wind& wind) override { cloth_.set_wind(wind); }
+  void read_vertices(std::span<Vec3> positions, std::span<Vec3> velocities) override;
+  std::vector<cloth::SegmentState> read_segments() override { return rods_.states(0, rods_.segment_count()); }
+  std::vector<Vec3> read_reactions() override { return cloth_.read_reactions(); }
+  std::vector<Vec3> read_tie_impulses() override { return ties_.read_impulses(); }
+  std::vector<float> read_gas_pressures() override { return cloth_.read_pressures(last_substep_); }
+  bool found_tears() override { return cloth_.found_tears(); }
 
   void append(const ParticleBatch& batch) override;
   void keep(const std::vector<bool>& keep) override;
@@ -109,8 +135,15 @@ class DeviceEngine final : public Engine {
   pbd::Solver<D> solver_;
   collision::ShapeContacts<D> contacts_;
   collision::BodySet<D> bodies_;
+  collision::BodyTies<D> ties_;
   fluid::DensitySet<D> density_;
+  cloth::ClothSet<D> cloth_;
+  cloth::RodSet<D> rods_;
+  cloth::RopeSet<D> ropes_;
+  pbd::SurfaceTree<D> tree_;
+  cloth::SelfContacts<D> self_contacts_;
   collision::ContactSet<D> contact_set_;
+  collision::FacePoints<D> face_points_;
   fluid::SurfaceTensionPass<D> tension_;
   fluid::ViscosityPass<D> viscosity_;
   fluid::Probes<D> probes_;
@@ -140,6 +173,7 @@ class DeviceEngine final : public Engine {
 
 }  // namespace meniscus
 
+#include "sdk/engine/engine_cloth.inl"
 #include "sdk/engine/engine_particles.inl"
 #include "sdk/engine/engine_readout.inl"
 #include "sdk/engine/engine_shapes.inl"

@@ -68,7 +68,7 @@ void DeviceEngine<D>::fetch_contacts() {
     const pbd::Contact& c = contacts[n];
     const Vec3 impulse = multiplier_sum(c) / last_substep_;
     if (c.solid == pbd::no_index || impulse == Vec3{0, 0, 0}) continue;
-    if (pbd::is_vertex_slot(slot[particle[n]])) continue;
+    if (particle[n] >= particles_.sorted()) continue;  // vertices, and points of faces
     const bool is_body = c.body != pbd::no_index;
     fetched_contacts_.push_back({slot[particle[n]], c.solid, is_body, c.point, c.normal, impulse});
   }
@@ -92,12 +92,12 @@ void DeviceEngine<D>::forget_contacts(uint32_t solid, bool is_body) {
 template <class D>
 Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
   using namespace engine_kernels;
-  device_.reduce(
-      "measure/state", particles_.count(), StateSum{},
-      SumState{particles_.position.current.view(), particles_.velocity.current.view(), shape_set_,
-               contacts_.find_near(particles_.position.current.view(), particles_.count(), 0),
-               contacts_.touches(particles_.phase.current.view()), gravity, def_.solver.support_radius},
-      AddStates{}, state_sum_.view());
+  device_.reduce("measure/state", particles_.count(), StateSum{},
+                 SumState{particles_.position.current.view(), particles_.velocity.current.view(), shape_set_,
+                          contacts_.find_near(particles_.position.current.view(), particles_.count(), 0),
+                          contacts_.touches(particles_.phase.current.view(), particles_.sorted()), gravity,
+                          def_.solver.support_radius},
+                 AddStates{}, state_sum_.view());
   StateSum sum{};
   state_sum_.read(std::span(&sum, 1));
   Diagnostics d;

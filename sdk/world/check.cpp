@@ -89,6 +89,8 @@ void world(const WorldDef& def) {
   between("WorldDef::min_substeps", def.min_substeps, 1, 1000);
   between("WorldDef::max_substeps", def.max_substeps, def.min_substeps, 1000);
   between("WorldDef::contact_radius", def.contact_radius, 0.01f, 1.0f);
+  between("ClothSolverDef::over_relaxation", def.cloth.over_relaxation, 1.0f, 1.3f);
+  between("ClothSolverDef::warm_start", def.cloth.warm_start, 0.0f, 0.35f);
   const DensitySolverDef& d = def.density;
   between("DensitySolverDef::relaxation", d.relaxation, 0.01f, 0.44f);
   between("DensitySolverDef::warm_start", d.warm_start, 0.0f, 0.5f);

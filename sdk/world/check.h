@@ -6,6 +6,7 @@
 #pragma once
 
 #include <meniscus/bodies.h>
+#include <meniscus/cloth.h>
 
 #include <string>
 
@@ -28,5 +29,9 @@ void fluid(const FluidDef& def);
 void shape(const ShapeDef& def);
 void body(const BodyDef& def);
 void joint(const JointDef& def);
+void cloth(const ClothDef& def);
+void rope(const RopeDef& def);
+void attachment(const AttachmentDef& def);
+void wind(const WindDef& def);
 
 }  // namespace meniscus::check

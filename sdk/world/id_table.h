@@ -45,12 +45,20 @@ class IdTable {
                                           "." + std::to_string(id.generation) + " in this world");
   }
 
+  T& edit(IdType id) { return const_cast<T&>(get(id)); }
+
   /// Of what stands at an index, where something does.
   IdType id(uint32_t index) const { return {index, entries_[index].generation}; }
 
   /// Calls visit(index, value) for each, in the order of the indices.
   template <class Visit>
   void for_each(const Visit& visit) const {
+    for (uint32_t i = 0; i < entries_.size(); ++i) {
+      if (entries_[i].value) visit(i, *entries_[i].value);
+    }
+  }
+  template <class Visit>
+  void for_each(const Visit& visit) {
     for (uint32_t i = 0; i < entries_.size(); ++i) {
       if (entries_[i].value) visit(i, *entries_[i].value);
     }

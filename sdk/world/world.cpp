@@ -202,19 +202,21 @@ void World::relax(int iterations) {
 StepReport World::step(float dt) {
   check::positive("step's dt", dt);
   const auto start = std::chrono::steady_clock::now();
+  impl_->upload_cloth();
   impl_->state_changed();
+  impl_->tears.clear();
   EngineStep done = impl_->engine->step(dt);
   if (const pbd::ParticleSummary& summary = done.result.summary; summary.non_finite) {
     throw Error(ErrorCode::non_finite,
-                std::to_string(summary.non_finite) +
-                    " particles became non-finite, the first of them number " +
-                    std::to_string(impl_->ids[summary.first_bad_slot]) +
+                std::to_string(summary.non_finite) + " particles became non-finite, the first of them " +
+                    impl_->name_particle(summary.first_bad_slot) +
                     "; the state is the one before the step. A shorter step or more substeps may help");
   }
   impl_->time += dt;
   impl_->last_substep = dt / static_cast<float>(done.result.substeps);
   impl_->read_probes();
   impl_->note_events();
+  impl_->note_cloth_step(dt);
   StepReport report;
   report.removed = static_cast<uint32_t>(std::count(done.removed.begin(), done.removed.end(), true));
   if (report.removed) impl_->remove(done.removed);

@@ -99,6 +99,7 @@ void World::destroy_body(BodyId id) {
     if (!impl_->rigid.has_joint(number)) gone.push_back(number);
   });
   for (uint32_t number : gone) impl_->joints.erase(impl_->joints.id(number));
+  impl_->drop_attachments_of(id);
   impl_->bodies.erase(id);
   impl_->forget_touches(true, id.index);
   impl_->solids_changed();

@@ -31,6 +31,7 @@ EngineDef engine_def(const WorldDef& def, const fluid::Kernel& kernel) {
   e.density.spectral_bound = d.spectral_bound;
   e.density.compressibility = d.compressibility;
   e.density.correction_limit = d.correction_limit * def.particle_spacing;
+  e.cloth = {def.cloth.over_relaxation, def.cloth.warm_start};
   // The repulsion scales with the hydrostatic pressure over one support radius of water; without gravity,
   // with Earth's.
   const float g = length(def.gravity);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sdk/engine/engine.h"
+#include "sdk/world/cloth_table.h"
 #include "sdk/world/id_table.h"
 #include "sdk/world/world_shapes.h"
 
@@ -59,6 +60,20 @@ struct World::Impl {
   void probes_changed();
   void read_probes();
   void state_changed();
+  void fetch_cloth();   // its latest state, to the host
+  void upload_cloth();  // where it has changed by hand
+  void cloth_changed();
+  void tear_cloth();
+  void note_cloth_step(float dt);
+  void read_reactions();
+  std::string name_particle(uint32_t slot) const;
+  std::vector<bool> held_vertices(ClothId cloth) const;
+  std::vector<bool> held_vertices(RopeId rope) const;
+  const Strand& strand_of(const AttachmentDef& def) const;
+  /// Destroys the attachments of which this is true.
+  template <class Gone>
+  void drop_attachments(const Gone& gone);
+  void drop_attachments_of(BodyId body);
   void remove(const std::vector<bool>& removed);  // by slot; the engine has done so already
 
   WorldDef def;
@@ -80,6 +95,19 @@ struct World::Impl {
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
   std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes
   std::vector<fluid::ProbeSum> probe_values;  // by the index of their ids
+
+  IdTable<ClothId, ClothEntry> cloths{"cloth", first_generation};
+  IdTable<RopeId, RopeEntry> ropes{"rope", first_generation};
+  IdTable<AttachmentId, AttachmentEntry> attachments{"attachment", first_generation};
+  bool cloth_is_on_device = true;  // all of it, as it is
+  bool cloth_is_on_host = true;    // its latest state
+  uint32_t vertex_count = 0;       // on the device
+  std::vector<uint32_t> held;      // vertices on the device, ascending
+  std::vector<Vec3> reactions;     // N, of those, in the last step
+  std::vector<Vec3> tie_forces;    // N, by tie, on the vertex, in the last step
+  bool reactions_known = false;
+  float last_step = 0;           // s
+  std::vector<TearEvent> tears;  // of the last step
 
   ParticleId next_id = 0;
   std::vector<ParticleId> ids;  // by slot, ascending

@@ -72,13 +72,21 @@ double World::probe(ProbeId id) const {
 }
 
 uint64_t World::state_hash() const {
-  // FNV-1a over the bytes of positions, then velocities, then of the bodies' poses and velocities.
+  // FNV-1a over the bytes of positions, then velocities, of particles, cloth and ropes, then of the bodies'
+  // poses and velocities.
   uint64_t hash = 14695981039346656037ull;
   const auto add = [&](std::span<const Vec3> values) {
     for (std::byte b : std::as_bytes(values)) hash = (hash ^ static_cast<uint64_t>(b)) * 1099511628211ull;
   };
   add(positions());
   add(velocities());
+  impl_->fetch_cloth();
+  const auto add_strand = [&](uint32_t, const auto& entry) {
+    add(entry.strand.state.positions);
+    add(entry.strand.state.velocities);
+  };
+  impl_->cloths.for_each(add_strand);
+  impl_->ropes.for_each(add_strand);
   impl_->bodies.for_each([&](uint32_t number, const BodyEntry&) {
     const Pose pose = impl_->rigid.pose(number);
     const Quat q = pose.rotation;

@@ -54,6 +54,12 @@ struct RigidSolverDef {
   int iterations = 10;  ///< of each, 1 to 10,000
 };
 
+/// How cloth is solved. Small steps do more for it than iterations.
+struct ClothSolverDef {
+  float over_relaxation = 1.2f;  ///< ω of stretch and shear, 1 to 1.3
+  float warm_start = 0.3f;       ///< share of the last substep's stretch multipliers to start from, 0 to 0.35
+};
+
 struct WorldDef {
   DeviceChoice device = DeviceChoice::automatic;
   int threads = 0;                 ///< of the CPU device; 0: one a core
@@ -69,6 +75,7 @@ struct WorldDef {
   float contact_radius = 0.5f;  ///< distance at which a particle's centre stops at a surface, in spacings
   DensitySolverDef density{};
   RigidSolverDef rigid{};
+  ClothSolverDef cloth{};
 };
 
 struct FluidDef {

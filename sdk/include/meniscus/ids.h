@@ -20,6 +20,9 @@ using FluidId = Id<struct FluidTag>;
 using ShapeId = Id<struct ShapeTag>;
 using BodyId = Id<struct BodyTag>;
 using JointId = Id<struct JointTag>;
+using ClothId = Id<struct ClothTag>;
+using RopeId = Id<struct RopeTag>;
+using AttachmentId = Id<struct AttachmentTag>;
 using SinkId = Id<struct SinkTag>;
 using ProbeId = Id<struct ProbeTag>;
 

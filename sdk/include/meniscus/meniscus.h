@@ -3,6 +3,7 @@
 #pragma once
 
 #include <meniscus/bodies.h>
+#include <meniscus/cloth.h>
 #include <meniscus/defs.h>
 #include <meniscus/error.h>
 #include <meniscus/ids.h>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <meniscus/bodies.h>
+#include <meniscus/cloth.h>
 #include <meniscus/defs.h>
 #include <meniscus/error.h>
 #include <meniscus/ids.h>
@@ -46,6 +47,15 @@ class World {
   JointId create_joint(const JointDef& def);
   void destroy_joint(JointId id);
 
+  /// Throws Error(mesh) where the mesh is no surface, and names the triangle, edge or vertex.
+  ClothId create_cloth(const ClothDef& def);
+  void destroy_cloth(ClothId id);  ///< and its attachments
+  RopeId create_rope(const RopeDef& def);
+  void destroy_rope(RopeId id);  ///< and its attachments
+  AttachmentId create_attachment(const AttachmentDef& def);
+  void destroy_attachment(AttachmentId id);
+  void set_wind(const WindDef& wind);
+
   /// Fills a region; returns how many particles were made.
   std::size_t add_fluid(const FluidVolumeDef& def);
   /// One particle a position, none left out; velocities may be empty (at rest), else as many. Returns the
@@ -77,6 +87,23 @@ class World {
   /// now on.
   void move_body(BodyId id, const Pose& target, float duration);
 
+  // Cloth and ropes; see ClothDef for the order of vertices. Spans are valid until the next call that is not
+  // const. Tearing adds vertices at the end, and keeps the triangles' order.
+  std::span<const Vec3> cloth_positions(ClothId id) const;   ///< m
+  std::span<const Vec3> cloth_velocities(ClothId id) const;  ///< m/s
+  std::span<const Vec3> cloth_normals(ClothId id) const;  ///< unit, a vertex: mean of its triangles, by area
+  std::span<const uint32_t> cloth_triangles(ClothId id) const;  ///< three vertices each
+  std::span<const float> cloth_strains(ClothId id) const;  ///< of each triangle, its largest principal strain
+  ClothState cloth_state(ClothId id) const;
+  const std::vector<TearEvent>& tear_events() const;
+  std::span<const Vec3> rope_positions(RopeId id) const;   ///< m
+  std::span<const Vec3> rope_velocities(RopeId id) const;  ///< m/s
+  std::span<const Quat> rope_frames(RopeId id) const;      ///< of rods, a segment: z along it; of ropes none
+  /// N, the sum over the attachment's vertices of what the cloth or rope pulled with in the last step: on the
+  /// world or the body. Seams read 0.
+  Vec3 attachment_force(AttachmentId id) const;
+  std::vector<uint32_t> attachment_vertices(AttachmentId id) const;
+
   // Contacts and queries, as of the last step.
   std::vector<ParticleContact> particle_contacts() const;  ///< with an impulse; none after a step that failed
   std::vector<SolidContact> solid_contacts() const;        ///< one of each is a body
@@ -98,8 +125,8 @@ class World {
 
   Diagnostics diagnostics() const;
   double probe(ProbeId id) const;  ///< unit by its kind; of the last step
-  /// Over positions and velocities of particles, in the order of the ids, and of bodies: equal for equal
-  /// bits.
+  /// Over positions and velocities of particles, in the order of the ids, of cloth, ropes and bodies: equal
+  /// for equal bits.
   uint64_t state_hash() const;
   std::size_t device_bytes() const;  ///< held on the device
 

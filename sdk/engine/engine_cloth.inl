@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sdk/engine/engine.inl"
+
+namespace meniscus {
+
+template <class D>
+void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
+  const auto vertices = static_cast<uint32_t>(cloth.position.size());
+  if (vertices > vertex_capacity_) reserve(fluid_capacity_, vertices);
+  fetch_contacts();
+  cloth_.set_model(cloth.model);
+  rods_.set_model(cloth.rods);
+  rods_.set_states(0, cloth.segments);
+  ropes_.set_model(cloth.ropes);
+  contacts_.set_pieces(cloth.touches);
+  ties_.set_ties(cloth.ties);
+  contacts_.set_tied_bodies(ties_.tied_bodies());
+  const std::span<const pbd::SurfaceTriangle> triangles = cloth.model.triangles;
+  face_points_.set_surface(cloth_.surface().triangles, triangles);
+  float heaviest = 0;
+  for (const pbd::Vec4& x : cloth.position) {
+    if (x.w > 0) heaviest = std::max(heaviest, 1 / x.w);
+  }
+  self_contacts_.set_surface(triangles, cloth.model.rest, cloth_.surface().rest, cloth.contact_parts,
+                             heaviest);
+  particles_.set_vertices(cloth.position, cloth.velocity, cloth.phase);
+  solver_.particles_changed(particles_.sorted(), 0);
+}
+
+template <class D>
+void DeviceEngine<D>::read_vertices(std::span<Vec3> positions, std::span<Vec3> velocities) {
+  const auto read = [&](const pbd::Buffer<pbd::Vec4>& from, std::span<Vec3> out) {
+    std::vector<pbd::Vec4> values(particles_.vertices());
+    from.read(std::span(values), particles_.sorted());
+    std::transform(values.begin(), values.end(), out.begin(), [](const pbd::Vec4& v) { return v.xyz(); });
+  };
+  read(particles_.position.current, positions);
+  read(particles_.velocity.current, velocities);
+}
+
+}  // namespace meniscus

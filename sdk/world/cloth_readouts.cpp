@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What World says of its cloth and ropes.
+#include <meniscus/world.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+namespace {
+
+std::vector<Vec3> vertex_normals(const cloth::ClothMesh& mesh, std::span<const Vec3> x) {
+  std::vector<Vec3> normals(x.size(), {0, 0, 0});
+  for (const auto& t : mesh.triangles) {
+    const Vec3 n = cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
+    for (uint32_t v : t) normals[v] += n;
+  }
+  for (Vec3& n : normals) n = normalized_or(n, {0, 1, 0});
+  return normals;
+}
+
+/// The largest stretch of a triangle less 1: of the map from its plane at rest to where it is now.
+float principal_strain(const Vec3 rest[3], const Vec3 now[3]) {
+  const Vec3 a = rest[1] - rest[0], b = rest[2] - rest[0];
+  const float ax = length(a), bx = dot(a, b) / ax, by = length(cross(a, b)) / ax;
+  const Vec3 u = (now[1] - now[0]) / ax;
+  const Vec3 v = (now[2] - now[0] - bx * u) / by;
+  const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v);
+  const double largest = 0.5 * (uu + vv) + std::sqrt(0.25 * (uu - vv) * (uu - vv) + uv * uv);
+  return static_cast<float>(std::sqrt(largest) - 1);
+}
+
+}  // namespace
+
+std::span<const Vec3> World::cloth_positions(ClothId id) const {
+  impl_->fetch_cloth();
+  return impl_->cloths.get(id).strand.state.positions;
+}
+
+std::span<const Vec3> World::cloth_velocities(ClothId id) const {
+  impl_->fetch_cloth();
+  return impl_->cloths.get(id).strand.state.velocities;
+}
+
+std::span<const Vec3> World::cloth_normals(ClothId id) const {
+  impl_->fetch_cloth();
+  ClothEntry& entry = impl_->cloths.edit(id);
+  if (entry.normals.empty()) entry.normals = vertex_normals(entry.mesh, entry.strand.state.positions);
+  return entry.normals;
+}
+
+std::span<const uint32_t> World::cloth_triangles(ClothId id) const {
+  const auto& triangles = impl_->cloths.get(id).mesh.triangles;
+  return {triangles.front().data(), 3 * triangles.size()};
+}
+
+std::span<const float> World::cloth_strains(ClothId id) const {
+  impl_->fetch_cloth();
+  ClothEntry& entry = impl_->cloths.edit(id);
+  if (!entry.strains.empty()) return entry.strains;
+  const std::vector<Vec3>&rest = entry.mesh.vertices, &now = entry.strand.state.positions;
+  for (const auto& t : entry.mesh.triangles) {
+    const Vec3 before[] = {rest[t[0]], rest[t[1]], rest[t[2]]}, after[] = {now[t[0]], now[t[1]], now[t[2]]};
+    entry.strains.push_back(principal_strain(before, after));
+  }
+  return entry.strains;
+}
+
+ClothState World::cloth_state(ClothId id) const {
+  impl_->fetch_cloth();
+  const ClothEntry& entry = impl_->cloths.get(id);
+  const std::vector<Vec3>&x = entry.strand.state.positions, &v = entry.strand.state.velocities;
+  ClothState state;
+  state.closed = entry.closed;
+  double mass = 0, kinetic = 0, sums[6] = {};
+  for (uint32_t i = 0; i < entry.strand.count(); ++i) {
+    const double m = entry.strand.masses[i];
+    mass += m;
+    kinetic += 0.5 * m * double{dot(v[i], v[i])};
+    const double parts[6] = {x[i].x, x[i].y, x[i].z, v[i].x, v[i].y, v[i].z};
+    for (int k = 0; k < 6; ++k) sums[k] += m * parts[k];
+  }
+  const auto vector = [](const double* from, double scale) {
+    return Vec3{static_cast<float>(scale * from[0]), static_cast<float>(scale * from[1]),
+                static_cast<float>(scale * from[2])};
+  };
+  state.mass = static_cast<float>(mass);
+  state.centre = vector(sums, 1 / mass);
+  state.momentum = vector(sums + 3, 1);
+  state.kinetic_energy = static_cast<float>(kinetic);
+  double area = 0, strain = 0, most = 0;
+  for (const auto& t : entry.mesh.triangles) {
+    const std::vector<Vec3>& rest = entry.mesh.vertices;
+    area += 0.5 * double{length(cross(rest[t[1]] - rest[t[0]], rest[t[2]] - rest[t[0]]))};
+    for (int k = 0; k < 3; ++k) {
+      const uint32_t a = t[k], b = t[(k + 1) % 3];
+      const double stretch = double{length(x[b] - x[a])} / length(rest[b] - rest[a]);
+      strain += std::fabs(stretch - 1);
+      most = std::max(most, stretch);
+    }
+  }
+  state.area = static_cast<float>(area);
+  state.mean_stretch = static_cast<float>(strain / (3.0 * static_cast<double>(entry.mesh.triangles.size())));
+  state.max_stretch = static_cast<float>(most);
+  if (entry.closed) state.volume = enclosed_volume(entry.mesh, x);
+  if (entry.closed && entry.def.inflation) {
+    const InflationDef& gas = *entry.def.inflation;
+    const float fills = entry.rest_volume * (1 + gas.pressure / gas.air_pressure);
+    state.pressure = gas.air_pressure * (fills - state.volume) / entry.rest_volume;
+  }
+  return state;
+}
+
+const std::vector<TearEvent>& World::tear_events() const {
+  return impl_->tears;
+}
+
+std::span<const Vec3> World::rope_positions(RopeId id) const {
+  impl_->fetch_cloth();
+  return impl_->ropes.get(id).strand.state.positions;
+}
+
+std::span<const Vec3> World::rope_velocities(RopeId id) const {
+  impl_->fetch_cloth();
+  return impl_->ropes.get(id).strand.state.velocities;
+}
+
+std::span<const Quat> World::rope_frames(RopeId id) const {
+  impl_->fetch_cloth();
+  RopeEntry& entry = impl_->ropes.edit(id);
+  entry.frames.clear();
+  for (const cloth::SegmentState& s : entry.segments) entry.frames.push_back(s.frame);
+  return entry.frames;
+}
+
+std::vector<uint32_t> World::attachment_vertices(AttachmentId id) const {
+  return impl_->attachments.get(id).vertices;
+}
+
+Vec3 World::attachment_force(AttachmentId id) const {
+  const AttachmentEntry& entry = impl_->attachments.get(id);
+  const Strand& strand = impl_->strand_of(entry.def);
+  if (!entry.seams.empty() || entry.first_tie == pbd::no_index) return {0, 0, 0};
+  impl_->read_reactions();
+  Vec3 sum{0, 0, 0};
+  for (size_t k = 0; k < entry.anchors.size(); ++k) sum -= impl_->tie_forces[entry.first_tie + k];
+  for (uint32_t v : entry.vertices) {
+    const auto at = std::lower_bound(impl_->held.begin(), impl_->held.end(), strand.first + v);
+    if (at == impl_->held.end() || *at != strand.first + v) continue;
+    // What nothing moves bears its own share of the cloth as well.
+    sum += impl_->reactions[static_cast<size_t>(at - impl_->held.begin())] +
+           strand.masses[v] * impl_->def.gravity;
+  }
+  return sum;
+}
+
+void World::Impl::read_reactions() {
+  if (reactions_known) return;
+  reactions = engine->read_reactions();
+  tie_forces = engine->read_tie_impulses();
+  for (Vec3& r : reactions) r = r / last_step;
+  for (Vec3& t : tie_forces) t = t / last_step;
+  reactions_known = true;
+}
+
+std::string World::Impl::name_particle(uint32_t slot) const {
+  if (!pbd::is_vertex_slot(slot)) return "number " + std::to_string(ids[slot]);
+  const uint32_t vertex = slot - pbd::vertex_slot;
+  std::string name;
+  const auto look = [&](const char* what, const auto& entry) {
+    const Strand& s = entry.strand;
+    if (vertex >= s.first && vertex < s.first + s.count())
+      name = "vertex " + std::to_string(vertex - s.first) + " of the " + what + " \"" + entry.def.name + "\"";
+  };
+  cloths.for_each([&](uint32_t, const ClothEntry& entry) { look("cloth", entry); });
+  ropes.for_each([&](uint32_t, const RopeEntry& entry) { look("rope", entry); });
+  return name;
+}
+
+}  // namespace meniscus

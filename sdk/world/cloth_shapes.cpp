@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/world/cloth_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "pbd/math/vec.h"
+
+namespace meniscus {
+namespace {
+
+constexpr float golden = std::numbers::phi_v<float>;
+constexpr Vec3 icosahedron[12] = {{-1, golden, 0}, {1, golden, 0}, {-1, -golden, 0}, {1, -golden, 0},
+                                  {0, -1, golden}, {0, 1, golden}, {0, -1, -golden}, {0, 1, -golden},
+                                  {golden, 0, -1}, {golden, 0, 1}, {-golden, 0, -1}, {-golden, 0, 1}};
+constexpr int icosahedron_faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                          {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                          {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                          {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+
+/// Divides the faces of an icosahedron, and puts the vertices on the sphere.
+class Geodesic {
+ public:
+  explicit Geodesic(const ClothSphere& sphere) : sphere_(sphere) {}
+
+  cloth::ClothMesh mesh() {
+    for (const auto& face : icosahedron_faces) divide(face);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// A vertex's weights of the icosahedron's corners, in the order of the corners: those on an edge or a
+  /// corner are met in several faces, and must be found to be one.
+  using Weights = std::array<std::pair<int, int>, 3>;
+
+  void divide(const int (&face)[3]) {
+    const int n = sphere_.divisions;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; i + j < n; ++j) {
+        const uint32_t a = vertex(face, i, j), b = vertex(face, i + 1, j), c = vertex(face, i, j + 1);
+        mesh_.triangles.push_back({a, b, c});
+        if (i + j + 1 < n) mesh_.triangles.push_back({b, vertex(face, i + 1, j + 1), c});
+      }
+    }
+  }
+
+  /// i steps from the face's first corner to its second, and j to its third.
+  uint32_t vertex(const int (&face)[3], int i, int j) {
+    Weights weights{{{face[0], sphere_.divisions - i - j}, {face[1], i}, {face[2], j}}};
+    for (auto& [corner, weight] : weights) {
+      if (weight == 0) corner = -1;
+    }
+    std::sort(weights.begin(), weights.end());
+    const auto [found, is_new] = numbers_.emplace(weights, static_cast<uint32_t>(mesh_.vertices.size()));
+    if (is_new) mesh_.vertices.push_back(on_sphere(weights));
+    return found->second;
+  }
+
+  Vec3 on_sphere(const Weights& weights) const {
+    Vec3 sum{0, 0, 0};
+    for (const auto& [corner, weight] : weights) {
+      if (corner >= 0) sum += static_cast<float>(weight) * icosahedron[corner];
+    }
+    return sphere_.radius / length(sum) * sum;
+  }
+
+  const ClothSphere& sphere_;
+  cloth::ClothMesh mesh_;
+  std::map<Weights, uint32_t> numbers_;
+};
+
+}  // namespace
+
+cloth::ClothMesh sphere_mesh(const ClothSphere& sphere) {
+  return Geodesic(sphere).mesh();
+}
+
+cloth::ClothMesh tube_mesh(const ClothTube& tube) {
+  cloth::ClothMesh mesh;
+  const auto columns = static_cast<uint32_t>(tube.columns), rows = static_cast<uint32_t>(tube.rows);
+  for (uint32_t row = 0; row < rows; ++row) {
+    const float down = static_cast<float>(row) / static_cast<float>(rows - 1);
+    const float radius = tube.top_radius + down * (tube.bottom_radius - tube.top_radius);
+    for (uint32_t column = 0; column < columns; ++column) {
+      const float angle =
+          2 * std::numbers::pi_v<float> * static_cast<float>(column) / static_cast<float>(columns);
+      mesh.vertices.push_back(
+          {radius * std::cos(angle), (0.5f - down) * tube.height, radius * std::sin(angle)});
+    }
+  }
+  for (uint32_t row = 0; row + 1 < rows; ++row) {
+    for (uint32_t column = 0; column < columns; ++column) {
+      const uint32_t right = (column + 1) % columns, top = row * columns, bottom = top + columns;
+      const uint32_t a = top + column, b = top + right, c = bottom + column, d = bottom + right;
+      // Diagonals change direction from row to row, as those of a sheet do.
+      if (row % 2 == 0) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({b, d, c});
+      } else {
+        mesh.triangles.push_back({a, d, c});
+        mesh.triangles.push_back({a, b, d});
+      }
+    }
+  }
+  return mesh;
+}
+
+}  // namespace meniscus

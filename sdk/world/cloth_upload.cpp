@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The cloth and ropes of a world to the device, and their state back.
+#include <meniscus/error.h>
+
+#include <algorithm>
+
+#include "cloth/merge.h"
+#include "cloth/tearing.h"
+#include "cloth/tethers.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+namespace {
+
+std::vector<uint32_t> numbers_of(const std::vector<bool>& chosen) {
+  std::vector<uint32_t> numbers;
+  for (uint32_t v = 0; v < chosen.size(); ++v) {
+    if (chosen[v]) numbers.push_back(v);
+  }
+  return numbers;
+}
+
+/// Puts all pieces of a world together.
+class Assembly {
+ public:
+  EngineCloth cloth;
+
+  uint32_t vertices() const { return static_cast<uint32_t>(cloth.position.size()); }
+
+  void add(ClothEntry& entry, const std::vector<bool>& held) {
+    const uint32_t first = add_strand(entry.strand, held);
+    cloth::ClothModel& model = cloth.model;
+    const auto part = static_cast<uint32_t>(model.pieces.size());
+    constraints_.push_back(entry.constraints);
+    for (const auto& t : entry.mesh.triangles)
+      model.triangles.push_back({first + t[0], first + t[1], first + t[2], part});
+    model.rest.insert(model.rest.end(), entry.mesh.vertices.begin(), entry.mesh.vertices.end());
+    model.pieces.push_back(piece_of(entry));
+    cloth.contact_parts.push_back(
+        {entry.thickness, entry.def.fabric.friction, entry.def.filter, entry.def.self_collision});
+    if (entry.def.tethers) add_tethers(entry, numbers_of(held));
+  }
+
+  void add(RopeEntry& entry, const std::vector<bool>& held, const std::vector<bool>& clamped) {
+    const uint32_t first = add_strand(entry.strand, held);
+    const bool rod = entry.def.bends_and_twists;
+    cloth::append(rod ? cloth.rods : cloth.ropes, entry.model, first);
+    rope_masses_.insert(rope_masses_.end(), entry.strand.masses.begin(), entry.strand.masses.end());
+    cloth.model.rest.insert(cloth.model.rest.end(), entry.strand.state.positions.begin(),
+                            entry.strand.state.positions.end());
+    cloth.model.pieces.push_back({.first_vertex = first,
+ .end_vertex = vertices(),
+ .stretch_damping = -1,
+ .bending_damping = -1});
+    cloth.contact_parts.push_back({.filter = {0, 0}, .self = false});
+    for (size_t s = 0; s < entry.segments.size(); ++s) {
+      entry.segments[s].held = clamped[s];
+      cloth.segments.push_back(entry.segments[s]);
+    }
+  }
+
+  void finish(std::span<const cloth::EdgeConstraint> seams) {
+    cloth::ClothConstraints& all = cloth.model.constraints;
+    all = cloth::merge(constraints_);
+    all.masses.insert(all.masses.end(), rope_masses_.begin(), rope_masses_.end());
+    cloth::add_seams(all, seams);
+    std::stable_sort(cloth.model.tethers.begin(), cloth.model.tethers.end(),
+                     [](const cloth::Tether& a, const cloth::Tether& b) { return a.anchor < b.anchor; });
+  }
+
+ private:
+  uint32_t add_strand(Strand& strand, const std::vector<bool>& held) {
+    const uint32_t first = vertices();
+    const auto piece = static_cast<uint32_t>(cloth.touches.size());
+    for (uint32_t v = 0; v < strand.count(); ++v) {
+      const bool fast = held[v];
+      cloth.position.push_back(pbd::with_w(strand.state.positions[v], fast ? 0 : 1 / strand.masses[v]));
+      cloth.velocity.push_back(pbd::with_w(fast ? Vec3{0, 0, 0} : strand.state.velocities[v], 0));
+      cloth.phase.push_back(pbd::phase_vertex | piece);
+      if (fast) cloth.model.held.push_back(first + v);
+    }
+    cloth.touches.push_back({strand.filter, strand.contact_radius});
+    strand.first = first;
+    return first;
+  }
+
+  cloth::Piece piece_of(const ClothEntry& entry) const {
+    const FabricDef& f = entry.def.fabric;
+    cloth::Piece piece{.first_vertex = entry.strand.first,
+                       .end_vertex = vertices(),
+                       .stretch_damping = f.stretch_damping,
+                       .bending_damping = f.bending_damping,
+                       .drag = f.drag,
+                       .lift = f.lift,
+                       .tear_strain = f.tear_strain};
+    if (entry.def.inflation && entry.closed) {
+      // p V stays: the gas would fill V₀ (1 + p/p_air) at the pressure outside.
+      const InflationDef& gas = *entry.def.inflation;
+      piece.inside = entry.rest_volume * (1 + gas.pressure / gas.air_pressure);
+      piece.inside_compliance = entry.rest_volume / gas.air_pressure;
+    }
+    return piece;
+  }
+
+  /// Found once for the vertices that are held.
+  void add_tethers(ClothEntry& entry, const std::vector<uint32_t>& held) {
+    if (entry.held != held || entry.tethers.empty()) entry.tethers = cloth::build_tethers(entry.mesh, held);
+    entry.held = held;
+    const uint32_t first = entry.strand.first;
+    for (const cloth::Tether& t : entry.tethers)
+      cloth.model.tethers.push_back({first + t.vertex, first + t.anchor, t.length});
+  }
+
+  std::vector<cloth::ClothConstraints> constraints_;
+  std::vector<float> rope_masses_;
+};
+
+}  // namespace
+
+void World::Impl::cloth_changed() {
+  fetch_cloth();
+  cloth_is_on_device = false;
+}
+
+void World::Impl::fetch_cloth() {
+  if (cloth_is_on_host) return;
+  VertexStates all{std::vector<Vec3>(vertex_count), std::vector<Vec3>(vertex_count)};
+  engine->read_vertices(all.positions, all.velocities);
+  const std::vector<cloth::SegmentState> segments = engine->read_segments();
+  const auto take = [&](Strand& strand) {
+    const auto slice = [&](const std::vector<Vec3>& from, std::vector<Vec3>& to) {
+      to.assign(from.begin() + strand.first, from.begin() + strand.first + strand.count());
+    };
+    if (!strand.uploaded) return;
+    slice(all.positions, strand.state.positions);
+    slice(all.velocities, strand.state.velocities);
+  };
+  cloths.for_each([&](uint32_t, ClothEntry& entry) {
+    take(entry.strand);
+    entry.normals.clear();
+    entry.strains.clear();
+  });
+  auto next = segments.begin();
+  ropes.for_each([&](uint32_t, RopeEntry& entry) {
+    take(entry.strand);
+    if (!entry.strand.uploaded) return;
+    std::copy_n(next, entry.segments.size(), entry.segments.begin());
+    next += static_cast<std::ptrdiff_t>(entry.segments.size());
+  });
+  cloth_is_on_host = true;
+}
+
+void World::Impl::upload_cloth() {
+  if (cloth_is_on_device) return;
+  fetch_cloth();
+  Assembly all;
+  cloths.for_each(
+      [&](uint32_t index, ClothEntry& entry) { all.add(entry, held_vertices(cloths.id(index))); });
+  ropes.for_each([&](uint32_t index, RopeEntry& entry) {
+    std::vector<bool> clamped(entry.segments.size());
+    attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
+      if (a.def.rope == ropes.id(index)) {
+        for (uint32_t s : a.clamped) clamped[s] = true;
+      }
+    });
+    all.add(entry, held_vertices(ropes.id(index)), clamped);
+  });
+  std::vector<cloth::EdgeConstraint> seams;
+  attachments.for_each([&](uint32_t, AttachmentEntry& a) {
+    const uint32_t here = strand_of(a.def).first;
+    a.first_tie = static_cast<uint32_t>(all.cloth.ties.size());
+    for (size_t k = 0; k < a.anchors.size(); ++k)
+      all.cloth.ties.push_back({here + a.vertices[k], a.def.body->index, a.anchors[k]});
+    for (const cloth::EdgeConstraint& s : a.seams) {
+      const uint32_t there = a.def.other_cloth ? cloths.get(*a.def.other_cloth).strand.first
+                                               : ropes.get(*a.def.other_rope).strand.first;
+      seams.push_back({here + s.a, there + s.b, s.rest_length, s.compliance});
+    }
+  });
+  all.finish(seams);
+  engine->set_cloth(all.cloth);
+  vertex_count = all.vertices();
+  held = all.cloth.model.held;
+  cloths.for_each([](uint32_t, ClothEntry& entry) { entry.strand.uploaded = true; });
+  ropes.for_each([](uint32_t, RopeEntry& entry) { entry.strand.uploaded = true; });
+  cloth_is_on_device = true;
+  reactions_known = true;  // none yet
+  reactions.assign(held.size(), {0, 0, 0});
+  tie_forces.assign(all.cloth.ties.size(), {0, 0, 0});
+}
+
+void World::Impl::note_cloth_step(float dt) {
+  if (vertex_count == 0) return;
+  last_step = dt;
+  cloth_is_on_host = false;
+  reactions_known = false;
+  if (engine->found_tears()) tear_cloth();
+}
+
+void World::Impl::tear_cloth() {
+  constexpr uint32_t most_splits = 64;  // of a piece in a step
+  fetch_cloth();
+  cloths.for_each([&](uint32_t index, ClothEntry& entry) {
+    const float limit = entry.def.fabric.tear_strain;
+    if (limit == 0) return;
+    std::vector<cloth::OverstretchedEdge> edges;
+    Strand& strand = entry.strand;
+    for (const auto& t : entry.mesh.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const uint32_t a = t[k], b = t[(k + 1) % 3];
+        const float stretch = length(strand.state.positions[b] - strand.state.positions[a]) /
+                              length(entry.mesh.vertices[b] - entry.mesh.vertices[a]);
+        if (stretch > 1 + limit) edges.push_back({std::min(a, b), std::max(a, b), stretch});
+      }
+    }
+    const auto torn = cloth::tear_along(entry.mesh, strand.state.positions, edges, most_splits);
+    if (torn.empty()) return;
+    cloth_is_on_device = false;
+    for (const cloth::TornVertex& t : torn) {
+      strand.state.positions.push_back(strand.state.positions[t.original]);
+      strand.state.velocities.push_back(strand.state.velocities[t.original]);
+      tears.push_back({cloths.id(index), t.copy, t.original});
+    }
+    build_constraints(entry);
+  });
+}
+
+}  // namespace meniscus

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// World's calls that make and attach cloth and ropes.
+#include <meniscus/error.h>
+#include <meniscus/world.h>
+
+#include <algorithm>
+
+#include "sdk/world/check.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+namespace {
+
+bool inside(const Aabb& box, Vec3 p) {
+  return p.x >= box.lower.x && p.x <= box.upper.x && p.y >= box.lower.y && p.y <= box.upper.y &&
+         p.z >= box.lower.z && p.z <= box.upper.z;
+}
+
+std::vector<uint32_t> chosen_vertices(const AttachmentDef& def, const Strand& strand) {
+  std::vector<uint32_t> vertices = def.vertices;
+  for (uint32_t v : vertices) {
+    if (v >= strand.count()) {
+      check::refuse("a vertex of AttachmentDef::vertices", std::to_string(v),
+                    "below " + std::to_string(strand.count()) + ", the number of vertices");
+    }
+  }
+  for (uint32_t v = 0; def.region && v < strand.count(); ++v) {
+    if (inside(*def.region, strand.state.positions[v])) vertices.push_back(v);
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  if (vertices.empty()) {
+    throw Error(ErrorCode::invalid_argument,
+                "AttachmentDef::region of \"" + def.name + "\" holds no vertex of its cloth or rope");
+  }
+  return vertices;
+}
+
+/// From each vertex to the nearest of the other piece within reach, at the distance that they have.
+std::vector<cloth::EdgeConstraint> sew(const AttachmentDef& def, const Strand& strand, const Strand& other,
+                                       std::span<const uint32_t> vertices) {
+  std::vector<cloth::EdgeConstraint> seams;
+  for (uint32_t v : vertices) {
+    cloth::EdgeConstraint nearest{v, 0, def.reach, def.compliance};
+    bool found = false;
+    for (uint32_t u = 0; u < other.count(); ++u) {
+      if (&other == &strand && u == v) continue;
+      const float gap = length(other.state.positions[u] - strand.state.positions[v]);
+      if (gap > nearest.rest_length) continue;
+      found = true;
+      nearest.b = u;
+      nearest.rest_length = gap;
+    }
+    if (found) seams.push_back(nearest);
+  }
+  if (seams.empty()) {
+    throw Error(ErrorCode::invalid_argument, "AttachmentDef::reach of \"" + def.name + "\" is " +
+                                                 std::to_string(def.reach) +
+                                                 " m; no vertex of the other piece is as near");
+  }
+  return seams;
+}
+
+}  // namespace
+
+const Strand& World::Impl::strand_of(const AttachmentDef& a) const {
+  return a.cloth ? cloths.get(*a.cloth).strand : ropes.get(*a.rope).strand;
+}
+
+template <class Gone>
+void World::Impl::drop_attachments(const Gone& gone) {
+  std::vector<AttachmentId> dropped;
+  attachments.for_each([&](uint32_t index, const AttachmentEntry& entry) {
+    if (gone(entry.def)) dropped.push_back(attachments.id(index));
+  });
+  for (AttachmentId id : dropped) attachments.erase(id);
+}
+
+ClothId World::create_cloth(const ClothDef& def) {
+  ClothEntry entry = make_cloth(def);
+  impl_->cloth_changed();
+  return impl_->cloths.insert(std::move(entry));
+}
+
+void World::destroy_cloth(ClothId id) {
+  impl_->cloths.get(id);
+  impl_->cloth_changed();
+  impl_->drop_attachments([&](const AttachmentDef& a) { return a.cloth == id || a.other_cloth == id; });
+  impl_->cloths.erase(id);
+  std::erase_if(impl_->tears, [&](const TearEvent& t) { return t.cloth == id; });
+}
+
+RopeId World::create_rope(const RopeDef& def) {
+  RopeEntry entry = make_rope(def);
+  impl_->cloth_changed();
+  return impl_->ropes.insert(std::move(entry));
+}
+
+void World::destroy_rope(RopeId id) {
+  impl_->ropes.get(id);
+  impl_->cloth_changed();
+  impl_->drop_attachments([&](const AttachmentDef& a) { return a.rope == id || a.other_rope == id; });
+  impl_->ropes.erase(id);
+}
+
+AttachmentId World::create_attachment(const AttachmentDef& def) {
+  check::attachment(def);
+  impl_->fetch_cloth();
+  AttachmentEntry entry;
+  entry.def = def;
+  const Strand& strand = impl_->strand_of(def);
+  entry.vertices = chosen_vertices(def, strand);
+  if (def.other_cloth)
+    entry.seams = sew(def, strand, impl_->cloths.get(*def.other_cloth).strand, entry.vertices);
+  if (def.other_rope)
+    entry.seams = sew(def, strand, impl_->ropes.get(*def.other_rope).strand, entry.vertices);
+  if (def.body) {
+    const BodyEntry& body = impl_->bodies.get(*def.body);
+    const Pose pose = impl_->rigid.pose(def.body->index) * body.principal;
+    for (uint32_t v : entry.vertices) entry.anchors.push_back(to_local(pose, strand.state.positions[v]));
+  }
+  if (def.clamped) {
+    if (!def.rope || !impl_->ropes.get(*def.rope).def.bends_and_twists)
+      throw Error(ErrorCode::invalid_argument, "AttachmentDef::clamped is for rods alone");
+    if (def.body || !entry.seams.empty())
+      throw Error(ErrorCode::invalid_argument, "AttachmentDef::clamped holds a rod to the world alone");
+    const auto& segments = impl_->ropes.get(*def.rope).model.segments;
+    const auto chosen = [&](uint32_t v) {
+      return std::binary_search(entry.vertices.begin(), entry.vertices.end(), v);
+    };
+    for (uint32_t s = 0; s < segments.size(); ++s) {
+      if (chosen(segments[s].a) && chosen(segments[s].b)) entry.clamped.push_back(s);
+    }
+  }
+  impl_->cloth_changed();
+  return impl_->attachments.insert(std::move(entry));
+}
+
+void World::destroy_attachment(AttachmentId id) {
+  impl_->attachments.get(id);
+  impl_->cloth_changed();
+  impl_->attachments.erase(id);
+}
+
+void World::set_wind(const WindDef& def) {
+  check::wind(def);
+  impl_->engine->set_wind(
+      cloth::make_wind(def.velocity, def.air_density, def.gust_speed, def.gust_size, def.seed));
+}
+
+void World::Impl::drop_attachments_of(BodyId body) {
+  bool any = false;
+  drop_attachments([&](const AttachmentDef& a) {
+    any |= a.body == body;
+    return a.body == body;
+  });
+  if (!any) return;
+  cloth_changed();
+  upload_cloth();  // now: whatever looks for contacts must not meet ties to a body that is gone
+}
+
+namespace {
+
+void mark_held(const AttachmentEntry& a, std::vector<bool>& held) {
+  if (a.def.body || a.def.other_cloth || a.def.other_rope) return;
+  for (uint32_t v : a.vertices) held[v] = true;
+}
+
+}  // namespace
+
+std::vector<bool> World::Impl::held_vertices(ClothId cloth) const {
+  std::vector<bool> fast(cloths.get(cloth).strand.count());
+  attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
+    if (a.def.cloth == cloth) mark_held(a, fast);
+  });
+  return fast;
+}
+
+std::vector<bool> World::Impl::held_vertices(RopeId rope) const {
+  std::vector<bool> fast(ropes.get(rope).strand.count());
+  attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
+    if (a.def.rope == rope) mark_held(a, fast);
+  });
+  return fast;
+}
+
+}  // namespace meniscus
