@@ -74,7 +74,13 @@ void EnergyHistory::add(const FrameSample& sample) {
   const Diagnostics& d = sample.diagnostics;
   moments_.push_back({d.kinetic_energy + d.potential_energy, sample.mass});
   if (floor_) return;
-  for (const Vec3& p : sample.particles.positions) lowest_ = std::min<double>(lowest_, dot(p, up_));
+  look_for_lowest(sample.particles.positions);
+  look_for_lowest(sample.cloth.vertices);
+  look_for_lowest(sample.ropes.vertices);
+}
+
+void EnergyHistory::look_for_lowest(std::span<const Vec3> points) {
+  for (const Vec3& p : points) lowest_ = std::min<double>(lowest_, dot(p, up_));
 }
 
 double EnergyHistory::above(double level, const Moment& moment) const {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sdk/cli/frame_sample.h"
@@ -32,6 +33,7 @@ class EnergyHistory {
     double from_origin, mass;  // J, kg
   };
 
+  void look_for_lowest(std::span<const Vec3> points);
   double above(double level, const Moment& moment) const;
 
   double gravity_;  // m/s²

@@ -20,27 +20,35 @@ bool has(const std::vector<std::string>& formats, const char* format) {
 }  // namespace
 
 FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats,
-                             const std::vector<BodyDef>& bodies)
+                             const Scene& scene)
     : folder_(std::move(folder)),
       ply_(has(formats, "ply")),
       vtp_(has(formats, "vtp")),
-      obj_(has(formats, "obj")) {
+      obj_(has(formats, "obj")),
+      particles_(!scene.fluids.empty() || (scene.cloths.empty() && scene.ropes.empty())),
+      cloth_(!scene.cloths.empty()),
+      ropes_(!scene.ropes.empty()) {
   if (formats.empty()) return;
   make_folder(folder_ / "frames");
-  if (!bodies.empty()) bodies_.emplace(bodies);
+  if (const std::vector<BodyDef> bodies = bodies_of(scene); !bodies.empty()) bodies_.emplace(bodies);
   if (!vtp_) return;
-  particle_collection_.emplace(folder_ / "particles.pvd");
+  if (particles_) particle_collection_.emplace(folder_ / "particles.pvd");
   if (bodies_) body_collection_.emplace(folder_ / "bodies.pvd");
+  if (cloth_) cloth_collection_.emplace(folder_ / "cloth.pvd");
+  if (ropes_) rope_collection_.emplace(folder_ / "ropes.pvd");
 }
 
-void FrameExporter::write(int frame, const io::ParticleFrame& particles, std::span<const BodyState> states) {
-  write_files("frame", frame, particles, particle_collection_);
-  if (bodies_) write_files("bodies", frame, bodies_->at(particles.time, states), body_collection_);
+void FrameExporter::write(const FrameSample& sample) {
+  const double time = sample.particles.time;
+  if (particles_) write_files("frame", sample.frame, sample.particles, particle_collection_);
+  if (bodies_) write_files("bodies", sample.frame, bodies_->at(time, sample.bodies), body_collection_);
+  if (cloth_) write_files("cloth", sample.frame, sample.cloth, cloth_collection_);
+  if (ropes_) write_files("ropes", sample.frame, sample.ropes, rope_collection_);
 }
 
 template <class Frame>
 void FrameExporter::write_files(const char* prefix, int frame, const Frame& contents,
-                                std::optional<io::PvdFile>& collection) {
+                                std::optional<io::PvdFile>& collection) const {
   const std::string name = fmt::format("frames/{}_{:05}", prefix, frame);
   if (ply_) io::write_ply(folder_ / (name + ".ply"), contents);
   if (obj_) io::write_obj(folder_ / (name + ".obj"), contents);

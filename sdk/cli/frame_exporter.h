@@ -4,38 +4,40 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "sdk/io/particle_frame.h"
+#include "sdk/cli/frame_sample.h"
 #include "sdk/io/pvd.h"
 #include "sdk/io/surface_frame.h"
+#include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 
-/// Writes each frame's particles as FOLDER/frames/frame_00001.ply, .vtp or .obj, and its bodies, where the
-/// scene has any, as bodies_00001 beside it. With vtp, FOLDER/particles.pvd and bodies.pvd list them.
+/// Writes each frame's particles as FOLDER/frames/frame_00001.ply, .vtp or .obj, and beside it, where the
+/// scene has any, its bodies as bodies_00001, its cloth as cloth_00001 and its ropes as ropes_00001. A scene
+/// with cloth or ropes but no fluid has no particles to write. With vtp, FOLDER/particles.pvd, bodies.pvd,
+/// cloth.pvd and ropes.pvd list them.
 class FrameExporter {
  public:
   /// `formats`: of "ply", "vtp" and "obj", or empty for nothing. Throws Error(io), and what BodySurfaces
   /// throws.
-  FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats,
-                const std::vector<BodyDef>& bodies);
+  FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats, const Scene& scene);
 
-  /// `states` in the order of the bodies. Throws Error(io).
-  void write(int frame, const io::ParticleFrame& particles, std::span<const BodyState> states);
+  /// Throws Error(io).
+  void write(const FrameSample& sample);
 
  private:
   /// One kind of thing in all formats.
   template <class Frame>
   void write_files(const char* prefix, int frame, const Frame& contents,
-                   std::optional<io::PvdFile>& collection);
+                   std::optional<io::PvdFile>& collection) const;
 
   std::filesystem::path folder_;
   bool ply_, vtp_, obj_;
+  bool particles_, cloth_, ropes_;  // whether there are any
   std::optional<io::BodySurfaces> bodies_;
-  std::optional<io::PvdFile> particle_collection_, body_collection_;
+  std::optional<io::PvdFile> particle_collection_, body_collection_, cloth_collection_, rope_collection_;
 };
 
 /// Makes a folder and those above it. Throws Error(io).

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <meniscus/bodies.h>
+#include <meniscus/cloth.h>
 #include <meniscus/outputs.h>
 
 #include <vector>
 
+#include "sdk/io/cloth_frame.h"
 #include "sdk/io/particle_frame.h"
 
 namespace meniscus::cli {
@@ -16,10 +18,15 @@ struct FrameSample {
   int frame = 0;  ///< 1 is the first step's; 0 is the state before it
   StepReport step;
   Diagnostics diagnostics;
-  double mass = 0;  ///< kg, of all particles
+  double mass = 0;  ///< kg, of all particles, cloth and ropes
   io::ParticleFrame particles;
   std::vector<double> probes;     ///< in the order of the scene's list
   std::vector<BodyState> bodies;  ///< likewise
+  io::ClothFrame cloth;
+  io::RopeFrame ropes;
+  std::vector<ClothState> cloths;       ///< in the order of the scene's list
+  std::vector<std::size_t> tears;       ///< vertices of each piece that tore in two in the step
+  std::vector<Vec3> attachment_forces;  ///< N, in the order of the scene's list
 };
 
 }  // namespace meniscus::cli

@@ -41,7 +41,7 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
   run.add_option("--out", options.out, "The folder for the results; by default out/<scene name>")
       ->type_name("DIR");
   run.add_option("--export", options.formats,
-                 "Write every frame's particles and bodies, as ply, vtp and/or obj")
+                 "Write every frame's particles, bodies, cloth and ropes, as ply, vtp and/or obj")
       ->type_name("ply,vtp,obj")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -61,7 +61,9 @@ void add_check(CLI::App& app, CheckOptions& options, Command& command) {
 
 /// Errors and progress go to stderr as `meniscus: ...`; stdout is for results.
 void start_log() {
-  spdlog::set_default_logger(spdlog::stderr_logger_st("meniscus"));
+  // Not one of spdlog's named loggers: a program that runs twice in one process would have it there already.
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("meniscus", std::make_shared<spdlog::sinks::stderr_sink_st>()));
   spdlog::set_pattern("%n: %v");
 }
 
@@ -95,7 +97,7 @@ int run_program(int argc, char** argv) {
   RunOptions run;
   CheckOptions check;
   Command command;
-  CLI::App app("Position-based liquid and rigid bodies on the GPU and on the CPU", "meniscus");
+  CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
   app.set_version_flag("--version", "meniscus " MENISCUS_VERSION);
   app.require_subcommand(0, 1);
   add_run(app, run, command);

@@ -32,12 +32,12 @@ Progress::~Progress() {
   if (drawn_) fmt::print(stderr, "\n");
 }
 
-void Progress::show(int frame, double step_ms, double density_error_mean) {
+void Progress::show(int frame, double step_ms, std::optional<double> density_error_mean) {
   if (quiet_) return;
   const std::chrono::duration<double> elapsed = Clock::now() - start_;
-  const std::string facts =
-      fmt::format("{}/{}  {:.1f} ms/step  {} left  density error {:.2f} %", frame, frames_, step_ms,
-                  clock_text(elapsed.count() / frame * (frames_ - frame)), 100 * density_error_mean);
+  std::string facts = fmt::format("{}/{}  {:.1f} ms/step  {} left", frame, frames_, step_ms,
+                                  clock_text(elapsed.count() / frame * (frames_ - frame)));
+  if (density_error_mean) facts += fmt::format("  density error {:.2f} %", 100 * *density_error_mean);
   terminal_ ? show_bar(frame, facts) : show_line(frame, facts);
 }
 

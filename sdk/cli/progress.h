@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace meniscus::cli {
@@ -16,8 +17,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// After each frame. The density error is a fraction.
-  void show(int frame, double step_ms, double density_error_mean);
+  /// After each frame. The density error is a fraction; without fluid there is none.
+  void show(int frame, double step_ms, std::optional<double> density_error_mean);
 
  private:
   using Clock = std::chrono::steady_clock;

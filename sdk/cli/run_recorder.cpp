@@ -41,6 +41,7 @@ RunRecorder::RunRecorder(std::filesystem::path folder, const Scene& scene)
     : folder_(std::move(folder)),
       scene_(scene),
       table_(folder_ / "frames.csv", probe_names(scene)),
+      cloth_(folder_, scene),
       energy_(scene),
       density_error_(1e-5, 100'000),
       body_names_(body_names(scene)) {
@@ -52,6 +53,7 @@ void RunRecorder::start(const DeviceInfo& device, const FrameSample& sample, std
   masses_ = std::move(masses);
   bodies_ = sample.bodies;
   diagnostics_ = sample.diagnostics;
+  cloth_.start(sample);
   energy_.add(sample);
 }
 
@@ -75,6 +77,7 @@ void RunRecorder::add(const FrameSample& sample) {
   removed_ += step_.removed;
   outside_ = std::max(outside_, diagnostics_.outside);
   non_finite_ = std::max(non_finite_, diagnostics_.non_finite);
+  cloth_.add(sample);
   energy_.add(sample);
   table_.add(sample);
   if (body_table_) body_table_->add(sample);
@@ -113,6 +116,9 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"device_bytes", end.device_bytes},
           {"probes", probes()},
           {"bodies", bodies()},
+          {"cloths", cloth_.cloths()},
+          {"ropes", cloth_.ropes()},
+          {"attachments", cloth_.attachments()},
           {"interrupted", end.interrupted},
           {"error", end.error.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(end.error)},
           {"state_hash", fmt::format("{:016x}", end.state_hash)}};

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sdk/cli/body_table.h"
+#include "sdk/cli/cloth_record.h"
 #include "sdk/cli/energy_history.h"
 #include "sdk/cli/frame_table.h"
 #include "sdk/cli/histogram.h"
@@ -23,8 +24,8 @@ struct RunEnd {
   std::size_t device_bytes = 0;
 };
 
-/// Keeps the figures of a run: frames.csv, and bodies.csv where the scene has bodies, as it goes;
-/// summary.json and density.svg at its end.
+/// Keeps the figures of a run: frames.csv, and bodies.csv, cloths.csv and attachments.csv where the scene has
+/// any, as it goes; summary.json and density.svg at its end.
 class RunRecorder {
  public:
   /// `scene` must outlive the recorder. Throws Error(io) where the folder cannot be written to.
@@ -48,6 +49,7 @@ class RunRecorder {
   const Scene& scene_;
   FrameTable table_;
   std::optional<BodyTable> body_table_;
+  ClothRecord cloth_;
   EnergyHistory energy_;
   Histogram density_error_;
   std::vector<std::string> body_names_;

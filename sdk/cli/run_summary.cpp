@@ -76,12 +76,37 @@ std::string body_line(const json& bodies) {
   return fmt::format("{}, of which {} awake at the end", bodies.size(), awake);
 }
 
-std::string file_list(const std::vector<std::string>& formats, bool bodies) {
+std::string cloth_line(const json& cloth) {
+  return fmt::format(
+             "{}: {} vertices, {} triangles, {:.4g} kg; stretched by {:.3g} % on average, {:.3g} % at most",
+             text_of(cloth, "name"), count(cloth, "vertices"), count(cloth, "triangles"),
+             number(cloth, "mass_kg"), 100 * number(cloth, "mean_stretch"),
+             100 * (number(cloth, "max_stretch") - 1)) +
+         (count(cloth, "tears") > 0 ? fmt::format("; {} tears", count(cloth, "tears")) : "");
+}
+
+std::string rope_line(const json& rope) {
+  return fmt::format("{}: {:.4g} m long, {:.4g} m at the start", text_of(rope, "name"),
+                     number(rope, "length_m"), number(rope, "start_m"));
+}
+
+/// The files that a kind of thing leaves behind, where there are any.
+std::string file_list(const std::vector<std::string>& formats, const json& figures) {
   std::string text = "summary.json, frames.csv, density.svg, preview.png";
-  if (bodies) text += ", bodies.csv";
+  const auto add_for = [&](const char* kind, const char* file) {
+    if (!figures.at(kind).empty()) text += std::string(", ") + file;
+  };
+  add_for("bodies", "bodies.csv");
+  add_for("cloths", "cloths.csv");
+  add_for("attachments", "attachments.csv");
   for (const std::string& format : formats) {
     text += ", frames/*." + format;
-    if (format == "vtp") text += bodies ? ", particles.pvd, bodies.pvd" : ", particles.pvd";
+    if (format != "vtp") continue;
+    const bool cloth_alone = !figures.at("cloths").empty() || !figures.at("ropes").empty();
+    if (count(figures, "particles") > 0 || !cloth_alone) text += ", particles.pvd";
+    add_for("bodies", "bodies.pvd");
+    add_for("cloths", "cloth.pvd");
+    add_for("ropes", "ropes.pvd");
   }
   return text;
 }
@@ -95,7 +120,9 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   text += line("particles", fmt::format("{}, in {:.1f} MiB on the device", count(figures, "particles"),
                                         number(figures, "device_bytes") / (1 << 20)));
   text += line("time a step", time_line(figures.at("ms_per_step")));
-  text += line("density error", density_line(figures.at("density_error")));
+  const bool cloth = !figures.at("cloths").empty() || !figures.at("ropes").empty();
+  if (count(figures, "particles") > 0 || !cloth)
+    text += line("density error", density_line(figures.at("density_error")));
   if (!figures.at("energy").is_null()) text += line("energy", energy_line(figures.at("energy")));
   text += line("lost", trouble_line(figures));
   for (const auto& [name, value] : figures.at("probes").items()) {
@@ -104,7 +131,9 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   const json& bodies = figures.at("bodies");
   if (!bodies.empty()) text += line("bodies", body_line(bodies));
   text += line("state", text_of(figures, "state_hash"));
-  text += line("files", folder.string() + ": " + file_list(formats, !bodies.empty()));
+  for (const json& cloth : figures.at("cloths")) text += line("cloth", cloth_line(cloth));
+  for (const json& rope : figures.at("ropes")) text += line("rope", rope_line(rope));
+  text += line("files", folder.string() + ": " + file_list(formats, figures));
   return text + fmt::format("The picture to open: {}\n", (folder / "preview.png").string());
 }
 

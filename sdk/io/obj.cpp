@@ -23,6 +23,11 @@ std::string object_name(std::string name) {
   return name;
 }
 
+/// A line that begins an object.
+std::string object_line(const std::string& name) {
+  return "o " + object_name(name) + '\n';
+}
+
 void write_text(const std::filesystem::path& path, const std::string& text) {
   OutputFile file(path);
   file.write(text);
@@ -43,10 +48,34 @@ void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame) {
   add_vertices(text, frame.vertices);
   for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
     if (i == 0 || frame.bodies[i] != frame.bodies[i - 1]) {
-      text += "o " + object_name(frame.names[frame.bodies[i]]) + '\n';
+      text += object_line(frame.names[frame.bodies[i]]);
     }
     const auto& [a, b, c] = frame.triangles[i];
     fmt::format_to(std::back_inserter(text), "f {} {} {}\n", a + 1, b + 1, c + 1);
+  }
+  write_text(path, text);
+}
+
+void write_obj(const std::filesystem::path& path, const ClothFrame& frame) {
+  std::string text = fmt::format("# Meniscus cloth at {:.7g} s; metres\n", frame.time);
+  add_vertices(text, frame.vertices);
+  for (const Vec3 n : frame.normals)
+    fmt::format_to(std::back_inserter(text), "vn {:.7g} {:.7g} {:.7g}\n", n.x, n.y, n.z);
+  for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
+    if (i == 0 || frame.pieces[i] != frame.pieces[i - 1]) text += object_line(frame.names[frame.pieces[i]]);
+    const auto& [a, b, c] = frame.triangles[i];
+    fmt::format_to(std::back_inserter(text), "f {0}//{0} {1}//{1} {2}//{2}\n", a + 1, b + 1, c + 1);
+  }
+  write_text(path, text);
+}
+
+void write_obj(const std::filesystem::path& path, const RopeFrame& frame) {
+  std::string text = fmt::format("# Meniscus ropes at {:.7g} s; metres\n", frame.time);
+  add_vertices(text, frame.vertices);
+  for (std::size_t i = 0; i < frame.lines.size(); ++i) {
+    text += object_line(frame.names[i]) + 'l';
+    for (const uint32_t v : frame.lines[i]) fmt::format_to(std::back_inserter(text), " {}", v + 1);
+    text += '\n';
   }
   write_text(path, text);
 }

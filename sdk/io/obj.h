@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "sdk/io/cloth_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/surface_frame.h"
 
@@ -14,5 +15,11 @@ void write_obj(const std::filesystem::path& path, const ParticleFrame& frame);
 
 /// An object a body, under its name; blanks in it become underscores. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame);
+
+/// An object a piece of cloth, with the normals of its vertices. Throws Error(io).
+void write_obj(const std::filesystem::path& path, const ClothFrame& frame);
+
+/// An object a rope: a line element. Throws Error(io).
+void write_obj(const std::filesystem::path& path, const RopeFrame& frame);
 
 }  // namespace meniscus::io

@@ -23,6 +23,22 @@ struct PlyVertex {
 };
 static_assert(sizeof(PlyVertex) == 9 * 4);
 
+struct PlyClothVertex {
+  Vec3 position, normal, velocity;
+};
+static_assert(sizeof(PlyClothVertex) == 9 * 4);
+
+struct PlyRopeVertex {
+  Vec3 position, velocity;
+  float radius;
+};
+static_assert(sizeof(PlyRopeVertex) == 7 * 4);
+
+struct PlyEdge {
+  uint32_t from, to, rope;
+};
+static_assert(sizeof(PlyEdge) == 3 * 4);
+
 /// Without padding, as the file has it.
 #pragma pack(push, 1)
 struct PlyFace {
@@ -30,8 +46,15 @@ struct PlyFace {
   std::array<uint32_t, 3> corners;
   uint32_t body;
 };
+struct PlyClothFace {
+  uint8_t count;
+  std::array<uint32_t, 3> corners;
+  uint32_t cloth;
+  float strain;
+};
 #pragma pack(pop)
 static_assert(sizeof(PlyFace) == 1 + 4 * 4);
+static_assert(sizeof(PlyClothFace) == 1 + 5 * 4);
 
 std::string header(const SurfaceFrame& frame) {
   return fmt::format(
@@ -42,6 +65,31 @@ std::string header(const SurfaceFrame& frame) {
       "property list uchar uint vertex_indices\nproperty uint body\n"
       "end_header\n",
       frame.time, frame.vertices.size(), frame.triangles.size());
+}
+
+std::string header(const ClothFrame& frame) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment Meniscus cloth at {:.7g} s; metres, metres a second\n"
+      "element vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n"
+      "property float vx\nproperty float vy\nproperty float vz\n"
+      "element face {}\n"
+      "property list uchar uint vertex_indices\nproperty uint cloth\nproperty float strain\n"
+      "end_header\n",
+      frame.time, frame.vertices.size(), frame.triangles.size());
+}
+
+std::string header(const RopeFrame& frame, std::size_t edges) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment Meniscus ropes at {:.7g} s; metres, metres a second\n"
+      "element vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "property float vx\nproperty float vy\nproperty float vz\nproperty float radius\n"
+      "element edge {}\n"
+      "property uint vertex1\nproperty uint vertex2\nproperty uint rope\n"
+      "end_header\n",
+      frame.time, frame.vertices.size(), edges);
 }
 
 std::string header(const ParticleFrame& frame) {
@@ -84,6 +132,36 @@ void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame) {
   file.write(header(frame));
   file.write(std::span<const Vec3>(frame.vertices));
   file.write(std::span<const PlyFace>(faces));
+  file.commit();
+}
+
+void write_ply(const std::filesystem::path& path, const ClothFrame& frame) {
+  std::vector<PlyClothVertex> vertices(frame.vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    vertices[i] = {frame.vertices[i], frame.normals[i], frame.velocities[i]};
+  std::vector<PlyClothFace> faces(frame.triangles.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    faces[i] = {3, frame.triangles[i], frame.pieces[i], frame.strains[i]};
+  OutputFile file(path);
+  file.write(header(frame));
+  file.write(std::span<const PlyClothVertex>(vertices));
+  file.write(std::span<const PlyClothFace>(faces));
+  file.commit();
+}
+
+void write_ply(const std::filesystem::path& path, const RopeFrame& frame) {
+  std::vector<PlyRopeVertex> vertices(frame.vertices.size());
+  std::vector<PlyEdge> edges;
+  for (std::size_t i = 0; i < frame.lines.size(); ++i) {
+    const std::vector<uint32_t>& line = frame.lines[i];
+    for (const uint32_t v : line) vertices[v] = {frame.vertices[v], frame.velocities[v], frame.radii[i]};
+    for (std::size_t k = 1; k < line.size(); ++k)
+      edges.push_back({line[k - 1], line[k], static_cast<uint32_t>(i)});
+  }
+  OutputFile file(path);
+  file.write(header(frame, edges.size()));
+  file.write(std::span<const PlyRopeVertex>(vertices));
+  file.write(std::span<const PlyEdge>(edges));
   file.commit();
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "sdk/io/cloth_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/surface_frame.h"
 
@@ -17,5 +18,13 @@ void write_ply(const std::filesystem::path& path, const ParticleFrame& frame);
 /// Triangles in the same format. A vertex has x y z (m); a face also has `body`, its body in the order of the
 /// scene. Throws Error(io).
 void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame);
+
+/// Triangles likewise. A vertex has x y z (m), nx ny nz and vx vy vz (m/s); a face also has `cloth`, its
+/// piece in the order of the scene, and its `strain`. Throws Error(io).
+void write_ply(const std::filesystem::path& path, const ClothFrame& frame);
+
+/// Edges likewise. A vertex has x y z (m), vx vy vz (m/s) and the radius (m); an edge also has `rope`, its
+/// rope in the order of the scene. Throws Error(io).
+void write_ply(const std::filesystem::path& path, const RopeFrame& frame);
 
 }  // namespace meniscus::io

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sdk/io/preview/cloth.h"
 #include "sdk/io/preview/shading.h"
 #include "sdk/io/preview/shapes.h"
 
@@ -153,12 +154,24 @@ Vec3 lamp_direction(const SceneCamera& view, Vec3 up) {
   return normalized_or(1.25f * up - 0.75f * right - 0.35f * cross(up, right), up);
 }
 
-Studio studio_of(const Bounds& bounds, const SceneCamera& view, Vec3 up, float spacing) {
+/// The smallest detail, m: a particle, or an edge of the cloth where there is no fluid.
+float grain_of(const ParticleFrame& frame, const ClothFrame& cloth, float spacing) {
+  if (cloth.triangles.empty()) return spacing;
+  double sum = 0;
+  for (const auto& t : cloth.triangles) {
+    const float edge = length(cloth.vertices[t[1]] - cloth.vertices[t[0]]);
+    if (std::isfinite(edge)) sum += edge;
+  }
+  const float mean = static_cast<float>(sum / static_cast<double>(cloth.triangles.size()));
+  return frame.size() > 0 ? std::min(mean, spacing) : mean;
+}
+
+Studio studio_of(const Bounds& bounds, const SceneCamera& view, Vec3 up, float grain) {
   return {.up = up,
           .towards_lamp = lamp_direction(view, up),
           .center = 0.5f * (bounds.lower + bounds.upper),
-          .radius = std::max(0.5f * length(bounds.upper - bounds.lower), spacing),
-          .grain = spacing};
+          .radius = std::max(0.5f * length(bounds.upper - bounds.lower), grain),
+          .grain = grain};
 }
 
 }  // namespace
@@ -171,16 +184,20 @@ PreviewScene preview_of(const Scene& scene) {
   preview.particle_spacing = scene.world.particle_spacing;
   preview.camera = scene.camera;
   for (const FluidDef& fluid : scene.fluids) preview.fluid_colors.push_back(fluid.color);
+  for (const ClothDef& cloth : scene.cloths) preview.cloth_colors.push_back(cloth.color);
+  for (const RopeDef& rope : scene.ropes) preview.rope_colors.push_back(rope.color);
   return preview;
 }
 
-Image render_preview(const ParticleFrame& frame, const PreviewScene& scene,
-                     std::span<const BodyState> states) {
+Image render_preview(const ParticleFrame& frame, const PreviewScene& scene, std::span<const BodyState> states,
+                     const ClothFrame& cloth, const RopeFrame& ropes) {
   check_states(states, scene.bodies);
   const Vec3 up = normalized_or(-scene.gravity, {0, 1, 0});
   Drawing drawing;
   add_shapes(drawing, scene, up);
   add_bodies(drawing, scene, states, up);
+  add_cloth(drawing, cloth, scene.cloth_colors);
+  add_ropes(drawing, ropes, scene.rope_colors);
   Bounds bounds = bounds_of(drawing);
   const Bounds fluid = bounds_of(frame.positions, scene.particle_spacing);
   bounds.add(fluid.lower, fluid.upper);
@@ -193,7 +210,8 @@ Image render_preview(const ParticleFrame& frame, const PreviewScene& scene,
   const SceneCamera view = scene.camera ? *scene.camera : view_of({bounds.lower, bounds.upper}, up, aspect);
   Raster raster(Camera(view, up, samples * scene.width, samples * scene.height));
   raster.draw(drawing);
-  return shade(raster, drawing, studio_of(bounds, view, up, scene.particle_spacing), samples);
+  const float grain = grain_of(frame, cloth, scene.particle_spacing);
+  return shade(raster, drawing, studio_of(bounds, view, up, grain), samples);
 }
 
 }  // namespace meniscus::io

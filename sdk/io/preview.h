@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "sdk/io/cloth_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/png.h"
 #include "sdk/scene/scene.h"
@@ -12,6 +13,7 @@ namespace meniscus::io {
 struct PreviewScene {
   std::vector<Vec3>
       fluid_colors;  ///< linear RGB, by ParticleFrame::fluids; a fluid beyond the end is water blue
+  std::vector<Vec3> cloth_colors, rope_colors;  ///< likewise, by their order in the scene
   std::vector<ShapeDef> shapes;
   std::vector<BodyDef> bodies;
   Vec3 gravity{0, -9.81f, 0};         ///< m/s²; up is the other way
@@ -23,12 +25,13 @@ struct PreviewScene {
 /// The scene's own settings; the particles' fluids count in the order of its list.
 PreviewScene preview_of(const Scene& scene);
 
-/// Draws the particles as spheres among the solids, on the CPU. Fast fluid and spray are whiter. Needs
-/// positions, velocities and fluids of the frame, and without its density errors knows fast from slow alone.
-/// `states` are of the scene's bodies, in their order; without any, the bodies are where they start. Equal
-/// input gives equal bytes. May throw what solid_triangles throws, and Error(invalid_argument) where there
-/// are states, but not one a body.
+/// Draws the particles as spheres, cloth and ropes among the solids, on the CPU. Fast fluid and spray are
+/// whiter. Needs positions, velocities and fluids of the frame, and without its density errors knows fast
+/// from slow alone. `states` are of the scene's bodies, in their order; without any, the bodies are where
+/// they start. Equal input gives equal bytes. May throw what solid_triangles throws, and
+/// Error(invalid_argument) where there are states, but not one a body.
 Image render_preview(const ParticleFrame& frame, const PreviewScene& scene,
-                     std::span<const BodyState> states = {});
+                     std::span<const BodyState> states = {}, const ClothFrame& cloth = {},
+                     const RopeFrame& ropes = {});
 
 }  // namespace meniscus::io

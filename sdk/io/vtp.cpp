@@ -76,6 +76,12 @@ std::string cells(AppendedArrays& arrays, std::span<const int64_t> corners,
   return arrays.add("Int64", "connectivity", 1, corners) + arrays.add("Int64", "offsets", 1, offsets);
 }
 
+std::vector<int64_t> corners_of(const std::vector<std::array<uint32_t, 3>>& triangles) {
+  std::vector<int64_t> corners;
+  for (const auto& triangle : triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return corners;
+}
+
 }  // namespace
 
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
@@ -95,9 +101,7 @@ void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
 }
 
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
-  std::vector<int64_t> corners;
-  for (const auto& triangle : frame.triangles)
-    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  const std::vector<int64_t> corners = corners_of(frame.triangles);
   const std::vector<int64_t> ends = counting(frame.triangles.size(), 3, 3);
   AppendedArrays arrays;
   std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
@@ -106,6 +110,47 @@ void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
            arrays.add("UInt32", "body", 1, std::span<const uint32_t>(frame.bodies)) + "</CellData>\n";
   piece += points(arrays, frame.vertices);
   piece += "<Polys>\n" + cells(arrays, corners, ends) + "</Polys>\n</Piece>\n";
+  write_polydata(path, frame.time, piece, arrays);
+}
+
+void write_vtp(const std::filesystem::path& path, const ClothFrame& frame) {
+  const std::vector<int64_t> corners = corners_of(frame.triangles);
+  const std::vector<int64_t> ends = counting(frame.triangles.size(), 3, 3);
+  AppendedArrays arrays;
+  std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
+                                  frame.vertices.size(), frame.triangles.size());
+  piece += "<PointData Vectors=\"velocity\" Normals=\"Normals\">\n";
+  piece += arrays.add("Float32", "velocity", 3, std::span<const Vec3>(frame.velocities));
+  piece += arrays.add("Float32", "Normals", 3, std::span<const Vec3>(frame.normals));
+  piece += "</PointData>\n<CellData Scalars=\"strain\">\n";
+  piece += arrays.add("UInt32", "cloth", 1, std::span<const uint32_t>(frame.pieces));
+  piece += arrays.add("Float32", "strain", 1, std::span<const float>(frame.strains));
+  piece += "</CellData>\n" + points(arrays, frame.vertices);
+  piece += "<Polys>\n" + cells(arrays, corners, ends) + "</Polys>\n</Piece>\n";
+  write_polydata(path, frame.time, piece, arrays);
+}
+
+void write_vtp(const std::filesystem::path& path, const RopeFrame& frame) {
+  std::vector<int64_t> corners, ends;
+  std::vector<uint32_t> ropes;
+  std::vector<float> radii(frame.vertices.size());
+  for (std::size_t i = 0; i < frame.lines.size(); ++i) {
+    for (const uint32_t v : frame.lines[i]) radii[v] = frame.radii[i];
+    corners.insert(corners.end(), frame.lines[i].begin(), frame.lines[i].end());
+    ends.push_back(static_cast<int64_t>(corners.size()));
+    ropes.push_back(static_cast<uint32_t>(i));
+  }
+  AppendedArrays arrays;
+  std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfLines=\"{}\">\n",
+                                  frame.vertices.size(), frame.lines.size());
+  piece += "<PointData Scalars=\"radius\" Vectors=\"velocity\">\n";
+  piece += arrays.add("Float32", "velocity", 3, std::span<const Vec3>(frame.velocities));
+  piece += arrays.add("Float32", "radius", 1, std::span<const float>(radii));
+  piece += "</PointData>\n<CellData Scalars=\"rope\">\n" +
+           arrays.add("UInt32", "rope", 1, std::span<const uint32_t>(ropes)) + "</CellData>\n";
+  piece += points(arrays, frame.vertices);
+  piece += "<Lines>\n" + cells(arrays, std::span<const int64_t>(corners), std::span<const int64_t>(ends)) +
+           "</Lines>\n</Piece>\n";
   write_polydata(path, frame.time, piece, arrays);
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "sdk/io/cloth_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/surface_frame.h"
 
@@ -16,5 +17,13 @@ void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame);
 /// Triangles in the same format, with the cell array `body`: a triangle's body, in the order of the scene.
 /// Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame);
+
+/// Triangles with the point arrays velocity and Normals, and the cell arrays `cloth`, a triangle's piece in
+/// the order of the scene, and strain. Throws Error(io).
+void write_vtp(const std::filesystem::path& path, const ClothFrame& frame);
+
+/// A polyline a rope, with the point arrays velocity and radius, as ParaView's tubes take it, and the cell
+/// array `rope`. Throws Error(io).
+void write_vtp(const std::filesystem::path& path, const RopeFrame& frame);
 
 }  // namespace meniscus::io

@@ -30,10 +30,34 @@ JointDef with_bodies(const SceneJoint& joint, const std::vector<BodyDef>& defs,
   return def;
 }
 
+AttachmentDef with_ids(const SceneAttachment& attachment, const Scene& scene,
+                       const std::vector<BodyDef>& bodies, const BuiltScene& built) {
+  AttachmentDef def = attachment.def;
+  const auto cloth = [&](const std::string& name) {
+    return id_of(name, scene.cloths, built.cloths, "cloth");
+  };
+  const auto rope = [&](const std::string& name) { return id_of(name, scene.ropes, built.ropes, "rope"); };
+  if (!attachment.cloth.empty()) def.cloth = cloth(attachment.cloth);
+  if (!attachment.rope.empty()) def.rope = rope(attachment.rope);
+  if (!attachment.body.empty()) def.body = id_of(attachment.body, bodies, built.bodies, "body");
+  if (!attachment.other_cloth.empty()) def.other_cloth = cloth(attachment.other_cloth);
+  if (!attachment.other_rope.empty()) def.other_rope = rope(attachment.other_rope);
+  return def;
+}
+
+void add_cloth(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene& built) {
+  for (const ClothDef& def : scene.cloths) built.cloths.push_back(built.world.create_cloth(def));
+  for (const RopeDef& def : scene.ropes) built.ropes.push_back(built.world.create_rope(def));
+  for (const SceneAttachment& attachment : scene.attachments) {
+    built.attachments.push_back(built.world.create_attachment(with_ids(attachment, scene, bodies, built)));
+  }
+  if (scene.wind) built.world.set_wind(*scene.wind);
+}
+
 }  // namespace
 
 BuiltScene build_scene(const Scene& scene) {
-  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}};
+  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}};
   for (const FluidDef& def : scene.fluids) built.fluids.push_back(built.world.create_fluid(def));
   // Solids before volumes: filling a region leaves out what would stand inside one.
   for (const ShapeDef& def : scene.shapes) built.shapes.push_back(built.world.create_shape(def));
@@ -42,6 +66,7 @@ BuiltScene build_scene(const Scene& scene) {
   for (const SceneJoint& joint : scene.joints) {
     built.joints.push_back(built.world.create_joint(with_bodies(joint, bodies, built.bodies)));
   }
+  add_cloth(scene, bodies, built);
   for (const SceneVolume& volume : scene.volumes) {
     FluidVolumeDef def = volume.def;
     def.fluid = id_of(volume.fluid, scene.fluids, built.fluids, "fluid");

@@ -38,6 +38,12 @@ struct SceneJoint {
   JointDef def;      ///< its body ids are filled in when the scene is built
 };
 
+struct SceneAttachment {
+  std::string cloth, rope;                    ///< names; one of them is empty
+  std::string body, other_cloth, other_rope;  ///< likewise, at most one is not
+  AttachmentDef def;                          ///< its ids are filled in when the scene is built
+};
+
 /// Where the preview looks from. Left out, a view is chosen that holds everything.
 struct SceneCamera {
   Vec3 position{3, 2, 4};       ///< m
@@ -56,6 +62,10 @@ struct Scene {
   std::vector<ShapeDef> shapes;
   std::vector<SceneBody> bodies;
   std::vector<SceneJoint> joints;
+  std::vector<ClothDef> cloths;
+  std::vector<RopeDef> ropes;
+  std::vector<SceneAttachment> attachments;
+  std::optional<WindDef> wind;
   std::vector<SceneVolume> volumes;
   std::vector<SinkDef> sinks;
   std::vector<SceneProbe> probes;
@@ -77,6 +87,9 @@ struct BuiltScene {
   std::vector<ShapeId> shapes;
   std::vector<BodyId> bodies;
   std::vector<JointId> joints;
+  std::vector<ClothId> cloths;
+  std::vector<RopeId> ropes;
+  std::vector<AttachmentId> attachments;
   std::vector<ProbeId> probes;
 };
 

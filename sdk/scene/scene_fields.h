@@ -11,6 +11,7 @@
 #include "sdk/scene/scene.h"
 #include "sdk/scene/scene_field_rule.h"
 #include "sdk/scene/scene_fields_bodies.h"
+#include "sdk/scene/scene_fields_cloth.h"
 #include "sdk/scene/scene_fields_shapes.h"
 
 namespace meniscus {
@@ -65,6 +66,7 @@ void fields(V& v, WorldDef& d) {
     "distance from a surface at which a particle's centre stops");
   v("density", d.density, any_value, "", "the density constraint");
   v("rigid", d.rigid, any_value, "", "how contacts and joints among solids are solved");
+  v("cloth", d.cloth, any_value, "", "how cloth is solved");
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps");
 }
 
@@ -158,6 +160,11 @@ void fields(V& v, Scene& d) {
   v("shapes", d.shapes, any_value, "", "solids that do not move");
   v("bodies", d.bodies, any_value, "", "solids that move");
   v("joints", d.joints, any_value, "", "what holds bodies together, or to the world");
+  v("cloths", d.cloths, any_value, "", "pieces of cloth");
+  v("ropes", d.ropes, any_value, "", "ropes and rods");
+  v("attachments", d.attachments, any_value, "",
+    "what holds cloth and ropes to the world, to bodies or to one another");
+  v("wind", d.wind, any_value, "", "air that cloth moves in; left out, there is none");
   v("volumes", d.volumes, any_value, "", "regions filled with fluid at the start");
   v("sinks", d.sinks, any_value, "", "boxes that remove particles");
   v("probes", d.probes, any_value, "", "measurements");

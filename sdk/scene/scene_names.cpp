@@ -51,13 +51,35 @@ void check_reference(const std::string& name, const std::vector<std::string>& na
   place.fail("there is no " + std::string(kind) + " named \"" + name + "\"" + name_hint(name, names));
 }
 
+std::vector<std::string> body_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const BodyDef& body : bodies_of(scene)) names.push_back(body.name);
+  return names;
+}
+
 void check_joints(const Scene& scene, const ScenePlace& place) {
-  std::vector<std::string> bodies;
-  for (const BodyDef& body : bodies_of(scene)) bodies.push_back(body.name);
+  const std::vector<std::string> bodies = body_names(scene);
   for (std::size_t i = 0; i < scene.joints.size(); ++i) {
     check_reference(scene.joints[i].a, bodies, place.item(i).key("a"), "body");
     if (!scene.joints[i].b.empty())
       check_reference(scene.joints[i].b, bodies, place.item(i).key("b"), "body");
+  }
+}
+
+void check_attachments(const Scene& scene, const std::vector<std::string>& cloths,
+                       const std::vector<std::string>& ropes, const ScenePlace& place) {
+  const std::vector<std::string> bodies = body_names(scene);
+  for (std::size_t i = 0; i < scene.attachments.size(); ++i) {
+    const auto check = [&](const char* key, const std::string& name, const std::vector<std::string>& names,
+                           const char* kind) {
+      if (!name.empty()) check_reference(name, names, place.item(i).key(key), kind);
+    };
+    const SceneAttachment& attachment = scene.attachments[i];
+    check("cloth", attachment.cloth, cloths, "cloth");
+    check("rope", attachment.rope, ropes, "rope");
+    check("body", attachment.body, bodies, "body");
+    check("other_cloth", attachment.other_cloth, cloths, "cloth");
+    check("other_rope", attachment.other_rope, ropes, "rope");
   }
 }
 
@@ -71,10 +93,14 @@ void check_names(const Scene& scene, const std::string& source) {
   const auto shapes = unique_names(scene.shapes, root.key("shapes"), own_name);
   check_solids(scene, root);
   unique_names(scene.joints, root.key("joints"), name_of_def);
+  const auto cloths = unique_names(scene.cloths, root.key("cloths"), own_name);
+  const auto ropes = unique_names(scene.ropes, root.key("ropes"), own_name);
+  unique_names(scene.attachments, root.key("attachments"), name_of_def);
   unique_names(scene.sinks, root.key("sinks"), own_name);
   unique_names(scene.probes, root.key("probes"), name_of_def);
 
   check_joints(scene, root.key("joints"));
+  check_attachments(scene, cloths, ropes, root.key("attachments"));
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
     check_reference(scene.volumes[i].fluid, fluids, root.key("volumes").item(i).key("fluid"), "fluid");
   }

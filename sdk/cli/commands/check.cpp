@@ -9,6 +9,21 @@
 
 namespace meniscus::cli {
 
+namespace {
+
+void print_cloth(const Scene& scene, const BuiltScene& built) {
+  std::size_t vertices = 0, triangles = 0, points = 0;
+  for (const ClothId id : built.cloths) {
+    vertices += built.world.cloth_positions(id).size();
+    triangles += built.world.cloth_triangles(id).size() / 3;
+  }
+  for (const RopeId id : built.ropes) points += built.world.rope_positions(id).size();
+  fmt::print("  cloths {} of {} vertices and {} triangles, ropes {} of {} vertices, attachments {}\n",
+             scene.cloths.size(), vertices, triangles, scene.ropes.size(), points, scene.attachments.size());
+}
+
+}  // namespace
+
 int check_scene(const CheckOptions& options) {
   Scene scene = find_scene(options.scene, options.overrides);
   scene.world.device = DeviceChoice::cpu;
@@ -19,6 +34,7 @@ int check_scene(const CheckOptions& options) {
   fmt::print("  fluids {}, shapes {}, bodies {}, joints {}, volumes {}, sinks {}, probes {}\n",
              scene.fluids.size(), scene.shapes.size(), built.bodies.size(), scene.joints.size(),
              scene.volumes.size(), scene.sinks.size(), scene.probes.size());
+  if (!scene.cloths.empty() || !scene.ropes.empty()) print_cloth(scene, built);
   fmt::print("  particles {}, {:.4g} m apart, support radius {:.4g} m\n", built.world.particle_count(),
              scene.world.particle_spacing, built.world.support_radius());
   fmt::print("  frames {} of {:.4g} s\n", scene.frames, scene.frame_time);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numbers>
 
 #include "sdk/cli/frame_exporter.h"
 #include "sdk/cli/interrupt.h"
@@ -46,9 +47,11 @@ class Run {
         built_(build_scene(scene_)),
         folder_(made_folder(options, scene_)),
         recorder_(folder_, scene_),
-        exporter_(folder_, options.formats, bodies_of(scene_)) {
-    if (built_.world.particle_count() == 0 && built_.bodies.empty()) {
-      spdlog::warn("the scene has no particles and no bodies: nothing will happen");
+        exporter_(folder_, options.formats, scene_),
+        rope_mass_(mass_of_ropes()) {
+    if (built_.world.particle_count() == 0 && built_.bodies.empty() && built_.cloths.empty() &&
+        built_.ropes.empty()) {
+      spdlog::warn("the scene has no particles, bodies, cloth or ropes: nothing will happen");
     }
   }
 
@@ -61,8 +64,10 @@ class Run {
       for (int frame = 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         const FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
         recorder_.add(now);
-        exporter_.write(frame, now.particles, now.bodies);
-        progress.show(frame, now.step.ms, now.diagnostics.density_error_mean);
+        exporter_.write(now);
+        const bool fluid = now.diagnostics.particles > 0;
+        progress.show(frame, now.step.ms,
+                      fluid ? std::optional(now.diagnostics.density_error_mean) : std::nullopt);
       }
     } catch (const std::exception& error) {
       end_.error = error.what();
@@ -75,7 +80,9 @@ class Run {
     end_.device_bytes = built_.world.device_bytes();
     nlohmann::ordered_json figures = recorder_.finish(end_);
     io::write_png(folder_ / "preview.png",
-                  io::render_preview(io::frame_of(built_.world), io::preview_of(scene_), states()));
+                  io::render_preview(io::frame_of(built_.world), io::preview_of(scene_), states(),
+                                     io::cloth_frame_of(built_.world, built_.cloths, scene_.cloths),
+                                     io::rope_frame_of(built_.world, built_.ropes, scene_.ropes)));
     return figures;
   }
 
@@ -91,14 +98,48 @@ class Run {
                     .mass = 0,
                     .particles = io::frame_of(world),
                     .probes = {},
-                    .bodies = states()};
+                    .bodies = states(),
+                    .cloth = io::cloth_frame_of(world, built_.cloths, scene_.cloths),
+                    .ropes = io::rope_frame_of(world, built_.ropes, scene_.ropes),
+                    .cloths = {},
+                    .tears = tears(),
+                    .attachment_forces = {}};
     std::vector<std::size_t> counts(built_.fluids.size());
     for (const uint32_t fluid : now.particles.fluids) ++counts.at(fluid);
     for (const FluidId fluid : built_.fluids) {
       now.mass += static_cast<double>(counts.at(fluid.index)) * world.particle_mass(fluid);
     }
     for (const ProbeId probe : built_.probes) now.probes.push_back(world.probe(probe));
+    for (const ClothId cloth : built_.cloths) {
+      now.cloths.push_back(world.cloth_state(cloth));
+      now.mass += double{now.cloths.back().mass};
+    }
+    now.mass += rope_mass_;
+    for (const AttachmentId attachment : built_.attachments)
+      now.attachment_forces.push_back(world.attachment_force(attachment));
     return now;
+  }
+
+  /// kg, of all ropes, as they are at the start.
+  double mass_of_ropes() const {
+    const std::vector<double> lengths = io::rope_frame_of(built_.world, built_.ropes, scene_.ropes).lengths();
+    double mass = 0;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const RopeDef& rope = scene_.ropes[i];
+      mass += double{rope.density} * std::numbers::pi * rope.radius * rope.radius * lengths[i];
+    }
+    return mass;
+  }
+
+  /// Of each piece of cloth, in the last step.
+  std::vector<std::size_t> tears() const {
+    std::vector<std::size_t> tears;
+    const std::vector<TearEvent>& events = built_.world.tear_events();
+    for (const ClothId cloth : built_.cloths) {
+      const auto is_its = [&](const TearEvent& event) { return event.cloth == cloth; };
+      tears.push_back(static_cast<std::size_t>(std::count_if(events.begin(), events.end(), is_its)));
+    }
+    return tears;
   }
 
   std::vector<BodyState> states() const {
@@ -118,6 +159,7 @@ class Run {
   std::filesystem::path folder_;
   RunRecorder recorder_;
   FrameExporter exporter_;
+  double rope_mass_;
   RunEnd end_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "pbd/math/vec.h"
@@ -23,10 +24,12 @@ struct Sphere {
   uint32_t surface;
 };
 
-/// Seen from both sides.
+/// Seen from both sides. Those that have another surface at the back turn counter-clockwise as seen from the
+/// front.
 struct Triangle {
   std::array<Vec3, 3> corners, normals;
   uint32_t surface;
+  std::optional<uint32_t> back{};
 };
 
 struct Edge {

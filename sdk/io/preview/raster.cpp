@@ -101,14 +101,16 @@ void Raster::draw(const Triangle& triangle) {
       clipped[count - 1].position.z = near_depth;
     }
   }
-  for (int i = 2; i < count; ++i) fill({clipped[0], clipped[i - 1], clipped[i]}, triangle.surface);
+  for (int i = 2; i < count; ++i) fill({clipped[0], clipped[i - 1], clipped[i]}, triangle);
 }
 
-void Raster::fill(const std::array<Corner, 3>& corners, uint32_t surface) {
+void Raster::fill(const std::array<Corner, 3>& corners, const Triangle& triangle) {
   const Vec3 a = camera_.project(corners[0].position), b = camera_.project(corners[1].position),
              c = camera_.project(corners[2].position);
   const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (!(std::abs(area) > 0)) return;
+  const bool behind = area > 0;  // rows run downwards: what turns counter-clockwise has a negative area
+  const uint32_t surface = behind && triangle.back ? *triangle.back : triangle.surface;
   const Vec3 low = min(a, min(b, c)), high = max(a, max(b, c));
   const Window window{clamped(low.x, camera_.width()), clamped(high.x + 1, camera_.width()),
                       clamped(low.y, camera_.height()), clamped(high.y + 1, camera_.height())};
@@ -124,8 +126,8 @@ void Raster::fill(const std::array<Corner, 3>& corners, uint32_t surface) {
       const float depth = 1 / (wa + wb + wc);
       const Vec3 normal =
           normalized_or(wa * corners[0].normal + wb * corners[1].normal + wc * corners[2].normal, {0, 0, -1});
-      put(index(column, row), depth, dot(normal, camera_.view_ray(column, row)) > 0 ? -normal : normal,
-          surface);
+      const bool turned = triangle.back ? behind : dot(normal, camera_.view_ray(column, row)) > 0;
+      put(index(column, row), depth, turned ? -normal : normal, surface);
     }
   }
 }

@@ -33,7 +33,7 @@ class Raster {
   void draw(const Sphere& sphere, Vec3 view_center);
   void draw(const Triangle& triangle);
   void draw(const Ground& ground);
-  void fill(const std::array<Corner, 3>& corners, uint32_t surface);
+  void fill(const std::array<Corner, 3>& corners, const Triangle& triangle);
   void put(std::size_t sample, float depth, Vec3 normal, uint32_t surface);
 
   Camera camera_;

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The part of scene_fields.h about what bends: cloth, ropes, what holds them, and the wind.
+#pragma once
+
+#include <meniscus/cloth.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "sdk/scene/scene.h"
+#include "sdk/scene/scene_fields_shapes.h"
+
+namespace meniscus {
+
+constexpr auto names_of(StretchModel) {
+  return std::array{Named{"edges", StretchModel::edges}, Named{"triangles", StretchModel::triangles}};
+}
+constexpr auto names_of(BendingModel) {
+  return std::array{Named{"isometric", BendingModel::isometric}, Named{"dihedral", BendingModel::dihedral}};
+}
+
+template <class V>
+void fields(V& v, ClothSolverDef& d) {
+  v("over_relaxation", d.over_relaxation, between(1, 1.3), "", "ω of stretch and shear");
+  v("warm_start", d.warm_start, between(0, 0.35), "",
+    "share of the last substep's stretch multipliers to start from");
+}
+
+// ---- cloth ----
+
+/// A stiffness of fabric, by name.
+enum class FabricStiffness { warp, weft, shear, bending };
+
+constexpr auto names_of(FabricStiffness) {
+  return std::array{Named{"warp", FabricStiffness::warp}, Named{"weft", FabricStiffness::weft},
+                    Named{"shear", FabricStiffness::shear}, Named{"bending", FabricStiffness::bending}};
+}
+
+/// JSON has no infinity: what does not give way is named, as the held axes of a spring are.
+inline void make_unyielding(const std::vector<FabricStiffness>& names, FabricDef& d) {
+  float FabricDef::*const members[] = {&FabricDef::warp_stiffness, &FabricDef::weft_stiffness,
+                                       &FabricDef::shear_stiffness, &FabricDef::bending_stiffness};
+  for (const FabricStiffness name : names)
+    d.*members[static_cast<int>(name)] = std::numeric_limits<float>::infinity();
+}
+
+template <class V>
+void fields(V& v, FabricDef& d) {
+  std::vector<FabricStiffness> unyielding;
+  v("density", d.density, positive, "kg/m²", "mass of an area");
+  v("stretch_model", d.stretch_model, any_value, "",
+    "what stretch and shear act on: the lengths of edges, or the strain of triangles");
+  v("warp_stiffness", d.warp_stiffness, not_negative, "N/m", "tension over strain, along the warp");
+  v("weft_stiffness", d.weft_stiffness, not_negative, "N/m", "tension over strain, along the weft");
+  v("shear_stiffness", d.shear_stiffness, not_negative, "N/m", "shear force over the shear angle");
+  v("bending_model", d.bending_model, any_value, "",
+    "how bending is measured; isometric is for cloth that is flat at rest, and dihedral where it is not");
+  v("bending_stiffness", d.bending_stiffness, not_negative, "N·m", "moment over curvature");
+  v("unyielding", unyielding, any_value, "", "what does not give way, whatever its stiffness");
+  v("stretch_damping", d.stretch_damping, not_negative, "s",
+    "Rayleigh's, of stretch and shear: viscous forces are so many times the elastic ones' rate");
+  v("bending_damping", d.bending_damping, not_negative, "s", "likewise of bending");
+  v("thickness", d.thickness, not_negative, "m",
+    "distance that two layers keep; 0 is a quarter of the mean edge");
+  v("friction", d.friction, not_negative, "",
+    "Coulomb's coefficient between cloth and cloth; on a solid, the solid's counts");
+  v("drag", d.drag, not_negative, "", "drag coefficient of a flat plate; 0 is none");
+  v("lift", d.lift, not_negative, "", "lift coefficient of a flat plate");
+  v("tear_strain", d.tear_strain, not_negative, "", "edges stretched further than this tear; 0 is never");
+  make_unyielding(unyielding, d);
+}
+
+template <class V>
+void fields(V& v, SheetGeometry& d) {
+  v("width", d.width, positive, "m", "along x, the warp");
+  v("depth", d.depth, positive, "m", "along z, the weft");
+  v("columns", d.columns, between(2, 10000), "", "vertices along x");
+  v("rows", d.rows, between(2, 10000), "",
+    "vertices along z; vertex (column, row) has the number row · columns + column");
+}
+
+template <class V>
+void fields(V& v, ClothFile& d) {
+  v("file", d.file, required(any_value), "", mesh_file_text);
+  v("scale", d.scale, positive, "m", "length of a unit of the file");
+}
+
+template <class V>
+void fields(V& v, ClothTriangles& d) {
+  constexpr FieldRule numbers = between(0, std::numeric_limits<uint32_t>::max());
+  FieldRule three = numbers;
+  three.min_items = 3;
+  v("vertices", d.vertices, required(with_items(3)), "m", "where they are at rest");
+  v("triangles", d.triangles, required(three), "", "three numbers of vertices each, counted from 0");
+  v.check(d.triangles.size() % 3 == 0,
+          "triangles must hold three numbers each, but there are " + std::to_string(d.triangles.size()));
+}
+
+template <class V>
+void fields(V& v, ClothSphere& d) {
+  v("radius", d.radius, positive, "m", "radius");
+  v("divisions", d.divisions, between(1, 500), "",
+    "of an edge of the icosahedron that it is made from; there are 10 · divisions² + 2 vertices");
+}
+
+template <class V>
+void fields(V& v, ClothTube& d) {
+  v("top_radius", d.top_radius, positive, "m", "radius at the upper end");
+  v("bottom_radius", d.bottom_radius, positive, "m", "radius at the lower end");
+  v("height", d.height, positive, "m", "from end to end");
+  v("columns", d.columns, between(3, 10000), "", "vertices around");
+  v("rows", d.rows, between(2, 10000), "",
+    "vertices from top to bottom; vertex (column, row) has the number row · columns + column");
+}
+
+template <class V>
+void choices(V& v, ClothGeometry& g) {
+  v.choice("sheet", SheetGeometry{}, g, "a flat sheet in the plane y = 0, centred");
+  v.choice("mesh", ClothFile{}, g, "the triangles of a file");
+  v.choice("triangles", ClothTriangles{}, g, "any triangles");
+  v.choice("sphere", ClothSphere{}, g, "a closed sphere");
+  v.choice("tube", ClothTube{}, g, "a tube or cone about y, open at both ends");
+}
+
+template <class V>
+void fields(V& v, InflationDef& d) {
+  v("pressure", d.pressure, any_value, "Pa",
+    "above the air outside, at the volume that the cloth has at rest");
+  v("air_pressure", d.air_pressure, positive, "Pa",
+    "outside: how much the gas resists a change of its volume");
+  v.check(d.pressure > -d.air_pressure, "pressure must be greater than minus the air_pressure");
+}
+
+template <class V>
+void fields(V& v, ClothDef& d) {
+  v("name", d.name, required(not_empty), "", "what attachments and outputs call this piece");
+  v("geometry", d.geometry, required(any_value), "", "its shape at rest");
+  v("pose", d.pose, any_value, "", "placement of the geometry at the start");
+  v("stretch", d.stretch, positive, "", "at the start the geometry is scaled by this; at rest it is not");
+  v("velocity", d.velocity, any_value, "m/s", "at the start");
+  v("fabric", d.fabric, any_value, "", "what it is made of");
+  filter_fields(v, d.filter);
+  v("self_collision", d.self_collision, any_value, "", "whether it collides with itself");
+  v("tethers", d.tethers, any_value, "",
+    "whether vertices stay within reach, along the cloth, of the nearest one that is held fast");
+  v("inflation", d.inflation, any_value, "", "gas inside a closed piece; left out, there is none");
+  v("color", d.color, between(0, 1), "", "linear red, green and blue");
+}
+
+// ---- ropes ----
+
+template <class V>
+void fields(V& v, RopeDef& d) {
+  bool unyielding = false;
+  v("name", d.name, required(not_empty), "", "what attachments and outputs call this rope");
+  v("points", d.points, required(with_items(2)), "m", "its vertices at rest, or with segments its corners");
+  v("segments", d.segments, between(0, 1'000'000), "",
+    "when above 0, the way along the points is divided into so many");
+  v("pose", d.pose, any_value, "", "placement of the points");
+  v("velocity", d.velocity, any_value, "m/s", "at the start");
+  v("radius", d.radius, positive, "m", "of its cross-section");
+  v("density", d.density, positive, "kg/m³", "of its material");
+  v("bends_and_twists", d.bends_and_twists, any_value, "",
+    "whether it is a rod, which resists bending and twist; a rope has a length alone");
+  v("youngs_modulus", d.youngs_modulus, positive, "Pa", "against stretch, and bending of a rod");
+  v("shear_modulus", d.shear_modulus, positive, "Pa", "against twist of a rod");
+  v("unyielding", unyielding, any_value, "", "whether youngs_modulus is infinite, whatever it says");
+  v("damping", d.damping, not_negative, "s",
+    "Rayleigh's: viscous forces are so many times the elastic ones' rate");
+  v("closed", d.closed, any_value, "", "whether the last vertex is joined to the first");
+  v("straight_at_rest", d.straight_at_rest, any_value, "", "of a rod: however the points lie");
+  filter_fields(v, d.filter);
+  v("color", d.color, between(0, 1), "", "linear red, green and blue");
+  if (unyielding) d.youngs_modulus = std::numeric_limits<float>::infinity();
+  v.check(!d.closed || d.points.size() >= 3, "a closed rope needs at least 3 points");
+}
+
+// ---- attachments ----
+
+template <class V>
+void fields(V& v, SceneAttachment& a) {
+  constexpr FieldRule numbers = between(0, std::numeric_limits<uint32_t>::max());
+  AttachmentDef& d = a.def;
+  v("name", d.name, required(not_empty), "", "what messages and outputs call this attachment");
+  v("cloth", a.cloth, not_empty, "",
+    "name of the piece of cloth that is held; either this or rope is needed");
+  v("rope", a.rope, not_empty, "", "name of the rope that is held");
+  v("vertices", d.vertices, numbers, "", "which of its vertices, by number");
+  v("region", d.region, any_value, "", "and those in this box of the world, as they lie at the start");
+  v("body", a.body, not_empty, "", "name of the body that holds them; left out, the world does");
+  v("other_cloth", a.other_cloth, not_empty, "", "name of a piece of cloth that they are sewn to instead");
+  v("other_rope", a.other_rope, not_empty, "", "name of a rope that they are sewn to instead");
+  v("reach", d.reach, positive, "m",
+    "of a seam: each vertex is sewn to the nearest one of the other within this, the rest stay free");
+  v("compliance", d.compliance, not_negative, "m/N", "of a seam");
+  v("clamped", d.clamped, any_value, "",
+    "whether a rod's segments between held vertices keep their direction");
+  v.check(a.cloth.empty() != a.rope.empty(), "exactly one of cloth and rope is needed");
+  v.check(!a.body.empty() + !a.other_cloth.empty() + !a.other_rope.empty() <= 1,
+          "at most one of body, other_cloth and other_rope is allowed");
+  v.check(!d.vertices.empty() || d.region, "vertices or a region are needed");
+}
+
+// ---- wind ----
+
+template <class V>
+void fields(V& v, WindDef& d) {
+  v("velocity", d.velocity, any_value, "m/s", "mean velocity of the air");
+  v("air_density", d.air_density, not_negative, "kg/m³", "0 is no air at all, and no drag");
+  v("gust_speed", d.gust_speed, not_negative, "m/s", "standard deviation of the gusts");
+  v("gust_size", d.gust_size, positive, "m", "of the gusts");
+  v("seed", d.seed, between(0, std::numeric_limits<uint32_t>::max()), "", "equal seeds give equal gusts");
+}
+
+}  // namespace meniscus
