@@ -42,6 +42,13 @@ constexpr const char* scene_with_bodies = R"({
   "volumes": [{ "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.4, 0.4, 0.4] } }]
 })";
 
+constexpr const char* scene_with_cloth = R"({
+  "name": "flag", "frame_time": 0.01, "frames": 2, "world": { "substeps": 4, "iterations": 1 },
+  "cloths": [{ "name": "sheet", "geometry": { "type": "sheet", "columns": 5, "rows": 4 } }],
+  "ropes": [{ "name": "line", "points": [[2, 0, 0], [3, 0, 0]], "segments": 10 }],
+  "attachments": [{ "name": "corner", "cloth": "sheet", "vertices": [0] }]
+})";
+
 /// Each command line runs in a process of its own, and the folder stands for the samples of the source tree.
 class ProgramTest : public testing::Test {
  protected:
@@ -53,6 +60,7 @@ class ProgramTest : public testing::Test {
     fs::create_directories(folder_);
     std::ofstream(folder_ / "drop.json") << scene;
     std::ofstream(folder_ / "raft.json") << scene_with_bodies;
+    std::ofstream(folder_ / "flag.json") << scene_with_cloth;
     setenv("MENISCUS_SAMPLES_DIR", folder_.c_str(), 1);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -80,6 +88,36 @@ TEST_F(ProgramTest, ARunLeavesItsFiles) {
   EXPECT_EQ(figures["particles"], 64);
   EXPECT_EQ(figures["frames"], 2);
   EXPECT_EQ(figures["device"]["kind"], "cpu");
+}
+
+TEST_F(ProgramTest, ClothIsMovedMeasuredAndExported) {
+  EXPECT_EXIT(run({"run", "flag", "--device", "cpu", "--out", out(), "--export", "ply,vtp,obj", "--quiet"}),
+              testing::ExitedWithCode(success), "^$");
+  for (const char* name :
+       {"cloths.csv", "attachments.csv", "cloth.pvd", "ropes.pvd", "frames/cloth_00001.ply",
+        "frames/cloth_00002.obj", "frames/cloth_00002.vtp", "frames/ropes_00001.vtp"}) {
+    EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
+  }
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "particles.pvd")) << "there is no fluid";
+  const auto figures = nlohmann::json::parse(std::ifstream(fs::path(out()) / "summary.json"));
+  const auto& sheet = figures["cloths"].at(0);
+  EXPECT_EQ(sheet["vertices"], 20);
+  EXPECT_NEAR(sheet["mass_kg"].get<double>(), 0.2, 1e-6);
+  EXPECT_LT(sheet["momentum_kg_m_s"][1].get<double>(), 0) << "it falls";
+  EXPECT_NEAR(figures["ropes"].at(0)["length_m"].get<double>(), 1, 1e-4);
+  EXPECT_EQ(figures["attachments"].at(0)["name"], "corner");
+}
+
+TEST_F(ProgramTest, CheckCountsCloth) {
+  testing::internal::CaptureStdout();
+  std::vector<std::string> arguments{"meniscus", "check", "flag"};
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  EXPECT_EQ(run_program(static_cast<int>(argv.size()), argv.data()), success);
+  const std::string text = testing::internal::GetCapturedStdout();
+  EXPECT_NE(text.find("cloths 1 of 20 vertices and 24 triangles, ropes 1 of 11 vertices, attachments 1"),
+            std::string::npos)
+      << text;
 }
 
 TEST_F(ProgramTest, BodiesAreMovedMeasuredAndExported) {
@@ -123,7 +161,7 @@ TEST_F(ProgramTest, BadInputIsOneLineAndCodeTwo) {
   EXPECT_EXIT(run({"dance"}), testing::ExitedWithCode(bad_input), "^meniscus: [^\n]*dance[^\n]*\n$");
   EXPECT_EXIT(run({"run"}), testing::ExitedWithCode(bad_input), "^meniscus: scene is required[^\n]*\n$");
   EXPECT_EXIT(run({"run", "flood"}), testing::ExitedWithCode(bad_input),
-              "^meniscus: [^\n]*'flood'; samples: drop, raft\n$");
+              "^meniscus: [^\n]*'flood'; samples: drop, flag, raft\n$");
   EXPECT_EXIT(run({"run", "drop", "--device", "gpu"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --device: gpu");
   EXPECT_EXIT(run({"check", "drop", "--set", "frames=none"}), testing::ExitedWithCode(bad_input),

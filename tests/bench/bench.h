@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What all cases of the benchmark have in common.
+#pragma once
+
+#include <meniscus/meniscus.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace meniscus::bench {
+
+using Json = nlohmann::ordered_json;
+
+struct CommonOptions {
+  std::string device = "auto";
+  int threads = 0;
+  std::string commit, date, out;
+};
+
+/// A world's definition on the device that was asked for.
+WorldDef world_def(const CommonOptions& options);
+
+/// The smallest value that `share` of the others do not exceed; 0.5 gives the median.
+double quantile(std::vector<double> values, double share);
+
+/// What timed steps took.
+class StepTimes {
+ public:
+  void add(const StepReport& report);
+  double median_ms() const { return quantile(ms_, 0.5); }
+  double p99_ms() const { return quantile(ms_, 0.99); }
+  double rigid_ms() const { return quantile(rigid_ms_, 0.5); }
+  Json stage_ms() const;  ///< medians
+
+ private:
+  std::vector<double> ms_, rigid_ms_;
+  std::array<std::vector<double>, stage_count> stages_;
+};
+
+/// Prints results as they come, and writes them all to a file.
+class Results {
+ public:
+  /// The command is noted as well, but for where the file goes, which says nothing about what is in it.
+  Results(const CommonOptions& options, int argc, char** argv);
+  void add(const Json& result);
+  void write() const;
+
+ private:
+  std::string out_;
+  Json all_;
+};
+
+}  // namespace meniscus::bench
