@@ -109,6 +109,7 @@ void RodSet<D>::restore() {
   device_.copy(frame_.view().data, aside_frame_.view().data, segments_ * sizeof(pbd::Vec4));
   device_.copy(spin_.view().data, aside_spin_.view().data, segments_ * sizeof(pbd::Vec4));
   device_.copy(pull_.view().data, aside_pull_.view().data, segments_ * sizeof(float));
+  row_.fill(0);  // a step that failed has left in them what is not finite
 }
 
 template <class D>

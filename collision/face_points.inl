@@ -131,8 +131,10 @@ void FacePoints<D>::settle(pbd::Substep<D>& substep) {
     device_.parallel_for(
         "faces/demand", room_,
         Demand{all, p, substep.contacts, shapes_.shapes(), shapes_.touches(p.phase, p.sorted),
-               bodies_.proxies(), bodies_.contact_motions(), demand_.view()});
-    device_.parallel_for("faces/account", room_, Account{all, p, substep.contacts, demand_.view()});
+               bodies_.proxies(), bodies_.contact_motions(), k ? pushed_.view() : pbd::View<uint32_t>{},
+               demand_.view()});
+    device_.parallel_for("faces/account", room_,
+                         Account{all, p, substep.contacts, demand_.view(), pushed_.view()});
     device_.parallel_for("faces/obey", vertices_, Obey{all, p, at_vertex_.view(), demand_.view()});
   }
 }

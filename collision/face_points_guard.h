@@ -26,12 +26,14 @@ struct Demand {
   shape_contact_kernels::Touches touches;
   View<const BodyProxy> bodies;
   View<const ContactMotion> body_motion;
-  View<Vec4> demand;  ///< by point
+  View<const uint32_t> stirred;  ///< by point: whether the last round has moved its face; none in the first
+  View<Vec4> demand;             ///< by point
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = points.first + n;
     Vec3 step{0, 0, 0};
-    if (n < points.count() && contacts.start[i] != contacts.start[i + 1])
+    const bool unchanged = stirred.count && !stirred[n];  // it asked for nothing, and would again
+    if (n < points.count() && !unchanged && contacts.start[i] != contacts.start[i + 1])
       step = step_of(points.triangle_of[n]);
     demand[n] = pbd::with_w(step, 0);
   }
@@ -62,7 +64,7 @@ struct Demand {
     if (!field.may_reach(motion)) return {0, 0, 0};
     FaceMeeting meeting = meet_face(field, motion, least * radius);
     float lacking = lacking_of(motion, meeting, radius);
-    if (lacking <= 0) {  // there; but elsewhere, at the end?
+    if (lacking <= 0 && way_of(motion) > least * radius) {  // there; but elsewhere, at the end?
       meeting = {field.nearest(motion.to, 0.01f * radius), motion.to};
       lacking = lacking_of(motion, meeting, radius);
     }
@@ -130,17 +132,21 @@ MENISCUS_HD Vec3 obey(const Points& points, View<const Vec4> demand, uint32_t ve
   return step;
 }
 
-/// The solid gets back what the vertices are given.
+/// The solid gets back what the vertices are given. Notes whose faces will move, too.
 struct Account {
   Points points;
   ParticleView particles;
   pbd::ContactView contacts;
   View<const Vec4> demand;
+  View<uint32_t> stirred;
 
   MENISCUS_HD void operator()(uint32_t n) const {
+    stirred[n] = 0;
+    if (n >= points.count()) return;
+    const SurfaceTriangle t = points.triangles[points.triangle_of[n]];
+    stirred[n] = is_asked(t.a) || is_asked(t.b) || is_asked(t.c);
     const Vec3 wanted = demand[n].xyz();
     if (dot(wanted, wanted) == 0) return;
-    const SurfaceTriangle t = points.triangles[points.triangle_of[n]];
     const uint32_t i = points.first + n;
     const Vec3 impulse = given(t.a, i) + given(t.b, i) + given(t.c, i);
     uint32_t along = contacts.start[i];
@@ -148,6 +154,14 @@ struct Account {
       if (dot(contacts.contacts[k].normal, wanted) > dot(contacts.contacts[along].normal, wanted)) along = k;
     }
     contacts.contacts[along].tangent_multiplier += impulse;
+  }
+  MENISCUS_HD bool is_asked(uint32_t vertex) const {
+    bool asked = false;
+    points.for_each_at(vertex, [&](uint32_t point, float) {
+      const Vec3 wanted = demand[point - points.first].xyz();
+      asked = asked || dot(wanted, wanted) != 0;
+    });
+    return asked;
   }
   MENISCUS_HD Vec3 given(uint32_t vertex, uint32_t i) const {
     const float w = particles.position[particles.sorted + vertex].w;

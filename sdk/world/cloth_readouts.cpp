@@ -146,6 +146,7 @@ Vec3 World::attachment_force(AttachmentId id) const {
   const Strand& strand = impl_->strand_of(entry.def);
   if (!entry.seams.empty() || entry.first_tie == pbd::no_index) return {0, 0, 0};
   impl_->read_reactions();
+  if (impl_->reactions.empty() && impl_->tie_forces.empty()) return {0, 0, 0};
   Vec3 sum{0, 0, 0};
   for (size_t k = 0; k < entry.anchors.size(); ++k) sum -= impl_->tie_forces[entry.first_tie + k];
   for (uint32_t v : entry.vertices) {
@@ -164,6 +165,12 @@ void World::Impl::read_reactions() {
   tie_forces = engine->read_tie_impulses();
   for (Vec3& r : reactions) r = r / last_step;
   for (Vec3& t : tie_forces) t = t / last_step;
+  reactions_known = true;
+}
+
+void World::Impl::forget_reactions() {
+  reactions.clear();
+  tie_forces.clear();
   reactions_known = true;
 }
 

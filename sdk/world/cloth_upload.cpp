@@ -51,10 +51,8 @@ class Assembly {
     rope_masses_.insert(rope_masses_.end(), entry.strand.masses.begin(), entry.strand.masses.end());
     cloth.model.rest.insert(cloth.model.rest.end(), entry.strand.state.positions.begin(),
                             entry.strand.state.positions.end());
-    cloth.model.pieces.push_back({.first_vertex = first,
- .end_vertex = vertices(),
- .stretch_damping = -1,
- .bending_damping = -1});
+    cloth.model.pieces.push_back(
+        {.first_vertex = first, .end_vertex = vertices(), .stretch_damping = -1, .bending_damping = -1});
     cloth.contact_parts.push_back({.filter = {0, 0}, .self = false});
     for (size_t s = 0; s < entry.segments.size(); ++s) {
       entry.segments[s].held = clamped[s];
@@ -188,11 +186,12 @@ void World::Impl::upload_cloth() {
   ropes.for_each([](uint32_t, RopeEntry& entry) { entry.strand.uploaded = true; });
   cloth_is_on_device = true;
   reactions_known = true;  // none yet
-  reactions.assign(held.size(), {0, 0, 0});
-  tie_forces.assign(all.cloth.ties.size(), {0, 0, 0});
+  reactions.clear();
+  tie_forces.clear();
 }
 
 void World::Impl::note_cloth_step(float dt) {
+  tears.clear();
   if (vertex_count == 0) return;
   last_step = dt;
   cloth_is_on_host = false;

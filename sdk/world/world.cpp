@@ -193,8 +193,10 @@ void World::remove_particles(std::span<const ParticleId> gone) {
 
 void World::relax(int iterations) {
   check::between("relax's iterations", iterations, 0, 100000);
+  impl_->upload_cloth();
   impl_->engine->relax(0.001f, iterations);
   impl_->state_changed();
+  impl_->cloth_is_on_host = impl_->vertex_count == 0;
 }
 
 // ---- time ----
@@ -204,9 +206,9 @@ StepReport World::step(float dt) {
   const auto start = std::chrono::steady_clock::now();
   impl_->upload_cloth();
   impl_->state_changed();
-  impl_->tears.clear();
   EngineStep done = impl_->engine->step(dt);
   if (const pbd::ParticleSummary& summary = done.result.summary; summary.non_finite) {
+    impl_->forget_reactions();
     throw Error(ErrorCode::non_finite,
                 std::to_string(summary.non_finite) + " particles became non-finite, the first of them " +
                     impl_->name_particle(summary.first_bad_slot) +

@@ -66,6 +66,7 @@ struct World::Impl {
   void tear_cloth();
   void note_cloth_step(float dt);
   void read_reactions();
+  void forget_reactions();  // after a step that failed
   std::string name_particle(uint32_t slot) const;
   std::vector<bool> held_vertices(ClothId cloth) const;
   std::vector<bool> held_vertices(RopeId rope) const;

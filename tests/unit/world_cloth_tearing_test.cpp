@@ -112,6 +112,20 @@ TEST_P(ClothTearTest, EventsAreOfTheLastStepAndGoWithTheCloth) {
   EXPECT_GT(vertices, 91u);
 }
 
+// A failed step has not happened.
+TEST_P(ClothTearTest, AFailedStepLeavesTheEventsOfTheOneBefore) {
+  Rack r = make(GetParam(), 0.05f);
+  for (int k = 0; k < 90 && r.world.tear_events().empty(); ++k) r.world.step(dt);
+  const size_t tears = r.world.tear_events().size();
+  ASSERT_GT(tears, 0u);
+  expect_error(ErrorCode::non_finite, "non-finite", [&] {
+    const std::vector<Vec3> position{{9, 9, 9}}, velocity{{3e38f, 0, 0}};
+    r.world.add_particles(r.world.create_fluid({}), position, velocity);
+    r.world.step(1000);
+  });
+  EXPECT_EQ(r.world.tear_events().size(), tears);
+}
+
 TEST_P(ClothTearTest, TheSameTearsEveryTime) {
   Rack a = make(GetParam(), 0.05f), b = make(GetParam(), 0.05f);
   for (int k = 0; k < 40; ++k) {
