@@ -62,10 +62,6 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   static constexpr uint32_t first_rounds = 3;
 
   uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
-  /// A step is done again for want of rounds up to so many; then only the next one gets more. Each is three
-  /// launches a substep.
-  static constexpr uint32_t rounds_to_insist = 6;
-
   uint32_t used_rounds() const;
   bool ran_short() const { return used_rounds() == rounds_; }
   uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }

@@ -130,7 +130,7 @@ void SelfContacts<D>::start_step() {
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  return idle() || ((!ran_short() || rounds_ >= rounds_to_insist) && found(longest_row) <= row_capacity_ &&
+  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(longest_row) <= row_capacity_ &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }
 

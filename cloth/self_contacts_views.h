@@ -28,7 +28,7 @@ struct Part {
 };
 
 /// Rounds of holding back are counted one by one.
-inline constexpr uint32_t most_rounds = 12;
+inline constexpr uint32_t most_rounds = 32;
 enum Counter : uint32_t {
   candidates,
   contacts,
