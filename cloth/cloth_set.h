@@ -38,7 +38,6 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   /// All cloth there is. Multipliers start anew.
   void set_model(const ClothModel& model);
   void set_wind(const Wind& wind) { wind_ = wind; }
-  void set_time(double seconds) { time_ = seconds; }
 
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
@@ -54,8 +53,6 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   std::vector<Vec3> read_reactions() const;
   /// Whether some edge was stretched too far in the last step.
   bool found_tears() const { return tears_.host().size() && tears_.host()[0] != 0; }
-  /// Overpressure of each piece's gas, Pa.
-  std::vector<float> read_pressures(float dt) const;
 
  private:
   template <class T>

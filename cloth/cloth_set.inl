@@ -201,11 +201,4 @@ std::vector<Vec3> ClothSet<D>::read_reactions() const {
   return out;
 }
 
-template <class D>
-std::vector<float> ClothSet<D>::read_pressures(float dt) const {
-  std::vector<float> out;
-  for (const volume_kernels::GasState& g : gas_.read(gas_.size())) out.push_back(-g.multiplier / (dt * dt));
-  return out;
-}
-
 }  // namespace meniscus::cloth

@@ -8,30 +8,15 @@
 #include <vector>
 
 #include "cloth/cloth_mesh.h"
+#include "pbd/mesh_edges.h"
 
 namespace meniscus::cloth {
 
+using pbd::edge_uses;
+using pbd::EdgeUse;
+using pbd::for_each_edge;
+
 inline constexpr uint32_t none = 0xffffffff;
-
-/// One side of a triangle.
-struct EdgeUse {
-  uint32_t low, high;  ///< vertices, low < high
-  uint32_t triangle;
-  uint32_t opposite;  ///< the triangle's third vertex
-  bool forward;       ///< the triangle runs from low to high
-};
-
-/// All sides of all triangles, sorted by edge (low, then high), then by triangle.
-std::vector<EdgeUse> edge_uses(const ClothMesh& mesh);
-
-/// Calls visit(std::span<const EdgeUse>) for each edge, with the triangles that meet there.
-template <class Visit>
-void for_each_edge(std::span<const EdgeUse> uses, const Visit& visit) {
-  for (size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-    while (end < uses.size() && uses[end].low == uses[begin].low && uses[end].high == uses[begin].high) ++end;
-    visit(uses.subspan(begin, end - begin));
-  }
-}
 
 /// The triangles at each vertex, in their order.
 class VertexTriangles {

@@ -6,9 +6,13 @@
 #include <tuple>
 
 #include "collision/mesh_crossings.h"
-#include "collision/mesh_edges.h"
+#include "pbd/mesh_edges.h"
 
 namespace meniscus::collision {
+
+using pbd::edge_uses;
+using pbd::EdgeUse;
+using pbd::for_each_edge;
 
 namespace {
 
@@ -23,11 +27,11 @@ void sort_by_face(std::vector<MeshDefect>& defects) {
 MeshDefects find_defects(const TriangleMesh& mesh) {
   MeshDefects defects;
   for_each_edge(edge_uses(mesh), [&](std::span<const EdgeUse> edge) {
-    const uint32_t face = edge.front().face;
+    const uint32_t face = edge.front().triangle;
     if (edge.size() == 1) {
       defects.open_edges.push_back({face, face});
     } else if (edge.size() > 2 || edge[0].forward == edge[1].forward) {
-      defects.non_manifold_edges.push_back({face, edge.back().face});
+      defects.non_manifold_edges.push_back({face, edge.back().triangle});
     }
   });
   sort_by_face(defects.open_edges);

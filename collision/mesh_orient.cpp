@@ -6,11 +6,15 @@
 #include <optional>
 #include <utility>
 
-#include "collision/mesh_edges.h"
 #include "collision/triangle_bvh_query.h"
 #include "pbd/math/vec.h"
+#include "pbd/mesh_edges.h"
 
 namespace meniscus::collision {
+
+using pbd::edge_uses;
+using pbd::EdgeUse;
+using pbd::for_each_edge;
 
 namespace {
 
@@ -33,8 +37,8 @@ Neighbours neighbours_of(size_t faces, std::span<const EdgeUse> uses) {
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     if (edge.size() != 2) return;
     const bool agrees = edge[0].forward != edge[1].forward;
-    link(edge[0].face, {edge[1].face, agrees});
-    link(edge[1].face, {edge[0].face, agrees});
+    link(edge[0].triangle, {edge[1].triangle, agrees});
+    link(edge[1].triangle, {edge[0].triangle, agrees});
   });
   return neighbours;
 }

@@ -8,11 +8,15 @@
 #include <cmath>
 #include <sstream>
 
-#include "collision/mesh_edges.h"
 #include "collision/triangle.h"
 #include "pbd/math/vec.h"
+#include "pbd/mesh_edges.h"
 
 namespace meniscus::collision {
+
+using pbd::edge_uses;
+using pbd::EdgeUse;
+using pbd::for_each_edge;
 
 namespace {
 

@@ -8,11 +8,6 @@ namespace meniscus::fluid {
 
 namespace probe_kernels {
 
-MENISCUS_HD inline bool inside(const Aabb& box, Vec3 p) {
-  return p.x >= box.lower.x && p.x <= box.upper.x && p.y >= box.lower.y && p.y <= box.upper.y &&
-         p.z >= box.lower.z && p.z <= box.upper.z;
-}
-
 /// The kernel-weighted mean of the particles' pressures Λ / (V h_t²) around a point.
 struct PointPressure {
   Kernel kernel;

@@ -74,6 +74,10 @@ MENISCUS_HD inline Vec3 max(Vec3 a, Vec3 b) {
 MENISCUS_HD inline Vec3 abs(Vec3 a) {
   return {fabsf(a.x), fabsf(a.y), fabsf(a.z)};
 }
+MENISCUS_HD constexpr bool inside(const Aabb& box, Vec3 p) {
+  return p.x >= box.lower.x && p.x <= box.upper.x && p.y >= box.lower.y && p.y <= box.upper.y &&
+         p.z >= box.lower.z && p.z <= box.upper.z;
+}
 MENISCUS_HD inline float max_component(Vec3 a) {
   return pbd::max(a.x, pbd::max(a.y, a.z));
 }

@@ -137,8 +137,6 @@ class Engine {
   virtual std::vector<Vec3> read_reactions() = 0;
   /// By tie, N·s on its vertex over the last step.
   virtual std::vector<Vec3> read_tie_impulses() = 0;
-  /// By piece, Pa; empty where none holds gas.
-  virtual std::vector<float> read_gas_pressures() = 0;
   /// Whether an edge was stretched further than it bears in the last step.
   virtual bool found_tears() = 0;
 

@@ -97,7 +97,6 @@ class DeviceEngine final : public Engine {
   std::vector<cloth::SegmentState> read_segments() override { return rods_.states(0, rods_.segment_count()); }
   std::vector<Vec3> read_reactions() override { return cloth_.read_reactions(); }
   std::vector<Vec3> read_tie_impulses() override { return ties_.read_impulses(); }
-  std::vector<float> read_gas_pressures() override { return cloth_.read_pressures(last_substep_); }
   bool found_tears() override { return cloth_.found_tears(); }
 
   void append(const ParticleBatch& batch) override;

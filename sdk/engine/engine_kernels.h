@@ -126,10 +126,7 @@ struct MarkSinks {
     const Vec3 p = position[i].xyz();
     uint32_t stays = 1;
     for (uint32_t k = 0; k < sinks.count && i < sorted; ++k) {
-      const Aabb& b = sinks[k].box;
-      const bool inside = p.x >= b.lower.x && p.x <= b.upper.x && p.y >= b.lower.y && p.y <= b.upper.y &&
-                          p.z >= b.lower.z && p.z <= b.upper.z;
-      if (inside != sinks[k].outside) stays = 0;
+      if (inside(sinks[k].box, p) != sinks[k].outside) stays = 0;
     }
     keep[i] = stays;
   }

@@ -164,7 +164,7 @@ void fields(V& v, Scene& d) {
   v("ropes", d.ropes, any_value, "", "ropes and rods");
   v("attachments", d.attachments, any_value, "",
     "what holds cloth and ropes to the world, to bodies or to one another");
-  v("wind", d.wind, any_value, "", "air that cloth moves in; left out, there is none");
+  v("wind", d.wind, any_value, "", "air that cloth moves in; left out, it is at rest");
   v("volumes", d.volumes, any_value, "", "regions filled with fluid at the start");
   v("sinks", d.sinks, any_value, "", "boxes that remove particles");
   v("probes", d.probes, any_value, "", "measurements");

@@ -14,11 +14,6 @@ namespace meniscus {
 
 namespace {
 
-bool inside(const Aabb& box, Vec3 p) {
-  return p.x >= box.lower.x && p.x <= box.upper.x && p.y >= box.lower.y && p.y <= box.upper.y &&
-         p.z >= box.lower.z && p.z <= box.upper.z;
-}
-
 std::vector<uint32_t> chosen_vertices(const AttachmentDef& def, const Strand& strand) {
   std::vector<uint32_t> vertices = def.vertices;
   for (uint32_t v : vertices) {

@@ -46,6 +46,7 @@ std::span<const float> World::pressures() const {
 }
 
 Diagnostics World::diagnostics() const {
+  impl_->upload_cloth();  // its energy counts before the first step, too
   Diagnostics d = impl_->engine->measure(impl_->def.gravity);
   const std::span<const float> error = density_errors();
   const std::vector<float>& full = impl_->full_support.values;

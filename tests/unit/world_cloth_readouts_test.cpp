@@ -47,6 +47,7 @@ TEST_P(ClothReadoutTest, ASheetIsThereBeforeAnyStep) {
   expect_near(state.centre, {1, 2, 3}, 1e-5f);
   expect_near(state.momentum, state.mass * Vec3{4, 5, 6}, 1e-4f);
   EXPECT_NEAR(state.kinetic_energy, 0.5f * state.mass * 77, 1e-3f);
+  EXPECT_NEAR(world_.diagnostics().kinetic_energy, 0.5f * state.mass * 77, 1e-3f);
   EXPECT_FALSE(state.closed);
   EXPECT_EQ(state.volume, 0);
 }
