@@ -8,13 +8,14 @@
 #include "cloth/vertex_state.h"
 #include "cloth/volume_kernels.h"
 #include "cloth/wind.h"
+#include "cloth/yarns.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
 
 namespace meniscus::cloth {
 
 struct ClothSolverParameters {
-  float over_relaxation = 1.2f;  ///< ω of stretch and shear, 1 to 1.3
+  float over_relaxation = 1.2f;  ///< ω of stretch and shear but for yarns, 1 to 1.3
   float warm_start = 0.3f;       ///< share of the edges' last multipliers, 0 to 0.35
 };
 
@@ -22,8 +23,9 @@ struct ClothSolverParameters {
 /// solved in the manner of Gauss and Seidel; and the air's force on it.
 ///
 ///   begin     starts from a share of the last substep's multipliers, and adds the wind;
-///   project   sweeps over bending, then stretch, pass by pass (clusters.h), and backwards in the next
-///             iteration; gas; tethers last;
+///   project   sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the lengths of
+///             whole yarns, layer by layer (yarns.h); in the next iteration all of it backwards; gas;
+///             tethers last;
 ///   settle    notes what pulled at vertices that nothing moves.
 ///
 /// Small steps converge better than many iterations (Macklin et al. 2019). There and back again makes the
@@ -61,11 +63,13 @@ class ClothSet final : public pbd::ConstraintSet<D> {
     buffer.write(values);
   }
   void upload_constraints(const ClothModel& model);
+  void upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns);
   void upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
   VertexState vertices(const pbd::Substep<D>& substep) const {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
   void sweep(pbd::Substep<D>& substep, bool starts, bool backwards);
+  void solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards);
   void blow_up(pbd::Substep<D>& substep, bool starts);
 
   D& device_;
@@ -85,6 +89,9 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<Batch> batches_{device_, "constraint batches"};
   pbd::Buffer<Cluster> clusters_{device_, "constraint clusters"};
   pbd::Buffer<uint32_t> cluster_vertices_{device_, "vertices of clusters"};
+  pbd::Buffer<Yarn> yarns_{device_, "yarns"};
+  std::vector<uint32_t> layer_starts_{0};  // of yarns
+  uint32_t first_yarn_edge_ = 0;
   std::vector<uint32_t> pass_starts_{0};
   pbd::Buffer<Vec4> edge_multiplier_{device_, "edge multipliers"};
   pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};

@@ -9,6 +9,7 @@
 #include "cloth/tear_kernels.h"
 #include "cloth/tether_kernels.h"
 #include "cloth/wind_kernels.h"
+#include "cloth/yarn_kernel.h"
 
 namespace meniscus::cloth {
 
@@ -52,10 +53,10 @@ void ClothSet<D>::set_model(const ClothModel& model) {
 
 template <class D>
 void ClothSet<D>::upload_constraints(const ClothModel& model) {
-  Clusters c = build_clusters(model.constraints, model.rest);
-  upload_fans(model, c.edges);
-  number_locally(c);
-  upload(edges_, c.edges);
+  ClothConstraints constraints = model.constraints;
+  const Yarns yarns = draw_yarns(constraints, model.rest, model.pieces);
+  Clusters c = build_clusters(constraints, model.rest);
+  upload_edges(model, c, yarns);
   upload(strains_, c.strains);
   upload(isometric_, c.isometric);
   upload(hinges_, c.hinges);
@@ -63,11 +64,25 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   upload(clusters_, c.clusters);
   upload(cluster_vertices_, c.vertices);
   pass_starts_ = c.pass_starts;
-  edge_multiplier_.resize_discard(c.edges.size());
-  saved_edge_multiplier_.resize_discard(parameters_.warm_start > 0 ? c.edges.size() : 0);
   strain_multiplier_.resize_discard(c.strains.size());
   isometric_multiplier_.resize_discard(c.isometric.size());
   hinge_multiplier_.resize_discard(c.hinges.size());
+}
+
+/// First those of clusters, whose vertices become numbers within their cluster, then those of yarns.
+template <class D>
+void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns) {
+  std::vector<EdgeConstraint> edges = clusters.edges;
+  edges.insert(edges.end(), yarns.edges.begin(), yarns.edges.end());
+  upload_fans(model, edges);
+  number_locally(clusters);
+  std::copy(clusters.edges.begin(), clusters.edges.end(), edges.begin());
+  upload(edges_, edges);
+  first_yarn_edge_ = static_cast<uint32_t>(clusters.edges.size());
+  upload(yarns_, yarns.yarns);
+  layer_starts_ = yarns.layer_starts;
+  edge_multiplier_.resize_discard(edges.size());
+  saved_edge_multiplier_.resize_discard(parameters_.warm_start > 0 ? edges.size() : 0);
   edge_multiplier_.fill(0);
 }
 
@@ -91,6 +106,11 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   share_ = parameters_.warm_start * std::min(1.0f, ratio * ratio);
   last_dt_ = substep.dt;
   if (share_ > 0 && edges_.size()) {
+    if (substep.reloaded.count) {
+      device_.parallel_for("cloth/forget", vertex_count_,
+                           stretch_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), substep.reloaded,
+                                                   edge_multiplier_.view()});
+    }
     device_.parallel_for("cloth/warm start", vertex_count_,
                          stretch_kernels::WarmStart{edge_fan_start_.view(), edge_fan_.view(),
                                                     edge_multiplier_.view(), vertices(substep), share_});
@@ -110,9 +130,13 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
 template <class D>
 void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (vertex_count_ == 0) return;
-  const bool starts = iteration == 0, backwards = iteration % 2 != 0;
+  // What comes last holds best: lengths, or where there is gas its volume.
+  const int turn = any_gas_ ? iteration : substep.iterations - 1 - iteration;
+  const bool starts = iteration == 0, backwards = turn % 2 != 0;
   if (any_gas_ && !backwards) blow_up(substep, starts);
+  if (backwards) solve_yarns(substep, starts, backwards);
   sweep(substep, starts, backwards);
+  if (!backwards) solve_yarns(substep, starts, backwards);
   if (any_gas_ && backwards) blow_up(substep, starts);
   device_.parallel_for(
       "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
@@ -137,6 +161,22 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, bool starts, bool backwards) {
     const size_t pass = backwards ? passes - 1 - k : k;
     solve.first = pass_starts_[pass];
     device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
+  }
+}
+
+template <class D>
+void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards) {
+  SolveYarns solve{.yarns = yarns_.view(),
+                   .edges = edges_.view().from(first_yarn_edge_),
+                   .multiplier = edge_multiplier_.view().from(first_yarn_edge_),
+                   .all = vertices(substep),
+                   .share = starts ? share_ : 1,
+                   .first = 0};
+  const size_t layers = layer_starts_.size() - 1;
+  for (size_t k = 0; k < layers; ++k) {
+    const size_t layer = backwards ? layers - 1 - k : k;
+    solve.first = layer_starts_[layer];
+    device_.parallel_for_groups("cloth/yarns", layer_starts_[layer + 1] - solve.first, solve);
   }
 }
 

@@ -4,17 +4,23 @@
 // What the kernels of cloth-to-cloth contacts share.
 #pragma once
 
-#include "cloth/self_contacts_geometry.h"
 #include "cloth/self_contacts_tables.h"
+#include "pbd/feature_pair.h"
 #include "pbd/particles.h"
 #include "pbd/surface_boxes.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
+using pbd::corner_weights;
+using pbd::FeaturePair;
 using pbd::joined;
+using pbd::Nearest;
+using pbd::nearest;
 using pbd::no_index;
 using pbd::overlap;
+using pbd::relative_motion;
 using pbd::SurfaceTriangle;
+using pbd::time_of_nearness;
 using pbd::Vec4;
 using pbd::View;
 

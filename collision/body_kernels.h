@@ -181,7 +181,7 @@ struct Follow {
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= contacts.total()) return;
     Contact& c = contacts.contacts[grouped[k]];
-    if (c.body_inverse_mass == 0) return;
+    if (c.body_inverse_mass == 0 || c.body >= bodies.count) return;
     const BodyProxy& body = bodies[c.body];
     const ContactMotion now = motion_by(body, sum_of_lanes(partial, c.body, lanes)), old = before[c.body];
     if (k == body.first) after[c.body] = now;

@@ -55,6 +55,8 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   void set_shapes(const ShapeSet& shapes, bool only_fixed_planes);
   /// By fluid.
   void set_filters(std::span<const CollisionFilter> filters);
+  /// By fluid; empty where all collide with everything. Valid until they are set anew.
+  pbd::View<const CollisionFilter> filters() const { return filters_.view(); }
   /// By piece of cloth.
   void set_pieces(std::span<const Touch> pieces);
   /// By vertex: the body that it is tied to, or no_index. Must stay valid until it is set anew.

@@ -79,6 +79,16 @@ struct Advancing {
   float limit;       ///< m
   bool first, last;  ///< iteration of the substep
   float share;       ///< of the last substep's multiplier
+  View<const pbd::Phase> phase;
+
+  /// Grains have no density of their own to keep. They count in that of a fluid, and its pressure moves them.
+  MENISCUS_HD bool passes_over(uint32_t i) const {
+    if (!pbd::is_grain(phase[i])) return false;
+    multiplier[i] = {0, 0};
+    increment[i] = 0;
+    staged[i] = pbd::with_w(position[i].xyz(), 0);
+    return true;
+  }
 
   MENISCUS_HD void advance(uint32_t i, const Constraint& c) const {
     const Vec4 p = position[i];
@@ -99,7 +109,7 @@ struct Advancing {
   }
 };
 
-template <class D>
+template <class D, bool with_grains>
 struct Advance {
   Kernel kernel;
   NeighbourView neighbours;
@@ -108,6 +118,7 @@ struct Advance {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
+    if (with_grains && advancing.passes_over(i)) return;
     advancing.advance(i, density_constraint<D>(kernel, advancing.position, neighbours, i));
   }
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fluid/density_kernels.h"
+#include "pbd/chebyshev.h"
 #include "pbd/substep.h"
 
 namespace meniscus::fluid {
@@ -34,7 +35,11 @@ struct DensityParameters {
 /// the place of the paper's ε. The multiplier of the whole substep is clamped, not its increments, so that an
 /// iteration can take back what an earlier one overdid.
 ///
-/// `step` is ω for Jacobi, or the weights of the Chebyshev semi-iteration, which reuse the last increment.
+/// `step` is ω for Jacobi, or the weights of the Chebyshev semi-iteration (on the spectrum of D⁻¹A), which
+/// reuse the last increment.
+///
+/// Grains count in the sums as fluid does, by their volume (Macklin et al. 2014, section 7.1), and keep λ =
+/// 0: they are moved by the pressure of the fluid around them, and float or sink by their mass.
 ///
 /// The paper adds its repulsion (eq. 13) in every iteration, so that it grows with their number. Here it acts
 /// in the first alone, as a pressure: halving the step or doubling the iterations leaves the motion as it
@@ -43,7 +48,13 @@ template <class D>
 class DensitySet final : public pbd::ConstraintSet<D> {
  public:
   DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
-      : device_(device), kernel_(kernel), parameters_(parameters) {}
+      : device_(device), kernel_(kernel), parameters_(parameters), chebyshev_(parameters.spectral_bound) {}
+
+  /// Which kinds of particles there may be.
+  void set_kinds(bool any_fluid, bool any_grains) {
+    any_fluid_ = any_fluid;
+    any_grains_ = any_grains;
+  }
 
   void reserve(uint32_t capacity, uint32_t kept) override;
   void clear(uint32_t first, uint32_t count) override;
@@ -62,11 +73,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   const Kernel& kernel() const { return kernel_; }
 
  private:
-  struct Weights {
-    float momentum, step;
-  };
-  Weights next_weights(int iteration, int iterations);
-  template <bool any_moving>
+  template <bool any_moving, bool with_grains>
   void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                const density_kernels::PairPressure& pair);
   template <bool with_pair_pressure, bool any_moving>
@@ -78,7 +85,8 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   float last_dt_ = 0, saved_dt_ = 0;
   bool saving_ = false;
   float share_ = 0;  // of the last substep's multipliers
-  float rho_ = 0;    // of the Chebyshev recurrence
+  bool any_fluid_ = true, any_grains_ = false;
+  pbd::Chebyshev chebyshev_;
 
   pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};

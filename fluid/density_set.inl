@@ -22,8 +22,10 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
 template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
-  if (substep.particles.sorted == 0) return;
-  const Weights weights = next_weights(iteration, substep.iterations);
+  if (substep.particles.sorted == 0 || !any_fluid_) return;
+  const pbd::IterationWeights weights = parameters_.chebyshev
+                                            ? chebyshev_.next(iteration, substep.iterations)
+                                            : pbd::IterationWeights{0, parameters_.relaxation};
   const Advancing advancing{
       .position = substep.particles.position,
       .multiplier = multiplier_.current.view(),
@@ -35,7 +37,8 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .limit = parameters_.correction_limit,
       .first = iteration == 0,
       .last = iteration + 1 == substep.iterations,
-      .share = share_};
+      .share = share_,
+      .phase = substep.particles.phase};
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
@@ -43,20 +46,27 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
     pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt, 1 / kernel_.weight(r2),
             artificial.exponent};
   }
-  substep.contacts.any_moving ? iterate<true>(substep, advancing, pair)
-                              : iterate<false>(substep, advancing, pair);
+  if (any_grains_) {
+    substep.contacts.any_moving ? iterate<true, true>(substep, advancing, pair)
+                                : iterate<false, true>(substep, advancing, pair);
+  } else {
+    substep.contacts.any_moving ? iterate<true, false>(substep, advancing, pair)
+                                : iterate<false, false>(substep, advancing, pair);
+  }
 }
 
 template <class D>
-template <bool any_moving>
+template <bool any_moving, bool with_grains>
 void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                             const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
   const uint32_t fluid = substep.particles.sorted;
   const pbd::ContactView contacts = substep.contacts.of_first(fluid);
   device_.parallel_for_both(
-      "density/multipliers", fluid, Advance<D>{kernel_, substep.neighbours, contacts.start, advancing},
-      contacts.contacts.count, AdvanceAtWalls<any_moving>{kernel_, substep.neighbours, contacts, advancing});
+      "density/multipliers", fluid,
+      Advance<D, with_grains>{kernel_, substep.neighbours, contacts.start, advancing},
+      contacts.contacts.count,
+      AdvanceAtWalls<any_moving, with_grains>{kernel_, substep.neighbours, contacts, advancing});
   pair.multiplier > 0 ? correct<true, any_moving>(substep, pair) : correct<false, any_moving>(substep, pair);
 }
 
@@ -75,32 +85,13 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
                                                      contacts, p.position, p.moved});
 }
 
-// Chebyshev semi-iteration on the interval [bound (1.5/m)², bound] of D⁻¹A's spectrum, m iterations: the
-// lower end is what m iterations can still resolve. Golub & Van Loan, Matrix Computations, section 11.2.8.
-template <class D>
-typename DensitySet<D>::Weights DensitySet<D>::next_weights(int iteration, int iterations) {
-  if (!parameters_.chebyshev) return {0, parameters_.relaxation};
-  const float m = static_cast<float>(iterations);
-  const float high = parameters_.spectral_bound;
-  const float low = high * std::fmin(0.5f, 2.25f / (m * m));
-  const float centre = 0.5f * (high + low), radius = 0.5f * (high - low);
-  const float sigma = centre / radius;
-  if (iteration == 0) {
-    rho_ = 1 / sigma;
-    return {0, 1 / centre};
-  }
-  const float next = 1 / (2 * sigma - rho_);
-  const Weights weights{next * rho_, 2 * next / radius};
-  rho_ = next;
-  return weights;
-}
-
 template <class D>
 void DensitySet<D>::measure(const pbd::Substep<D>& substep, pbd::View<float> error,
                             pbd::View<float> full) const {
-  device_.parallel_for_long("density/measure", substep.particles.sorted,
-                            density_kernels::Measure{kernel_, substep.particles.position, substep.neighbours,
-                                                     substep.contacts, substep.particles.slot, error, full});
+  device_.parallel_for_long(
+      "density/measure", substep.particles.sorted,
+      density_kernels::Measure{kernel_, substep.particles.position, substep.neighbours, substep.contacts,
+                               substep.particles.slot, substep.particles.phase, error, full});
 }
 
 // ---- arrays that follow the particles ----

@@ -83,7 +83,7 @@ MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<co
                                                                mirrors, i);
 }
 
-template <bool any_moving>
+template <bool any_moving, bool with_grains>
 struct AdvanceAtWalls {
   Kernel kernel;
   NeighbourView neighbours;
@@ -94,6 +94,7 @@ struct AdvanceAtWalls {
   MENISCUS_HD void run(uint32_t contact) const {
     const uint32_t i = contacts.particle_starting_at(contact);
     if (i == pbd::no_index) return;
+    if (with_grains && advancing.passes_over(i)) return;
     const Constraint c =
         density_constraint_at_walls<D, any_moving>(kernel, advancing.position, neighbours, contacts, i);
     if (D::leads()) advancing.advance(i, c);
@@ -176,13 +177,18 @@ struct Measure {
   NeighbourView neighbours;
   ContactView contacts;
   View<const uint32_t> slot;
-  View<float> error;  ///< C
+  View<const pbd::Phase> phase;
+  View<float> error;  ///< C; of grains 0
   View<float> full;   ///< 1 where the support is full, else 0
 
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
     const Constraint c = density_constraint_at_walls<D, false>(kernel, position, neighbours, contacts, i);
     if (!D::leads()) return;
+    if (pbd::is_grain(phase[i])) {
+      error[slot[i]] = full[slot[i]] = 0;
+      return;
+    }
     error[slot[i]] = c.value;
     // On a free surface |Σe| is about ½ over the spacing; in the inside it is the noise of disorder.
     const float threshold2 = 0.04f / cbrtf(kernel.volume * kernel.volume);

@@ -13,10 +13,12 @@ struct PointPressure {
   Kernel kernel;
   pbd::View<const pbd::Vec4> position;
   pbd::View<const density_kernels::Multiplier> multiplier;
+  pbd::View<const pbd::Phase> phase;
   Vec3 point;
   float to_pressure;
 
   MENISCUS_HD ProbeSum operator()(uint32_t i) const {
+    if (pbd::is_grain(phase[i])) return {};
     const Vec3 d = position[i].xyz() - point;
     const double weight = kernel.weight(dot(d, d));
     return {weight * (to_pressure * multiplier[i].value), weight, 0, 0, 0};
@@ -84,8 +86,8 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
     const uint32_t count = substep.particles.sorted;
     if (probe.at_point) {
       device_.reduce("probes/point", count, ProbeSum{},
-                     PointPressure{kernel, substep.particles.position, density_.multipliers(), probe.point,
-                                   inverse_dt2 / kernel.volume},
+                     PointPressure{kernel, substep.particles.position, density_.multipliers(),
+                                   substep.particles.phase, probe.point, inverse_dt2 / kernel.volume},
                      Add{}, value_.view());
     } else {
       device_.reduce("probes/wall", count, ProbeSum{},

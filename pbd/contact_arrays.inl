@@ -40,6 +40,7 @@ void ContactArrays<D>::find(const Substep<D>& substep) {
                          start_.view(), capacity());
   const ContactWriter writer{start_.view(), counts_.view(), contacts_.view(), particle_.view()};
   for (ContactSource<D>* source : sources_) source->fill(substep, writer);
+  for (ContactSource<D>* source : sources_) source->part_neighbours(substep);
 }
 
 }  // namespace meniscus::pbd

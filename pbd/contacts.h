@@ -11,24 +11,27 @@
 namespace meniscus::pbd {
 
 inline constexpr uint32_t no_index = 0xffffffff;
+/// In the place of a body: the surface is that of a sheet of triangles, whose vertices are particles.
+inline constexpr uint32_t on_sheet = 0xfffffffe;
 
 /// One particle near a surface. Found once a substep; the surface is taken as the plane through `point` while
 /// the substep's iterations run. Where the surface belongs to a body, the plane moves along with it.
 struct alignas(16) Contact {
   Vec3 point;      ///< m, on the surface
-  uint32_t solid;  ///< the user's shape or body; no_index for a contact that does nothing
+  uint32_t solid;  ///< the user's shape, body or piece of cloth; no_index for a contact that does nothing
   Vec3 normal;     ///< unit, out of the solid
   float fraction;  ///< of the half-space's share in the kernel: 1 on a plane, less over edges and thin things
   Vec3 tangent_multiplier;  ///< kg·m, friction so far in this substep; over the substep's length it is the
                             ///< impulse
   float normal_multiplier;  ///< kg·m, non-penetration and bounce so far
-  Vec3 density_push;    ///< kg·m, on the particle, from the density constraint through this surface so far
+  Vec3 density_push;    ///< kg·m, on the particle, so far: what the density constraint pushes through this
+                        ///< surface, and what a sheet carries it by
   float friction;       ///< Coulomb's μ
   Vec3 surface_motion;  ///< m, of the surface here, from the substep's start to now
   float body_inverse_mass;  ///< 1/kg: how the body gives way along the normal, split among its contacts; 0:
                             ///< not at all
   Vec3 arm;                 ///< m, from the body's centre of mass to where impulses act
-  uint32_t body;            ///< the rigid body, or no_index
+  uint32_t body;            ///< the rigid body, no_index or on_sheet
   float approach_speed;  ///< m/s along the normal, before the substep's solve; negative towards the surface
   float restitution;     ///< 0 to 1
   float adhesion;        ///< kg·m, the most that the surface pulls back with in this substep

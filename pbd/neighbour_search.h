@@ -36,7 +36,7 @@ class NeighbourSearch {
   /// Room for lists of this length; list() must run again.
   void grow_rows(uint32_t needed);
 
-  NeighbourView view() const;
+  NeighbourView view();
   const GridView& grid() const { return grid_; }
 
  private:

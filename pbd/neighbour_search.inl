@@ -170,7 +170,7 @@ void NeighbourSearch<D>::grow_rows(uint32_t needed) {
 }
 
 template <class D>
-NeighbourView NeighbourSearch<D>::view() const {
+NeighbourView NeighbourSearch<D>::view() {
   return {index_.view(), counts_.view(), row_capacity_, stride()};
 }
 

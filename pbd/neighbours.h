@@ -14,24 +14,29 @@
 
 namespace meniscus::pbd {
 
+/// Where entry k of particle i's list stands in an interleaved list.
+MENISCUS_HD inline size_t interleaved_place(uint32_t stride, uint32_t i, uint32_t k) {
+  return (size_t{k / 4} * stride + i) * 4 + k % 4;
+}
+
 /// One list a particle, padded with a sentinel to a multiple of eight. On the CPU each particle has a row of
 /// its own. On the GPU groups of four lie interleaved over the particles, so that a warp's loads of sixteen
 /// bytes coalesce.
 struct NeighbourView {
-  View<const uint32_t> index;
+  View<uint32_t> index;
   View<const uint32_t> count;
   uint32_t row_capacity = 0;  ///< entries a particle, a multiple of eight
   uint32_t stride = 0;        ///< particles a group row; 0 where each has a row of its own
+
+  /// Entry k of particle i's list; the sentinel takes a neighbour out of it.
+  MENISCUS_HD uint32_t& entry(uint32_t i, uint32_t k) const {
+    return index.data[stride ? interleaved_place(stride, i, k) : size_t{i} * row_capacity + k];
+  }
 };
 
 struct alignas(16) IndexGroup {
   uint32_t a, b, c, d;
 };
-
-/// Where entry k of particle i's list stands in an interleaved list.
-MENISCUS_HD inline size_t interleaved_place(uint32_t stride, uint32_t i, uint32_t k) {
-  return (size_t{k / 4} * stride + i) * 4 + k % 4;
-}
 
 /// Calls visit(j) for each neighbour of i within the list's reach, in an order that is the same every time. j
 /// is one index, or eight where D has eight lanes; it goes to gather(). i itself is not among them.

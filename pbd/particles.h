@@ -23,9 +23,24 @@ inline constexpr Phase phase_fluid = 1u << 16;
 inline constexpr Phase phase_vertex = 1u << 17;  ///< of cloth or rods; the group is the piece
 inline constexpr Phase phase_face = 1u
                                     << 18;  ///< a point of a face, there for one substep; with phase_vertex
+inline constexpr Phase phase_grain = 1u << 19;  ///< in the place of phase_fluid: a grain of sand or the like
+inline constexpr Phase phase_pressing = 1u << 20;  ///< a sheet bore it at the last substep's end
+
+/// For how many more steps what has just left an opening keeps its velocity: in the top byte.
+inline constexpr uint32_t most_held = 255;
+
+MENISCUS_HD constexpr Phase held_for(uint32_t steps) {
+  return steps << 24;
+}
+MENISCUS_HD constexpr uint32_t held_steps(Phase phase) {
+  return phase >> 24;
+}
 
 MENISCUS_HD constexpr uint32_t phase_group(Phase phase) {
   return phase & phase_group_mask;
+}
+MENISCUS_HD constexpr bool is_grain(Phase phase) {
+  return (phase & phase_grain) != 0;
 }
 
 /// Slots of vertices start here: they are numbers of their own.

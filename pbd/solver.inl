@@ -40,8 +40,8 @@ void Solver<D>::substep(float dt) {
   }
 
   timer_.enter(StageId::velocity);
-  for (ConstraintSet<D>* set : sets_) set->settle(s);
   if (is_fast(dt)) contacts_.limit_motion(motion_of(s), true);
+  for (ConstraintSet<D>* set : sets_) set->settle(s);
   update_velocities(s);
   for (ConstraintSet<D>* set : sets_) set->end(s);
   for (VelocityPass<D>* pass : passes_) pass->apply(s, particles_);
@@ -99,6 +99,7 @@ void Solver<D>::relax(float dt, int times) {
       for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
     }
     contacts_.limit_motion(motion_of(s), true);
+    for (ConstraintSet<D>* set : sets_) set->settle(s);
     device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
     particles_changed(0, particles_.count());
   }

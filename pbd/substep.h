@@ -20,6 +20,9 @@ struct Substep {
   uint32_t sentinel = 0;  ///< the particle that fills up neighbour rows
   float dt = 0;           ///< s
   int iterations = 0;
+  /// By vertex, where vertices may carry other particles for a while: whether its inverse mass is, or was in
+  /// the last substep, another than its own. What was found with it is no guess for this one.
+  View<const uint32_t> reloaded{};
 };
 
 /// Arrays that belong to particles of fluids but live in a set: they follow when particles are sorted, added
@@ -121,6 +124,8 @@ class ContactSource {
   virtual void count(const Substep<D>& substep, View<uint32_t> counts) = 0;
   /// Writes as many contacts of each particle as it counted.
   virtual void fill(const Substep<D>& substep, const ContactWriter& writer) = 0;
+  /// Takes those out of the lists of neighbours that something thin stands between.
+  virtual void part_neighbours(const Substep<D>& /*substep*/) {}
 };
 
 }  // namespace meniscus::pbd

@@ -26,6 +26,9 @@ struct View {
   MENISCUS_HD View first(uint32_t n) const {
     return {data, n};
   }
+  MENISCUS_HD View from(uint32_t n) const {
+    return {data + n, count - n};
+  }
 
   /// A view to read is a view to write, restricted.
   template <class U>

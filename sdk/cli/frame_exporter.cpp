@@ -25,7 +25,8 @@ FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std
       ply_(has(formats, "ply")),
       vtp_(has(formats, "vtp")),
       obj_(has(formats, "obj")),
-      particles_(!scene.fluids.empty() || (scene.cloths.empty() && scene.ropes.empty())),
+      particles_(!scene.fluids.empty() || !scene.granulars.empty() ||
+                 (scene.cloths.empty() && scene.ropes.empty())),
       cloth_(!scene.cloths.empty()),
       ropes_(!scene.ropes.empty()) {
   if (formats.empty()) return;

@@ -20,6 +20,8 @@ struct FrameSample {
   Diagnostics diagnostics;
   double mass = 0;  ///< kg, of all particles, cloth and ropes
   io::ParticleFrame particles;
+  std::vector<uint64_t> emitted;  ///< so far, in the order of the scene's emitters
+  std::vector<uint64_t> taken;    ///< so far, in the order of the scene's sinks
   std::vector<double> probes;     ///< in the order of the scene's list
   std::vector<BodyState> bodies;  ///< likewise
   io::ClothFrame cloth;

@@ -46,6 +46,13 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"ply", "vtp", "obj"}).description(""));
+  run.add_flag("--render{frames}", options.picture.render,
+               "Draw by OpenGL: every frame, or the last one alone; auto: that one where OpenGL is at hand")
+      ->type_name("=frames|last|auto")
+      ->check(CLI::IsMember({"frames", "last", "auto"}).description(""));
+  run.add_option("--size", options.picture.size, "Pixels of pictures; by default 1280x720")
+      ->type_name("WIDTHxHEIGHT");
+  run.add_option("--camera", options.picture.camera, "One of the scene's named cameras")->type_name("NAME");
   run.add_option("--threads", options.threads, "Threads of the CPU device; 0 is one a core")
       ->type_name("N")
       ->check(CLI::Range(0, 1024).description(""));

@@ -29,6 +29,14 @@ nlohmann::ordered_json json_of(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
+/// Counts of things of the scene.
+template <class Things>
+nlohmann::ordered_json by_name(const Things& things, const std::vector<uint64_t>& counts) {
+  nlohmann::ordered_json values = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < counts.size(); ++i) values[things[i].def.name] = counts[i];
+  return values;
+}
+
 /// 0.016 rather than 0.01600000076: seven digits are what a float holds.
 double without_noise(double value) {
   return std::stod(fmt::format("{:.7g}", value));
@@ -75,6 +83,9 @@ void RunRecorder::add(const FrameSample& sample) {
   interior_sum_ += diagnostics_.density_error_interior;
   substeps_ += static_cast<uint64_t>(step_.substeps);
   removed_ += step_.removed;
+  emitted_ += step_.emitted;
+  emitted_by_ = sample.emitted;
+  taken_by_ = sample.taken;
   outside_ = std::max(outside_, diagnostics_.outside);
   non_finite_ = std::max(non_finite_, diagnostics_.non_finite);
   cloth_.add(sample);
@@ -112,8 +123,11 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"outside", outside_},
           {"non_finite", non_finite_},
           {"removed", removed_},
+          {"emitted", emitted_},
           {"contacts", diagnostics_.contacts},
           {"device_bytes", end.device_bytes},
+          {"emitters", by_name(scene_.emitters, emitted_by_)},
+          {"sinks", by_name(scene_.sinks, taken_by_)},
           {"probes", probes()},
           {"bodies", bodies()},
           {"cloths", cloth_.cloths()},

@@ -62,12 +62,13 @@ class RunRecorder {
 
   // Over all frames so far.
   double density_sum_ = 0, interior_sum_ = 0;
-  uint64_t substeps_ = 0, removed_ = 0;
+  uint64_t substeps_ = 0, removed_ = 0, emitted_ = 0;
   std::size_t outside_ = 0, non_finite_ = 0;
 
   // Of the last frame.
   StepReport step_;
   Diagnostics diagnostics_;
+  std::vector<uint64_t> emitted_by_, taken_by_;
   std::vector<double> probes_;
   std::vector<BodyState> bodies_;
 };

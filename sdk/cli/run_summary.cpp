@@ -65,9 +65,13 @@ std::string energy_line(const json& energy) {
   return text + fmt::format("; at most {:.4f} of the start", number(energy, "max_ratio"));
 }
 
+std::string flow_line(const json& figures) {
+  return fmt::format("{} particles from emitters, {} removed by sinks", count(figures, "emitted"),
+                     count(figures, "removed"));
+}
+
 std::string trouble_line(const json& figures) {
-  return fmt::format("{} outside, {} not finite, {} removed by sinks", count(figures, "outside"),
-                     count(figures, "non_finite"), count(figures, "removed"));
+  return fmt::format("{} outside, {} not finite", count(figures, "outside"), count(figures, "non_finite"));
 }
 
 std::string body_line(const json& bodies) {
@@ -91,7 +95,7 @@ std::string rope_line(const json& rope) {
 }
 
 /// The files that a kind of thing leaves behind, where there are any.
-std::string file_list(const std::vector<std::string>& formats, const json& figures) {
+std::string file_list(const std::vector<std::string>& formats, const json& figures, bool rendered_frames) {
   std::string text = "summary.json, frames.csv, density.svg, preview.png";
   const auto add_for = [&](const char* kind, const char* file) {
     if (!figures.at(kind).empty()) text += std::string(", ") + file;
@@ -99,6 +103,7 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
   add_for("bodies", "bodies.csv");
   add_for("cloths", "cloths.csv");
   add_for("attachments", "attachments.csv");
+  if (rendered_frames) text += ", frames/render_*.png";
   for (const std::string& format : formats) {
     text += ", frames/*." + format;
     if (format != "vtp") continue;
@@ -114,7 +119,7 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
 }  // namespace
 
 std::string run_summary(const json& figures, const std::filesystem::path& folder,
-                        const std::vector<std::string>& formats) {
+                        const std::vector<std::string>& formats, bool rendered_frames) {
   std::string text = heading(figures);
   text += line("run", run_line(figures));
   text += line("particles", fmt::format("{}, in {:.1f} MiB on the device", count(figures, "particles"),
@@ -125,6 +130,8 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
     text += line("density error", density_line(figures.at("density_error")));
   if (!figures.at("energy").is_null()) text += line("energy", energy_line(figures.at("energy")));
   text += line("lost", trouble_line(figures));
+  if (!figures.at("emitters").empty() || !figures.at("sinks").empty())
+    text += line("flow", flow_line(figures));
   for (const auto& [name, value] : figures.at("probes").items()) {
     text += line("probe", fmt::format("{}: {:.6g}", name, value.get<double>()));
   }
@@ -133,7 +140,7 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   text += line("state", text_of(figures, "state_hash"));
   for (const json& cloth : figures.at("cloths")) text += line("cloth", cloth_line(cloth));
   for (const json& rope : figures.at("ropes")) text += line("rope", rope_line(rope));
-  text += line("files", folder.string() + ": " + file_list(formats, figures));
+  text += line("files", folder.string() + ": " + file_list(formats, figures, rendered_frames));
   return text + fmt::format("The picture to open: {}\n", (folder / "preview.png").string());
 }
 

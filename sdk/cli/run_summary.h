@@ -11,6 +11,6 @@ namespace meniscus::cli {
 
 /// The figures of summary.json in words, with the files of the run; the last line names the picture.
 std::string run_summary(const nlohmann::ordered_json& figures, const std::filesystem::path& folder,
-                        const std::vector<std::string>& formats);
+                        const std::vector<std::string>& formats, bool rendered_frames = false);
 
 }  // namespace meniscus::cli

@@ -16,10 +16,12 @@
 #include "cloth/self_contacts.h"
 #include "collision/body_proxy.h"
 #include "collision/body_ties.h"
+#include "collision/grain_set.h"
 #include "collision/mesh.h"
 #include "collision/rigid_world.h"
 #include "collision/shape.h"
 #include "collision/shape_contacts.h"
+#include "collision/sheet_surface.h"
 #include "fluid/density_set.h"
 #include "fluid/material.h"
 #include "fluid/probes.h"
@@ -36,6 +38,13 @@ struct EngineDef {
   collision::RigidWorld* rigid = nullptr;  ///< must outlive the engine
 };
 
+/// What particles of one group are made of: a fluid, or grains.
+struct ParticleMaterial {
+  fluid::Material fluid;  ///< of grains, the density alone
+  collision::GrainMaterial grain;
+  CollisionFilter filter;  ///< which solids they collide with
+};
+
 /// All solids as the solver wants them: fixed shapes first; those of bodies are placed by what carries them.
 struct SolidShapes {
   std::vector<collision::Shape> shapes;
@@ -44,25 +53,46 @@ struct SolidShapes {
   std::vector<collision::CarriedShape> carried;
 };
 
+enum class TouchedKind { shape, body, cloth };
+
 /// What a contact of the last substep did.
 struct ContactReadout {
   uint32_t slot;   ///< of the particle
-  uint32_t solid;  ///< fixed shape, or body
-  bool is_body;
+  uint32_t solid;  ///< fixed shape, body or piece of cloth
+  TouchedKind kind;
   Vec3 point, normal;
   Vec3 impulse;  ///< N·s, on the particle
 };
 
-/// Removes the particles inside the box, or those outside of it.
-struct SinkBox {
-  Aabb box{{0, 0, 0}, {0, 0, 0}};
-  bool outside = false;
+/// Takes the particles of fluids inside its region, or those outside of it.
+struct Sink {
+  enum class Kind : uint32_t { box, ball, half_space };
+  Kind kind = Kind::box;
+  uint32_t outside = 0;
+  Pose pose{};                     ///< of the region
+  Aabb box{{0, 0, 0}, {0, 0, 0}};  ///< m
+  Vec3 normal{0, 1, 0};            ///< half space: unit
+  float size = 0;                  ///< m; ball: radius; half space: normal · p below this is inside
+};
+
+/// A particle that would like to be at `to`, where it has come from the opening at `from`.
+struct Arrival {
+  Vec3 from, to;           ///< m
+  Vec3 velocity;           ///< m/s
+  CollisionFilter filter;  ///< which solids are in its way
+  uint32_t waits;          ///< 1: it has waited, and now drives away what is too near
 };
 
 struct ParticleBatch {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
   std::vector<pbd::Phase> phase;
+
+  void clear() {
+    position.clear();
+    velocity.clear();
+    phase.clear();
+  }
 };
 
 /// All cloth and ropes of a world: their vertices, by number, and what joins them.
@@ -72,6 +102,7 @@ struct EngineCloth {
   std::vector<pbd::Phase> phase;                  ///< the group is the piece
   std::vector<collision::Touch> touches;          ///< by piece
   std::vector<cloth::ContactPart> contact_parts;  ///< by piece
+  std::vector<collision::SheetPart> sheets;       ///< by piece
   std::vector<collision::BodyTie> ties;
   cloth::ClothModel model;
   cloth::RodModel rods, ropes;
@@ -82,7 +113,6 @@ struct EngineStep {
   pbd::StepResult result;
   std::array<double, stage_count> stage_ms{};
   double rigid_ms = 0;
-  std::vector<bool> removed;  ///< by slot before the step; empty when nothing was
 };
 
 /// What a fresh search finds.
@@ -97,9 +127,8 @@ class Engine {
 
   virtual pbd::Device& device() = 0;
 
-  /// By fluid.
-  virtual void set_materials(std::span<const fluid::Material> materials,
-                             std::span<const CollisionFilter> filters) = 0;
+  /// By group.
+  virtual void set_materials(std::span<const ParticleMaterial> materials) = 0;
   /// Fields that shapes refer to by number.
   /// With `max_error` > 0 as fine as that takes, else of the cell size; m.
   virtual uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
@@ -116,8 +145,11 @@ class Engine {
   /// Of the last substep, in the order of the slots; those that did something.
   virtual std::vector<ContactReadout> read_contacts() = 0;
   /// Takes those of a solid that is destroyed out of them.
-  virtual void forget_contacts(uint32_t solid, bool is_body) = 0;
-  virtual void set_sinks(std::span<const SinkBox> sinks) = 0;
+  virtual void forget_contacts(uint32_t solid, TouchedKind kind) = 0;
+  virtual void set_sinks(std::span<const Sink> sinks) = 0;
+  /// Removes what the sinks take: by slot as it was before, who is gone; empty when nobody is. Counts by
+  /// sink; a particle counts for the first that takes it.
+  virtual std::vector<bool> take_sinks(std::span<uint32_t> taken) = 0;
   virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
   virtual void read_probes(std::span<fluid::ProbeSum> means) = 0;
 
@@ -141,6 +173,11 @@ class Engine {
   virtual bool found_tears() = 0;
 
   virtual uint32_t particle_count() const = 0;
+  /// So many more can be added, or asked about, without a need for memory.
+  virtual void make_room(uint32_t more) = 0;
+  /// Whether each arrival has room beside all particles, all solids, and those before it that have room. One
+  /// that has waited gives particles that are too near its own velocity, for the next step.
+  virtual void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) = 0;
   virtual void append(const ParticleBatch& batch) = 0;
   /// keep[slot] says who stays; the rest move up.
   virtual void keep(const std::vector<bool>& keep) = 0;
@@ -156,6 +193,7 @@ class Engine {
   virtual void read_pressures(std::span<float> out, float dt) = 0;
   /// C, and 1 where the support is full, measured afresh.
   virtual EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) = 0;
+  virtual void read_ellipsoids(std::span<Ellipsoid> out) = 0;
   /// All that does not need neighbours.
   virtual Diagnostics measure(Vec3 gravity) = 0;
 };

@@ -12,14 +12,20 @@
 #include "collision/body_ties.h"
 #include "collision/contact_set.h"
 #include "collision/face_points.h"
+#include "collision/grain_set.h"
 #include "collision/mesh_fields.h"
 #include "collision/mesh_sampling.h"
 #include "collision/shape_contacts.h"
+#include "collision/sheet_set.h"
+#include "fluid/anisotropy.h"
 #include "fluid/surface_tension_pass.h"
 #include "fluid/viscosity_pass.h"
 #include "pbd/removal.h"
 #include "sdk/engine/engine.h"
 #include "sdk/engine/engine_kernels.h"
+#include "sdk/engine/free_room.h"
+#include "sdk/engine/jets.h"
+#include "sdk/engine/sinks.h"
 
 namespace meniscus {
 
@@ -42,20 +48,32 @@ class DeviceEngine final : public Engine {
         tree_(device_),
         self_contacts_(device_, tree_),
         contact_set_(device_),
+        grains_(device_, def.particle_spacing, contact_set_),
         face_points_(device_, particles_, contacts_, bodies_, contact_set_),
+        sheet_contacts_(device_, particles_, def.solver.support_radius),
+        sheets_(device_, particles_, sheet_contacts_),
         tension_(device_, def.kernel, def.particle_spacing),
         viscosity_(device_, def.kernel),
         probes_(device_, density_),
-        removal_(device_) {
+        removal_(device_),
+        sinks_(device_),
+        jets_(device_),
+        free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
     solver_.add(static_cast<pbd::ContactSource<D>&>(ties_));
+    solver_.add(static_cast<pbd::ContactSource<D>&>(sheet_contacts_));
     solver_.add(contacts_);
     solver_.add(density_);
+    solver_.add(sheets_.loading());
     solver_.add(cloth_);
     solver_.add(rods_);
     solver_.add(ropes_);
     solver_.add(self_contacts_);
+    solver_.add(grains_);
+    solver_.add(sheets_.carrying());
     solver_.add(face_points_);
+    solver_.add(sheets_);
     solver_.add(bodies_);
+    solver_.add(jets_);
     solver_.add(tension_);
     solver_.add(viscosity_);
     solver_.add(probes_);
@@ -66,12 +84,7 @@ class DeviceEngine final : public Engine {
   pbd::Device& device() override { return device_; }
   uint32_t particle_count() const override { return particles_.sorted(); }
 
-  void set_materials(std::span<const fluid::Material> materials,
-                     std::span<const CollisionFilter> filters) override {
-    contacts_.set_filters(filters);
-    tension_.set_materials(materials);
-    viscosity_.set_materials(materials);
-  }
+  void set_materials(std::span<const ParticleMaterial> materials) override;
   uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
                    float margin) override;
   uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
@@ -82,8 +95,9 @@ class DeviceEngine final : public Engine {
   void place_bodies() override { bodies_.place(); }
   std::span<const collision::RigidImpulse> body_forces() const override { return bodies_.mean_forces(); }
   std::vector<ContactReadout> read_contacts() override;
-  void forget_contacts(uint32_t solid, bool is_body) override;
-  void set_sinks(std::span<const SinkBox> sinks) override { replace(sinks_, sinks); }
+  void forget_contacts(uint32_t solid, TouchedKind kind) override;
+  void set_sinks(std::span<const Sink> sinks) override { sinks_.set(sinks); }
+  std::vector<bool> take_sinks(std::span<uint32_t> taken) override;
   void set_probes(std::span<const fluid::Probe> probes) override { probes_.set_probes(probes); }
   void read_probes(std::span<fluid::ProbeSum> means) override { probes_.read(means); }
 
@@ -99,6 +113,8 @@ class DeviceEngine final : public Engine {
   std::vector<Vec3> read_tie_impulses() override { return ties_.read_impulses(); }
   bool found_tears() override { return cloth_.found_tears(); }
 
+  void make_room(uint32_t more) override;
+  void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) override;
   void append(const ParticleBatch& batch) override;
   void keep(const std::vector<bool>& keep) override;
   EngineStep step(float dt) override;
@@ -112,12 +128,13 @@ class DeviceEngine final : public Engine {
   void read_fluids(std::span<uint32_t> out) override;
   void read_pressures(std::span<float> out, float dt) override;
   EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) override;
+  void read_ellipsoids(std::span<Ellipsoid> out) override;
   Diagnostics measure(Vec3 gravity) override;
 
  private:
   void reserve(uint32_t fluid, uint32_t vertices);
+  void reserve_more(uint32_t more);
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
-  std::vector<bool> take_sinks();
   std::vector<uint32_t> remove_marked(uint32_t kept);
   void fetch_contacts();
   void keep_contacts(std::span<const uint32_t> stays);
@@ -142,16 +159,23 @@ class DeviceEngine final : public Engine {
   pbd::SurfaceTree<D> tree_;
   cloth::SelfContacts<D> self_contacts_;
   collision::ContactSet<D> contact_set_;
+  collision::GrainSet<D> grains_;
   collision::FacePoints<D> face_points_;
+  collision::SheetContacts<D> sheet_contacts_;
+  collision::SheetSet<D> sheets_;
   fluid::SurfaceTensionPass<D> tension_;
   fluid::ViscosityPass<D> viscosity_;
   fluid::Probes<D> probes_;
   pbd::Removal<D> removal_;
+  Sinks<D> sinks_;
+  Jets<D> jets_;
+  FreeRoom<D> free_room_;
 
   float last_substep_ = 0;  // s
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   bool contacts_fetched_ = true;
+  uint32_t sorted_in_step_ = 0;  // particles of fluids in the last step: who was added since has no contacts
   collision::ShapeSet shape_set_;
   collision::MeshFields<D> mesh_fields_;
   std::vector<std::optional<pbd::Buffer<float>>> height_samples_;
@@ -160,12 +184,12 @@ class DeviceEngine final : public Engine {
   pbd::Buffer<collision::PlaneOpening> openings_{device_, "openings"};
   pbd::Buffer<collision::SdfView> sdfs_{device_, "distance fields"};
   pbd::Buffer<collision::HeightFieldView> height_fields_{device_, "height fields"};
-  pbd::Buffer<SinkBox> sinks_{device_, "sinks"};
 
   pbd::Buffer<Vec3> vector_out_{device_, "read-out"};
   pbd::Buffer<float> scalar_out_{device_, "read-out"};
   pbd::Buffer<float> full_out_{device_, "read-out"};
   pbd::Buffer<uint32_t> index_out_{device_, "read-out"};
+  pbd::Buffer<Ellipsoid> ellipsoid_out_{device_, "read-out"};
   pbd::Buffer<uint64_t> count_out_{device_, "neighbour total"};
   pbd::Buffer<engine_kernels::StateSum> state_sum_{device_, "state sum"};
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Read-outs, measurements and sinks.
+// Read-outs and measurements.
 #pragma once
 
 #include "collision/shape_contacts.h"
@@ -53,6 +53,22 @@ MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, const collisi
   return outside;
 }
 
+/// Distance to the nearest solid of those that `skip` does not pass over; `reach` where there is none so
+/// near.
+template <class Skip>
+MENISCUS_HD float nearest_solid(const collision::ShapeSet& set, const CollisionFilter& filter, Vec3 p,
+                                float reach, const Skip& skip) {
+  float nearest = reach;
+  for (uint32_t k = 0; k < set.shapes.count; ++k) {
+    const collision::Shape& shape = set.shapes[k];
+    if (!collide(shape, filter)) continue;
+    if (shape.kind != collision::ShapeKind::plane && out_of_reach(shape, p, p, reach)) continue;
+    const float distance = collision::sample_surface(set, shape, p, reach).distance;
+    if (distance < nearest && !skip(shape)) nearest = distance;
+  }
+  return nearest;
+}
+
 struct SolidDistance {
   collision::ShapeSet set;
   View<const Vec3> points;
@@ -61,15 +77,7 @@ struct SolidDistance {
   CollisionFilter filter;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    float nearest = reach;
-    for (uint32_t k = 0; k < set.shapes.count; ++k) {
-      const collision::Shape& shape = set.shapes[k];
-      if (!collide(shape, filter)) continue;
-      if (shape.kind != collision::ShapeKind::plane && out_of_reach(shape, points[i], points[i], reach))
-        continue;
-      nearest = pbd::min(nearest, collision::sample_surface(set, shape, points[i], reach).distance);
-    }
-    distance[i] = nearest;
+    distance[i] = nearest_solid(set, filter, points[i], reach, [](const collision::Shape&) { return false; });
   }
 };
 
@@ -114,22 +122,6 @@ struct CountNeighbours {
 
 struct AddCounts {
   MENISCUS_HD uint64_t operator()(uint64_t a, uint64_t b) const { return a + b; }
-};
-
-struct MarkSinks {
-  View<const pbd::Vec4> position;
-  View<const SinkBox> sinks;
-  View<uint32_t> keep;
-  uint32_t sorted;
-
-  MENISCUS_HD void operator()(uint32_t i) const {
-    const Vec3 p = position[i].xyz();
-    uint32_t stays = 1;
-    for (uint32_t k = 0; k < sinks.count && i < sorted; ++k) {
-      if (inside(sinks[k].box, p) != sinks[k].outside) stays = 0;
-    }
-    keep[i] = stays;
-  }
 };
 
 }  // namespace meniscus::engine_kernels

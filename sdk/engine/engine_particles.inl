@@ -25,17 +25,56 @@ void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
 }
 
 template <class D>
+void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials) {
+  std::vector<fluid::Material> fluids;
+  std::vector<collision::GrainMaterial> grains;
+  std::vector<CollisionFilter> filters;
+  bool any_fluid = false, any_grains = false;
+  for (const ParticleMaterial& m : materials) {
+    fluids.push_back(m.fluid);
+    grains.push_back(m.grain);
+    filters.push_back(m.filter);
+    (m.grain.is_grain ? any_grains : any_fluid) = true;
+  }
+  contacts_.set_filters(filters);
+  density_.set_kinds(any_fluid, any_grains);
+  grains_.set_materials(grains);
+  tension_.set_materials(fluids);
+  viscosity_.set_materials(fluids);
+}
+
+/// A first fill gets what it asks for; later ones leave room for more, so that an emitter does not reallocate
+/// often.
+template <class D>
+void DeviceEngine<D>::reserve_more(uint32_t more) {
+  const uint32_t present = particles_.sorted(), needed = present + more;
+  if (needed > fluid_capacity_) reserve(present == 0 ? needed : needed + needed / 4, vertex_capacity_);
+}
+
+template <class D>
+void DeviceEngine<D>::make_room(uint32_t more) {
+  reserve_more(more);
+  free_room_.reserve(more);
+}
+
+template <class D>
+void DeviceEngine<D>::find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) {
+  free_room_.find(particles_, shape_set_, arrivals, has_room);
+  if (std::none_of(arrivals.begin(), arrivals.end(), [](const Arrival& a) { return a.waits; })) return;
+  jets_.hold_for(1);
+  solver_.particles_changed(0, 0);
+}
+
+template <class D>
 void DeviceEngine<D>::append(const ParticleBatch& batch) {
   const uint32_t first = particles_.sorted();
   const auto added = static_cast<uint32_t>(batch.position.size());
   if (added == 0) return;
-  const uint32_t needed = first + added;
-  // A first fill gets what it asks for; later ones leave room for more, so that an emitter does not
-  // reallocate often.
-  if (needed > fluid_capacity_) reserve(first == 0 ? needed : needed + needed / 4, vertex_capacity_);
+  reserve_more(added);
   std::vector<uint32_t> slot(added);
   std::iota(slot.begin(), slot.end(), first);
   particles_.append(batch.position, batch.velocity, batch.phase, slot);
+  for (pbd::Phase phase : batch.phase) jets_.hold_for(pbd::held_steps(phase));
   solver_.particles_changed(first, added);
 }
 
@@ -49,9 +88,11 @@ void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
 template <class D>
 std::vector<uint32_t> DeviceEngine<D>::remove_marked(uint32_t kept) {
   fetch_contacts();  // while they fit the particles
-  std::vector<uint32_t> by_slot = removal_.apply(
-      particles_, kept,
-      [&](pbd::View<const uint32_t> order, uint32_t count) { density_.reorder(order, count); });
+  std::vector<uint32_t> by_slot =
+      removal_.apply(particles_, kept, [&](pbd::View<const uint32_t> order, uint32_t count) {
+        density_.reorder(order, count);
+        grains_.reorder(order, count);
+      });
   solver_.particles_changed(kept, 0);
   keep_contacts(by_slot);
   return by_slot;
@@ -67,12 +108,9 @@ void DeviceEngine<D>::keep_contacts(std::span<const uint32_t> stays) {
 }
 
 template <class D>
-std::vector<bool> DeviceEngine<D>::take_sinks() {
-  if (sinks_.size() == 0 || particles_.sorted() == 0) return {};
-  device_.parallel_for("sinks/mark", particles_.count(),
-                       engine_kernels::MarkSinks{particles_.position.current.view(), sinks_.view(),
-                                                 removal_.keep(), particles_.sorted()});
-  const uint32_t kept = removal_.count_kept(particles_);
+std::vector<bool> DeviceEngine<D>::take_sinks(std::span<uint32_t> taken) {
+  if (sinks_.empty() || particles_.sorted() == 0) return {};
+  const uint32_t kept = sinks_.mark(particles_, removal_, taken);
   if (kept == particles_.sorted()) return {};
   const std::vector<uint32_t> by_slot = remove_marked(kept);
   std::vector<bool> removed(by_slot.size());
@@ -89,7 +127,8 @@ EngineStep DeviceEngine<D>::step(float dt) {
   if (done.result.summary.non_finite) return done;
   last_substep_ = dt / static_cast<float>(done.result.substeps);
   contacts_fetched_ = false;
-  done.removed = take_sinks();
+  sorted_in_step_ = particles_.sorted();
+  jets_.age(particles_);
   done.stage_ms = solver_.timer().read_ms();
   done.rigid_ms = bodies_.step_ms();
   return done;

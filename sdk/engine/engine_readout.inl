@@ -48,6 +48,18 @@ EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::
   return {static_cast<double>(total) / std::max(1u, particles_.sorted()), contacts};
 }
 
+template <class D>
+void DeviceEngine<D>::read_ellipsoids(std::span<Ellipsoid> out) {
+  fetch_contacts();
+  ellipsoid_out_.resize_discard(particles_.sorted());
+  const fluid::Anisotropy<D> anisotropy(
+      device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
+  solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
+    anisotropy.measure(substep, ellipsoid_out_.view());
+  });
+  ellipsoid_out_.read(out);
+}
+
 /// Brings what the last substep's contacts did to the host, by slot; once a step, and before particles change
 /// places.
 template <class D>
@@ -68,9 +80,11 @@ void DeviceEngine<D>::fetch_contacts() {
     const pbd::Contact& c = contacts[n];
     const Vec3 impulse = multiplier_sum(c) / last_substep_;
     if (c.solid == pbd::no_index || impulse == Vec3{0, 0, 0}) continue;
-    if (particle[n] >= particles_.sorted()) continue;  // vertices, and points of faces
-    const bool is_body = c.body != pbd::no_index;
-    fetched_contacts_.push_back({slot[particle[n]], c.solid, is_body, c.point, c.normal, impulse});
+    if (particle[n] >= sorted_in_step_) continue;  // vertices, and points of faces
+    const TouchedKind kind = c.body == pbd::no_index   ? TouchedKind::shape
+                             : c.body == pbd::on_sheet ? TouchedKind::cloth
+                                                       : TouchedKind::body;
+    fetched_contacts_.push_back({slot[particle[n]], c.solid, kind, c.point, c.normal, impulse});
   }
   std::stable_sort(fetched_contacts_.begin(), fetched_contacts_.end(),
                    [](const ContactReadout& a, const ContactReadout& b) { return a.slot < b.slot; });
@@ -83,10 +97,10 @@ std::vector<ContactReadout> DeviceEngine<D>::read_contacts() {
 }
 
 template <class D>
-void DeviceEngine<D>::forget_contacts(uint32_t solid, bool is_body) {
+void DeviceEngine<D>::forget_contacts(uint32_t solid, TouchedKind kind) {
   fetch_contacts();
   std::erase_if(fetched_contacts_,
-                [&](const ContactReadout& c) { return c.solid == solid && c.is_body == is_body; });
+                [&](const ContactReadout& c) { return c.solid == solid && c.kind == kind; });
 }
 
 template <class D>

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sdk/io/preview/cloth.h"
+#include "sdk/io/preview/palette.h"
 #include "sdk/io/preview/shading.h"
 #include "sdk/io/preview/shapes.h"
 
@@ -69,16 +70,22 @@ float smooth_step(float t) {
   return t * t * (3 - 2 * t);
 }
 
-/// For each fluid its colour from clear to white, as a run of surfaces.
+/// For each fluid its colour from clear to white, as a run of surfaces; grains are of one colour.
 class FluidPaint {
  public:
-  FluidPaint(Drawing& drawing, std::vector<Vec3> colors) : fluids_(colors.size()) {
+  FluidPaint(Drawing& drawing, std::vector<Vec3> colors, std::size_t first_granular)
+      : fluids_(colors.size()) {
     colors.push_back(FluidDef{}.color);
     first_ = static_cast<uint32_t>(drawing.surfaces.size());
-    for (const Vec3 color : colors) {
+    for (std::size_t k = 0; k < colors.size(); ++k) {
+      const Vec3 color = colors[k];
+      const bool dull = k >= first_granular && k < fluids_;
       for (int i = 0; i < whitenings; ++i) {
         const float t = static_cast<float>(i) / (whitenings - 1);
-        drawing.add_surface({color + 0.9f * t * (Vec3{0.92f, 0.95f, 0.97f} - color), 0.8f * (1 - t)});
+        if (dull)
+          drawing.add_surface({color, 0.05f});
+        else
+          drawing.add_surface({color + 0.9f * t * (Vec3{0.92f, 0.95f, 0.97f} - color), 0.8f * (1 - t)});
       }
     }
   }
@@ -109,7 +116,7 @@ float whiteness(const ParticleFrame& frame, std::size_t i, float fast) {
 }
 
 void add_particles(Drawing& drawing, const ParticleFrame& frame, const PreviewScene& scene, float height) {
-  const FluidPaint paint(drawing, scene.fluid_colors);
+  const FluidPaint paint(drawing, scene.fluid_colors, scene.first_granular);
   const float fast = fast_speed(scene, height);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     if (!is_finite(frame.positions[i]) || !is_finite(frame.velocities[i])) continue;
@@ -119,24 +126,17 @@ void add_particles(Drawing& drawing, const ParticleFrame& frame, const PreviewSc
 }
 
 void add_shapes(Drawing& drawing, const PreviewScene& scene, Vec3 up) {
-  constexpr Vec3 colors[] = {
-      {0.58f, 0.55f, 0.50f}, {0.62f, 0.27f, 0.11f}, {0.30f, 0.38f, 0.20f}, {0.42f, 0.30f, 0.42f}};
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     add_solid(drawing, scene.shapes[i].geometry, scene.shapes[i].pose, up,
-              drawing.add_surface({colors[i % std::size(colors)], 0.15f}));
+              drawing.add_surface({shape_color(i), 0.15f}));
   }
 }
 
-/// Colours that part from each other, from those of shapes and from water.
 void add_bodies(Drawing& drawing, const PreviewScene& scene, std::span<const BodyState> states, Vec3 up) {
-  constexpr Vec3 colors[] = {{0.52f, 0.29f, 0.10f}, {0.80f, 0.52f, 0.08f}, {0.55f, 0.09f, 0.06f},
-                             {0.70f, 0.60f, 0.42f}, {0.20f, 0.34f, 0.10f}, {0.75f, 0.30f, 0.06f},
-                             {0.33f, 0.14f, 0.30f}, {0.30f, 0.17f, 0.08f}, {0.62f, 0.65f, 0.14f},
-                             {0.62f, 0.24f, 0.26f}};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const BodyDef& body = scene.bodies[i];
     add_solid(drawing, body.geometry, states.empty() ? body.pose : states[i].pose, up,
-              drawing.add_surface({colors[i % std::size(colors)], 0.2f}));
+              drawing.add_surface({body_color(i), 0.2f}));
   }
 }
 
@@ -184,6 +184,8 @@ PreviewScene preview_of(const Scene& scene) {
   preview.particle_spacing = scene.world.particle_spacing;
   preview.camera = scene.camera;
   for (const FluidDef& fluid : scene.fluids) preview.fluid_colors.push_back(fluid.color);
+  preview.first_granular = scene.fluids.size();
+  for (const GranularDef& granular : scene.granulars) preview.fluid_colors.push_back(granular.color);
   for (const ClothDef& cloth : scene.cloths) preview.cloth_colors.push_back(cloth.color);
   for (const RopeDef& rope : scene.ropes) preview.rope_colors.push_back(rope.color);
   return preview;

@@ -16,6 +16,14 @@ Id id_of(const std::string& name, const std::vector<Def>& defs, const std::vecto
   throw Error(ErrorCode::not_found, "the scene has no " + std::string(kind) + " named \"" + name + "\"");
 }
 
+/// Granular materials come behind the fluids.
+FluidId material_of(const std::string& name, const Scene& scene, const std::vector<FluidId>& ids) {
+  const auto granular = std::find_if(scene.granulars.begin(), scene.granulars.end(),
+                                     [&](const GranularDef& def) { return def.name == name; });
+  if (granular == scene.granulars.end()) return id_of(name, scene.fluids, ids, "fluid");
+  return ids[scene.fluids.size() + std::size_t(granular - scene.granulars.begin())];
+}
+
 ProbeDef with_shape(const SceneProbe& probe, const Scene& scene, const std::vector<ShapeId>& shapes) {
   ProbeDef def = probe.def;
   if (def.kind != ProbeKind::point_pressure) def.shape = id_of(probe.shape, scene.shapes, shapes, "shape");
@@ -54,11 +62,26 @@ void add_cloth(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScen
   if (scene.wind) built.world.set_wind(*scene.wind);
 }
 
+void add_flow(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene& built) {
+  for (const SceneEmitter& emitter : scene.emitters) {
+    EmitterDef def = emitter.def;
+    def.fluid = material_of(emitter.fluid, scene, built.fluids);
+    if (!emitter.body.empty()) def.body = id_of(emitter.body, bodies, built.bodies, "body");
+    built.emitters.push_back(built.world.create_emitter(def));
+  }
+  for (const SceneSink& sink : scene.sinks) {
+    SinkDef def = sink.def;
+    if (!sink.body.empty()) def.body = id_of(sink.body, bodies, built.bodies, "body");
+    built.sinks.push_back(built.world.create_sink(def));
+  }
+}
+
 }  // namespace
 
 BuiltScene build_scene(const Scene& scene) {
-  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}};
+  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for (const FluidDef& def : scene.fluids) built.fluids.push_back(built.world.create_fluid(def));
+  for (const GranularDef& def : scene.granulars) built.fluids.push_back(built.world.create_granular(def));
   // Solids before volumes: filling a region leaves out what would stand inside one.
   for (const ShapeDef& def : scene.shapes) built.shapes.push_back(built.world.create_shape(def));
   const std::vector<BodyDef> bodies = bodies_of(scene);
@@ -69,10 +92,10 @@ BuiltScene build_scene(const Scene& scene) {
   add_cloth(scene, bodies, built);
   for (const SceneVolume& volume : scene.volumes) {
     FluidVolumeDef def = volume.def;
-    def.fluid = id_of(volume.fluid, scene.fluids, built.fluids, "fluid");
+    def.fluid = material_of(volume.fluid, scene, built.fluids);
     built.world.add_fluid(def);
   }
-  for (const SinkDef& def : scene.sinks) built.world.create_sink(def);
+  add_flow(scene, bodies, built);
   for (const SceneProbe& probe : scene.probes) {
     built.probes.push_back(built.world.create_probe(with_shape(probe, scene, built.shapes)));
   }

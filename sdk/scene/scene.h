@@ -13,8 +13,19 @@
 namespace meniscus {
 
 struct SceneVolume {
-  std::string fluid;   ///< FluidDef::name
+  std::string fluid;   ///< FluidDef::name, or GranularDef::name
   FluidVolumeDef def;  ///< its fluid id is filled in when the scene is built
+};
+
+struct SceneEmitter {
+  std::string fluid;  ///< FluidDef::name
+  std::string body;   ///< BodyDef::name, or empty
+  EmitterDef def;     ///< its ids are filled in when the scene is built
+};
+
+struct SceneSink {
+  std::string body;  ///< BodyDef::name, or empty
+  SinkDef def;       ///< its body id is filled in when the scene is built
 };
 
 struct SceneProbe {
@@ -44,11 +55,17 @@ struct SceneAttachment {
   AttachmentDef def;                          ///< its ids are filled in when the scene is built
 };
 
-/// Where the preview looks from. Left out, a view is chosen that holds everything.
+/// Where pictures are taken from. Left out, a view is chosen that holds everything.
 struct SceneCamera {
   Vec3 position{3, 2, 4};       ///< m
   Vec3 target{0, 0, 0};         ///< m
   float field_of_view = 35.0f;  ///< degrees, vertical
+};
+
+/// One more view, to be chosen by its name.
+struct SceneNamedCamera {
+  std::string name;
+  SceneCamera view;
 };
 
 struct Scene {
@@ -59,6 +76,7 @@ struct Scene {
   int relax_iterations = 0;   ///< World::relax before the first frame
   WorldDef world;
   std::vector<FluidDef> fluids;
+  std::vector<GranularDef> granulars;
   std::vector<ShapeDef> shapes;
   std::vector<SceneBody> bodies;
   std::vector<SceneJoint> joints;
@@ -67,9 +85,11 @@ struct Scene {
   std::vector<SceneAttachment> attachments;
   std::optional<WindDef> wind;
   std::vector<SceneVolume> volumes;
-  std::vector<SinkDef> sinks;
+  std::vector<SceneEmitter> emitters;
+  std::vector<SceneSink> sinks;
   std::vector<SceneProbe> probes;
   std::optional<SceneCamera> camera;
+  std::vector<SceneNamedCamera> cameras;
 };
 
 /// The bodies of an entry: itself, or its copies, x fastest, with their numbers from 0 on at the end of their
@@ -83,13 +103,15 @@ std::vector<BodyDef> bodies_of(const Scene& scene);
 /// bodies_of.
 struct BuiltScene {
   World world;
-  std::vector<FluidId> fluids;
+  std::vector<FluidId> fluids;  ///< and behind them the granular materials
   std::vector<ShapeId> shapes;
   std::vector<BodyId> bodies;
   std::vector<JointId> joints;
   std::vector<ClothId> cloths;
   std::vector<RopeId> ropes;
   std::vector<AttachmentId> attachments;
+  std::vector<EmitterId> emitters;
+  std::vector<SinkId> sinks;
   std::vector<ProbeId> probes;
 };
 

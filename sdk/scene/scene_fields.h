@@ -12,6 +12,7 @@
 #include "sdk/scene/scene_field_rule.h"
 #include "sdk/scene/scene_fields_bodies.h"
 #include "sdk/scene/scene_fields_cloth.h"
+#include "sdk/scene/scene_fields_flow.h"
 #include "sdk/scene/scene_fields_shapes.h"
 
 namespace meniscus {
@@ -85,18 +86,20 @@ void fields(V& v, FluidDef& d) {
 }
 
 template <class V>
-void fields(V& v, SceneVolume& d) {
-  v("fluid", d.fluid, required(not_empty), "", "name of the fluid");
-  v("region", d.def.region, required(any_value), "", "what to fill");
-  v("pose", d.def.pose, any_value, "", "placement of the region");
-  v("velocity", d.def.velocity, any_value, "m/s", "of every particle at the start");
+void fields(V& v, GranularDef& d) {
+  v("name", d.name, not_empty, "", "what volumes call this material");
+  v("density", d.density, positive, "kg/m³", "a grain's mass over a spacing cubed");
+  v("friction", d.friction, not_negative, "", "tangent of the angle at which a heap stands");
+  filter_fields(v, d.filter);
+  v("color", d.color, between(0, 1), "", "linear red, green and blue");
 }
 
 template <class V>
-void fields(V& v, SinkDef& d) {
-  v("name", d.name, required(not_empty), "", "what messages call this sink");
-  v("box", d.box, required(any_value), "", "particles inside are removed at the end of a frame");
-  v("outside", d.outside, any_value, "", "removes the particles outside of the box instead");
+void fields(V& v, SceneVolume& d) {
+  v("fluid", d.fluid, required(not_empty), "", "name of the fluid or granular material");
+  v("region", d.def.region, required(any_value), "", "what to fill");
+  v("pose", d.def.pose, any_value, "", "placement of the region");
+  v("velocity", d.def.velocity, any_value, "m/s", "of every particle at the start");
 }
 
 /// A probe as its kind alone describes it.
@@ -146,6 +149,12 @@ void fields(V& v, SceneCamera& d) {
 }
 
 template <class V>
+void fields(V& v, SceneNamedCamera& d) {
+  v("name", d.name, required(not_empty), "", "what --camera calls it");
+  fields(v, d.view);
+}
+
+template <class V>
 void fields(V& v, Scene& d) {
   std::string schema;
   v("$schema", schema, any_value, "", "address of this schema, for editors; not read");
@@ -157,6 +166,7 @@ void fields(V& v, Scene& d) {
     "rounds of settling the particles before the first frame");
   v("world", d.world, any_value, "", "gravity, resolution and solver");
   v("fluids", d.fluids, any_value, "", "kinds of liquid");
+  v("granulars", d.granulars, any_value, "", "kinds of sand, gravel and the like");
   v("shapes", d.shapes, any_value, "", "solids that do not move");
   v("bodies", d.bodies, any_value, "", "solids that move");
   v("joints", d.joints, any_value, "", "what holds bodies together, or to the world");
@@ -166,9 +176,12 @@ void fields(V& v, Scene& d) {
     "what holds cloth and ropes to the world, to bodies or to one another");
   v("wind", d.wind, any_value, "", "air that cloth moves in; left out, it is at rest");
   v("volumes", d.volumes, any_value, "", "regions filled with fluid at the start");
-  v("sinks", d.sinks, any_value, "", "boxes that remove particles");
+  v("emitters", d.emitters, any_value, "", "openings that make particles");
+  v("sinks", d.sinks, any_value, "", "regions that remove particles");
   v("probes", d.probes, any_value, "", "measurements");
-  v("camera", d.camera, any_value, "", "view of the preview; left out, one that holds everything");
+  v("camera", d.camera, any_value, "",
+    "where pictures are taken from; left out, a view that holds everything");
+  v("cameras", d.cameras, any_value, "", "more views, to be chosen by name");
 }
 
 }  // namespace meniscus

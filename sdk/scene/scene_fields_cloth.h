@@ -66,6 +66,8 @@ void fields(V& v, FabricDef& d) {
     "distance that two layers keep; 0 is a quarter of the mean edge");
   v("friction", d.friction, not_negative, "",
     "Coulomb's coefficient between cloth and cloth; on a solid, the solid's counts");
+  v("fluid_friction", d.fluid_friction, not_negative, "", "Coulomb's coefficient between fluid and cloth");
+  v("fluid_adhesion", d.fluid_adhesion, not_negative, "Pa", "pull on a wet layer of particles, per area");
   v("drag", d.drag, not_negative, "", "drag coefficient of a flat plate; 0 is none");
   v("lift", d.lift, not_negative, "", "lift coefficient of a flat plate");
   v("tear_strain", d.tear_strain, not_negative, "", "edges stretched further than this tear; 0 is never");

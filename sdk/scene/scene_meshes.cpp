@@ -101,6 +101,10 @@ void resolve_meshes(Scene& scene, const Json& document, const fs::path& folder, 
     auto* mesh = std::get_if<MeshRegion>(&scene.volumes[i].def.region);
     if (mesh) resolve(mesh->file, folder, root.key("volumes").item(i).key("region").key("file"));
   }
+  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
+    auto* mesh = std::get_if<MeshOpening>(&scene.emitters[i].def.opening);
+    if (mesh) resolve(mesh->file, folder, root.key("emitters").item(i).key("opening").key("file"));
+  }
   for (std::size_t i = 0; i < scene.cloths.size(); ++i) {
     auto* mesh = std::get_if<ClothFile>(&scene.cloths[i].geometry);
     if (mesh) resolve(mesh->file, folder, root.key("cloths").item(i).key("geometry").key("file"));

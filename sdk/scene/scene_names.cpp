@@ -35,6 +35,16 @@ std::vector<std::string> unique_names(const List& list, const ScenePlace& place,
   return names.in_order();
 }
 
+/// What particles are made of has one name: sand must not be called as a fluid is.
+std::vector<std::string> check_materials(const Scene& scene, const ScenePlace& root) {
+  UniqueNames names;
+  for (std::size_t i = 0; i < scene.fluids.size(); ++i)
+    names.add(scene.fluids[i].name, root.key("fluids").item(i));
+  for (std::size_t i = 0; i < scene.granulars.size(); ++i)
+    names.add(scene.granulars[i].name, root.key("granulars").item(i));
+  return names.in_order();
+}
+
 /// A solid has one name: a body must not be called as a shape is.
 void check_solids(const Scene& scene, const ScenePlace& root) {
   UniqueNames names;
@@ -83,24 +93,41 @@ void check_attachments(const Scene& scene, const std::vector<std::string>& cloth
   }
 }
 
+void check_flow(const Scene& scene, const std::vector<std::string>& fluids, const ScenePlace& root) {
+  const std::vector<std::string> bodies = body_names(scene);
+  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
+    const ScenePlace place = root.key("emitters").item(i);
+    const SceneEmitter& emitter = scene.emitters[i];
+    check_reference(emitter.fluid, fluids, place.key("fluid"), "fluid");
+    if (!emitter.body.empty()) check_reference(emitter.body, bodies, place.key("body"), "body");
+  }
+  for (std::size_t i = 0; i < scene.sinks.size(); ++i) {
+    const std::string& body = scene.sinks[i].body;
+    if (!body.empty()) check_reference(body, bodies, root.key("sinks").item(i).key("body"), "body");
+  }
+}
+
 }  // namespace
 
 void check_names(const Scene& scene, const std::string& source) {
   const ScenePlace root{source, ""};
   const auto own_name = [](const auto& def) -> const std::string& { return def.name; };
   const auto name_of_def = [](const auto& thing) -> const std::string& { return thing.def.name; };
-  const auto fluids = unique_names(scene.fluids, root.key("fluids"), own_name);
+  const auto fluids = check_materials(scene, root);
   const auto shapes = unique_names(scene.shapes, root.key("shapes"), own_name);
   check_solids(scene, root);
   unique_names(scene.joints, root.key("joints"), name_of_def);
   const auto cloths = unique_names(scene.cloths, root.key("cloths"), own_name);
   const auto ropes = unique_names(scene.ropes, root.key("ropes"), own_name);
   unique_names(scene.attachments, root.key("attachments"), name_of_def);
-  unique_names(scene.sinks, root.key("sinks"), own_name);
+  unique_names(scene.cameras, root.key("cameras"), own_name);
+  unique_names(scene.emitters, root.key("emitters"), name_of_def);
+  unique_names(scene.sinks, root.key("sinks"), name_of_def);
   unique_names(scene.probes, root.key("probes"), name_of_def);
 
   check_joints(scene, root.key("joints"));
   check_attachments(scene, cloths, ropes, root.key("attachments"));
+  check_flow(scene, fluids, root);
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
     check_reference(scene.volumes[i].fluid, fluids, root.key("volumes").item(i).key("fluid"), "fluid");
   }

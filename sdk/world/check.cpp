@@ -114,4 +114,10 @@ void fluid(const FluidDef& def) {
   finite("FluidDef::color", def.color);
 }
 
+void granular(const GranularDef& def) {
+  positive("GranularDef::density", def.density);
+  not_negative("GranularDef::friction", def.friction);
+  finite("GranularDef::color", def.color);
+}
+
 }  // namespace meniscus::check

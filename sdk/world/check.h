@@ -7,6 +7,7 @@
 
 #include <meniscus/bodies.h>
 #include <meniscus/cloth.h>
+#include <meniscus/flow.h>
 
 #include <string>
 
@@ -26,6 +27,7 @@ void pose(const char* name, const Pose& value);
 
 void world(const WorldDef& def);
 void fluid(const FluidDef& def);
+void granular(const GranularDef& def);
 void shape(const ShapeDef& def);
 void body(const BodyDef& def);
 void joint(const JointDef& def);
@@ -33,5 +35,7 @@ void cloth(const ClothDef& def);
 void rope(const RopeDef& def);
 void attachment(const AttachmentDef& def);
 void wind(const WindDef& def);
+void emitter(const EmitterDef& def);
+void sink(const SinkDef& def);
 
 }  // namespace meniscus::check

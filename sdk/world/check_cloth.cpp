@@ -26,6 +26,8 @@ void fabric(const FabricDef& f) {
   not_negative("FabricDef::bending_damping", f.bending_damping);
   not_negative("FabricDef::thickness", f.thickness);
   not_negative("FabricDef::friction", f.friction);
+  not_negative("FabricDef::fluid_friction", f.fluid_friction);
+  not_negative("FabricDef::fluid_adhesion", f.fluid_adhesion);
   not_negative("FabricDef::drag", f.drag);
   not_negative("FabricDef::lift", f.lift);
   not_negative("FabricDef::tear_strain", f.tear_strain);

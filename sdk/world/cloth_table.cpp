@@ -34,14 +34,6 @@ struct MakeMesh {
   cloth::ClothMesh operator()(const ClothTube& g) const { return tube_mesh(g); }
 };
 
-float mean_edge(const cloth::ClothMesh& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) sum += length(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]);
-  }
-  return static_cast<float>(sum / (3.0 * static_cast<double>(mesh.triangles.size())));
-}
-
 cloth::FabricParameters parameters(const FabricDef& f) {
   return {f.density,
           f.warp_stiffness,
@@ -97,6 +89,14 @@ void build_constraints(ClothEntry& entry) {
   entry.strand.masses = entry.constraints.masses;
   entry.closed = cloth::is_closed(entry.mesh);
   entry.tethers.clear();
+}
+
+float mean_edge(const cloth::ClothMesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) sum += length(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]);
+  }
+  return static_cast<float>(sum / (3.0 * static_cast<double>(mesh.triangles.size())));
 }
 
 ClothEntry make_cloth(const ClothDef& def) {

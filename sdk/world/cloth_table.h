@@ -62,6 +62,8 @@ struct AttachmentEntry {
   std::vector<uint32_t> clamped;             ///< segments of a rod
 };
 
+/// m, at rest.
+float mean_edge(const cloth::ClothMesh& mesh);
 ClothEntry make_cloth(const ClothDef& def);
 RopeEntry make_rope(const RopeDef& def);
 

@@ -27,11 +27,19 @@ std::vector<uint32_t> numbers_of(const std::vector<bool>& chosen) {
 class Assembly {
  public:
   EngineCloth cloth;
+  std::vector<ClothId> pieces;
 
   uint32_t vertices() const { return static_cast<uint32_t>(cloth.position.size()); }
 
-  void add(ClothEntry& entry, const std::vector<bool>& held) {
+  explicit Assembly(const WorldDef& def) : spacing_(def.particle_spacing), radius_(def.contact_radius) {}
+
+  void add(ClothId id, ClothEntry& entry, const std::vector<bool>& held) {
     const uint32_t first = add_strand(entry.strand, held);
+    const FabricDef& fabric = entry.def.fabric;
+    pieces.push_back(id);
+    const float distance = std::max(radius_ * spacing_, 0.5f * entry.thickness);
+    cloth.sheets.push_back({entry.def.filter, distance, fabric.fluid_friction,
+                            fabric.fluid_adhesion * spacing_ * spacing_, spread_on(entry)});
     cloth::ClothModel& model = cloth.model;
     const auto part = static_cast<uint32_t>(model.pieces.size());
     constraints_.push_back(entry.constraints);
@@ -46,6 +54,8 @@ class Assembly {
 
   void add(RopeEntry& entry, const std::vector<bool>& held, const std::vector<bool>& clamped) {
     const uint32_t first = add_strand(entry.strand, held);
+    pieces.emplace_back();
+    cloth.sheets.emplace_back();
     const bool rod = entry.def.bends_and_twists;
     cloth::append(rod ? cloth.rods : cloth.ropes, entry.model, first);
     rope_masses_.insert(rope_masses_.end(), entry.strand.masses.begin(), entry.strand.masses.end());
@@ -85,6 +95,12 @@ class Assembly {
     return first;
   }
 
+  /// So that no vertex between neighbouring particles goes without its share, and no touch has too many.
+  float spread_on(const ClothEntry& entry) const {
+    const float edge = mean_edge(entry.mesh);
+    return edge < 0.75f * spacing_ ? std::min(std::max(1.2f * edge, 0.75f * spacing_), 1.9f * edge) : 0.0f;
+  }
+
   cloth::Piece piece_of(const ClothEntry& entry) const {
     const FabricDef& f = entry.def.fabric;
     cloth::Piece piece{.first_vertex = entry.strand.first,
@@ -114,6 +130,8 @@ class Assembly {
 
   std::vector<cloth::ClothConstraints> constraints_;
   std::vector<float> rope_masses_;
+  float spacing_;  // m, of particles
+  float radius_;   // of their contacts, in spacings
 };
 
 }  // namespace
@@ -154,9 +172,10 @@ void World::Impl::fetch_cloth() {
 void World::Impl::upload_cloth() {
   if (cloth_is_on_device) return;
   fetch_cloth();
-  Assembly all;
-  cloths.for_each(
-      [&](uint32_t index, ClothEntry& entry) { all.add(entry, held_vertices(cloths.id(index))); });
+  Assembly all(def);
+  cloths.for_each([&](uint32_t index, ClothEntry& entry) {
+    all.add(cloths.id(index), entry, held_vertices(cloths.id(index)));
+  });
   ropes.for_each([&](uint32_t index, RopeEntry& entry) {
     std::vector<bool> clamped(entry.segments.size());
     attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
@@ -180,6 +199,7 @@ void World::Impl::upload_cloth() {
   });
   all.finish(seams);
   engine->set_cloth(all.cloth);
+  pieces = all.pieces;
   vertex_count = all.vertices();
   held = all.cloth.model.held;
   cloths.for_each([](uint32_t, ClothEntry& entry) { entry.strand.uploaded = true; });

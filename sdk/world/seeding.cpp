@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <string>
-#include <unordered_map>
 
 #include "collision/mesh.h"
 #include "pbd/math/vec.h"
+#include "sdk/engine/point_table.h"
 
 namespace meniscus {
 
@@ -60,48 +61,6 @@ struct FillRegion {
   }
 };
 
-/// Points in cubes of one spacing, to find the near ones of a place.
-class PointCells {
- public:
-  PointCells(std::span<const Vec3> points, float size) : points_(points), size_(size) {
-    for (uint32_t i = 0; i < points.size(); ++i) cells_[key(cell(points[i]))].push_back(i);
-  }
-
-  bool any_within(Vec3 p, float distance) const {
-    const Cell c = cell(p);
-    for (int64_t dx = -1; dx <= 1; ++dx) {
-      for (int64_t dy = -1; dy <= 1; ++dy) {
-        for (int64_t dz = -1; dz <= 1; ++dz) {
-          const auto found = cells_.find(key({c.x + dx, c.y + dy, c.z + dz}));
-          if (found == cells_.end()) continue;
-          for (uint32_t i : found->second) {
-            if (length(points_[i] - p) < distance) return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
- private:
-  struct Cell {
-    int64_t x, y, z;
-  };
-
-  Cell cell(Vec3 p) const {
-    return {static_cast<int64_t>(std::floor(p.x / size_)), static_cast<int64_t>(std::floor(p.y / size_)),
-            static_cast<int64_t>(std::floor(p.z / size_))};
-  }
-  static uint64_t key(Cell c) {
-    return static_cast<uint64_t>(c.x) * 73856093u ^ static_cast<uint64_t>(c.y) * 19349663u ^
-           static_cast<uint64_t>(c.z) * 83492791u;
-  }
-
-  std::span<const Vec3> points_;
-  float size_;
-  std::unordered_map<uint64_t, std::vector<uint32_t>> cells_;
-};
-
 }  // namespace
 
 std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing) {
@@ -110,16 +69,34 @@ std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float s
   return points;
 }
 
+std::vector<Vec3> shaken(std::vector<Vec3> points, Engine& engine, float spacing,
+                         const CollisionFilter& filter) {
+  const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
+  std::mt19937 random(1);
+  const auto shift = [&] { return spacing * (static_cast<float>(random()) * 0x1p-32f - 0.5f) * 0.5f; };
+  for (size_t i = 0; i < points.size(); ++i) {
+    const float x = shift(), y = shift(), z = shift();
+    if (distance[i] >= spacing) points[i] += Vec3{x, y, z};
+  }
+  return points;
+}
+
 std::vector<Vec3> safe_points(std::span<const Vec3> points, std::span<const Vec3> taken, Engine& engine,
                               float spacing, const CollisionFilter& filter) {
   // A lattice that just fits a container has its outer layer at half a spacing: leave that to rounding.
   const float clearance = 0.49f * spacing, apart = 0.7f * spacing;
   const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
-  const PointCells cells(taken, spacing);
+  PointTable near;
+  near.fill(taken, apart);
+  const auto is_taken = [&](Vec3 p) {
+    bool found = false;
+    near.view().for_each_near(p, [&](uint32_t i) { found |= length(taken[i] - p) < apart; });
+    return found;
+  };
   std::vector<Vec3> safe;
   safe.reserve(points.size());
   for (size_t i = 0; i < points.size(); ++i) {
-    if (distance[i] >= clearance && !cells.any_within(points[i], apart)) safe.push_back(points[i]);
+    if (distance[i] >= clearance && !is_taken(points[i])) safe.push_back(points[i]);
   }
   return safe;
 }

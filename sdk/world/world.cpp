@@ -5,30 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "sdk/world/check.h"
 #include "sdk/world/seeding.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
-
-namespace {
-
-constexpr size_t most_particles = size_t{1} << 27;
-
-void check_room(size_t present, double added) {
-  const double wanted = static_cast<double>(present) + added;
-  if (wanted > static_cast<double>(most_particles)) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.4g", wanted);
-    throw Error(ErrorCode::capacity, "a world holds at most " + std::to_string(most_particles) +
-                                         " particles; " + number +
-                                         " were asked for. A wider particle_spacing needs fewer");
-  }
-}
-
-}  // namespace
 
 World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
 World::~World() = default;
@@ -47,27 +29,24 @@ float World::support_radius() const {
 
 float World::particle_mass(FluidId id) const {
   const float s = impl_->def.particle_spacing;
-  return impl_->fluids.get(id).rest_density * s * s * s;
+  return impl_->fluids.get(id).fluid.rest_density * s * s * s;
 }
 
 // ---- what the world is made of ----
 
 FluidId World::create_fluid(const FluidDef& def) {
   check::fluid(def);
-  const FluidId id = impl_->fluids.insert(def);
-  if (id.index > pbd::phase_group_mask) {
-    impl_->fluids.erase(id);
-    throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
-  }
-  std::vector<fluid::Material> materials;
-  std::vector<CollisionFilter> filters;
-  impl_->fluids.for_each([&](uint32_t, const FluidDef& f) {
-    materials.push_back(
-        {f.rest_density, f.viscosity, f.xsph, f.vorticity_confinement, f.cohesion, f.surface_tension});
-    filters.push_back(f.filter);
-  });
-  impl_->engine->set_materials(materials, filters);
-  return id;
+  return impl_->create_material({{def.rest_density, def.viscosity, def.xsph, def.vorticity_confinement,
+                                  def.cohesion, def.surface_tension},
+                                 {},
+                                 def.filter});
+}
+
+FluidId World::create_granular(const GranularDef& def) {
+  check::granular(def);
+  fluid::Material displaces;
+  displaces.rest_density = def.density;
+  return impl_->create_material({displaces, {true, collision::contact_friction(def.friction)}, def.filter});
 }
 
 ShapeId World::create_shape(const ShapeDef& def) {
@@ -97,18 +76,6 @@ void World::destroy_shape(ShapeId id) {
   impl_->forget_touches(false, id.index);
   impl_->solids_changed();
   impl_->probes_changed();
-}
-
-SinkId World::create_sink(const SinkDef& def) {
-  check::box("SinkDef::box", def.box);
-  const SinkId id = impl_->sinks.insert(def);
-  impl_->sinks_changed();
-  return id;
-}
-
-void World::destroy_sink(SinkId id) {
-  impl_->sinks.erase(id);
-  impl_->sinks_changed();
 }
 
 ProbeId World::create_probe(const ProbeDef& def) {
@@ -151,9 +118,11 @@ size_t World::add_fluid(const FluidVolumeDef& def) {
   if (const auto* region = std::get_if<MeshRegion>(&def.region))
     check::positive("MeshRegion::scale", region->scale);
   const float spacing = impl_->def.particle_spacing;
-  const std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
-  const std::vector<Vec3> safe =
-      safe_points(points, positions(), *impl_->engine, spacing, impl_->fluids.get(def.fluid).filter);
+  const ParticleMaterial& material = impl_->fluids.get(def.fluid);
+  std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
+  if (material.grain.is_grain) points = shaken(std::move(points), *impl_->engine, spacing, material.filter);
+  std::vector<Vec3> safe = safe_points(points, positions(), *impl_->engine, spacing, material.filter);
+  impl_->keep_off_cloth(safe, material.filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
   impl_->add(def.fluid, safe, {}, def.velocity);
   return safe.size();
@@ -204,6 +173,7 @@ void World::relax(int iterations) {
 StepReport World::step(float dt) {
   check::positive("step's dt", dt);
   const auto start = std::chrono::steady_clock::now();
+  impl_->plan_emission(dt);
   impl_->upload_cloth();
   impl_->state_changed();
   EngineStep done = impl_->engine->step(dt);
@@ -220,8 +190,8 @@ StepReport World::step(float dt) {
   impl_->note_events();
   impl_->note_cloth_step(dt);
   StepReport report;
-  report.removed = static_cast<uint32_t>(std::count(done.removed.begin(), done.removed.end(), true));
-  if (report.removed) impl_->remove(done.removed);
+  report.removed = impl_->take_sinks();
+  report.emitted = impl_->emit(dt);
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report.substeps = done.result.substeps;
   report.iterations = impl_->def.iterations;

@@ -100,6 +100,7 @@ void World::destroy_body(BodyId id) {
   });
   for (uint32_t number : gone) impl_->joints.erase(impl_->joints.id(number));
   impl_->drop_attachments_of(id);
+  impl_->drop_flow_of(id);
   impl_->bodies.erase(id);
   impl_->forget_touches(true, id.index);
   impl_->solids_changed();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <sstream>
 
 #include "sdk/world/check.h"
 
@@ -42,6 +43,18 @@ EngineDef engine_def(const WorldDef& def, const fluid::Kernel& kernel) {
 
 }  // namespace
 
+void check_room(size_t present, double added) {
+  constexpr size_t most = size_t{1} << 27;
+  const double wanted = static_cast<double>(present) + added;
+  if (wanted <= static_cast<double>(most)) return;
+  std::ostringstream number;
+  number.precision(4);
+  number << wanted;
+  throw Error(ErrorCode::capacity, "a world holds at most " + std::to_string(most) + " particles; " +
+                                       number.str() +
+                                       " were asked for. A wider particle_spacing needs fewer");
+}
+
 uint32_t World::Impl::next_first_generation() {
   static std::atomic<uint32_t> worlds{0};
   return ++worlds << 16;
@@ -56,18 +69,38 @@ World::Impl::Impl(const WorldDef& world_def)
   engine = make_engine(engine_parts, def.device, def.threads, device);
 }
 
+FluidId World::Impl::create_material(const ParticleMaterial& material) {
+  const FluidId id = fluids.insert(material);
+  if (id.index > pbd::phase_group_mask) {
+    fluids.erase(id);
+    throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
+  }
+  std::vector<ParticleMaterial> all;
+  fluids.for_each([&](uint32_t, const ParticleMaterial& m) { all.push_back(m); });
+  engine->set_materials(all);
+  return id;
+}
+
 void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
                       std::span<const Vec3> new_velocities, Vec3 velocity) {
-  const float s = def.particle_spacing;
-  const float inverse_mass = 1 / (fluids.get(fluid).rest_density * s * s * s);
   ParticleBatch batch;
-  for (size_t i = 0; i < new_positions.size(); ++i) {
-    batch.position.push_back(pbd::with_w(new_positions[i], inverse_mass));
-    batch.velocity.push_back(pbd::with_w(new_velocities.empty() ? velocity : new_velocities[i], 0));
-    batch.phase.push_back(pbd::phase_fluid | fluid.index);
-  }
+  for (size_t i = 0; i < new_positions.size(); ++i)
+    add_to(batch, fluid, new_positions[i], new_velocities.empty() ? velocity : new_velocities[i]);
+  append(batch);
+}
+
+void World::Impl::add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const {
+  const float s = def.particle_spacing;
+  const ParticleMaterial& material = fluids.get(fluid);
+  const pbd::Phase kind = material.grain.is_grain ? pbd::phase_grain : pbd::phase_fluid;
+  batch.position.push_back(pbd::with_w(position, 1 / (material.fluid.rest_density * s * s * s)));
+  batch.velocity.push_back(pbd::with_w(velocity, 0));
+  batch.phase.push_back(kind | fluid.index);
+}
+
+void World::Impl::append(const ParticleBatch& batch) {
   engine->append(batch);
-  for (size_t i = 0; i < new_positions.size(); ++i) ids.push_back(next_id++);
+  for (size_t i = 0; i < batch.position.size(); ++i) ids.push_back(next_id++);
   state_changed();
 }
 
@@ -105,12 +138,6 @@ void World::Impl::solids_changed() {
   state_changed();
 }
 
-void World::Impl::sinks_changed() {
-  std::vector<SinkBox> boxes;
-  sinks.for_each([&](uint32_t, const SinkDef& sink) { boxes.push_back({sink.box, sink.outside}); });
-  engine->set_sinks(boxes);
-}
-
 void World::Impl::probes_changed() {
   std::vector<fluid::Probe> all;
   constexpr float everywhere = 1e30f;
@@ -133,7 +160,7 @@ void World::Impl::read_probes() {
 
 void World::Impl::state_changed() {
   positions.valid = velocities.valid = fluid_indices.valid = false;
-  density_errors.valid = full_support.valid = pressures.valid = false;
+  ellipsoids.valid = density_errors.valid = full_support.valid = pressures.valid = false;
 }
 
 void World::Impl::remove(const std::vector<bool>& removed) {

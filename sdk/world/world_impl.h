@@ -10,6 +10,7 @@
 #include "sdk/engine/engine.h"
 #include "sdk/world/cloth_table.h"
 #include "sdk/world/id_table.h"
+#include "sdk/world/world_flow.h"
 #include "sdk/world/world_shapes.h"
 
 namespace meniscus {
@@ -49,19 +50,31 @@ struct World::Impl {
   /// Far from that of any other world of this process.
   static uint32_t next_first_generation();
 
+  FluidId create_material(const ParticleMaterial& material);
   void add(FluidId fluid, std::span<const Vec3> positions, std::span<const Vec3> velocities, Vec3 velocity);
+  void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
+  void append(const ParticleBatch& batch);
   void solids_changed();
   SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
   void note_events();
   void forget_touches(bool is_body, uint32_t number);  // of what is destroyed
+  void plan_emission(float dt);
+  void add_arrivals(const EmitterEntry& emitter, float dt);
+  Vec3 carried_velocity(BodyId body, Vec3 p, Quat turned) const;
+  uint32_t held_steps(const EmitterEntry& emitter, const Departure& departure, float dt) const;
+  uint32_t emit(float dt);
   void sinks_changed();
+  uint32_t take_sinks();
+  void drop_flow_of(BodyId body);
   void probes_changed();
   void read_probes();
   void state_changed();
   void fetch_cloth();   // its latest state, to the host
   void upload_cloth();  // where it has changed by hand
+  /// Takes points out that are nearer than half a spacing to cloth which the filter collides with.
+  void keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter);
   void cloth_changed();
   void tear_cloth();
   void note_cloth_step(float dt);
@@ -86,13 +99,17 @@ struct World::Impl {
   float last_substep = 0;
 
   const uint32_t first_generation = next_first_generation();
-  IdTable<FluidId, FluidDef> fluids{"fluid", first_generation};
+  IdTable<FluidId, ParticleMaterial> fluids{"fluid", first_generation};  // and granular materials
   IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
   IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
   IdTable<JointId, JointDef> joints{"joint", first_generation};
   std::vector<collision::RigidTouch> touches;  // after the last step
   std::vector<ContactEvent> events;            // of the last step
-  IdTable<SinkId, SinkDef> sinks{"sink", first_generation};
+  IdTable<EmitterId, EmitterEntry> emitters{"emitter", first_generation};
+  IdTable<SinkId, SinkEntry> sinks{"sink", first_generation};
+  bool sinks_are_carried = false;  // at least one, by a body
+  std::vector<uint32_t> taken;     // by sink, in the last step
+  Emission emission;
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
   std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes
   std::vector<fluid::ProbeSum> probe_values;  // by the index of their ids
@@ -103,6 +120,7 @@ struct World::Impl {
   bool cloth_is_on_device = true;  // all of it, as it is
   bool cloth_is_on_host = true;    // its latest state
   uint32_t vertex_count = 0;       // on the device
+  std::vector<ClothId> pieces;     // on the device, by number; those that are ropes have no id
   std::vector<uint32_t> held;      // vertices on the device, ascending
   std::vector<Vec3> reactions;     // N, of those, in the last step
   std::vector<Vec3> tie_forces;    // N, by tie, on the vertex, in the last step
@@ -116,8 +134,12 @@ struct World::Impl {
   CachedReadout<Vec3> positions, velocities;
   CachedReadout<uint32_t> fluid_indices;
   CachedReadout<float> density_errors, full_support, pressures;
+  CachedReadout<Ellipsoid> ellipsoids;
   EngineMeasure measured;  // with density_errors
 };
+
+/// Throws Error(capacity) where a world with so many particles has no room for more of them.
+void check_room(size_t present, double added);
 
 /// The engine for a choice of device, and what it runs on.
 std::unique_ptr<Engine> make_engine(const EngineDef& def, DeviceChoice choice, int threads, DeviceInfo& info);

@@ -45,6 +45,10 @@ std::span<const float> World::pressures() const {
                               [&](auto out) { impl_->engine->read_pressures(out, impl_->last_substep); });
 }
 
+std::span<const Ellipsoid> World::ellipsoids() const {
+  return impl_->ellipsoids.get(particle_count(), [&](auto out) { impl_->engine->read_ellipsoids(out); });
+}
+
 Diagnostics World::diagnostics() const {
   impl_->upload_cloth();  // its energy counts before the first step, too
   Diagnostics d = impl_->engine->measure(impl_->def.gravity);

@@ -85,7 +85,7 @@ TEST_P(PaddleTest, AJetTurnsAWheel) {
   }
   const BodyId id = world_.create_body(body(wheel, {0, 0, 0}, 700));
   hinge(id, {0, 0, 0}, {});
-  world_.create_sink({"", {{-2, -1, -2}, {2, 2, 2}}, true});
+  world_.create_sink({"", BoxRegion{{-2, -1, -2}, {2, 2, 2}}, true, {}, {}});
   const float speed = 3;
   for (int k = 0; k < 150; ++k) {
     if (k % 2 == 0) {

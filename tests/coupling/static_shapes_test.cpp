@@ -116,7 +116,7 @@ TEST_P(StaticShapesTest, AJetOnAHeightField) {
   }
   world.create_shape(shape(hills));
   const FluidId water = world.create_fluid({});
-  world.create_sink({"", {{-3, -1, -3}, {3, 3, 3}}, true});
+  world.create_sink({"", BoxRegion{{-3, -1, -3}, {3, 3, 3}}, true, {}, {}});
   size_t made = 0, gone = 0;
   for (int k = 0; k < 60; ++k) {
     if (k % 3 == 0 && k < 45) {

@@ -78,7 +78,7 @@ TEST_P(AllocationTest, AWarmStepAllocatesNothingOnTheHost) {
 TEST_P(AllocationTest, NorWithProbesAndSinks) {
   World world = pool();
   world.create_probe({});
-  world.create_sink({"", {{5, 5, 5}, {6, 6, 6}}, false});
+  world.create_sink({"", BoxRegion{{5, 5, 5}, {6, 6, 6}}, false, {}, {}});
   run(world, 60, 0.016f);
   EXPECT_EQ(during(world, 20), 0);
 }
@@ -138,7 +138,7 @@ TEST_P(AllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
   collision::RigidWorld rigid({});
   def.rigid = &rigid;
   const std::unique_ptr<Engine> engine = make_engine_on(GetParam(), def);
-  engine->set_materials(std::vector<fluid::Material>{{1000, 0, 5, 0, 0, 0}}, std::vector<CollisionFilter>(1));
+  engine->set_materials(std::vector<ParticleMaterial>{{{1000, 0, 5, 0, 0, 0}, {}, {}}});
   SolidShapes solids;
   solids.shapes.resize(1);  // y > 0
   solids.fixed = 1;

@@ -68,7 +68,7 @@ TEST_P(BodyAllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
   collision::RigidWorld rigid({});
   add_cube(rigid, {0, 0.4f, 0});
   const std::unique_ptr<Engine> engine = make_engine_on(GetParam(), engine_def(rigid));
-  engine->set_materials(std::vector<fluid::Material>{{1000, 0, 5, 0, 0, 0}}, std::vector<CollisionFilter>(1));
+  engine->set_materials(std::vector<ParticleMaterial>{{{1000, 0, 5, 0, 0, 0}, {}, {}}});
   engine->set_shapes(solids());
   ParticleBatch batch;
   for (Vec3 p : lattice(10, 6, 10, s, {-0.25f, 0, -0.25f})) {

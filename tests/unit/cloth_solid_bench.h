@@ -28,7 +28,8 @@ struct SolidSetup {
   float mass = 1;          ///< kg, of dynamic ones
   Vec3 velocity{0, 0, 0};  ///< m/s, of bodies
   float friction = 0.3f;
-  float damping = 0;                              ///< 1/s, of dynamic bodies' velocities
+  float damping = 0;  ///< 1/s, of dynamic bodies' velocities
+  bool can_sleep = true;
   std::vector<Keyframe> keyframes;                ///< of kinematic ones, in place of the velocity
   const collision::TriangleMesh* mesh = nullptr;  ///< for kind sdf, not of dynamic ones
 };

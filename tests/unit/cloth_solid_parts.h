@@ -60,6 +60,7 @@ inline collision::RigidBodyDef body_of(const SolidSetup& solid) {
   def.motion = falls ? BodyMotion::dynamic : BodyMotion::kinematic;
   def.velocity = solid.velocity;
   def.linear_damping = def.angular_damping = solid.damping;
+  def.can_sleep = solid.can_sleep;
   def.keyframes = solid.keyframes;
   if (!falls && solid.keyframes.empty()) {
     const Vec3 end = solid.pose.position + 100 * solid.velocity;

@@ -22,7 +22,9 @@ constexpr const char* scene = R"({
   "world": { "particle_spacing": 0.1, "substeps": 2, "iterations": 2 },
   "fluids": [{ "name": "water" }],
   "shapes": [{ "name": "floor", "geometry": { "type": "plane" } }],
-  "volumes": [{ "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.4, 0.4, 0.4] } }]
+  "volumes": [{ "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.4, 0.4, 0.4] } }],
+  "cameras": [{ "name": "close", "position": [1, 1, 1], "target": [0.2, 0.2, 0.2] },
+              { "name": "above", "position": [0.2, 3, 0.2], "target": [0.2, 0, 0.1] }]
 })";
 
 constexpr const char* scene_with_bodies = R"({
@@ -72,6 +74,19 @@ class ProgramTest : public testing::Test {
     std::exit(run_program(static_cast<int>(argv.size()), argv.data()));
   }
 
+  static std::string bytes(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  /// Of a PNG, as in 64x48.
+  static std::string pixels(const std::string& png) {
+    if (png.size() < 24) return "none";
+    const auto number = [&](std::size_t at) {
+      return (static_cast<unsigned char>(png[at + 2]) << 8) + static_cast<unsigned char>(png[at + 3]);
+    };
+    return std::to_string(number(16)) + "x" + std::to_string(number(20));
+  }
+
   std::string out() const { return (folder_ / "out").string(); }
 
   fs::path folder_;
@@ -88,6 +103,57 @@ TEST_F(ProgramTest, ARunLeavesItsFiles) {
   EXPECT_EQ(figures["particles"], 64);
   EXPECT_EQ(figures["frames"], 2);
   EXPECT_EQ(figures["device"]["kind"], "cpu");
+}
+
+TEST_F(ProgramTest, PicturesHaveTheSizeAndTheCameraThatAreAskedFor) {
+  EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", out(), "--quiet", "--size", "64x48"}),
+              testing::ExitedWithCode(success), "^$");
+  const std::string usual = bytes(fs::path(out()) / "preview.png");
+  EXPECT_EQ(pixels(usual), "64x48");
+  EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", out(), "--quiet", "--size", "64x48", "--camera",
+                   "above"}),
+              testing::ExitedWithCode(success), "^$");
+  EXPECT_NE(bytes(fs::path(out()) / "preview.png"), usual);
+}
+
+TEST_F(ProgramTest, BadPictureOptionsAreNamed) {
+  for (const char* size : {"64", "x", "64x", "0x48", "64x48x2", "64x99999", "-64x48"}) {
+    EXPECT_EXIT(run({"run", "drop", "--size=" + std::string(size)}), testing::ExitedWithCode(bad_input),
+                "^meniscus: --size is '" + std::string(size) + "'[^\n]*1280x720\n$");
+  }
+  EXPECT_EXIT(run({"run", "drop", "--camera", "clos"}), testing::ExitedWithCode(bad_input),
+              "^meniscus: --camera is 'clos'[^\n]*\"close\"[^\n]*\n$");
+  EXPECT_EXIT(run({"run", "flag", "--camera", "close"}), testing::ExitedWithCode(bad_input),
+              "^meniscus: --camera is 'close', but the scene has no named cameras\n$");
+  EXPECT_EXIT(run({"run", "drop", "--render=all"}), testing::ExitedWithCode(bad_input),
+              "^meniscus: --render: all");
+}
+
+TEST_F(ProgramTest, EveryFrameIsRenderedWhereThereIsARenderer) {
+  const std::vector<std::string> line{"run", "drop",    "--device", "cpu",   "--out",
+                                      out(), "--quiet", "--size",   "64x48", "--render"};
+  // Where there is none, the message says what is missing.
+  EXPECT_EXIT(
+      run(line),
+      [](int status) {
+        return testing::ExitedWithCode(success)(status) || testing::ExitedWithCode(run_failed)(status);
+      },
+      "^$|^meniscus: cannot render: [^\n]*\n$");
+  if (!fs::exists(fs::path(out()) / "frames")) GTEST_SKIP() << "no renderer here";
+  for (const char* name : {"frames/render_00001.png", "frames/render_00002.png", "preview.png"})
+    EXPECT_EQ(pixels(bytes(fs::path(out()) / name)), "64x48") << name;
+  EXPECT_EQ(bytes(fs::path(out()) / "preview.png"), bytes(fs::path(out()) / "frames/render_00002.png"));
+}
+
+TEST_F(ProgramTest, WithoutADeviceRenderingIsAnErrorAndAutoIsNot) {
+  const auto without_device = [&](const char* render) {
+    setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
+    run({"run", "drop", "--device", "cpu", "--out", out(), "--quiet", "--size", "64x48", render});
+  };
+  EXPECT_EXIT(without_device("--render=last"), testing::ExitedWithCode(run_failed),
+              "^meniscus: cannot render: ");
+  EXPECT_EXIT(without_device("--render=auto"), testing::ExitedWithCode(success), "^$");
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "preview.png"));
 }
 
 TEST_F(ProgramTest, ClothIsMovedMeasuredAndExported) {

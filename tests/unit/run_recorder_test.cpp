@@ -43,6 +43,7 @@ class RunRecorderTest : public testing::Test {
     s.step.substeps = 4;
     s.step.iterations = 3;
     s.step.removed = 1;
+    s.step.emitted = 5;
     s.step.stage_ms[static_cast<std::size_t>(Stage::solve)] = 5 * frame;
     s.diagnostics = {.particles = 2,
                      .density_error_mean = worst / 2,
@@ -88,12 +89,13 @@ TEST_F(RunRecorderTest, ARowIsOnDiskAsSoonAsItIsKnown) {
       "particles,"
       "density_error_mean_percent,density_error_max_percent,kinetic_j,potential_j,contacts,max_speed,non_"
       "finite,"
-      "outside,substeps,removed,\"wall, left\"");
+      "outside,substeps,removed,emitted,\"wall, left\"");
   recorder.start({"cpu", "test", true, "", 0}, sample(0, 3, 0, 0));
   recorder.add(sample(1, 3, 1.5, 0.04f));
   ASSERT_EQ(csv().size(), 2u);
-  EXPECT_EQ(csv()[1],
-            "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,101");
+  EXPECT_EQ(
+      csv()[1],
+      "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,5,101");
 }
 
 TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
@@ -115,6 +117,7 @@ TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
   EXPECT_EQ(figures["ms_per_step"]["stages"]["solve"], 10);
   EXPECT_EQ(figures["outside"], 3) << "the most of any frame";
   EXPECT_EQ(figures["removed"], 3);
+  EXPECT_EQ(figures["emitted"], 15);
   EXPECT_EQ(figures["probes"]["wall, left"], 103);
   EXPECT_EQ(figures["state_hash"], "0000000000000abc");
   EXPECT_EQ(figures["interrupted"], false);

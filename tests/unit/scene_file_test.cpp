@@ -65,7 +65,7 @@ constexpr const char* two_volumes = R"({
     {"fluid": "water", "region": {"type": "box", "lower": [0, 0, 0], "upper": [1, 1, 2]},
      "pose": {"rotation": [0, 2, 0, 0]}}
   ],
-  "sinks": [{"name": "far", "box": {"lower": [-9, -9, -9], "upper": [9, 9, 9]}, "outside": true}],
+  "sinks": [{"name": "far", "region": {"type": "box", "lower": [-9, -9, -9], "upper": [9, 9, 9]}, "outside": true}],
   "probes": [
     {"type": "point_pressure", "name": "deep", "point": [0, 0.1, 0]},
     {"type": "wall_pressure", "name": "side", "shape": "tank", "patch": {"lower": [0, 0, 0], "upper": [1, 1, 1]}, "area": 2},
@@ -87,8 +87,8 @@ TEST_F(SceneFile, ReadsEveryPart) {
   EXPECT_FLOAT_EQ(scene.fluids[1].rest_density, 900);
   EXPECT_FLOAT_EQ(scene.fluids[1].color.y, 0.5f);
   ASSERT_EQ(scene.sinks.size(), 1u);
-  EXPECT_TRUE(scene.sinks[0].outside);
-  EXPECT_FLOAT_EQ(scene.sinks[0].box.upper.z, 9);
+  EXPECT_TRUE(scene.sinks[0].def.outside);
+  EXPECT_FLOAT_EQ(std::get<BoxRegion>(scene.sinks[0].def.region).upper.z, 9);
   ASSERT_TRUE(scene.camera.has_value());
   EXPECT_FLOAT_EQ(scene.camera->position.x, 1);
   EXPECT_FLOAT_EQ(scene.camera->field_of_view, SceneCamera().field_of_view);

@@ -68,11 +68,14 @@ class Example {
 
 /// Names that the schema leaves open, but that must fit one another.
 Json with_fitting_names(Json document) {
+  document["granulars"][0]["name"] = "sand";
   document["bodies"][0]["name"] = "body";
   document["bodies"][0]["motion"] = "kinematic";  // the one kind that may have every key
   document["joints"][0]["a"] = "body_0";          // the first of the copies
   document["joints"][0]["b"] = "";
   document["attachments"][0]["body"] = "body_0";
+  document["emitters"][0]["body"] = "body_0";
+  document["sinks"][0]["body"] = "body_0";
   for (const char* key : {"rope", "other_cloth", "other_rope"}) document["attachments"][0].erase(key);
   return document;
 }
@@ -94,8 +97,10 @@ TEST(SceneSchema, ReaderTakesEveryKeyOfTheSchema) {
     EXPECT_NO_THROW(parse_scene(document)) << "alternative " << choice;
   }
   // Cloth and solids have a mesh and a sphere each, but under one key.
-  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 3u)
-      << "geometries of solids and of cloth, joints, regions and probes, each at least once";
+  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 3u + 3u + 1u)
+      << "geometries of solids and of cloth, joints, regions, probes and openings, each at least once; and "
+         "of "
+         "sinks the half-space";
 }
 
 /// Whether an alternative is for values like this one: of its `type`, or of its kind where it has none.

@@ -224,7 +224,7 @@ TEST_P(BodyContactsTest, ContactsOfParticlesThatASinkLeavesKeepTheirNames) {
   World world = single();
   add_cube_in_water(world);
   run(world, 60, 0.005f);
-  world.create_sink({"", {{-1, -1, -1}, {0, 1, 1}}, false});
+  world.create_sink({"", BoxRegion{{-1, -1, -1}, {0, 1, 1}}, false, {}, {}});
   ASSERT_GT(world.step(0.005f).removed, 100u);
   const std::vector<ParticleContact> contacts = world.particle_contacts();
   ASSERT_FALSE(contacts.empty());

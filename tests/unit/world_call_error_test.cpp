@@ -96,7 +96,7 @@ TEST_P(CallErrorTest, RelaxTakesNoNegativeNumber) {
 
 TEST_P(CallErrorTest, WhatIsDestroyedCannotBeUsed) {
   const ShapeId shape_id = world_.create_shape(shape(PlaneGeometry{{0, 1, 0}, -10}));
-  const SinkId sink = world_.create_sink({"", {{8, 8, 8}, {9, 9, 9}}, false});
+  const SinkId sink = world_.create_sink({"", BoxRegion{{8, 8, 8}, {9, 9, 9}}, false, {}, {}});
   const ProbeId probe = world_.create_probe({});
   world_.destroy_shape(shape_id);
   world_.destroy_sink(sink);

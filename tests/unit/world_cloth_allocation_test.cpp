@@ -59,7 +59,7 @@ class ClothAllocationTest : public OnDevice {};
 TEST_P(ClothAllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
   collision::RigidWorld rigid({});
   const std::unique_ptr<Engine> engine = make_engine_on(GetParam(), engine_def(rigid));
-  engine->set_materials(std::vector<fluid::Material>{{1000, 0, 5, 0, 0, 0}}, std::vector<CollisionFilter>(1));
+  engine->set_materials(std::vector<ParticleMaterial>{{{1000, 0, 5, 0, 0, 0}, {}, {}}});
   SolidShapes solids;
   solids.shapes.resize(1);  // y > 0
   solids.fixed = 1;

@@ -232,7 +232,7 @@ TEST_P(ClothPlaceTest, FluidThatComesAndGoesMovesNoVertex) {
   wet.world.remove_particles(gone);
   expect_alike(wet, dry);
   both(3);
-  wet.world.create_sink({"", {{-2, -9, -2}, {2, 9, 2}}, false});
+  wet.world.create_sink({"", BoxRegion{{-2, -9, -2}, {2, 9, 2}}, false, {}, {}});
   both(1);
   EXPECT_EQ(wet.world.particle_count(), 0u);
   both(3);
@@ -244,7 +244,7 @@ TEST_P(ClothPlaceTest, FluidThatComesAndGoesMovesNoVertex) {
 TEST_P(ClothPlaceTest, ASinkTakesFluidAndLeavesCloth) {
   Parts p = make(GetParam());
   p.world.add_fluid(block(p.world.create_fluid({}), {-0.2f, 0, -0.2f}, {0.2f, 0.2f, 0.2f}));
-  p.world.create_sink({"", {{-9, -9, -9}, {9, 9, 9}}, false});
+  p.world.create_sink({"", BoxRegion{{-9, -9, -9}, {9, 9, 9}}, false, {}, {}});
   p.world.step(dt);
   EXPECT_EQ(p.world.particle_count(), 0u);
   EXPECT_EQ(p.world.cloth_positions(p.cloth).size(), 49u);

@@ -144,8 +144,18 @@ TEST_P(DefErrorTest, AMeshFileThatIsNotThere) {
 
 TEST_P(DefErrorTest, SinksAndProbes) {
   SinkDef sink;
-  sink.box = {{0, 0, 1}, {1, 1, 0}};
-  expect_error(invalid, "SinkDef::box", [&] { world_.create_sink(sink); });
+  sink.region = BoxRegion{{0, 0, 1}, {1, 1, 0}};
+  expect_error(invalid, "SinkDef::region", [&] { world_.create_sink(sink); });
+  sink.region = BallRegion{0};
+  expect_error(invalid, "BallRegion::radius", [&] { world_.create_sink(sink); });
+  sink.region = HalfSpaceRegion{{0, 0, 0}, 1};
+  expect_error(invalid, "HalfSpaceRegion::normal", [&] { world_.create_sink(sink); });
+  sink = {};
+  sink.pose.position.y = nan;
+  expect_error(invalid, "SinkDef::pose", [&] { world_.create_sink(sink); });
+  sink = {};
+  sink.body = BodyId{};
+  expect_error(ErrorCode::not_found, "body", [&] { world_.create_sink(sink); });
   ProbeDef probe;
   probe.point.x = nan;
   expect_error(invalid, "point", [&] { world_.create_probe(probe); });

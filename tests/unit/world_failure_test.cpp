@@ -55,7 +55,7 @@ TEST_P(FailureTest, AFailedStepLeavesNoTraceInWhatFollows) {
 }
 
 TEST_P(FailureTest, AFailedStepTakesNothingToTheSink) {
-  world_.create_sink({"", {{-9, -9, -9}, {9, 9, 9}}, false});
+  world_.create_sink({"", BoxRegion{{-9, -9, -9}, {9, 9, 9}}, false, {}, {}});
   add_mad_particle({0, 3e38f, 0});
   const size_t count = world_.particle_count();
   expect_error(ErrorCode::non_finite, "non-finite", [&] { world_.step(1000); });

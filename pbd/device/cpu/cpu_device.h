@@ -117,6 +117,8 @@ class CpuDevice final : public Device {
                   View<uint32_t> values_out, uint32_t shift, uint32_t digit_bits, View<uint32_t> offsets);
 
   struct OneThread {
+    static constexpr bool is_one_thread = true;
+
     template <class F>
     void for_each(uint32_t count, const F& f) const {
       for (uint32_t i = 0; i < count; ++i) f(i);

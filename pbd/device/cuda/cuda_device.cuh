@@ -57,6 +57,8 @@ __global__ void __launch_bounds__(block_size)
 
 /// See CpuDevice::parallel_for_groups.
 struct Block {
+  static constexpr bool is_one_thread = false;
+
   template <class F>
   __device__ void for_each(uint32_t count, const F& f) const {
     for (uint32_t i = threadIdx.x; i < count; i += group_size) f(i);

@@ -31,9 +31,9 @@ int check_scene(const CheckOptions& options) {
   const BuiltScene built = build_scene(scene);
   fmt::print("{}: valid\n", scene.name);
   if (!scene.description.empty()) fmt::print("  {}\n", scene.description);
-  fmt::print("  fluids {}, shapes {}, bodies {}, joints {}, volumes {}, sinks {}, probes {}\n",
+  fmt::print("  fluids {}, shapes {}, bodies {}, joints {}, volumes {}, emitters {}, sinks {}, probes {}\n",
              scene.fluids.size(), scene.shapes.size(), built.bodies.size(), scene.joints.size(),
-             scene.volumes.size(), scene.sinks.size(), scene.probes.size());
+             scene.volumes.size(), scene.emitters.size(), scene.sinks.size(), scene.probes.size());
   if (!scene.cloths.empty() || !scene.ropes.empty()) print_cloth(scene, built);
   fmt::print("  particles {}, {:.4g} m apart, support radius {:.4g} m\n", built.world.particle_count(),
              scene.world.particle_spacing, built.world.support_radius());

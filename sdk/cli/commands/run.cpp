@@ -9,13 +9,13 @@
 #include <numbers>
 
 #include "sdk/cli/frame_exporter.h"
+#include "sdk/cli/frame_renderer.h"
 #include "sdk/cli/interrupt.h"
 #include "sdk/cli/program.h"
 #include "sdk/cli/progress.h"
 #include "sdk/cli/run_recorder.h"
 #include "sdk/cli/run_summary.h"
 #include "sdk/cli/scene_lookup.h"
-#include "sdk/io/preview.h"
 
 namespace meniscus::cli {
 namespace {
@@ -44,14 +44,16 @@ class Run {
  public:
   explicit Run(const RunOptions& options)
       : scene_(scene_of(options)),
+        picture_(picture_scene(scene_, options.picture)),
+        render_(options.picture.render),
         built_(build_scene(scene_)),
         folder_(made_folder(options, scene_)),
         recorder_(folder_, scene_),
         exporter_(folder_, options.formats, scene_),
         rope_mass_(mass_of_ropes()) {
     if (built_.world.particle_count() == 0 && built_.bodies.empty() && built_.cloths.empty() &&
-        built_.ropes.empty()) {
-      spdlog::warn("the scene has no particles, bodies, cloth or ropes: nothing will happen");
+        built_.ropes.empty() && built_.emitters.empty()) {
+      spdlog::warn("the scene has no particles, emitters, bodies, cloth or ropes: nothing will happen");
     }
   }
 
@@ -59,12 +61,15 @@ class Run {
   void step_through(bool quiet) {
     const Interrupt interrupt;
     Progress progress(scene_.frames, quiet);
-    recorder_.start(built_.world.device(), sample(0, {}), masses());
+    const FrameSample first = sample(0, {});
+    recorder_.start(built_.world.device(), first, masses());
+    start_renderer(first);
     try {
       for (int frame = 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         const FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
         recorder_.add(now);
         exporter_.write(now);
+        if (render_ == "frames") renderer_->write(built_.world, now);
         const bool fluid = now.diagnostics.particles > 0;
         progress.show(frame, now.step.ms,
                       fluid ? std::optional(now.diagnostics.density_error_mean) : std::nullopt);
@@ -79,10 +84,11 @@ class Run {
     end_.state_hash = built_.world.state_hash();
     end_.device_bytes = built_.world.device_bytes();
     nlohmann::ordered_json figures = recorder_.finish(end_);
+    const FrameSample last = sample(0, {});
     io::write_png(folder_ / "preview.png",
-                  io::render_preview(io::frame_of(built_.world), io::preview_of(scene_), states(),
-                                     io::cloth_frame_of(built_.world, built_.cloths, scene_.cloths),
-                                     io::rope_frame_of(built_.world, built_.ropes, scene_.ropes)));
+                  renderer_
+                      ? renderer_->draw(built_.world, last)
+                      : io::render_preview(last.particles, picture_, last.bodies, last.cloth, last.ropes));
     return figures;
   }
 
@@ -90,6 +96,16 @@ class Run {
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  void start_renderer(const FrameSample& first) {
+    if (render_.empty()) return;
+    try {
+      renderer_.emplace(folder_, picture_, built_.world, first);
+    } catch (const Error& error) {
+      if (render_ != "auto") throw;
+      spdlog::warn("{}; the preview comes from the CPU", error.what());
+    }
+  }
+
   FrameSample sample(int frame, const StepReport& step) const {
     const World& world = built_.world;
     FrameSample now{.frame = frame,
@@ -97,6 +113,8 @@ class Run {
                     .diagnostics = world.diagnostics(),
                     .mass = 0,
                     .particles = io::frame_of(world),
+                    .emitted = {},
+                    .taken = {},
                     .probes = {},
                     .bodies = states(),
                     .cloth = io::cloth_frame_of(world, built_.cloths, scene_.cloths),
@@ -109,6 +127,8 @@ class Run {
     for (const FluidId fluid : built_.fluids) {
       now.mass += static_cast<double>(counts.at(fluid.index)) * world.particle_mass(fluid);
     }
+    for (const EmitterId emitter : built_.emitters) now.emitted.push_back(world.emitter_count(emitter).total);
+    for (const SinkId sink : built_.sinks) now.taken.push_back(world.sink_count(sink).total);
     for (const ProbeId probe : built_.probes) now.probes.push_back(world.probe(probe));
     for (const ClothId cloth : built_.cloths) {
       now.cloths.push_back(world.cloth_state(cloth));
@@ -155,10 +175,13 @@ class Run {
   }
 
   Scene scene_;
+  io::PreviewScene picture_;
+  std::string render_;
   BuiltScene built_;  // first of all: a run that cannot start leaves the folder as it was
   std::filesystem::path folder_;
   RunRecorder recorder_;
   FrameExporter exporter_;
+  std::optional<FrameRenderer> renderer_;
   double rope_mass_;
   RunEnd end_;
 };
@@ -171,7 +194,9 @@ int run_scene(const RunOptions& options) {
   run.step_through(options.quiet);
   try {
     const nlohmann::ordered_json figures = run.write_results();
-    if (!options.quiet) fmt::print("{}", run_summary(figures, run.folder(), options.formats));
+    if (!options.quiet)
+      fmt::print("{}",
+                 run_summary(figures, run.folder(), options.formats, options.picture.render == "frames"));
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
     return run_failed;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sdk/cli/picture_options.h"
+
 namespace meniscus::cli {
 
 struct RunOptions {
@@ -15,6 +17,7 @@ struct RunOptions {
   std::optional<int> frames, threads;
   std::string out;  ///< empty: out/<scene name>
   std::vector<std::string> formats;
+  PictureOptions picture;
   bool quiet = false;
 };
 

@@ -103,14 +103,15 @@ struct BodyMass {
   Quat principal_axes{0, 0, 0, 1};  ///< from them to the geometry's frame
 };
 
-/// A particle that touches a body or a fixed shape, in the last substep.
+/// A particle that touches a body, a fixed shape or cloth, in the last substep.
 struct ParticleContact {
   ParticleId particle = 0;
   BodyId body{};          ///< valid where a body is touched
   ShapeId shape{};        ///< valid where a fixed shape is
+  ClothId cloth{};        ///< valid where a piece of cloth is
   Vec3 point{0, 0, 0};    ///< m, on the surface
-  Vec3 normal{0, 0, 0};   ///< unit, out of the solid
-  Vec3 impulse{0, 0, 0};  ///< N·s, on the particle; the solid gets the opposite, where the particle is
+  Vec3 normal{0, 0, 0};   ///< unit, out of the solid, or off the cloth
+  Vec3 impulse{0, 0, 0};  ///< N·s, on the particle; what it touches gets the opposite
 };
 
 /// Two solids that touch, or are about to; the first is always a body.

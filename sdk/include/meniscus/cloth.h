@@ -36,7 +36,10 @@ struct FabricDef {
   float stretch_damping = 0.002f;  ///< s, Rayleigh's: viscous forces are so many times the elastic ones' rate
   float bending_damping = 0.01f;   ///< s, likewise
   float thickness = 0.0f;          ///< m: two layers keep this distance; 0: a quarter of the mean edge
-  float friction = 0.3f;     ///< Coulomb's μ between cloth and cloth; on solids SurfaceDef::friction counts
+  float friction = 0.3f;  ///< Coulomb's μ between cloth and cloth; on solids SurfaceDef::friction counts
+  float fluid_friction = 0.0f;  ///< Coulomb's μ between fluid and cloth
+  float fluid_adhesion =
+      0.0f;                  ///< Pa: the pull on a wet layer of particles, per area, as SurfaceDef::adhesion
   float drag = 1.0f;         ///< C_D of a flat plate in the world's wind; 0: no drag
   float lift = 0.5f;         ///< C_L of a flat plate
   float tear_strain = 0.0f;  ///< edges stretched further than this tear; 0: never

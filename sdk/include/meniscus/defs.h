@@ -91,6 +91,26 @@ struct FluidDef {
   Vec3 color{0.10f, 0.35f, 0.75f};  ///< linear RGB, 0 to 1
 };
 
+/// Sand, gravel and the like: balls of one spacing in diameter, which touch one another with friction and do
+/// not turn (Macklin et al. 2014, Unified Particle Physics, section 6). They meet solids with the surface's
+/// own friction, and do not bounce off one another. No substep should be so long that grains move further in
+/// it than half a spacing, or they get into one another (see WorldDef::cfl_number); 10 iterations are right,
+/// fewer than 5 make a soft pile.
+///
+/// In a fluid a grain displaces a spacing cubed. So it floats where it is lighter than the fluid, and the
+/// fluid's viscosity and `xsph` drag it along. Densities of a fifth to ten times the fluid's are tested.
+struct GranularDef {
+  std::string name = "sand";
+  float density = 1600.0f;  ///< kg/m³, bulk: a grain's mass over a spacing cubed
+  /// Tangent of the slope at which a column that collapses comes to rest, ≥ 0; below 0.18, that of grains
+  /// without friction. A heap that is poured is up to 5° steeper. The contacts' own μ is less, (friction −
+  /// 0.18)/1.4, as balls that do not turn interlock; of two materials that touch, the geometric mean of these
+  /// counts.
+  float friction = 0.6f;
+  CollisionFilter filter{};         ///< which solids it collides with
+  Vec3 color{0.53f, 0.36f, 0.17f};  ///< linear RGB, 0 to 1
+};
+
 // ---- solids that do not move ----
 
 /// Everything with normal · x < offset is solid.
@@ -211,9 +231,10 @@ struct MeshRegion {
 
 using Region = std::variant<BoxRegion, BallRegion, MeshRegion>;
 
-/// A region filled with particles on a cubic lattice. Points nearer than half a spacing to a solid that the
-/// fluid collides with, and points nearer to a particle that is already there than 0.7 spacings, are left
-/// out.
+/// A region filled with particles on a cubic lattice. Points nearer than half a spacing to a solid or cloth
+/// that the fluid collides with, and points nearer to a particle that is already there than 0.7 spacings, are
+/// left out. Grains are put in disorder: further than a spacing from solids, each is moved by up to a quarter
+/// of one along each axis.
 struct FluidVolumeDef {
   FluidId fluid;
   Region region = BoxRegion{};
@@ -221,15 +242,7 @@ struct FluidVolumeDef {
   Vec3 velocity{0, 0, 0};  ///< m/s
 };
 
-// ---- sinks and probes ----
-
-/// Removes every particle inside the box at the end of a step; or, with `outside`, every particle outside of
-/// it.
-struct SinkDef {
-  std::string name;
-  Aabb box{{-1, -1, -1}, {1, 1, 1}};
-  bool outside = false;
-};
+// ---- probes ----
 
 enum class ProbeKind {
   point_pressure,  ///< Pa, at a point in the fluid

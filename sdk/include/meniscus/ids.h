@@ -16,13 +16,14 @@ struct Id {
   friend bool operator==(Id, Id) = default;
 };
 
-using FluidId = Id<struct FluidTag>;
+using FluidId = Id<struct FluidTag>;  ///< what particles are made of: a fluid, or a granular material
 using ShapeId = Id<struct ShapeTag>;
 using BodyId = Id<struct BodyTag>;
 using JointId = Id<struct JointTag>;
 using ClothId = Id<struct ClothTag>;
 using RopeId = Id<struct RopeTag>;
 using AttachmentId = Id<struct AttachmentTag>;
+using EmitterId = Id<struct EmitterTag>;
 using SinkId = Id<struct SinkTag>;
 using ProbeId = Id<struct ProbeTag>;
 

@@ -6,6 +6,7 @@
 #include <meniscus/cloth.h>
 #include <meniscus/defs.h>
 #include <meniscus/error.h>
+#include <meniscus/flow.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 #include <meniscus/types.h>

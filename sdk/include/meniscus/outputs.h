@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <meniscus/types.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +11,13 @@
 #include <vector>
 
 namespace meniscus {
+
+/// A particle as a piece of its fluid's surface (Yu & Turk 2013): see World::ellipsoids.
+struct Ellipsoid {
+  Vec3 centre{0, 0, 0};       ///< m
+  Vec3 radii{0, 0, 0};        ///< m, along x, y and z of its frame
+  Quat rotation{0, 0, 0, 1};  ///< from its frame to the world's
+};
 
 /// The stages of a step, in their order; see stage_name.
 enum class Stage { predict, neighbours, contacts, solve, velocity, exchange, finish };
@@ -25,7 +34,8 @@ struct StepReport {
   double rigid_ms = 0;                         ///< of ms, what Bullet took on the host
   uint32_t contacts = 0;                       ///< in the last substep
   uint32_t max_neighbours = 0;                 ///< the fullest neighbour list that a particle ever needed
-  uint32_t removed = 0;                        ///< particles that a sink took
+  uint32_t removed = 0;                        ///< particles that sinks took
+  uint32_t emitted = 0;                        ///< particles that emitters made
   float max_speed = 0;                         ///< m/s
 };
 

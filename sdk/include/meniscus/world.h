@@ -6,6 +6,7 @@
 #include <meniscus/cloth.h>
 #include <meniscus/defs.h>
 #include <meniscus/error.h>
+#include <meniscus/flow.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 
@@ -34,16 +35,22 @@ class World {
   float particle_mass(FluidId id) const;  ///< kg
 
   FluidId create_fluid(const FluidDef& def);
+  FluidId create_granular(const GranularDef& def);
   ShapeId create_shape(const ShapeDef& def);
   void destroy_shape(ShapeId id);
+  /// Throws what loading a mesh throws.
+  EmitterId create_emitter(const EmitterDef& def);
+  void destroy_emitter(EmitterId id);
+  FlowCount emitter_count(EmitterId id) const;
   SinkId create_sink(const SinkDef& def);
   void destroy_sink(SinkId id);
+  FlowCount sink_count(SinkId id) const;
   ProbeId create_probe(const ProbeDef& def);
   void destroy_probe(ProbeId id);
   /// Throws Error(mesh) where the mesh of a dynamic body is not a closed, simple surface, and names the face;
   /// and where a body is a needle, with a moment of inertia below a millionth of the largest.
   BodyId create_body(const BodyDef& def);
-  void destroy_body(BodyId id);  ///< and its joints
+  void destroy_body(BodyId id);  ///< and its joints, attachments, emitters and sinks
   JointId create_joint(const JointDef& def);
   void destroy_joint(JointId id);
 
@@ -67,7 +74,8 @@ class World {
   /// Lets the particles find their rest density with no motion kept: takes the energy out of overlaps.
   void relax(int iterations = 50);
 
-  /// Advances by dt seconds. On Error(non_finite) the state is the one before the call.
+  /// Advances by dt seconds; then sinks take particles, and emitters make some. On Error(non_finite) the
+  /// state is the one before the call.
   StepReport step(float dt);
   double time() const;  ///< s
 
@@ -122,6 +130,9 @@ class World {
   std::span<const uint32_t> fluids() const;       ///< FluidId::index
   std::span<const float> density_errors() const;  ///< C = ρ/ρ₀ − 1, measured afresh
   std::span<const float> pressures() const;       ///< Pa, of the last substep
+  /// The surface of the fluid is around them: flat along it, a ball where a particle is on its own or inside.
+  /// Their centres are smoothed.
+  std::span<const Ellipsoid> ellipsoids() const;
 
   Diagnostics diagnostics() const;
   double probe(ProbeId id) const;  ///< unit by its kind; of the last step

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Nearest places of vertices, triangles and edges, and the time of their meeting, against doubles.
-#include "cloth/self_contacts_geometry.h"
+#include "pbd/feature_pair.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace meniscus::cloth {
+namespace meniscus::pbd {
 namespace {
 
 using Double3 = std::array<double, 3>;
@@ -180,4 +180,4 @@ INSTANTIATE_TEST_SUITE_P(Of, SelfContactGeometry, testing::Bool(),
                          [](const auto& test) { return test.param ? "edges" : "vertex_and_triangle"; });
 
 }  // namespace
-}  // namespace meniscus::cloth
+}  // namespace meniscus::pbd

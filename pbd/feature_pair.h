@@ -9,7 +9,7 @@
 
 #include "pbd/math/vec.h"
 
-namespace meniscus::cloth {
+namespace meniscus::pbd {
 
 /// Four vertices: a vertex and the three of a triangle, or two edges of two.
 struct FeaturePair {
@@ -153,4 +153,4 @@ MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float distance, 
   return t;  // they have grazed: it stops here
 }
 
-}  // namespace meniscus::cloth
+}  // namespace meniscus::pbd

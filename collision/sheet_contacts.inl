@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "collision/sheet_borders.h"
+#include "collision/sheet_contacts.h"
+#include "collision/sheet_find.h"
+#include "collision/sheet_guard.h"
+#include "collision/sheet_parting.h"
+#include "pbd/surface_tree.inl"
+
+namespace meniscus::collision {
+
+namespace sheet_kernels {
+
+/// How far boxes go beyond the ways of their triangles, m.
+struct Margin {
+  float by;
+
+  MENISCUS_HD float operator()(uint32_t, uint32_t, Vec3, Vec3) const { return by; }
+};
+
+/// Keeps the most that any substep of a step found.
+struct NoteNear {
+  View<const uint32_t> counter;
+  View<uint32_t> found;
+
+  MENISCUS_HD void operator()(uint32_t) const {
+    if (found[0] < counter[0]) found[0] = counter[0];
+  }
+};
+
+}  // namespace sheet_kernels
+
+template <class D>
+void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
+  using namespace sheet_kernels;
+  if (!any()) return;
+  const pbd::ParticleView& p = substep.particles;
+  tree_.refit(p, Margin{0});
+  counter_.fill(0);
+  entry_count_.fill(0);
+  device_.parallel_for(
+      "sheets/near", p.sorted,
+      ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
+  device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
+  device_.parallel_for("sheets/touches", near_count(),
+                       FindTouches{surface(substep), near(), filters_, p.phase, counts, entry_count_.view(),
+                                   support_radius_});
+  device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
+  device_.parallel_for("sheets/entries", most_touches * near_count(),
+                       EnterTouches{near(), entry_start_.view(), entry_count_.view(), entries_.view()});
+}
+
+template <class D>
+void SheetContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
+  using namespace sheet_kernels;
+  if (!any()) return;
+  device_.parallel_for(
+      "sheets/contacts", near_count(),
+      WriteContacts{surface(substep), near(), substep.particles.velocity, writer, substep.dt});
+}
+
+template <class D>
+void SheetContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  if (!any()) return;
+  device_.parallel_for(
+      "sheets/part", near_count(),
+      PartNeighbours{surface(substep), near(), substep.neighbours, substep.sentinel, support_radius_});
+}
+
+template <class D>
+void SheetContacts<D>::hold_back(const pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  tree_.refit(p, Margin{2e-3f * largest_radius_});
+  device_.parallel_for("sheets/hold back", p.sorted,
+                       HoldBack{surface(substep), filters_, p.phase, p.position, {found_.view().data + 1, 1}});
+}
+
+template <class D>
+sheet_kernels::Surface SheetContacts<D>::surface(const pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), borders_.view()};
+}
+
+template <class D>
+sheet_kernels::NearList SheetContacts<D>::near() {
+  return {near_.view(), touches_.view(), counter_.view()};
+}
+
+template <class D>
+uint32_t SheetContacts<D>::near_count() {
+  const auto room = static_cast<uint32_t>(near_.size());
+  return device_.kind() == pbd::DeviceKind::cpu ? std::min(counter_.view()[0], room) : room;
+}
+
+template <class D>
+void SheetContacts<D>::start_step() {
+  std::fill(found_.host().begin(), found_.host().end(), 0u);
+}
+
+template <class D>
+void SheetContacts<D>::reserve_near(uint32_t capacity) {
+  using namespace sheet_kernels;
+  touches_.resize_discard(most_touches * size_t{capacity});
+  entries_.resize_discard(SheetTouch::most_vertices * most_touches * size_t{capacity});
+  near_.resize_discard(capacity);  // last: its length is what counts
+}
+
+template <class D>
+void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles,
+                                   std::span<const Vec3> positions, std::span<const SheetPart> parts) {
+  device_.wait();
+  tree_.set_surface(triangles, positions);
+  vertices_ = static_cast<uint32_t>(positions.size());
+  parts_.resize_discard(parts.size());
+  parts_.write(parts);
+  largest_radius_ = 0;
+  for (const SheetPart& part : parts) largest_radius_ = std::max(largest_radius_, part.radius);
+  const std::vector<uint32_t> borders = border_bits(tree_.triangles());
+  borders_.resize_discard(borders.size());
+  borders_.write(borders);
+  counter_.resize_discard(1);
+  found_.resize_discard(2);
+  start_step();
+  entry_count_.resize_discard(vertices_);
+  entry_start_.resize_discard(vertices_ + 1);
+  if (near_.size() == 0 && !triangles.empty()) reserve_near(4096);
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "collision/sheet_contacts.inl"
+#include "collision/sheet_set.h"
+
+namespace meniscus::collision {
+
+template <class D>
+void SheetSet<D>::start(pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  if (!contacts_.any()) return;
+  const pbd::ParticleView& p = substep.particles;
+  const pbd::View<pbd::Vec4> position = p.position.from(p.sorted);
+  substep.reloaded = reloaded_.view();
+  device_.parallel_for("sheets/start", contacts_.near_count(), StartTouches{at_touches(substep)});
+  device_.parallel_for("sheets/share", contacts_.vertices(),
+                       ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted),
+                                     p.previous.from(p.sorted), change_.view(), was_loaded_.view(),
+                                     reloaded_.view()});
+  device_.parallel_for("sheets/give momentum", contacts_.near_count(),
+                       GiveMomentum{at_touches(substep), change_.view()});
+  device_.parallel_for("sheets/give", most_touches * contacts_.near_count(),
+                       NoteGive{contacts_.near(), loaded_vertices(), position, substep.contacts.contacts});
+}
+
+template <class D>
+void SheetSet<D>::push_back(pbd::Substep<D>& substep, bool last) {
+  using namespace sheet_kernels;
+  if (!contacts_.any()) return;
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("sheets/follow", contacts_.near_count(),
+                       FollowSheets{at_touches(substep), true});
+  device_.parallel_for("sheets/push back", contacts_.vertices(),
+                       PushVertices{loaded_vertices(), p.position.from(p.sorted), p.moved.from(p.sorted)});
+  if (last) carry(substep);
+}
+
+template <class D>
+void SheetSet<D>::carry(pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  if (!contacts_.any()) return;
+  device_.parallel_for("sheets/carry", contacts_.near_count(),
+                       FollowSheets{at_touches(substep), false});
+}
+
+template <class D>
+void SheetSet<D>::settle(pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  if (!contacts_.any()) return;
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("sheets/unload", contacts_.vertices(),
+                       Unload{loaded_vertices(), p.position.from(p.sorted), loaded_.view()});
+  contacts_.hold_back(substep);
+}
+
+template <class D>
+void SheetSet<D>::end(pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  if (!contacts_.any()) return;
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("sheets/weigh velocities", contacts_.near_count(),
+                       WeighVelocities{at_touches(substep)});
+  device_.parallel_for("sheets/load velocities", contacts_.vertices(),
+                       LoadVelocities{loaded_vertices(), loaded_.view(), p.velocity.from(p.sorted),
+                                      change_.view(), 1 / substep.dt});
+  device_.parallel_for("sheets/carry velocities", contacts_.near_count(),
+                       CarryVelocities{at_touches(substep), change_.view(), p.velocity,
+                                       particles_.phase.current.view()});
+}
+
+template <class D>
+void SheetSet<D>::save() {
+  device_.copy(saved_.view().data, was_loaded_.view().data, was_loaded_.size() * sizeof(uint32_t));
+}
+
+template <class D>
+void SheetSet<D>::restore() {
+  device_.copy(was_loaded_.view().data, saved_.view().data, saved_.size() * sizeof(uint32_t));
+}
+
+template <class D>
+sheet_kernels::AtTouches SheetSet<D>::at_touches(const pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  return {contacts_.near(), substep.contacts.contacts, p.position, p.moved, p.previous, p.phase, p.sorted};
+}
+
+template <class D>
+sheet_kernels::LoadedVertices SheetSet<D>::loaded_vertices() {
+  return {contacts_.entry_start(), contacts_.entries(), contacts_.near().touches, own_weight_.view(), unit_};
+}
+
+template <class D>
+void SheetSet<D>::set_vertices(std::span<const float> inverse_masses, float heaviest) {
+  own_weight_.resize_discard(inverse_masses.size());
+  own_weight_.write(inverse_masses);
+  was_loaded_.resize_discard(inverse_masses.size());
+  was_loaded_.fill(0);
+  saved_.resize_discard(inverse_masses.size());
+  reloaded_.resize_discard(inverse_masses.size());
+  loaded_.resize_discard(inverse_masses.size());
+  change_.resize_discard(inverse_masses.size());
+  // A vertex can carry some 2¹³ times the heaviest, or take as many metres times it.
+  unit_ = std::ldexp(1.0f, std::ilogb(heaviest) - 49);
+}
+
+}  // namespace meniscus::collision

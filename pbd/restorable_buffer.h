@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "pbd/particles.h"
+
+namespace meniscus::pbd {
+
+/// Two arrays of which one is current, and a third that keeps the current one from save() on. Nothing is
+/// copied: the first flip after save() leaves the values where they are, and takes other memory from then on.
+template <class T>
+class RestorableBuffer {
+ public:
+  RestorableBuffer(Device& device, const char* what) : pair_(device, what), saved_(device, what) {}
+
+  View<T> current() { return pair_.current.view(); }
+  View<T> next() { return pair_.next.view(); }
+
+  void reserve(size_t size, size_t kept) {
+    pair_.current.resize_keep(size, kept);
+    pair_.next.resize_discard(size);
+    saved_.resize_discard(size);
+  }
+  void flip() {
+    pair_.flip();
+    if (saving_) pair_.next.swap(saved_);
+    saving_ = false;
+  }
+  void save() { saving_ = true; }
+  void restore() {
+    if (!saving_) pair_.current.swap(saved_);
+    saving_ = false;
+  }
+
+ private:
+  DoubleBuffer<T> pair_;
+  Buffer<T> saved_;
+  bool saving_ = false;
+};
+
+}  // namespace meniscus::pbd

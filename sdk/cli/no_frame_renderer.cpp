@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// In place of frame_renderer.cpp where the renderer is not built.
+#include "sdk/cli/frame_renderer.h"
+
+namespace meniscus::cli {
+namespace {
+
+[[noreturn]] void fail() {
+  throw Error(ErrorCode::device,
+              "cannot render: this program was built without the renderer, as " MENISCUS_NO_RENDER_REASON);
+}
+
+}  // namespace
+
+struct FrameRenderer::Parts {};
+
+FrameRenderer::FrameRenderer(std::filesystem::path, const io::PreviewScene&, const World&,
+                             const FrameSample&) {
+  fail();
+}
+FrameRenderer::~FrameRenderer() = default;
+io::Image FrameRenderer::draw(const World&, const FrameSample&) {
+  fail();
+}
+void FrameRenderer::write(const World&, const FrameSample&) {
+  fail();
+}
+
+}  // namespace meniscus::cli

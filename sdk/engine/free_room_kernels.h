@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collision/opening.h"
+#include "pbd/device/atomics.h"
+#include "sdk/engine/engine_kernels.h"
+#include "sdk/engine/point_table.h"
+
+namespace meniscus::free_room_kernels {
+
+using pbd::View;
+
+/// Over particles, vertices among them: marks the arrivals that one is too near to. One that has waited
+/// drives it away, as if it had come out of the opening itself; the first of them, if there are several.
+struct BlockByParticles {
+  View<const pbd::Vec4> position;
+  View<pbd::Vec4> velocity;
+  View<pbd::Phase> phase;
+  uint32_t sorted;
+  View<const Arrival> arrivals;
+  PointTableView table;
+  Aabb box;  // that holds all arrivals and what may be near them
+  View<uint32_t> blocked;
+  float apart;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 p = position[i].xyz();
+    if (!inside(box, p)) return;
+    uint32_t driver = pbd::no_index;
+    table.for_each_near(p, [&](uint32_t k) {
+      if (length(arrivals[k].to - p) >= apart) return;
+      pbd::atomic_max(blocked[k], 1);
+      if (arrivals[k].waits && k < driver) driver = k;
+    });
+    if (driver == pbd::no_index || i >= sorted) return;
+    velocity[i] = pbd::with_w(arrivals[driver].velocity, 0);
+    if (pbd::held_steps(phase[i]) == 0) phase[i] += pbd::held_for(1);
+  }
+};
+
+/// Over arrivals: goes the way from the opening in steps so short that no solid is missed.
+struct BlockBySolids {
+  collision::ShapeSet set;
+  View<const Arrival> arrivals;
+  View<uint32_t> blocked;
+  float clearance, reach, radius;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Arrival& a = arrivals[i];
+    const Vec3 way = a.to - a.from;
+    const float whole = length(way);
+    for (float along = 0;;) {
+      const float nearest = distance(a.from + (whole > 0 ? along / whole : 0) * way, a.filter);
+      if (nearest < clearance) return pbd::atomic_max(blocked[i], 1);
+      if (along >= whole) return;
+      along = pbd::min(whole, along + pbd::max(nearest - clearance, clearance));
+    }
+  }
+
+  MENISCUS_HD float distance(Vec3 p, const CollisionFilter& filter) const {
+    return engine_kernels::nearest_solid(set, filter, p, reach, [&](const collision::Shape& shape) {
+      return shape.kind == collision::ShapeKind::plane && left_through_opening(set, shape, {p, p}, radius);
+    });
+  }
+};
+
+}  // namespace meniscus::free_room_kernels

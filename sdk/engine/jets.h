@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "pbd/particles.h"
+#include "pbd/substep.h"
+
+namespace meniscus {
+
+namespace jet_kernels {
+
+using pbd::View;
+
+/// Takes back what constraints did to the velocity.
+struct Hold {
+  View<const pbd::Phase> phase;
+  View<const pbd::Vec4> moved;
+  View<pbd::Vec4> velocity;
+  float inverse_dt;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (pbd::held_steps(phase[i]) == 0) return;
+    velocity[i] = pbd::with_w(velocity[i].xyz() - inverse_dt * moved[i].xyz(), 0);
+  }
+};
+
+struct Age {
+  View<pbd::Phase> phase;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (pbd::held_steps(phase[i]) > 0) phase[i] -= pbd::held_for(1);
+  }
+};
+
+}  // namespace jet_kernels
+
+/// Keeps the velocity of what has just left an opening until fluid has come up behind it. Left to itself the
+/// newest layer, with nothing behind it, would be pushed back by the rest, the next be put into what has
+/// come back, and so on: a jet of incompressible fluid would shake itself to pieces.
+template <class D>
+class Jets final : public pbd::VelocityPass<D> {
+ public:
+  explicit Jets(D& device) : device_(device) {}
+
+  void apply(pbd::Substep<D>& substep, pbd::Particles& particles) override {
+    if (steps_left_ == 0) return;
+    const pbd::ParticleView& p = substep.particles;
+    device_.parallel_for("jets/hold", particles.sorted(),
+                         jet_kernels::Hold{p.phase, p.moved, p.velocity, 1 / substep.dt});
+  }
+
+  /// Some particle is held for so many steps.
+  void hold_for(uint32_t steps) { steps_left_ = std::max(steps_left_, steps); }
+
+  /// After a step that was done.
+  void age(pbd::Particles& particles) {
+    if (steps_left_ == 0) return;
+    device_.parallel_for("jets/age", particles.sorted(), jet_kernels::Age{particles.phase.current.view()});
+    --steps_left_;
+  }
+
+ private:
+  D& device_;
+  uint32_t steps_left_ = 0;  // for which any particle is held
+};
+
+}  // namespace meniscus

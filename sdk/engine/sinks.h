@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "pbd/device/atomics.h"
+#include "pbd/removal.h"
+#include "sdk/engine/engine.h"
+
+namespace meniscus {
+
+namespace sink_kernels {
+
+using pbd::View;
+
+MENISCUS_HD inline bool takes(const Sink& sink, Vec3 p) {
+  const Vec3 q = to_local(sink.pose, p);
+  bool holds = false;
+  switch (sink.kind) {
+    case Sink::Kind::box:
+      holds = inside(sink.box, q);
+      break;
+    case Sink::Kind::ball:
+      holds = dot(q, q) <= sink.size * sink.size;
+      break;
+    case Sink::Kind::half_space:
+      holds = dot(sink.normal, q) < sink.size;
+      break;
+  }
+  return holds != sink.outside;
+}
+
+/// The first sink that takes a particle at p, or the number of sinks.
+MENISCUS_HD inline uint32_t taker(View<const Sink> sinks, Vec3 p) {
+  uint32_t k = 0;
+  while (k < sinks.count && !takes(sinks[k], p)) ++k;
+  return k;
+}
+
+struct Mark {
+  View<const pbd::Vec4> position;
+  View<const Sink> sinks;
+  View<uint32_t> keep;
+  uint32_t sorted;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    keep[i] = i >= sorted || taker(sinks, position[i].xyz()) == sinks.count;
+  }
+};
+
+struct Count {
+  View<const pbd::Vec4> position;
+  View<const Sink> sinks;
+  View<const uint32_t> keep;
+  View<uint32_t> taken;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (keep[i] == 0) pbd::atomic_add(taken[taker(sinks, position[i].xyz())], 1);
+  }
+};
+
+}  // namespace sink_kernels
+
+/// Says which particles the sinks take, and counts them.
+template <class D>
+class Sinks {
+ public:
+  explicit Sinks(D& device) : device_(device) {}
+
+  void set(std::span<const Sink> sinks) {
+    sinks_.resize_discard(sinks.size());
+    taken_.resize_discard(sinks.size());
+    sinks_.write(sinks);
+  }
+
+  bool empty() const { return sinks_.size() == 0; }
+
+  /// Fills removal.keep(); returns how many of the fluids' particles stay. Where some go, taken[k] is how
+  /// many sink k takes.
+  uint32_t mark(pbd::Particles& particles, pbd::Removal<D>& removal, std::span<uint32_t> taken) {
+    const View<const pbd::Vec4> position = particles.position.current.view();
+    device_.parallel_for("sinks/mark", particles.count(),
+                         sink_kernels::Mark{position, sinks_.view(), removal.keep(), particles.sorted()});
+    const uint32_t kept = removal.count_kept(particles);
+    if (kept == particles.sorted()) return kept;
+    taken_.fill(0);
+    device_.parallel_for("sinks/count", particles.sorted(),
+                         sink_kernels::Count{position, sinks_.view(), removal.keep(), taken_.view()});
+    taken_.read(taken);
+    return kept;
+  }
+
+ private:
+  template <class T>
+  using View = pbd::View<T>;
+
+  D& device_;
+  pbd::Buffer<Sink> sinks_{device_, "sinks"};
+  pbd::Buffer<uint32_t> taken_{device_, "particles by sink"};
+};
+
+}  // namespace meniscus

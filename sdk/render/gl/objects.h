@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Owners of what OpenGL makes: each deletes its object, and needs the context that made it to be current.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace meniscus::render {
+
+/// The name of one OpenGL object.
+template <void (*destroy)(GLuint)>
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(GLuint name) : name_(name) {}
+  Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  ~Handle() {
+    if (name_) destroy(name_);
+  }
+
+  operator GLuint() const { return name_; }
+
+ private:
+  GLuint name_ = 0;
+};
+
+void delete_buffer(GLuint name);
+void delete_texture(GLuint name);
+void delete_framebuffer(GLuint name);
+void delete_vertex_array(GLuint name);
+void delete_program(GLuint name);
+
+using BufferHandle = Handle<delete_buffer>;
+using TextureHandle = Handle<delete_texture>;
+using FramebufferHandle = Handle<delete_framebuffer>;
+using VertexArrayHandle = Handle<delete_vertex_array>;
+using ProgramHandle = Handle<delete_program>;
+
+/// An array in the memory of the GPU, which is written anew as a whole.
+class DataBuffer {
+ public:
+  DataBuffer();
+
+  template <class T>
+  void write(std::span<const T> values) {
+    write_bytes(values.data(), values.size_bytes());
+  }
+  GLuint name() const { return handle_; }
+
+ private:
+  void write_bytes(const void* data, std::size_t bytes);
+
+  BufferHandle handle_;
+};
+
+/// A flat picture of one format, without mipmaps, whose edges go on outwards.
+class Texture {
+ public:
+  Texture(GLenum format, int width, int height, GLenum filter = GL_NEAREST);
+
+  GLuint name() const { return handle_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  void bind(GLuint unit) const { glBindTextureUnit(unit, handle_); }
+  /// Depth textures: sampling compares, and gives the share that is nearer.
+  void compare_depths();
+
+ private:
+  TextureHandle handle_;
+  int width_, height_;
+};
+
+/// What a pass draws into: colours, a depth, or both; all of one size, and longer-lived than this.
+class Target {
+ public:
+  Target(std::initializer_list<const Texture*> colors, const Texture* depth);
+
+  /// Makes it what is drawn into, over all of it.
+  void use() const;
+  void clear_color(int index, float r, float g, float b, float a) const;
+  void clear_depth() const;
+  GLuint name() const { return handle_; }
+
+ private:
+  FramebufferHandle handle_;
+  int width_ = 0, height_ = 0;
+};
+
+/// For shaders that make their own vertices.
+VertexArrayHandle make_vertex_array();
+
+}  // namespace meniscus::render

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Solids, cloth and ropes as triangles with colours.
+#pragma once
+
+#include <vector>
+
+#include "sdk/io/cloth_frame.h"
+#include "sdk/render/gl/objects.h"
+#include "sdk/render/uniforms.h"
+
+namespace meniscus::render {
+
+/// How a surface looks, beside its colour; what solid.frag.glsl reads from the colour's last component.
+enum class Look { glossy, cloth, tiles };
+
+struct Vertex {
+  Vec3 position, normal;
+  Float4 color;  ///< linear RGB, and the look
+};
+
+/// Three vertices a triangle.
+using Triangles = std::vector<Vertex>;
+
+/// The surface of a solid in its own frame. A container is its floors alone, those of its faces that turn up
+/// when placed by `pose`. May throw what solid_triangles throws.
+Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec3 color);
+/// The other walls of a container, seen from inside; of other geometry none.
+Triangles glass_walls(const Geometry& geometry, const Pose& pose, Vec3 up);
+/// Its edges and those of its openings, as bars of this radius, m.
+Triangles container_edges(const Geometry& geometry, float radius);
+
+Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors);
+Triangles rope_surface(const io::RopeFrame& frame, const std::vector<Vec3>& colors);
+
+/// Triangles in the memory of the GPU.
+class Mesh {
+ public:
+  Mesh();
+  void set(const Triangles& triangles);
+  void draw() const;
+  bool empty() const { return count_ == 0; }
+
+ private:
+  DataBuffer vertices_;
+  VertexArrayHandle array_;
+  GLsizei count_ = 0;
+};
+
+}  // namespace meniscus::render

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sdk/render/gl/objects.h"
+
+namespace meniscus::render {
+
+/// Runs a fragment shader once a pixel; the vertex shader is screen.vert.glsl.
+class Screen {
+ public:
+  void draw() const {
+    glBindVertexArray(array_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+ private:
+  VertexArrayHandle array_ = make_vertex_array();
+};
+
+}  // namespace meniscus::render

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "sdk/io/preview.h"
+#include "sdk/render/gl/program.h"
+#include "sdk/render/mesh.h"
+#include "sdk/render/stage.h"
+
+namespace meniscus::render {
+
+/// Shapes, bodies, cloth and ropes. Of containers floors are solid, the walls seen from inside are glass, and
+/// edges are bars.
+class Solids {
+ public:
+  /// May throw what solid_triangles throws.
+  explicit Solids(const io::PreviewScene& scene);
+
+  /// What stands still, and bodies where they start.
+  const Bounds& bounds() const { return bounds_; }
+
+  /// How thick the bars are, m.
+  void set_edges(float radius);
+  /// `states` of the bodies, or none, for where they start.
+  void place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes);
+
+  void draw_shadows() const;
+  void draw_opaque() const;
+  void draw_glass() const;
+  void draw_edges() const;
+
+ private:
+  struct Item {
+    Mesh surface, walls, edges;
+    Pose pose;
+  };
+  void add(const Geometry& geometry, const Pose& pose, Vec3 color);
+  void draw(const Program& program, Mesh Item::*mesh) const;
+
+  const io::PreviewScene scene_;
+  Vec3 up_;
+  Bounds bounds_;
+  std::vector<Item> items_;  // shapes, then bodies
+  Mesh cloth_, ropes_;
+  Program shadow_{"shadow.vert.glsl", "nothing.frag.glsl"};
+  Program solid_{"solid.vert.glsl", "solid.frag.glsl"};
+  Program glass_{"solid.vert.glsl", "glass.frag.glsl"};
+};
+
+}  // namespace meniscus::render

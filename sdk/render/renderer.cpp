@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/render/renderer.h"
+
+#include <algorithm>
+
+#include "sdk/render/passes/fluid_thickness.h"
+#include "sdk/render/passes/solids.h"
+
+namespace meniscus::render {
+namespace {
+
+constexpr int shadow_size = 2048;
+
+const io::PreviewScene& checked(const io::PreviewScene& scene) {
+  const auto check = [](const char* name, int value) {
+    if (value >= 1 && value <= 16384) return;
+    throw Error(ErrorCode::invalid_argument,
+                std::string(name) + " is " + std::to_string(value) + ", but a picture has 1 to 16384 pixels");
+  };
+  check("width", scene.width);
+  check("height", scene.height);
+  return scene;
+}
+
+Bounds bounds_of(const Solids& solids, const Moment& moment) {
+  Bounds bounds = solids.bounds();
+  for (const Ellipsoid& e : moment.ellipsoids) {
+    if (is_finite(e.centre)) bounds.add(e.centre);
+  }
+  for (const std::vector<Vec3>* points : {&moment.cloth.vertices, &moment.ropes.vertices}) {
+    for (const Vec3 p : *points) {
+      if (is_finite(p)) bounds.add(p);
+    }
+  }
+  return bounds;
+}
+
+/// Rows from the top, where OpenGL has them from the bottom.
+template <class T>
+void turn_over(std::vector<T>& pixels, int row, int rows) {
+  for (int y = 0; y < rows / 2; ++y) {
+    const auto top = pixels.begin() + std::ptrdiff_t{y} * row;
+    std::swap_ranges(top, top + row, pixels.begin() + std::ptrdiff_t{rows - 1 - y} * row);
+  }
+}
+
+void bind_uniforms(GLuint binding, const DataBuffer& buffer) {
+  glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.name());
+}
+
+}  // namespace
+
+/// All that is made once, and the passes of a frame in their order.
+struct Renderer::Parts {
+  Parts(const io::PreviewScene& s, const Moment& first, const RenderSettings& set)
+      : scene(checked(s)), settings(set), solids(s), stage(stage_of(s, bounds_of(solids, first))) {
+    shadow.compare_depths();
+    frame = uniforms_of(stage, scene.width, scene.height);
+    // Three pixels: thinner ones would be dotted.
+    const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
+    solids.set_edges(1.3f * pixel);
+    frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
+    const FluidUniforms fluids = fluid_uniforms_of(stage, scene.fluid_colors);
+    fluid_buffer.write(std::span<const FluidUniforms>(&fluids, 1));
+  }
+
+  void load(const Moment& moment) {
+    if (moment.fluids.size() != moment.ellipsoids.size()) {
+      throw Error(ErrorCode::invalid_argument, "fluids has " + std::to_string(moment.fluids.size()) +
+                                                   " elements, but there are " +
+                                                   std::to_string(moment.ellipsoids.size()) + " ellipsoids");
+    }
+    solids.place(moment.bodies, moment.cloth, moment.ropes);
+    particles.set(moment.ellipsoids, moment.fluids);
+  }
+
+  void bind() const {
+    bind_uniforms(frame_binding, frame_buffer);
+    bind_uniforms(fluids_binding, fluid_buffer);
+    shadow.bind(unit::shadow);
+    thickness.sun().bind(unit::fluid_shadow);
+  }
+
+  void draw_shadows() {
+    to_shadow.use();
+    to_shadow.clear_depth();
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5f, 4);
+    solids.draw_shadows();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_DEPTH_TEST);
+    thickness.draw_for_sun(particles, frame, stage.spacing);
+  }
+
+  void draw_scene() {
+    to_scene.use();
+    to_scene.clear_depth();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    backdrop.use();
+    screen.draw();
+    glDepthFunc(GL_LESS);
+    solids.draw_opaque();
+    solids.draw_glass();
+    glDisable(GL_DEPTH_TEST);
+  }
+
+  void draw_fluid() {
+    const float reach = settings.filter_reach * stage.spacing;
+    const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
+    surface.draw(particles, scene_depth, screen, settings.filter, reach,
+                 settings.filter_threshold * stage.spacing,
+                 reach * frame.viewport[1] / (2 * frame.lens[1] * away));
+    thickness.draw_for_camera(particles, frame, scene_depth, stage.spacing);
+    to_lit.use();
+    scene_color.bind(unit::color);
+    scene_depth.bind(unit::depth);
+    surface.depth().bind(unit::fluid_depth);
+    thickness.camera().bind(unit::thickness);
+    glEnable(GL_DEPTH_TEST);  // for the depths to be written
+    glDepthFunc(GL_ALWAYS);
+    fluid.use();
+    screen.draw();
+    glDepthFunc(GL_LESS);
+    solids.draw_edges();
+    glDisable(GL_DEPTH_TEST);
+  }
+
+  void draw_picture() {
+    to_toned.use();
+    lit.bind(unit::color);
+    tone.use();
+    screen.draw();
+    to_picture.use();
+    toned.bind(unit::color);
+    smooth.use();
+    screen.draw();
+  }
+
+  io::Image read() const {
+    io::Image image{scene.width, scene.height,
+                    std::vector<uint8_t>(std::size_t{3} * scene.width * scene.height)};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(picture.name(), 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(image.rgb.size()),
+                      image.rgb.data());
+    if (const GLenum failure = glGetError()) {
+      throw Error(ErrorCode::device, "OpenGL failed to draw " + std::to_string(scene.width) + " x " +
+                                         std::to_string(scene.height) + " pixels (error " +
+                                         std::to_string(failure) + ")");
+    }
+    turn_over(image.rgb, 3 * scene.width, scene.height);
+    return image;
+  }
+
+  io::PreviewScene scene;
+  RenderSettings settings;
+  Solids solids;
+  Stage stage;
+  FrameUniforms frame;
+  DataBuffer frame_buffer, fluid_buffer;
+  Screen screen;
+  Particles particles;
+
+  Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
+  Texture scene_color{GL_RGBA16F, scene.width, scene.height, GL_LINEAR};
+  Texture scene_depth{GL_DEPTH_COMPONENT32F, scene.width, scene.height};
+  Texture lit{GL_RGBA16F, scene.width, scene.height};
+  Texture lit_depth{GL_DEPTH_COMPONENT32F, scene.width, scene.height};
+  Texture toned{GL_RGBA8, scene.width, scene.height, GL_LINEAR};
+  Texture picture{GL_RGBA8, scene.width, scene.height};
+  Target to_shadow{{}, &shadow};
+  Target to_scene{{&scene_color}, &scene_depth};
+  Target to_lit{{&lit}, &lit_depth};
+  Target to_toned{{&toned}, nullptr};
+  Target to_picture{{&picture}, nullptr};
+  FluidSurface surface{scene.width, scene.height};
+  FluidThickness thickness{scene.width, scene.height};
+  Program backdrop{"screen.vert.glsl", "backdrop.frag.glsl"};
+  Program fluid{"screen.vert.glsl", "fluid.frag.glsl"};
+  Program tone{"screen.vert.glsl", "tone.frag.glsl"};
+  Program smooth{"screen.vert.glsl", "smooth.frag.glsl"};
+};
+
+Renderer::Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings)
+    : parts_(std::make_unique<Parts>(scene, first, settings)) {}
+
+Renderer::~Renderer() = default;
+
+io::Image Renderer::draw(const Moment& moment) {
+  parts_->load(moment);
+  parts_->bind();
+  parts_->draw_shadows();
+  parts_->draw_scene();
+  parts_->draw_fluid();
+  parts_->draw_picture();
+  return parts_->read();
+}
+
+std::vector<std::array<float, 4>> Renderer::fluid_normals() {
+  const Texture normals(GL_RGBA32F, parts_->scene.width, parts_->scene.height);
+  const Target target({&normals}, nullptr);
+  const Program program("screen.vert.glsl", "normal.frag.glsl");
+  parts_->bind();
+  target.use();
+  parts_->surface.depth().bind(unit::fluid_depth);
+  program.use();
+  parts_->screen.draw();
+  std::vector<std::array<float, 4>> pixels(std::size_t{1} * normals.width() * normals.height());
+  glGetTextureImage(normals.name(), 0, GL_RGBA, GL_FLOAT,
+                    static_cast<GLsizei>(pixels.size() * sizeof pixels[0]), pixels.data());
+  turn_over(pixels, normals.width(), normals.height());
+  return pixels;
+}
+
+std::vector<float> Renderer::fluid_thickness() {
+  const Texture& map = parts_->thickness.camera();
+  std::vector<std::array<float, 4>> pixels(std::size_t{1} * map.width() * map.height());
+  glGetTextureImage(map.name(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof pixels[0]),
+                    pixels.data());
+  turn_over(pixels, map.width(), map.height());
+  std::vector<float> metres;
+  for (const auto& p : pixels) metres.push_back(p[3]);
+  return metres;
+}
+
+}  // namespace meniscus::render

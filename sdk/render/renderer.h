@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Pictures of a world by OpenGL 4.5: screen-space fluid (van der Laan, Green & Sainz 2009) over ellipsoids,
+// among solids, cloth and ropes. It draws with whatever context is current, with or without a screen.
+#pragma once
+
+#include <memory>
+
+#include "sdk/io/preview.h"
+#include "sdk/render/passes/fluid_surface.h"
+
+namespace meniscus::render {
+
+struct RenderSettings {
+  SurfaceFilter filter = SurfaceFilter::narrow_range;
+  float filter_reach = 1.3f;      ///< spacings, one standard deviation
+  float filter_threshold = 3.0f;  ///< spacings: surfaces that are further apart in depth are kept apart
+};
+
+/// What is to be seen at one moment; views of arrays that live elsewhere.
+struct Moment {
+  std::span<const Ellipsoid> ellipsoids{};  ///< World::ellipsoids
+  std::span<const uint32_t> fluids{};       ///< World::fluids, one an ellipsoid; beyond 16 they look alike
+  std::span<const BodyState> bodies{};      ///< in the scene's order; none: where they start
+  io::ClothFrame cloth{};
+  io::RopeFrame ropes{};
+};
+
+class Renderer {
+ public:
+  /// The view is chosen once: it holds the scene and what there is of it at `first`, unless the scene has a
+  /// camera. Throws Error(invalid_argument) unless width and height of the scene are 1 to 16384;
+  /// Error(device) where OpenGL fails; and what solid_triangles throws.
+  Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings = {});
+  ~Renderer();
+
+  /// Throws Error(invalid_argument) where there are bodies, but not one a body of the scene, or not one fluid
+  /// an ellipsoid.
+  io::Image draw(const Moment& moment);
+  /// Unit normals of the fluid in view space, and its distance along −z, row by row from the top; 0 where
+  /// none is seen. Of the last moment drawn.
+  std::vector<std::array<float, 4>> fluid_normals();
+  /// Metres of fluid along each line of sight, in as many rows and columns, likewise.
+  std::vector<float> fluid_thickness();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace meniscus::render

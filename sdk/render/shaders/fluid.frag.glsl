@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+// Fluid over what is behind it: what it mirrors (Fresnel, by Schlick), what it lets through, bent and dyed
+// (Beer and Lambert), and what its depths send back.
+#include "frame.glsl"
+#include "sky.glsl"
+#include "shadow.glsl"
+#include "material.glsl"
+#include "ground.glsl"
+#include "surface.glsl"
+layout(binding = 2) uniform sampler2D scene_color;
+layout(binding = 3) uniform sampler2D scene_depth;
+layout(binding = 5) uniform sampler2D thickness_map;  // absorbance; metres
+in vec2 place;
+layout(location = 0) out vec4 color;
+
+const float index = 1.333, f0 = 0.02;
+
+vec3 mirrored(vec3 world, vec3 direction) {
+  float along;
+  if (meets_ground(world, direction, along)) return ground_color(world + along * direction, direction);
+  return sky(direction);
+}
+
+// What is seen through the surface at `here` (view space), after `metres` of fluid.
+vec3 behind(vec3 here, vec3 normal, float metres) {
+  vec3 bent = refract(normalize(here), normal, 1.0 / index);
+  // Even the thinnest drop bends what is behind it.
+  vec3 there = here + min(metres + 2.0 * floor_.z, 0.5 * floor_.y) * bent;
+  vec2 at = 0.5 + 0.5 * there.xy / (-there.z * lens.xy);
+  bool is_seen = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0))) &&
+                 to_distance(texture(scene_depth, at).r) > -here.z;
+  return texture(scene_color, is_seen ? at : place).rgb;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float z = surface_depth(pixel);
+  gl_FragDepth = texelFetch(scene_depth, pixel, 0).r;
+  color = texelFetch(scene_color, pixel, 0);
+  if (z <= 0.0) return;
+  gl_FragDepth = min(gl_FragDepth, to_window_depth(z));
+
+  vec3 here = surface_point(pixel, z), view_normal = surface_normal(pixel, z);
+  vec3 world = (camera_to_world * vec4(here, 1.0)).xyz;
+  vec3 n = mat3(camera_to_world) * view_normal, to_eye = normalize(eye.xyz - world);
+  vec4 depths = texture(thickness_map, place);
+  depths *= max(depths.a, floor_.z) / max(depths.a, 1e-6);  // no surface without a particle behind it
+  vec3 passed = exp(-depths.rgb);
+  vec3 sun = sun_light * sun_on(world, n);
+
+  // What a path of the length that colours are given for lets through: the colour itself.
+  vec3 scatter = exp(-centre.w * depths.rgb / max(depths.a, 1e-6));
+  vec3 glow = scatter * (0.35 * ambient_light(n) + 0.12 * sun * (0.5 + 0.5 * dot(n, to_sun.xyz)));
+  vec3 through = behind(here, view_normal, depths.a) * passed + glow * (1.0 - passed);
+
+  float facing = clamp(dot(n, to_eye), 0.0, 1.0);
+  float fresnel = f0 + (1.0 - f0) * pow(1.0 - facing, 5.0);
+  float shine = pow(max(dot(n, normalize(to_sun.xyz + to_eye)), 0.0), 700.0);
+  color.rgb = mix(through, mirrored(world, reflect(-to_eye, n)), fresnel) + 3.5 * shine * sun;
+}

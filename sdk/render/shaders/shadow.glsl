@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+// How much of the sun's light comes to a place: solids hold it off, and fluid dyes it.
+layout(binding = 0) uniform sampler2DShadow shadow_map;
+layout(binding = 1) uniform sampler2D fluid_shadow_map;  // absorbance; the nearest depth
+
+float solid_light(vec3 at) {
+  vec2 texel = 1.0 / vec2(textureSize(shadow_map, 0));
+  float light = 0.0;
+  // Sixteen taps in four by four, each of which blends four: soft over five texels.
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i)
+      light += texture(shadow_map, vec3(at.xy + (vec2(i, j) - 1.5) * texel, at.z));
+  }
+  return light / 16.0;
+}
+
+vec3 sun_on(vec3 world, vec3 normal) {
+  float texel = 2.0 * to_sun.w / float(textureSize(shadow_map, 0).x);
+  vec4 clip = world_to_sun * vec4(world + 2.5 * texel * normal, 1.0);
+  vec3 at = 0.5 * clip.xyz + 0.5;
+  if (any(lessThan(at.xy, vec2(0.0))) || any(greaterThan(at.xy, vec2(1.0)))) return vec3(1.0);
+  vec4 fluid = texture(fluid_shadow_map, at.xy);
+  // What the light has passed of the fluid: all of it, or as far as it came.
+  float depth = 2.0 * to_sun.w * (at.z - fluid.a);
+  float share = clamp(depth / (2.0 * floor_.z) - 0.5, 0.0, 1.0);
+  at.z = min(at.z, 0.9999);  // the ground goes on behind all that casts shadows
+  return solid_light(at) * exp(-share * fluid.rgb);
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The part of scene_fields.h about emitters and sinks.
+#pragma once
+
+#include "sdk/scene/scene.h"
+#include "sdk/scene/scene_fields_shapes.h"
+
+namespace meniscus {
+
+template <class V>
+void fields(V& v, DiscOpening& d) {
+  v("radius", d.radius, positive, "m", "radius");
+}
+
+template <class V>
+void fields(V& v, RectangleOpening& d) {
+  v("width", d.width, positive, "m", "along x");
+  v("depth", d.depth, positive, "m", "along z");
+}
+
+template <class V>
+void fields(V& v, MeshOpening& d) {
+  v("file", d.file, required(any_value), "", mesh_file_text);
+  v("scale", d.scale, positive, "m", "length of a unit of the file");
+}
+
+template <class V>
+void choices(V& v, EmitterOpening& o) {
+  v.choice("disc", DiscOpening{}, o, "a disc about the origin; particles leave along y");
+  v.choice("rectangle", RectangleOpening{}, o, "a rectangle about the origin; particles leave along y");
+  v.choice("mesh", MeshOpening{}, o, "the surface of a mesh; particles leave along its normals");
+}
+
+template <class V>
+void fields(V& v, SceneEmitter& e) {
+  EmitterDef& d = e.def;
+  std::optional<float> stop;
+  v("name", d.name, required(not_empty), "", "what outputs call this emitter");
+  v("fluid", e.fluid, required(not_empty), "", "name of the fluid");
+  v("opening", d.opening, required(any_value), "", "where particles leave from");
+  v("pose", d.pose, any_value, "", "placement of the opening in the world, or in the frame of the body");
+  v("body", e.body, any_value, "", "name of a body that carries the opening");
+  v("speed", d.speed, positive, "m/s", "at which particles leave");
+  v("rate", d.rate, not_negative, "m³/s", "how much leaves, up to speed · area; 0 is that");
+  v("start", d.start, not_negative, "s", "when it begins");
+  v("stop", stop, not_negative, "s", "when it ends; left out, never");
+  v("most_particles", d.most_particles, any_value, "", "it makes no more than these; left out, any number");
+  if (stop) d.stop = *stop;
+  v.check(d.stop >= d.start, "stop must not be below start");
+}
+
+template <class V>
+void fields(V& v, HalfSpaceRegion& d) {
+  v("normal", d.normal, any_value, "", "points out of the region; of any length but 0");
+  v("offset", d.offset, any_value, "m", "what is inside is nearer to the origin than this along the normal");
+  v.check(length(d.normal) > 1e-6f, "normal must not be zero");
+}
+
+template <class V>
+void choices(V& v, SinkRegion& r) {
+  v.choice("box", BoxRegion{}, r, "a box");
+  v.choice("ball", BallRegion{}, r, "a ball about the origin");
+  v.choice("half_space", HalfSpaceRegion{}, r, "everything below a plane");
+}
+
+template <class V>
+void fields(V& v, SceneSink& s) {
+  SinkDef& d = s.def;
+  v("name", d.name, required(not_empty), "", "what outputs call this sink");
+  v("region", d.region, required(any_value), "", "particles inside are removed at the end of a frame");
+  v("outside", d.outside, any_value, "", "removes the particles outside of the region instead");
+  v("pose", d.pose, any_value, "", "placement of the region in the world, or in the frame of the body");
+  v("body", s.body, any_value, "", "name of a body that carries the region");
+}
+
+}  // namespace meniscus

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/triangle_bvh_query.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+void World::Impl::keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter) {
+  // As beside solids, a layer that just fits is left to rounding.
+  const float clearance = 0.49f * def.particle_spacing;
+  fetch_cloth();
+  cloths.for_each([&](uint32_t, const ClothEntry& entry) {
+    const CollisionFilter& own = entry.def.filter;
+    if (points.empty() || !(own.groups & filter.mask) || !(filter.groups & own.mask)) return;
+    const collision::TriangleBvh tree({entry.strand.state.positions, entry.mesh.triangles});
+    std::erase_if(points, [&](Vec3 p) { return distance_within(tree.view(), p, clearance) < clearance; });
+  });
+}
+
+}  // namespace meniscus

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// World's emitters. What a step will make is planned before it, when nothing has changed yet and may still
+// fail; it is made when the step has been done.
+#include <meniscus/world.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "sdk/world/check.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+namespace {
+
+/// Where what moves evenly from a to b is when a share of the time has gone by.
+Pose between(const Pose& a, const Pose& b, float share) {
+  const Quat p = a.rotation, q = b.rotation;
+  const float cosine = p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w;
+  const float u = 1 - share, v = cosine < 0 ? -share : share;
+  return {u * a.position + share * b.position,
+          normalized({u * p.x + v * q.x, u * p.y + v * q.y, u * p.z + v * q.z, u * p.w + v * q.w})};
+}
+
+/// m³/s, of all places together.
+double flow_of(const EmitterDef& def, const EmitterSites& sites) {
+  const double full = sites.area * double{def.speed};
+  if (def.rate > 1.0001 * full) {
+    std::ostringstream value, allowed;
+    value << def.rate << " m³/s";
+    allowed << "at most speed · area = " << full << " m³/s";
+    check::refuse("EmitterDef::rate", value.str(), allowed.str());
+  }
+  return def.rate > 0 ? std::min(double{def.rate}, full) : full;
+}
+
+EmitterClock clock_of(const EmitterDef& def, const EmitterSites& sites, double now) {
+  const double flow = flow_of(def, sites), full = sites.area * double{def.speed};
+  const double period = sites.layer * sites.area / flow;
+  return {static_cast<uint32_t>(sites.places.size()), std::max(now, double{def.start}), double{def.stop},
+          period, std::min(1.0, 2 * (1 - flow / full))};
+}
+
+bool is_done(const EmitterEntry& e) {
+  return e.def.most_particles && e.count.total >= *e.def.most_particles;
+}
+
+}  // namespace
+
+EmitterId World::create_emitter(const EmitterDef& def) {
+  check::emitter(def);
+  impl_->fluids.get(def.fluid);
+  if (def.body) impl_->bodies.get(*def.body);
+  EmitterSites sites = emitter_sites(def.opening, impl_->def.particle_spacing);
+  const EmitterClock clock = clock_of(def, sites, impl_->time);
+  return impl_->emitters.insert({def, std::move(sites), clock, {}, {}, {}});
+}
+
+void World::destroy_emitter(EmitterId id) {
+  impl_->emitters.erase(id);
+}
+
+FlowCount World::emitter_count(EmitterId id) const {
+  return impl_->emitters.get(id).count;
+}
+
+/// Finds out what will be due, and makes room for it.
+void World::Impl::plan_emission(float dt) {
+  const double until = time + double{dt};
+  double expected = 0;
+  emitters.for_each([&](uint32_t, EmitterEntry& e) {
+    if (!is_done(e)) expected += e.clock.expected(until);
+  });
+  if (expected == 0) {
+    emitters.for_each([](uint32_t, EmitterEntry& e) { e.departures.clear(); });
+    return;
+  }
+  check_room(ids.size(), expected);
+  size_t due = 0;
+  emitters.for_each([&](uint32_t, EmitterEntry& e) {
+    e.departures.clear();
+    if (is_done(e)) return;
+    e.clock.due(until, e.departures);
+    if (e.def.body) e.body_before = rigid.pose(e.def.body->index);
+    due += e.departures.size();
+  });
+  if (due > 0) engine->make_room(static_cast<uint32_t>(due));
+}
+
+/// Where the departures have got to by the end of the step.
+void World::Impl::add_arrivals(const EmitterEntry& e, float dt) {
+  const auto spacing = double{def.particle_spacing};
+  const auto lead = static_cast<float>(0.5 * std::max(e.sites.layer, spacing));
+  const CollisionFilter filter = fluids.get(e.def.fluid).filter;
+  const Pose body_after = e.def.body ? rigid.pose(e.def.body->index) : Pose{};
+  const Pose opening_after = e.def.body ? body_after * e.def.pose : e.def.pose;
+  for (const Departure& d : e.departures) {
+    const auto age = static_cast<float>(time - d.time);
+    const EmitterSite& site = e.sites.places[d.place];
+    const Vec3 front = site.position + lead * site.direction;
+    Pose opening = opening_after;
+    Vec3 carried{0, 0, 0};
+    if (e.def.body) {
+      opening = between(e.body_before, body_after, std::max(0.0f, 1 - age / dt)) * e.def.pose;
+      carried = carried_velocity(*e.def.body, to_world(opening_after, front),
+                                 opening.rotation * conjugate(opening_after.rotation));
+    }
+    const Vec3 velocity = carried + e.def.speed * rotate(opening.rotation, site.direction);
+    const Vec3 to = to_world(opening, front) + age * velocity + 0.5f * age * age * def.gravity;
+    emission.arrivals.push_back(
+        {to_world(opening_after, front), to, velocity + age * def.gravity, filter, d.waits});
+  }
+}
+
+/// Velocity that a body gave to what is at p now, when it was turned like this against now.
+Vec3 World::Impl::carried_velocity(BodyId body, Vec3 p, Quat turned) const {
+  const Vec3 arm = p - rigid.centre_of_mass(body.index);
+  return rigid.velocity(body.index) + rotate(turned, cross(rigid.angular_velocity(body.index), arm));
+}
+
+/// For how many steps a particle keeps its velocity: until it is a support radius in front of the opening.
+uint32_t World::Impl::held_steps(const EmitterEntry& e, const Departure& d, float dt) const {
+  const double left = double{kernel.h} / double{e.def.speed} - (time - d.time);
+  return static_cast<uint32_t>(std::clamp(std::ceil(left / double{dt}), 0.0, double{pbd::most_held}));
+}
+
+/// Makes the particles that are due and have room. Returns how many.
+uint32_t World::Impl::emit(float dt) {
+  emission.arrivals.clear();
+  emitters.for_each([&](uint32_t, EmitterEntry& e) {
+    e.count.last_step = 0;
+    add_arrivals(e, dt);
+  });
+  if (emission.arrivals.empty()) return 0;
+  state_changed();
+  engine->find_room(emission.arrivals, emission.has_room);
+  emission.batch.clear();
+  size_t next = 0;
+  emitters.for_each([&](uint32_t, EmitterEntry& e) {
+    for (const Departure& d : e.departures) {
+      const size_t at = next++;
+      const bool leaves = emission.has_room[at] && !is_done(e);
+      e.clock.note(d, leaves);
+      if (!leaves) continue;
+      add_to(emission.batch, e.def.fluid, emission.arrivals[at].to, emission.arrivals[at].velocity);
+      emission.batch.phase.back() |= pbd::held_for(held_steps(e, d, dt));
+      ++e.count.last_step;
+      ++e.count.total;
+    }
+  });
+  append(emission.batch);
+  return static_cast<uint32_t>(emission.batch.position.size());
+}
+
+}  // namespace meniscus
