@@ -17,6 +17,7 @@ struct Piece {
   float inside = 0;  ///< m³, the volume that the gas inside would fill unstrained; 0: there is none
   float inside_compliance = 0;  ///< m³/Pa
   float tear_strain = 0;        ///< edges stretched further than this tear; 0: never
+  bool bears_fluid = false;     ///< whether fluid may load it
 };
 
 /// Rayleigh's damping of all pieces, s, or negative where they differ.

@@ -40,7 +40,8 @@ class Drawing {
       // A seam is no edge of a mesh at rest.
       const float length_at_rest = length(rest[e.b] - rest[e.a]);
       left_[k] = e.compliance <= limit &&
-                 std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length && !blown_up(e.a, pieces);
+                 std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length &&
+                 !is_pressed(e.a, pieces);
     }
   }
 
@@ -70,9 +71,10 @@ class Drawing {
     return ends;
   }
 
-  static bool blown_up(uint32_t v, std::span<const Piece> pieces) {
+  /// Whether gas or fluid may press on it.
+  static bool is_pressed(uint32_t v, std::span<const Piece> pieces) {
     return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
-      return p.inside > 0 && v >= p.first_vertex && v < p.end_vertex;
+      return (p.inside > 0 || p.bears_fluid) && v >= p.first_vertex && v < p.end_vertex;
     });
   }
 

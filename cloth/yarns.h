@@ -31,7 +31,7 @@ struct Yarns {
 
 /// Draws yarns along the stiff edges, and takes those out of the constraints. Of a sheet all warp and all
 /// weft become yarns, in two layers; a mesh without a grain has them in three directions, and leaves some
-/// edges over. Where there is gas inside there are none: what pulls in and what pushes out would each undo
+/// edges over. Where gas or fluid may press there are none: what pulls in and what pushes out would each undo
 /// all that the other has done, where a sweep gives way. `rest`: m, where vertices are at rest.
 Yarns draw_yarns(ClothConstraints& constraints, std::span<const Vec3> rest, std::span<const Piece> pieces);
 

@@ -60,8 +60,8 @@ class Disc {
   MENISCUS_HD float covered(Vec3 a, Vec3 b, Vec3 c) const {
     using namespace area_detail;
     const Flat p = flat(a), q = flat(b), r = flat(c);
-    const float area =
-        shared_with_disc(p, q, radius2_) + shared_with_disc(q, r, radius2_) + shared_with_disc(r, p, radius2_);
+    const float area = shared_with_disc(p, q, radius2_) + shared_with_disc(q, r, radius2_) +
+                       shared_with_disc(r, p, radius2_);
     return fabsf(area) / (3.14159265f * radius2_);
   }
   MENISCUS_HD Vec3 normal() const { return normal_; }

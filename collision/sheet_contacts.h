@@ -11,8 +11,8 @@
 
 namespace meniscus::collision {
 
-/// Finds the contacts of fluid with cloth: one for each layer that a particle is near, at the nearest triangle,
-/// with the share of a whole plane that the layer has there (pbd::Contact::fraction).
+/// Finds the contacts of fluid with cloth: one for each layer that a particle is near, at the nearest
+/// triangle, with the share of a whole plane that the layer has there (pbd::Contact::fraction).
 ///
 /// The side is the one that the particle was on at the substep's start; motion that would lead through a
 /// triangle ends in a contact on that side. Neighbours that a triangle stands between are parted: the images

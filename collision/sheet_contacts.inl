@@ -43,13 +43,12 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   tree_.refit(p, Margin{0});
   counter_.fill(0);
   entry_count_.fill(0);
-  device_.parallel_for(
-      "sheets/near", p.sorted,
-      ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
+  device_.parallel_for("sheets/near", p.sorted,
+                       ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
   device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
-  device_.parallel_for("sheets/touches", near_count(),
-                       FindTouches{surface(substep), near(), filters_, p.phase, counts, entry_count_.view(),
-                                   support_radius_});
+  device_.parallel_for(
+      "sheets/touches", near_count(),
+      FindTouches{surface(substep), near(), filters_, p.phase, counts, entry_count_.view(), support_radius_});
   device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
   device_.parallel_for("sheets/entries", most_touches * near_count(),
                        EnterTouches{near(), entry_start_.view(), entry_count_.view(), entries_.view()});
@@ -78,8 +77,9 @@ void SheetContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(p, Margin{2e-3f * largest_radius_});
-  device_.parallel_for("sheets/hold back", p.sorted,
-                       HoldBack{surface(substep), filters_, p.phase, p.position, {found_.view().data + 1, 1}});
+  device_.parallel_for(
+      "sheets/hold back", p.sorted,
+      HoldBack{surface(substep), filters_, p.phase, p.position, {found_.view().data + 1, 1}});
 }
 
 template <class D>

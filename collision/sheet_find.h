@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// From the tree to the contacts of particles with sheets: one for each layer of cloth that a particle is near,
-// however many triangles that layer is made of.
+// From the tree to the contacts of particles with sheets: one for each layer of cloth that a particle is
+// near, however many triangles that layer is made of.
 #pragma once
 
 #include "collision/sheet_area.h"
@@ -102,8 +102,7 @@ struct FindTouches {
     if (k >= near.count()) return;
     const uint32_t i = near.particle[k];
     const Vec3 from = surface.previous[i].xyz(), to = surface.position[i].xyz();
-    const CollisionFilter filter =
-        by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
+    const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
     Layers layers;
     bool at_border = false;
     pbd::for_each_overlap(surface.tree, way_box(from, to, h), 0, 0, [&](uint32_t place) {

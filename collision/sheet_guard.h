@@ -8,8 +8,8 @@
 
 namespace meniscus::collision::sheet_kernels {
 
-/// Takes a particle that would have passed through a triangle along with it, on its own side. Sheets are where
-/// they will be, so that each particle can be looked at alone. Its velocity is left to the contact.
+/// Takes a particle that would have passed through a triangle along with it, on its own side. Sheets are
+/// where they will be, so that each particle can be looked at alone. Its velocity is left to the contact.
 struct HoldBack {
   Surface surface;
   View<const CollisionFilter> by_fluid;
@@ -33,8 +33,7 @@ struct HoldBack {
 
   /// Where the particle gets to beside the first triangle that it meets; in later rounds the nearer to it.
   MENISCUS_HD Vec3 first_stop(uint32_t i, Vec3 from, Vec3 to, int round) const {
-    const CollisionFilter filter =
-        by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
+    const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
     float first = 2;
     Vec3 stop = to;
     pbd::for_each_overlap(surface.tree, way_box(from, to, 0), 0, 0, [&](uint32_t place) {

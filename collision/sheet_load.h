@@ -3,17 +3,17 @@
 //
 // What sheets and fluid do to one another.
 //
-// A sheet is light: a particle may weigh hundreds of times what a vertex does. Solved by turns, contacts would
-// move the vertices, and cloth pull them back through the particles, with hardly an impulse getting across. So
-// what presses against a sheet is one with it: a vertex with the barycentric weights b_c in the touches c is as
-// heavy as
+// A sheet is light: a particle may weigh hundreds of times what a vertex does. Solved by turns, contacts
+// would move the vertices, and cloth pull them back through the particles, with hardly an impulse getting
+// across. So what presses against a sheet is one with it: a vertex with the barycentric weights b_c in the
+// touches c is as heavy as
 //
 //   m + Σ_c b_c m_c
 //
-// for whatever moves it, and then moves the particles by Σ_v b_v Δx_v: the impulse is shared out as by a lumped
-// mass matrix, and momentum kept. Beside the sheet, a particle moves alone. For vertex and particles to be one
-// they must start as one: at the substep's start they share their momentum, as after an inelastic impact, or
-// what a light vertex does alone would be done to heavy particles.
+// for whatever moves it, and then moves the particles by Σ_v b_v Δx_v: the impulse is shared out as by a
+// lumped mass matrix, and momentum kept. Beside the sheet, a particle moves alone. For vertex and particles
+// to be one they must start as one: at the substep's start they share their momentum, as after an inelastic
+// impact, or what a light vertex does alone would be done to heavy particles.
 #pragma once
 
 #include "collision/sheet_surface.h"

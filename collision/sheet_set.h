@@ -16,8 +16,8 @@ namespace meniscus::collision {
 ///   carrying()  after cloth's constraints, before contacts are projected: moves what presses along.
 ///
 /// Both must be registered in those places, and the set itself behind all that moves vertices: `settle` then
-/// makes sure that nothing has passed through, and `end` hands on what restitution has done. Impulses are handed
-/// on as they are: momentum is kept.
+/// makes sure that nothing has passed through, and `end` hands on what restitution has done. Impulses are
+/// handed on as they are: momentum is kept.
 template <class D>
 class SheetSet final : public pbd::ConstraintSet<D> {
  public:

@@ -17,10 +17,10 @@ void SheetSet<D>::start(pbd::Substep<D>& substep) {
   const pbd::View<pbd::Vec4> position = p.position.from(p.sorted);
   substep.reloaded = reloaded_.view();
   device_.parallel_for("sheets/start", contacts_.near_count(), StartTouches{at_touches(substep)});
-  device_.parallel_for("sheets/share", contacts_.vertices(),
-                       ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted),
-                                     p.previous.from(p.sorted), change_.view(), was_loaded_.view(),
-                                     reloaded_.view()});
+  device_.parallel_for(
+      "sheets/share", contacts_.vertices(),
+      ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted), p.previous.from(p.sorted),
+                    change_.view(), was_loaded_.view(), reloaded_.view()});
   device_.parallel_for("sheets/give momentum", contacts_.near_count(),
                        GiveMomentum{at_touches(substep), change_.view()});
   device_.parallel_for("sheets/give", most_touches * contacts_.near_count(),
@@ -32,8 +32,7 @@ void SheetSet<D>::push_back(pbd::Substep<D>& substep, bool last) {
   using namespace sheet_kernels;
   if (!contacts_.any()) return;
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("sheets/follow", contacts_.near_count(),
-                       FollowSheets{at_touches(substep), true});
+  device_.parallel_for("sheets/follow", contacts_.near_count(), FollowSheets{at_touches(substep), true});
   device_.parallel_for("sheets/push back", contacts_.vertices(),
                        PushVertices{loaded_vertices(), p.position.from(p.sorted), p.moved.from(p.sorted)});
   if (last) carry(substep);
@@ -43,8 +42,7 @@ template <class D>
 void SheetSet<D>::carry(pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   if (!contacts_.any()) return;
-  device_.parallel_for("sheets/carry", contacts_.near_count(),
-                       FollowSheets{at_touches(substep), false});
+  device_.parallel_for("sheets/carry", contacts_.near_count(), FollowSheets{at_touches(substep), false});
 }
 
 template <class D>
@@ -67,9 +65,9 @@ void SheetSet<D>::end(pbd::Substep<D>& substep) {
   device_.parallel_for("sheets/load velocities", contacts_.vertices(),
                        LoadVelocities{loaded_vertices(), loaded_.view(), p.velocity.from(p.sorted),
                                       change_.view(), 1 / substep.dt});
-  device_.parallel_for("sheets/carry velocities", contacts_.near_count(),
-                       CarryVelocities{at_touches(substep), change_.view(), p.velocity,
-                                       particles_.phase.current.view()});
+  device_.parallel_for(
+      "sheets/carry velocities", contacts_.near_count(),
+      CarryVelocities{at_touches(substep), change_.view(), p.velocity, particles_.phase.current.view()});
 }
 
 template <class D>

@@ -66,8 +66,8 @@ MENISCUS_HD inline Vec3 turned_to_end(const pbd::FeaturePair& p, Vec3 direction,
 }
 
 /// A particle near a sheet. It has a contact for each layer of cloth that it is near, at most three. What it
-/// pushes is shared by the corners of the triangle that it touches, or by all vertices of a fine mesh that are
-/// as near as its neighbours.
+/// pushes is shared by the corners of the triangle that it touches, or by all vertices of a fine mesh that
+/// are as near as its neighbours.
 struct alignas(16) SheetTouch {
   static constexpr uint32_t most_vertices = 16;
 

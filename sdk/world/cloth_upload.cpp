@@ -5,6 +5,8 @@
 #include <meniscus/error.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "cloth/merge.h"
 #include "cloth/tearing.h"
@@ -31,7 +33,9 @@ class Assembly {
 
   uint32_t vertices() const { return static_cast<uint32_t>(cloth.position.size()); }
 
-  explicit Assembly(const WorldDef& def) : spacing_(def.particle_spacing), radius_(def.contact_radius) {}
+  /// `bears_fluid` says whether cloth with a filter may meet any fluid.
+  Assembly(const WorldDef& def, std::function<bool(const CollisionFilter&)> bears_fluid)
+      : spacing_(def.particle_spacing), radius_(def.contact_radius), bears_fluid_(std::move(bears_fluid)) {}
 
   void add(ClothId id, ClothEntry& entry, const std::vector<bool>& held) {
     const uint32_t first = add_strand(entry.strand, held);
@@ -109,7 +113,8 @@ class Assembly {
                        .bending_damping = f.bending_damping,
                        .drag = f.drag,
                        .lift = f.lift,
-                       .tear_strain = f.tear_strain};
+                       .tear_strain = f.tear_strain,
+                       .bears_fluid = bears_fluid_(entry.def.filter)};
     if (entry.def.inflation && entry.closed) {
       // p V stays: the gas would fill V₀ (1 + p/p_air) at the pressure outside.
       const InflationDef& gas = *entry.def.inflation;
@@ -132,6 +137,7 @@ class Assembly {
   std::vector<float> rope_masses_;
   float spacing_;  // m, of particles
   float radius_;   // of their contacts, in spacings
+  std::function<bool(const CollisionFilter&)> bears_fluid_;
 };
 
 }  // namespace
@@ -172,7 +178,13 @@ void World::Impl::fetch_cloth() {
 void World::Impl::upload_cloth() {
   if (cloth_is_on_device) return;
   fetch_cloth();
-  Assembly all(def);
+  Assembly all(def, [&](const CollisionFilter& cloth) {
+    bool any = false;
+    fluids.for_each([&](uint32_t, const ParticleMaterial& m) {
+      any |= (m.filter.groups & cloth.mask) && (cloth.groups & m.filter.mask);
+    });
+    return any;
+  });
   cloths.for_each([&](uint32_t index, ClothEntry& entry) {
     all.add(cloths.id(index), entry, held_vertices(cloths.id(index)));
   });

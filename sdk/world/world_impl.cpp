@@ -78,6 +78,7 @@ FluidId World::Impl::create_material(const ParticleMaterial& material) {
   std::vector<ParticleMaterial> all;
   fluids.for_each([&](uint32_t, const ParticleMaterial& m) { all.push_back(m); });
   engine->set_materials(all);
+  cloth_changed();  // it may have to bear this one
   return id;
 }
 
