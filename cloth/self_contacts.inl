@@ -11,6 +11,7 @@
 #include "cloth/self_contacts_guard.h"
 #include "cloth/self_contacts_narrow.h"
 #include "cloth/self_contacts_solve.h"
+#include "pbd/filter.h"
 #include "pbd/surface_tree.inl"
 
 namespace meniscus::cloth {
@@ -208,13 +209,10 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
 /// Whether any part collides with itself or with another.
 template <class D>
 bool SelfContacts<D>::any_meet(std::span<const ContactPart> parts) {
-  const auto meet = [](const CollisionFilter& a, const CollisionFilter& b) {
-    return (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0;
-  };
   for (size_t k = 0; k < parts.size(); ++k) {
     if (parts[k].self) return true;
     for (size_t n = 0; n < k; ++n) {
-      if (meet(parts[k].filter, parts[n].filter)) return true;
+      if (pbd::meet(parts[k].filter, parts[n].filter)) return true;
     }
   }
   return false;

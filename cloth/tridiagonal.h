@@ -33,10 +33,10 @@ MENISCUS_HD TridiagonalRow* reduce_cyclically(const Group& group, TridiagonalRow
                                               uint32_t count) {
   for (uint32_t apart = 1; apart < count; apart *= 2) {
     group.for_each(count, [=](uint32_t i) {
-      constexpr TridiagonalRow none{0, 1, 0, 0};
+      constexpr TridiagonalRow beyond{0, 1, 0, 0};
       const TridiagonalRow r = rows[i];
-      const TridiagonalRow before = i >= apart ? rows[i - apart] : none;
-      const TridiagonalRow after = i + apart < count ? rows[i + apart] : none;
+      const TridiagonalRow before = i >= apart ? rows[i - apart] : beyond;
+      const TridiagonalRow after = i + apart < count ? rows[i + apart] : beyond;
       const float a = -r.lower / before.diagonal, b = -r.upper / after.diagonal;
       other[i] = {a * before.lower, r.diagonal + a * before.upper + b * after.lower, b * after.upper,
                   r.right + a * before.right + b * after.right};

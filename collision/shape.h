@@ -10,6 +10,7 @@
 #include "pbd/contacts.h"
 #include "pbd/device/scalar.h"
 #include "pbd/device/view.h"
+#include "pbd/filter.h"
 #include "pbd/math/half_space.h"
 
 namespace meniscus::collision {
@@ -41,8 +42,7 @@ struct Shape {
 };
 
 MENISCUS_HD inline bool collide(const Shape& shape, const CollisionFilter& other) {
-  const CollisionFilter& own = shape.surface.filter;
-  return (own.groups & other.mask) && (other.groups & own.mask);
+  return pbd::meet(shape.surface.filter, other);
 }
 
 /// A rectangle cut out of a plane: where a point's projection lies inside `box`, in the plane's frame,

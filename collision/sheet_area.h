@@ -10,6 +10,17 @@
 
 namespace meniscus::collision {
 
+/// Two directions across a unit normal, and across one another.
+struct Tangents {
+  Vec3 u, v;
+
+  MENISCUS_HD explicit Tangents(Vec3 normal) {
+    const Vec3 axis = fabsf(normal.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    u = normalized_or(cross(normal, axis), {0, 0, 0});
+    v = cross(normal, u);
+  }
+};
+
 namespace area_detail {
 
 struct Flat {
@@ -49,12 +60,7 @@ MENISCUS_HD inline float shared_with_disc(Flat a, Flat b, float radius2) {
 class Disc {
  public:
   MENISCUS_HD Disc(Vec3 centre, Vec3 normal, float radius)
-      : centre_(centre), normal_(normal), radius2_(radius * radius) {
-    // Any direction across the normal; the least of its coordinates leaves the longest one.
-    const Vec3 axis = fabsf(normal.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    u_ = normalized_or(cross(normal, axis), {0, 0, 0});
-    v_ = cross(normal, u_);
-  }
+      : centre_(centre), normal_(normal), tangents_(normal), radius2_(radius * radius) {}
 
   /// The share of the disc that the triangle covers, seen along the normal.
   MENISCUS_HD float covered(Vec3 a, Vec3 b, Vec3 c) const {
@@ -67,9 +73,12 @@ class Disc {
   MENISCUS_HD Vec3 normal() const { return normal_; }
 
  private:
-  MENISCUS_HD area_detail::Flat flat(Vec3 x) const { return {dot(u_, x - centre_), dot(v_, x - centre_)}; }
+  MENISCUS_HD area_detail::Flat flat(Vec3 x) const {
+    return {dot(tangents_.u, x - centre_), dot(tangents_.v, x - centre_)};
+  }
 
-  Vec3 centre_, normal_, u_, v_;
+  Vec3 centre_, normal_;
+  Tangents tangents_;
   float radius2_;
 };
 

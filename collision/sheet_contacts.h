@@ -53,9 +53,8 @@ class SheetContacts final : public pbd::ContactSource<D> {
   void start_step();
   bool had_room() const { return most_near() <= near_.size(); }
   void make_room() { reserve_near(most_near() + most_near() / 4); }
-  /// In any substep of the last step: particles near sheets, and those that had to be held back.
+  /// In any substep of the last step: particles near sheets.
   uint32_t most_near() const { return found_.host().empty() ? 0 : found_.host()[0]; }
-  uint32_t held_back() const { return found_.host().empty() ? 0 : found_.host()[1]; }
 
  private:
   sheet_kernels::Surface surface(const pbd::Substep<D>& substep);

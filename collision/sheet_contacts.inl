@@ -46,9 +46,8 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   device_.parallel_for("sheets/near", p.sorted,
                        ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
   device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
-  device_.parallel_for(
-      "sheets/touches", near_count(),
-      FindTouches{surface(substep), near(), filters_, p.phase, counts, entry_count_.view(), support_radius_});
+  device_.parallel_for("sheets/touches", near_count(),
+                       FindTouches{surface(substep), near(), counts, entry_count_.view(), support_radius_});
   device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
   device_.parallel_for("sheets/entries", most_touches * near_count(),
                        EnterTouches{near(), entry_start_.view(), entry_count_.view(), entries_.view()});
@@ -77,15 +76,13 @@ void SheetContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(p, Margin{2e-3f * largest_radius_});
-  device_.parallel_for(
-      "sheets/hold back", p.sorted,
-      HoldBack{surface(substep), filters_, p.phase, p.position, {found_.view().data + 1, 1}});
+  device_.parallel_for("sheets/hold back", p.sorted, HoldBack{surface(substep), p.position});
 }
 
 template <class D>
 sheet_kernels::Surface SheetContacts<D>::surface(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
-  return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), borders_.view()};
+  return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), borders_.view(), filters_, p.phase};
 }
 
 template <class D>
@@ -126,7 +123,7 @@ void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangl
   borders_.resize_discard(borders.size());
   borders_.write(borders);
   counter_.resize_discard(1);
-  found_.resize_discard(2);
+  found_.resize_discard(1);
   start_step();
   entry_count_.resize_discard(vertices_);
   entry_start_.resize_discard(vertices_ + 1);

@@ -92,8 +92,6 @@ class Layers {
 struct FindTouches {
   Surface surface;
   NearList near;
-  View<const CollisionFilter> by_fluid;
-  View<const pbd::Phase> phase;
   View<uint32_t> counts;   // contacts of each particle
   View<uint32_t> entries;  // touches of each vertex
   float h;
@@ -102,14 +100,12 @@ struct FindTouches {
     if (k >= near.count()) return;
     const uint32_t i = near.particle[k];
     const Vec3 from = surface.previous[i].xyz(), to = surface.position[i].xyz();
-    const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
     Layers layers;
     bool at_border = false;
     pbd::for_each_overlap(surface.tree, way_box(from, to, h), 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      const SheetPart& part = surface.parts[t.part];
-      if (!((part.filter.groups & filter.mask) && (filter.groups & part.filter.mask))) return;
-      if (look_at(layers, surface.pair(from, to, t), place, part.radius))
+      if (!surface.meets(i, t.part)) return;
+      if (look_at(layers, surface.pair(from, to, t), place, surface.parts[t.part].radius))
         at_border |= surface.borders[place] != 0;
     });
     layers.finish();

@@ -12,10 +12,7 @@ namespace meniscus::collision::sheet_kernels {
 /// where they will be, so that each particle can be looked at alone. Its velocity is left to the contact.
 struct HoldBack {
   Surface surface;
-  View<const CollisionFilter> by_fluid;
-  View<const pbd::Phase> phase;
   View<Vec4> position;
-  View<uint32_t> held;  // how many there were
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 from = surface.previous[i].xyz(), wanted = position[i].xyz();
@@ -26,28 +23,25 @@ struct HoldBack {
       if (end == to) break;
       to = end;
     }
-    if (to == wanted) return;
-    position[i] = pbd::with_w(to, position[i].w);
-    pbd::atomic_add(held[0], 1);
+    if (!(to == wanted)) position[i] = pbd::with_w(to, position[i].w);
   }
 
   /// Where the particle gets to beside the first triangle that it meets; in later rounds the nearer to it.
   MENISCUS_HD Vec3 first_stop(uint32_t i, Vec3 from, Vec3 to, int round) const {
-    const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
     float first = 2;
     Vec3 stop = to;
     pbd::for_each_overlap(surface.tree, way_box(from, to, 0), 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      const SheetPart& part = surface.parts[t.part];
-      if (!((part.filter.groups & filter.mask) && (filter.groups & part.filter.mask))) return;
+      if (!surface.meets(i, t.part)) return;
+      const float radius = surface.parts[t.part].radius;
       const pbd::FeaturePair pair = surface.pair(from, to, t);
       const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
-      const float gap = pbd::min(0.5f * start, 1e-3f * part.radius);
+      const float gap = pbd::min(0.5f * start, 1e-3f * radius);
       if (start <= 0 || motion < start - gap) return;
       const float time = time_of_nearness(pair, start, motion, gap);
       if (time >= first) return;
       first = time;
-      stop = from + beside(pair, time, part.radius / static_cast<float>(2 << 2 * round));
+      stop = from + beside(pair, time, radius / static_cast<float>(2 << 2 * round));
     });
     return stop;
   }

@@ -5,7 +5,7 @@
 //
 // A sheet is light: a particle may weigh hundreds of times what a vertex does. Solved by turns, contacts
 // would move the vertices, and cloth pull them back through the particles, with hardly an impulse getting
-// across. So what presses against a sheet is one with it: a vertex with the barycentric weights b_c in the
+// across. So what presses against a sheet is one with it: a vertex with the weights b_c in the
 // touches c is as heavy as
 //
 //   m + Σ_c b_c m_c
@@ -80,15 +80,20 @@ struct AtTouches {
     });
   }
 
-  /// Takes the contact to where the sheet is, and the share of particle that it carries; returns how far.
-  MENISCUS_HD Vec3 follow(SheetTouch& t) const {
+  /// Takes the contact to where the sheet is; returns how far.
+  MENISCUS_HD Vec3 follow_sheet(SheetTouch& t) const {
     const Vec3 way = way_of_sheet(t), step = way - t.followed;
     t.followed = way;
     pbd::Contact& c = contacts[t.contact];
     c.point += step;
     c.surface_motion += step;
-    const Vec3 push = t.carried * step;
-    c.density_push += push;
+    return step;
+  }
+
+  /// And the share of the particle that it carries.
+  MENISCUS_HD Vec3 follow(SheetTouch& t) const {
+    const Vec3 step = follow_sheet(t), push = t.carried * step;
+    contacts[t.contact].density_push += push;
     t.given += push;
     return step;
   }
@@ -143,6 +148,8 @@ struct StartTouches {
       t.share = carried && at.is_live(t) ? 1.0f / static_cast<float>(carriers) : 0.0f;
       t.carried = t.share / at.position[i].w;
       t.pending = -t.carried * way;
+      // The contact was found where that has taken the sheet already.
+      if (at.is_live(t)) t.followed = at.way_of_sheet(t);
     }
   }
 };
@@ -192,10 +199,7 @@ struct GiveMomentum {
       pbd::Contact& c = at.contacts[t.contact];
       c.density_push += -t.carried * took;
       t.given += -t.carried * took;
-      const Vec3 way = at.way_of_sheet(t);
-      c.point += way;
-      c.surface_motion += way;
-      t.followed = way;
+      at.follow_sheet(t);
     }
     at.move(at.near.particle[k], step);
   }

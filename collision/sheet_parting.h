@@ -25,17 +25,19 @@ struct PartNeighbours {
     const Vec3 from = surface.previous[i].xyz();
     pbd::for_each_overlap(surface.tree, way_box(from, from, h), 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      part_across(i, from, surface.start(t.a), surface.start(t.b), surface.start(t.c));
+      if (surface.meets(i, t.part)) part_across(i, from, t);
     });
   }
 
-  MENISCUS_HD void part_across(uint32_t i, Vec3 from, Vec3 a, Vec3 b, Vec3 c) const {
+  /// What passes through the piece stays a neighbour of both sides.
+  MENISCUS_HD void part_across(uint32_t i, Vec3 from, const pbd::SurfaceTriangle& t) const {
+    const Vec3 a = surface.start(t.a), b = surface.start(t.b), c = surface.start(t.c);
     const Vec3 n = cross(b - a, c - a);
     const float own = dot(n, from - a);
     const uint32_t count = pbd::min(neighbours.count[i], neighbours.row_capacity);
     for (uint32_t k = 0; k < count; ++k) {
       uint32_t& j = neighbours.entry(i, k);
-      if (j == sentinel) continue;
+      if (j == sentinel || !surface.meets(j, t.part)) continue;
       const Vec3 to = surface.previous[j].xyz();
       const float other = dot(n, to - a);
       if ((own >= 0) == (other >= 0)) continue;

@@ -12,7 +12,7 @@ namespace meniscus::collision {
 /// Makes fluid's contacts with cloth act on the cloth (see sheet_load.h). In an iteration
 ///
 ///   loading()   after the density constraint, before cloth's own: gives the vertices what the contacts have
-///               pushed, and the masses of what presses against them;
+///               pushed; at the substep's start, the masses of what presses against them;
 ///   carrying()  after cloth's constraints, before contacts are projected: moves what presses along.
 ///
 /// Both must be registered in those places, and the set itself behind all that moves vertices: `settle` then

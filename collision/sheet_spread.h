@@ -5,20 +5,10 @@
 // are touched would else go unloaded.
 #pragma once
 
+#include "collision/sheet_area.h"
 #include "collision/sheet_surface.h"
 
 namespace meniscus::collision::sheet_kernels {
-
-/// Coordinates across a normal.
-struct Tangents {
-  Vec3 u, v;
-
-  MENISCUS_HD explicit Tangents(Vec3 normal) {
-    const Vec3 axis = fabsf(normal.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    u = normalized_or(cross(normal, axis), {0, 0, 0});
-    v = cross(normal, u);
-  }
-};
 
 /// Shares a touch among the vertices within `radius` of its point. The weights are a kernel's, corrected so
 /// that they give back the point itself as well as a constant (moving least squares): then forces across the

@@ -7,6 +7,7 @@
 #include <meniscus/types.h>
 
 #include "pbd/feature_pair.h"
+#include "pbd/filter.h"
 #include "pbd/particles.h"
 #include "pbd/surface_boxes.h"
 
@@ -34,6 +35,14 @@ struct Surface {
   uint32_t first_vertex;                // vertex v is this particle and v more
   View<const SheetPart> parts;
   View<const uint32_t> borders;  // by place in the tree: bit k is set where edge k has no other triangle
+  View<const CollisionFilter> by_fluid;  // empty where all collide with everything
+  View<const pbd::Phase> phase;          // of all particles
+
+  /// Whether particle i collides with the piece.
+  MENISCUS_HD bool meets(uint32_t i, uint32_t part) const {
+    const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
+    return pbd::meet(parts[part].filter, filter);
+  }
 
   MENISCUS_HD Vec3 start(uint32_t v) const { return load(previous, first_vertex + v).xyz(); }
   MENISCUS_HD Vec3 end(uint32_t v) const { return load(position, first_vertex + v).xyz(); }

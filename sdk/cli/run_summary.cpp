@@ -125,8 +125,8 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   text += line("particles", fmt::format("{}, in {:.1f} MiB on the device", count(figures, "particles"),
                                         number(figures, "device_bytes") / (1 << 20)));
   text += line("time a step", time_line(figures.at("ms_per_step")));
-  const bool cloth = !figures.at("cloths").empty() || !figures.at("ropes").empty();
-  if (count(figures, "particles") > 0 || !cloth)
+  const bool any_cloth = !figures.at("cloths").empty() || !figures.at("ropes").empty();
+  if (count(figures, "particles") > 0 || !any_cloth)
     text += line("density error", density_line(figures.at("density_error")));
   if (!figures.at("energy").is_null()) text += line("energy", energy_line(figures.at("energy")));
   text += line("lost", trouble_line(figures));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 #include "collision/triangle_bvh_query.h"
+#include "pbd/filter.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
@@ -10,8 +11,7 @@ void World::Impl::keep_off_cloth(std::vector<Vec3>& points, const CollisionFilte
   const float clearance = 0.49f * def.particle_spacing;
   fetch_cloth();
   cloths.for_each([&](uint32_t, const ClothEntry& entry) {
-    const CollisionFilter& own = entry.def.filter;
-    if (points.empty() || !(own.groups & filter.mask) || !(filter.groups & own.mask)) return;
+    if (points.empty() || !pbd::meet(entry.def.filter, filter)) return;
     const collision::TriangleBvh tree({entry.strand.state.positions, entry.mesh.triangles});
     std::erase_if(points, [&](Vec3 p) { return distance_within(tree.view(), p, clearance) < clearance; });
   });

@@ -5,12 +5,12 @@
 #include <meniscus/error.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "cloth/merge.h"
 #include "cloth/tearing.h"
 #include "cloth/tethers.h"
+#include "pbd/filter.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
@@ -33,9 +33,9 @@ class Assembly {
 
   uint32_t vertices() const { return static_cast<uint32_t>(cloth.position.size()); }
 
-  /// `bears_fluid` says whether cloth with a filter may meet any fluid.
-  Assembly(const WorldDef& def, std::function<bool(const CollisionFilter&)> bears_fluid)
-      : spacing_(def.particle_spacing), radius_(def.contact_radius), bears_fluid_(std::move(bears_fluid)) {}
+  /// `fluids`: which solids and cloth each of them meets.
+  Assembly(const WorldDef& def, std::vector<CollisionFilter> fluids)
+      : spacing_(def.particle_spacing), radius_(def.contact_radius), fluids_(std::move(fluids)) {}
 
   void add(ClothId id, ClothEntry& entry, const std::vector<bool>& held) {
     const uint32_t first = add_strand(entry.strand, held);
@@ -99,6 +99,11 @@ class Assembly {
     return first;
   }
 
+  bool bears_fluid(const CollisionFilter& filter) const {
+    return std::any_of(fluids_.begin(), fluids_.end(),
+                       [&](const CollisionFilter& fluid) { return pbd::meet(filter, fluid); });
+  }
+
   /// So that no vertex between neighbouring particles goes without its share, and no touch has too many.
   float spread_on(const ClothEntry& entry) const {
     const float edge = mean_edge(entry.mesh);
@@ -114,7 +119,7 @@ class Assembly {
                        .drag = f.drag,
                        .lift = f.lift,
                        .tear_strain = f.tear_strain,
-                       .bears_fluid = bears_fluid_(entry.def.filter)};
+                       .bears_fluid = bears_fluid(entry.def.filter)};
     if (entry.def.inflation && entry.closed) {
       // p V stays: the gas would fill V₀ (1 + p/p_air) at the pressure outside.
       const InflationDef& gas = *entry.def.inflation;
@@ -137,7 +142,7 @@ class Assembly {
   std::vector<float> rope_masses_;
   float spacing_;  // m, of particles
   float radius_;   // of their contacts, in spacings
-  std::function<bool(const CollisionFilter&)> bears_fluid_;
+  std::vector<CollisionFilter> fluids_;
 };
 
 }  // namespace
@@ -178,13 +183,9 @@ void World::Impl::fetch_cloth() {
 void World::Impl::upload_cloth() {
   if (cloth_is_on_device) return;
   fetch_cloth();
-  Assembly all(def, [&](const CollisionFilter& cloth) {
-    bool any = false;
-    fluids.for_each([&](uint32_t, const ParticleMaterial& m) {
-      any |= (m.filter.groups & cloth.mask) && (cloth.groups & m.filter.mask);
-    });
-    return any;
-  });
+  std::vector<CollisionFilter> filters;
+  fluids.for_each([&](uint32_t, const ParticleMaterial& m) { filters.push_back(m.filter); });
+  Assembly all(def, filters);
   cloths.for_each([&](uint32_t index, ClothEntry& entry) {
     all.add(cloths.id(index), entry, held_vertices(cloths.id(index)));
   });
