@@ -78,7 +78,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   double time_ = 0, start_time_ = 0;  // s
   uint32_t vertex_count_ = 0;
   CommonDamping damping_;
-  bool any_air_ = false, any_gas_ = false, any_tears_ = false;
+  bool any_air_ = false, any_gas_ = false, any_tears_ = false, any_bears_fluid_ = false;
   float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
   float share_ = 0;                        // of them, to start from
 

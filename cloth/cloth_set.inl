@@ -20,6 +20,7 @@ void ClothSet<D>::set_model(const ClothModel& model) {
   any_air_ = any([](const Piece& p) { return p.drag > 0 || p.lift > 0; });
   any_gas_ = any([](const Piece& p) { return p.inside > 0; });
   any_tears_ = any([](const Piece& p) { return p.tear_strain > 0; });
+  any_bears_fluid_ = any([](const Piece& p) { return p.bears_fluid; });
   damping_ = common_damping(model.pieces);
   vertex_count_ = static_cast<uint32_t>(model.rest.size());
   last_dt_ = 0;
@@ -72,17 +73,16 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
 /// First those of clusters, whose vertices become numbers within their cluster, then those of yarns.
 template <class D>
 void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns) {
+  upload_fans(model, clusters.edges);
+  number_locally(clusters);
   std::vector<EdgeConstraint> edges = clusters.edges;
   edges.insert(edges.end(), yarns.edges.begin(), yarns.edges.end());
-  upload_fans(model, edges);
-  number_locally(clusters);
-  std::copy(clusters.edges.begin(), clusters.edges.end(), edges.begin());
   upload(edges_, edges);
   first_yarn_edge_ = static_cast<uint32_t>(clusters.edges.size());
   upload(yarns_, yarns.yarns);
   layer_starts_ = yarns.layer_starts;
   edge_multiplier_.resize_discard(edges.size());
-  saved_edge_multiplier_.resize_discard(parameters_.warm_start > 0 ? edges.size() : 0);
+  saved_edge_multiplier_.resize_discard(edges.size());
   edge_multiplier_.fill(0);
 }
 
@@ -101,16 +101,12 @@ void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeCon
 template <class D>
 void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   if (vertex_count_ == 0) return;
-  // A multiplier grows with the square of the substep.
-  const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
+  // A multiplier grows with the square of the substep. It fits the masses that it was found with: where
+  // vertices carry fluid for a while, starting from it would throw them about.
+  const float ratio = last_dt_ > 0 && !any_bears_fluid_ ? substep.dt / last_dt_ : 0;
   share_ = parameters_.warm_start * std::min(1.0f, ratio * ratio);
   last_dt_ = substep.dt;
   if (share_ > 0 && edges_.size()) {
-    if (substep.reloaded.count) {
-      device_.parallel_for("cloth/forget", vertex_count_,
-                           stretch_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), substep.reloaded,
-                                                   edge_multiplier_.view()});
-    }
     device_.parallel_for("cloth/warm start", vertex_count_,
                          stretch_kernels::WarmStart{edge_fan_start_.view(), edge_fan_.view(),
                                                     edge_multiplier_.view(), vertices(substep), share_});
@@ -170,7 +166,7 @@ void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwa
                    .edges = edges_.view().from(first_yarn_edge_),
                    .multiplier = edge_multiplier_.view().from(first_yarn_edge_),
                    .all = vertices(substep),
-                   .share = starts ? share_ : 1,
+                   .starts = starts,
                    .first = 0};
   const size_t layers = layer_starts_.size() - 1;
   for (size_t k = 0; k < layers; ++k) {
@@ -221,7 +217,6 @@ void ClothSet<D>::start_step() {
 template <class D>
 void ClothSet<D>::save() {
   saved_last_dt_ = last_dt_;
-  if (saved_edge_multiplier_.size() == 0) return;
   device_.copy(saved_edge_multiplier_.view().data, edge_multiplier_.view().data,
                edge_multiplier_.size() * sizeof(Vec4));
 }
@@ -229,7 +224,6 @@ void ClothSet<D>::save() {
 template <class D>
 void ClothSet<D>::restore() {
   last_dt_ = saved_last_dt_;
-  if (saved_edge_multiplier_.size() == 0) return;
   device_.copy(edge_multiplier_.view().data, saved_edge_multiplier_.view().data,
                edge_multiplier_.size() * sizeof(Vec4));
 }

@@ -65,19 +65,6 @@ struct WarmStart {
   }
 };
 
-/// A multiplier fits the masses that it was found with. To start from it where they have changed, as with
-/// vertices that carry particles, would throw light vertices about, and so all that they meet.
-struct Forget {
-  View<const uint32_t> fan_start, fan;
-  View<const uint32_t> reloaded;  ///< by vertex
-  View<Vec4> multiplier;
-
-  MENISCUS_HD void operator()(uint32_t v) const {
-    if (!reloaded[v]) return;
-    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k) multiplier[fan[k] / 2] = {0, 0, 0, 0};
-  }
-};
-
 /// Warp, weft and shear of a triangle, one after the other.
 struct SolveStrain {
   View<const StrainConstraint> strains;

@@ -6,53 +6,59 @@
 
 namespace meniscus::cloth {
 
-/// lower x(i − 1) + diagonal x(i) + upper x(i + 1) = right, with 0 for what is beyond the ends.
+/// lower x(i − 1) + diagonal x(i) + upper x(i + 1) = right, with 0 for what is beyond the ends; x are numbers
+/// or vectors.
+template <class X>
 struct alignas(16) TridiagonalRow {
-  float lower, diagonal, upper, right;
+  float lower, diagonal, upper;
+  X right;
 };
 
 /// Elimination and substitution by one thread (Thomas). Afterwards `right` is the solution.
-MENISCUS_HD inline void eliminate(TridiagonalRow* rows, uint32_t count) {
-  float upper = 0, right = 0;
+template <class X>
+MENISCUS_HD void eliminate(TridiagonalRow<X>* rows, uint32_t count) {
+  float upper = 0;
+  X right{};
   for (uint32_t i = 0; i < count; ++i) {
-    const TridiagonalRow r = rows[i];
+    const TridiagonalRow<X> r = rows[i];
     const float inverse = 1 / (r.diagonal - r.lower * upper);
     upper = inverse * r.upper;
     right = inverse * (r.right - r.lower * right);
     rows[i].upper = upper;
     rows[i].right = right;
   }
-  float x = 0;
+  X x{};
   for (uint32_t i = count; i-- > 0;) rows[i].right = x = rows[i].right - rows[i].upper * x;
 }
 
 /// Cyclic reduction of all rows at once by a group of threads (Hockney & Jesshope 1981): each turn couples
 /// rows that are twice as far apart. Returns which of the two has the solution in `right`.
-template <class Group>
-MENISCUS_HD TridiagonalRow* reduce_cyclically(const Group& group, TridiagonalRow* rows, TridiagonalRow* other,
-                                              uint32_t count) {
+template <class Group, class X>
+MENISCUS_HD TridiagonalRow<X>* reduce_cyclically(const Group& group, TridiagonalRow<X>* rows,
+                                                 TridiagonalRow<X>* other, uint32_t count) {
+  using Row = TridiagonalRow<X>;
   for (uint32_t apart = 1; apart < count; apart *= 2) {
     group.for_each(count, [=](uint32_t i) {
-      constexpr TridiagonalRow beyond{0, 1, 0, 0};
-      const TridiagonalRow r = rows[i];
-      const TridiagonalRow before = i >= apart ? rows[i - apart] : beyond;
-      const TridiagonalRow after = i + apart < count ? rows[i + apart] : beyond;
+      constexpr Row beyond{0, 1, 0, X{}};
+      const Row r = rows[i];
+      const Row before = i >= apart ? rows[i - apart] : beyond;
+      const Row after = i + apart < count ? rows[i + apart] : beyond;
       const float a = -r.lower / before.diagonal, b = -r.upper / after.diagonal;
       other[i] = {a * before.lower, r.diagonal + a * before.upper + b * after.lower, b * after.upper,
                   r.right + a * before.right + b * after.right};
     });
-    TridiagonalRow* const done = other;
+    Row* const done = other;
     other = rows;
     rows = done;
   }
-  group.for_each(count, [=](uint32_t i) { rows[i].right /= rows[i].diagonal; });
+  group.for_each(count, [=](uint32_t i) { rows[i].right = rows[i].right / rows[i].diagonal; });
   return rows;
 }
 
 /// Either. Returns where the solution is.
-template <class Group>
-MENISCUS_HD TridiagonalRow* solve_tridiagonal(const Group& group, TridiagonalRow* rows, TridiagonalRow* other,
-                                              uint32_t count) {
+template <class Group, class X>
+MENISCUS_HD TridiagonalRow<X>* solve_tridiagonal(const Group& group, TridiagonalRow<X>* rows,
+                                                 TridiagonalRow<X>* other, uint32_t count) {
   if constexpr (Group::is_one_thread) {
     eliminate(rows, count);
     return rows;

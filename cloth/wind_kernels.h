@@ -58,7 +58,6 @@ struct Blow {
       stiffness += f.w;
     }
     const Vertex vertex = vertices.at(v);
-    if (vertex.x.w == 0) return;
     // A light vertex takes the wind's speed, and no more.
     vertices.push(v, vertex, dt * dt / pbd::max(1.0f, dt * vertex.x.w * stiffness) * sum);
   }

@@ -41,7 +41,7 @@ class Drawing {
       const float length_at_rest = length(rest[e.b] - rest[e.a]);
       left_[k] = e.compliance <= limit &&
                  std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length &&
-                 !is_pressed(e.a, pieces);
+                 !is_blown_up(e.a, pieces);
     }
   }
 
@@ -71,10 +71,9 @@ class Drawing {
     return ends;
   }
 
-  /// Whether gas or fluid may press on it.
-  static bool is_pressed(uint32_t v, std::span<const Piece> pieces) {
+  static bool is_blown_up(uint32_t v, std::span<const Piece> pieces) {
     return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
-      return (p.inside > 0 || p.bears_fluid) && v >= p.first_vertex && v < p.end_vertex;
+      return p.inside > 0 && v >= p.first_vertex && v < p.end_vertex;
     });
   }
 

@@ -18,11 +18,13 @@ struct BodyTie {
 
 /// Ties vertices to bodies. A tie is a contact that holds in all directions (pbd::is_tie): the vertex is
 /// drawn to its anchor, C = x − anchor = 0, and the body to the vertex, each as its mass allows. What moves a
-/// body by its contacts (BodySet) moves it by its ties as well.
+/// body by its contacts (BodySet) moves it by its ties as well. Where nothing moves the body, the vertex is
+/// put in its place at once, and has w = 0 for all constraints: what pulls on it knows that it will not come.
 ///
-/// Must be the first source of contacts, so that a vertex's ties come before its touches.
+/// Must be the first source of contacts, so that a vertex's ties come before its touches, and of the sets
+/// before those that move vertices.
 template <class D>
-class BodyTies final : public pbd::ContactSource<D>, public pbd::Observer<D> {
+class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D>, public pbd::Observer<D> {
  public:
   BodyTies(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies) {}
 
@@ -38,6 +40,9 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::Observer<D> {
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
   void start_step() override { impulse_.fill(0); }
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>&, int) override {}
+  void settle(pbd::Substep<D>& substep) override;
   void observe(const pbd::Substep<D>& substep) override;
 
  private:
@@ -46,6 +51,7 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::Observer<D> {
   std::vector<uint32_t> place_;  // of each tie among those in the order of their vertices
   pbd::Buffer<BodyTie> ties_{device_, "ties"};
   pbd::Buffer<pbd::Vec4> impulse_{device_, "tie impulses"};
+  pbd::Buffer<pbd::Vec4> held_{device_, "held ties"};  // by tie, m: the way of its vertex; w: its own
   pbd::Buffer<uint32_t> tied_body_{device_, "tied bodies"};
 };
 

@@ -11,6 +11,7 @@ namespace meniscus::collision {
 
 namespace tie_kernels {
 
+using pbd::Vec4;
 using pbd::View;
 
 /// Ties in the order of their vertices. The first one of each vertex does the work for all of them.
@@ -59,6 +60,45 @@ struct Fill {
   }
 };
 
+/// Puts vertices where bodies that nothing moves have them, and holds them there.
+struct Hold {
+  Ties ties;
+  View<const BodyProxy> bodies;
+  View<Vec4> position, moved;
+  View<Vec4> held;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    held[n] = {0, 0, 0, 0};
+    const BodyProxy& body = bodies[ties.ties[n].body];
+    const uint32_t i = ties.particle_of(n);
+    const Vec4 x = position[i];
+    if (!ties.leads(n) || body.inverse_mass > 0 || x.w == 0) return;
+    const Vec3 anchor = to_world(body.pose, ties.ties[n].anchor);
+    held[n] = pbd::with_w(moved[i].xyz() + anchor - x.xyz(), x.w);
+    position[i] = pbd::with_w(anchor, 0);
+    moved[i] = {0, 0, 0, 0};  // from now on, what it withstands
+  }
+};
+
+/// Gives held vertices back, and their ties what they have withstood.
+struct LetGo {
+  Ties ties;
+  View<const uint32_t> start;
+  View<pbd::Contact> contacts;
+  View<const Vec4> held;
+  View<Vec4> position, moved;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const Vec4 way = held[n];
+    if (way.w == 0) return;
+    const uint32_t i = ties.particle_of(n), at = start[i];
+    // Without room for it the step is done again.
+    if (at < contacts.count) contacts[at].tangent_multiplier += 1 / way.w * way.xyz() - moved[i].xyz();
+    position[i].w = way.w;
+    moved[i] = pbd::with_w(way.xyz(), 0);
+  }
+};
+
 /// A vertex's ties are its first contacts.
 struct AddImpulses {
   Ties ties;
@@ -100,6 +140,7 @@ void BodyTies<D>::set_ties(std::span<const BodyTie> ties) {
   ties_.write(by_vertex);
   impulse_.resize_discard(by_vertex.size());
   impulse_.fill(0);
+  held_.resize_discard(by_vertex.size());
   tied_body_.resize_discard(tied.size());
   tied_body_.write(tied);
 }
@@ -123,6 +164,26 @@ void BodyTies<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter&
   device_.parallel_for(
       "ties/fill", ties_.view().count,
       tie_kernels::Fill{{ties_.view(), substep.particles.sorted}, bodies_.proxies(), writer});
+}
+
+template <class D>
+void BodyTies<D>::begin(pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for(
+      "ties/hold", ties_.view().count,
+      tie_kernels::Hold{{ties_.view(), p.sorted}, bodies_.proxies(), p.position, p.moved, held_.view()});
+}
+
+template <class D>
+void BodyTies<D>::settle(pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("ties/let go", ties_.view().count,
+                       tie_kernels::LetGo{{ties_.view(), p.sorted},
+                                          substep.contacts.start,
+                                          substep.contacts.contacts,
+                                          held_.view(),
+                                          p.position,
+                                          p.moved});
 }
 
 template <class D>

@@ -218,13 +218,13 @@ struct EnterTouches {
   NearList near;
   View<const uint32_t> start;
   View<uint32_t> left;     // by vertex: entries still to come; 0 in the end
-  View<uint32_t> entries;  // touch, and in the lowest four bits which of its vertices it is
+  View<uint32_t> entries;  // touch, and in the lowest five bits which of its vertices it is
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (n >= most_touches * near.count() || !is_used(near.touches[n])) return;
     for (uint32_t k = 0; k < near.touches[n].vertices; ++k) {
       const uint32_t v = near.touches[n].vertex[k];
-      entries[start[v] + pbd::atomic_add(left[v], ~0u) - 1] = n << 4 | k;
+      entries[start[v] + pbd::atomic_add(left[v], ~0u) - 1] = n << 5 | k;
     }
   }
 };

@@ -53,8 +53,8 @@ struct LoadedVertices {
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t v, const Visit& visit) const {
     for (uint32_t e = start[v]; e < start[v + 1] && e < entries.count; ++e) {
-      const SheetTouch& t = touches[entries[e] >> 4];
-      visit(t, t.weight[entries[e] & 15]);
+      const SheetTouch& t = touches[entries[e] >> 5];
+      visit(t, t.weight[entries[e] & 31]);
     }
   }
 };
@@ -160,12 +160,8 @@ struct ShareMomentum {
   View<Vec4> position, moved;  // by vertex
   View<const Vec4> previous;   // by vertex
   View<Vec4> taken;            // by vertex, m: what it took of the motion of each of its particles
-  View<uint32_t> was_loaded;   // by vertex: in the last substep; then in this one
-  View<uint32_t> reloaded;     // by vertex: in either
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    reloaded[v] = was_loaded[v];
-    was_loaded[v] = 0;
     if (!vertices.any(v)) return;
     const float own = vertices.own_weight[v];
     const float carried = vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.carried; });
@@ -176,7 +172,6 @@ struct ShareMomentum {
     const float weight = own / (1 + own * carried);
     const Vec3 step = weight * (vertices.pending(v) - carried * way);
     taken[v] = pbd::with_w(step / (own * carried), 0);
-    was_loaded[v] = reloaded[v] = 1;
     position[v] = pbd::with_w(x.xyz() + step, weight);
     moved[v] = pbd::with_w(moved[v].xyz() + step, moved[v].w);
   }

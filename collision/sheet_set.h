@@ -30,8 +30,6 @@ class SheetSet final : public pbd::ConstraintSet<D> {
   /// By vertex: inverse masses, 1/kg. `heaviest` (kg) of vertices and particles.
   void set_vertices(std::span<const float> inverse_masses, float heaviest);
 
-  void save() override;
-  void restore() override;
   void start_step() override { contacts_.start_step(); }
   void project(pbd::Substep<D>&, int) override {}
   void settle(pbd::Substep<D>& substep) override;
@@ -66,8 +64,6 @@ class SheetSet final : public pbd::ConstraintSet<D> {
   Carrying carrying_;
   float unit_ = 0;  // kg or kg·m, of the integers that sums run in
   pbd::Buffer<float> own_weight_{device_, "vertex masses"}, loaded_{device_, "loaded vertices"};
-  pbd::Buffer<uint32_t> was_loaded_{device_, "loaded vertices"}, saved_{device_, "loaded vertices"};
-  pbd::Buffer<uint32_t> reloaded_{device_, "loaded vertices"};
   pbd::Buffer<pbd::Vec4> change_{device_, "vertex changes"};
 };
 

@@ -15,12 +15,10 @@ void SheetSet<D>::start(pbd::Substep<D>& substep) {
   if (!contacts_.any()) return;
   const pbd::ParticleView& p = substep.particles;
   const pbd::View<pbd::Vec4> position = p.position.from(p.sorted);
-  substep.reloaded = reloaded_.view();
   device_.parallel_for("sheets/start", contacts_.near_count(), StartTouches{at_touches(substep)});
-  device_.parallel_for(
-      "sheets/share", contacts_.vertices(),
-      ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted), p.previous.from(p.sorted),
-                    change_.view(), was_loaded_.view(), reloaded_.view()});
+  device_.parallel_for("sheets/share", contacts_.vertices(),
+                       ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted),
+                                     p.previous.from(p.sorted), change_.view()});
   device_.parallel_for("sheets/give momentum", contacts_.near_count(),
                        GiveMomentum{at_touches(substep), change_.view()});
   device_.parallel_for("sheets/give", most_touches * contacts_.near_count(),
@@ -71,16 +69,6 @@ void SheetSet<D>::end(pbd::Substep<D>& substep) {
 }
 
 template <class D>
-void SheetSet<D>::save() {
-  device_.copy(saved_.view().data, was_loaded_.view().data, was_loaded_.size() * sizeof(uint32_t));
-}
-
-template <class D>
-void SheetSet<D>::restore() {
-  device_.copy(was_loaded_.view().data, saved_.view().data, saved_.size() * sizeof(uint32_t));
-}
-
-template <class D>
 sheet_kernels::AtTouches SheetSet<D>::at_touches(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   return {contacts_.near(), substep.contacts.contacts, p.position, p.moved, p.previous, p.phase, p.sorted};
@@ -95,10 +83,6 @@ template <class D>
 void SheetSet<D>::set_vertices(std::span<const float> inverse_masses, float heaviest) {
   own_weight_.resize_discard(inverse_masses.size());
   own_weight_.write(inverse_masses);
-  was_loaded_.resize_discard(inverse_masses.size());
-  was_loaded_.fill(0);
-  saved_.resize_discard(inverse_masses.size());
-  reloaded_.resize_discard(inverse_masses.size());
   loaded_.resize_discard(inverse_masses.size());
   change_.resize_discard(inverse_masses.size());
   // A vertex can carry some 2¹³ times the heaviest, or take as many metres times it.

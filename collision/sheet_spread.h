@@ -12,9 +12,8 @@ namespace meniscus::collision::sheet_kernels {
 
 /// Shares a touch among the vertices within `radius` of its point. The weights are a kernel's, corrected so
 /// that they give back the point itself as well as a constant (moving least squares): then forces across the
-/// sheet turn nothing. False where the vertices are too few, or to one side, as at a border.
-MENISCUS_HD inline bool spread_out(const Surface& surface, float radius, SheetTouch& touch) {
-  if (radius <= 0) return false;
+/// sheet turn nothing. False where the vertices are too few, or to one side.
+MENISCUS_HD inline bool spread_within(const Surface& surface, float radius, SheetTouch& touch) {
   const Tangents axes(touch.normal);
   float one = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
   float at_u[SheetTouch::most_vertices], at_v[SheetTouch::most_vertices];
@@ -49,6 +48,13 @@ MENISCUS_HD inline bool spread_out(const Surface& surface, float radius, SheetTo
   }
   if (!good) touch.vertices = 0;
   return good;
+}
+
+/// The same, as far as a border allows; false where it does not.
+MENISCUS_HD inline bool spread_out(const Surface& surface, float radius, SheetTouch& touch) {
+  for (float r = radius; r > 0.4f * radius; r *= 0.75f)
+    if (spread_within(surface, r, touch)) return true;
+  return false;
 }
 
 }  // namespace meniscus::collision::sheet_kernels

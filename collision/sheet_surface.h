@@ -78,7 +78,7 @@ MENISCUS_HD inline Vec3 turned_to_end(const pbd::FeaturePair& p, Vec3 direction,
 /// pushes is shared by the corners of the triangle that it touches, or by all vertices of a fine mesh that
 /// are as near as its neighbours.
 struct alignas(16) SheetTouch {
-  static constexpr uint32_t most_vertices = 16;
+  static constexpr uint32_t most_vertices = 32;
 
   Vec3 point;         ///< m, on the surface
   uint32_t vertices;  ///< how many share it; 0 where there is no contact

@@ -20,9 +20,6 @@ struct Substep {
   uint32_t sentinel = 0;  ///< the particle that fills up neighbour rows
   float dt = 0;           ///< s
   int iterations = 0;
-  /// By vertex, where vertices may carry other particles for a while: whether its inverse mass is, or was in
-  /// the last substep, another than its own. What was found with it is no guess for this one.
-  View<const uint32_t> reloaded{};
 };
 
 /// Arrays that belong to particles of fluids but live in a set: they follow when particles are sorted, added

@@ -64,6 +64,7 @@ class DeviceEngine final : public Engine {
     solver_.add(contacts_);
     solver_.add(density_);
     solver_.add(sheets_.loading());
+    solver_.add(static_cast<pbd::ConstraintSet<D>&>(ties_));
     solver_.add(cloth_);
     solver_.add(rods_);
     solver_.add(ropes_);

@@ -107,7 +107,7 @@ class Assembly {
   /// So that no vertex between neighbouring particles goes without its share, and no touch has too many.
   float spread_on(const ClothEntry& entry) const {
     const float edge = mean_edge(entry.mesh);
-    return edge < 0.75f * spacing_ ? std::min(std::max(1.2f * edge, 0.75f * spacing_), 1.9f * edge) : 0.0f;
+    return edge < 0.9f * spacing_ ? std::min(std::max(1.2f * edge, spacing_), 2.6f * edge) : 0.0f;
   }
 
   cloth::Piece piece_of(const ClothEntry& entry) const {

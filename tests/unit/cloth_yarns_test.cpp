@@ -133,17 +133,17 @@ double tridiagonal_residual(uint32_t n) {
   std::uniform_real_distribution<float> mass(0.5f, 2), turn(-1, 1);
   std::vector<float> w(n + 1);
   for (float& x : w) x = mass(bits);
-  std::vector<TridiagonalRow> rows(n), other(n);
+  std::vector<TridiagonalRow<float>> rows(n), other(n);
   for (uint32_t i = 0; i < n; ++i) {
     const float before = i ? -w[i] * (1 - 0.1f * std::fabs(turn(bits))) : 0;
     rows[i] = {before, 1.003f * (w[i] + w[i + 1]), i + 1 < n ? -w[i + 1] : 0, turn(bits)};
   }
-  const std::vector<TridiagonalRow> given = rows;
-  const TridiagonalRow* solved = solve_tridiagonal(Group{}, rows.data(), other.data(), n);
+  const std::vector<TridiagonalRow<float>> given = rows;
+  const TridiagonalRow<float>* solved = solve_tridiagonal(Group{}, rows.data(), other.data(), n);
   const auto x = [&](uint32_t i) { return i < n ? double{solved[i].right} : 0; };
   double most = 0, largest = 0;
   for (uint32_t i = 0; i < n; ++i) {
-    const TridiagonalRow& r = given[i];
+    const TridiagonalRow<float>& r = given[i];
     most = std::max(most, std::fabs(r.lower * x(i - 1) + r.diagonal * x(i) + r.upper * x(i + 1) - r.right));
     largest = std::max(largest, std::fabs(r.diagonal * x(i)));
   }

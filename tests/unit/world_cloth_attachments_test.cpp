@@ -252,6 +252,7 @@ TEST_P(ClothAttachmentTest, TethersBoundTheStretch) {
     few.substeps = few.iterations = 1;
     World world(few);
     ClothDef def = sheet(1, 1, 25, 25);
+    def.fabric.warp_stiffness = def.fabric.weft_stiffness = 10;
     def.tethers = tethers;
     const ClothId id = world.create_cloth(def);
     world.create_attachment(attach(id, vertices_from(0, 25)));
