@@ -41,7 +41,7 @@ void need_libraries() {
 }
 
 /// All displays that need no screen: those of devices, hardware first, and Mesa's own.
-std::vector<EGLDisplay> displays() {
+std::vector<EGLDisplay> displays(EglDevices wanted) {
   std::vector<EGLDisplay> hardware, software;
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (has_extension(client, "EGL_EXT_device_enumeration") &&
@@ -56,6 +56,7 @@ std::vector<EGLDisplay> displays() {
           .push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
     }
   }
+  if (wanted == EglDevices::software) return software;
   hardware.insert(hardware.end(), software.begin(), software.end());
   if (has_extension(client, "EGL_MESA_platform_surfaceless"))
     hardware.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
@@ -84,9 +85,9 @@ bool make_current(EGLDisplay display, EGLContext& context) {
 
 }  // namespace
 
-EglContext::EglContext() : names_(std::make_unique<Names>()) {
+EglContext::EglContext(EglDevices devices) : names_(std::make_unique<Names>()) {
   need_libraries();
-  const std::vector<EGLDisplay> all = displays();
+  const std::vector<EGLDisplay> all = displays(devices);
   if (all.empty())
     throw Error(ErrorCode::device,
                 std::string("cannot render: EGL finds no device that draws without a screen") + remedy);

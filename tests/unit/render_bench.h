@@ -34,9 +34,11 @@ inline int difference(Pixel a, Pixel b) {
 /// A test that needs OpenGL, and is skipped where there is none.
 class RenderTest : public testing::Test {
  protected:
+  explicit RenderTest(render::EglDevices devices = render::EglDevices::all) : devices_(devices) {}
+
   void SetUp() override {
     try {
-      context_ = std::make_unique<render::EglContext>();
+      context_ = std::make_unique<render::EglContext>(devices_);
     } catch (const Error& error) {
       GTEST_SKIP() << error.what();
     }
@@ -57,6 +59,7 @@ class RenderTest : public testing::Test {
   }
 
  private:
+  render::EglDevices devices_;
   std::unique_ptr<render::EglContext> context_;
 };
 

@@ -4,14 +4,21 @@
 const vec3 sun_light = vec3(2.55, 2.40, 2.12);
 const vec3 zenith = vec3(0.06, 0.16, 0.38), horizon = vec3(0.52, 0.62, 0.73), below = vec3(0.22, 0.23, 0.24);
 
+// 0 to 1, from whole numbers alone, so that every driver has the same clouds.
+float random(ivec2 cell) {
+  uint n = uint(cell.x) * 0x8da6b343u ^ uint(cell.y) * 0xd8163841u;
+  n = (n ^ (n >> 15)) * 0x2c1b3c6du;
+  n = (n ^ (n >> 12)) * 0x297a2d39u;
+  return float(n >> 8) / 16777216.0;
+}
+
 // Value noise, smooth, 0 to 1.
 float noise(vec2 p) {
-  vec2 cell = floor(p), f = fract(p);
+  ivec2 cell = ivec2(floor(p));
+  vec2 f = fract(p);
   f = f * f * (3.0 - 2.0 * f);
-  vec4 corners = vec4(cell.x, cell.x + 1.0, cell.x, cell.x + 1.0) * 127.1 +
-                 vec4(cell.y, cell.y, cell.y + 1.0, cell.y + 1.0) * 311.7;
-  vec4 h = fract(sin(corners) * 43758.547);
-  return mix(mix(h.x, h.y, f.x), mix(h.z, h.w, f.x), f.y);
+  return mix(mix(random(cell), random(cell + ivec2(1, 0)), f.x),
+             mix(random(cell + ivec2(0, 1)), random(cell + 1), f.x), f.y);
 }
 
 vec3 sky(vec3 direction) {

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Pictures that were looked at and found good, one for each pass of the renderer: golden/NAME.png.
+#pragma once
+
+#include "tests/unit/render_bench.h"
+
+namespace meniscus::tests {
+
+/// The picture looks as golden/NAME.png does; where it does not, it is put aside and the message says where.
+/// With MENISCUS_RENEW_PICTURES=1 in the environment it becomes golden/NAME.png instead.
+void expect_picture(const std::string& name, const io::Image& image);
+
+/// Draws on the CPU, so that no GPU's driver has a say.
+class GoldenTest : public RenderTest {
+ protected:
+  GoldenTest() : RenderTest(render::EglDevices::software) {}
+
+  /// Above a ground at y = 0.
+  static io::PreviewScene on_ground(Vec3 eye, Vec3 target, float field_of_view = 35) {
+    io::PreviewScene scene = small_scene();
+    scene.shapes = {shape(PlaneGeometry{})};
+    scene.camera = SceneCamera{eye, target, field_of_view};
+    return scene;
+  }
+
+  void expect_drawn(const std::string& name, const io::PreviewScene& scene,
+                    const render::Moment& moment = {}) const {
+    expect_picture(name, draw(scene, moment));
+  }
+};
+
+}  // namespace meniscus::tests

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What is not fluid: backdrop, solids and their shadows, glass, cloth, ropes; the tone curve and smooth
+// edges.
+#include <cmath>
+#include <numbers>
+
+#include "tests/pictures/golden.h"
+
+namespace meniscus::tests {
+namespace {
+
+class SolidPictures : public GoldenTest {};
+
+/// A sheet bent about the vertical, like an open book's page, of columns of `color`.
+io::ClothFrame bent_sheet(float radius, float height, int columns, float degrees) {
+  io::ClothFrame frame;
+  for (int i = 0; i <= columns; ++i) {
+    const float angle = (static_cast<float>(i) / static_cast<float>(columns) - 0.5f) * degrees *
+                        std::numbers::pi_v<float> / 180;
+    const Vec3 outwards{std::sin(angle), 0, std::cos(angle)};
+    for (const float y : {0.0f, height}) {
+      frame.vertices.push_back(radius * outwards + Vec3{0, y, 0});
+      frame.normals.push_back(outwards);
+    }
+    if (i == 0) continue;
+    const auto k = static_cast<uint32_t>(2 * i);
+    frame.triangles.insert(frame.triangles.end(), {{k - 2, k, k + 1}, {k - 2, k + 1, k - 1}});
+  }
+  frame.pieces.assign(frame.triangles.size(), 0);
+  frame.vertex_pieces.assign(frame.vertices.size(), 0);
+  frame.names = {"sheet"};
+  return frame;
+}
+
+TEST_F(SolidPictures, SkyAndGround) {
+  expect_drawn("sky_and_ground", on_ground({0, 0.8f, 4}, {0, 1.6f, 0}, 75));
+}
+
+TEST_F(SolidPictures, Solids) {
+  io::PreviewScene scene = on_ground({0.3f, 2.2f, 3.2f}, {0, 0.2f, 0});
+  scene.shapes.push_back(shape(SphereGeometry{0.3f}, {-0.7f, 0.3f, 0.3f}));
+  scene.shapes.push_back(shape(BoxGeometry{{0.25f, 0.25f, 0.25f}}, {0.1f, 0.25f, 0.2f}));
+  scene.shapes.back().pose.rotation = {0, 0.3826834f, 0, 0.9238795f};
+  scene.shapes.push_back(shape(CylinderGeometry{0.2f, 0.3f}, {0.8f, 0.3f, 0}));
+  scene.shapes.push_back(shape(CapsuleGeometry{0.15f, 0.2f}, {-0.3f, 0.35f, -0.6f}));
+  scene.bodies.resize(1);
+  scene.bodies[0].geometry =
+      HullGeometry{{{-0.3f, 0, -0.3f}, {0.3f, 0, -0.3f}, {0.3f, 0, 0.3f}, {-0.3f, 0, 0.3f}, {0, 0.5f, 0}}};
+  scene.bodies[0].pose.position = {0.4f, 0, -0.7f};
+  expect_drawn("solids", scene);
+}
+
+TEST_F(SolidPictures, Shadows) {
+  io::PreviewScene scene = on_ground({0.5f, 3, 1.6f}, {0.3f, 0, 0});
+  for (const float x : {-0.8f, -0.2f, 0.4f})
+    scene.shapes.push_back(shape(BoxGeometry{{0.05f, 0.5f, 0.05f}}, {x, 0.5f, 0.3f}));
+  scene.shapes.push_back(shape(SphereGeometry{0.2f}, {-0.3f, 0.6f, -0.5f}));
+  expect_drawn("shadows", scene);
+}
+
+/// A vessel before a dark wall, seen at a low angle: its glass mirrors the sky.
+TEST_F(SolidPictures, Glass) {
+  io::PreviewScene scene = on_ground({1.6f, 0.75f, 1.5f}, {0, 0.4f, 0});
+  scene.bodies.resize(1);
+  scene.bodies[0].geometry = BoxGeometry{{1.5f, 1, 0.05f}};
+  scene.bodies[0].pose.position = {0, 1, -0.8f};
+  scene.shapes.push_back(
+      shape(ContainerGeometry{{0.6f, 0.4f, 0.4f}, {{Face::y_high, std::nullopt}}}, {0, 0.42f, 0}));
+  expect_drawn("glass", scene);
+}
+
+TEST_F(SolidPictures, ClothFromBothSides) {
+  io::PreviewScene scene = on_ground({0, 1.5f, 2.6f}, {0, 0.35f, 0});
+  scene.cloth_colors = {{0.65f, 0.08f, 0.06f}};
+  const io::ClothFrame sheet = bent_sheet(0.7f, 0.8f, 24, 300);
+  expect_drawn("cloth", scene, {.cloth = sheet});
+}
+
+TEST_F(SolidPictures, Ropes) {
+  io::PreviewScene scene = on_ground({0, 1.2f, 2.4f}, {0, 0.4f, 0});
+  scene.rope_colors = {{0.65f, 0.45f, 0.12f}, {0.1f, 0.3f, 0.12f}};
+  io::RopeFrame frame;
+  frame.lines.resize(2);
+  for (uint32_t i = 0; i < 60; ++i) {  // a coil, and a line through it
+    const float t = static_cast<float>(i) / 59, angle = 6 * std::numbers::pi_v<float> * t;
+    frame.vertices.push_back({1.4f * t - 0.7f, 0.45f + 0.3f * std::cos(angle), 0.3f * std::sin(angle)});
+    frame.lines[0].push_back(i);
+  }
+  frame.vertices.insert(frame.vertices.end(), {{-0.9f, 0.45f, 0}, {0.9f, 0.45f, 0}});
+  frame.lines[1] = {60, 61};
+  frame.radii = {0.05f, 0.03f};
+  expect_drawn("ropes", scene, {.ropes = frame});
+}
+
+/// Strips of cloth from nearly black to brighter than white.
+TEST_F(SolidPictures, ToneCurve) {
+  io::PreviewScene scene = on_ground({0, 2.4f, 1}, {0, 0, 0});
+  io::ClothFrame strips;
+  for (uint32_t i = 0; i < 10; ++i) {
+    const float x = 0.2f * static_cast<float>(i) - 1, level = 0.005f * std::pow(2.0f, static_cast<float>(i));
+    scene.cloth_colors.push_back({level, 0.9f * level, 0.7f * level});
+    for (const Vec3 corner :
+         {Vec3{x, 0.01f, 0.6f}, {x + 0.19f, 0.01f, 0.6f}, {x + 0.19f, 0.01f, -0.6f}, {x, 0.01f, -0.6f}}) {
+      strips.vertices.push_back(corner);
+      strips.normals.push_back({0, 1, 0});
+    }
+    strips.triangles.insert(strips.triangles.end(),
+                            {{4 * i, 4 * i + 1, 4 * i + 2}, {4 * i, 4 * i + 2, 4 * i + 3}});
+    strips.pieces.insert(strips.pieces.end(), 2, i);
+  }
+  expect_drawn("tone_curve", scene, {.cloth = strips});
+}
+
+/// Bars of pale wood before a dark wall, at slants of all kinds.
+TEST_F(SolidPictures, SmoothEdges) {
+  io::PreviewScene scene = small_scene();
+  scene.shapes = {shape(PlaneGeometry{}, {0, -50, 0}), shape(BoxGeometry{{3, 3, 0.1f}}, {0, 0, -1})};
+  scene.rope_colors.assign(40, {0.8f, 0.75f, 0.6f});
+  io::RopeFrame rays;
+  for (uint32_t i = 0; i < 40; ++i) {
+    const float angle = (static_cast<float>(i) + 0.3f) * std::numbers::pi_v<float> / 20;
+    const Vec3 direction{std::cos(angle), std::sin(angle), 0};
+    rays.vertices.insert(rays.vertices.end(), {0.25f * direction, 1.5f * direction});
+    rays.lines.push_back({2 * i, 2 * i + 1});
+    rays.radii.push_back(0.025f);
+  }
+  expect_drawn("smooth_edges", scene, {.ropes = rays});
+}
+
+}  // namespace
+}  // namespace meniscus::tests
