@@ -50,6 +50,7 @@ AnisotropyParameters calibrate_anisotropy(double spacing, double support_radius)
   p.support = static_cast<float>(support_radius);
   p.radius = static_cast<float>(radius * spacing);
   p.lone_radius = static_cast<float>(std::cbrt(0.75 / std::numbers::pi) * spacing);
+  p.grain_radius = static_cast<float>(0.5 * spacing);
   p.surface_weight = static_cast<float>(measure_layer(0, support).weight);
   return p;
 }

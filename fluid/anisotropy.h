@@ -24,6 +24,7 @@ struct AnisotropyParameters {
   float ratio = 4;           ///< k: the longest radius over the shortest, at most
   float radius = 0;          ///< m: among neighbours
   float lone_radius = 0;     ///< m: of a particle on its own
+  float grain_radius = 0;    ///< m
   float surface_weight = 0;  ///< Σ w of a particle at a flat surface, itself included
 };
 
@@ -37,7 +38,7 @@ class Anisotropy {
  public:
   Anisotropy(D& device, const AnisotropyParameters& parameters) : device_(device), parameters_(parameters) {}
 
-  /// One ellipsoid a particle of fluid, by slot.
+  /// One ellipsoid a particle, by slot; grains are the balls that they are.
   void measure(const pbd::Substep<D>& substep, pbd::View<Ellipsoid> ellipsoids) const;
 
  private:

@@ -59,12 +59,18 @@ struct Measure {
   AnisotropyParameters parameters;
   pbd::View<const pbd::Vec4> position;
   pbd::NeighbourView neighbours;
+  pbd::View<const pbd::Phase> phase;
   pbd::View<const uint32_t> slot;
   pbd::View<Ellipsoid> ellipsoids;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     using Real = typename D::Real;
     const Vec3 x = position[i].xyz();
+    if (pbd::is_grain(phase[i])) {
+      const float r = parameters.grain_radius;
+      ellipsoids[slot[i]] = {x, {r, r, r}, {0, 0, 0, 1}};
+      return;
+    }
     Moments<Real> s{1 / parameters.support};
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) { s.add(gather(position, j).xyz() - x); });
     const float weight = 1 + sum(s.weight), inverse = 1 / weight;  // with itself, at offset 0
@@ -85,7 +91,7 @@ void Anisotropy<D>::measure(const pbd::Substep<D>& substep, pbd::View<Ellipsoid>
   device_.parallel_for(
       "anisotropy/measure", substep.particles.sorted,
       anisotropy_kernels::Measure<D>{parameters_, substep.particles.position, substep.neighbours,
-                                     substep.particles.slot, ellipsoids});
+                                     substep.particles.phase, substep.particles.slot, ellipsoids});
 }
 
 }  // namespace meniscus::fluid

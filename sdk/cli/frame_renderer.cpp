@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/cli/frame_renderer.h"
 
-#include <spdlog/fmt/fmt.h>
-
-#include "sdk/cli/frame_exporter.h"
 #include "sdk/render/egl_context.h"
 #include "sdk/render/renderer.h"
 
@@ -14,9 +11,19 @@ namespace {
 render::Moment moment_of(const World& world, const FrameSample& sample) {
   return {.ellipsoids = world.ellipsoids(),
           .fluids = sample.particles.fluids,
+          .positions = sample.particles.positions,
           .bodies = sample.bodies,
           .cloth = sample.cloth,
           .ropes = sample.ropes};
+}
+
+render::RenderSettings settings_of(const PictureOptions& options) {
+  render::RenderSettings settings;
+  settings.anisotropic = options.anisotropic;
+  if (options.filter == "bilateral") settings.filter = render::SurfaceFilter::bilateral;
+  if (options.filter == "curvature-flow") settings.filter = render::SurfaceFilter::curvature_flow;
+  if (options.filter == "none") settings.filter = render::SurfaceFilter::none;
+  return settings;
 }
 
 }  // namespace
@@ -25,22 +32,18 @@ struct FrameRenderer::Parts {
   render::EglContext context;
   render::Renderer renderer;
 
-  Parts(const io::PreviewScene& scene, const render::Moment& first) : renderer(scene, first) {}
+  Parts(const io::PreviewScene& scene, const PictureOptions& options, const render::Moment& first)
+      : renderer(scene, first, settings_of(options)) {}
 };
 
-FrameRenderer::FrameRenderer(std::filesystem::path folder, const io::PreviewScene& scene, const World& world,
+FrameRenderer::FrameRenderer(const io::PreviewScene& scene, const PictureOptions& options, const World& world,
                              const FrameSample& first)
-    : folder_(std::move(folder)), parts_(std::make_unique<Parts>(scene, moment_of(world, first))) {}
+    : parts_(std::make_unique<Parts>(scene, options, moment_of(world, first))) {}
 
 FrameRenderer::~FrameRenderer() = default;
 
 io::Image FrameRenderer::draw(const World& world, const FrameSample& sample) {
   return parts_->renderer.draw(moment_of(world, sample));
-}
-
-void FrameRenderer::write(const World& world, const FrameSample& sample) {
-  make_folder(folder_ / "frames");
-  io::write_png(folder_ / fmt::format("frames/render_{:05}.png", sample.frame), draw(world, sample));
 }
 
 }  // namespace meniscus::cli

@@ -4,11 +4,10 @@
 
 #include <meniscus/world.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "sdk/cli/frame_sample.h"
-#include "sdk/io/preview.h"
+#include "sdk/cli/picture_options.h"
 
 namespace meniscus::cli {
 
@@ -17,17 +16,14 @@ class FrameRenderer {
  public:
   /// `first` is the state before the first frame. Throws Error(device) that says what is missing, where the
   /// renderer was not built or finds no device, and what render::Renderer throws.
-  FrameRenderer(std::filesystem::path folder, const io::PreviewScene& scene, const World& world,
+  FrameRenderer(const io::PreviewScene& scene, const PictureOptions& options, const World& world,
                 const FrameSample& first);
   ~FrameRenderer();
 
   io::Image draw(const World& world, const FrameSample& sample);
-  /// As FOLDER/frames/render_00001.png. Throws Error(io).
-  void write(const World& world, const FrameSample& sample);
 
  private:
   struct Parts;
-  std::filesystem::path folder_;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -16,15 +16,12 @@ namespace {
 
 struct FrameRenderer::Parts {};
 
-FrameRenderer::FrameRenderer(std::filesystem::path, const io::PreviewScene&, const World&,
+FrameRenderer::FrameRenderer(const io::PreviewScene&, const PictureOptions&, const World&,
                              const FrameSample&) {
   fail();
 }
 FrameRenderer::~FrameRenderer() = default;
 io::Image FrameRenderer::draw(const World&, const FrameSample&) {
-  fail();
-}
-void FrameRenderer::write(const World&, const FrameSample&) {
   fail();
 }
 

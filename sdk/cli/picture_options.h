@@ -9,15 +9,21 @@
 namespace meniscus::cli {
 
 struct PictureOptions {
-  /// What OpenGL draws: `frames`, every one; `last`, preview.png alone; `auto`, the same where there is a
-  /// device for it; empty: nothing, and preview.png comes from the rasteriser on the CPU.
+  /// What OpenGL draws: `frames`, every one, a contact sheet and preview.png; `last`, preview.png alone;
+  /// `auto`, the sheet and preview.png where there is a device for it; empty: nothing, and preview.png comes
+  /// from the rasteriser on the CPU.
   std::string render;
+  std::string video;   ///< a file for every frame, whatever `render` is; empty: none
   std::string size;    ///< as in 1280x720, which it is where it is empty
   std::string camera;  ///< of Scene::cameras; empty: Scene::camera
+  std::string filter;  ///< of the fluid's surface: narrow-range, bilateral, curvature-flow or none
+  bool anisotropic = true;
+
+  bool any() const { return !render.empty() || !video.empty(); }
 };
 
-/// The scene as it is to be looked at. Throws Error(invalid_argument) for a size that is none, or for a
-/// camera that the scene does not have.
+/// The scene as it is to be looked at. Throws Error(invalid_argument) for a size that is none, for a camera
+/// that the scene does not have, and for a look of fluid that OpenGL is not asked to draw.
 io::PreviewScene picture_scene(const Scene& scene, const PictureOptions& options);
 
 }  // namespace meniscus::cli

@@ -46,10 +46,19 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"ply", "vtp", "obj"}).description(""));
-  run.add_flag("--render{frames}", options.picture.render,
-               "Draw by OpenGL: every frame, or the last one alone; auto: that one where OpenGL is at hand")
+  run.add_flag(
+         "--render{frames}", options.picture.render,
+         "Draw by OpenGL: every frame and a contact sheet; or the last frame alone; auto: that one and the "
+         "sheet where OpenGL is at hand")
       ->type_name("=frames|last|auto")
       ->check(CLI::IsMember({"frames", "last", "auto"}).description(""));
+  run.add_option("--video", options.picture.video, "Draw every frame by OpenGL into a video, through ffmpeg")
+      ->type_name("FILE.mp4");
+  run.add_option("--filter", options.picture.filter, "What OpenGL smoothes the fluid's surface by")
+      ->type_name("narrow-range|bilateral|curvature-flow|none")
+      ->check(CLI::IsMember({"narrow-range", "bilateral", "curvature-flow", "none"}).description(""));
+  run.add_flag("!--no-anisotropy", options.picture.anisotropic,
+               "Have OpenGL draw particles of fluid as balls, not as ellipsoids along its surface");
   run.add_option("--size", options.picture.size, "Pixels of pictures; by default 1280x720")
       ->type_name("WIDTHxHEIGHT");
   run.add_option("--camera", options.picture.camera, "One of the scene's named cameras")->type_name("NAME");

@@ -95,7 +95,8 @@ std::string rope_line(const json& rope) {
 }
 
 /// The files that a kind of thing leaves behind, where there are any.
-std::string file_list(const std::vector<std::string>& formats, const json& figures, bool rendered_frames) {
+std::string file_list(const std::vector<std::string>& formats, const json& figures,
+                      const std::vector<std::string>& pictures) {
   std::string text = "summary.json, frames.csv, density.svg, preview.png";
   const auto add_for = [&](const char* kind, const char* file) {
     if (!figures.at(kind).empty()) text += std::string(", ") + file;
@@ -103,7 +104,7 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
   add_for("bodies", "bodies.csv");
   add_for("cloths", "cloths.csv");
   add_for("attachments", "attachments.csv");
-  if (rendered_frames) text += ", frames/render_*.png";
+  for (const std::string& picture : pictures) text += ", " + picture;
   for (const std::string& format : formats) {
     text += ", frames/*." + format;
     if (format != "vtp") continue;
@@ -119,7 +120,7 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
 }  // namespace
 
 std::string run_summary(const json& figures, const std::filesystem::path& folder,
-                        const std::vector<std::string>& formats, bool rendered_frames) {
+                        const std::vector<std::string>& formats, const std::vector<std::string>& pictures) {
   std::string text = heading(figures);
   text += line("run", run_line(figures));
   text += line("particles", fmt::format("{}, in {:.1f} MiB on the device", count(figures, "particles"),
@@ -140,7 +141,7 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   text += line("state", text_of(figures, "state_hash"));
   for (const json& cloth : figures.at("cloths")) text += line("cloth", cloth_line(cloth));
   for (const json& rope : figures.at("ropes")) text += line("rope", rope_line(rope));
-  text += line("files", folder.string() + ": " + file_list(formats, figures, rendered_frames));
+  text += line("files", folder.string() + ": " + file_list(formats, figures, pictures));
   return text + fmt::format("The picture to open: {}\n", (folder / "preview.png").string());
 }
 

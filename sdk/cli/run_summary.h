@@ -9,8 +9,10 @@
 
 namespace meniscus::cli {
 
-/// The figures of summary.json in words, with the files of the run; the last line names the picture.
+/// The figures of summary.json in words, with the files of the run, also `pictures` beside preview.png; the
+/// last line names that one.
 std::string run_summary(const nlohmann::ordered_json& figures, const std::filesystem::path& folder,
-                        const std::vector<std::string>& formats, bool rendered_frames = false);
+                        const std::vector<std::string>& formats,
+                        const std::vector<std::string>& pictures = {});
 
 }  // namespace meniscus::cli

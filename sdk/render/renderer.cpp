@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sdk/render/passes/fluid_thickness.h"
+#include "sdk/render/passes/grains.h"
 #include "sdk/render/passes/solids.h"
 
 namespace meniscus::render {
@@ -36,6 +37,17 @@ Bounds bounds_of(const Solids& solids, const Moment& moment) {
   return bounds;
 }
 
+/// Grains are as they were.
+std::vector<Ellipsoid> balls_at(const Moment& moment, const io::PreviewScene& scene) {
+  std::vector<Ellipsoid> balls(moment.ellipsoids.begin(), moment.ellipsoids.end());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (moment.fluids[i] >= scene.first_granular) continue;
+    const float r = scene.particle_spacing;
+    balls[i] = {moment.positions[i], {r, r, r}, {0, 0, 0, 1}};
+  }
+  return balls;
+}
+
 /// Rows from the top, where OpenGL has them from the bottom.
 template <class T>
 void turn_over(std::vector<T>& pixels, int row, int rows) {
@@ -56,12 +68,13 @@ struct Renderer::Parts {
   Parts(const io::PreviewScene& s, const Moment& first, const RenderSettings& set)
       : scene(checked(s)), settings(set), solids(s), stage(stage_of(s, bounds_of(solids, first))) {
     shadow.compare_depths();
+    if (scene.first_granular < scene.fluid_colors.size()) grains.emplace();
     frame = uniforms_of(stage, scene.width, scene.height);
     // Three pixels: thinner ones would be dotted.
     const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
     solids.set_edges(1.3f * pixel);
     frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
-    const FluidUniforms fluids = fluid_uniforms_of(stage, scene.fluid_colors);
+    const FluidUniforms fluids = fluid_uniforms_of(scene);
     fluid_buffer.write(std::span<const FluidUniforms>(&fluids, 1));
   }
 
@@ -71,8 +84,16 @@ struct Renderer::Parts {
                                                    " elements, but there are " +
                                                    std::to_string(moment.ellipsoids.size()) + " ellipsoids");
     }
+    if (!settings.anisotropic && moment.positions.size() != moment.ellipsoids.size()) {
+      throw Error(ErrorCode::invalid_argument, "positions has " + std::to_string(moment.positions.size()) +
+                                                   " elements, but there are " +
+                                                   std::to_string(moment.ellipsoids.size()) + " ellipsoids");
+    }
     solids.place(moment.bodies, moment.cloth, moment.ropes);
-    particles.set(moment.ellipsoids, moment.fluids);
+    if (settings.anisotropic)
+      particles.set(moment.ellipsoids, moment.fluids);
+    else
+      particles.set(balls_at(moment, scene), moment.fluids);
   }
 
   void bind() const {
@@ -89,6 +110,7 @@ struct Renderer::Parts {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 4);
     solids.draw_shadows();
+    if (grains) grains->draw_shadows(particles);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_TEST);
     thickness.draw_for_sun(particles, frame, stage.spacing);
@@ -103,6 +125,7 @@ struct Renderer::Parts {
     screen.draw();
     glDepthFunc(GL_LESS);
     solids.draw_opaque();
+    if (grains) grains->draw(particles);
     solids.draw_glass();
     glDisable(GL_DEPTH_TEST);
   }
@@ -162,6 +185,7 @@ struct Renderer::Parts {
   DataBuffer frame_buffer, fluid_buffer;
   Screen screen;
   Particles particles;
+  std::optional<Grains> grains;  // where the scene has any
 
   Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
   Texture scene_color{GL_RGBA16F, scene.width, scene.height, GL_LINEAR};

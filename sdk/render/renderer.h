@@ -14,6 +14,7 @@ namespace meniscus::render {
 
 struct RenderSettings {
   SurfaceFilter filter = SurfaceFilter::narrow_range;
+  bool anisotropic = true;        ///< else fluid is balls of one spacing's radius, at Moment::positions
   float filter_reach = 1.3f;      ///< spacings, one standard deviation
   float filter_threshold = 3.0f;  ///< spacings: surfaces that are further apart in depth are kept apart
 };
@@ -21,7 +22,8 @@ struct RenderSettings {
 /// What is to be seen at one moment; views of arrays that live elsewhere.
 struct Moment {
   std::span<const Ellipsoid> ellipsoids{};  ///< World::ellipsoids
-  std::span<const uint32_t> fluids{};       ///< World::fluids, one an ellipsoid; beyond 16 they look alike
+  std::span<const uint32_t> fluids{};       ///< World::fluids, one an ellipsoid
+  std::span<const Vec3> positions{};        ///< World::positions; needed for balls alone
   std::span<const BodyState> bodies{};      ///< in the scene's order; none: where they start
   io::ClothFrame cloth{};
   io::RopeFrame ropes{};
@@ -30,13 +32,14 @@ struct Moment {
 class Renderer {
  public:
   /// The view is chosen once: it holds the scene and what there is of it at `first`, unless the scene has a
-  /// camera. Throws Error(invalid_argument) unless width and height of the scene are 1 to 16384;
+  /// camera. Throws Error(invalid_argument) unless width and height of the scene are 1 to 16384,
+  /// and for more than 1024 fluids and granular materials;
   /// Error(device) where OpenGL fails; and what solid_triangles throws.
   Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings = {});
   ~Renderer();
 
   /// Throws Error(invalid_argument) where there are bodies, but not one a body of the scene, or not one fluid
-  /// an ellipsoid.
+  /// and, for balls, one position an ellipsoid.
   io::Image draw(const Moment& moment);
   /// Unit normals of the fluid in view space, and its distance along −z, row by row from the top; 0 where
   /// none is seen. Of the last moment drawn.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/render/stage.h"
 
+#include <meniscus/error.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -104,13 +106,17 @@ FrameUniforms uniforms_of(const Stage& stage, int width, int height) {
   return u;
 }
 
-FluidUniforms fluid_uniforms_of(const Stage& stage, const std::vector<Vec3>& colors) {
-  // exp(−a · dye_length) is the colour; what is all black would take in all light at once.
-  const auto absorbed = [&](float c) { return -std::log(std::clamp(c, 0.02f, 0.98f)) / stage.dye_length; };
+FluidUniforms fluid_uniforms_of(const io::PreviewScene& scene) {
+  const std::vector<Vec3>& colors = scene.fluid_colors;
+  if (colors.size() > most_fluids) {
+    throw Error(ErrorCode::invalid_argument, "the scene has " + std::to_string(colors.size()) +
+                                                 " fluids and granular materials, but pictures can show " +
+                                                 std::to_string(most_fluids) + " at most");
+  }
   FluidUniforms u;
-  for (std::size_t i = 0; i < max_fluids; ++i) {
-    const Vec3 c = colors.empty() ? FluidDef{}.color : colors[std::min(i, colors.size() - 1)];
-    u.absorption[i] = {absorbed(c.x), absorbed(c.y), absorbed(c.z), 0};
+  for (std::size_t i = 0; i < most_fluids; ++i) {
+    const bool known = i < colors.size();
+    u.looks[i] = float4(known ? colors[i] : FluidDef{}.color, known && i >= scene.first_granular);
   }
   return u;
 }

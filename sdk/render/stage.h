@@ -42,6 +42,7 @@ Stage stage_of(const io::PreviewScene& scene, const Bounds& bounds);
 /// For a picture of this size, in pixels.
 FrameUniforms uniforms_of(const Stage& stage, int width, int height);
 
-FluidUniforms fluid_uniforms_of(const Stage& stage, const std::vector<Vec3>& colors);
+/// Throws Error(invalid_argument) where there are more than most_fluids.
+FluidUniforms fluid_uniforms_of(const io::PreviewScene& scene);
 
 }  // namespace meniscus::render

@@ -30,11 +30,11 @@ struct FrameUniforms {
 };
 
 inline constexpr unsigned frame_binding = 0;
-inline constexpr int max_fluids = 16;
+inline constexpr std::size_t most_fluids = 1024;  ///< what every driver has room for
 
-/// The looks of the fluids: the block Fluids of shaders/fluids.glsl. What comes after the last shares it.
+/// The looks of fluids and granular materials: the block Fluids of shaders/fluids.glsl.
 struct FluidUniforms {
-  std::array<Float4, max_fluids> absorption;  ///< 1/m, for red, green and blue
+  std::array<Float4, most_fluids> looks;  ///< linear RGB; w: 1 for grains
 };
 
 inline constexpr unsigned fluids_binding = 1;

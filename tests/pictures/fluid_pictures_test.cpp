@@ -34,19 +34,20 @@ class FluidPictures : public GoldenTest {
     return scene;
   }
   static std::unique_ptr<render::Renderer> drawn(const io::PreviewScene& scene, const Water& water,
-                                                 render::SurfaceFilter filter) {
+                                                 render::SurfaceFilter filter, bool anisotropic = true) {
     render::RenderSettings settings;
     settings.filter = filter;
+    settings.anisotropic = anisotropic;
     auto renderer = std::make_unique<render::Renderer>(scene, water.moment(), settings);
     renderer->draw(water.moment());
     return renderer;
   }
 
   /// Normals as colours, as a normal map has them.
-  static void expect_normals(const std::string& name, render::SurfaceFilter filter) {
+  static void expect_normals(const std::string& name, render::SurfaceFilter filter, bool anisotropic = true) {
     const io::PreviewScene scene = around_splash();
     io::Image image{scene.width, scene.height, {}};
-    for (const auto& n : drawn(scene, splash(), filter)->fluid_normals()) {
+    for (const auto& n : drawn(scene, splash(), filter, anisotropic)->fluid_normals()) {
       for (int k = 0; k < 3; ++k) image.rgb.push_back(n[3] > 0 ? byte_of(0.5f + 0.5f * n[k]) : 0);
     }
     expect_picture(name, image);
@@ -72,6 +73,10 @@ TEST_F(FluidPictures, DepthOfEllipsoids) {
 
 TEST_F(FluidPictures, NormalsOfEllipsoids) {
   expect_normals("ellipsoid_normals", render::SurfaceFilter::none);
+}
+
+TEST_F(FluidPictures, NormalsOfBalls) {
+  expect_normals("ball_normals", render::SurfaceFilter::none, false);
 }
 
 TEST_F(FluidPictures, NarrowRangeFilter) {
@@ -133,6 +138,22 @@ TEST_F(FluidPictures, Reflection) {
   scene.fluid_colors = {{0.02f, 0.02f, 0.02f}};
   const Water hills = on_floor([](float x) { return 0.4f + 0.1f * std::cos(6 * x); });
   expect_drawn("reflection", scene, hills.moment());
+}
+
+/// A heap of sand, half of it in water.
+TEST_F(FluidPictures, Grains) {
+  io::PreviewScene scene = on_ground({0.3f, 1.3f, 2.3f}, {0, 0.15f, 0});
+  scene.fluid_colors.push_back(GranularDef{}.color);
+  scene.fluid_colors.insert(scene.fluid_colors.begin(), {0.1f, 0.35f, 0.8f});
+  scene.first_granular = 1;
+  World world(world_def(pbd::DeviceKind::cpu, spacing));
+  const FluidId water = world.create_fluid({}), sand = world.create_granular({});
+  const auto in_heap = [](Vec3 p) { return p.y < 0.5f - 0.7f * std::hypot(p.x, p.z); };
+  world.add_particles(
+      sand, points_where(spacing, {0.8f, 0.6f, 0.6f}, [&](Vec3 p) { return p.y > 0 && in_heap(p); }));
+  world.add_particles(water, points_where(spacing, {0.8f, 0.2f, 0.6f},
+                                          [&](Vec3 p) { return p.y > 0 && p.x > 0 && !in_heap(p); }));
+  expect_drawn("grains", scene, {.ellipsoids = world.ellipsoids(), .fluids = world.fluids()});
 }
 
 /// All of it at once.

@@ -51,6 +51,18 @@ TEST_P(AnisotropyTest, ALoneParticleIsABallOfItsVolume) {
     EXPECT_NEAR(4.0 / 3 * std::numbers::pi * r * r * r / (s * s * s), 1, 1e-4);
 }
 
+TEST_P(AnisotropyTest, AGrainIsTheBallThatItIsAmongWhateverNeighbours) {
+  World world(world_def(GetParam(), s));
+  world.add_particles(world.create_fluid({}), lattice(4, 4, 4, s, {0, 0, 0}));
+  world.add_particles(world.create_granular({}), lattice(4, 2, 4, s, {0, 4 * s, 0}));
+  const std::span<const Ellipsoid> ellipsoids = world.ellipsoids();
+  for (std::size_t i = 64; i < 96; ++i) {
+    EXPECT_EQ(ellipsoids[i].centre, world.positions()[i]);
+    EXPECT_EQ(ellipsoids[i].radii, (Vec3{0.5f * s, 0.5f * s, 0.5f * s}));
+  }
+  EXPECT_NE(ellipsoids[63].centre, world.positions()[63]);
+}
+
 TEST_P(AnisotropyTest, InsideItIsABall) {
   const World world = world_of(lattice(9, 9, 9, s, {0, 0, 0}));
   const Ellipsoid e = world.ellipsoids()[4 * 81 + 4 * 9 + 4];

@@ -125,6 +125,10 @@ TEST_F(ProgramTest, BadPictureOptionsAreNamed) {
               "^meniscus: --camera is 'clos'[^\n]*\"close\"[^\n]*\n$");
   EXPECT_EXIT(run({"run", "flag", "--camera", "close"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --camera is 'close', but the scene has no named cameras\n$");
+  EXPECT_EXIT(run({"run", "drop", "--filter=none"}), testing::ExitedWithCode(bad_input),
+              "^meniscus: --filter[^\n]*need --render or --video\n$");
+  EXPECT_EXIT(run({"run", "drop", "--render", "--filter=blur"}), testing::ExitedWithCode(bad_input),
+              "^meniscus: --filter: blur");
   EXPECT_EXIT(run({"run", "drop", "--render=all"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --render: all");
 }
@@ -140,9 +144,26 @@ TEST_F(ProgramTest, EveryFrameIsRenderedWhereThereIsARenderer) {
       },
       "^$|^meniscus: cannot render: [^\n]*\n$");
   if (!fs::exists(fs::path(out()) / "frames")) GTEST_SKIP() << "no renderer here";
+  EXPECT_EQ(pixels(bytes(fs::path(out()) / "contact_sheet.png")), "132x48");
   for (const char* name : {"frames/render_00001.png", "frames/render_00002.png", "preview.png"})
     EXPECT_EQ(pixels(bytes(fs::path(out()) / name)), "64x48") << name;
   EXPECT_EQ(bytes(fs::path(out()) / "preview.png"), bytes(fs::path(out()) / "frames/render_00002.png"));
+}
+
+TEST_F(ProgramTest, WithoutFfmpegAVideoIsAnErrorBeforeTheRun) {
+  const auto without_ffmpeg = [&] {
+    setenv("PATH", "/nonexistent", 1);
+    run({"run", "drop", "--device", "cpu", "--out", out(), "--size", "64x48", "--video",
+         (folder_ / "drop.mp4").string()});
+  };
+  EXPECT_EXIT(
+      without_ffmpeg(),
+      [](int status) {
+        return testing::ExitedWithCode(bad_input)(status) || testing::ExitedWithCode(run_failed)(status);
+      },
+      "^meniscus: cannot (write the video|render)[^\n]*\n$");
+  EXPECT_FALSE(fs::exists(out()));
+  EXPECT_FALSE(fs::exists(folder_ / "drop.mp4"));
 }
 
 TEST_F(ProgramTest, WithoutADeviceRenderingIsAnErrorAndAutoIsNot) {
@@ -152,6 +173,7 @@ TEST_F(ProgramTest, WithoutADeviceRenderingIsAnErrorAndAutoIsNot) {
   };
   EXPECT_EXIT(without_device("--render=last"), testing::ExitedWithCode(run_failed),
               "^meniscus: cannot render: ");
+  EXPECT_FALSE(fs::exists(out())) << "a run that did not start leaves no folder";
   EXPECT_EXIT(without_device("--render=auto"), testing::ExitedWithCode(success), "^$");
   EXPECT_TRUE(fs::exists(fs::path(out()) / "preview.png"));
 }

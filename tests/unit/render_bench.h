@@ -71,7 +71,9 @@ class Water {
     world_.add_particles(world_.create_fluid({}), points);
   }
 
-  render::Moment moment() const { return {.ellipsoids = world_.ellipsoids(), .fluids = world_.fluids()}; }
+  render::Moment moment() const {
+    return {.ellipsoids = world_.ellipsoids(), .fluids = world_.fluids(), .positions = world_.positions()};
+  }
 
  private:
   World world_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/expect_error.h"
 #include "tests/unit/render_bench.h"
 
 namespace meniscus::tests {
@@ -83,6 +84,48 @@ TEST_F(FluidPictureTest, FluidsKeepTheirColours) {
   const io::Image image = draw(scene, moment);
   EXPECT_GT(at(image, 60, 60).b, at(image, 60, 60).r + 30);
   EXPECT_GT(at(image, 100, 60).r, at(image, 100, 60).b + 30);
+}
+
+TEST_F(FluidPictureTest, ManyFluidsKeepTheirColours) {
+  io::PreviewScene scene = above_ground();
+  scene.fluid_colors.assign(1024, {0.1f, 0.3f, 0.8f});
+  scene.fluid_colors.back() = {0.8f, 0.2f, 0.1f};
+  const Water water = slab(0.5f);
+  render::Moment moment = water.moment();
+  const std::vector<uint32_t> fluids(moment.ellipsoids.size(), 1023);
+  moment.fluids = fluids;
+  const Pixel red = at(draw(scene, moment), 80, 60);
+  EXPECT_GT(red.r, red.b + 30);
+  scene.fluid_colors.push_back({0, 0, 0});
+  expect_error(ErrorCode::invalid_argument, "the scene has 1025 fluids", [&] { draw(scene, moment); });
+}
+
+/// The upper half of a heap is sand: neither light nor sight passes it.
+TEST_F(FluidPictureTest, GrainsHideWhatIsBehindThem) {
+  io::PreviewScene scene = above_ground();
+  scene.fluid_colors = {{0.1f, 0.3f, 0.8f}, {0.5f, 0.35f, 0.15f}};
+  const Water water = slab(0.5f);
+  render::Moment moment = water.moment();
+  std::vector<uint32_t> fluids;
+  for (const Ellipsoid& e : moment.ellipsoids) fluids.push_back(e.centre.y > 0.3f && e.centre.x > 0);
+  moment.fluids = fluids;
+  const auto drawn = [&](std::size_t first_granular) {
+    scene.first_granular = first_granular;
+    render::Renderer renderer(scene, moment);
+    const io::Image image = renderer.draw(moment);
+    return std::pair(image, renderer.fluid_thickness());
+  };
+  const auto [dyed, dyed_metres] = drawn(2);
+  const auto [sandy, metres] = drawn(1);
+  EXPECT_EQ(difference(at(sandy, 60, 60), at(dyed, 60, 60)), 0) << "where there is water alone";
+  Pixel mean{0, 0, 0};
+  for (int x = 90; x < 110; ++x) {
+    const Pixel p = at(sandy, x, 60);
+    mean = {mean.r + p.r / 20, mean.g + p.g / 20, mean.b + p.b / 20};
+  }
+  EXPECT_GT(mean.r, mean.b + 30);
+  EXPECT_GT(dyed_metres[30 * 80 + 50], 0.4f);
+  EXPECT_LT(metres[30 * 80 + 50], 0.05f);
 }
 
 TEST_F(FluidPictureTest, WaterCastsAColouredShadow) {

@@ -193,6 +193,12 @@ TEST_F(PictureTest, BadInputIsRefusedByName) {
   expect_error(ErrorCode::invalid_argument, "states has 2", [&] { draw(scene, {.bodies = states}); });
   const std::vector<Ellipsoid> ellipsoids(3);
   expect_error(ErrorCode::invalid_argument, "fluids has 0", [&] { draw(scene, {.ellipsoids = ellipsoids}); });
+  render::RenderSettings balls;
+  balls.anisotropic = false;
+  const std::vector<uint32_t> fluids(3);
+  expect_error(ErrorCode::invalid_argument, "positions has 0", [&] {
+    render::Renderer(scene, {}, balls).draw({.ellipsoids = ellipsoids, .fluids = fluids});
+  });
   scene.width = 0;
   expect_error(ErrorCode::invalid_argument, "width is 0", [&] { draw(scene); });
 }

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "sdk/cli/frame_exporter.h"
-#include "sdk/cli/frame_renderer.h"
+#include "sdk/cli/frame_pictures.h"
 #include "sdk/cli/interrupt.h"
 #include "sdk/cli/program.h"
 #include "sdk/cli/progress.h"
@@ -30,12 +30,15 @@ Scene scene_of(const RunOptions& options) {
   return scene;
 }
 
-std::filesystem::path made_folder(const RunOptions& options, const Scene& scene) {
+std::filesystem::path folder_of(const RunOptions& options, const Scene& scene) {
   // A name is not a path.
   std::string name = scene.name;
   std::replace(name.begin(), name.end(), '/', '_');
   if (name == "." || name == "..") name = "scene";
-  const std::filesystem::path folder = options.out.empty() ? "out/" + name : options.out;
+  return options.out.empty() ? "out/" + name : options.out;
+}
+
+const std::filesystem::path& made(const std::filesystem::path& folder) {
   make_folder(folder);
   return folder;
 }
@@ -45,12 +48,13 @@ class Run {
   explicit Run(const RunOptions& options)
       : scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
-        render_(options.picture.render),
+        folder_(folder_of(options, scene_)),
         built_(build_scene(scene_)),
-        folder_(made_folder(options, scene_)),
-        recorder_(folder_, scene_),
-        exporter_(folder_, options.formats, scene_),
-        rope_mass_(mass_of_ropes()) {
+        rope_mass_(mass_of_ropes()),
+        first_(sample(0, {})),
+        pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
+        recorder_(made(folder_), scene_),
+        exporter_(folder_, options.formats, scene_) {
     if (built_.world.particle_count() == 0 && built_.bodies.empty() && built_.cloths.empty() &&
         built_.ropes.empty() && built_.emitters.empty()) {
       spdlog::warn("the scene has no particles, emitters, bodies, cloth or ropes: nothing will happen");
@@ -61,15 +65,13 @@ class Run {
   void step_through(bool quiet) {
     const Interrupt interrupt;
     Progress progress(scene_.frames, quiet);
-    const FrameSample first = sample(0, {});
-    recorder_.start(built_.world.device(), first, masses());
-    start_renderer(first);
+    recorder_.start(built_.world.device(), first_, masses());
     try {
       for (int frame = 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         const FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
         recorder_.add(now);
         exporter_.write(now);
-        if (render_ == "frames") renderer_->write(built_.world, now);
+        pictures_.add(built_.world, now);
         const bool fluid = now.diagnostics.particles > 0;
         progress.show(frame, now.step.ms,
                       fluid ? std::optional(now.diagnostics.density_error_mean) : std::nullopt);
@@ -84,28 +86,15 @@ class Run {
     end_.state_hash = built_.world.state_hash();
     end_.device_bytes = built_.world.device_bytes();
     nlohmann::ordered_json figures = recorder_.finish(end_);
-    const FrameSample last = sample(0, {});
-    io::write_png(folder_ / "preview.png",
-                  renderer_
-                      ? renderer_->draw(built_.world, last)
-                      : io::render_preview(last.particles, picture_, last.bodies, last.cloth, last.ropes));
+    pictures_.finish(built_.world, sample(0, {}));
     return figures;
   }
 
   const RunEnd& end() const { return end_; }
   const std::filesystem::path& folder() const { return folder_; }
+  std::vector<std::string> pictures() const { return pictures_.files(); }
 
  private:
-  void start_renderer(const FrameSample& first) {
-    if (render_.empty()) return;
-    try {
-      renderer_.emplace(folder_, picture_, built_.world, first);
-    } catch (const Error& error) {
-      if (render_ != "auto") throw;
-      spdlog::warn("{}; the preview comes from the CPU", error.what());
-    }
-  }
-
   FrameSample sample(int frame, const StepReport& step) const {
     const World& world = built_.world;
     FrameSample now{.frame = frame,
@@ -176,13 +165,13 @@ class Run {
 
   Scene scene_;
   io::PreviewScene picture_;
-  std::string render_;
-  BuiltScene built_;  // first of all: a run that cannot start leaves the folder as it was
   std::filesystem::path folder_;
+  BuiltScene built_;
+  double rope_mass_;
+  FrameSample first_;       // the state before the first frame
+  FramePictures pictures_;  // before the folder is made: a run that cannot start leaves it as it was
   RunRecorder recorder_;
   FrameExporter exporter_;
-  std::optional<FrameRenderer> renderer_;
-  double rope_mass_;
   RunEnd end_;
 };
 
@@ -194,9 +183,7 @@ int run_scene(const RunOptions& options) {
   run.step_through(options.quiet);
   try {
     const nlohmann::ordered_json figures = run.write_results();
-    if (!options.quiet)
-      fmt::print("{}",
-                 run_summary(figures, run.folder(), options.formats, options.picture.render == "frames"));
+    if (!options.quiet) fmt::print("{}", run_summary(figures, run.folder(), options.formats, run.pictures()));
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
     return run_failed;

@@ -131,7 +131,7 @@ class World {
   std::span<const float> density_errors() const;  ///< C = ρ/ρ₀ − 1, measured afresh
   std::span<const float> pressures() const;       ///< Pa, of the last substep
   /// The surface of the fluid is around them: flat along it, a ball where a particle is on its own or inside.
-  /// Their centres are smoothed.
+  /// Their centres are smoothed. Grains are balls one spacing across.
   std::span<const Ellipsoid> ellipsoids() const;
 
   Diagnostics diagnostics() const;

@@ -1,16 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 // Light from above: a clear sky, paler towards the horizon, and a sun.
+#include "random.glsl"
+
 const vec3 sun_light = vec3(2.55, 2.40, 2.12);
 const vec3 zenith = vec3(0.06, 0.16, 0.38), horizon = vec3(0.52, 0.62, 0.73), below = vec3(0.22, 0.23, 0.24);
-
-// 0 to 1, from whole numbers alone, so that every driver has the same clouds.
-float random(ivec2 cell) {
-  uint n = uint(cell.x) * 0x8da6b343u ^ uint(cell.y) * 0xd8163841u;
-  n = (n ^ (n >> 15)) * 0x2c1b3c6du;
-  n = (n ^ (n >> 12)) * 0x297a2d39u;
-  return float(n >> 8) / 16777216.0;
-}
 
 // Value noise, smooth, 0 to 1.
 float noise(vec2 p) {

@@ -19,7 +19,9 @@ void main() {
   offset = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
   vec4 clip = to_clip * vec4(centre_, 1.0);
   distance_ = clip.w;
-  absorbance = absorption[min(fluid, 15u)].rgb;
+  // On the path that the colour is given for the colour is left of the light; what is all black would take in all
+  // at once.
+  absorbance = -log(clamp(look_of(fluid).rgb, 0.02, 0.98)) / centre.w;
   window_depth = 0.5 * clip.z / clip.w + 0.5;
-  gl_Position = clip + vec4(offset * radius * per_metre, 0.0, 0.0);
+  gl_Position = is_grain(fluid) ? nowhere : clip + vec4(offset * radius * per_metre, 0.0, 0.0);
 }
