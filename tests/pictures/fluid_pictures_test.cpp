@@ -117,6 +117,13 @@ TEST_F(FluidPictures, ColouredShadows) {
   expect_drawn("coloured_shadows", scene, moment);
 }
 
+/// Of a block in which nothing has moved yet: no pattern of its layers on the side that the sun is on.
+TEST_F(FluidPictures, SunlitSide) {
+  const io::PreviewScene scene = on_ground({-1.4f, 0.7f, 1.6f}, {0, 0.4f, 0});
+  const Water block(lattice(12, 16, 12, spacing, {-0.3f, 0, -0.3f}), spacing);
+  expect_drawn("sunlit_side", scene, block.moment());
+}
+
 /// Clear water in a wedge over the ground's tiles and a rod.
 TEST_F(FluidPictures, Refraction) {
   io::PreviewScene scene = on_ground({0, 2.6f, 0.8f}, {0, 0, 0});

@@ -28,9 +28,8 @@ vec3 behind(vec3 here, vec3 normal, float metres) {
   vec3 bent = refract(normalize(here), normal, 1.0 / index);
   // Even the thinnest drop bends what is behind it.
   vec3 there = here + min(metres + 2.0 * floor_.z, 0.5 * floor_.y) * bent;
-  vec2 at = 0.5 + 0.5 * there.xy / (-there.z * lens.xy);
-  bool is_seen = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(1.0))) &&
-                 to_distance(texture(scene_depth, at).r) > -here.z;
+  vec2 at = clamp(0.5 + 0.5 * there.xy / (-there.z * lens.xy), 0.0, 1.0);
+  bool is_seen = to_distance(texture(scene_depth, at).r) > -here.z;  // nothing in front of the surface
   return texture(scene_color, is_seen ? at : place).rgb;
 }
 

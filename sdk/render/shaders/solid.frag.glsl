@@ -17,10 +17,12 @@ void main() {
     plane_axes(n, a, b);
     albedo = tiles(vec2(dot(a, world), dot(b, world)) / floor_.x, albedo);
   }
-  // Cloth is seen from both sides, and is darker at the back.
-  if (dot(n, eye.xyz - world) < 0.0) {
+  // Cloth is seen from both sides, and is darker at the back. Which side it is says the triangle: at an outline the
+  // smooth normal may point away from the eye on the front, too.
+  vec3 flat_normal = cross(dFdx(world), dFdy(world));
+  if (dot(n, flat_normal) * dot(flat_normal, eye.xyz - world) < 0.0) {
     n = -n;
-    if (paint.a > 0.25 && paint.a < 0.75) albedo *= 0.5;
+    if (paint.a > 0.25 && paint.a < 0.75) albedo *= 0.6;
   }
   color = vec4(lit(albedo, paint.a < 0.25 ? 0.35 : 0.05, world, n), 1.0);
 }

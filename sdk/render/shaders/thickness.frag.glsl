@@ -21,6 +21,7 @@ void main() {
     if (window_depth > texelFetch(solid_depth, pixel, 0).r) discard;
     result = vec4(metres * absorbance, metres);
   } else {
-    result = vec4(metres * absorbance, window_depth);
+    // As a ball would have it, behind whose top the disc is hung: steps from disc to disc would be seen as shades.
+    result = vec4(metres * absorbance, window_depth + 0.5 * radius / to_sun.w * (1.0 - sqrt(u)));
   }
 }
