@@ -41,16 +41,13 @@ void FramePictures::finish(const World& world, const FrameSample& last) {
   io::write_png(folder_ / "preview.png", renderer_ ? renderer_->draw(world, last)
                                                    : io::render_preview(last.particles, picture_, last.bodies,
                                                                         last.cloth, last.ropes));
-  if (sheet_) {
-    if (const io::Image sheet = sheet_->image(); sheet.width > 0)
-      io::write_png(folder_ / "contact_sheet.png", sheet);
-  }
+  if (sheet_ && !sheet_->empty()) io::write_png(folder_ / "contact_sheet.png", sheet_->image());
   if (video_) video_->commit();
 }
 
 std::vector<std::string> FramePictures::files() const {
   std::vector<std::string> files;
-  if (sheet_) files.push_back("contact_sheet.png");
+  if (sheet_ && !sheet_->empty()) files.push_back("contact_sheet.png");
   if (each_frame_) files.push_back("frames/render_*.png");
   if (video_) files.push_back(video_->path().string());
   return files;

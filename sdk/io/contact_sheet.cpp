@@ -46,7 +46,6 @@ void ContactSheet::add(const Image& image) {
 }
 
 Image ContactSheet::image() const {
-  if (added_.empty()) return {};
   const int count = static_cast<int>(added_.size()), across = std::min(count, columns),
             down = (count + columns - 1) / columns;
   const int width = added_[0].width, height = added_[0].height;

@@ -19,7 +19,8 @@ class ContactSheet {
   /// All of them are of one size.
   void add(const Image& image);
 
-  /// Of those that were added. Without any it has no pixels.
+  bool empty() const { return added_.empty(); }
+  /// Of those that were added, one or more.
   Image image() const;
 
  private:

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -105,7 +106,7 @@ void VideoFile::add(const Image& image) {
 }
 
 void VideoFile::commit() {
-  if (finish() != 0) fail();
+  if (failed_ || finish() != 0) fail();
   errno = 0;
   if (std::rename(part_.c_str(), path_.c_str()) != 0) throw_io_error("write", path_);
 }
@@ -121,9 +122,12 @@ int VideoFile::finish() {
 
 void VideoFile::fail() {
   finish();
+  failed_ = true;
   std::string said(1000, '\0');
   std::rewind(words_);
   said.resize(std::fread(said.data(), 1, said.size(), words_));
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  std::replace(said.begin(), said.end(), '\n', ' ');
   throw Error(ErrorCode::io, "ffmpeg cannot write the video " + path_.string() + ": " +
                                  (said.empty() ? "it gives no reason" : said));
 }

@@ -37,6 +37,7 @@ class VideoFile {
   std::filesystem::path path_, part_;
   std::FILE* words_ = nullptr;  // what ffmpeg says
   int to_ffmpeg_ = -1;
+  bool failed_ = false;
   pid_t process_ = -1;
 };
 

@@ -36,7 +36,7 @@ TEST(ContactSheet, TakesAllOfAShortRun) {
 
 TEST(ContactSheet, PutsFramesIntoRowsOfFour) {
   ContactSheet sheet(6);
-  EXPECT_EQ(sheet.image().width, 0);
+  EXPECT_TRUE(sheet.empty());
   for (int i = 1; i <= 6; ++i) sheet.add(flat(640, 360, static_cast<uint8_t>(10 * i)));
   const Image image = sheet.image();
   ASSERT_EQ(image.width, 4 * 320 + 3 * 4);

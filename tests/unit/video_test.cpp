@@ -79,6 +79,8 @@ TEST_F(VideoTest, WhatFfmpegComplainsAboutIsPassedOn) {
   expect_error(ErrorCode::io, "no room for pixels", [&] {
     for (int i = 0; i < 1000; ++i) video.add(frame(0));  // more than any buffer holds
   });
+  expect_error(ErrorCode::io, "no room for pixels", [&] { video.commit(); });
+  EXPECT_FALSE(fs::exists(file()));
   expect_error(ErrorCode::io, "no room for pixels", [&] {
     io::VideoFile empty(file(), 64, 48, 60);
     empty.commit();
