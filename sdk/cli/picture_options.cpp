@@ -30,6 +30,8 @@ void set_size(io::PreviewScene& picture, const std::string& size) {
                                                std::to_string(most_pixels) + ", as in 1280x720");
 }
 
+}  // namespace
+
 SceneCamera camera_named(const std::string& name, const Scene& scene) {
   std::vector<std::string> names;
   for (const SceneNamedCamera& camera : scene.cameras) {
@@ -40,8 +42,6 @@ SceneCamera camera_named(const std::string& name, const Scene& scene) {
               "--camera is '" + name + "', but the scene has " +
                   (names.empty() ? "no named cameras" : "no camera of that name" + name_hint(name, names)));
 }
-
-}  // namespace
 
 io::PreviewScene picture_scene(const Scene& scene, const PictureOptions& options) {
   if (!options.any() && !(options.filter.empty() && options.anisotropic)) {

@@ -26,4 +26,7 @@ struct PictureOptions {
 /// that the scene does not have, and for a look of fluid that OpenGL is not asked to draw.
 io::PreviewScene picture_scene(const Scene& scene, const PictureOptions& options);
 
+/// One of the scene's named cameras. Throws Error(invalid_argument).
+SceneCamera camera_named(const std::string& name, const Scene& scene);
+
 }  // namespace meniscus::cli

@@ -14,6 +14,7 @@
 #include "sdk/cli/commands/devices.h"
 #include "sdk/cli/commands/run.h"
 #include "sdk/cli/commands/schema.h"
+#include "sdk/cli/commands/view.h"
 
 namespace meniscus::cli {
 namespace {
@@ -29,12 +30,19 @@ void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& over
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_run(CLI::App& app, RunOptions& options, Command& command) {
-  CLI::App& run = *app.add_subcommand("run", "Run a scene and write measurements, a picture and frames");
-  add_scene(run, options.scene, options.overrides);
-  run.add_option("--device", options.device, "Where to run; by default what the scene says")
+void add_scene(CLI::App& app, SceneChoice& choice) {
+  add_scene(app, choice.scene, choice.overrides);
+  app.add_option("--device", choice.device, "Where to run; by default what the scene says")
       ->type_name("auto|cpu|cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""));
+  app.add_option("--threads", choice.threads, "Threads of the CPU device; 0 is one a core")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024).description(""));
+}
+
+void add_run(CLI::App& app, RunOptions& options, Command& command) {
+  CLI::App& run = *app.add_subcommand("run", "Run a scene and write measurements, a picture and frames");
+  add_scene(run, options.scene);
   run.add_option("--frames", options.frames, "How many frames, in place of the scene's own number")
       ->type_name("N")
       ->check(CLI::Range(1, 100'000'000).description(""));
@@ -62,11 +70,22 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
   run.add_option("--size", options.picture.size, "Pixels of pictures; by default 1280x720")
       ->type_name("WIDTHxHEIGHT");
   run.add_option("--camera", options.picture.camera, "One of the scene's named cameras")->type_name("NAME");
-  run.add_option("--threads", options.threads, "Threads of the CPU device; 0 is one a core")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024).description(""));
   run.add_flag("--quiet", options.quiet, "Print errors alone");
   run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });
+}
+
+void add_view(CLI::App& app, ViewOptions& options, Command& command) {
+  CLI::App& view =
+      *app.add_subcommand("view", "Open a scene in a window, to watch it and to take hold of it");
+  add_scene(view, options.scene);
+  view.add_option("--out", options.out, "The folder for screenshots; by default out/<scene name>")
+      ->type_name("DIR");
+  view.add_option("--size", options.size, "Pixels of the window; by default 1280x720")
+      ->type_name("WIDTHxHEIGHT");
+  view.add_option("--camera", options.camera, "One of the scene's named cameras")->type_name("NAME");
+  view.add_flag("--check-opengl", options.check_opengl,
+                "Have OpenGL look for mistakes, and fail where it finds any");
+  view.callback([&options, &command] { command = [&options] { return view_scene(options); }; });
 }
 
 void add_check(CLI::App& app, CheckOptions& options, Command& command) {
@@ -111,12 +130,14 @@ ExitCode exit_code_of(ErrorCode code) {
 int run_program(int argc, char** argv) {
   start_log();
   RunOptions run;
+  ViewOptions view;
   CheckOptions check;
   Command command;
   CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
   app.set_version_flag("--version", "meniscus " MENISCUS_VERSION);
   app.require_subcommand(0, 1);
   add_run(app, run, command);
+  add_view(app, view, command);
   add_check(app, check, command);
   app.add_subcommand("devices", "List the devices, and which one auto takes")->callback([&] {
     command = show_devices;

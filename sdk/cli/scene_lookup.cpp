@@ -21,26 +21,30 @@ fs::path samples_folder() {
   return fs::is_directory(installed, unknown) ? installed : fs::path(MENISCUS_SAMPLES_DIR);
 }
 
-std::string sample_names() {
+std::string list_of_samples() {
+  std::string list;
+  for (const std::string& name : sample_names()) list += (list.empty() ? "" : ", ") + name;
+  return list.empty() ? "none in " + samples_folder().string() : list;
+}
+
+}  // namespace
+
+std::vector<std::string> sample_names() {
   std::vector<std::string> names;
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(samples_folder(), missing)) {
     if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list.empty() ? "none in " + samples_folder().string() : list;
+  return names;
 }
-
-}  // namespace
 
 std::string scene_path(const std::string& scene) {
   if (fs::is_regular_file(scene)) return scene;
   const fs::path sample = samples_folder() / (scene + ".json");
   if (scene.find('/') == std::string::npos && fs::is_regular_file(sample)) return sample.string();
   throw Error(ErrorCode::io,
-              "no scene file and no sample is called '" + scene + "'; samples: " + sample_names());
+              "no scene file and no sample is called '" + scene + "'; samples: " + list_of_samples());
 }
 
 Scene find_scene(const std::string& scene, std::span<const std::string> overrides) {
@@ -48,6 +52,23 @@ Scene find_scene(const std::string& scene, std::span<const std::string> override
   Scene found = read_scene(path, overrides);
   if (found.name.empty()) found.name = fs::path(path).stem().string();
   return found;
+}
+
+Scene chosen_scene(const SceneChoice& choice) {
+  Scene scene = find_scene(choice.scene, choice.overrides);
+  if (choice.device == "auto") scene.world.device = DeviceChoice::automatic;
+  if (choice.device == "cpu") scene.world.device = DeviceChoice::cpu;
+  if (choice.device == "cuda") scene.world.device = DeviceChoice::cuda;
+  if (choice.threads) scene.world.threads = *choice.threads;
+  return scene;
+}
+
+fs::path default_folder(const Scene& scene) {
+  // A name is not a path.
+  std::string name = scene.name;
+  std::replace(name.begin(), name.end(), '/', '_');
+  if (name == "." || name == "..") name = "scene";
+  return fs::path("out") / name;
 }
 
 }  // namespace meniscus::cli

@@ -4,23 +4,27 @@
 
 #include <algorithm>
 
-#include "sdk/render/passes/fluid_thickness.h"
 #include "sdk/render/passes/grains.h"
 #include "sdk/render/passes/solids.h"
+#include "sdk/render/pictures.h"
 
 namespace meniscus::render {
 namespace {
 
 constexpr int shadow_size = 2048;
 
-const io::PreviewScene& checked(const io::PreviewScene& scene) {
+void check_size(int width, int height) {
   const auto check = [](const char* name, int value) {
     if (value >= 1 && value <= 16384) return;
     throw Error(ErrorCode::invalid_argument,
                 std::string(name) + " is " + std::to_string(value) + ", but a picture has 1 to 16384 pixels");
   };
-  check("width", scene.width);
-  check("height", scene.height);
+  check("width", width);
+  check("height", height);
+}
+
+const io::PreviewScene& checked(const io::PreviewScene& scene) {
+  check_size(scene.width, scene.height);
   return scene;
 }
 
@@ -69,13 +73,18 @@ struct Renderer::Parts {
       : scene(checked(s)), settings(set), solids(s), stage(stage_of(s, bounds_of(solids, first))) {
     shadow.compare_depths();
     if (scene.first_granular < scene.fluid_colors.size()) grains.emplace();
-    frame = uniforms_of(stage, scene.width, scene.height);
+    const FluidUniforms fluids = fluid_uniforms_of(scene);
+    fluid_buffer.write(std::span<const FluidUniforms>(&fluids, 1));
+    look();
+  }
+
+  /// As the stage says, in a picture of the present size.
+  void look() {
+    frame = uniforms_of(stage, to->width, to->height);
     // Three pixels: thinner ones would be dotted.
     const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
     solids.set_edges(1.3f * pixel);
     frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
-    const FluidUniforms fluids = fluid_uniforms_of(scene);
-    fluid_buffer.write(std::span<const FluidUniforms>(&fluids, 1));
   }
 
   void load(const Moment& moment) {
@@ -100,7 +109,7 @@ struct Renderer::Parts {
     bind_uniforms(frame_binding, frame_buffer);
     bind_uniforms(fluids_binding, fluid_buffer);
     shadow.bind(unit::shadow);
-    thickness.sun().bind(unit::fluid_shadow);
+    to->thickness.sun().bind(unit::fluid_shadow);
   }
 
   void draw_shadows() {
@@ -113,12 +122,12 @@ struct Renderer::Parts {
     if (grains) grains->draw_shadows(particles);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_TEST);
-    thickness.draw_for_sun(particles, frame, stage.spacing);
+    to->thickness.draw_for_sun(particles, frame, stage.spacing);
   }
 
   void draw_scene() {
-    to_scene.use();
-    to_scene.clear_depth();
+    to->to_scene.use();
+    to->to_scene.clear_depth();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     backdrop.use();
@@ -133,15 +142,15 @@ struct Renderer::Parts {
   void draw_fluid() {
     const float reach = settings.filter_reach * stage.spacing;
     const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
-    surface.draw(particles, scene_depth, screen, settings.filter, reach,
-                 settings.filter_threshold * stage.spacing,
-                 reach * frame.viewport[1] / (2 * frame.lens[1] * away));
-    thickness.draw_for_camera(particles, frame, scene_depth, stage.spacing);
-    to_lit.use();
-    scene_color.bind(unit::color);
-    scene_depth.bind(unit::depth);
-    surface.depth().bind(unit::fluid_depth);
-    thickness.camera().bind(unit::thickness);
+    to->surface.draw(particles, to->scene_depth, screen, settings.filter, reach,
+                     settings.filter_threshold * stage.spacing,
+                     reach * frame.viewport[1] / (2 * frame.lens[1] * away));
+    to->thickness.draw_for_camera(particles, frame, to->scene_depth, stage.spacing);
+    to->to_lit.use();
+    to->scene_color.bind(unit::color);
+    to->scene_depth.bind(unit::depth);
+    to->surface.depth().bind(unit::fluid_depth);
+    to->thickness.camera().bind(unit::thickness);
     glEnable(GL_DEPTH_TEST);  // for the depths to be written
     glDepthFunc(GL_ALWAYS);
     fluid.use();
@@ -152,29 +161,32 @@ struct Renderer::Parts {
   }
 
   void draw_picture() {
-    to_toned.use();
-    lit.bind(unit::color);
+    to->to_toned.use();
+    to->lit.bind(unit::color);
     tone.use();
     screen.draw();
-    to_picture.use();
-    toned.bind(unit::color);
+    to->to_picture.use();
+    to->toned.bind(unit::color);
     smooth.use();
     screen.draw();
   }
 
   io::Image read() const {
-    io::Image image{scene.width, scene.height,
-                    std::vector<uint8_t>(std::size_t{3} * scene.width * scene.height)};
+    io::Image image{to->width, to->height, std::vector<uint8_t>(std::size_t{3} * to->width * to->height)};
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(picture.name(), 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(image.rgb.size()),
+    glGetTextureImage(to->picture.name(), 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(image.rgb.size()),
                       image.rgb.data());
+    check_success();
+    turn_over(image.rgb, 3 * to->width, to->height);
+    return image;
+  }
+
+  void check_success() const {
     if (const GLenum failure = glGetError()) {
-      throw Error(ErrorCode::device, "OpenGL failed to draw " + std::to_string(scene.width) + " x " +
-                                         std::to_string(scene.height) + " pixels (error " +
+      throw Error(ErrorCode::device, "OpenGL failed to draw " + std::to_string(to->width) + " x " +
+                                         std::to_string(to->height) + " pixels (error " +
                                          std::to_string(failure) + ")");
     }
-    turn_over(image.rgb, 3 * scene.width, scene.height);
-    return image;
   }
 
   io::PreviewScene scene;
@@ -188,19 +200,8 @@ struct Renderer::Parts {
   std::optional<Grains> grains;  // where the scene has any
 
   Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
-  Texture scene_color{GL_RGBA16F, scene.width, scene.height, GL_LINEAR};
-  Texture scene_depth{GL_DEPTH_COMPONENT32F, scene.width, scene.height};
-  Texture lit{GL_RGBA16F, scene.width, scene.height};
-  Texture lit_depth{GL_DEPTH_COMPONENT32F, scene.width, scene.height};
-  Texture toned{GL_RGBA8, scene.width, scene.height, GL_LINEAR};
-  Texture picture{GL_RGBA8, scene.width, scene.height};
   Target to_shadow{{}, &shadow};
-  Target to_scene{{&scene_color}, &scene_depth};
-  Target to_lit{{&lit}, &lit_depth};
-  Target to_toned{{&toned}, nullptr};
-  Target to_picture{{&picture}, nullptr};
-  FluidSurface surface{scene.width, scene.height};
-  FluidThickness thickness{scene.width, scene.height};
+  std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
   Program backdrop{"screen.vert.glsl", "backdrop.frag.glsl"};
   Program fluid{"screen.vert.glsl", "fluid.frag.glsl"};
   Program tone{"screen.vert.glsl", "tone.frag.glsl"};
@@ -212,23 +213,57 @@ Renderer::Renderer(const io::PreviewScene& scene, const Moment& first, const Ren
 
 Renderer::~Renderer() = default;
 
-io::Image Renderer::draw(const Moment& moment) {
+const SceneCamera& Renderer::camera() const {
+  return parts_->stage.camera;
+}
+
+void Renderer::set_camera(const SceneCamera& camera) {
+  parts_->stage.camera = camera;
+  parts_->look();
+}
+
+void Renderer::set_size(int width, int height) {
+  check_size(width, height);
+  parts_->to = std::make_unique<Pictures>(width, height);
+  parts_->look();
+}
+
+void Renderer::load(const Moment& moment) {
   parts_->load(moment);
+}
+
+void Renderer::paint() {
   parts_->bind();
   parts_->draw_shadows();
   parts_->draw_scene();
   parts_->draw_fluid();
   parts_->draw_picture();
+}
+
+io::Image Renderer::image() const {
   return parts_->read();
 }
 
+void Renderer::show(int width, int height) const {
+  const Pictures& from = *parts_->to;
+  glBlitNamedFramebuffer(from.to_picture.name(), 0, 0, 0, from.width, from.height, 0, 0, width, height,
+                         GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  parts_->check_success();
+}
+
+io::Image Renderer::draw(const Moment& moment) {
+  load(moment);
+  paint();
+  return image();
+}
+
 std::vector<std::array<float, 4>> Renderer::fluid_normals() {
-  const Texture normals(GL_RGBA32F, parts_->scene.width, parts_->scene.height);
+  const Texture normals(GL_RGBA32F, parts_->to->width, parts_->to->height);
   const Target target({&normals}, nullptr);
   const Program program("screen.vert.glsl", "normal.frag.glsl");
   parts_->bind();
   target.use();
-  parts_->surface.depth().bind(unit::fluid_depth);
+  parts_->to->surface.depth().bind(unit::fluid_depth);
   program.use();
   parts_->screen.draw();
   std::vector<std::array<float, 4>> pixels(std::size_t{1} * normals.width() * normals.height());
@@ -239,7 +274,7 @@ std::vector<std::array<float, 4>> Renderer::fluid_normals() {
 }
 
 std::vector<float> Renderer::fluid_thickness() {
-  const Texture& map = parts_->thickness.camera();
+  const Texture& map = parts_->to->thickness.camera();
   std::vector<std::array<float, 4>> pixels(std::size_t{1} * map.width() * map.height());
   glGetTextureImage(map.name(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof pixels[0]),
                     pixels.data());

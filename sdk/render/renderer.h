@@ -38,8 +38,22 @@ class Renderer {
   Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings = {});
   ~Renderer();
 
-  /// Throws Error(invalid_argument) where there are bodies, but not one a body of the scene, or not one fluid
-  /// and, for balls, one position an ellipsoid.
+  const SceneCamera& camera() const;
+  /// From here on it is seen from there, in the same light.
+  void set_camera(const SceneCamera& camera);
+  /// Of the pictures from here on. Throws as the constructor does.
+  void set_size(int width, int height);
+
+  /// What is to be drawn. Throws Error(invalid_argument) where there are bodies, but not one a body of the
+  /// scene, or not one fluid and, for balls, one position an ellipsoid.
+  void load(const Moment& moment);
+  /// Draws it.
+  void paint();
+  /// What was drawn last. Throws Error(device) where OpenGL failed, as the next one does.
+  io::Image image() const;
+  /// Puts it over the window's own framebuffer, which is so large in pixels.
+  void show(int width, int height) const;
+  /// All of these at once.
   io::Image draw(const Moment& moment);
   /// Unit normals of the fluid in view space, and its distance along −z, row by row from the top; 0 where
   /// none is seen. Of the last moment drawn.

@@ -15,27 +15,18 @@
 #include "sdk/cli/progress.h"
 #include "sdk/cli/run_recorder.h"
 #include "sdk/cli/run_summary.h"
-#include "sdk/cli/scene_lookup.h"
 
 namespace meniscus::cli {
 namespace {
 
 Scene scene_of(const RunOptions& options) {
-  Scene scene = find_scene(options.scene, options.overrides);
-  if (options.device == "auto") scene.world.device = DeviceChoice::automatic;
-  if (options.device == "cpu") scene.world.device = DeviceChoice::cpu;
-  if (options.device == "cuda") scene.world.device = DeviceChoice::cuda;
-  if (options.threads) scene.world.threads = *options.threads;
+  Scene scene = chosen_scene(options.scene);
   if (options.frames) scene.frames = *options.frames;
   return scene;
 }
 
 std::filesystem::path folder_of(const RunOptions& options, const Scene& scene) {
-  // A name is not a path.
-  std::string name = scene.name;
-  std::replace(name.begin(), name.end(), '/', '_');
-  if (name == "." || name == "..") name = "scene";
-  return options.out.empty() ? "out/" + name : options.out;
+  return options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out);
 }
 
 const std::filesystem::path& made(const std::filesystem::path& folder) {

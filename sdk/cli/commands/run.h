@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "sdk/cli/picture_options.h"
+#include "sdk/cli/scene_lookup.h"
 
 namespace meniscus::cli {
 
 struct RunOptions {
-  std::string scene;  ///< a file, or a sample's name
-  std::vector<std::string> overrides;
-  std::string device;  ///< auto, cpu or cuda; empty: the scene's
-  std::optional<int> frames, threads;
+  SceneChoice scene;
+  std::optional<int> frames;
   std::string out;  ///< empty: out/<scene name>
   std::vector<std::string> formats;
   PictureOptions picture;

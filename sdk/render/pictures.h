@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sdk/render/passes/fluid_surface.h"
+#include "sdk/render/passes/fluid_thickness.h"
+
+namespace meniscus::render {
+
+/// All that is as large as the picture, and made anew with its size.
+struct Pictures {
+  Pictures(int w, int h) : width(w), height(h) {}
+
+  int width, height;
+  Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
+  Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};
+  Texture lit{GL_RGBA16F, width, height};
+  Texture lit_depth{GL_DEPTH_COMPONENT32F, width, height};
+  Texture toned{GL_RGBA8, width, height, GL_LINEAR};
+  Texture picture{GL_RGBA8, width, height};
+  Target to_scene{{&scene_color}, &scene_depth};
+  Target to_lit{{&lit}, &lit_depth};
+  Target to_toned{{&toned}, nullptr};
+  Target to_picture{{&picture}, nullptr};
+  FluidSurface surface{width, height};
+  FluidThickness thickness{width, height};
+};
+
+}  // namespace meniscus::render

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "pbd/math/vec.h"
+#include "sdk/scene/scene.h"
+
+namespace meniscus::viewer {
+
+/// A half-line; `direction` is of unit length.
+struct Ray {
+  Vec3 from{0, 0, 0}, direction{0, 0, -1};
+};
+
+/// A camera that a mouse turns about what it looks at. Ways of the mouse are in shares of the window's
+/// height, x to the right and y down; places are in [0, 1]² from the upper left corner.
+class Orbit {
+ public:
+  Orbit(const SceneCamera& start, Vec3 up) : camera_(start), up_(up) {}
+
+  const SceneCamera& camera() const { return camera_; }
+
+  /// Half a turn for the height of the window; it stops short of the poles.
+  void turn(float x, float y);
+  /// What lies at the target's distance follows the mouse.
+  void pan(float x, float y);
+  /// Nearer by an eighth for each notch of a wheel.
+  void zoom(float notches);
+  /// Looks at this point from the present direction and distance.
+  void look_at(Vec3 target);
+
+  Ray ray_through(float x, float y, float aspect) const;
+  Vec3 forward() const { return normalized_or(camera_.target - camera_.position, {0, 0, -1}); }
+
+ private:
+  Vec3 right() const;
+  float half_height() const;  // of the picture, at distance 1
+
+  SceneCamera camera_;
+  Vec3 up_;
+};
+
+}  // namespace meniscus::viewer

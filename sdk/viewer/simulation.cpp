@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/viewer/simulation.h"
+
+namespace meniscus::viewer {
+
+Simulation::Simulation(std::function<void()> notify)
+    : notify_(std::move(notify)), thread_([this] { run(); }) {}
+
+Simulation::~Simulation() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+}
+
+void Simulation::post(Task task) {
+  {
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(std::move(task));
+  }
+  changed_.notify_one();
+}
+
+void Simulation::open(std::shared_ptr<const Scene> scene) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++builds_due_;
+  }
+  post([this, scene = std::move(scene)] { build(scene); });
+}
+
+void Simulation::play(bool playing) {
+  post([this, playing] {
+    playing_ = playing && built_;
+    next_step_ = Clock::now();
+    error_.clear();
+    is_published_ = false;
+  });
+}
+
+void Simulation::step() {
+  post([this] {
+    playing_ = false;
+    step_due_ = built_.has_value();
+    error_.clear();
+  });
+}
+
+void Simulation::set_pace(double pace) {
+  post([this, pace] { pace_ = pace; });
+}
+
+std::shared_ptr<const Snapshot> Simulation::latest() {
+  std::shared_ptr<const Snapshot> snapshot;
+  {
+    const std::lock_guard lock(mutex_);
+    is_seen_ = true;
+    snapshot = latest_;
+  }
+  changed_.notify_one();
+  return snapshot;
+}
+
+bool Simulation::is_building() const {
+  const std::lock_guard lock(mutex_);
+  return builds_due_ > 0;
+}
+
+// ---- the other thread ----
+
+void Simulation::run() {
+  std::unique_lock lock(mutex_);
+  while (wait_for_work(lock)) {
+    const std::vector<Task> tasks = std::exchange(tasks_, {});
+    lock.unlock();
+    for (const Task& task : tasks) task();
+    if (step_due_ || (playing_ && Clock::now() >= next_step_)) advance();
+    lock.lock();
+    if (is_published_ || !is_seen_) continue;
+    lock.unlock();
+    publish();
+    lock.lock();
+  }
+}
+
+/// False when it is time to end.
+bool Simulation::wait_for_work(std::unique_lock<std::mutex>& lock) {
+  const auto has_work = [&] {
+    return stopping_ || !tasks_.empty() || step_due_ || (!is_published_ && is_seen_);
+  };
+  if (playing_)
+    changed_.wait_until(lock, next_step_, has_work);
+  else
+    changed_.wait(lock, has_work);
+  return !stopping_;
+}
+
+void Simulation::build(std::shared_ptr<const Scene> scene) {
+  try {
+    BuiltScene built = build_scene(*scene);
+    built_.reset();
+    built_.emplace(std::move(built));
+    scene_ = std::move(scene);
+    ++build_;
+    steps_ = 0;
+    report_ = {};
+    error_.clear();
+    is_published_ = false;
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  playing_ = false;
+  const std::lock_guard lock(mutex_);
+  --builds_due_;
+}
+
+void Simulation::advance() {
+  const auto frame = std::chrono::duration<double>(pace_ > 0 ? scene_->frame_time / pace_ : 0.0);
+  // What is too slow does not catch up later.
+  next_step_ = std::max(next_step_ + std::chrono::duration_cast<Clock::duration>(frame), Clock::now());
+  step_due_ = false;
+  try {
+    report_ = built_->world.step(scene_->frame_time);
+    ++steps_;
+    is_published_ = false;
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+}
+
+void Simulation::fail(const std::string& why) {
+  error_ = why;
+  playing_ = false;
+  is_published_ = false;
+}
+
+void Simulation::publish() {
+  is_published_ = true;
+  auto snapshot = std::make_shared<Snapshot>();
+  try {
+    if (built_) *snapshot = snapshot_of(*built_, *scene_);
+  } catch (const std::exception& error) {
+    error_ = error.what();
+    playing_ = false;
+  }
+  snapshot->build = build_;
+  snapshot->scene = scene_;
+  snapshot->steps = steps_;
+  snapshot->step = report_;
+  snapshot->playing = playing_;
+  snapshot->error = error_;
+  {
+    const std::lock_guard lock(mutex_);
+    latest_ = std::move(snapshot);
+    is_seen_ = false;
+  }
+  notify_();
+}
+
+}  // namespace meniscus::viewer

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/viewer/snapshot.h"
+
+namespace meniscus::viewer {
+namespace {
+
+template <class T>
+std::vector<T> copy_of(std::span<const T> values) {
+  return {values.begin(), values.end()};
+}
+
+}  // namespace
+
+Snapshot snapshot_of(const BuiltScene& built, const Scene& scene) {
+  const World& world = built.world;
+  Snapshot s;
+  s.device = world.device();
+  s.time = world.time();
+  s.ellipsoids = copy_of(world.ellipsoids());
+  s.positions = copy_of(world.positions());
+  s.ids = copy_of(world.ids());
+  s.fluids = copy_of(world.fluids());
+  for (const BodyId body : built.bodies) s.bodies.push_back(world.body_state(body));
+  s.cloth = io::cloth_frame_of(world, built.cloths, scene.cloths);
+  s.ropes = io::rope_frame_of(world, built.ropes, scene.ropes);
+  return s;
+}
+
+}  // namespace meniscus::viewer

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace meniscus::viewer {
+
+/// One window with OpenGL 4.5, current on this thread, and Dear ImGui drawing in it.
+class Window {
+ public:
+  /// With `check_opengl` OpenGL is asked to find mistakes (KHR_debug), at some cost. Throws Error(device)
+  /// where there is no screen, or no such OpenGL.
+  Window(const std::string& title, int width, int height, bool check_opengl);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  struct Size {
+    int width = 0, height = 0;  ///< pixels; 0 where it is minimised
+    friend bool operator==(const Size&, const Size&) = default;
+  };
+  Size size() const;
+  void set_title(const std::string& title);
+  /// Pixels that a length of one on the desktop has.
+  float scale() const { return scale_; }
+
+  /// Sleeps until something happens, or so many seconds.
+  void wait(double seconds);
+  /// Wakes one that waits; from any thread.
+  static void wake();
+  /// Something has happened in the last wait that may change the picture.
+  bool touched() const { return touched_; }
+  /// The keys pressed in it, as GLFW_KEY_…, unless they were typed into a field.
+  const std::vector<int>& keys() const { return keys_; }
+  bool should_close() const;
+  void close();
+
+  void begin();  ///< a frame; ImGui's calls and OpenGL's stand in between
+  void draw_panels();
+  void end();
+
+  /// Mistakes that OpenGL has found so far.
+  int mistakes() const { return mistakes_; }
+
+ private:
+  void make_window(const std::string& title, int width, int height, bool check_opengl);
+  void make_panels();
+  void report_mistakes();
+
+  GLFWwindow* window_ = nullptr;
+  float scale_ = 1;
+  bool touched_ = true;
+  int mistakes_ = 0;
+  std::vector<int> keys_;
+};
+
+}  // namespace meniscus::viewer
