@@ -37,6 +37,9 @@ class ClothSet final : public pbd::ConstraintSet<D> {
  public:
   ClothSet(D& device, const ClothSolverParameters& parameters) : device_(device), parameters_(parameters) {}
 
+  /// The model must be set anew before the next step.
+  void set_parameters(const ClothSolverParameters& parameters) { parameters_ = parameters; }
+
   /// All cloth there is. Multipliers start anew.
   void set_model(const ClothModel& model);
   void set_wind(const Wind& wind) { wind_ = wind; }

@@ -127,6 +127,18 @@ void RigidWorld::Impl::wake_around(const btRigidBody& changed) {
 RigidWorld::RigidWorld(const RigidWorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
 RigidWorld::~RigidWorld() = default;
 
+void RigidWorld::set_def(const RigidWorldDef& def) {
+  impl_->def = def;
+  impl_->dynamics.getSolverInfo().m_numIterations = def.iterations;
+  // Bullet tells those that are awake alone.
+  for (const auto& body : impl_->bodies.slots) {
+    if (!body) continue;
+    wake_up(*body->bullet);
+    scale_to_size(*body->bullet, body->shape, impl_->acceleration_scale());
+  }
+  impl_->dynamics.setGravity(to_bullet(def.gravity));
+}
+
 uint32_t RigidWorld::add_fixed(const RigidSolid& solid) {
   auto made = std::make_unique<RigidFixedRecord>();
   made->shape = make_rigid_shape(solid.parts, nullptr);

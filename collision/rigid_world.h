@@ -92,6 +92,9 @@ class RigidWorld {
   explicit RigidWorld(const RigidWorldDef& def);
   ~RigidWorld();
 
+  /// From the next step on; all bodies wake.
+  void set_def(const RigidWorldDef& def);
+
   // Solids, bodies and joints have numbers; a number that is given back is used again, the lowest first. What
   // is added later does not change what is there.
   uint32_t add_fixed(const RigidSolid& solid);

@@ -50,6 +50,12 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
       : device_(device), kernel_(kernel), parameters_(parameters), chebyshev_(parameters.spectral_bound) {}
 
+  /// From the next substep on.
+  void set_parameters(const DensityParameters& parameters) {
+    parameters_ = parameters;
+    chebyshev_ = pbd::Chebyshev(parameters.spectral_bound);
+  }
+
   /// Which kinds of particles there may be.
   void set_kinds(bool any_fluid, bool any_grains) {
     any_fluid_ = any_fluid;

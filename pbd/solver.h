@@ -55,6 +55,8 @@ class Solver {
  public:
   Solver(D& device, Particles& particles, const SolverParameters& parameters);
 
+  /// From the next step on; the radii stay.
+  void set_parameters(const SolverParameters& parameters) { parameters_ = parameters; }
   /// Registered parts must outlive the solver. They run in the order in which they were added.
   void add(ContactSource<D>& source) { contacts_.add(source); }
   void add(ConstraintSet<D>& set) { sets_.push_back(&set); }

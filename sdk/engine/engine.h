@@ -127,6 +127,9 @@ class Engine {
 
   virtual pbd::Device& device() = 0;
 
+  /// From the next step on: what steers the solvers, of which kernel, spacing and radii stay. Cloth must be
+  /// set anew.
+  virtual void set_solvers(const EngineDef& def) = 0;
   /// By group.
   virtual void set_materials(std::span<const ParticleMaterial> materials) = 0;
   /// Fields that shapes refer to by number.
@@ -185,6 +188,10 @@ class Engine {
   /// When the result's summary counts non-finite particles, the state is the one before the call.
   virtual EngineStep step(float dt) = 0;
   virtual void relax(float dt, int iterations) = 0;
+
+  /// N·s each, at once, on the particles of fluids in these slots, which ascend, or on these vertices.
+  virtual void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) = 0;
+  virtual void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) = 0;
 
   // By slot.
   virtual void read_positions(std::span<Vec3> out) = 0;

@@ -85,6 +85,7 @@ class DeviceEngine final : public Engine {
   pbd::Device& device() override { return device_; }
   uint32_t particle_count() const override { return particles_.sorted(); }
 
+  void set_solvers(const EngineDef& def) override;
   void set_materials(std::span<const ParticleMaterial> materials) override;
   uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
                    float margin) override;
@@ -124,6 +125,9 @@ class DeviceEngine final : public Engine {
     solver_.relax(dt, iterations);
   }
 
+  void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) override;
+  void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) override;
+
   void read_positions(std::span<Vec3> out) override { read_vector(particles_.position.current.view(), out); }
   void read_velocities(std::span<Vec3> out) override { read_vector(particles_.velocity.current.view(), out); }
   void read_fluids(std::span<uint32_t> out) override;
@@ -135,6 +139,8 @@ class DeviceEngine final : public Engine {
  private:
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
+  template <class Kernel>
+  void push(uint32_t count, std::span<const uint32_t> who, std::span<const Vec3> impulses);
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
   std::vector<uint32_t> remove_marked(uint32_t kept);
   void fetch_contacts();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Read-outs and measurements.
+// Read-outs, measurements, and pushes by hand.
 #pragma once
 
 #include "collision/shape_contacts.h"
@@ -79,6 +79,46 @@ struct SolidDistance {
   MENISCUS_HD void operator()(uint32_t i) const {
     distance[i] = nearest_solid(set, filter, points[i], reach, [](const collision::Shape&) { return false; });
   }
+};
+
+/// What an impulse adds to the velocity of a particle; of what nothing moves, nothing.
+MENISCUS_HD inline void push(View<const pbd::Vec4> position, View<pbd::Vec4> velocity, uint32_t i,
+                             Vec3 impulse) {
+  velocity[i] = pbd::with_w(velocity[i].xyz() + position[i].w * impulse, velocity[i].w);
+}
+
+/// Particles of fluids, by slots that ascend: each looks whether it is among them.
+struct PushParticles {
+  View<const pbd::Vec4> position;
+  View<pbd::Vec4> velocity;
+  View<const uint32_t> slot;
+  View<const uint32_t> pushed;
+  View<const Vec3> impulse;
+  uint32_t sorted;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    uint32_t low = 0, high = pushed.count;
+    while (low < high) {
+      const uint32_t middle = (low + high) / 2;
+      if (pushed[middle] < slot[i])
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    if (low < pushed.count && pushed[low] == slot[i]) push(position, velocity, i, impulse[low]);
+  }
+};
+
+/// Vertices, by number; none of them twice.
+struct PushVertices {
+  View<const pbd::Vec4> position;
+  View<pbd::Vec4> velocity;
+  View<const uint32_t> slot;
+  View<const uint32_t> pushed;
+  View<const Vec3> impulse;
+  uint32_t sorted;
+
+  MENISCUS_HD void operator()(uint32_t k) const { push(position, velocity, sorted + pushed[k], impulse[k]); }
 };
 
 struct StateSum {

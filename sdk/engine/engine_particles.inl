@@ -25,6 +25,14 @@ void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
 }
 
 template <class D>
+void DeviceEngine<D>::set_solvers(const EngineDef& def) {
+  def_ = def;
+  solver_.set_parameters(def.solver);
+  density_.set_parameters(def.density);
+  cloth_.set_parameters(def.cloth);
+}
+
+template <class D>
 void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials) {
   std::vector<fluid::Material> fluids;
   std::vector<collision::GrainMaterial> grains;
@@ -105,6 +113,30 @@ void DeviceEngine<D>::keep_contacts(std::span<const uint32_t> stays) {
   std::exclusive_scan(stays.begin(), stays.end(), place.begin(), 0u);
   std::erase_if(fetched_contacts_, [&](const ContactReadout& c) { return stays[c.slot] == 0; });
   for (ContactReadout& c : fetched_contacts_) c.slot = place[c.slot];
+}
+
+template <class D>
+void DeviceEngine<D>::push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) {
+  push<engine_kernels::PushParticles>(particles_.sorted(), slots, impulses);
+}
+
+template <class D>
+void DeviceEngine<D>::push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
+  push<engine_kernels::PushVertices>(static_cast<uint32_t>(vertices.size()), vertices, impulses);
+}
+
+template <class D>
+template <class Kernel>
+void DeviceEngine<D>::push(uint32_t count, std::span<const uint32_t> who, std::span<const Vec3> impulses) {
+  pbd::Buffer<uint32_t> numbers(device_, "pushed particles");
+  pbd::Buffer<Vec3> pushes(device_, "impulses");
+  replace(numbers, who);
+  replace(pushes, impulses);
+  device_.parallel_for(
+      "particles/push", count,
+      Kernel{particles_.position.current.view(), particles_.velocity.current.view(),
+             particles_.slot.current.view(), numbers.view(), pushes.view(), particles_.sorted()});
+  solver_.particles_changed(0, 0);
 }
 
 template <class D>

@@ -36,10 +36,7 @@ float World::particle_mass(FluidId id) const {
 
 FluidId World::create_fluid(const FluidDef& def) {
   check::fluid(def);
-  return impl_->create_material({{def.rest_density, def.viscosity, def.xsph, def.vorticity_confinement,
-                                  def.cohesion, def.surface_tension},
-                                 {},
-                                 def.filter});
+  return impl_->create_material(material_of(def));
 }
 
 FluidId World::create_granular(const GranularDef& def) {

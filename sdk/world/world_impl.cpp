@@ -11,11 +11,10 @@
 
 namespace meniscus {
 
-namespace {
-
-EngineDef engine_def(const WorldDef& def, const fluid::Kernel& kernel) {
+EngineDef World::Impl::engine_def() {
   EngineDef e;
   e.kernel = kernel;
+  e.rigid = &rigid;
   e.particle_spacing = def.particle_spacing;
   e.solver.gravity = def.gravity;
   e.solver.support_radius = kernel.h;
@@ -41,7 +40,12 @@ EngineDef engine_def(const WorldDef& def, const fluid::Kernel& kernel) {
   return e;
 }
 
-}  // namespace
+ParticleMaterial material_of(const FluidDef& def) {
+  return {{def.rest_density, def.viscosity, def.xsph, def.vorticity_confinement, def.cohesion,
+           def.surface_tension},
+          {},
+          def.filter};
+}
 
 void check_room(size_t present, double added) {
   constexpr size_t most = size_t{1} << 27;
@@ -64,9 +68,7 @@ World::Impl::Impl(const WorldDef& world_def)
     : def((check::world(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing)) {
-  EngineDef engine_parts = engine_def(def, kernel);
-  engine_parts.rigid = &rigid;
-  engine = make_engine(engine_parts, def.device, def.threads, device);
+  engine = make_engine(engine_def(), def.device, def.threads, device);
 }
 
 FluidId World::Impl::create_material(const ParticleMaterial& material) {
@@ -75,11 +77,15 @@ FluidId World::Impl::create_material(const ParticleMaterial& material) {
     fluids.erase(id);
     throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
   }
+  set_materials();
+  cloth_changed();  // it may have to bear this one
+  return id;
+}
+
+void World::Impl::set_materials() {
   std::vector<ParticleMaterial> all;
   fluids.for_each([&](uint32_t, const ParticleMaterial& m) { all.push_back(m); });
   engine->set_materials(all);
-  cloth_changed();  // it may have to bear this one
-  return id;
 }
 
 void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,

@@ -50,6 +50,8 @@ struct World::Impl {
   /// Far from that of any other world of this process.
   static uint32_t next_first_generation();
 
+  EngineDef engine_def();
+  void set_materials();
   FluidId create_material(const ParticleMaterial& material);
   void add(FluidId fluid, std::span<const Vec3> positions, std::span<const Vec3> velocities, Vec3 velocity);
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
@@ -71,6 +73,8 @@ struct World::Impl {
   void probes_changed();
   void read_probes();
   void state_changed();
+  void push_vertices(const Strand& strand, const char* kind, std::span<const uint32_t> vertices,
+                     std::span<const Vec3> impulses);
   void fetch_cloth();   // its latest state, to the host
   void upload_cloth();  // where it has changed by hand
   /// Takes points out that are nearer than half a spacing to cloth which the filter collides with.
@@ -137,6 +141,8 @@ struct World::Impl {
   CachedReadout<Ellipsoid> ellipsoids;
   EngineMeasure measured;  // with density_errors
 };
+
+ParticleMaterial material_of(const FluidDef& def);
 
 /// Throws Error(capacity) where a world with so many particles has no room for more of them.
 void check_room(size_t present, double added);

@@ -58,6 +58,8 @@ struct RigidSolverDef {
 struct ClothSolverDef {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear, 1 to 1.3
   float warm_start = 0.3f;       ///< share of the last substep's stretch multipliers to start from, 0 to 0.35
+
+  friend bool operator==(const ClothSolverDef&, const ClothSolverDef&) = default;
 };
 
 struct WorldDef {

@@ -29,12 +29,19 @@ class World {
   World& operator=(World&&) noexcept;
 
   const WorldDef& def() const;
+  /// What a world can change while it runs: gravity, substeps, iterations, cfl_number and its limits, and how
+  /// density, solids and cloth are solved. Throws Error(invalid_argument), naming it, where another member is
+  /// not as it was.
+  void set_def(const WorldDef& def);
   /// "cpu" or "cuda", the device's name, and, where `automatic` fell back to the CPU, the reason.
   DeviceInfo device() const;
   float support_radius() const;           ///< h, m
   float particle_mass(FluidId id) const;  ///< kg
 
   FluidId create_fluid(const FluidDef& def);
+  /// From the next step on. Throws Error(invalid_argument) unless it is a fluid, and of the same rest
+  /// density.
+  void set_fluid(FluidId id, const FluidDef& def);
   FluidId create_granular(const GranularDef& def);
   ShapeId create_shape(const ShapeDef& def);
   void destroy_shape(ShapeId id);
@@ -71,6 +78,8 @@ class World {
                            std::span<const Vec3> velocities = {});
   /// Unknown ids are an error.
   void remove_particles(std::span<const ParticleId> ids);
+  /// N·s on each, at once. No particle twice; unknown ids are an error.
+  void apply_impulses(std::span<const ParticleId> ids, std::span<const Vec3> impulses);
   /// Lets the particles find their rest density with no motion kept: takes the energy out of overlaps.
   void relax(int iterations = 50);
 
@@ -107,6 +116,10 @@ class World {
   std::span<const Vec3> rope_positions(RopeId id) const;   ///< m
   std::span<const Vec3> rope_velocities(RopeId id) const;  ///< m/s
   std::span<const Quat> rope_frames(RopeId id) const;      ///< of rods, a segment: z along it; of ropes none
+  /// N·s on each of these vertices, by number, at once; none of them twice. What an attachment holds to the
+  /// world does not move.
+  void apply_impulses(ClothId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses);
+  void apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses);
   /// N, the sum over the attachment's vertices of what the cloth or rope pulled with in the last step: on the
   /// world or the body. Seams read 0.
   Vec3 attachment_force(AttachmentId id) const;
@@ -119,6 +132,10 @@ class World {
   /// The first solid or particle on the way from `from` to `to`; a particle is a ball of half a spacing. A
   /// ray that starts in a convex solid meets it there; a particle that it starts in does not count.
   std::optional<RayHit> cast_ray(Vec3 from, Vec3 to) const;
+  /// m, of each point to the surface of the nearest solid that a filter collides with, negative inside;
+  /// `reach` where there is none so near. Cloth does not count.
+  std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
+                                     const CollisionFilter& filter = {}) const;
   Overlaps overlap_ball(Vec3 centre, float radius) const;
   Overlaps overlap_box(const Pose& pose, Vec3 half_extents) const;
 

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What World lets change while it runs.
+#include <meniscus/error.h>
+#include <meniscus/world.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "sdk/world/check.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+namespace {
+
+void check_impulses(std::size_t targets, std::span<const Vec3> impulses) {
+  if (impulses.size() != targets) {
+    throw Error(ErrorCode::invalid_argument, "apply_impulses got " + std::to_string(impulses.size()) +
+                                                 " impulses for " + std::to_string(targets) +
+                                                 "; it takes one for each");
+  }
+  for (const Vec3 impulse : impulses) check::finite("an impulse of apply_impulses", impulse);
+}
+
+/// The places of `values` in ascending order. Throws where two are equal.
+template <class T>
+std::vector<uint32_t> ascending(std::span<const T> values, const char* what) {
+  std::vector<uint32_t> order(values.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return values[a] < values[b]; });
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (values[order[k - 1]] == values[order[k]])
+      throw Error(ErrorCode::invalid_argument, std::string("apply_impulses got the ") + what + " " +
+                                                   std::to_string(values[order[k]]) + " twice");
+  }
+  return order;
+}
+
+template <class T>
+void expect_same(const char* name, const T& now, const T& wanted) {
+  if (now == wanted) return;
+  throw Error(ErrorCode::invalid_argument,
+              std::string("set_def cannot change WorldDef::") + name + "; make a new world for that");
+}
+
+}  // namespace
+
+void World::set_def(const WorldDef& def) {
+  check::world(def);
+  const WorldDef& now = impl_->def;
+  expect_same("device", now.device, def.device);
+  expect_same("threads", now.threads, def.threads);
+  expect_same("particle_spacing", now.particle_spacing, def.particle_spacing);
+  expect_same("support_ratio", now.support_ratio, def.support_ratio);
+  expect_same("contact_radius", now.contact_radius, def.contact_radius);
+  if (now.cloth != def.cloth) impl_->cloth_changed();
+  impl_->def = def;
+  impl_->rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});
+  impl_->engine->set_solvers(impl_->engine_def());
+}
+
+void World::apply_impulses(std::span<const ParticleId> targets, std::span<const Vec3> impulses) {
+  check_impulses(targets.size(), impulses);
+  std::vector<uint32_t> slots;
+  std::vector<Vec3> pushes;
+  for (const uint32_t k : ascending(targets, "particle")) {
+    const auto at = std::lower_bound(impl_->ids.begin(), impl_->ids.end(), targets[k]);
+    if (at == impl_->ids.end() || *at != targets[k])
+      throw Error(ErrorCode::not_found, "no particle has the id " + std::to_string(targets[k]));
+    slots.push_back(static_cast<uint32_t>(at - impl_->ids.begin()));
+    pushes.push_back(impulses[k]);
+  }
+  if (slots.empty()) return;
+  impl_->engine->push_particles(slots, pushes);
+  impl_->velocities.valid = false;
+}
+
+void World::apply_impulses(ClothId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
+  impl_->push_vertices(impl_->cloths.get(id).strand, "cloth", vertices, impulses);
+}
+
+void World::apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
+  impl_->push_vertices(impl_->ropes.get(id).strand, "rope", vertices, impulses);
+}
+
+void World::Impl::push_vertices(const Strand& strand, const char* kind, std::span<const uint32_t> vertices,
+                                std::span<const Vec3> impulses) {
+  check_impulses(vertices.size(), impulses);
+  for (const uint32_t k : ascending(vertices, "vertex")) {
+    if (vertices[k] >= strand.count())
+      throw Error(ErrorCode::invalid_argument,
+                  "apply_impulses got the vertex " + std::to_string(vertices[k]) + ", but the " + kind +
+                      " has " + std::to_string(strand.count()) + ", counted from 0");
+  }
+  if (vertices.empty()) return;
+  upload_cloth();
+  std::vector<uint32_t> numbers(vertices.begin(), vertices.end());
+  for (uint32_t& v : numbers) v += strand.first;
+  engine->push_vertices(numbers, impulses);
+  cloth_is_on_host = false;
+}
+
+void World::set_fluid(FluidId id, const FluidDef& def) {
+  const ParticleMaterial& now = impl_->fluids.get(id);
+  if (now.grain.is_grain) throw Error(ErrorCode::invalid_argument, "set_fluid is for fluids alone");
+  check::fluid(def);
+  if (now.fluid.rest_density != def.rest_density)
+    throw Error(ErrorCode::invalid_argument,
+                "set_fluid cannot change FluidDef::rest_density: particles keep their mass");
+  if (now.filter != def.filter) impl_->cloth_changed();  // what it has to bear may be another
+  impl_->fluids.edit(id) = material_of(def);
+  impl_->set_materials();
+}
+
+std::vector<float> World::solid_distances(std::span<const Vec3> points, float reach,
+                                          const CollisionFilter& filter) const {
+  check::positive("solid_distances's reach", reach);
+  for (const Vec3 p : points) check::finite("a point of solid_distances", p);
+  if (points.empty()) return {};
+  return impl_->engine->solid_distances(points, reach, filter);
+}
+
+}  // namespace meniscus
