@@ -31,7 +31,9 @@ Triangles glass_walls(const Geometry& geometry, const Pose& pose, Vec3 up);
 /// Its edges and those of its openings, as bars of this radius, m.
 Triangles container_edges(const Geometry& geometry, float radius);
 
-Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors);
+/// In the colours of the pieces, or in those of the triangles where there are any.
+Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors,
+                        std::span<const Vec3> triangle_colors = {});
 Triangles rope_surface(const io::RopeFrame& frame, const std::vector<Vec3>& colors);
 
 /// Triangles in the memory of the GPU.

@@ -14,13 +14,15 @@ Float4 paint(const std::vector<Vec3>& colors, std::size_t i, Vec3 otherwise, Loo
 
 }  // namespace
 
-Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors) {
+Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors,
+                        std::span<const Vec3> triangle_colors) {
   Triangles all;
   const auto is_shown = [&](uint32_t v) { return is_finite(frame.vertices[v]); };
   for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
     const auto& t = frame.triangles[i];
     if (!std::all_of(t.begin(), t.end(), is_shown)) continue;
-    const Float4 color = paint(colors, frame.pieces[i], ClothDef{}.color, Look::cloth);
+    Float4 color = paint(colors, frame.pieces[i], ClothDef{}.color, Look::cloth);
+    if (!triangle_colors.empty()) color = float4(triangle_colors[i], color[3]);
     for (const uint32_t v : t) all.push_back({frame.vertices[v], frame.normals[v], color});
   }
   return all;

@@ -12,6 +12,7 @@ struct Pictures {
   Pictures(int w, int h) : width(w), height(h) {}
 
   int width, height;
+  bool has_shadows = false;  ///< of what was loaded last
   Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
   Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};
   Texture lit{GL_RGBA16F, width, height};

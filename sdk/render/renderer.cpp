@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "sdk/render/passes/balls.h"
 #include "sdk/render/passes/grains.h"
+#include "sdk/render/passes/needles.h"
+#include "sdk/render/passes/slice.h"
 #include "sdk/render/passes/solids.h"
 #include "sdk/render/pictures.h"
 
@@ -65,12 +68,36 @@ void bind_uniforms(GLuint binding, const DataBuffer& buffer) {
   glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.name());
 }
 
+/// One a triangle, where the view asks for them.
+std::vector<Vec3> strain_colors(const io::ClothFrame& cloth, const ViewData& view) {
+  std::vector<Vec3> colors;
+  if (!view.choice.strain) return colors;
+  for (const float strain : cloth.strains)
+    colors.push_back(color_at(view.strain.map, view.strain.place(strain)));
+  return colors;
+}
+
+/// From each contact along its normal, in a colour for each kind of thing that is touched.
+std::vector<Needle> contact_needles(std::span<const ParticleContact> contacts, float length) {
+  constexpr Vec3 of_shapes{1.0f, 0.55f, 0.05f}, of_bodies{0.9f, 0.05f, 0.05f}, of_cloth{0.1f, 0.8f, 0.15f};
+  std::vector<Needle> needles;
+  for (const ParticleContact& c : contacts) {
+    const Vec3 color = c.body != BodyId{} ? of_bodies : c.cloth != ClothId{} ? of_cloth : of_shapes;
+    needles.push_back({c.point, c.point + length * c.normal, color});
+  }
+  return needles;
+}
+
 }  // namespace
 
 /// All that is made once, and the passes of a frame in their order.
 struct Renderer::Parts {
   Parts(const io::PreviewScene& s, const Moment& first, const RenderSettings& set)
-      : scene(checked(s)), settings(set), solids(s), stage(stage_of(s, bounds_of(solids, first))) {
+      : scene(checked(s)),
+        settings(set),
+        solids(s),
+        bounds(bounds_of(solids, first)),
+        stage(stage_of(s, bounds)) {
     shadow.compare_depths();
     if (scene.first_granular < scene.fluid_colors.size()) grains.emplace();
     const FluidUniforms fluids = fluid_uniforms_of(scene);
@@ -83,7 +110,7 @@ struct Renderer::Parts {
     frame = uniforms_of(stage, to->width, to->height);
     // Three pixels: thinner ones would be dotted.
     const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
-    solids.set_edges(1.3f * pixel);
+    solids.set_edges(1.3f * pixel * share);
     frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
   }
 
@@ -98,11 +125,27 @@ struct Renderer::Parts {
                                                    " elements, but there are " +
                                                    std::to_string(moment.ellipsoids.size()) + " ellipsoids");
     }
-    solids.place(moment.bodies, moment.cloth, moment.ropes);
-    if (settings.anisotropic)
+    const ViewData none, &view = moment.view ? *moment.view : none;
+    solids.place(moment.bodies, moment.cloth, moment.ropes, strain_colors(moment.cloth, view));
+    if (view.choice.particles != ParticleView::surface)
+      particles.set({}, {});  // but balls in their place
+    else if (settings.anisotropic)
       particles.set(moment.ellipsoids, moment.fluids);
     else
       particles.set(balls_at(moment, scene), moment.fluids);
+    load_view(moment, view);
+    to->has_shadows = false;
+    if (before) before->has_shadows = false;
+  }
+
+  void load_view(const Moment& moment, const ViewData& view) {
+    balls.set(moment.ellipsoids, view);
+    needles.set(contact_needles(view.contacts, 1.2f * stage.spacing));
+    if (view.choice.distances)
+      slice.set(view.slice, view.distances);
+    else
+      slice.clear();
+    shows_normals = view.choice.normals;
   }
 
   void bind() const {
@@ -123,6 +166,7 @@ struct Renderer::Parts {
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_TEST);
     to->thickness.draw_for_sun(particles, frame, stage.spacing);
+    to->has_shadows = true;
   }
 
   void draw_scene() {
@@ -135,6 +179,7 @@ struct Renderer::Parts {
     glDepthFunc(GL_LESS);
     solids.draw_opaque();
     if (grains) grains->draw(particles);
+    balls.draw(0.5f * stage.spacing);
     solids.draw_glass();
     glDisable(GL_DEPTH_TEST);
   }
@@ -157,13 +202,17 @@ struct Renderer::Parts {
     screen.draw();
     glDepthFunc(GL_LESS);
     solids.draw_edges();
+    needles.draw(1.2f);
+    slice.draw();
     glDisable(GL_DEPTH_TEST);
   }
 
   void draw_picture() {
     to->to_toned.use();
     to->lit.bind(unit::color);
-    tone.use();
+    to->lit_depth.bind(unit::depth);
+    to->surface.depth().bind(unit::fluid_depth);
+    (shows_normals ? view_normals : tone).use();
     screen.draw();
     to->to_picture.use();
     to->toned.bind(unit::color);
@@ -192,19 +241,27 @@ struct Renderer::Parts {
   io::PreviewScene scene;
   RenderSettings settings;
   Solids solids;
+  Bounds bounds;
   Stage stage;
   FrameUniforms frame;
   DataBuffer frame_buffer, fluid_buffer;
   Screen screen;
+  float share = 1;  // of the pixels that the picture will be shown with, along a side
   Particles particles;
   std::optional<Grains> grains;  // where the scene has any
+  Balls balls{scene.fluid_colors};
+  Needles needles;
+  Slice slice;
+  bool shows_normals = false;
 
   Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
   Target to_shadow{{}, &shadow};
   std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
+  std::unique_ptr<Pictures> before;  // of the size before, to which a window may go back
   Program backdrop{"screen.vert.glsl", "backdrop.frag.glsl"};
   Program fluid{"screen.vert.glsl", "fluid.frag.glsl"};
   Program tone{"screen.vert.glsl", "tone.frag.glsl"};
+  Program view_normals{"screen.vert.glsl", "view_normals.frag.glsl"};
   Program smooth{"screen.vert.glsl", "smooth.frag.glsl"};
 };
 
@@ -212,6 +269,11 @@ Renderer::Renderer(const io::PreviewScene& scene, const Moment& first, const Ren
     : parts_(std::make_unique<Parts>(scene, first, settings)) {}
 
 Renderer::~Renderer() = default;
+
+Aabb Renderer::box() const {
+  const Bounds& b = parts_->bounds;
+  return b.empty() ? Aabb{{-1, -1, -1}, {1, 1, 1}} : Aabb{b.lower, b.upper};
+}
 
 const SceneCamera& Renderer::camera() const {
   return parts_->stage.camera;
@@ -222,9 +284,13 @@ void Renderer::set_camera(const SceneCamera& camera) {
   parts_->look();
 }
 
-void Renderer::set_size(int width, int height) {
+void Renderer::set_size(int width, int height, float share) {
   check_size(width, height);
-  parts_->to = std::make_unique<Pictures>(width, height);
+  parts_->share = share;
+  if (width == parts_->to->width && height == parts_->to->height) return;
+  std::swap(parts_->to, parts_->before);
+  if (!parts_->to || parts_->to->width != width || parts_->to->height != height)
+    parts_->to = std::make_unique<Pictures>(width, height);
   parts_->look();
 }
 
@@ -234,7 +300,7 @@ void Renderer::load(const Moment& moment) {
 
 void Renderer::paint() {
   parts_->bind();
-  parts_->draw_shadows();
+  if (!parts_->to->has_shadows) parts_->draw_shadows();
   parts_->draw_scene();
   parts_->draw_fluid();
   parts_->draw_picture();

@@ -9,6 +9,7 @@
 
 #include "sdk/io/preview.h"
 #include "sdk/render/passes/fluid_surface.h"
+#include "sdk/render/views.h"
 
 namespace meniscus::render {
 
@@ -27,6 +28,7 @@ struct Moment {
   std::span<const BodyState> bodies{};      ///< in the scene's order; none: where they start
   io::ClothFrame cloth{};
   io::RopeFrame ropes{};
+  const ViewData* view = nullptr;  ///< null: as things look
 };
 
 class Renderer {
@@ -38,11 +40,14 @@ class Renderer {
   Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings = {});
   ~Renderer();
 
+  /// A box around what there was at first.
+  Aabb box() const;
   const SceneCamera& camera() const;
   /// From here on it is seen from there, in the same light.
   void set_camera(const SceneCamera& camera);
-  /// Of the pictures from here on. Throws as the constructor does.
-  void set_size(int width, int height);
+  /// Of the pictures from here on, which will be shown at 1/share of that; to go to and fro between two sizes
+  /// costs nothing. Throws as the constructor does.
+  void set_size(int width, int height, float share = 1);
 
   /// What is to be drawn. Throws Error(invalid_argument) where there are bodies, but not one a body of the
   /// scene, or not one fluid and, for balls, one position an ellipsoid.

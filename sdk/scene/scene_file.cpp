@@ -84,8 +84,16 @@ Json parse_text(const std::string& text, const std::string& source) {
 }  // namespace
 
 Scene read_scene(const std::string& path, std::span<const std::string> overrides) {
+  return scene_of_document(read_document(path, overrides), path);
+}
+
+Json read_document(const std::string& path, std::span<const std::string> overrides) {
   Json document = parse_text(read_text(path), path);
   for (const std::string& text : overrides) apply_override(document, text);
+  return document;
+}
+
+Scene scene_of_document(const Json& document, const std::string& path) {
   Scene scene = parse_scene(document, path);
   resolve_meshes(scene, document, std::filesystem::path(path).parent_path(), path);
   return scene;

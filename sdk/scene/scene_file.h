@@ -21,11 +21,16 @@ namespace meniscus {
 /// override that does not fit.
 Scene read_scene(const std::string& path, std::span<const std::string> overrides = {});
 
+/// The same in two steps: the contents of the file with the overrides in it, and the scene that such contents
+/// describe, its mesh files looked for from where `path` lies.
+nlohmann::json read_document(const std::string& path, std::span<const std::string> overrides = {});
+Scene scene_of_document(const nlohmann::json& document, const std::string& path);
+
 /// The scene that a JSON document describes, its mesh files not looked for. `source` begins the message of
 /// every error. Throws Error(parse).
 Scene parse_scene(const nlohmann::json& document, const std::string& source = "scene");
 
-/// The JSON Schema (draft 2020-12) of scene files, as text.
+/// The JSON Schema (draft 2020-12) of scene files, as text. Where a value has a unit, it is there as `unit`.
 std::string scene_schema();
 
 }  // namespace meniscus

@@ -104,6 +104,7 @@ class SchemaWriter {
   template <class T>
   void operator()(const char* key, T& value, const FieldRule& rule, const char* unit, const char* text) {
     Json schema{{"description", *unit ? std::string(text) + " (" + unit + ")" : text}};
+    if (*unit) schema["unit"] = unit;
     schema.update(schema_of(value, rule));
     if constexpr (requires { default_of(value); }) {
       if (!rule.needed) schema["default"] = default_of(value);

@@ -41,15 +41,15 @@ void Solids::set_edges(float radius) {
   }
 }
 
-void Solids::place(std::span<const BodyState> states, const io::ClothFrame& cloth,
-                   const io::RopeFrame& ropes) {
+void Solids::place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
+                   std::span<const Vec3> cloth_triangle_colors) {
   if (!states.empty() && states.size() != scene_.bodies.size()) {
     throw Error(ErrorCode::invalid_argument, "states has " + std::to_string(states.size()) +
                                                  " elements, but the scene has " +
                                                  std::to_string(scene_.bodies.size()) + " bodies");
   }
   for (std::size_t i = 0; i < states.size(); ++i) items_[scene_.shapes.size() + i].pose = states[i].pose;
-  cloth_.set(cloth_surface(cloth, scene_.cloth_colors));
+  cloth_.set(cloth_surface(cloth, scene_.cloth_colors, cloth_triangle_colors));
   ropes_.set(rope_surface(ropes, scene_.rope_colors));
 }
 

@@ -24,7 +24,8 @@ class Solids {
   /// How thick the bars are, m.
   void set_edges(float radius);
   /// `states` of the bodies, or none, for where they start.
-  void place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes);
+  void place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
+             std::span<const Vec3> cloth_triangle_colors = {});
 
   void draw_shadows() const;
   void draw_opaque() const;

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/outputs.h>
+
+#include "sdk/render/gl/program.h"
+#include "sdk/render/views.h"
+
+namespace meniscus::render {
+
+/// Particles as balls in the colours of a value.
+class Balls {
+ public:
+  /// `fluid_colors` are what ParticleView::phase shows; none: that of water.
+  explicit Balls(const std::vector<Vec3>& fluid_colors);
+
+  /// Where the ellipsoids are, by the values of the view; none where it shows the fluid's surface.
+  void set(std::span<const Ellipsoid> ellipsoids, const ViewData& view);
+  void clear() { count_ = 0; }
+  void draw(float radius) const;
+
+ private:
+  struct Ball {
+    Vec3 centre;
+    float place;  ///< in the colours, 0 to 1
+  };
+  DataBuffer balls_;
+  VertexArrayHandle array_;
+  Texture sequence_, balance_, fluids_;
+  const Texture* colors_ = &sequence_;
+  GLsizei count_ = 0;
+  Program program_{"ball.vert.glsl", "ball.frag.glsl"};
+};
+
+/// The colours of a map, from left to right.
+Texture color_texture(ColorMap map);
+
+}  // namespace meniscus::render

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "pbd/math/vec.h"
+#include "sdk/render/gl/program.h"
+
+namespace meniscus::render {
+
+struct Needle {
+  Vec3 from, to;  ///< m
+  Vec3 color;     ///< linear RGB
+};
+
+/// Lines of one width in pixels, however far away they are.
+class Needles {
+ public:
+  Needles();
+  void set(std::span<const Needle> needles);
+  void draw(float pixels) const;
+
+ private:
+  DataBuffer needles_;
+  VertexArrayHandle array_;
+  GLsizei count_ = 0;
+  Program program_{"needle.vert.glsl", "needle.frag.glsl"};
+};
+
+}  // namespace meniscus::render

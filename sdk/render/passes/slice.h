@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "sdk/render/gl/program.h"
+#include "sdk/render/views.h"
+
+namespace meniscus::render {
+
+/// A plane of distances to solids, in colours and with lines at even distances.
+class Slice {
+ public:
+  void set(const DistanceSlice& slice, const Scale& scale);
+  void clear() { values_.reset(); }
+  void draw() const;
+
+ private:
+  DistanceSlice place_;
+  Scale scale_;
+  std::optional<Texture> values_;
+  Texture colors_ = balance_colors();
+  VertexArrayHandle array_ = make_vertex_array();
+  Program program_{"slice.vert.glsl", "slice.frag.glsl"};
+
+  static Texture balance_colors();
+};
+
+}  // namespace meniscus::render

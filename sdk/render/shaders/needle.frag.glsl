@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+flat in vec3 paint;
+layout(location = 0) out vec4 color;
+
+void main() {
+  color = vec4(paint, 1.0);
+}
