@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "sdk/scene/scene_file.h"
 
@@ -54,13 +55,15 @@ Scene find_scene(const std::string& scene, std::span<const std::string> override
   return found;
 }
 
+nlohmann::json chosen_document(const SceneChoice& choice) {
+  std::vector<std::string> changes = choice.overrides;
+  if (!choice.device.empty()) changes.push_back("world.device=" + choice.device);
+  if (choice.threads) changes.push_back("world.threads=" + std::to_string(*choice.threads));
+  return read_document(scene_path(choice.scene), changes);
+}
+
 Scene chosen_scene(const SceneChoice& choice) {
-  Scene scene = find_scene(choice.scene, choice.overrides);
-  if (choice.device == "auto") scene.world.device = DeviceChoice::automatic;
-  if (choice.device == "cpu") scene.world.device = DeviceChoice::cpu;
-  if (choice.device == "cuda") scene.world.device = DeviceChoice::cuda;
-  if (choice.threads) scene.world.threads = *choice.threads;
-  return scene;
+  return scene_of_document(chosen_document(choice), scene_path(choice.scene));
 }
 
 fs::path default_folder(const Scene& scene) {

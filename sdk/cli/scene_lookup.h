@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,7 +29,8 @@ struct SceneChoice {
   std::optional<int> threads;  ///< likewise
 };
 
-/// Throws what find_scene throws.
+/// Its file's contents, with what the command line changes. Throws what find_scene throws.
+nlohmann::json chosen_document(const SceneChoice& choice);
 Scene chosen_scene(const SceneChoice& choice);
 
 /// out/<scene name>.

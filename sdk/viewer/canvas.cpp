@@ -16,6 +16,7 @@ void Canvas::show(const Snapshot& snapshot) {
     renderer_ = std::make_unique<render::Renderer>(scene, snapshot.moment());
     width_ = scene.width;
     height_ = scene.height;
+    picker_.emplace(*snapshot.scene);
     build_ = snapshot.build;
     home_ = renderer_->camera();
     up_ = normalized_or(-scene.gravity, {0, 1, 0});
@@ -30,27 +31,38 @@ void Canvas::see_all() {
   is_painted_ = false;
 }
 
-void Canvas::draw(int width, int height) {
+void Canvas::draw(int width, int height, bool moving) {
   if (!renderer_) return;
-  if (width != width_ || height != height_) {
-    renderer_->set_size(width, height);
+  const bool is_draft = moving && draft_.share() < 1;
+  if (!is_painted_ || (was_draft_ && !moving) || width != width_ || height != height_) {
     width_ = width;
     height_ = height;
-    is_painted_ = false;
-  }
-  if (!is_painted_) {
-    const auto start = std::chrono::steady_clock::now();
-    renderer_->set_camera(orbit_->camera());
-    renderer_->paint();
-    glFinish();
-    paint_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    paint(is_draft ? draft_.share() : 1);
+    was_draft_ = is_draft;
     is_painted_ = true;
   }
   renderer_->show(width, height);
 }
 
-io::Image Canvas::image() const {
-  if (!renderer_) throw Error(ErrorCode::invalid_argument, "there is no picture yet");
+void Canvas::paint(float share) {
+  const auto pixels = [&](int all) { return std::max(1, static_cast<int>(share * static_cast<float>(all))); };
+  renderer_->set_size(pixels(width_), pixels(height_), share);
+  renderer_->set_camera(orbit_->camera());
+  const auto start = std::chrono::steady_clock::now();
+  renderer_->paint();
+  glFinish();
+  paint_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  draft_.took(paint_ms_, share);
+}
+
+std::optional<Aabb> Canvas::box() const {
+  return renderer_ ? std::optional(renderer_->box()) : std::nullopt;
+}
+
+io::Image Canvas::image() {
+  if (!renderer_ || width_ == 0) throw Error(ErrorCode::invalid_argument, "there is no picture yet");
+  if (was_draft_) paint(1);
+  was_draft_ = false;
   return renderer_->image();
 }
 

@@ -6,6 +6,14 @@
 #include <GLFW/glfw3.h>
 
 namespace meniscus::viewer {
+namespace {
+
+render::ParticleView next(render::ParticleView view) {
+  const int after = static_cast<int>(view) + 1;
+  return static_cast<render::ParticleView>(after % (static_cast<int>(render::ParticleView::pressure) + 1));
+}
+
+}  // namespace
 
 void press(int key, Controls& controls, Window& window, bool is_playing) {
   switch (key) {
@@ -20,6 +28,9 @@ void press(int key, Controls& controls, Window& window, bool is_playing) {
       break;
     case GLFW_KEY_F:
       controls.frame_all = true;
+      break;
+    case GLFW_KEY_V:
+      controls.view.particles = next(controls.view.particles);
       break;
     case GLFW_KEY_P:
       controls.screenshot = true;

@@ -53,6 +53,14 @@ void Orbit::look_at(Vec3 target) {
   camera_.target = target;
 }
 
+Vec3 Orbit::project(Vec3 point, float aspect) const {
+  const Vec3 to = point - camera_.position;
+  const float away = dot(to, forward()), high = half_height();
+  const float x = dot(to, right()) / (away * aspect * high);
+  const float y = dot(to, cross(right(), forward())) / (away * high);
+  return {0.5f + 0.5f * x, 0.5f - 0.5f * y, away};
+}
+
 Ray Orbit::ray_through(float x, float y, float aspect) const {
   const float across = (2 * x - 1) * aspect * half_height(), high = (1 - 2 * y) * half_height();
   const Vec3 top = cross(right(), forward());

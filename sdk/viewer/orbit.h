@@ -30,6 +30,9 @@ class Orbit {
   void look_at(Vec3 target);
 
   Ray ray_through(float x, float y, float aspect) const;
+  /// Where a point is seen: x and y as above; z is its distance along the line of sight, m, negative behind
+  /// the eye.
+  Vec3 project(Vec3 point, float aspect) const;
   Vec3 forward() const { return normalized_or(camera_.target - camera_.position, {0, 0, -1}); }
 
  private:

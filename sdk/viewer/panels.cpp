@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include "sdk/viewer/stage_graph.h"
+#include "sdk/viewer/view_panel.h"
 
 namespace meniscus::viewer {
 namespace {
@@ -56,8 +57,8 @@ void draw_time(Controls& controls, const Shown& shown) {
   ImGui::SameLine();
   if (ImGui::Button("Step", size)) controls.step = true;
   ImGui::SameLine();
-  if (ImGui::Button(controls.scene_needs_reset ? "Reset *" : "Reset", size)) controls.reset = true;
-  if (controls.scene_needs_reset && ImGui::IsItemHovered())
+  if (ImGui::Button(controls.parameters.need_reset() ? "Reset *" : "Reset", size)) controls.reset = true;
+  if (controls.parameters.need_reset() && ImGui::IsItemHovered())
     ImGui::SetTooltip("Some of the parameters that were changed take effect at a reset");
   draw_pace(controls);
   ImGui::Text("%.3f s after %llu steps", now.time, static_cast<unsigned long long>(now.steps));
@@ -83,15 +84,38 @@ void draw_messages(const Shown& shown) {
   if (!shown.notice.empty()) ImGui::TextWrapped("%s", shown.notice.c_str());
 }
 
+void draw_values(Controls& controls) {
+  controls.parameters_changed |= controls.parameters.draw();
+  const std::string options = controls.parameters.as_options();
+  if (options.empty()) return;
+  if (ImGui::Button("Copy as options")) ImGui::SetClipboardText(options.c_str());
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("What was changed, for the command line: %s", options.c_str());
+}
+
+void draw_parameters(Controls& controls) {
+  const float margin = 0.6f * em();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x - margin, margin}, ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowCollapsed(true, ImGuiCond_Once);
+  ImGui::SetNextWindowSizeConstraints({26 * em(), 0}, {26 * em(), screen.y - 2 * margin});
+  const bool is_open =
+      ImGui::Begin("Parameters", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize);
+  if (is_open) draw_values(controls);
+  ImGui::End();
+}
+
 void draw_help() {
   static constexpr const char* lines[][2] = {
-      {"drag", "turn the view"},
+      {"drag a thing", "pull it"},
+      {"drag elsewhere", "turn the view"},
       {"right button", "shift the view"},
       {"wheel", "nearer, further"},
       {"Space", "play, pause"},
       {"N", "next step"},
       {"R", "reset"},
       {"F", "see all"},
+      {"V", "next view of particles"},
       {"P", "screenshot"},
       {"Tab", "hide panels"},
       {"Esc", "close"},
@@ -118,12 +142,15 @@ void draw_panels(Controls& controls, const Shown& shown) {
   draw_scene_list(controls, shown);
   draw_time(controls, shown);
   draw_messages(shown);
+  if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
+    draw_view_panel(controls.view, shown.snapshot.view);
   if (ImGui::CollapsingHeader("Timing", ImGuiTreeNodeFlags_DefaultOpen)) {
     draw_stage_graph(shown.history);
     draw_counts(shown);
   }
   if (ImGui::CollapsingHeader("Mouse and keys")) draw_help();
   ImGui::End();
+  draw_parameters(controls);
 }
 
 }  // namespace meniscus::viewer

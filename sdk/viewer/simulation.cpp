@@ -32,9 +32,22 @@ void Simulation::open(std::shared_ptr<const Scene> scene) {
   post([this, scene = std::move(scene)] { build(scene); });
 }
 
+void Simulation::change(std::shared_ptr<const Scene> scene) {
+  post([this, scene = std::move(scene)] {
+    try {
+      if (built_) take_over(*scene);
+      error_.clear();
+      is_published_ = false;
+    } catch (const std::exception& error) {
+      fail(error.what());
+    }
+  });
+}
+
 void Simulation::play(bool playing) {
   post([this, playing] {
     playing_ = playing && built_;
+    steps_due_ = 0;
     next_step_ = Clock::now();
     error_.clear();
     is_published_ = false;
@@ -44,13 +57,30 @@ void Simulation::play(bool playing) {
 void Simulation::step() {
   post([this] {
     playing_ = false;
-    step_due_ = built_.has_value();
+    if (built_) ++steps_due_;
     error_.clear();
   });
 }
 
 void Simulation::set_pace(double pace) {
   post([this, pace] { pace_ = pace; });
+}
+
+void Simulation::hold(std::optional<Grab> grab) {
+  post([this, grab = std::move(grab)] {
+    grab_ = grab;
+    if (!grab_) held_.reset();
+    is_published_ = false;
+  });
+}
+
+void Simulation::measure(const render::ViewChoice& choice, const Aabb& box, Vec3 sight) {
+  post([=, this] {
+    view_ = choice;
+    box_ = box;
+    sight_ = sight;
+    is_published_ = false;
+  });
 }
 
 std::shared_ptr<const Snapshot> Simulation::latest() {
@@ -77,7 +107,7 @@ void Simulation::run() {
     const std::vector<Task> tasks = std::exchange(tasks_, {});
     lock.unlock();
     for (const Task& task : tasks) task();
-    if (step_due_ || (playing_ && Clock::now() >= next_step_)) advance();
+    if (steps_due_ > 0 || (playing_ && Clock::now() >= next_step_)) advance();
     lock.lock();
     if (is_published_ || !is_seen_) continue;
     lock.unlock();
@@ -89,7 +119,7 @@ void Simulation::run() {
 /// False when it is time to end.
 bool Simulation::wait_for_work(std::unique_lock<std::mutex>& lock) {
   const auto has_work = [&] {
-    return stopping_ || !tasks_.empty() || step_due_ || (!is_published_ && is_seen_);
+    return stopping_ || !tasks_.empty() || steps_due_ > 0 || (!is_published_ && is_seen_);
   };
   if (playing_)
     changed_.wait_until(lock, next_step_, has_work);
@@ -104,6 +134,10 @@ void Simulation::build(std::shared_ptr<const Scene> scene) {
     built_.reset();
     built_.emplace(std::move(built));
     scene_ = std::move(scene);
+    frame_time_ = scene_->frame_time;
+    grab_.reset();
+    held_.reset();
+    meter_ = {};
     ++build_;
     steps_ = 0;
     report_ = {};
@@ -117,13 +151,33 @@ void Simulation::build(std::shared_ptr<const Scene> scene) {
   --builds_due_;
 }
 
+void Simulation::take_over(const Scene& scene) {
+  World& world = built_->world;
+  WorldDef def = scene.world;
+  def.device = world.def().device;
+  def.threads = world.def().threads;
+  def.particle_spacing = world.def().particle_spacing;
+  def.support_ratio = world.def().support_ratio;
+  def.contact_radius = world.def().contact_radius;
+  world.set_def(def);
+  for (std::size_t i = 0; i < scene_->fluids.size(); ++i) {
+    FluidDef fluid = scene.fluids.at(i);
+    fluid.rest_density = scene_->fluids[i].rest_density;
+    fluid.filter = scene_->fluids[i].filter;
+    world.set_fluid(built_->fluids[i], fluid);
+  }
+  world.set_wind(scene.wind.value_or(WindDef{}));
+  frame_time_ = scene.frame_time;
+}
+
 void Simulation::advance() {
-  const auto frame = std::chrono::duration<double>(pace_ > 0 ? scene_->frame_time / pace_ : 0.0);
+  const auto frame = std::chrono::duration<double>(pace_ > 0 ? frame_time_ / pace_ : 0.0);
   // What is too slow does not catch up later.
   next_step_ = std::max(next_step_ + std::chrono::duration_cast<Clock::duration>(frame), Clock::now());
-  step_due_ = false;
+  if (steps_due_ > 0) --steps_due_;
   try {
-    report_ = built_->world.step(scene_->frame_time);
+    if (grab_) held_ = pull(*grab_, *built_, *scene_, frame_time_);
+    report_ = built_->world.step(frame_time_);
     ++steps_;
     is_published_ = false;
   } catch (const std::exception& error) {
@@ -134,6 +188,7 @@ void Simulation::advance() {
 void Simulation::fail(const std::string& why) {
   error_ = why;
   playing_ = false;
+  steps_due_ = 0;
   is_published_ = false;
 }
 
@@ -141,7 +196,10 @@ void Simulation::publish() {
   is_published_ = true;
   auto snapshot = std::make_shared<Snapshot>();
   try {
-    if (built_) *snapshot = snapshot_of(*built_, *scene_);
+    if (built_) {
+      *snapshot = snapshot_of(*built_, *scene_);
+      snapshot->view = meter_.measure(built_->world, view_, snapshot->cloth.strains, box_, sight_);
+    }
   } catch (const std::exception& error) {
     error_ = error.what();
     playing_ = false;
@@ -152,6 +210,7 @@ void Simulation::publish() {
   snapshot->step = report_;
   snapshot->playing = playing_;
   snapshot->error = error_;
+  snapshot->held = held_;
   {
     const std::lock_guard lock(mutex_);
     latest_ = std::move(snapshot);

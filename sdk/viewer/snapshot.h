@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sdk/render/renderer.h"
@@ -23,6 +24,8 @@ struct Snapshot {
   bool playing = false;
   std::string error;  ///< why the last step failed; empty: it did not
 
+  std::optional<Vec3> held;  ///< m: where what the mouse holds is
+
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Vec3> positions;   ///< m, of particles
   std::vector<ParticleId> ids;   ///< likewise
@@ -31,8 +34,15 @@ struct Snapshot {
   io::ClothFrame cloth;
   io::RopeFrame ropes;
 
+  render::ViewData view;
+
   render::Moment moment() const {
-    return {.ellipsoids = ellipsoids, .fluids = fluids, .bodies = bodies, .cloth = cloth, .ropes = ropes};
+    return {.ellipsoids = ellipsoids,
+            .fluids = fluids,
+            .bodies = bodies,
+            .cloth = cloth,
+            .ropes = ropes,
+            .view = &view};
   }
 };
 

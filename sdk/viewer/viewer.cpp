@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "sdk/scene/scene_file.h"
 #include "sdk/viewer/canvas.h"
 #include "sdk/viewer/keys.h"
 #include "sdk/viewer/mouse.h"
@@ -22,13 +23,14 @@ class Viewer {
   explicit Viewer(const ViewerOptions& options)
       : options_(options),
         window_("Meniscus", options.width, options.height, options.check_opengl),
-        name_(options.name) {
-    open(options.scene);
+        source_(options.scene) {
+    controls_.parameters.open(source_.document);
+    build();
   }
 
   void run() {
     for (int frames = 0; !window_.should_close();) {
-      window_.wait(frames > 0 ? 0.0 : 0.25);
+      window_.wait(frames > 0 ? 0.0 : 0.1);
       // ImGui needs a few frames to settle after what happened.
       if (window_.touched()) frames = 3;
       if (take_news()) frames = std::max(frames, 2);
@@ -44,14 +46,20 @@ class Viewer {
     return {.steps = shown_ ? shown_->steps : 0,
             .time = shown_ ? shown_->time : 0,
             .screenshots = screenshots_,
+            .grabs = mouse_.grabs(),
             .mistakes = window_.mistakes()};
   }
 
  private:
-  void open(const Scene& scene) {
-    controls_.scene = scene;
-    controls_.scene_needs_reset = false;
-    simulation_.open(std::make_shared<const Scene>(scene));
+  /// The scene with what was changed by hand.
+  std::shared_ptr<const Scene> edited_scene() const {
+    return std::make_shared<const Scene>(scene_of_document(controls_.parameters.document(), source_.path));
+  }
+
+  void build() {
+    simulation_.open(edited_scene());
+    controls_.parameters.was_reset();
+    notice_.clear();
   }
 
   /// Whether there are any.
@@ -71,68 +79,92 @@ class Viewer {
 
   void draw() {
     window_.begin();
-    mouse_.act(canvas_);
+    if (shown_) mouse_.act(canvas_, *shown_, simulation_);
     if (controls_.panels && shown_) {
       draw_panels(controls_, {.snapshot = *shown_,
                               .history = history_,
                               .scenes = options_.scenes,
-                              .scene = name_,
+                              .scene = source_.name,
                               .is_building = is_building_,
                               .paint_ms = canvas_.paint_ms(),
                               .notice = notice_});
     }
     const Window::Size size = window_.size();
-    canvas_.draw(size.width, size.height);
+    canvas_.draw(size.width, size.height, is_moving());
     window_.draw_panels();
     window_.end();
   }
 
+  /// The world plays, or the camera has moved a moment ago.
+  bool is_moving() {
+    const auto now = std::chrono::steady_clock::now();
+    if (mouse_.has_steered()) last_motion_ = now;
+    return (shown_ && shown_->playing) || now - last_motion_ < std::chrono::milliseconds(300);
+  }
+
   /// Does what keys and panels have asked for.
   void obey() {
-    if (controls_.open) open_named(*controls_.open);
-    if (controls_.reset) open(controls_.scene);
+    if (controls_.open) attempt([&] { open_named(*controls_.open); });
+    if (controls_.reset) attempt([&] { build(); });
+    if (controls_.parameters_changed) attempt([&] { simulation_.change(edited_scene()); });
     if (controls_.play) simulation_.play(*controls_.play);
     if (controls_.step) simulation_.step();
     if (controls_.frame_all) canvas_.see_all();
-    if (controls_.screenshot) take_screenshot();
+    if (controls_.screenshot) attempt([&] { take_screenshot(); });
+    choose_view();
     if (pace_ != controls_.pace) simulation_.set_pace(pace_ = controls_.pace);
     controls_.clear_requests();
   }
 
-  void open_named(const std::string& name) {
+  /// Where something goes wrong, the panel tells.
+  template <class Action>
+  void attempt(const Action& action) {
     try {
-      open(options_.load(name));
-      name_ = name;
-      notice_.clear();
-      canvas_.forget_camera();
+      action();
     } catch (const std::exception& error) {
       notice_ = error.what();
     }
   }
 
+  void choose_view() {
+    const std::optional<Aabb> box = canvas_.box();
+    if (!box || (controls_.view == view_ && view_build_ == shown_->build)) return;
+    view_ = controls_.view;
+    view_build_ = shown_->build;
+    simulation_.measure(view_, *box, canvas_.orbit()->forward());
+  }
+
+  void open_named(const std::string& name) {
+    SceneSource source = options_.load(name);
+    std::swap(source_, source);
+    controls_.parameters.open(source_.document);
+    canvas_.forget_camera();
+    build();
+  }
+
   void take_screenshot() {
-    try {
-      std::filesystem::create_directories(options_.folder);
-      const auto file = options_.folder / fmt::format("view_{:05}.png", screenshots_ + 1);
-      io::write_png(file, canvas_.image());
-      ++screenshots_;
-      notice_ = "Wrote " + file.string();
-    } catch (const std::exception& error) {
-      notice_ = error.what();
-    }
+    std::filesystem::create_directories(options_.folder);
+    const auto file = options_.folder / fmt::format("view_{:05}.png", screenshots_ + 1);
+    io::write_png(file, canvas_.image());
+    ++screenshots_;
+    notice_ = "Wrote " + file.string();
   }
 
   const ViewerOptions& options_;
   Window window_;
   Simulation simulation_{Window::wake};
   Controls controls_;
-  std::string name_, notice_;
+  SceneSource source_;
+  std::string notice_;
   double pace_ = 1;
+  render::ViewChoice view_;     // what the simulation measures
+  BuildNumber view_build_ = 0;  // of the world for which it was chosen
   bool is_building_ = false;
   std::shared_ptr<const Snapshot> shown_;
   StageHistory history_;
   Canvas canvas_;
   Mouse mouse_;
+  std::chrono::steady_clock::time_point last_motion_{};
   int screenshots_ = 0;
 };
 

@@ -6,19 +6,24 @@
 
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "sdk/scene/scene.h"
-
 namespace meniscus::viewer {
 
+/// A scene, and what its list calls it.
+struct SceneSource {
+  std::string name;
+  std::string path;  ///< of its file
+  nlohmann::json document;
+};
+
 struct ViewerOptions {
-  Scene scene;                      ///< what it opens with
-  std::string name;                 ///< of that, in the list
+  SceneSource scene;                ///< what it opens with
   std::vector<std::string> scenes;  ///< what the list offers, by name
   /// Reads one of these. May throw, which the window shows.
-  std::function<Scene(const std::string&)> load;
+  std::function<SceneSource(const std::string&)> load;
   std::filesystem::path folder;  ///< of screenshots, made where there are any
   int width = 1280, height = 720;
   bool check_opengl = false;  ///< see ViewerEnd::mistakes
@@ -29,6 +34,7 @@ struct ViewerEnd {
   uint64_t steps = 0;
   double time = 0;  ///< s, of the world at the end
   int screenshots = 0;
+  int grabs = 0;     ///< how often the mouse took hold of something
   int mistakes = 0;  ///< errors that OpenGL's own check found
 };
 

@@ -5,34 +5,53 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
+#include <nlohmann/json.hpp>
+
 #include "sdk/cli/picture_options.h"
 #include "sdk/cli/program.h"
 #include "sdk/viewer/viewer.h"
 
 namespace meniscus::cli {
 
+namespace {
+
+viewer::SceneSource source_of(const SceneChoice& choice) {
+  return {.name = choice.scene, .path = scene_path(choice.scene), .document = chosen_document(choice)};
+}
+
+/// In the document, so that what is built from it later is seen from there too.
+void set_camera(nlohmann::json& document, const SceneCamera& camera) {
+  const auto json_of = [](Vec3 v) { return nlohmann::json{v.x, v.y, v.z}; };
+  document["camera"] = {{"position", json_of(camera.position)},
+                        {"target", json_of(camera.target)},
+                        {"field_of_view", camera.field_of_view}};
+}
+
+}  // namespace
+
 int view_scene(const ViewOptions& options) {
-  Scene scene = chosen_scene(options.scene);
+  const Scene scene = chosen_scene(options.scene);
   const io::PreviewScene picture =
       picture_scene(scene, {.render = {}, .size = options.size, .camera = options.camera});
-  scene.camera = picture.camera;
+  viewer::SceneSource first = source_of(options.scene);
+  if (!options.camera.empty()) set_camera(first.document, *picture.camera);
   const viewer::ViewerEnd end = viewer::run_viewer({
-      .scene = scene,
-      .name = options.scene.scene,
+      .scene = first,
       .scenes = sample_names(),
       .load =
           [&](const std::string& name) {
             SceneChoice choice = options.scene;
             choice.scene = name;
-            choice.overrides.clear();
-            return chosen_scene(choice);
+            choice.overrides.clear();  // they are of the first scene
+            return source_of(choice);
           },
       .folder = options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out),
       .width = picture.width,
       .height = picture.height,
       .check_opengl = options.check_opengl,
   });
-  fmt::print("{} steps, {:.3f} s simulated, {} screenshots\n", end.steps, end.time, end.screenshots);
+  fmt::print("{} steps, {:.3f} s simulated, {} grabs, {} screenshots\n", end.steps, end.time, end.grabs,
+             end.screenshots);
   if (end.mistakes == 0) return success;
   spdlog::error("OpenGL found {} mistakes", end.mistakes);
   return run_failed;

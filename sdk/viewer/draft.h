@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace meniscus::viewer {
+
+/// How coarse pictures are while things move, so that they come fast enough: at rest they have all their
+/// pixels.
+class Draft {
+ public:
+  /// Share of the width and height; eighths, so that it does not change all the time.
+  float share() const { return share_; }
+
+  /// A picture with `share` of the width and height took this long.
+  void took(double ms, float share) {
+    const double all = ms / double{share * share};  // what a whole one would take
+    const double wanted = std::sqrt(good_ms / std::max(all, 1e-3));
+    const float eighths = std::clamp(std::floor(8 * static_cast<float>(wanted)), 2.0f, 8.0f) / 8;
+    // Coarser at once, finer where there is a clear reserve.
+    if (eighths < share_ || wanted > 1.3 * double{share_} + 0.125) share_ = eighths;
+  }
+
+ private:
+  static constexpr double good_ms = 50;
+  float share_ = 1;
+};
+
+}  // namespace meniscus::viewer
