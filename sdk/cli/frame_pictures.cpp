@@ -16,7 +16,7 @@ FramePictures::FramePictures(const PictureOptions& options, std::filesystem::pat
   try {
     renderer_.emplace(picture, options, world, first);
   } catch (const Error& error) {
-    if (options.render != "auto" || !options.video.empty()) throw;
+    if (options.render != "auto" || !options.video.empty() || error.code() != ErrorCode::device) throw;
     spdlog::warn("{}; the preview comes from the CPU", error.what());
     return;
   }

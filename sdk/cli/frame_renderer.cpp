@@ -3,6 +3,7 @@
 #include "sdk/cli/frame_renderer.h"
 
 #include "sdk/render/egl_context.h"
+#include "sdk/render/legend.h"
 #include "sdk/render/renderer.h"
 
 namespace meniscus::cli {
@@ -29,11 +30,23 @@ render::RenderSettings settings_of(const PictureOptions& options) {
 }  // namespace
 
 struct FrameRenderer::Parts {
+  render::ViewChoice choice;
   render::EglContext context;
   render::Renderer renderer;
+  render::ViewMeter meter;
 
   Parts(const io::PreviewScene& scene, const PictureOptions& options, const render::Moment& first)
-      : renderer(scene, first, settings_of(options)) {}
+      : choice(render::view_choice(options.views)), renderer(scene, first, settings_of(options)) {}
+
+  io::Image draw(const World& world, render::Moment moment) {
+    const SceneCamera& camera = renderer.camera();
+    const render::ViewData view =
+        meter.measure(world, choice, moment.cloth.strains, renderer.box(), camera.target - camera.position);
+    moment.view = &view;
+    io::Image image = renderer.draw(moment);
+    draw_legend(image, view);
+    return image;
+  }
 };
 
 FrameRenderer::FrameRenderer(const io::PreviewScene& scene, const PictureOptions& options, const World& world,
@@ -43,7 +56,7 @@ FrameRenderer::FrameRenderer(const io::PreviewScene& scene, const PictureOptions
 FrameRenderer::~FrameRenderer() = default;
 
 io::Image FrameRenderer::draw(const World& world, const FrameSample& sample) {
-  return parts_->renderer.draw(moment_of(world, sample));
+  return parts_->draw(world, moment_of(world, sample));
 }
 
 }  // namespace meniscus::cli

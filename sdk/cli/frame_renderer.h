@@ -15,7 +15,7 @@ namespace meniscus::cli {
 class FrameRenderer {
  public:
   /// `first` is the state before the first frame. Throws Error(device) that says what is missing, where the
-  /// renderer was not built or finds no device, and what render::Renderer throws.
+  /// renderer was not built or finds no device, and what render::Renderer and view_choice throw.
   FrameRenderer(const io::PreviewScene& scene, const PictureOptions& options, const World& world,
                 const FrameSample& first);
   ~FrameRenderer();

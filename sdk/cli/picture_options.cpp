@@ -44,9 +44,10 @@ SceneCamera camera_named(const std::string& name, const Scene& scene) {
 }
 
 io::PreviewScene picture_scene(const Scene& scene, const PictureOptions& options) {
-  if (!options.any() && !(options.filter.empty() && options.anisotropic)) {
-    throw Error(ErrorCode::invalid_argument,
-                "--filter and --no-anisotropy are for what OpenGL draws: they need --render or --video");
+  if (!options.any() && !(options.filter.empty() && options.anisotropic && options.views.empty())) {
+    throw Error(
+        ErrorCode::invalid_argument,
+        "--filter, --no-anisotropy and --view are for what OpenGL draws: they need --render or --video");
   }
   io::PreviewScene picture = io::preview_of(scene);
   if (!options.size.empty()) set_size(picture, options.size);

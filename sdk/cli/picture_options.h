@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sdk/io/preview.h"
 
@@ -18,6 +19,7 @@ struct PictureOptions {
   std::string camera;  ///< of Scene::cameras; empty: Scene::camera
   std::string filter;  ///< of the fluid's surface: narrow-range, bilateral, curvature-flow or none
   bool anisotropic = true;
+  std::vector<std::string> views;  ///< what is shown of what is measured; see render::view_names
 
   bool any() const { return !render.empty() || !video.empty(); }
 };

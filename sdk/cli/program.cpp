@@ -69,6 +69,13 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
                "Have OpenGL draw particles of fluid as balls, not as ellipsoids along its surface");
   run.add_option("--size", options.picture.size, "Pixels of pictures; by default 1280x720")
       ->type_name("WIDTHxHEIGHT");
+  run.add_option("--view", options.picture.views,
+                 "Show what is measured: speed, density, phase or pressure of particles; contacts; normals; "
+                 "strain of "
+                 "cloth; distances to solids")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   run.add_option("--camera", options.picture.camera, "One of the scene's named cameras")->type_name("NAME");
   run.add_flag("--quiet", options.quiet, "Print errors alone");
   run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });

@@ -71,14 +71,15 @@ void draw_legend(io::Image& image, const ViewData& view) {
   int top = image.height - static_cast<int>(entries.size()) * (5 * line / 2) - line;
   for (const LegendEntry& entry : entries) {
     const int left = line;
-    fill(image, {left - line / 2, top - line / 4, width + line, 5 * line / 2}, {18, 20, 24}, 0.7f);
+    std::string text =
+        fmt::format("{}: {:g} to {:g} {}", entry.name, entry.scale.low, entry.scale.high, entry.scale.unit);
+    const int wide = std::max(width, size * stb_easy_font_width(text.data()));
+    fill(image, {left - line / 2, top - line / 4, wide + line, 5 * line / 2}, {18, 20, 24}, 0.7f);
     for (int x = 0; x < width; ++x) {
       const float place = (static_cast<float>(x) + 0.5f) / static_cast<float>(width);
       fill(image, {left + x, top, 1, line}, shown(color_at(entry.scale.map, place)));
     }
-    write(
-        image, left, top + line + line / 4, size,
-        fmt::format("{}: {:g} to {:g} {}", entry.name, entry.scale.low, entry.scale.high, entry.scale.unit));
+    write(image, left, top + line + line / 4, size, text);
     top += 5 * line / 2;
   }
 }

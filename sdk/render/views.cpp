@@ -19,10 +19,10 @@ constexpr std::array names{"speed",    "density", "phase",  "pressure",
 constexpr std::size_t particle_views = 4;  // the first of these
 constexpr float density_range = 0.05f;
 
-/// 1, 2 or 5 times a power of ten, not below `value`.
+/// A number of one or two digits, not below `value`.
 float round_up(float value) {
   const float power = std::pow(10.0f, std::floor(std::log10(value)));
-  for (const float digit : {1.0f, 2.0f, 5.0f}) {
+  for (const float digit : {1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 8.0f}) {
     if (digit * power >= value) return digit * power;
   }
   return 10 * power;
@@ -126,7 +126,7 @@ ViewData ViewMeter::measure(const World& world, const ViewChoice& choice, std::s
   if (choice.strain) data.strain = growing_scale(largest_strain_, strains, 0.01f, "");
   if (choice.contacts) data.contacts = world.particle_contacts();
   if (choice.distances) {
-    const float reach = 0.25f * length(box.upper - box.lower);
+    const float reach = round_up(0.2f * length(box.upper - box.lower));
     data.slice = plane_through(box, sight);
     measure_slice(world, data.slice, reach);
     data.distances = {-reach, reach, ColorMap::balance, "m"};

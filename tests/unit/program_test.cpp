@@ -129,6 +129,8 @@ TEST_F(ProgramTest, BadPictureOptionsAreNamed) {
               "^meniscus: --filter[^\n]*need --render or --video\n$");
   EXPECT_EXIT(run({"run", "drop", "--render", "--filter=blur"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --filter: blur");
+  EXPECT_EXIT(run({"run", "drop", "--view", "speed"}), testing::ExitedWithCode(bad_input),
+              "^meniscus: --filter, --no-anisotropy and --view are for what OpenGL draws");
   EXPECT_EXIT(run({"run", "drop", "--render=all"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --render: all");
 }
@@ -164,6 +166,16 @@ TEST_F(ProgramTest, WithoutFfmpegAVideoIsAnErrorBeforeTheRun) {
       "^meniscus: cannot (write the video|render)[^\n]*\n$");
   EXPECT_FALSE(fs::exists(out()));
   EXPECT_FALSE(fs::exists(folder_ / "drop.mp4"));
+}
+
+TEST_F(ProgramTest, WithoutAScreenThereIsNoWindow) {
+  const auto without_screen = [&] {
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    run({"view", "drop", "--device", "cpu"});
+  };
+  EXPECT_EXIT(without_screen(), testing::ExitedWithCode(run_failed),
+              "^meniscus: cannot open a window: [^\n]*\n$");
 }
 
 TEST_F(ProgramTest, WithoutADeviceRenderingIsAnErrorAndAutoIsNot) {

@@ -31,8 +31,10 @@ void set_camera(nlohmann::json& document, const SceneCamera& camera) {
 
 int view_scene(const ViewOptions& options) {
   const Scene scene = chosen_scene(options.scene);
-  const io::PreviewScene picture =
-      picture_scene(scene, {.render = {}, .size = options.size, .camera = options.camera});
+  PictureOptions picture_options;
+  picture_options.size = options.size;
+  picture_options.camera = options.camera;
+  const io::PreviewScene picture = picture_scene(scene, picture_options);
   viewer::SceneSource first = source_of(options.scene);
   if (!options.camera.empty()) set_camera(first.document, *picture.camera);
   const viewer::ViewerEnd end = viewer::run_viewer({

@@ -15,6 +15,8 @@ vec3 point_at(ivec2 pixel) {
 // To the side on which depth changes less, so that edges stay sharp.
 vec3 slope(ivec2 pixel, ivec2 axis, vec3 here) {
   vec3 back = here - point_at(pixel - axis), on = point_at(pixel + axis) - here;
+  if (back == vec3(0.0)) return on;  // at the picture's edge
+  if (on == vec3(0.0)) return back;
   return abs(back.z) < abs(on.z) ? back : on;
 }
 
