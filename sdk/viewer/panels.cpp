@@ -10,6 +10,9 @@
 namespace meniscus::viewer {
 namespace {
 
+constexpr ImGuiWindowFlags panel_flags =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize;
+
 float em() {
   return ImGui::GetFontSize();
 }
@@ -97,11 +100,9 @@ void draw_parameters(Controls& controls) {
   const float margin = 0.6f * em();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x - margin, margin}, ImGuiCond_Always, {1, 0});
-  ImGui::SetNextWindowCollapsed(true, ImGuiCond_Once);
   ImGui::SetNextWindowSizeConstraints({26 * em(), 0}, {26 * em(), screen.y - 2 * margin});
-  const bool is_open =
-      ImGui::Begin("Parameters", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize);
-  if (is_open) draw_values(controls);
+  ImGui::Begin("Values", nullptr, panel_flags);
+  if (ImGui::CollapsingHeader("Parameters")) draw_values(controls);
   ImGui::End();
 }
 
@@ -137,8 +138,7 @@ void draw_panels(Controls& controls, const Shown& shown) {
   const float margin = 0.6f * em();
   ImGui::SetNextWindowPos({margin, margin}, ImGuiCond_Always);
   ImGui::SetNextWindowSizeConstraints({22 * em(), 0}, {22 * em(), ImGui::GetIO().DisplaySize.y - 2 * margin});
-  ImGui::Begin("Meniscus", nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::Begin("Meniscus", nullptr, panel_flags);
   draw_scene_list(controls, shown);
   draw_time(controls, shown);
   draw_messages(shown);

@@ -105,13 +105,12 @@ void Simulation::run() {
   std::unique_lock lock(mutex_);
   while (wait_for_work(lock)) {
     const std::vector<Task> tasks = std::exchange(tasks_, {});
+    const bool is_awaited = is_seen_;
     lock.unlock();
     for (const Task& task : tasks) task();
+    // Before the next step, which may take long.
+    if (!is_published_ && is_awaited) publish();
     if (steps_due_ > 0 || (playing_ && Clock::now() >= next_step_)) advance();
-    lock.lock();
-    if (is_published_ || !is_seen_) continue;
-    lock.unlock();
-    publish();
     lock.lock();
   }
 }
