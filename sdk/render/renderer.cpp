@@ -110,7 +110,7 @@ struct Renderer::Parts {
     frame = uniforms_of(stage, to->width, to->height);
     // Three pixels: thinner ones would be dotted.
     const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
-    solids.set_edges(1.3f * pixel * share);
+    solids.set_edges(1.3f * pixel * std::max(share, 0.6f));
     frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
   }
 

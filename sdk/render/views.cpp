@@ -48,10 +48,13 @@ std::vector<float> copy_of(std::span<const float> values) {
   return {values.begin(), values.end()};
 }
 
-/// Of a box, the plane through its middle that is seen most squarely.
-DistanceSlice plane_through(const Aabb& box, Vec3 sight) {
-  const Vec3 size = 1.1f * (box.upper - box.lower), middle = 0.5f * (box.lower + box.upper);
+/// Of the upright planes across a box the one that is seen more squarely, so far from one side to the other.
+DistanceSlice plane_through(const Aabb& box, Vec3 sight, float way) {
+  const Vec3 size = 1.1f * (box.upper - box.lower);
   const bool along_x = std::abs(sight.x) > std::abs(sight.z);
+  const Vec3 across = (way - 0.5f) * (box.upper - box.lower);
+  const Vec3 middle =
+      0.5f * (box.lower + box.upper) + (along_x ? Vec3{across.x, 0, 0} : Vec3{0, 0, across.z});
   DistanceSlice slice;
   slice.across = along_x ? Vec3{0, 0, size.z} : Vec3{size.x, 0, 0};
   slice.up = {0, size.y, 0};
@@ -127,7 +130,7 @@ ViewData ViewMeter::measure(const World& world, const ViewChoice& choice, std::s
   if (choice.contacts) data.contacts = world.particle_contacts();
   if (choice.distances) {
     const float reach = round_up(0.2f * length(box.upper - box.lower));
-    data.slice = plane_through(box, sight);
+    data.slice = plane_through(box, sight, choice.plane);
     measure_slice(world, data.slice, reach);
     data.distances = {-reach, reach, ColorMap::balance, "m"};
   }

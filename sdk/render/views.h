@@ -24,6 +24,7 @@ struct ViewChoice {
   bool normals = false;  ///< all surfaces in the colours of their normals: red, green and blue for x, y and z
   bool strain = false;   ///< cloth in the colours of its largest principal strain
   bool distances = false;  ///< to the nearest solid, in a plane through the scene
+  float plane = 0.5f;      ///< where that lies, from 0 to 1 through the scene
 
   friend bool operator==(const ViewChoice&, const ViewChoice&) = default;
 };
@@ -62,7 +63,7 @@ struct ViewData {
 /// for all of a run but its start.
 class ViewMeter {
  public:
-  /// `box`: of the scene, which the plane of distances cuts in the middle, facing along `sight` as nearly as
+  /// `box`: of the scene, which the plane of distances cuts, facing along `sight` as nearly as
   /// it can. `strains`: of all cloth (World::cloth_strains).
   ViewData measure(const World& world, const ViewChoice& choice, std::span<const float> strains,
                    const Aabb& box, Vec3 sight);

@@ -58,6 +58,11 @@ void draw_view_panel(render::ViewChoice& choice, const render::ViewData& shown) 
   ImGui::Checkbox("cloth strain", &choice.strain);
   ImGui::SameLine(column);
   ImGui::Checkbox("distances", &choice.distances);
+  if (choice.distances) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::SliderFloat("##plane", &choice.plane, 0, 1, "plane at %.2f of the scene",
+                       ImGuiSliderFlags_AlwaysClamp);
+  }
   for (const render::LegendEntry& entry : render::legend_of(shown)) draw_scale(entry.name, entry.scale);
 }
 

@@ -84,6 +84,15 @@ TEST(ViewMeterTest, DistancesAreToTheFloor) {
   }
 }
 
+TEST(ViewMeterTest, ThePlaneOfDistancesGoesThroughTheScene) {
+  const World world = falling_water();
+  ViewChoice choice = choice_of({"distances"});
+  for (const float place : {0.0f, 0.5f, 1.0f}) {
+    choice.plane = place;
+    EXPECT_NEAR(measured(world, choice).slice.corner.z, place, 1e-6f);  // the box is 1 m deep
+  }
+}
+
 TEST(ViewMeterTest, ScalesGrowAndNeverShrink) {
   World world(world_def(pbd::DeviceKind::cpu, 0.1f));
   const FluidId water = world.create_fluid({});
