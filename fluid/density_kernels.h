@@ -109,17 +109,19 @@ struct Advancing {
   }
 };
 
-template <class D, bool with_grains>
+template <bool with_grains>
 struct Advance {
   Kernel kernel;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
   Advancing advancing;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
     if (with_grains && advancing.passes_over(i)) return;
-    advancing.advance(i, density_constraint<D>(kernel, advancing.position, neighbours, i));
+    const Constraint c = density_constraint<D>(kernel, advancing.position, neighbours, i);
+    if (D::leads()) advancing.advance(i, c);
   }
 };
 
@@ -147,7 +149,7 @@ MENISCUS_HD R push_coefficient(const Kernel& kernel, const PairPressure& pair, c
 }
 
 /// Moves each particle by what the staged multipliers of itself and its neighbours say.
-template <class D, bool with_pair_pressure>
+template <bool with_pair_pressure>
 struct Correct {
   Kernel kernel;
   PairPressure pair;
@@ -156,7 +158,8 @@ struct Correct {
   View<const uint32_t> contact_start;
   View<Vec4> position, moved;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
     using Real = typename D::Real;
     const Vec4 self = staged[i];
@@ -167,8 +170,10 @@ struct Correct {
       const Real r2 = dot(d, d) + Real(tiny_distance2);
       push += push_coefficient<with_pair_pressure, Real>(kernel, pair, r2, Real(self.w) + other.w) * d;
     });
+    const Vec3 total = sum(push);
+    if (!D::leads()) return;
     const float w = position[i].w;
-    const Vec3 step = w * sum(push);
+    const Vec3 step = w * total;
     position[i] = pbd::with_w(self.xyz() + step, w);
     moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
   }

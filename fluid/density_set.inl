@@ -64,8 +64,7 @@ void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Adv
   const pbd::ContactView contacts = substep.contacts.of_first(fluid);
   device_.parallel_for_both(
       "density/multipliers", fluid,
-      Advance<D, with_grains>{kernel_, substep.neighbours, contacts.start, advancing},
-      contacts.contacts.count,
+      Advance<with_grains>{kernel_, substep.neighbours, contacts.start, advancing}, contacts.contacts.count,
       AdvanceAtWalls<any_moving, with_grains>{kernel_, substep.neighbours, contacts, advancing});
   pair.multiplier > 0 ? correct<true, any_moving>(substep, pair) : correct<false, any_moving>(substep, pair);
 }
@@ -78,8 +77,8 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   const pbd::ContactView contacts = substep.contacts.of_first(p.sorted);
   device_.parallel_for_both(
       "density/correct", p.sorted,
-      Correct<D, with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
-                                     p.position, p.moved},
+      Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
+                                  p.position, p.moved},
       contacts.contacts.count,
       CorrectAtWalls<with_pair_pressure, any_moving>{kernel_, pair, staged_.view(), substep.neighbours,
                                                      contacts, p.position, p.moved});

@@ -49,8 +49,6 @@ class ViscosityPass final : public pbd::VelocityPass<D> {
   std::vector<ViscosityCoefficients> host_table_;
   pbd::Buffer<ViscosityCoefficients> table_{device_, "fluid coefficients"};
   pbd::Buffer<float> smoothing_{device_, "particle viscosities"};
-  pbd::Buffer<pbd::Vec4> vorticity_{device_, "vorticity"};
-  pbd::Buffer<pbd::Vec4> swirl_{device_, "vorticity sizes"};
 };
 
 }  // namespace meniscus::fluid

@@ -133,12 +133,15 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
   }
   if (confines_) {
     using namespace viscosity_kernels;
-    device_.parallel_for("velocity/confine", substep.particles.sorted,
-                         Confine<D>{kernel_, swirl_.view(), vorticity_.view(), substep.particles.velocity,
-                                    substep.neighbours, substep.particles.phase, table_.view(), substep.dt});
+    device_.parallel_for(
+        "velocity/confine", substep.particles.sorted,
+        Confine<D>{kernel_, particles.predicted.view(), particles.moved.view(), substep.particles.velocity,
+                   substep.neighbours, substep.particles.phase, table_.view(), substep.dt});
   }
 }
 
+/// Velocities are known: what moved the fluid is no longer needed, nor what was predicted, and their arrays
+/// take the vorticity and its size.
 template <class D>
 template <bool uniform, bool with_curl>
 void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particles) {
@@ -152,7 +155,7 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
       "velocity/smooth", p.sorted,
       Smooth<D, uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours, smoothing_.view(),
                                     host_table_.front().smoothing, particles.velocity.next.view(),
-                                    vorticity_.view(), swirl_.view()});
+                                    particles.moved.view(), particles.predicted.view()});
   particles.keep_vertex_velocities();
   particles.velocity.flip();
   substep.particles = particles.view();
@@ -162,11 +165,6 @@ template <class D>
 void ViscosityPass<D>::reserve(uint32_t capacity) {
   const uint32_t size = capacity + pbd::Particles::padding;
   smoothing_.resize_discard(size);
-  vorticity_.resize_discard(size);
-  swirl_.resize_discard(size);
-  constexpr float away = pbd::Particles::far_away;
-  const pbd::Vec4 sentinel[] = {{away, away, away, 0}};
-  swirl_.write(sentinel, capacity);
   smoothing_.fill(0);
 }
 

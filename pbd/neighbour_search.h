@@ -48,13 +48,10 @@ class NeighbourSearch {
   uint32_t capacity_ = 0;
   uint32_t row_capacity_ = 0;
 
-  Buffer<uint32_t> keys_{device_, "cell keys"};
-  Buffer<uint32_t> arrival_{device_, "places in the cell"};
-  Buffer<uint32_t> placed_{device_, "particles by cell"};
   Buffer<uint32_t> order_{device_, "sorted order"};
   Buffer<uint32_t> cell_counts_{device_, "cell counts"};  // all 0 between sorts
   Buffer<uint32_t> cell_start_{device_, "cell starts"};
-  Buffer<uint32_t> index_{device_, "neighbour lists"};
+  Buffer<uint32_t> index_{device_, "neighbour lists"};  // before there are lists, what is needed to sort
   Buffer<uint32_t> counts_{device_, "neighbour counts"};
   Buffer<uint32_t> longest_{device_, "longest neighbour list"};
 };

@@ -3,7 +3,7 @@
 //
 // Neighbour lists as constraints read them: through for_each_neighbour alone, so that the form of the list
 // can change. What D is says who reads: the CPU with eight lanes (CpuDevice), a thread of the GPU
-// (CudaDevice), or four (CudaTeam).
+// (CudaDevice), or eight (CudaTeam).
 #pragma once
 
 #include <type_traits>
@@ -127,5 +127,33 @@ class GroupWriter : public ListBuilder<GroupWriter> {
 
 template <class D>
 using ListWriter = std::conditional_t<D::interleaves_lists, GroupWriter, RowWriter>;
+
+/// To an interleaved list, by a team: append() takes what each of its threads has found, one after the other.
+class TeamWriter {
+ public:
+  MENISCUS_HD TeamWriter(uint32_t* index, uint32_t row_capacity, uint32_t stride, uint32_t i)
+      : index_(index), capacity_(row_capacity), stride_(stride), i_(i) {}
+
+  MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
+    const TeamPlace place = place_in_team(bit_count(chosen));
+    uint32_t k = count_ + place.before;
+    for (; chosen; chosen &= chosen - 1) write(k++, first + lowest_bit(chosen));
+    count_ += place.total;
+  }
+  MENISCUS_HD uint32_t finish(uint32_t sentinel) {
+    const uint32_t k = count_ + team_rank();
+    if (k < (count_ + 7) / 8 * 8) write(k, sentinel);
+    return count_;
+  }
+
+ private:
+  MENISCUS_HD void write(uint32_t k, uint32_t j) {
+    if (k < capacity_) index_[interleaved_place(stride_, i_, k)] = j;
+  }
+
+  uint32_t* index_;
+  uint32_t capacity_, stride_, i_;
+  uint32_t count_ = 0;
+};
 
 }  // namespace meniscus::pbd

@@ -200,7 +200,7 @@ class Particles {
   DoubleBuffer<Vec4> position{device_, "particle positions"};
   Buffer<Vec4> previous{device_, "previous positions"};
   Buffer<Vec4> moved{device_, "constraint displacements"};
-  Buffer<Vec4> predicted{device_, "predicted positions"};  ///< in the order before the sort
+  Buffer<Vec4> predicted{device_, "predicted positions"};  ///< in the order before the sort; then nobody's
   DoubleBuffer<Vec4> velocity{device_, "particle velocities"};
   DoubleBuffer<Phase> phase{device_, "particle phases"};
   DoubleBuffer<uint32_t> slot{device_, "particle slots"};
@@ -222,7 +222,7 @@ class Particles {
   void write_sentinels() {
     const Vec4 away[] = {{far_away, far_away, far_away, 0}};
     const Vec4 still[] = {{0, 0, 0, 0}};
-    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous, &aside_position_})
+    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous, &predicted, &aside_position_})
       b->write(away, sentinel());
     for (Buffer<Vec4>* b : {&velocity.current, &velocity.next, &aside_velocity_}) b->write(still, sentinel());
     const Phase none[] = {0};

@@ -49,6 +49,14 @@ MENISCUS_HD inline uint32_t lowest_bit(uint32_t mask) {
 #endif
 }
 
+MENISCUS_HD inline uint32_t bit_count(uint32_t mask) {
+#ifdef __CUDA_ARCH__
+  return static_cast<uint32_t>(__popc(mask));
+#else
+  return static_cast<uint32_t>(__builtin_popcount(mask));
+#endif
+}
+
 MENISCUS_HD inline Vec4Of<float> gather(View<const Vec4> from, uint32_t j) {
   const Vec4 v = load(from, j);
   return {v.x, v.y, v.z, v.w};

@@ -24,7 +24,7 @@ class DeviceBench {
 
   virtual pbd::Device& device() = 0;
   virtual SortedPairs sort(std::span<const uint32_t> keys, uint32_t bits) = 0;
-  virtual std::vector<uint32_t> scan(std::span<const uint32_t> values) = 0;
+  virtual std::vector<uint32_t> scan(std::span<const uint32_t> values, uint32_t limit = ~0u) = 0;
   virtual float sum(std::span<const float> values) = 0;
   /// How often parallel_for ran each index below count, and one element more.
   virtual std::vector<uint32_t> visits(uint32_t count) = 0;

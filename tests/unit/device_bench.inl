@@ -50,10 +50,10 @@ class DeviceBenchOn final : public DeviceBench {
     return {sorted_keys.read(count), sorted_places.read(count)};
   }
 
-  std::vector<uint32_t> scan(std::span<const uint32_t> values) override {
+  std::vector<uint32_t> scan(std::span<const uint32_t> values, uint32_t limit) override {
     pbd::Buffer<uint32_t> in = filled(values), out(device_, "scanned");
     out.resize_discard(in.size() + 1);
-    device_.exclusive_scan("test", in.view(), out.view());
+    device_.exclusive_scan("test", in.view(), out.view(), limit);
     return out.read(out.size());
   }
 

@@ -81,6 +81,34 @@ TEST_P(DeviceTest, ScanAddsUpWhatComesBefore) {
   }
 }
 
+TEST_P(DeviceTest, ScanOfManyAndOfFewByTurns) {
+  for (uint32_t size : {2000000u, 4097u, 1200001u, 4096u, 300000u}) {
+    const std::vector<uint32_t> ones(size, 1);
+    std::vector<uint32_t> expected(size + 1);
+    std::iota(expected.begin(), expected.end(), 0u);
+    EXPECT_EQ(bench_->scan(ones), expected) << size << " values";
+  }
+}
+
+TEST_P(DeviceTest, ScanStaysAtItsLimit) {
+  constexpr uint32_t size = 300000, limit = 1000000;
+  std::vector<uint32_t> values = numbers(size), expected{0};
+  for (uint32_t& v : values) {
+    v %= 10;
+    expected.push_back(std::min(limit, expected.back() + v));
+  }
+  EXPECT_EQ(expected.back(), limit);
+  EXPECT_EQ(bench_->scan(values, limit), expected);
+}
+
+TEST_P(DeviceTest, SmallAndLargeReadsGiveWhatWasWritten) {
+  for (uint32_t size : {1u, 3u, 1023u, 1024u, 1025u, 50000u}) {
+    std::vector<uint32_t> expected(size);
+    std::iota(expected.begin(), expected.end(), 0u);
+    EXPECT_EQ(bench_->resized(size, size, size), expected) << size << " values";
+  }
+}
+
 TEST_P(DeviceTest, ReduceAddsUpEverything) {
   for (uint32_t size : sizes) {
     std::vector<float> values(size);

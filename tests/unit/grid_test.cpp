@@ -5,15 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numeric>
+#include <random>
 #include <set>
 #include <vector>
 
 namespace meniscus::pbd {
 namespace {
 
-GridView grid(float cell, uint32_t bits_x, uint32_t bits_y, uint32_t bits_z) {
+GridView grid(float reach, uint32_t bits_x, uint32_t bits_y, uint32_t bits_z) {
   GridView g;
-  g.inverse_cell = 1 / cell;
+  g.inverse_reach = 1 / reach;
   g.bits_x = bits_x;
   g.bits_y = bits_y;
   g.bits_z = bits_z;
@@ -23,7 +25,7 @@ GridView grid(float cell, uint32_t bits_x, uint32_t bits_y, uint32_t bits_z) {
 TEST(Grid, CoordinatesRoundDownOnBothSidesOfTheOrigin) {
   const GridView g = grid(0.5f, 4, 4, 4);
   const CellCoordinates c = g.coordinates({-0.1f, 0.1f, -0.6f});
-  EXPECT_EQ(c.x, -1);
+  EXPECT_EQ(c.x, -1);  // a slice
   EXPECT_EQ(c.y, 0);
   EXPECT_EQ(c.z, -2);
 }
@@ -57,32 +59,66 @@ TEST(Grid, CellsThatShareAnEntryAreAWholeTableApart) {
   EXPECT_EQ(g.key({-3, 1, 7}), g.key({-3, 1, -9}));
 }
 
-// The particles that the runs around a cell hold, when each cell of the table holds `population(key)` of
-// them.
-template <class Population>
-std::multiset<uint32_t> visited(GridView g, CellCoordinates around, const Population& population) {
-  std::vector<uint32_t> start{0};
-  for (uint32_t key = 0; key < g.cell_count(); ++key) start.push_back(start.back() + population(key));
+// Of a table with one particle a cell: the cells that the runs around p hold.
+std::multiset<uint32_t> visited(GridView g, Vec3 p) {
+  std::vector<uint32_t> start(g.cell_count() + 1);
+  std::iota(start.begin(), start.end(), 0u);
   g.start = {start.data(), static_cast<uint32_t>(start.size())};
-  std::multiset<uint32_t> seen;
-  for_each_run(g, around, [&](uint32_t begin, uint32_t end) {
-    for (uint32_t i = begin; i < end; ++i) seen.insert(i);
+  std::multiset<uint32_t> cells;
+  for_each_run(g, p, [&](uint32_t begin, uint32_t end) {
+    for (uint32_t i = begin; i < end; ++i) cells.insert(i);
   });
-  for (int n = 0; n < 27; ++n) {
-    const uint32_t key = g.key({around.x + n % 3 - 1, around.y + n / 3 % 3 - 1, around.z + n / 9 - 1});
-    for (uint32_t i = start[key]; i < start[key + 1]; ++i) EXPECT_EQ(seen.count(i), 1u) << "particle " << i;
-  }
-  return seen;
+  return cells;
 }
 
-TEST(Grid, RunsHoldThe27CellsAndNothingElse) {
-  const GridView g = grid(1, 2, 3, 2);
-  for (int x = -5; x < 6; ++x) {
-    const CellCoordinates around{x, 2 * x, 7 - x};
-    EXPECT_EQ(visited(g, around, [](uint32_t) { return 2u; }).size(), 54u);
-    visited(g, around, [](uint32_t key) { return key % 3 ? 0u : 4u; });
-    visited(g, around, [](uint32_t key) { return key % 5 ? 3u : 0u; });
-    EXPECT_TRUE(visited(g, around, [](uint32_t) { return 0u; }).empty());
+class GridAround : public testing::Test {
+ protected:
+  std::mt19937 random_{5};
+
+  float from_to(float lower, float upper) {
+    return std::uniform_real_distribution<float>(lower, upper)(random_);
+  }
+  Vec3 in_cube(float half) { return {from_to(-half, half), from_to(-half, half), from_to(-half, half)}; }
+  Vec3 in_ball(float radius) {
+    for (;;) {
+      const Vec3 d = in_cube(radius);
+      if (length(d) < radius) return d;
+    }
+  }
+};
+
+TEST_F(GridAround, RunsHoldTheCellsOfAllThatIsWithinReachOnce) {
+  for (const GridView& g : {grid(0.1f, 4, 2, 2), grid(0.1f, 4, 3, 2), grid(0.1f, 6, 4, 5)}) {
+    for (float far : {1.0f, 100.0f, 1e4f, 3e5f}) {
+      for (int n = 0; n < 50; ++n) {
+        const Vec3 p = in_cube(far);
+        const std::multiset<uint32_t> cells = visited(g, p);
+        for (uint32_t cell : cells) ASSERT_EQ(cells.count(cell), 1u);
+        for (int k = 0; k < 100; ++k) {
+          const Vec3 q = p + in_ball(0.1f);
+          if (length(q - p) >= 0.1f) continue;  // rounded out of reach
+          ASSERT_EQ(cells.count(g.key(g.coordinates(q))), 1u) << n << ", " << far << " m away";
+        }
+      }
+    }
+  }
+}
+
+TEST_F(GridAround, RunsHoldLittleElse) {
+  const GridView g = grid(0.1f, 6, 4, 4);
+  size_t cells = 0;
+  for (int n = 0; n < 1000; ++n) cells += visited(g, in_cube(1)).size();
+  // On average rows of 2, π/2 or π/6 · 2 reaches, and a cell more each; 27 whole cells have 108 slices.
+  const double expected = GridView::slices * (2 + 4 * 1.571 + 4 * 1.047) + 9;
+  EXPECT_LT(static_cast<double>(cells) / 1000, 1.05 * expected);
+}
+
+TEST_F(GridAround, PointsTooFarAwayForTheGridHaveRunsAsWell) {
+  const GridView g = grid(0.1f, 4, 2, 2);
+  for (float far : {1e7f, 1e12f, 3e38f}) {
+    const std::multiset<uint32_t> cells = visited(g, {far, -far, far});
+    EXPECT_EQ(cells.count(g.key(g.coordinates({far, -far, far}))), 1u);
+    for (uint32_t cell : cells) ASSERT_EQ(cells.count(cell), 1u);
   }
 }
 

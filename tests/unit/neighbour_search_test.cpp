@@ -122,6 +122,33 @@ TEST_P(NeighbourTest, OfAClumpThatOverflowsTheLists) {
   expect_all_pairs(std::vector<Vec3>(700, Vec3{-1, -1, -1}), 0.1f);
 }
 
+// More than teams of threads work on: the lists of each particle are then one thread's.
+TEST_P(NeighbourTest, OfSeventyThousandParticlesAreThoseOfASlab) {
+  const std::vector<Vec3> points = cloud(70000, {0, 0, 0}, {6, 1.2f, 1.2f});
+  const NeighbourLists all = bench_->neighbours(points, 0.1f);
+  std::vector<Vec3> slab;
+  std::vector<uint32_t> number;
+  for (uint32_t i = 0; i < points.size(); ++i) {
+    if (points[i].x > 0.3f) continue;
+    slab.push_back(points[i]);
+    number.push_back(i);
+  }
+  const NeighbourLists few = bench_->neighbours(slab, 0.1f);
+  for (uint32_t n = 0; n < slab.size(); ++n) {
+    if (slab[n].x > 0.2f) continue;  // what is beyond the slab is missing there
+    std::vector<uint32_t> whole, part;
+    for (uint32_t j : all.of[number[n]]) {
+      if (j < points.size()) whole.push_back(j);
+    }
+    for (uint32_t j : few.of[n]) {
+      if (j < slab.size()) part.push_back(number[j]);
+    }
+    std::sort(whole.begin(), whole.end());
+    std::sort(part.begin(), part.end());
+    ASSERT_EQ(whole, part) << "particle " << n;
+  }
+}
+
 TEST_P(NeighbourTest, ListsComeInTheSameOrderEachTime) {
   const std::vector<Vec3> points = cloud(2000, {-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f});
   EXPECT_EQ(bench_->neighbours(points, 0.1f).of, bench_->neighbours(points, 0.1f).of);

@@ -21,7 +21,7 @@ class CpuDevice final : public Device {
   using LaneIndex = pbd::LaneIndex;
   static constexpr uint32_t lane_count = Lanes::count;
   static constexpr bool interleaves_lists = false;  ///< see NeighbourView
-  using Lister = CpuDevice;                         ///< who looks through candidates to list neighbours
+  using Lister = LaneLister;                        ///< who looks through candidates to list neighbours
   static bool leads() { return true; }
 
   /// threads = 0: one a core.
@@ -53,7 +53,7 @@ class CpuDevice final : public Device {
   }
 
   /// For kernels whose single items take long: calls kernel.run<D>(i), where D is this device, or, on a GPU
-  /// with too few items to fill it, CudaTeam, of which four threads run each i.
+  /// with too few items to fill it, CudaTeam, of which eight threads run each i.
   template <class Kernel>
   void parallel_for_long(const char* name, uint32_t count, const Kernel& kernel) {
     parallel_for(name, count, RunLong<Kernel>{kernel});
@@ -71,12 +71,12 @@ class CpuDevice final : public Device {
     });
   }
 
-  /// One launch of parallel_for and one of parallel_for_long that touch nothing of one another; a GPU runs
-  /// them at once.
+  /// Two launches of parallel_for_long that touch nothing of one another, the second one's items few and
+  /// longer; a GPU runs them at once.
   template <class Kernel, class LongKernel>
   void parallel_for_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
                          const LongKernel& long_kernel) {
-    parallel_for(name, count, kernel);
+    parallel_for_long(name, count, kernel);
     parallel_for_long(name, long_count, long_kernel);
   }
 

@@ -147,4 +147,17 @@ MENISCUS_LANE_FN Vec4Of<Lanes> load_run(View<const Vec4> from, uint32_t first, L
                       detail::transpose(load4(p[4]), load4(p[5]), load4(p[6]), load4(p[7])));
 }
 
+/// See CudaLister, for which this stands on the CPU.
+struct LaneLister {
+  MENISCUS_LANE_FN static uint32_t near(View<const Vec4> position, Vec3 self, float reach2, uint32_t first,
+                                        uint32_t count) {
+    uint32_t mask = 0;
+    for (uint32_t k = 0; k < count; k += Lanes::count) {
+      const Vec3Of<Lanes> d = self - load_run(position, first + k, static_cast<Lanes*>(nullptr)).xyz();
+      mask |= less_mask(dot(d, d), Lanes(reach2)) << k;
+    }
+    return count < 32 ? mask & ((1u << count) - 1) : mask;
+  }
+};
+
 }  // namespace meniscus::pbd

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Four lanes in the registers of one GPU thread: four loads are in flight before the first is used.
+// How a thread of the GPU looks through candidates for neighbours: so many loads are on their way before the
+// first is used. More of them take registers, and with them other threads: they pay where there are few.
 #pragma once
 
 #include <cstdint>
@@ -11,40 +12,45 @@
 
 namespace meniscus::pbd {
 
-struct BatchFloat {
-  float a, b, c, d;
+template <uint32_t batch>
+struct CudaLister {
+  /// Bit k is set where particle first + k is nearer to `self` than the root of reach2; count ≤ 32. The array
+  /// must reach batch − 1 elements further.
+  MENISCUS_HD static uint32_t near(View<const Vec4> position, Vec3 self, float reach2, uint32_t first,
+                                   uint32_t count) {
+    const View<const Vec4> run{position.data + first, position.count - first};
+    uint32_t mask = 0, seen = 0;  // the first one's bit goes up as others come in
+    for (; seen < count; seen += batch) {
+      Vec4 candidate[batch];
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) candidate[k] = load(run, seen + k);
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        const Vec3 d = self - candidate[k].xyz();
+        mask = with_sign(mask, d.x * d.x + (d.y * d.y + (d.z * d.z - reach2)));
+      }
+    }
+    if (count == 0) return 0;
+    return reversed(mask << (32 - seen)) & (0xffffffffu >> (32 - count));
+  }
 
-  BatchFloat() = default;
-  MENISCUS_HD BatchFloat(float s) : a(s), b(s), c(s), d(s) {}
-  MENISCUS_HD BatchFloat(float a_, float b_, float c_, float d_) : a(a_), b(b_), c(c_), d(d_) {}
-};
-
-MENISCUS_HD inline BatchFloat operator+(BatchFloat x, BatchFloat y) {
-  return {x.a + y.a, x.b + y.b, x.c + y.c, x.d + y.d};
-}
-MENISCUS_HD inline BatchFloat operator-(BatchFloat x, BatchFloat y) {
-  return {x.a - y.a, x.b - y.b, x.c - y.c, x.d - y.d};
-}
-MENISCUS_HD inline BatchFloat operator*(BatchFloat x, BatchFloat y) {
-  return {x.a * y.a, x.b * y.b, x.c * y.c, x.d * y.d};
-}
-
-/// Bit k is set where x < y in lane k.
-MENISCUS_HD inline uint32_t less_mask(BatchFloat x, BatchFloat y) {
-  return uint32_t(x.a < y.a) | uint32_t(x.b < y.b) << 1 | uint32_t(x.c < y.c) << 2 | uint32_t(x.d < y.d) << 3;
-}
-
-/// Four consecutive elements from `first` on; the array must reach that far.
-MENISCUS_HD inline Vec4Of<BatchFloat> load_run(View<const Vec4> from, uint32_t first, BatchFloat*) {
-  const View<const Vec4> run{from.data + first, from.count - first};
-  const Vec4 p = load(run, 0), q = load(run, 1), r = load(run, 2), s = load(run, 3);
-  return {{p.x, q.x, r.x, s.x}, {p.y, q.y, r.y, s.y}, {p.z, q.z, r.z, s.z}, {p.w, q.w, r.w, s.w}};
-}
-
-/// What a kernel is a template over when one thread runs it on four lanes.
-struct CudaBatch {
-  using Real = BatchFloat;
-  static constexpr uint32_t lane_count = 4;
+ private:
+  MENISCUS_HD static uint32_t with_sign(uint32_t mask, float x) {
+#ifdef __CUDA_ARCH__
+    return __funnelshift_l(__float_as_uint(x), mask, 1);
+#else
+    return mask << 1 | uint32_t(x < 0);
+#endif
+  }
+  MENISCUS_HD static uint32_t reversed(uint32_t mask) {
+#ifdef __CUDA_ARCH__
+    return __brev(mask);
+#else
+    uint32_t out = 0;
+    for (uint32_t k = 0; k < 32; ++k) out |= (mask >> k & 1) << (31 - k);
+    return out;
+#endif
+  }
 };
 
 }  // namespace meniscus::pbd

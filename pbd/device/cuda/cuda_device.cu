@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cstring>
 #include <cub/device/device_radix_sort.cuh>
-#include <cub/device/device_scan.cuh>
+
+#include "pbd/device/cuda/scan.cuh"
 
 namespace meniscus::pbd {
 
@@ -15,9 +16,16 @@ constexpr size_t pinned_bytes = 4096;
 
 struct FillWords {
   uint32_t* at;
-  uint32_t word;
+  uint32_t words, word;
 
-  __device__ void operator()(uint32_t i) const { at[i] = word; }
+  __device__ void operator()(uint32_t i) const {
+    const uint32_t first = 4 * i;
+    if (first + 4 <= words) {
+      reinterpret_cast<uint4*>(at)[i] = {word, word, word, word};
+    } else {
+      for (uint32_t k = first; k < words; ++k) at[k] = word;
+    }
+  }
 };
 
 }  // namespace
@@ -36,11 +44,15 @@ CudaDevice::CudaDevice() {
   check_cuda(cudaEventCreateWithFlags(&joined_, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaEventCreateWithFlags(&fence_, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
+  blocks_done_.resize_discard(1);
+  blocks_done_.fill(0);
 }
 
 CudaDevice::~CudaDevice() {
   cudaStreamSynchronize(stream_);
   scratch_.resize_discard(0);
+  tile_sums_.resize_discard(0);
+  blocks_done_.resize_discard(0);
   cudaEventDestroy(forked_);
   cudaEventDestroy(joined_);
   cudaEventDestroy(fence_);
@@ -90,12 +102,20 @@ void CudaDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
              "copying to the GPU");
 }
 
+/// What is small comes by a kernel, which need not wait as a copy would, and notes the time on its way.
 void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
-  void* target = bytes <= pinned_bytes ? pinned_ : host;
-  check_cuda(cudaMemcpyAsync(target, device_memory, bytes, cudaMemcpyDeviceToHost, stream_),
-             "copying from the GPU");
+  const bool in_words = (reinterpret_cast<uintptr_t>(device_memory) | bytes) % sizeof(uint32_t) == 0;
+  const bool is_small = in_words && bytes <= pinned_bytes;
+  if (is_small) {
+    launch("copying from the GPU", 1, cuda_kernels::block_size, cuda_kernels::copy_words,
+           static_cast<const uint32_t*>(device_memory), static_cast<uint32_t*>(pinned_),
+           static_cast<uint32_t>(bytes / sizeof(uint32_t)));
+  } else {
+    check_cuda(cudaMemcpyAsync(host, device_memory, bytes, cudaMemcpyDeviceToHost, stream_),
+               "copying from the GPU");
+  }
   wait();
-  if (target != host) std::memcpy(host, target, bytes);
+  if (is_small) std::memcpy(host, pinned_, bytes);
 }
 
 void CudaDevice::copy(void* to, const void* from, size_t bytes) {
@@ -105,9 +125,10 @@ void CudaDevice::copy(void* to, const void* from, size_t bytes) {
 void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
   // Not cudaMemsetAsync, which would come between two launches.
   const uint32_t word = 0x01010101u * byte;
-  if (bytes % sizeof(uint32_t) == 0 && bytes < size_t{1} << 32) {
-    parallel_for("filling memory", static_cast<uint32_t>(bytes / sizeof(uint32_t)),
-                 FillWords{static_cast<uint32_t*>(memory), word});
+  const bool is_aligned = reinterpret_cast<uintptr_t>(memory) % sizeof(uint4) == 0;
+  if (is_aligned && bytes % sizeof(uint32_t) == 0 && bytes < size_t{1} << 32) {
+    const auto words = static_cast<uint32_t>(bytes / sizeof(uint32_t));
+    parallel_for("filling memory", (words + 3) / 4, FillWords{static_cast<uint32_t*>(memory), words, word});
   } else {
     check_cuda(cudaMemsetAsync(memory, byte, bytes, stream_), "filling memory");
   }
@@ -163,15 +184,16 @@ double CudaDevice::elapsed_ms(uint32_t from, uint32_t to) const {
 
 void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out,
                                 uint32_t limit) {
-  fill(out.data, 0, sizeof(uint32_t));
-  const auto scan = [&](void* memory, size_t& bytes) {
-    check_cuda(cub::DeviceScan::InclusiveScan(memory, bytes, in.data, out.data + 1, SumUpTo{limit}, in.count,
-                                              stream_),
-               name);
-  };
-  size_t bytes = 0;
-  scan(nullptr, bytes);
-  scan(scratch(bytes), bytes);
+  using namespace cuda_kernels;
+  const uint32_t tiles = in.count ? (in.count + scan_tile - 1) / scan_tile : 1;
+  if (tile_sums_.size() < tiles || scans_ == TileSums::most_runs) {
+    wait();
+    tile_sums_.resize_discard(std::max<size_t>(tiles + tiles / 2, tile_sums_.size()));
+    tile_sums_.fill(0);
+    scans_ = 0;
+  }
+  launch(name, tiles, scan_block, scan_tiles, in, out.data, SumUpTo{limit},
+         TileSums{tile_sums_.view().data, ++scans_});
 }
 
 void CudaDevice::sort_pairs(const char* name, View<const uint32_t> keys, View<uint32_t> sorted_keys,

@@ -9,10 +9,13 @@
 #include "pbd/device/buffer.h"
 #include "pbd/device/cuda/batch.h"
 #include "pbd/device/cuda/cuda_check.cuh"
+#include "pbd/device/cuda/launch.cuh"
 #include "pbd/device/cuda/team.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::pbd {
+
+class CudaDevice;
 
 namespace cuda_kernels {
 
@@ -25,26 +28,14 @@ constexpr uint32_t most_teams = 1u << 16;  // they fill a large GPU
 constexpr uint32_t most_for_one_launch =
     1u << 18;  // items; beyond, occupancy counts more than a fork and a join
 
-/// Where a kernel notes when it begins, if anywhere. An event between two launches would keep them apart.
-struct TimeMark {
-  uint64_t* at;  ///< ns
-};
-
-/// A launch overlaps the end of the one before (programmatic dependent launch, from compute capability 9.0
-/// on): blocks are made ready while that one still runs, and wait here for what it wrote.
-__device__ __forceinline__ void wait_for_previous(TimeMark mark) {
-#if __CUDA_ARCH__ >= 900
-  cudaTriggerProgrammaticLaunchCompletion();
-  cudaGridDependencySynchronize();
-#endif
-  if (mark.at && blockIdx.x == 0 && threadIdx.x == 0) {
-    asm volatile("mov.u64 %0, %%globaltimer;" : "=l"(*mark.at));
-  }
-}
-
 /// Does nothing but note the time.
 static __global__ void note_time(TimeMark mark) {
   wait_for_previous(mark);
+}
+
+static __global__ void copy_words(TimeMark mark, const uint32_t* from, uint32_t* to, uint32_t words) {
+  wait_for_previous(mark);
+  for (uint32_t i = threadIdx.x; i < words; i += block_size) to[i] = from[i];
 }
 
 template <class Kernel>
@@ -88,9 +79,10 @@ __global__ void __launch_bounds__(block_size)
   if (i < count) kernel.template run<CudaTeam>(i);
 }
 
-// The teams come first: their work is the longer.
+// The teams come first: their work is the longer. Few of them need as many registers as would keep others
+// from the multiprocessor: those spill.
 template <class Kernel, class TeamKernel>
-__global__ void __launch_bounds__(block_size)
+__global__ void __launch_bounds__(block_size, 8)
     for_each_of_both(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel,
                      uint32_t team_count, uint32_t team_blocks,
                      const __grid_constant__ TeamKernel team_kernel) {
@@ -100,32 +92,37 @@ __global__ void __launch_bounds__(block_size)
     if (i < team_count) team_kernel.template run<CudaTeam>(i);
   } else {
     const uint32_t i = (blockIdx.x - team_blocks) * block_size + threadIdx.x;
-    if (i < count) kernel(i);
+    if (i < count) kernel.template run<CudaDevice>(i);
   }
 }
 
-// A block takes one segment: each thread every 256th element, then CUB's fixed tree. No order is left to
-// chance.
+// A block takes one segment: each thread every 256th element, then CUB's fixed tree. The block that happens
+// to be done last takes the segments' results in the same way. No order is left to chance.
 template <class T, class Map, class Combine>
 __global__ void __launch_bounds__(reduce_block)
-    reduce_segments(TimeMark mark, uint32_t count, uint32_t length, T identity,
-                    const __grid_constant__ Map map, Combine combine, T* out) {
+    reduce_segments(TimeMark mark, uint32_t count, T identity, const __grid_constant__ Map map,
+                    Combine combine, T* partial, uint32_t* blocks_done, T* out) {
   wait_for_previous(mark);
   using BlockReduce = cub::BlockReduce<T, reduce_block>;
   __shared__ typename BlockReduce::TempStorage storage;
-  const uint32_t begin = blockIdx.x * length;
-  const uint32_t end = min(count, begin + length);
-  T total = identity;
-  for (uint32_t i = begin + threadIdx.x; i < end; i += reduce_block) total = combine(total, map(i));
-  total = BlockReduce(storage).Reduce(total, combine);
-  if (threadIdx.x == 0) out[blockIdx.x] = total;
+  __shared__ bool is_last;
+  const auto over = [&](uint32_t begin, uint32_t end, const auto& element) {
+    T total = identity;
+    for (uint32_t i = begin + threadIdx.x; i < end; i += reduce_block) total = combine(total, element(i));
+    return BlockReduce(storage).Reduce(total, combine);
+  };
+  const T total = over(blockIdx.x * segment, min(count, (blockIdx.x + 1) * segment), map);
+  if (threadIdx.x == 0) {
+    partial[blockIdx.x] = total;
+    __threadfence();
+    is_last = atomicInc(blocks_done, gridDim.x - 1) == gridDim.x - 1;  // back at 0 with the last
+  }
+  __syncthreads();
+  if (!is_last) return;
+  __threadfence();
+  const T all = over(0, gridDim.x, [&](uint32_t i) { return partial[i]; });
+  if (threadIdx.x == 0) *out = all;
 }
-
-template <class T>
-struct ReadPartial {
-  const T* partial;
-  __device__ T operator()(uint32_t i) const { return partial[i]; }
-};
 
 }  // namespace cuda_kernels
 
@@ -136,7 +133,7 @@ class CudaDevice final : public Device {
   using Real = float;
   static constexpr uint32_t lane_count = 1;
   static constexpr bool interleaves_lists = true;
-  using Lister = CudaBatch;
+  using Lister = CudaLister<4>;
   MENISCUS_HD static bool leads() { return true; }
 
   CudaDevice();
@@ -188,7 +185,7 @@ class CudaDevice final : public Device {
       std::swap(stream_, side_stream_);
       parallel_for_long(name, long_count, long_kernel);
       std::swap(stream_, side_stream_);
-      parallel_for(name, count, kernel);
+      parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
       join();
       return;
     }
@@ -205,10 +202,8 @@ class CudaDevice final : public Device {
     using namespace cuda_kernels;
     const uint32_t segments = count ? (count + segment - 1) / segment : 1;
     T* partial = static_cast<T*>(scratch(segments * sizeof(T)));
-    launch(name, segments, reduce_block, reduce_segments<T, Map, Combine>, count, segment, identity, map,
-           combine, partial);
-    launch(name, 1, reduce_block, reduce_segments<T, ReadPartial<T>, Combine>, segments, segments, identity,
-           ReadPartial<T>{partial}, combine, out.data);
+    launch(name, segments, reduce_block, reduce_segments<T, Map, Combine>, count, identity, map, combine,
+           partial, blocks_done_.view().data, out.data);
   }
 
   void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit = ~0u);
@@ -250,6 +245,9 @@ class CudaDevice final : public Device {
   uint32_t times_capacity_ = 0;
   void* pinned_ = nullptr;  // small results come back through it, at a pinned copy's latency
   Buffer<uint64_t> scratch_{*this, "CUDA scratch"};
+  Buffer<uint64_t> tile_sums_{*this, "CUDA prefix sums"};
+  uint32_t scans_ = 0;
+  Buffer<uint32_t> blocks_done_{*this, "CUDA block count"};  // 0 between launches
 };
 
 }  // namespace meniscus::pbd

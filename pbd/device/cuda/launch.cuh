@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace meniscus::pbd::cuda_kernels {
+
+/// Where a kernel notes when it begins, if anywhere. An event between two launches would keep them apart.
+struct TimeMark {
+  uint64_t* at;  ///< ns
+};
+
+/// A launch overlaps the end of the one before (programmatic dependent launch, from compute capability 9.0
+/// on): blocks are made ready while that one still runs, and wait here for what it wrote.
+__device__ __forceinline__ void wait_for_previous(TimeMark mark) {
+#if __CUDA_ARCH__ >= 900
+  cudaTriggerProgrammaticLaunchCompletion();
+  cudaGridDependencySynchronize();
+#endif
+  if (mark.at && blockIdx.x == 0 && threadIdx.x == 0) {
+    asm volatile("mov.u64 %0, %%globaltimer;" : "=l"(*mark.at));
+  }
+}
+
+}  // namespace meniscus::pbd::cuda_kernels
