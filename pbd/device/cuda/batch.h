@@ -19,37 +19,20 @@ struct CudaLister {
   MENISCUS_HD static uint32_t near(View<const Vec4> position, Vec3 self, float reach2, uint32_t first,
                                    uint32_t count) {
     const View<const Vec4> run{position.data + first, position.count - first};
-    uint32_t mask = 0, seen = 0;  // the first one's bit goes up as others come in
-    for (; seen < count; seen += batch) {
+    uint32_t mask = 0;
+    for (uint32_t seen = 0; seen < count; seen += batch) {
       Vec4 candidate[batch];
       MENISCUS_UNROLL
       for (uint32_t k = 0; k < batch; ++k) candidate[k] = load(run, seen + k);
+      uint32_t near = 0;
       MENISCUS_UNROLL
       for (uint32_t k = 0; k < batch; ++k) {
         const Vec3 d = self - candidate[k].xyz();
-        mask = with_sign(mask, d.x * d.x + (d.y * d.y + (d.z * d.z - reach2)));
+        near |= static_cast<uint32_t>(dot(d, d) < reach2) << k;
       }
+      mask |= near << seen;
     }
-    if (count == 0) return 0;
-    return reversed(mask << (32 - seen)) & (0xffffffffu >> (32 - count));
-  }
-
- private:
-  MENISCUS_HD static uint32_t with_sign(uint32_t mask, float x) {
-#ifdef __CUDA_ARCH__
-    return __funnelshift_l(__float_as_uint(x), mask, 1);
-#else
-    return mask << 1 | uint32_t(x < 0);
-#endif
-  }
-  MENISCUS_HD static uint32_t reversed(uint32_t mask) {
-#ifdef __CUDA_ARCH__
-    return __brev(mask);
-#else
-    uint32_t out = 0;
-    for (uint32_t k = 0; k < 32; ++k) out |= (mask >> k & 1) << (31 - k);
-    return out;
-#endif
+    return count < 32 ? mask & ((1u << count) - 1) : mask;
   }
 };
 
