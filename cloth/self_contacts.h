@@ -22,9 +22,9 @@ struct ContactPart {
 
 /// Keeps cloth from passing through cloth: contacts of vertices with triangles and of edges with edges.
 ///
-///   begin    fits the tree of boxes to the substep's predicted motion, finds pairs of features that come
-///            within the thickness, and the side on which each stays;
-///   project  pushes them apart, with friction;
+///   project  at first fits the tree of boxes to the motion that cloth's own constraints have left of the
+///            substep's, finds pairs of features that come within the thickness, and the side on which each
+///            stays; then pushes them apart, with friction;
 ///   settle   makes sure that nothing has passed through: where the solve has not sufficed, vertices are held
 ///            back on their way. There, momentum is not kept.
 ///
@@ -34,7 +34,7 @@ struct ContactPart {
 template <class D>
 class SelfContacts final : public pbd::ConstraintSet<D> {
  public:
-  /// The tree may serve others too; it holds the boxes of the last begin().
+  /// The tree may serve others too; it holds the boxes of the last substep.
   SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree) {}
 
   /// All cloth from now on. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
@@ -43,7 +43,6 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
                    pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts, float heaviest);
 
-  void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
   void settle(pbd::Substep<D>& substep) override;
 
@@ -59,7 +58,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   uint32_t most_held_back() const { return found(self_contact_kernels::crossings); }
 
  private:
-  static constexpr uint32_t first_rounds = 3;
+  static constexpr uint32_t first_rounds = 4;
+  static constexpr int sweeps = 2;  // an iteration: contacts need more than what they hold apart
 
   uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
   uint32_t used_rounds() const;
@@ -68,19 +68,17 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   static bool any_meet(std::span<const ContactPart> parts);
   bool idle() const { return tree_.places() == 0; }
   void set_parts(std::span<const ContactPart> parts, std::span<const float> fineness);
-  void reserve_rows(uint32_t capacity);
   void reserve_contacts(uint32_t capacity);
   void find_pairs(pbd::Substep<D>& substep);
   void make_contacts(pbd::Substep<D>& substep);
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
   self_contact_kernels::ContactList list();
-  uint32_t launched(uint32_t counter, size_t capacity);
+  uint32_t launched(uint32_t counter, size_t capacity, uint32_t each = 1);
 
   D& device_;
   pbd::SurfaceTree<D>& tree_;
   pbd::View<const Vec3> rest_;
-  uint32_t vertices_ = 0, groups_ = 0, row_capacity_ = 0, rounds_ = first_rounds;
-  bool again_ = false;        // the step is done again
+  uint32_t vertices_ = 0, groups_ = 0, rounds_ = first_rounds;
   float least_distance_ = 0;  // m: see FindCrossings
   float unit_ = 0;            // kg·m, of the integers that pushes are summed in
 
@@ -94,17 +92,15 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
   pbd::Buffer<uint32_t> limit_{device_, "cloth motion limits"};
   pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, squeezed_{device_, "cloth group flags"};
-  pbd::Buffer<uint32_t> flags_{device_, "cloth group flags"};
-  pbd::Buffer<uint32_t> rows_{device_, "cloth group rows"}, row_count_{device_, "cloth group rows"};
+  pbd::Buffer<uint8_t> flags_{device_, "cloth triangle flags"};
+  pbd::Buffer<self_contact_kernels::GroupPair> group_pairs_{device_, "cloth group pairs"};
   pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};
   pbd::Buffer<self_contact_kernels::Corners> corners_{device_, "cloth contact vertices"};
   pbd::Buffer<pbd::Vec4> plane_{device_, "cloth contact planes"};
   pbd::Buffer<pbd::Vec4> multiplier_{device_, "cloth contact multipliers"};
-  pbd::Buffer<pbd::Vec4> push_{device_, "cloth contact pushes"};
   pbd::Buffer<self_contact_kernels::ContactWeights> weights_{device_, "cloth contact weights"};
-  pbd::Buffer<uint32_t> entry_count_{device_, "contacts of cloth vertices"};
-  pbd::Buffer<uint32_t> entry_start_{device_, "contacts of cloth vertices"};
   pbd::Buffer<uint32_t> entries_{device_, "contacts of cloth vertices"};
+  pbd::Buffer<int64_t> push_sums_{device_, "cloth contact pushes"};
   pbd::Buffer<uint32_t> counters_{device_, "cloth contact counters"};
   pbd::SharedBuffer<uint32_t> found_{device_, "cloth contact counts"};
 };

@@ -27,13 +27,6 @@ View<T> vertices_of(View<T> all, uint32_t sorted, uint32_t count) {
 }  // namespace self_contact_kernels
 
 template <class D>
-void SelfContacts<D>::begin(pbd::Substep<D>& substep) {
-  if (idle()) return;
-  find_pairs(substep);
-  make_contacts(substep);
-}
-
-template <class D>
 void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   const pbd::ParticleView& p = substep.particles;
@@ -41,43 +34,54 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   device_.parallel_for(
       "self contacts/foresee", vertices_,
       Foresee{previous, vertices_of(p.position, p.sorted, vertices_), vertex_part_.view(), parts_.view(),
-              strayed_.view(), foreseen_.view(), limit_.view(), entry_count_.view(), counters_.view()});
+              strayed_.view(), foreseen_.view(), limit_.view(), entries_.view(), counters_.view()});
   tree_.refit(p, Reach{foreseen_.view()});
-  device_.parallel_for("self contacts/cones", groups_,
-                       FitCones{tree_.view(), parts_.view(), previous, foreseen_.view(), cones_.view(),
-                                rough_.view(), squeezed_.view()});
+  constexpr uint32_t together = ConeScratch::groups;
+  device_.parallel_for_groups("self contacts/cones", (groups_ + together - 1) / together,
+                              FitCones{tree_.view(), parts_.view(), previous, foreseen_.view(), cones_.view(),
+                                       rough_.view(), squeezed_.view()});
+  const pbd::SurfaceTreeView tree = tree_.view();
+  const bool by_box =
+      device_.kind() == pbd::DeviceKind::cuda;  // which has more threads than there are groups
   device_.parallel_for(
-      "self contacts/groups", groups_,
-      FindGroups{tree_.view(), parts_.view(), cones_.view(), neighbour_start_.view(), neighbours_.view(),
-                 rows_.view(), row_count_.view(), counters_.view(), row_capacity_});
-  device_.parallel_for("self contacts/candidates", tree_.places(),
-                       FindCandidates{{cloth(substep), false}, candidates_.view(), counters_.view()});
+      "self contacts/groups", by_box ? groups_ * tree.boxes[tree.levels - 1] : groups_,
+      FindGroups{tree, parts_.view(), cones_.view(), neighbour_start_.view(), neighbours_.view(),
+                 group_pairs_.view(), counters_.view(), groups_, by_box});
+  const uint32_t threads = launched(group_pairs, 8 * group_pairs_.size(), 8);
+  device_.parallel_for(
+      "self contacts/candidates", threads,
+      FindCandidates{{cloth(substep)}, group_pairs_.view(), candidates_.view(), counters_.view(), threads});
 }
 
 template <class D>
 void SelfContacts<D>::make_contacts(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   constexpr float separation_time = 0.02f;  // s, in which an overlap is opened by a thickness
-  device_.parallel_for("self contacts/contacts", launched(candidates, candidates_.size()),
-                       MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entry_count_.view(),
-                                    squeezed_.view(), substep.dt / separation_time});
-  device_.exclusive_scan("self contacts/offsets", entry_count_.view(), entry_start_.view());
-  device_.parallel_for("self contacts/entries", launched(contacts, corners_.size()),
-                       EnterContacts{list(), entry_start_.view(), entry_count_.view(), entries_.view()});
+  const uint32_t threads = launched(candidates, candidates_.size());
+  device_.parallel_for("self contacts/contacts", threads,
+                       MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entries_.view(),
+                                    squeezed_.view(), substep.dt / separation_time, threads});
 }
 
 template <class D>
-void SelfContacts<D>::project(pbd::Substep<D>& substep, int) {
+void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace self_contact_kernels;
   if (idle()) return;
+  if (iteration == 0) {
+    find_pairs(substep);
+    make_contacts(substep);
+  }
   const pbd::ParticleView& p = substep.particles;
   const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
-  device_.parallel_for(
-      "self contacts/push", launched(contacts, corners_.size()),
-      PushApart{list(), position, vertices_of(p.previous, p.sorted, vertices_), entry_start_.view()});
-  device_.parallel_for("self contacts/move", vertices_,
-                       MoveVertices{list(), entry_start_.view(), entries_.view(), position,
-                                    vertices_of(p.moved, p.sorted, vertices_), unit_});
+  const PushSums sums{push_sums_.view(), unit_};
+  const uint32_t threads = launched(contacts, corners_.size());
+  const PushApart push{list(),          position, vertices_of(p.previous, p.sorted, vertices_),
+                       entries_.view(), sums,     threads};
+  const MoveVertices move{entries_.view(), position, vertices_of(p.moved, p.sorted, vertices_), sums};
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    device_.parallel_for("self contacts/push", threads, push);
+    device_.parallel_for("self contacts/move", vertices_, move);
+  }
 }
 
 template <class D>
@@ -90,19 +94,23 @@ void SelfContacts<D>::settle(pbd::Substep<D>& substep) {
   const View<Vec4> moved = vertices_of(p.moved, p.sorted, vertices_);
   device_.parallel_for("self contacts/contain", vertices_,
                        Contain{previous, foreseen_.view(), position, moved, strayed_.view()});
-  const uint32_t count = launched(contacts, corners_.size());
+  const uint32_t threads =
+      std::max(launched(candidates, candidates_.size()), launched(group_pairs, 8 * group_pairs_.size(), 8));
   for (uint32_t round = 0; round < rounds_; ++round) {
-    device_.parallel_for("self contacts/flags", groups_,
-                         FlagGroups{tree_.view(), parts_.view(), foreseen_.view(), position, cones_.view(),
-                                    squeezed_.view(), counters_.view(), flags_.view(), round});
-    device_.parallel_for("self contacts/crossings", count + tree_.places(),
-                         FindCrossings{{cloth(substep), true},
-                                       list(),
+    device_.parallel_for(
+        "self contacts/flags", tree_.places(),
+        FlagTriangles{tree_.view(), parts_.view(), foreseen_.view(), position, limit_.view(), cones_.view(),
+                      squeezed_.view(), counters_.view(), flags_.view(), round});
+    device_.parallel_for("self contacts/crossings", threads,
+                         FindCrossings{{cloth(substep)},
+                                       candidates_.view(),
+                                       group_pairs_.view(),
                                        position,
                                        flags_.view(),
                                        limit_.view(),
-                                       count,
+                                       counters_.view(),
                                        round,
+                                       threads,
                                        least_distance_});
     device_.parallel_for("self contacts/hold back", vertices_,
                          HoldBack{previous, position, moved, limit_.view(), counters_.view(), round});
@@ -123,15 +131,16 @@ uint32_t SelfContacts<D>::used_rounds() const {
 template <class D>
 void SelfContacts<D>::start_step() {
   using namespace self_contact_kernels;
-  // Where the last step's rounds did not suffice it gets more; those that it had no use for go.
-  if (!idle()) rounds_ = ran_short() ? more_rounds() : std::max(first_rounds, used_rounds() + 1);
+  // Where the last step's rounds did not suffice it gets more; most that it had no use for go. A round too
+  // many costs little, a step that is done again as much as it took.
+  if (!idle()) rounds_ = ran_short() ? more_rounds() : std::max(first_rounds, used_rounds() + 2);
   std::fill(found_.host().begin(), found_.host().end(), 0u);
 }
 
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(longest_row) <= row_capacity_ &&
+  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }
 
@@ -139,25 +148,17 @@ template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
   const auto more = [](uint32_t found) { return found + found / 4; };
-  if (found(longest_row) > row_capacity_) reserve_rows(more(found(longest_row)));
+  if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
   if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
   if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
   // start_step() makes more rounds.
 }
 
 template <class D>
-void SelfContacts<D>::reserve_rows(uint32_t capacity) {
-  rows_.resize_or_stay(size_t{groups_} * capacity);
-  row_capacity_ = capacity;
-}
-
-template <class D>
 void SelfContacts<D>::reserve_contacts(uint32_t capacity) {
   plane_.resize_discard(capacity);
   multiplier_.resize_discard(capacity);
-  push_.resize_discard(capacity);
   weights_.resize_discard(capacity);
-  entries_.resize_discard(4 * size_t{capacity});
   corners_.resize_discard(capacity);  // last: its length is what counts
 }
 
@@ -186,21 +187,21 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   unit_ = std::ldexp(1.0f, std::ilogb(heaviest) - 49);
 
   cones_.resize_discard(groups_);
-  flags_.resize_discard(groups_);
+  flags_.resize_discard(tree_.places());
   rough_.resize_discard(groups_);
   squeezed_.resize_discard(groups_);
-  row_count_.resize_discard(groups_);
   foreseen_.resize_discard(vertices_);
   limit_.resize_discard(vertices_);
   strayed_.resize_discard(vertices_);
   saved_strayed_.resize_discard(vertices_);
-  entry_count_.resize_discard(vertices_);
-  entry_start_.resize_discard(vertices_ + 1);
+  entries_.resize_discard(vertices_);
+  push_sums_.resize_discard(3 * size_t{vertices_});
+  push_sums_.fill(0);
   counters_.resize_discard(self_contact_kernels::counter_count);
   found_.resize_discard(self_contact_kernels::counter_count);
   start_step();
   strayed_.fill(0);
-  reserve_rows(std::max(row_capacity_, 8u));
+  if (group_pairs_.size() < 8 * size_t{groups_}) group_pairs_.resize_discard(8 * size_t{groups_});
   const uint32_t least = std::max(256u, vertices_ / 4);
   if (candidates_.size() < least) candidates_.resize_discard(least);
   if (corners_.size() < least) reserve_contacts(least);
@@ -251,24 +252,21 @@ self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& s
           tree_.view(),
           features_.view(),
           parts_.view(),
-          rough_.view(),
-          rows_.view(),
-          row_count_.view(),
-          row_capacity_};
+          rough_.view()};
 }
 
 template <class D>
 self_contact_kernels::ContactList SelfContacts<D>::list() {
-  return {corners_.view(), plane_.view(),   multiplier_.view(),
-          push_.view(),    weights_.view(), counters_.view()};
+  return {corners_.view(), plane_.view(), multiplier_.view(), weights_.view(), counters_.view()};
 }
 
-/// How many of a list kernels are to look at: all that there is room for, or, where the host is in step with
-/// the device, all that there are.
+/// How many threads are to look at a list, `each` of them at an element: as many as the list has, where the
+/// host is in step with the device; else as fill a GPU.
 template <class D>
-uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity) {
-  const auto most = static_cast<uint32_t>(capacity);
-  return device_.kind() == pbd::DeviceKind::cpu ? std::min(counters_.view()[counter], most) : most;
+uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity, uint32_t each) {
+  constexpr size_t most = 1u << 19;
+  if (device_.kind() != pbd::DeviceKind::cpu) return static_cast<uint32_t>(std::min(capacity, most));
+  return static_cast<uint32_t>(std::min(size_t{each} * counters_.view()[counter], capacity));
 }
 
 }  // namespace meniscus::cloth

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "cloth/self_contacts_views.h"
-#include "pbd/device/atomics.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -38,46 +37,72 @@ struct Reach {
   }
 };
 
+/// Sixteen groups of eight triangles while their cones are fitted.
+struct ConeScratch {
+  static constexpr uint32_t groups = 16, triangles = 8 * groups;
+
+  Vec3 before[triangles], after[triangles];  // normals
+  float longest2[triangles];                 // m²: of the edges
+  Vec3 axis[groups];
+};
+
 /// A cone that holds the normals of a group's triangles, before and after its motion.
 ///
 /// Where cloth is smooth, its vertices keep it apart from other cloth, and its edges need not be looked at:
 /// with θ the angle that an edge of length L is bent by, it stands out by Lθ/4 between its ends.
 struct FitCones {
+  using Scratch = ConeScratch;
+
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
   View<const Vec4> previous, foreseen;
   View<Vec4> cones;
   View<uint32_t> rough, squeezed;
 
-  MENISCUS_HD void operator()(uint32_t g) const {
-    Vec3 axis{0, 0, 0};
-    float longest = 0;
-    for (uint32_t k = 0; k < 8; ++k)
-      axis += normal(previous, 8 * g + k, longest) + normal(foreseen, 8 * g + k, longest);
-    axis = normalized_or(axis, {0, 0, 0});
-    float least = 1;
-    for (uint32_t k = 0; k < 8; ++k) {
-      if (tree.triangles[8 * g + k].a == no_index) continue;
-      least = pbd::min(least, dot(axis, normal(previous, 8 * g + k, longest)));
-      least = pbd::min(least, dot(axis, normal(foreseen, 8 * g + k, longest)));
+  /// Of the groups from 16 n on.
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    const uint32_t first = n * Scratch::groups, left = cones.count - first,
+                   count = left < Scratch::groups ? left : Scratch::groups;
+    group.for_each(8 * count, [&](uint32_t k) {
+      const SurfaceTriangle t = load(tree.triangles, 8 * first + k);
+      scratch.longest2[k] = 0;
+      scratch.before[k] = normal(previous, t, scratch.longest2[k]);
+      scratch.after[k] = normal(foreseen, t, scratch.longest2[k]);
+    });
+    group.for_each(count, [&](uint32_t g) {
+      Vec3 sum{0, 0, 0};
+      for (uint32_t k = 8 * g; k < 8 * g + 8; ++k) sum += scratch.before[k] + scratch.after[k];
+      scratch.axis[g] = normalized_or(sum, {0, 0, 0});
+    });
+    group.for_each(count, [&](uint32_t g) { fit(scratch, first, g); });
+  }
+
+ private:
+  MENISCUS_HD void fit(const Scratch& scratch, uint32_t first, uint32_t g) const {
+    const Vec3 axis = scratch.axis[g];
+    float least = 1, longest2 = 0;
+    for (uint32_t k = 8 * g; k < 8 * g + 8; ++k) {
+      if (tree.triangles[8 * first + k].a == no_index) continue;
+      least = pbd::min(least, pbd::min(dot(axis, scratch.before[k]), dot(axis, scratch.after[k])));
+      longest2 = pbd::max(longest2, scratch.longest2[k]);
     }
     const float angle = acosf(pbd::clamp(least, -1, 1));
-    cones[g] = pbd::with_w(axis, angle);
-    rough[g] = angle * sqrtf(longest) > 0.2f * parts[tree.triangles[8 * g].part].thickness;
-    squeezed[g] = 0;
+    cones[first + g] = pbd::with_w(axis, angle);
+    rough[first + g] = angle * sqrtf(longest2) > 0.2f * parts[tree.triangles[8 * (first + g)].part].thickness;
+    squeezed[first + g] = 0;
   }
 
   /// Of a triangle; and the square of the longest edge so far.
-  MENISCUS_HD Vec3 normal(View<const Vec4> x, uint32_t place, float& longest) const {
-    const SurfaceTriangle t = tree.triangles[place];
+  MENISCUS_HD static Vec3 normal(View<const Vec4> x, const SurfaceTriangle& t, float& longest2) {
     if (t.a == no_index) return {0, 0, 0};
-    const Vec3 ab = x[t.b].xyz() - x[t.a].xyz(), ac = x[t.c].xyz() - x[t.a].xyz(), bc = ac - ab;
-    longest = pbd::max(longest, pbd::max(dot(ab, ab), pbd::max(dot(ac, ac), dot(bc, bc))));
+    const Vec3 a = x[t.a].xyz(), ab = x[t.b].xyz() - a, ac = x[t.c].xyz() - a, bc = ac - ab;
+    longest2 = pbd::max(longest2, pbd::max(dot(ab, ab), pbd::max(dot(ac, ac), dot(bc, bc))));
     return normalized_or(cross(ab, ac), {0, 0, 0});
   }
 };
 
-/// Lists for each group those from itself on whose boxes overlap its own.
+/// Lists the pairs of groups whose boxes overlap: by group, or by group and box of the tree's highest level.
 ///
 /// Neighbours in the material always do. They cannot touch while all their normals are within a half-space
 /// (Volino & Magnenat-Thalmann 1994): such pairs are marked, and not looked at any further.
@@ -86,22 +111,25 @@ struct FindGroups {
   View<const Part> parts;
   View<const Vec4> cones;
   View<const uint32_t> neighbour_start, neighbours;
-  View<uint32_t> rows, row_count, counters;
-  uint32_t row_capacity;
+  View<GroupPair> pairs;
+  View<uint32_t> counters;
+  uint32_t groups;
+  bool by_box;
 
   static constexpr float smooth = 1.3f;  // rad, the widest spread of normals in what counts as one sheet
 
-  MENISCUS_HD void operator()(uint32_t g) const {
-    const uint32_t part = tree.triangles[8 * g].part;
-    uint32_t count = 0;
-    pbd::for_each_overlap(tree, tree.box(1, g), 1, g, [&](uint32_t other) {
-      if (!may_touch(part, tree.triangles[8 * other].part)) return;
-      if (count < row_capacity)
-        rows[g * row_capacity + count] = other | (is_one_sheet(g, other) ? in_one_sheet : 0);
-      ++count;
-    });
-    row_count[g] = count;
-    if (count > 0) pbd::atomic_max(counters[longest_row], count);
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t g = n % groups, part = tree.triangles[8 * g].part;
+    Appending<GroupPair> found(pairs, counters[group_pairs]);
+    const auto visit = [&](uint32_t other) {
+      if (may_touch(part, tree.triangles[8 * other].part))
+        found.add({g, other | (is_one_sheet(g, other) ? GroupPair::sheet_bit : 0)});
+    };
+    if (by_box)
+      pbd::for_each_overlap_below(tree, n / groups, tree.box(1, g), 1, g, visit);
+    else
+      pbd::for_each_overlap(tree, tree.box(1, g), 1, g, visit);
+    found.flush();
   }
 
   MENISCUS_HD bool may_touch(uint32_t p, uint32_t q) const {
@@ -120,43 +148,49 @@ struct FindGroups {
   }
 };
 
-/// Pairs of features, of which each triangle shows those that it owns; of its edges, if not all are asked
-/// for, those on a border or in a rough group.
+/// Which pairs of features are meant. Edges count for contacts where they are on a border or in a rough
+/// group.
+enum class Which {
+  for_contacts,
+  left_out,  // of those pairs of edges
+  all
+};
+
+/// Pairs of features, of which each triangle shows those that it owns.
 struct FeaturePairs {
   ClothState cloth;
-  bool all_edges;
 
-  MENISCUS_HD uint32_t shown_features(uint32_t place) const {
-    const uint32_t features = cloth.features[place];
-    if (all_edges || cloth.rough[place / 8]) return features;
-    return (features & ~(7u * owns_edge)) | features / is_border * owns_edge;
-  }
-
-  /// Calls visit(code) for each pair of the triangle at `place` and one in a later place of its group or in a
-  /// group of its row for which wanted(entry of the row) holds.
-  template <class Wanted, class Visit>
-  MENISCUS_HD void of_place(uint32_t place, const Wanted& wanted, const Visit& visit) const {
-    const uint32_t g = place / 8, row = cloth.row_size(g);
-    if (row == 0 || cloth.tree.triangles[place].a == no_index) return;
-    const Own own(*this, place);
-    for (uint32_t n = 0; n < row; ++n) {
-      const uint32_t entry = cloth.rows[g * cloth.row_capacity + n], other = entry & ~in_one_sheet;
-      if (!wanted(entry) || !overlap(cloth.tree.box(1, other), own.whole)) continue;
-      const pbd::BoxGroup& boxes = cloth.tree.group(0, other);
-      uint32_t mask = overlap_mask(boxes, own.whole);
-      if (other == g) mask &= ~((2u << place % 8) - 1);
-      if (mask == 0) continue;
-      own_vertices(own, other, boxes, mask, visit);
-      for (; mask != 0; mask &= mask - 1) {
-        const uint32_t other_place = 8 * other + pbd::lowest_bit(mask);
-        const uint32_t features = shown_features(other_place);
-        if (features & 7 * owns_vertex) other_vertices(own, other_place, features, visit);
-        if (own.any_edges && features & 7 * owns_edge) edges(own, other_place, features, visit);
-      }
+  /// Calls visit(code) for each pair of the triangle at `place` and one of the group `other`, if this is its
+  /// own one in a later place.
+  template <class Visit>
+  MENISCUS_HD void of_place(uint32_t place, uint32_t other, Which which, const Visit& visit) const {
+    if (cloth.tree.triangles[place].a == no_index) return;
+    const Aabb whole = cloth.tree.box(0, place);
+    const pbd::BoxGroup& boxes = cloth.tree.group(0, other);
+    uint32_t mask = overlap_mask(boxes, whole);
+    if (other == place / 8) mask &= ~((2u << place % 8) - 1);
+    if (mask == 0) return;
+    const Own own(*this, place, whole, which);
+    if (which != Which::left_out) own_vertices(own, other, boxes, mask, visit);
+    for (; mask != 0; mask &= mask - 1) {
+      const uint32_t other_place = 8 * other + pbd::lowest_bit(mask);
+      const uint32_t features = features_of(other_place, which);
+      if (which != Which::left_out && features & 7 * owns_vertex)
+        other_vertices(own, other_place, features, visit);
+      if (own.any_edges && features & 7 * owns_edge) edges(own, other_place, features, which, visit);
     }
   }
 
  private:
+  MENISCUS_HD uint32_t features_of(uint32_t place, Which which) const {
+    const uint32_t features = cloth.features[place];
+    return which == Which::for_contacts ? shown(place, features) : features;
+  }
+  MENISCUS_HD uint32_t shown(uint32_t place, uint32_t features) const {
+    if (cloth.rough[place / 8]) return features;
+    return (features & ~(7u * owns_edge)) | features / is_border * owns_edge;
+  }
+
   /// The triangle of which pairs are looked for, and the boxes of its vertices.
   struct Own {
     uint32_t place, features;
@@ -164,12 +198,12 @@ struct FeaturePairs {
     bool any_edges;
     Aabb whole, vertex[3];
 
-    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place_)
+    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place_, const Aabb& whole_, Which which)
         : place(place_),
-          features(pairs.shown_features(place_)),
+          features(pairs.features_of(place_, which)),
           triangle(load(pairs.cloth.tree.triangles, place_)),
           any_edges((features & 7 * owns_edge) != 0),
-          whole(pairs.cloth.tree.box(0, place_)) {
+          whole(whole_) {
       for (uint32_t k = 0; k < 3; ++k)
         if (any_edges || features & uint32_t{owns_vertex} << k)
           vertex[k] = pairs.cloth.way_box(corner_of(triangle, k));
@@ -206,14 +240,19 @@ struct FeaturePairs {
   }
 
   template <class Visit>
-  MENISCUS_HD void edges(const Own& own, uint32_t place, uint32_t features, const Visit& visit) const {
+  MENISCUS_HD void edges(const Own& own, uint32_t place, uint32_t features, Which which,
+                         const Visit& visit) const {
     const SurfaceTriangle other = load(cloth.tree.triangles, place);
+    const uint32_t own_shown = shown(own.place, own.features), other_shown = shown(place, features);
     for (uint32_t f = 0; f < 3; ++f) {
       if (!(features & uint32_t{owns_edge} << f)) continue;
       const uint32_t s = corner_of(other, f), t = corner_of(other, next(f));
       const Aabb box = joined(cloth.way_box(s), cloth.way_box(t));
       for (uint32_t e = 0; e < 3; ++e) {
         if (!(own.features & uint32_t{owns_edge} << e)) continue;
+        if (which == Which::left_out && own_shown & uint32_t{owns_edge} << e &&
+            other_shown & uint32_t{owns_edge} << f)
+          continue;
         const uint32_t v = corner_of(own.triangle, e), w = corner_of(own.triangle, next(e));
         if (s == v || s == w || t == v || t == w || !overlap(own.edge(e), box)) continue;
         visit(FeatureCode{feature(own.place, 3 + e), feature(place, 3 + f)});
@@ -222,32 +261,24 @@ struct FeaturePairs {
   }
 };
 
-/// Lists the pairs of each triangle. A few are kept back, so that the list's end is asked for seldom.
+/// Lists the pairs of features that may become contacts: eight threads a pair of groups.
 struct FindCandidates {
-  FeaturePairs pairs;
+  FeaturePairs features;
+  View<const GroupPair> pairs;
   View<FeatureCode> candidate_list;
   View<uint32_t> counters;
+  uint32_t stride;
 
-  MENISCUS_HD void operator()(uint32_t place) const {
-    constexpr uint32_t room = 8;
-    FeatureCode found[room];
-    uint32_t count = 0;
-    pairs.of_place(
-        place, [](uint32_t entry) { return !(entry & in_one_sheet); },
-        [&](FeatureCode code) {
-          if (count == room) {
-            put(found, count);
-            count = 0;
-          }
-          found[count++] = code;
-        });
-    if (count > 0) put(found, count);
-  }
-
-  MENISCUS_HD void put(const FeatureCode* found, uint32_t count) const {
-    const uint32_t first = pbd::append(counters[candidates], count);
-    for (uint32_t k = 0; k < count; ++k)
-      if (first + k < candidate_list.count) candidate_list[first + k] = found[k];
+  MENISCUS_HD void operator()(uint32_t thread) const {
+    const uint32_t count = 8 * listed(pairs, counters[group_pairs]);
+    Appending<FeatureCode> found(candidate_list, counters[candidates]);
+    for (uint32_t n = thread; n < count; n += stride) {
+      const GroupPair pair = load(pairs, n / 8);
+      if (pair.in_one_sheet()) continue;
+      features.of_place(8 * pair.first + n % 8, pair.second(), Which::for_contacts,
+                        [&](FeatureCode code) { found.add(code); });
+    }
+    found.flush();
   }
 };
 

@@ -30,87 +30,118 @@ struct Contain {
 };
 
 /// What has to be looked at again.
-enum Again : uint32_t { others = 1, own_sheet = 2 };
+enum Again : uint32_t {
+  others = 1,     // with all that is not of the same smooth sheet
+  own_sheet = 2,  // with the rest
+  changed = 4     // at all: since the last round
+};
 
-/// Flags groups: those with a vertex that is not where it was foreseen, and those that are squeezed, must be
-/// looked at with all others. Everywhere else, pairs that are no contacts were foreseen further apart than
-/// the tolerances of both. Groups with a normal that has left their cone must be looked at with those that
-/// they were one sheet with.
-struct FlagGroups {
+/// A vertex's limit: bits of the part of its motion that is left to it, or what is greater than those of 1.
+inline constexpr uint32_t bits_of_one = 0x3f800000, held_back = 1u << 31;
+
+/// Flags triangles: those with a vertex that is not where it was foreseen, and those of groups that are
+/// squeezed, must be looked at with all others. Everywhere else, pairs that are no contacts were foreseen
+/// further apart than the tolerances of both. Triangles whose normals have left their group's cone must be
+/// looked at with those that they were one sheet with.
+struct FlagTriangles {
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
   View<const Vec4> foreseen, position;      // by vertex
+  View<const uint32_t> limit;               // by vertex
   View<const Vec4> cones;                   // by group
   View<const uint32_t> squeezed, counters;  // by group
-  View<uint32_t> flags;
+  View<uint8_t> flags;
   uint32_t round;
 
-  MENISCUS_HD void operator()(uint32_t g) const {
+  MENISCUS_HD void operator()(uint32_t place) const {
     if (round > 0 && counters[crossings + round - 1] == 0) return;
-    constexpr float leeway = 0.13f;  // rad: two groups' normals are then still within a half-space
-    const Vec4 cone = cones[g];
-    const float least = cosf(pbd::min(3.1415927f, cone.w + leeway));
-    uint32_t flag = squeezed[g] != 0 ? uint32_t{others} : 0;
-    for (uint32_t k = 0; k < 8; ++k) {
-      const SurfaceTriangle t = tree.triangles[8 * g + k];
-      if (t.a == no_index) continue;
-      const float tolerance = parts[t.part].tolerance;
-      if (is_off(t.a, tolerance) || is_off(t.b, tolerance) || is_off(t.c, tolerance)) flag |= others;
-      const Vec3 a = position[t.a].xyz(), n = cross(position[t.b].xyz() - a, position[t.c].xyz() - a);
-      if (dot(n, cone.xyz()) < least * length(n)) flag |= own_sheet;
-    }
-    flags[g] = flag;
+    const SurfaceTriangle t = load(tree.triangles, place);
+    flags[place] = t.a == no_index ? 0 : static_cast<uint8_t>(flags_of(t, place / 8));
   }
 
-  MENISCUS_HD bool is_off(uint32_t v, float tolerance) const {
-    const Vec3 off = position[v].xyz() - foreseen[v].xyz();
+  MENISCUS_HD uint32_t flags_of(const SurfaceTriangle& t, uint32_t group) const {
+    constexpr float leeway = 0.13f;  // rad: two groups' normals are then still within a half-space
+    const float tolerance = parts[t.part].tolerance;
+    const Vec3 a = position[t.a].xyz(), b = position[t.b].xyz(), c = position[t.c].xyz();
+    uint32_t flag = squeezed[group] != 0 ? uint32_t{others} : 0;
+    if (is_off(t.a, a, tolerance) || is_off(t.b, b, tolerance) || is_off(t.c, c, tolerance)) flag |= others;
+    const Vec4 cone = cones[group];
+    const Vec3 n = cross(b - a, c - a);
+    if (dot(n, cone.xyz()) < cosf(pbd::min(3.1415927f, cone.w + leeway)) * length(n)) flag |= own_sheet;
+    if (round == 0 || has_changed(t.a) || has_changed(t.b) || has_changed(t.c)) flag |= changed;
+    return flag;
+  }
+
+  MENISCUS_HD bool is_off(uint32_t v, Vec3 x, float tolerance) const {
+    const Vec3 off = x - foreseen[v].xyz();
     return dot(off, off) > tolerance * tolerance;
   }
+  MENISCUS_HD bool has_changed(uint32_t v) const { return limit[v] == held_back + round - 1; }
 };
 
 /// Looks for pairs that would pass through one another, and limits their vertices' motion: at first to the
 /// part before they meet; if that makes others meet, in the next round to so little that the two cannot; then
-/// to none.
+/// to none. Nothing leaves the boxes that the candidates were found by, so that no others need be looked for,
+/// but among what was left out there.
 struct FindCrossings {
-  FeaturePairs pairs;
-  ContactList list;
+  FeaturePairs features;
+  View<const FeatureCode> candidate_list;
+  View<const GroupPair> pairs;
   View<const Vec4> position;  // by vertex
-  View<const uint32_t> flags;
-  View<uint32_t> limit;  // by vertex: bits of the part of its motion that is left to it
-  uint32_t contact_count, round;
-  float least;  // m: what is nearer hardly comes nearer still, as it would soon be lost in rounding
+  View<const uint8_t> flags;  // by place
+  View<uint32_t> limit, counters;
+  uint32_t round, stride;
+  /// m: what is nearer hardly comes nearer still, and what is nearer than a tenth of it does not at all, as
+  /// it would soon be lost in rounding.
+  float least;
 
-  MENISCUS_HD void operator()(uint32_t n) const {
-    if (round > 0 && list.counters[crossings + round - 1] == 0) return;
-    if (n < contact_count) {
-      if (n < list.count()) check(list.corners[n], list.push[n].w);
-      return;
-    }
-    const uint32_t place = n - contact_count;
-    const uint32_t own = flags[place / 8];
-    pairs.of_place(
-        place,
-        [&](uint32_t entry) {
-          const uint32_t flag = own | flags[entry & ~in_one_sheet];
-          return (flag & (entry & in_one_sheet ? own_sheet : others)) != 0;
-        },
-        [&](FeatureCode code) { check(pairs.cloth.corners_of(code), -1); });
+  MENISCUS_HD void operator()(uint32_t thread) const {
+    if (round > 0 && counters[crossings + round - 1] == 0) return;
+    const uint32_t found = listed(candidate_list, counters[candidates]),
+                   places = 8 * listed(pairs, counters[group_pairs]);
+    for (uint32_t n = thread; n < found; n += stride) check_candidate(load(candidate_list, n));
+    for (uint32_t n = thread; n < places; n += stride) check_left_out(load(pairs, n / 8), n % 8);
   }
 
-  /// `distance`: at the start, where it is known.
-  MENISCUS_HD void check(const Corners& corners, float distance) const {
-    const FeaturePair pair = pair_of(corners, pairs.cloth.previous, position);
-    const float motion = relative_motion(pair);
-    if (distance < 0) distance = nearest(pair, 0).distance;
-    const float gap = pbd::min(0.9f * distance, pbd::max(0.1f * distance, least));
-    if (motion < distance - gap || distance <= 0) return;
-    const float t = time_of_nearness(pair, distance, motion, gap);
-    if (t > 1) return;
-    pbd::atomic_add(list.counters[crossings + round], 1);
+  MENISCUS_HD void check_candidate(FeatureCode code) const {
+    const uint32_t flag = flags[code.first_place()] | flags[code.second_place()];
+    if (flag & changed && (flag & others || code.is_contact())) check(features.cloth.corners_of(code));
+  }
+
+  MENISCUS_HD void check_left_out(GroupPair pair, uint32_t k) const {
+    const uint32_t place = 8 * pair.first + k;
+    const bool sheet = pair.in_one_sheet();
+    const View<const uint32_t>& rough = features.cloth.rough;
+    if (!sheet && rough[pair.first] && rough[pair.second()]) return;
+    // A sheet that one triangle's turning folds may touch itself with any of the others.
+    const uint32_t flag = (sheet ? flags_of_group(pair.first) : flags[place]) | flags_of_group(pair.second());
+    if (!(flag & changed) || !(flag & (sheet ? own_sheet : others))) return;
+    features.of_place(place, pair.second(), sheet ? Which::all : Which::left_out,
+                      [&](FeatureCode code) { check(features.cloth.corners_of(code)); });
+  }
+
+  /// Of any of its triangles.
+  MENISCUS_HD uint32_t flags_of_group(uint32_t g) const {
+    uint32_t word[2];
+    __builtin_memcpy(word, __builtin_assume_aligned(flags.data + 8 * g, 8), sizeof word);
+    const uint32_t all = word[0] | word[1];
+    return (all | all >> 8 | all >> 16 | all >> 24) & 0xff;
+  }
+
+  MENISCUS_HD void check(const Corners& corners) const {
+    const FeaturePair pair = pair_of(corners, features.cloth.previous, position);
+    const float motion = relative_motion(pair), distance = nearest(pair, 0).distance;
+    if (motion == 0 || distance <= 0) return;
+    const bool nearly_lost = distance < 0.1f * least;
+    const float gap =
+        nearly_lost ? 0.5f * distance : pbd::min(0.9f * distance, pbd::max(0.1f * distance, least));
+    const float t = motion < distance - gap ? 2 : time_of_nearness(pair, distance, motion, gap);
+    if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
+    pbd::atomic_add(counters[crossings + round], 1);
     for (uint32_t k = 0; k < 4; ++k) {
-      const float part = round == 0   ? 0.9f * t
-                         : round == 1 ? little(pair.motion[k], 0.45f * (distance - gap))
-                                      : 0;
+      const float part = round > 1 || nearly_lost ? 0
+                         : round == 0             ? 0.9f * t
+                                                  : little(pair.motion[k], 0.45f * (distance - gap));
       uint32_t bits;
       __builtin_memcpy(&bits, &part, sizeof bits);  // of numbers from 0 to 1 the order is that of their bits
       pbd::atomic_min(limit[corners.vertex(k)], bits);
@@ -130,11 +161,12 @@ struct HoldBack {
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (counters[crossings + round] == 0 || limit[v] == no_index) return;
-    float part;
+    if (counters[crossings + round] == 0) return;
     const uint32_t bits = limit[v];
+    if (bits > bits_of_one) return;
+    float part;
     __builtin_memcpy(&part, &bits, sizeof part);
-    limit[v] = no_index;
+    limit[v] = held_back + round;
     const Vec4 x = position[v];
     if (x.w == 0) return;
     const Vec3 from = previous[v].xyz(), back = from + part * (x.xyz() - from);

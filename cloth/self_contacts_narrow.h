@@ -5,7 +5,6 @@
 #pragma once
 
 #include "cloth/self_contacts_views.h"
-#include "pbd/device/atomics.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -13,19 +12,24 @@ namespace meniscus::cloth::self_contact_kernels {
 /// for the distance, the pair is looked at where it is predicted to be; else where it meets on the way.
 struct MakeContacts {
   ClothState cloth;
-  View<const FeatureCode> candidate_list;
+  View<FeatureCode> candidate_list;
   View<const Vec3> rest;  // by vertex
   ContactList list;
   View<uint32_t> entries;   // by vertex: its number of contacts
   View<uint32_t> squeezed;  // by group
   float separation;         // of a thickness: how much further apart overlaps are pushed in the substep
+  uint32_t stride;
 
-  MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t all = list.counters[candidates];
-    if (n >= (all < candidate_list.count ? all : candidate_list.count)) return;
-    const FeatureCode code = candidate_list[n];
+  MENISCUS_HD void operator()(uint32_t thread) const {
+    const uint32_t count = listed(candidate_list, list.counters[candidates]);
+    for (uint32_t n = thread; n < count; n += stride)
+      if (make(candidate_list[n])) candidate_list[n].first |= FeatureCode::contact_bit;
+  }
+
+  /// Whether there is a contact.
+  MENISCUS_HD bool make(FeatureCode code) const {
     const Corners corners = cloth.corners_of(code);
-    const Part a = part_of(code.first), b = part_of(code.second);
+    const Part a = part_of(code.first_place()), b = part_of(code.second_place());
     const float thickness = 0.5f * (a.thickness + b.thickness), reach = 1.1f * thickness;
 
     const FeaturePair pair = pair_of(corners, cloth.previous, cloth.foreseen);
@@ -36,37 +40,37 @@ struct MakeContacts {
     const float near = 1.5f * (a.tolerance + b.tolerance);
     if (motion < 0.3f * end.distance && end.distance > near &&
         (end.distance > reach || is_another_pairs(code, corners, end)))
-      return;
+      return false;
     const float start = nearest(pair, 0).distance;
-    if (start - motion > reach || start < 1e-5f * thickness) return;
+    if (start - motion > reach || start < 1e-5f * thickness) return false;
     const bool fast = motion >= 0.5f * start;
     const float t = fast ? time_of_nearness(pair, start, motion, 0.5f * pbd::min(start, thickness)) : 2;
     const bool met = t <= 1;
     const Nearest now = met ? nearest(pair, t) : end;
     const bool is_near = met || pbd::min(start, now.distance) < near || (fast && start < 1.8f * near);
-    if (!is_near && (now.distance > reach || is_another_pairs(code, corners, now))) return;
+    if (!is_near && (now.distance > reach || is_another_pairs(code, corners, now))) return false;
     const float apart = distance_to_keep(code, corners, thickness);
-    if (apart <= 0 || now.distance <= 0) return;
-    if (!is_near && now.distance > apart + 0.1f * thickness) return;
+    if (apart <= 0 || now.distance <= 0) return false;
+    if (!is_near && now.distance > apart + 0.1f * thickness) return false;
 
     if (is_near) note_squeeze(code);
     const float target = pbd::min(apart, start + separation * thickness);
-    add(corners, now, target, start, sqrtf(a.friction * b.friction));
+    return add(corners, now, target, sqrtf(a.friction * b.friction));
   }
 
   /// What has come so near may be nearer still where nothing was looked for: the guard looks there.
   MENISCUS_HD void note_squeeze(FeatureCode code) const {
-    pbd::atomic_max(squeezed[code.first >> 6], 1);
-    pbd::atomic_max(squeezed[code.second >> 6], 1);
+    pbd::atomic_max(squeezed[code.first_place() / 8], 1);
+    pbd::atomic_max(squeezed[code.second_place() / 8], 1);
   }
 
-  MENISCUS_HD Part part_of(Feature f) const { return cloth.parts[cloth.tree.triangles[f >> 3].part]; }
+  MENISCUS_HD Part part_of(uint32_t place) const { return cloth.parts[cloth.tree.triangles[place].part]; }
 
   /// Whether the nearest place is one that another pair of features has as well: of two edges an end, of a
   /// triangle an edge or a corner that is not its own.
   MENISCUS_HD bool is_another_pairs(FeatureCode code, const Corners& corners, const Nearest& now) const {
     if (corners.edges()) return now.on != 15;
-    const uint32_t owned = cloth.features[code.second >> 3];
+    const uint32_t owned = cloth.features[code.second_place()];
     switch (now.on) {
       case 7:
         return false;
@@ -87,7 +91,7 @@ struct MakeContacts {
 
   /// What is nearer than the thickness at rest, as in a fine mesh, is not pushed apart.
   MENISCUS_HD float distance_to_keep(FeatureCode code, const Corners& corners, float thickness) const {
-    if (cloth.tree.triangles[code.first >> 3].part != cloth.tree.triangles[code.second >> 3].part)
+    if (cloth.tree.triangles[code.first_place()].part != cloth.tree.triangles[code.second_place()].part)
       return thickness;
     FeaturePair at_rest{};
     at_rest.edges = corners.edges();
@@ -95,16 +99,15 @@ struct MakeContacts {
     return pbd::min(thickness, 0.7f * nearest(at_rest, 0).distance);
   }
 
-  MENISCUS_HD void add(const Corners& corners, const Nearest& now, float target, float start_distance,
-                       float friction) const {
+  MENISCUS_HD bool add(const Corners& corners, const Nearest& now, float target, float friction) const {
     const uint32_t c = pbd::append(list.counters[contacts], 1);
-    if (c >= list.corners.count) return;
+    if (c >= list.corners.count) return false;
     list.corners[c] = corners;
     list.plane[c] = pbd::with_w(now.r / now.distance, target);
     list.multiplier[c] = {0, 0, 0, 0};
-    list.push[c] = {0, 0, 0, start_distance};
     list.weights[c] = {now.u, now.v, friction};
     for (uint32_t k = 0; k < 4; ++k) pbd::atomic_add(entries[corners.vertex(k)], 1);
+    return true;
   }
 };
 

@@ -1,28 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The solve of cloth-to-cloth contacts: contacts push, then vertices move by what pushes them.
+// The solve of cloth-to-cloth contacts: contacts push, then vertices move by what has pushed them.
 #pragma once
 
 #include "cloth/self_contacts_views.h"
-#include "pbd/device/atomics.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Enters each contact with its four vertices.
-struct EnterContacts {
-  ContactList list;
-  View<const uint32_t> start;
-  View<uint32_t> left;     // by vertex: entries still to come; 0 in the end
-  View<uint32_t> entries;  // contact, and its corner in the lowest two bits
+/// What pushes vertices: three numbers each, which add up to the same in any order.
+struct PushSums {
+  View<int64_t> sums;
+  float unit;  // kg·m, of the integers; a power of 2
 
-  MENISCUS_HD void operator()(uint32_t c) const {
-    if (c >= list.count()) return;
-    for (uint32_t k = 0; k < 4; ++k) {
-      const uint32_t v = list.corners[c].vertex(k);
-      const uint32_t at = start[v] + pbd::atomic_add(left[v], ~0u) - 1;
-      if (at < entries.count) entries[at] = c << 2 | k;
-    }
+  MENISCUS_HD void add(uint32_t v, Vec3 push) const {
+    const Vec3 whole = (1 / unit) * push;
+    pbd::atomic_add(sums[3 * v], llrintf(whole.x));
+    pbd::atomic_add(sums[3 * v + 1], llrintf(whole.y));
+    pbd::atomic_add(sums[3 * v + 2], llrintf(whole.z));
+  }
+  /// The sum, kg·m; it begins anew.
+  MENISCUS_HD Vec3 take(uint32_t v) const {
+    return unit * Vec3{take_one(sums[3 * v]), take_one(sums[3 * v + 1]), take_one(sums[3 * v + 2])};
+  }
+
+ private:
+  MENISCUS_HD static float take_one(int64_t& sum) {
+    const auto taken = static_cast<float>(sum);
+    if (taken != 0) sum = 0;
+    return taken;
   }
 };
 
@@ -33,10 +39,16 @@ struct EnterContacts {
 struct PushApart {
   ContactList list;
   View<const Vec4> position, previous;  // by vertex
-  View<const uint32_t> start;
+  View<const uint32_t> entries;         // by vertex: its number of contacts
+  PushSums sums;
+  uint32_t stride;
 
-  MENISCUS_HD void operator()(uint32_t c) const {
-    if (c >= list.count()) return;
+  MENISCUS_HD void operator()(uint32_t thread) const {
+    const uint32_t count = list.count();
+    for (uint32_t c = thread; c < count; c += stride) solve(c);
+  }
+
+  MENISCUS_HD void solve(uint32_t c) const {
     const Corners corners = list.corners[c];
     const ContactWeights w = list.weights[c];
     float weight[4];
@@ -49,10 +61,12 @@ struct PushApart {
       const Vec4 x = position[v];
       r += weight[k] * (x.xyz() - origin);
       slip += weight[k] * (x.xyz() - previous[v].xyz());
-      give += static_cast<float>(start[v + 1] - start[v]) * x.w * weight[k] * weight[k];
+      give += static_cast<float>(entries[v]) * x.w * weight[k] * weight[k];
     }
-    const float distance = list.push[c].w;
-    list.push[c] = pbd::with_w(give > 0 ? push(c, r, slip, give, w.friction) : Vec3{0, 0, 0}, distance);
+    if (!(give > 0)) return;
+    const Vec3 added = push(c, r, slip, give, w.friction);
+    if (added == Vec3{0, 0, 0}) return;
+    for (uint32_t k = 0; k < 4; ++k) sums.add(corners.vertex(k), weight[k] * added);
   }
 
   /// What it adds, kg·m.
@@ -69,36 +83,20 @@ struct PushApart {
   }
 };
 
-/// Sums what pushes a vertex in integers, whose sum is the same in any order, and moves it.
+/// Moves vertices by what has pushed them.
 struct MoveVertices {
-  ContactList list;
-  View<const uint32_t> start, entries;
-  View<Vec4> position, moved;  // by vertex
-  float unit;                  // kg·m, of the integers; a power of 2
+  View<const uint32_t> entries;  // by vertex
+  View<Vec4> position, moved;
+  PushSums sums;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    const uint32_t begin = start[v], end = start[v + 1] < entries.count ? start[v + 1] : entries.count;
-    if (begin >= end) return;
+    if (entries[v] == 0) return;
+    const Vec3 push = sums.take(v);
     const Vec4 x = position[v];
-    if (x.w == 0) return;
-    int64_t sum[3] = {0, 0, 0};
-    for (uint32_t e = begin; e < end; ++e) add(entries[e] >> 2, entries[e] & 3, sum);
-    const Vec3 step = x.w * Vec3{unit * static_cast<float>(sum[0]), unit * static_cast<float>(sum[1]),
-                                 unit * static_cast<float>(sum[2])};
+    if (x.w == 0 || push == Vec3{0, 0, 0}) return;
+    const Vec3 step = x.w * push;
     position[v] = pbd::with_w(x.xyz() + step, x.w);
     moved[v] = pbd::with_w(moved[v].xyz() + step, moved[v].w);
-  }
-
-  MENISCUS_HD void add(uint32_t c, uint32_t k, int64_t (&sum)[3]) const {
-    const Vec3 push = list.push[c].xyz();
-    if (push == Vec3{0, 0, 0}) return;
-    const ContactWeights w = list.weights[c];
-    float weight[4];
-    corner_weights(list.corners[c].edges(), w.u, w.v, weight);
-    const Vec3 whole = (weight[k] / unit) * push;
-    sum[0] += llrintf(whole.x);
-    sum[1] += llrintf(whole.y);
-    sum[2] += llrintf(whole.z);
   }
 };
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contacts_tables.h"
+#include "pbd/device/atomics.h"
 #include "pbd/feature_pair.h"
 #include "pbd/particles.h"
 #include "pbd/surface_boxes.h"
@@ -38,7 +39,7 @@ inline constexpr uint32_t most_rounds = 32;
 enum Counter : uint32_t {
   candidates,
   contacts,
-  longest_row,
+  group_pairs,
   crossings,
   counter_count = crossings + most_rounds
 };
@@ -51,10 +52,60 @@ MENISCUS_HD constexpr Feature feature(uint32_t place, uint32_t which) {
   return place << 3 | which;
 }
 
-/// A vertex and a face, or two edges.
+/// A vertex and a face, or two edges; bit 31 of the first: it has become a contact.
 struct FeatureCode {
+  static constexpr uint32_t contact_bit = 1u << 31;
+
   Feature first, second;
+
+  MENISCUS_HD bool is_contact() const { return (first & contact_bit) != 0; }
+  MENISCUS_HD uint32_t first_place() const { return (first & ~contact_bit) >> 3; }
+  MENISCUS_HD uint32_t second_place() const { return second >> 3; }
 };
+
+/// Two groups of triangles whose boxes overlap, first ≤ second; or one, with itself.
+struct GroupPair {
+  static constexpr uint32_t sheet_bit = 1u << 31;  // of the second: see in_one_sheet()
+
+  uint32_t first, second_and_bit;
+
+  MENISCUS_HD uint32_t second() const { return second_and_bit & ~sheet_bit; }
+  /// The two lie in one smooth sheet, and cannot touch while they do.
+  MENISCUS_HD bool in_one_sheet() const { return (second_and_bit & sheet_bit) != 0; }
+};
+
+/// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads.
+template <class T>
+class Appending {
+ public:
+  MENISCUS_HD Appending(View<T> list, uint32_t& size) : list_(list), size_(size) {}
+
+  MENISCUS_HD void add(const T& element) {
+    if (count_ == room) flush();
+    kept_[count_++] = element;
+  }
+  MENISCUS_HD void flush() {
+    if (count_ == 0) return;
+    const uint32_t first = pbd::append(size_, count_);
+    for (uint32_t k = 0; k < count_; ++k)
+      if (first + k < list_.count) list_[first + k] = kept_[k];
+    count_ = 0;
+  }
+
+ private:
+  static constexpr uint32_t room = 8;
+
+  View<T> list_;
+  uint32_t& size_;
+  uint32_t count_ = 0;
+  T kept_[room];
+};
+
+/// How many of a list there are, unless it had no room for some.
+template <class T>
+MENISCUS_HD uint32_t listed(View<T> list, uint32_t found) {
+  return found < list.count ? found : list.count;
+}
 
 MENISCUS_HD inline uint32_t corner_of(const SurfaceTriangle& t, uint32_t k) {
   return k == 0 ? t.a : k == 1 ? t.b : t.c;
@@ -82,17 +133,11 @@ struct ContactList {
   View<Corners> corners;
   View<Vec4> plane;       // normal n, and the distance to be kept
   View<Vec4> multiplier;  // of friction, and of the normal push, kg·m
-  View<Vec4> push;        // what an iteration adds, kg·m; w: distance at the substep's start, m
   View<ContactWeights> weights;
   View<uint32_t> counters;
 
-  MENISCUS_HD uint32_t count() const {
-    return counters[contacts] < corners.count ? counters[contacts] : corners.count;
-  }
+  MENISCUS_HD uint32_t count() const { return listed(corners, counters[contacts]); }
 };
-
-/// In a row: the two groups lie in one smooth sheet, and cannot touch while they do.
-inline constexpr uint32_t in_one_sheet = 1u << 31;
 
 /// The vertices of a substep, and what is known of the surface.
 struct ClothState {
@@ -101,13 +146,8 @@ struct ClothState {
   pbd::SurfaceTreeView tree;
   View<const uint16_t> features;
   View<const Part> parts;
-  View<const uint32_t> rough;            // by group: whether it is bent so much that its edges stand out
-  View<const uint32_t> rows, row_count;  // by group: the groups that it may touch
-  uint32_t row_capacity;
+  View<const uint32_t> rough;  // by group: whether it is bent so much that its edges stand out
 
-  MENISCUS_HD uint32_t row_size(uint32_t g) const {
-    return row_count[g] < row_capacity ? row_count[g] : row_capacity;
-  }
   MENISCUS_HD Aabb way_box(uint32_t v) const {
     const Vec4 to = load(foreseen, v);
     const Vec3 from = load(previous, v).xyz();
@@ -115,8 +155,8 @@ struct ClothState {
   }
   /// The vertices of a pair of features.
   MENISCUS_HD Corners corners_of(FeatureCode code) const {
-    const SurfaceTriangle s = load(tree.triangles, code.first >> 3),
-                          t = load(tree.triangles, code.second >> 3);
+    const SurfaceTriangle s = load(tree.triangles, code.first_place()),
+                          t = load(tree.triangles, code.second_place());
     const uint32_t a = code.first & 7, b = code.second & 7;
     if (b == face) return {corner_of(s, a), t.a, t.b, t.c};
     return {corner_of(s, a - 3) | Corners::edges_bit, corner_of(s, a == 5 ? 0 : a - 2), corner_of(t, b - 3),

@@ -66,37 +66,53 @@ struct SurfaceTreeView {
   MENISCUS_HD uint32_t groups_of(uint32_t level) const { return (boxes[level] + 7) / 8; }
 };
 
-/// Calls visit(b) for each box b ≥ `from` of a level that overlaps, in ascending order. Level 0 has the
-/// triangles' boxes.
+/// Calls visit(b) for each box b ≥ `from` of a level that overlaps, in ascending order; level 0 has the
+/// triangles' boxes. Of all that is below those boxes of the highest level, in its group `root`, whose bits
+/// are set in `open`: they overlap.
+template <class Visit>
+MENISCUS_HD void visit_overlaps(const SurfaceTreeView& tree, uint32_t root, uint64_t open, const Aabb& box,
+                                uint32_t level, uint32_t from, const Visit& visit) {
+  const uint32_t top = tree.levels - 1;
+  uint32_t at = top, group = root;
+  for (;;) {  // `open` has eight bits a level, the present one lowest
+    const uint32_t here = static_cast<uint32_t>(open & 0xff);
+    if (here == 0) {
+      if (at == top) break;
+      open >>= 8;
+      group >>= 3;
+      ++at;
+      continue;
+    }
+    open &= open - 1;
+    const uint32_t child = 8 * group + lowest_bit(here);
+    if (((child + 1) << 3 * (at - level)) <= from) continue;
+    if (at == level) {
+      visit(child);
+    } else {
+      --at;
+      group = child;
+      open = open << 8 | overlap_mask(tree.group(at, group), box);
+    }
+  }
+}
+
+/// The same, of all that is below one box of the highest level.
+template <class Visit>
+MENISCUS_HD void for_each_overlap_below(const SurfaceTreeView& tree, uint32_t top_box, const Aabb& box,
+                                        uint32_t level, uint32_t from, const Visit& visit) {
+  const uint32_t top = tree.levels - 1;
+  if (((top_box + 1) << 3 * (top - level)) <= from || !overlap(tree.box(top, top_box), box)) return;
+  visit_overlaps(tree, top_box / 8, uint64_t{1} << top_box % 8, box, level, from, visit);
+}
+
+/// The same, of the whole tree.
 template <class Visit>
 MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from,
                                   const Visit& visit) {
   if (tree.levels == 0) return;
   const uint32_t top = tree.levels - 1;
-  for (uint32_t root = 0; root < tree.groups_of(top); ++root) {
-    uint32_t at = top, group = root;
-    uint64_t open = overlap_mask(tree.group(at, group), box);  // eight bits a level, the present one lowest
-    for (;;) {
-      const uint32_t here = static_cast<uint32_t>(open & 0xff);
-      if (here == 0) {
-        if (at == top) break;
-        open >>= 8;
-        group >>= 3;
-        ++at;
-        continue;
-      }
-      open &= open - 1;
-      const uint32_t child = 8 * group + lowest_bit(here);
-      if (((child + 1) << 3 * (at - level)) <= from) continue;
-      if (at == level) {
-        visit(child);
-      } else {
-        --at;
-        group = child;
-        open = open << 8 | overlap_mask(tree.group(at, group), box);
-      }
-    }
-  }
+  for (uint32_t root = 0; root < tree.groups_of(top); ++root)
+    visit_overlaps(tree, root, overlap_mask(tree.group(top, root), box), box, level, from, visit);
 }
 
 }  // namespace meniscus::pbd

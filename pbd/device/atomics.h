@@ -34,6 +34,14 @@ MENISCUS_HD inline uint32_t atomic_add(uint32_t& target, uint32_t value) {
 #endif
 }
 
+MENISCUS_HD inline void atomic_add(int64_t& target, int64_t value) {
+#ifdef __CUDA_ARCH__
+  atomicAdd(reinterpret_cast<unsigned long long*>(&target), static_cast<unsigned long long>(value));
+#else
+  std::atomic_ref<int64_t>(target).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
 MENISCUS_HD inline void atomic_min(uint32_t& target, uint32_t value) {
 #ifdef __CUDA_ARCH__
   if (value < target) atomicMin(&target, value);

@@ -26,7 +26,11 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   }
   self_contacts_.set_surface(triangles, cloth.model.rest, cloth_.surface().rest, cloth.contact_parts,
                              heaviest);
-  sheet_contacts_.set_surface(triangles, cloth.model.rest, cloth.sheets);
+  const std::vector<cloth::Piece>& pieces = cloth.model.pieces;
+  const bool bears_fluid =
+      std::any_of(pieces.begin(), pieces.end(), [](const cloth::Piece& p) { return p.bears_fluid; });
+  sheet_contacts_.set_surface(bears_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
+                              cloth.model.rest, cloth.sheets);
   std::vector<float> inverse_masses;
   for (const pbd::Vec4& x : cloth.position) inverse_masses.push_back(x.w);
   const float s = def_.particle_spacing, water = 1000.0f * s * s * s;

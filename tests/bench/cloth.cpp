@@ -160,6 +160,10 @@ CLI::App* add_cloth(CLI::App* app, ClothOptions& o) {
   app->add_option("--stretch", o.stretch, "model")->check(CLI::IsMember({"edges", "triangles"}));
   app->add_option("--stiffness", o.fabric.warp_stiffness, "of warp and weft, N/m");
   app->add_option("--shear-stiffness", o.fabric.shear_stiffness, "N/m");
+  app->add_option("--bending-stiffness", o.fabric.bending_stiffness, "N·m");
+  app->add_option("--stretch-damping", o.fabric.stretch_damping, "s");
+  app->add_option("--bending-damping", o.fabric.bending_damping, "s");
+  app->add_option("--friction", o.fabric.friction, "of cloth on cloth");
   app->add_option("--thickness", o.fabric.thickness, "m; 0: a quarter of an edge");
   app->add_option("--over-relaxation", o.solver.over_relaxation);
   app->add_option("--warm-start", o.solver.warm_start);
