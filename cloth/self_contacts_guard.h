@@ -153,7 +153,8 @@ struct FindCrossings {
   }
 };
 
-/// Takes vertices back to the part of their motion that is left to them.
+/// Takes vertices back to the part of their motion that is left to them. Where the last round there is still
+/// finds something, all stay where they were, as nothing had passed through there.
 struct HoldBack {
   View<const Vec4> previous;
   View<Vec4> position, moved;
@@ -162,7 +163,7 @@ struct HoldBack {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (counters[crossings + round] == 0) return;
-    const uint32_t bits = limit[v];
+    const uint32_t bits = round + 1 < most_rounds ? limit[v] : 0;
     if (bits > bits_of_one) return;
     float part;
     __builtin_memcpy(&part, &bits, sizeof part);
