@@ -63,7 +63,16 @@ MENISCUS_HD Constraint density_constraint(const Kernel& kernel, View<const Vec4>
 /// λ of a particle in the present or last substep.
 struct alignas(8) Multiplier {
   float value;     ///< kg·m²
-  float relieved;  ///< how much C fell in the substep; while it runs, C at its start
+  float relieved;  ///< how much C fell in the substep; while it runs, C at its start. With a pressure grid
+                   ///< what C was at last
+};
+
+/// Adds what a pressure grid has found before, so that the sum reads as pressure.
+struct AddPressure {
+  View<const float> found;  ///< kg·m²
+  View<Multiplier> multiplier;
+
+  MENISCUS_HD void operator()(uint32_t i) const { multiplier[i].value += found[i]; }
 };
 
 /// How the multipliers move on: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0. The first iteration
@@ -80,6 +89,7 @@ struct Advancing {
   bool first, last;  ///< iteration of the substep
   float share;       ///< of the last substep's multiplier
   View<const pbd::Phase> phase;
+  bool keeps_error;  ///< for a pressure grid
 
   /// Grains have no density of their own to keep. They count in that of a fluid, and its pressure moves them.
   MENISCUS_HD bool passes_over(uint32_t i) const {
@@ -103,7 +113,7 @@ struct Advancing {
     change = pbd::clamp(change, -bound, bound);
     const float next = pbd::max(0.0f, old + change);
     const float start = first ? c.value : before.relieved;
-    multiplier[i] = {next, last && !first ? start - c.value : start};
+    multiplier[i] = {next, last && keeps_error ? c.value : last && !first ? start - c.value : start};
     increment[i] = next - old;
     staged[i] = pbd::with_w(p.xyz(), first ? next : next - old);
   }

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include "fluid/density_kernels.h"
 #include "pbd/chebyshev.h"
 #include "pbd/substep.h"
 
 namespace meniscus::fluid {
+
+template <class D>
+class PressureGrid;
 
 struct ArtificialPressure {
   float pressure = 0;     ///< Pa, at the distance below
@@ -16,6 +21,7 @@ struct ArtificialPressure {
 
 struct DensityParameters {
   bool chebyshev = true;
+  bool pressure_grid = false;        ///< moves particles before the iterations (fluid/pressure_grid.h)
   float relaxation = 0.3f;           ///< ω of damped Jacobi
   float warm_start = 0.4f;           ///< share of the last substep's multipliers
   float spectral_bound = 4.5f;       ///< of D⁻¹A, for Chebyshev
@@ -47,8 +53,8 @@ struct DensityParameters {
 template <class D>
 class DensitySet final : public pbd::ConstraintSet<D> {
  public:
-  DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
-      : device_(device), kernel_(kernel), parameters_(parameters), chebyshev_(parameters.spectral_bound) {}
+  DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters);
+  ~DensitySet() override;
 
   /// From the next substep on.
   void set_parameters(const DensityParameters& parameters) {
@@ -93,6 +99,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   float share_ = 0;  // of the last substep's multipliers
   bool any_fluid_ = true, any_grains_ = false;
   pbd::Chebyshev chebyshev_;
+  std::unique_ptr<PressureGrid<D>> pressure_grid_;  // where the parameters ask for one
 
   pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};

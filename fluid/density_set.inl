@@ -6,9 +6,21 @@
 
 #include "fluid/density_set.h"
 #include "fluid/density_wall_kernels.h"
+#include "fluid/pressure_grid.h"
 #include "pbd/gather.h"
 
 namespace meniscus::fluid {
+
+template <class D>
+DensitySet<D>::DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
+    : device_(device), kernel_(kernel), parameters_(parameters), chebyshev_(parameters.spectral_bound) {
+  if (!parameters.pressure_grid) return;
+  pressure_grid_ = std::make_unique<PressureGrid<D>>(
+      device, kernel, PressureGridParameters{.compressibility = parameters.compressibility});
+}
+
+template <class D>
+DensitySet<D>::~DensitySet() = default;
 
 template <class D>
 void DensitySet<D>::begin(pbd::Substep<D>& substep) {
@@ -16,13 +28,15 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   last_dt_ = substep.dt;
   // A multiplier grows with the square of the step; but after a step that was short for the error that it
   // met, it is greater than the longer one's will be.
-  share_ = parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
+  // A pressure grid starts from nothing: its share of the multipliers is no guess for the rest.
+  share_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
 }
 
 template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   if (substep.particles.sorted == 0 || !any_fluid_) return;
+  if (pressure_grid_ && iteration == 0) pressure_grid_->displace(substep, multiplier_.current.view());
   const pbd::IterationWeights weights = parameters_.chebyshev
                                             ? chebyshev_.next(iteration, substep.iterations)
                                             : pbd::IterationWeights{0, parameters_.relaxation};
@@ -38,7 +52,8 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .first = iteration == 0,
       .last = iteration + 1 == substep.iterations,
       .share = share_,
-      .phase = substep.particles.phase};
+      .phase = substep.particles.phase,
+      .keeps_error = pressure_grid_ != nullptr};
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
@@ -53,6 +68,9 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
     substep.contacts.any_moving ? iterate<true, false>(substep, advancing, pair)
                                 : iterate<false, false>(substep, advancing, pair);
   }
+  if (pressure_grid_ && advancing.last)
+    device_.parallel_for("density/pressure", substep.particles.sorted,
+                         AddPressure{pressure_grid_->multipliers(), multiplier_.current.view()});
 }
 
 template <class D>
@@ -101,6 +119,7 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
   multiplier_.reserve(size, kept);
   increment_.resize_discard(size);
   staged_.resize_discard(size);
+  if (pressure_grid_) pressure_grid_->reserve(capacity);
   saved_multiplier_.resize_discard(size);
   constexpr float away = pbd::Particles::far_away;
   const pbd::Vec4 sentinel[] = {{away, away, away, 0}};

@@ -153,6 +153,7 @@ void Solver<D>::find(Substep<D>& s) {
   timer_.enter(StageId::neighbours);
   if (s.particles.sorted) search_.list(s.particles, s.sentinel);
   s.neighbours = search_.view();
+  s.grid = search_.grid();
   timer_.enter(StageId::contacts);
   contacts_.find(s);
   s.contacts = contacts_.view();

@@ -5,6 +5,7 @@
 #include <meniscus/types.h>
 
 #include "pbd/contacts.h"
+#include "pbd/grid.h"
 #include "pbd/neighbours.h"
 #include "pbd/particles.h"
 
@@ -20,6 +21,7 @@ struct Substep {
   uint32_t sentinel = 0;  ///< the particle that fills up neighbour rows
   float dt = 0;           ///< s
   int iterations = 0;
+  GridView grid{};  ///< the cells that particles of fluids are sorted by, as they were predicted
 };
 
 /// Arrays that belong to particles of fluids but live in a set: they follow when particles are sorted, added

@@ -22,7 +22,8 @@ constexpr auto names_of(DeviceChoice) {
                     Named{"cuda", DeviceChoice::cuda}};
 }
 constexpr auto names_of(DensitySolver) {
-  return std::array{Named{"jacobi", DensitySolver::jacobi}, Named{"chebyshev", DensitySolver::chebyshev}};
+  return std::array{Named{"jacobi", DensitySolver::jacobi}, Named{"chebyshev", DensitySolver::chebyshev},
+                    Named{"grid", DensitySolver::grid}};
 }
 
 template <class V>

@@ -25,7 +25,8 @@ EngineDef World::Impl::engine_def() {
   e.solver.min_substeps = def.min_substeps;
   e.solver.max_substeps = def.max_substeps;
   const DensitySolverDef& d = def.density;
-  e.density.chebyshev = d.solver == DensitySolver::chebyshev;
+  e.density.chebyshev = d.solver != DensitySolver::jacobi;
+  e.density.pressure_grid = d.solver == DensitySolver::grid;
   e.density.relaxation = d.relaxation;
   e.density.warm_start = d.warm_start;
   e.density.spectral_bound = d.spectral_bound;

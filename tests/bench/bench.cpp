@@ -4,6 +4,7 @@
 // Times steps, one line of JSON a case.
 //   bench dam --device cuda --particles 100000,1000000 --iterations 4 --out FILE
 //   bench dam --device cuda --particles 100000 --iterations 4 --boxes 1000 --out FILE
+//   bench pool --device cuda --particles 1000000 --layers 100 --solver grid --out FILE
 //   bench hanging --n 250 --substeps 20 --iterations 1 --no-tethers --seconds 10
 //   bench drape --n 250,500
 #include <CLI/CLI.hpp>
@@ -12,11 +13,13 @@
 
 #include "tests/bench/cloth.h"
 #include "tests/bench/dam.h"
+#include "tests/bench/pool.h"
 
 int main(int argc, char** argv) {
   using namespace meniscus::bench;
   CommonOptions common;
   DamOptions dam;
+  PoolOptions pool;
   ClothOptions hanging, drape;
   CLI::App app("Times steps, and says what they were worth");
   app.fallthrough();
@@ -27,12 +30,14 @@ int main(int argc, char** argv) {
   app.add_option("--date", common.date, "noted in the results");
   app.add_option("--out", common.out, "write the results here as well");
   const CLI::App* dam_case = add_dam(app, dam);
+  const CLI::App* pool_case = add_pool(app, pool);
   const CLI::App* hanging_case = add_hanging(app, hanging);
   const CLI::App* drape_case = add_drape(app, drape);
   CLI11_PARSE(app, argc, argv);
   try {
     Results results(common, argc, argv);
     if (dam_case->parsed()) run_dam(common, dam, results);
+    if (pool_case->parsed()) run_pool(common, pool, results);
     if (hanging_case->parsed()) run_hanging(common, hanging, results);
     if (drape_case->parsed()) run_drape(common, drape, results);
     results.write();

@@ -6,6 +6,7 @@
 
 #include <meniscus/meniscus.h>
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -23,6 +24,10 @@ struct CommonOptions {
 
 /// A world's definition on the device that was asked for.
 WorldDef world_def(const CommonOptions& options);
+
+/// A density solver by its name, and what checks that an option is one.
+DensitySolver solver_named(const std::string& name);
+CLI::IsMember is_solver();
 
 /// The smallest value that `share` of the others do not exceed; 0.5 gives the median.
 double quantile(std::vector<double> values, double share);

@@ -18,7 +18,7 @@ struct Dam {
     WorldDef d = world_def(common);
     d.substeps = o.substeps;
     d.iterations = iterations;
-    d.density.solver = o.solver == "jacobi" ? DensitySolver::jacobi : DensitySolver::chebyshev;
+    d.density.solver = solver_named(o.solver);
     return d;
   }
 
@@ -104,7 +104,7 @@ CLI::App* add_dam(CLI::App& app, DamOptions& o) {
   dam->add_option("--steps", o.timed_steps, "steps that are timed")->check(CLI::PositiveNumber);
   dam->add_option("--step-in-h", o.step_in_h,
                   "motion a substep, in support radii, that the time step is chosen for");
-  dam->add_option("--solver", o.solver)->check(CLI::IsMember({"jacobi", "chebyshev"}));
+  dam->add_option("--solver", o.solver)->check(is_solver());
   return dam;
 }
 

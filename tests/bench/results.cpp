@@ -17,6 +17,15 @@ WorldDef world_def(const CommonOptions& options) {
   return def;
 }
 
+DensitySolver solver_named(const std::string& name) {
+  if (name == "jacobi") return DensitySolver::jacobi;
+  return name == "grid" ? DensitySolver::grid : DensitySolver::chebyshev;
+}
+
+CLI::IsMember is_solver() {
+  return CLI::IsMember({"jacobi", "chebyshev", "grid"});
+}
+
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   const auto place = static_cast<size_t>(share * static_cast<double>(values.size()));

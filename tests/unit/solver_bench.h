@@ -12,6 +12,7 @@
 #include "collision/shape.h"
 #include "fluid/density_set.h"
 #include "fluid/material.h"
+#include "fluid/node_table.h"
 #include "pbd/device/device.h"
 
 namespace meniscus::tests {
@@ -50,6 +51,13 @@ struct SmoothingCase {
   int passes = 1;
 };
 
+/// An equation of fluid/multigrid.h.
+struct GridEquation {
+  fluid::NodeTable table;
+  std::vector<pbd::Vec4> coefficients;
+  std::vector<float> right;
+};
+
 class SolverBench {
  public:
   virtual ~SolverBench() = default;
@@ -61,6 +69,7 @@ class SolverBench {
   virtual std::vector<Vec3> push(const DensityCase& setup, float multiplier) = 0;
   /// Velocities after passes of the viscosity over particles that stand still.
   virtual std::vector<Vec3> smooth(const SmoothingCase& setup) = 0;
+  virtual std::vector<float> solve(const GridEquation& equation, int iterations) = 0;
 };
 
 std::unique_ptr<SolverBench> make_cpu_solver_bench();

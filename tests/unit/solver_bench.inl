@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "collision/shape_contacts.h"
+#include "fluid/multigrid.inl"
 #include "fluid/viscosity_pass.h"
 #include "pbd/solver.h"
 #include "tests/unit/solver_bench.h"
@@ -104,6 +105,20 @@ class SolverBenchOn final : public SolverBench {
       velocities = by_slot<Vec3>(s, s.particles.velocity.data, [](pbd::Vec4 v) { return v.xyz(); });
     });
     return velocities;
+  }
+
+  std::vector<float> solve(const GridEquation& equation, int iterations) override {
+    D device;
+    fluid::Multigrid<D> multigrid(device);
+    multigrid.fit(equation.table);
+    const uint32_t nodes = equation.table.count();
+    device.copy_in(multigrid.finest().coefficients.data, equation.coefficients.data(),
+                   nodes * sizeof(pbd::Vec4));
+    device.copy_in(multigrid.finest().right.data, equation.right.data(), nodes * sizeof(float));
+    multigrid.solve(iterations);
+    std::vector<float> found(nodes);
+    device.copy_out(found.data(), multigrid.solution().data, nodes * sizeof(float));
+    return found;
   }
 
  private:

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "fluid/multigrid.h"
+
+namespace meniscus::fluid {
+
+namespace multigrid_tuning {
+
+inline constexpr uint32_t small_bits = 12;  ///< tables up to this size are one group's work
+inline constexpr int sweeps = 1;            ///< before and after each visit of the coarser level
+inline constexpr int small_sweeps = 2;
+
+}  // namespace multigrid_tuning
+
+template <class D>
+void Multigrid<D>::fit(const NodeTable& table) {
+  using namespace multigrid_kernels;
+  // Halved down to one node: the sum is at most twice the first.
+  const size_t most = 2 * size_t{table.count()};
+  if (coefficients_.size() < most) {
+    coefficients_.resize_discard(most);
+    pressure_.resize_discard(most);
+    right_.resize_discard(most);
+    solution_.resize_discard(table.count());
+    direction_.resize_discard(table.count());
+    image_.resize_discard(table.count());
+    products_.resize_discard(3);
+  }
+  levels_.clear();
+  NodeTable present = table;
+  for (uint32_t first = 0;;) {
+    const uint32_t count = present.count();
+    levels_.push_back({present, coefficients_.view().from(first).first(count),
+                       pressure_.view().from(first).first(count), right_.view().from(first).first(count)});
+    if (count == 1) break;
+    first += count;
+    for (uint32_t& bits : present.bits) bits -= bits > 0 ? 1 : 0;
+  }
+  first_small_ = 0;
+  while (levels_[first_small_].table.count() > 1u << multigrid_tuning::small_bits) ++first_small_;
+  small_.count = static_cast<uint32_t>(levels_.size() - first_small_);
+  small_.sweeps = multigrid_tuning::small_sweeps;
+  std::copy(levels_.begin() + static_cast<std::ptrdiff_t>(first_small_), levels_.end(), small_.level);
+}
+
+template <class D>
+void Multigrid<D>::solve(int iterations) {
+  using namespace multigrid_kernels;
+  const Level& finest = levels_.front();
+  const uint32_t nodes = finest.table.count();
+  const Search search{solution_.view(), direction_.view(), image_.view(), products_.view()};
+  const auto product = [&](uint32_t place) { return View<double>{products_.view().data + place, 1}; };
+  coarsen();
+  for (int k = 0; k < iterations; ++k) {
+    precondition();
+    if (k > 0) device_.copy(product(Search::before).data, product(Search::now).data, sizeof(double));
+    device_.reduce("multigrid/residual", nodes, 0.0, ResidualProduct{finest}, Sum{}, product(Search::now));
+    device_.parallel_for("multigrid/turn", nodes, TurnDirection{finest, search, k == 0});
+    device_.reduce("multigrid/apply", nodes, 0.0, ApplyToDirection{finest, search}, Sum{},
+                   product(Search::curvature));
+    device_.parallel_for("multigrid/step", nodes, StepAlong{finest, search, k == 0});
+  }
+}
+
+template <class D>
+void Multigrid<D>::coarsen() {
+  using namespace multigrid_kernels;
+  for (size_t k = 0; k < first_small_; ++k)
+    device_.parallel_for("multigrid/coarsen", levels_[k + 1].table.count(),
+                         Coarsen{levels_[k], levels_[k + 1]});
+  device_.parallel_for_groups("multigrid/coarsen small", 1, CoarsenSmall{small_});
+}
+
+template <class D>
+void Multigrid<D>::precondition() {
+  device_.fill(levels_.front().pressure.data, 0, levels_.front().pressure.count * sizeof(float));
+  cycle(0);
+}
+
+template <class D>
+void Multigrid<D>::cycle(size_t level) {
+  using namespace multigrid_kernels;
+  if (level == first_small_) return device_.parallel_for_groups("multigrid/small", 1, SolveSmall{small_});
+  const Level& fine = levels_[level];
+  const Level& coarse = levels_[level + 1];
+  sweep(fine, false);
+  device_.parallel_for("multigrid/restrict", coarse.table.count(), Restrict{fine, coarse});
+  cycle(level + 1);
+  device_.parallel_for("multigrid/prolong", fine.table.count(), Prolong{fine, coarse});
+  sweep(fine, true);
+}
+
+template <class D>
+void Multigrid<D>::sweep(const multigrid_kernels::Level& level, bool back) {
+  using multigrid_kernels::Relax;
+  for (int k = 0; k < multigrid_tuning::sweeps; ++k) {
+    device_.parallel_for("multigrid/relax", level.table.count(), Relax{level, back ? 1 : 0});
+    device_.parallel_for("multigrid/relax", level.table.count(), Relax{level, back ? 0 : 1});
+  }
+}
+
+}  // namespace meniscus::fluid

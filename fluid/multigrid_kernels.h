@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of multigrid.h. At every node Σ_f c_f (p − p_f) + extra p = b, over its six faces.
+#pragma once
+
+#include "fluid/node_table.h"
+#include "pbd/device/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::fluid::multigrid_kernels {
+
+using pbd::Vec4;
+using pbd::View;
+
+/// x, y, z: c of the faces towards the next node on each axis; w: the diagonal, 0 where the node is no
+/// unknown and p stays 0.
+using Coefficients = Vec4;
+
+MENISCUS_HD inline float along(const Vec4& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+struct Level {
+  NodeTable table;
+  View<Coefficients> coefficients;
+  View<float> pressure, right;
+
+  /// Calls visit(node beside, c of the face between).
+  template <class Visit>
+  MENISCUS_HD void for_each_beside(const NodeCoordinates& c, const Coefficients& own,
+                                   const Visit& visit) const {
+    MENISCUS_UNROLL
+    for (int axis = 0; axis < 3; ++axis) {
+      const uint32_t before = table.beside(c, axis, -1), after = table.beside(c, axis, 1);
+      visit(before, along(coefficients[before], axis));
+      visit(after, along(own, axis));
+    }
+  }
+
+  /// b + Σ c p of the nodes beside.
+  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own) const {
+    float sum = right[node];
+    for_each_beside(c, own, [&](uint32_t beside, float face) { sum += face * pressure[beside]; });
+    return sum;
+  }
+
+  MENISCUS_HD float residual(uint32_t node) const {
+    const Coefficients own = coefficients[node];
+    if (!(own.w > 0)) return 0;
+    return pull(table.coordinates(node), node, own) - own.w * pressure[node];
+  }
+};
+
+/// One half of a sweep of Gauss and Seidel's: the nodes of one colour of a chequerboard.
+struct Relax {
+  Level level;
+  int colour;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = level.table.coordinates(node);
+    if (((c.at[0] + c.at[1] + c.at[2]) & 1) != colour) return;
+    const Coefficients own = level.coefficients[node];
+    if (own.w > 0) level.pressure[node] = level.pull(c, node, own) / own.w;
+  }
+};
+
+/// A coarse node stands for two fine ones on each axis where the fine table has more than one.
+struct Parents {
+  NodeTable fine, coarse;
+
+  MENISCUS_HD int halves(int axis) const { return static_cast<int>(fine.bits[axis] - coarse.bits[axis]); }
+  MENISCUS_HD uint32_t parent(const NodeCoordinates& c) const {
+    return coarse.index(c.at[0] >> halves(0), c.at[1] >> halves(1), c.at[2] >> halves(2));
+  }
+  /// Calls visit(child, its coordinates).
+  template <class Visit>
+  MENISCUS_HD void for_each_child(const NodeCoordinates& c, const Visit& visit) const {
+    const int hx = halves(0), hy = halves(1), hz = halves(2);
+    for (int z = 0; z <= hz; ++z) {
+      for (int y = 0; y <= hy; ++y) {
+        for (int x = 0; x <= hx; ++x) {
+          const NodeCoordinates child{{(c.at[0] << hx) + x, (c.at[1] << hy) + y, (c.at[2] << hz) + z}};
+          visit(fine.index(child), child);
+        }
+      }
+    }
+  }
+};
+
+/// The coarse equation: sums of the fine ones under a p that is constant on a coarse node's children; but a
+/// coarse face's two nodes are twice as far apart, which halves its coefficient.
+struct Coarsen {
+  Level fine, coarse;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const Parents parents{fine.table, coarse.table};
+    const NodeCoordinates c = coarse.table.coordinates(node);
+    float extra = 0, faces = 0;
+    Coefficients own{0, 0, 0, 0};
+    parents.for_each_child(c, [&](uint32_t child, const NodeCoordinates& at) {
+      const Coefficients mine = fine.coefficients[child];
+      if (!(mine.w > 0)) return;
+      extra += mine.w;
+      MENISCUS_UNROLL
+      for (int axis = 0; axis < 3; ++axis) {
+        const float scale = parents.halves(axis) ? 0.5f : 1.0f;
+        for (int step = -1; step <= 1; step += 2) {
+          NodeCoordinates other = at;
+          other.at[axis] += step;
+          const uint32_t beside = fine.table.index(other);
+          if (!(fine.coefficients[beside].w > 0)) continue;
+          const float face = along(step > 0 ? mine : fine.coefficients[beside], axis);
+          extra -= face;
+          if (parents.parent(other) == node) continue;
+          faces += scale * face;
+          if (step > 0) add(own, axis, scale * face);
+        }
+      }
+    });
+    own.w = faces + pbd::max(extra, 0.0f);
+    coarse.coefficients[node] = own;
+  }
+
+  MENISCUS_HD static void add(Coefficients& to, int axis, float value) {
+    if (axis == 0) to.x += value;
+    if (axis == 1) to.y += value;
+    if (axis == 2) to.z += value;
+  }
+};
+
+/// Hands what is left to do to the coarse level, which starts from 0.
+struct Restrict {
+  Level fine, coarse;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    float sum = 0;
+    const Parents parents{fine.table, coarse.table};
+    parents.for_each_child(coarse.table.coordinates(node),
+                           [&](uint32_t child, const NodeCoordinates&) { sum += fine.residual(child); });
+    coarse.right[node] = sum;
+    coarse.pressure[node] = 0;
+  }
+};
+
+/// Adds the coarse level's answer, the same to all children: what restricts and what prolongs are each
+/// other's transpose, so that a cycle is symmetric.
+struct Prolong {
+  Level fine, coarse;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    if (!(fine.coefficients[node].w > 0)) return;
+    const Parents parents{fine.table, coarse.table};
+    fine.pressure[node] += coarse.pressure[parents.parent(fine.table.coordinates(node))];
+  }
+};
+
+/// The levels that one group of threads solves by itself, where a launch would take longer than its work.
+struct SmallLevels {
+  static constexpr uint32_t most = 13;  // from 2^12 nodes on, halved on one axis at least
+  Level level[most];
+  uint32_t count;
+  int sweeps;
+
+  struct Scratch {};
+
+  /// Builds all but the first.
+  template <class Group>
+  MENISCUS_HD void coarsen(const Group& group) const {
+    for (uint32_t k = 0; k + 1 < count; ++k)
+      group.for_each(level[k + 1].table.count(), Coarsen{level[k], level[k + 1]});
+  }
+  template <class Group>
+  MENISCUS_HD void relax(const Group& group, uint32_t k, bool back) const {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      group.for_each(level[k].table.count(), Relax{level[k], back ? 1 : 0});
+      group.for_each(level[k].table.count(), Relax{level[k], back ? 0 : 1});
+    }
+  }
+  template <class Group>
+  MENISCUS_HD void solve(const Group& group) const {
+    for (uint32_t k = 0; k + 1 < count; ++k) {
+      relax(group, k, false);
+      group.for_each(level[k + 1].table.count(), Restrict{level[k], level[k + 1]});
+    }
+    relax(group, count - 1, false);
+    for (uint32_t k = count - 1; k-- > 0;) {
+      group.for_each(level[k].table.count(), Prolong{level[k], level[k + 1]});
+      relax(group, k, true);
+    }
+  }
+};
+
+struct CoarsenSmall {
+  using Scratch = SmallLevels::Scratch;
+  SmallLevels levels;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t) const {
+    levels.coarsen(group);
+  }
+};
+
+struct SolveSmall {
+  using Scratch = SmallLevels::Scratch;
+  SmallLevels levels;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t) const {
+    levels.solve(group);
+  }
+};
+
+// ---- conjugate gradients ----
+
+struct Sum {
+  MENISCUS_HD double operator()(double a, double b) const { return a + b; }
+};
+
+/// What the iteration has found and where it goes next.
+struct Search {
+  View<float> solution, direction, image;
+  View<double> products;  ///< r·z now and before, p·A p
+
+  enum : uint32_t { now, before, curvature };
+};
+
+/// q = A p; gives p·q.
+struct ApplyToDirection {
+  Level level;
+  Search search;
+
+  MENISCUS_HD double operator()(uint32_t node) const {
+    const Coefficients own = level.coefficients[node];
+    float image = 0;
+    if (own.w > 0) {
+      float pull = 0;
+      level.for_each_beside(level.table.coordinates(node), own,
+                            [&](uint32_t beside, float face) { pull += face * search.direction[beside]; });
+      image = own.w * search.direction[node] - pull;
+    }
+    search.image[node] = image;
+    return double{search.direction[node]} * double{image};
+  }
+};
+
+/// r·z, where z is what the cycle made of r.
+struct ResidualProduct {
+  Level level;
+
+  MENISCUS_HD double operator()(uint32_t node) const {
+    return level.coefficients[node].w > 0 ? double{level.right[node]} * double{level.pressure[node]} : 0.0;
+  }
+};
+
+struct StepAlong {
+  Level level;
+  Search search;
+  bool first;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const double curvature = search.products[Search::curvature];
+    const float step = curvature > 0 ? static_cast<float>(search.products[Search::now] / curvature) : 0.0f;
+    search.solution[node] = (first ? 0 : search.solution[node]) + step * search.direction[node];
+    level.right[node] -= step * search.image[node];
+  }
+};
+
+struct TurnDirection {
+  Level level;
+  Search search;
+  bool first;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const double before = search.products[Search::before];
+    const float kept =
+        !first && before > 0 ? static_cast<float>(search.products[Search::now] / before) : 0.0f;
+    const float next = level.coefficients[node].w > 0 ? level.pressure[node] : 0.0f;
+    search.direction[node] = first ? next : next + kept * search.direction[node];
+  }
+};
+
+}  // namespace meniscus::fluid::multigrid_kernels
