@@ -10,8 +10,8 @@ namespace meniscus::fluid {
 
 namespace multigrid_tuning {
 
-inline constexpr uint32_t small_bits = 12;  ///< tables up to this size are one group's work
-inline constexpr int sweeps = 1;            ///< before and after each visit of the coarser level
+inline constexpr uint32_t small_bits = 6;  ///< tables up to this size are one group's work
+inline constexpr int sweeps = 1;           ///< before and after each visit of the coarser level
 inline constexpr int small_sweeps = 2;
 
 }  // namespace multigrid_tuning

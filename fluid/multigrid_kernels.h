@@ -157,7 +157,7 @@ struct Prolong {
 
 /// The levels that one group of threads solves by itself, where a launch would take longer than its work.
 struct SmallLevels {
-  static constexpr uint32_t most = 13;  // from 2^12 nodes on, halved on one axis at least
+  static constexpr uint32_t most = 7;  // from 2^6 nodes on, halved on one axis at least
   Level level[most];
   uint32_t count;
   int sweeps;

@@ -57,10 +57,11 @@ class PressureGrid {
   Multigrid<D> multigrid_;
   grid_kernels::Space space_;
 
-  pbd::Buffer<float> excess_{device_, "density excess"};
+  pbd::Buffer<grid_kernels::Found> found_{device_, "density excess"};
   pbd::Buffer<pbd::Vec4> scale_{device_, "weights on the grid"};
   pbd::Buffer<float> multiplier_{device_, "grid multipliers"};
   pbd::Buffer<uint32_t> flags_{device_, "grid nodes"};
+  pbd::Buffer<uint32_t> inside_{device_, "grid nodes"};
   pbd::Buffer<float> filled_{device_, "grid shares"};
   pbd::Buffer<float> give_{device_, "give of bodies"};
   pbd::Buffer<grid_kernels::NodeFaces> faces_{device_, "grid faces"};

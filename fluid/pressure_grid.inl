@@ -11,7 +11,7 @@ namespace meniscus::fluid {
 
 namespace grid_tuning {
 
-inline constexpr int iterations = 4;          ///< of conjugate gradients
+inline constexpr int iterations = 2;          ///< of conjugate gradients
 inline constexpr float share = 0.9f;          ///< ω
 inline constexpr float recovery = 30;         ///< 1/s: how fast old errors are undone
 inline constexpr float most_lacking = 0.02f;  ///< of a node's volume, that is still noise
@@ -22,7 +22,7 @@ inline constexpr float farthest = 0.5f;       ///< spacings that a face may move
 template <class D>
 void PressureGrid<D>::reserve(uint32_t capacity) {
   const uint32_t size = capacity + pbd::Particles::padding;
-  excess_.resize_discard(size);
+  found_.resize_discard(size);
   scale_.resize_discard(size);
   multiplier_.resize_discard(size);
 }
@@ -44,6 +44,7 @@ void PressureGrid<D>::fit(const pbd::GridView& cells) {
   const uint32_t count = space_.nodes.count();
   if (flags_.size() >= count) return;
   flags_.resize_discard(count);
+  inside_.resize_discard(count);
   filled_.resize_discard(count);
   give_.resize_discard(count);
   faces_.resize_discard(count);
@@ -59,11 +60,12 @@ void PressureGrid<D>::find_excess(pbd::Substep<D>& substep,
   const ExcessOf excess_of{last, std::fmax(0.0f, 1 - grid_tuning::recovery * substep.dt)};
   const pbd::ParticleView& p = substep.particles;
   const ContactView contacts = substep.contacts.of_first(p.sorted);
-  device_.parallel_for_both(
-      "grid/excess", p.sorted,
-      Excess<D>{kernel_, substep.neighbours, contacts.start, p.position, p.phase, excess_of, excess_.view()},
-      contacts.contacts.count,
-      ExcessAtWalls{kernel_, substep.neighbours, contacts, p.position, p.phase, excess_of, excess_.view()});
+  device_.parallel_for_both("grid/excess", p.sorted,
+                            Excess<D>{kernel_, space_, substep.neighbours, contacts.start, p.position,
+                                      p.phase, excess_of, found_.view()},
+                            contacts.contacts.count,
+                            ExcessAtWalls{kernel_, space_, substep.neighbours, contacts, p.position, p.phase,
+                                          excess_of, found_.view()});
 }
 
 template <class D>
@@ -73,19 +75,23 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep) {
   const ContactView contacts = substep.contacts.of_first(p.sorted);
   const uint32_t nodes = space_.nodes.count();
   const multigrid_kernels::Level finest = multigrid_.finest();
+  device_.parallel_for("grid/nodes", nodes,
+                       GatherNodes{space_, found_.view(), p.position, contacts, kernel_.volume, flags_.view(),
+                                   filled_.view()});
+  device_.parallel_for("grid/inside", nodes, MarkInside{space_.nodes, flags_.view(), inside_.view()});
   device_.parallel_for(
-      "grid/nodes", nodes,
-      GatherNodes{space_, p.position, contacts, kernel_.volume, flags_.view(), filled_.view()});
-  device_.parallel_for("grid/normalize", p.sorted,
-                       Normalize{space_, map(), p.position, contacts, scale_.view(), excess_.view()});
+      "grid/normalize", p.sorted,
+      Normalize{space_, map(), inside_.view(), p.position, contacts, scale_.view(), found_.view()});
   device_.parallel_for("grid/sums", nodes,
-                       GatherExcess{space_, flags_.view(), p.position, excess_.view(), kernel_.volume,
+                       GatherExcess{space_, flags_.view(), found_.view(), kernel_.volume,
                                     -grid_tuning::most_lacking * space_.width() * width2(), finest.right});
-  device_.parallel_for("grid/faces", nodes,
-                       GatherFaces{space_, map(), p.position, scale_.view(), kernel_.volume, faces_.view()});
+  device_.parallel_for(
+      "grid/faces", 3 * nodes,
+      GatherFaces{space_, map(), found_.view(), scale_.view(), kernel_.volume, faces_.view()});
   device_.parallel_for("grid/contacts", nodes,
                        WeighContacts{space_,
                                      {space_.nodes, flags_.view(), faces_.view(), width2()},
+                                     found_.view(),
                                      p.position,
                                      contacts,
                                      load_.view(),

@@ -28,6 +28,8 @@ struct Space {
   pbd::GridView cells;
   NodeTable nodes;
 
+  /// Where in its cell a point is.
+  MENISCUS_HD Vec3 part(Vec3 p) const { return place(p).t; }
   MENISCUS_HD Place place(Vec3 p) const {
     const pbd::CellCoordinates c = cells.coordinates(p);
     const Vec3 x = cells.inverse_cell * p;
@@ -112,33 +114,37 @@ struct ExcessOf {
   }
 };
 
+/// Of one particle: x, y, z: where in its cell it is, from 0 to 1; w: its excess.
+using Found = Vec4;
+
 template <class D>
 struct Excess {
   Kernel kernel;
+  Space space;
   pbd::NeighbourView neighbours;
   View<const uint32_t> contact_start;
   View<const Vec4> position;
   View<const pbd::Phase> phase;
   ExcessOf excess_of;
-  View<float> excess;
+  View<Found> found;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
-    excess[i] =
-        pbd::is_grain(phase[i])
-            ? 0.0f
-            : excess_of(i, density_kernels::density_constraint<D>(kernel, position, neighbours, i).value);
+    const float value = density_kernels::density_constraint<D>(kernel, position, neighbours, i).value;
+    const float excess = pbd::is_grain(phase[i]) ? 0.0f : excess_of(i, value);
+    found[i] = pbd::with_w(space.part(position[i].xyz()), excess);
   }
 };
 
 struct ExcessAtWalls {
   Kernel kernel;
+  Space space;
   pbd::NeighbourView neighbours;
   ContactView contacts;
   View<const Vec4> position;
   View<const pbd::Phase> phase;
   ExcessOf excess_of;
-  View<float> excess;
+  View<Found> found;
 
   template <class D>
   MENISCUS_HD void run(uint32_t contact) const {
@@ -147,24 +153,42 @@ struct ExcessAtWalls {
     const float value =
         density_kernels::density_constraint_at_walls<D, false>(kernel, position, neighbours, contacts, i)
             .value;
-    if (D::leads()) excess[i] = pbd::is_grain(phase[i]) ? 0.0f : excess_of(i, value);
+    if (!D::leads()) return;
+    const float excess = pbd::is_grain(phase[i]) ? 0.0f : excess_of(i, value);
+    found[i] = pbd::with_w(space.part(position[i].xyz()), excess);
   }
 };
 
-/// Calls visit(particle, way to the node in widths of a cell) for the particles in the eight cells around.
-template <class Visit>
-MENISCUS_HD void for_each_around(const Space& space, uint32_t node, View<const Vec4> position,
-                                 const Visit& visit) {
+/// Calls visit(particle, way to the node in widths of a cell) for the particles in those of the eight cells
+/// around that `wanted(first, end)` takes, by their particles.
+template <class Wanted, class Visit>
+MENISCUS_HD void for_each_around(const Space& space, uint32_t node, View<const Found> found,
+                                 const Wanted& wanted, const Visit& visit) {
   const NodeCoordinates c = space.nodes.coordinates(node);
   for (int k = 0; k < 8; ++k) {
     const int x = k & 1, y = k >> 1 & 1, z = k >> 2;  // 0: the cell lies before the node
     const uint32_t cell = space.nodes.index(c.at[0] + x - 1, c.at[1] + y - 1, c.at[2] + z - 1);
-    for (uint32_t i = space.cells.start[cell]; i < space.cells.start[cell + 1]; ++i) {
-      const Vec3 t = space.place(position[i].xyz()).t;
+    const uint32_t first = space.cells.start[cell], end = space.cells.start[cell + 1];
+    if (first == end || !wanted(first, end)) continue;
+    for (uint32_t i = first; i < end; ++i) {
+      const Vec3 t = found[i].xyz();
       visit(i, Vec3{x ? -t.x : 1 - t.x, y ? -t.y : 1 - t.y, z ? -t.z : 1 - t.z});
     }
   }
 }
+
+struct AllCells {
+  MENISCUS_HD bool operator()(uint32_t, uint32_t) const { return true; }
+};
+
+/// Cells where particles touch something: contacts stand in the order of their particles.
+struct TouchingCells {
+  View<const uint32_t> contact_start;
+
+  MENISCUS_HD bool operator()(uint32_t first, uint32_t end) const {
+    return contact_start[first] != contact_start[end];
+  }
+};
 
 /// Of a particle at a node that is so far away, in widths of a cell.
 MENISCUS_HD inline float node_weight(Vec3 away) {
@@ -184,6 +208,7 @@ inline constexpr float deepest = -0.45f;
 /// What a node is: fluid where particles fill half of what solids leave.
 struct GatherNodes {
   Space space;
+  View<const Found> found;
   View<const Vec4> position;
   ContactView contacts;
   float volume;  ///< m³, of a particle
@@ -199,7 +224,10 @@ struct GatherNodes {
 
   MENISCUS_HD void operator()(uint32_t node) const {
     Sight sight;
-    for_each_around(space, node, position, [&](uint32_t i, Vec3 away) { add(sight, i, away); });
+    for_each_around(space, node, found, AllCells{},
+                    [&](uint32_t, Vec3 away) { sight.weight += node_weight(away); });
+    for_each_around(space, node, found, TouchingCells{contacts.start},
+                    [&](uint32_t i, Vec3 away) { add(sight, i, away); });
     const float inverse_width = space.cells.inverse_cell;
     const float share = volume * inverse_width * inverse_width * inverse_width * sight.weight;
     flags[node] = flags_of(sight, share);
@@ -207,7 +235,6 @@ struct GatherNodes {
   }
 
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
-    sight.weight += node_weight(away);
     float open = 1;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const Contact& c = contacts.contacts[k];
@@ -239,19 +266,41 @@ struct GatherNodes {
   }
 };
 
+/// Which nodes have fluid all around.
+struct MarkInside {
+  NodeTable nodes;
+  View<const uint32_t> flags;
+  View<uint32_t> inside;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = nodes.coordinates(node);
+    uint32_t all = flags[node];
+    for (int axis = 0; axis < 3; ++axis)
+      all &= flags[nodes.beside(c, axis, -1)] & flags[nodes.beside(c, axis, 1)];
+    inside[node] = all & node_fluid;
+  }
+};
+
 /// By what to multiply a particle's weights on the faces of each axis, so that those which can move it add up
 /// to 1; 0 where there are next to none.
 struct Normalize {
   Space space;
   NodeMap map;
+  View<const uint32_t> inside;
   View<const Vec4> position;
   ContactView contacts;
-  View<Vec4> scale;    ///< w: mass, kg; 0 for who takes no part
-  View<float> excess;  ///< what would count at nodes in solids counts at the others
+  View<Vec4> scale;   ///< w: mass, kg; 0 for who takes no part
+  View<Found> found;  ///< what would count at nodes in solids counts at the others
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec4 p = position[i];
     const Place place = space.place(p.xyz());
+    uint32_t all = node_fluid;
+    for_each_node(space.nodes, place, [&](uint32_t node, float) { all &= inside[node]; });
+    if (all) {
+      scale[i] = {1, 1, 1, mass_of(i)};
+      return;
+    }
     float inverse[3];
     for (int axis = 0; axis < 3; ++axis) {
       float total = 0;
@@ -264,9 +313,13 @@ struct Normalize {
     for_each_node(space.nodes, place, [&](uint32_t node, float weight) {
       if (!(map.flags[node] & node_solid)) outside_solids += weight;
     });
-    excess[i] /= pbd::max(outside_solids, 0.1f);
-    const bool takes_part = p.w > 0 && !touches_sheet(i);
-    scale[i] = {inverse[0], inverse[1], inverse[2], takes_part ? 1 / p.w : 0.0f};
+    found[i].w /= pbd::max(outside_solids, 0.1f);
+    scale[i] = {inverse[0], inverse[1], inverse[2], mass_of(i)};
+  }
+
+  MENISCUS_HD float mass_of(uint32_t i) const {
+    const float w = position[i].w;
+    return w > 0 && !touches_sheet(i) ? 1 / w : 0.0f;
   }
 
   MENISCUS_HD bool touches_sheet(uint32_t i) const {
@@ -293,17 +346,15 @@ struct alignas(8) NodeFaces {
 struct GatherFaces {
   Space space;
   NodeMap map;
-  View<const Vec4> position;
+  View<const Found> found;
   View<const Vec4> scale;
   float volume;
   View<NodeFaces> faces;
 
-  MENISCUS_HD void operator()(uint32_t node) const {
-    NodeFaces found;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (map.face(node, axis) == Face::open) found.face[axis] = gather(node, axis);
-    }
-    faces[node] = found;
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const int axis = static_cast<int>(k / space.nodes.count());
+    const uint32_t node = k % space.nodes.count();
+    faces[node].face[axis] = map.face(node, axis) == Face::open ? gather(node, axis) : FaceState{};
   }
 
   MENISCUS_HD FaceState gather(uint32_t node, int axis) const {
@@ -317,11 +368,12 @@ struct GatherFaces {
       cell.at[side] += s;
       cell.at[other] += o;
       const uint32_t key = space.nodes.index(cell);
-      for (uint32_t i = space.cells.start[key]; i < space.cells.start[key + 1]; ++i) {
-        const Vec3 t = space.place(position[i].xyz()).t;
+      for (uint32_t i = space.cells.start[key], end = space.cells.start[key + 1]; i < end; ++i) {
+        const Vec3 t = found[i].xyz();
         const float away = fabsf(static_cast<float>(along_axis) + component(t, axis) - 0.5f);
+        if (away >= 1) continue;
         const float ts = component(t, side), to = component(t, other);
-        const float weight = pbd::max(0.0f, 1 - away) * (s ? ts : 1 - ts) * (o ? to : 1 - to);
+        const float weight = (1 - away) * (s ? ts : 1 - ts) * (o ? to : 1 - to);
         const Vec4 own = scale[i];
         filled += weight * along(own, axis);
         mass += weight * along(own, axis) * own.w;
@@ -340,8 +392,7 @@ struct GatherFaces {
 struct GatherExcess {
   Space space;
   View<const uint32_t> flags;
-  View<const Vec4> position;
-  View<const float> excess;
+  View<const Found> found;
   float volume;  ///< m³, of a particle
   float least;   ///< m³: what lacks more is no longer noise, and for gravity to close
   View<float> right;
@@ -349,8 +400,8 @@ struct GatherExcess {
   MENISCUS_HD void operator()(uint32_t node) const {
     float sum = 0;
     if (flags[node] & node_fluid) {
-      for_each_around(space, node, position,
-                      [&](uint32_t i, Vec3 away) { sum += excess[i] * node_weight(away); });
+      for_each_around(space, node, found, AllCells{},
+                      [&](uint32_t i, Vec3 away) { sum += found[i].w * node_weight(away); });
     }
     right[node] = pbd::max(volume * sum, least);
   }

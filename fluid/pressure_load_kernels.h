@@ -59,6 +59,7 @@ MENISCUS_HD inline Vec3 product(Vec3 a, Vec3 b) {
 struct WeighContacts {
   Space space;
   WallAreas areas;
+  View<const Found> found;
   View<const Vec4> position;
   ContactView contacts;
   View<NodeLoad> load;
@@ -68,7 +69,7 @@ struct WeighContacts {
     const Vec3 area = areas.at(node);
     Vec3 weights{0, 0, 0}, gives{0, 0, 0};
     if (dot(area, area) > 0) {
-      for_each_around(space, node, position, [&](uint32_t i, Vec3 away) {
+      for_each_around(space, node, found, TouchingCells{contacts.start}, [&](uint32_t i, Vec3 away) {
         for (uint32_t n = contacts.start[i]; n < contacts.start[i + 1]; ++n) {
           const Contact& c = contacts.contacts[n];
           const Vec3 w = contact_weights(c, position[i].xyz(), node_weight(away), area, space.width());
