@@ -27,7 +27,8 @@ enum class DeviceChoice {
 enum class DensitySolver {
   jacobi,     ///< damped Jacobi on accumulated multipliers
   chebyshev,  ///< the same steps, accelerated by Chebyshev's weights: fewer iterations for the same error
-  grid,       ///< once a substep a multigrid solve on a coarse grid, which reaches any depth; then Chebyshev's
+  grid,       ///< once a substep a multigrid solve on a coarse grid, which reaches any depth; then Chebyshev's,
+              ///< without a warm start
 };
 
 /// Tensile-instability repulsion of Macklin & Müller 2013, eq. 13, as a pressure of strength · ρ₀ · |g| · h.
