@@ -57,10 +57,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   ~DensitySet() override;
 
   /// From the next substep on.
-  void set_parameters(const DensityParameters& parameters) {
-    parameters_ = parameters;
-    chebyshev_ = pbd::Chebyshev(parameters.spectral_bound);
-  }
+  void set_parameters(const DensityParameters& parameters);
 
   /// Which kinds of particles there may be.
   void set_kinds(bool any_fluid, bool any_grains) {

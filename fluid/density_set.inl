@@ -13,10 +13,21 @@ namespace meniscus::fluid {
 
 template <class D>
 DensitySet<D>::DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
-    : device_(device), kernel_(kernel), parameters_(parameters), chebyshev_(parameters.spectral_bound) {
-  if (!parameters.pressure_grid) return;
-  pressure_grid_ = std::make_unique<PressureGrid<D>>(
-      device, kernel, PressureGridParameters{.compressibility = parameters.compressibility});
+    : device_(device), kernel_(kernel), chebyshev_(parameters.spectral_bound) {
+  set_parameters(parameters);
+}
+
+template <class D>
+void DensitySet<D>::set_parameters(const DensityParameters& parameters) {
+  if (!parameters.pressure_grid) {
+    pressure_grid_.reset();
+  } else if (!pressure_grid_) {
+    auto grid = std::make_unique<PressureGrid<D>>(device_, kernel_);
+    if (staged_.size()) grid->reserve(static_cast<uint32_t>(staged_.size()));
+    pressure_grid_ = std::move(grid);
+  }
+  parameters_ = parameters;
+  chebyshev_ = pbd::Chebyshev(parameters.spectral_bound);
 }
 
 template <class D>
@@ -36,7 +47,9 @@ template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   if (substep.particles.sorted == 0 || !any_fluid_) return;
-  if (pressure_grid_ && iteration == 0) pressure_grid_->displace(substep, multiplier_.current.view());
+  if (pressure_grid_ && iteration == 0) {
+    pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view());
+  }
   const pbd::IterationWeights weights = parameters_.chebyshev
                                             ? chebyshev_.next(iteration, substep.iterations)
                                             : pbd::IterationWeights{0, parameters_.relaxation};
@@ -119,7 +132,7 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
   multiplier_.reserve(size, kept);
   increment_.resize_discard(size);
   staged_.resize_discard(size);
-  if (pressure_grid_) pressure_grid_->reserve(capacity);
+  if (pressure_grid_) pressure_grid_->reserve(size);
   saved_multiplier_.resize_discard(size);
   constexpr float away = pbd::Particles::far_away;
   const pbd::Vec4 sentinel[] = {{away, away, away, 0}};

@@ -8,10 +8,6 @@
 
 namespace meniscus::fluid {
 
-struct PressureGridParameters {
-  float compressibility = 0;  ///< 1/Pa
-};
-
 /// Before the iterations of the density constraint, which carry pressure one support radius each, a coarse
 /// grid finds the pressure that reaches through the whole fluid, and moves the particles by its gradient.
 ///
@@ -34,26 +30,27 @@ struct PressureGridParameters {
 template <class D>
 class PressureGrid {
  public:
-  PressureGrid(D& device, const Kernel& kernel, const PressureGridParameters& parameters)
-      : device_(device), kernel_(kernel), parameters_(parameters), multigrid_(device) {}
+  PressureGrid(D& device, const Kernel& kernel) : device_(device), kernel_(kernel), multigrid_(device) {}
 
-  void reserve(uint32_t capacity);
-  /// Moves the particles, and hands the contacts what solids bear.
-  void displace(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last);
+  /// Room for so many particles, their padding included.
+  void reserve(uint32_t size);
+  /// Moves the particles, and hands the contacts what solids bear. `compressibility` is in 1/Pa; `last` holds
+  /// what C was at the last substep's end.
+  void displace(pbd::Substep<D>& substep, float compressibility,
+                pbd::View<const density_kernels::Multiplier> last);
   /// By particle: the pressure of the last displacement, kg·m², as Λ of the density constraint.
   pbd::View<const float> multipliers() const { return multiplier_.view(); }
 
  private:
   void fit(const pbd::GridView& cells);
   void find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last);
-  void gather(pbd::Substep<D>& substep);
+  void gather(pbd::Substep<D>& substep, float compressibility);
   void move(pbd::Substep<D>& substep);
   grid_kernels::NodeMap map() const { return {space_.nodes, flags_.view()}; }
   float width2() const { return space_.width() * space_.width(); }
 
   D& device_;
   Kernel kernel_;
-  PressureGridParameters parameters_;
   Multigrid<D> multigrid_;
   grid_kernels::Space space_;
 

@@ -20,18 +20,18 @@ inline constexpr float farthest = 0.5f;       ///< spacings that a face may move
 }  // namespace grid_tuning
 
 template <class D>
-void PressureGrid<D>::reserve(uint32_t capacity) {
-  const uint32_t size = capacity + pbd::Particles::padding;
+void PressureGrid<D>::reserve(uint32_t size) {
   found_.resize_discard(size);
   scale_.resize_discard(size);
   multiplier_.resize_discard(size);
 }
 
 template <class D>
-void PressureGrid<D>::displace(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last) {
+void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
+                               pbd::View<const density_kernels::Multiplier> last) {
   fit(substep.grid);
   find_excess(substep, last);
-  gather(substep);
+  gather(substep, compressibility);
   multigrid_.solve(grid_tuning::iterations);
   move(substep);
 }
@@ -69,7 +69,7 @@ void PressureGrid<D>::find_excess(pbd::Substep<D>& substep,
 }
 
 template <class D>
-void PressureGrid<D>::gather(pbd::Substep<D>& substep) {
+void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
   using namespace grid_kernels;
   const pbd::ParticleView& p = substep.particles;
   const ContactView contacts = substep.contacts.of_first(p.sorted);
@@ -96,7 +96,7 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep) {
                                      contacts,
                                      load_.view(),
                                      give_.view()});
-  const float width = space_.width(), compliance = parameters_.compressibility / (substep.dt * substep.dt);
+  const float width = space_.width(), compliance = compressibility / (substep.dt * substep.dt);
   device_.parallel_for("grid/equation", nodes,
                        MakeEquation{space_.nodes, flags_.view(), faces_.view(), filled_.view(), width2(),
                                     compliance * width * width2(), give_.view(), finest.coefficients});
