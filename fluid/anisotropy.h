@@ -39,9 +39,18 @@ class Anisotropy {
   Anisotropy(D& device, const AnisotropyParameters& parameters) : device_(device), parameters_(parameters) {}
 
   /// One ellipsoid a particle, by slot; grains are the balls that they are.
-  void measure(const pbd::Substep<D>& substep, pbd::View<Ellipsoid> ellipsoids) const;
+  void measure(const pbd::Substep<D>& substep, pbd::View<Ellipsoid> ellipsoids) const {
+    measure(substep, substep.particles.slot, ellipsoids);
+  }
+  /// The same, in the order of the sorted particles.
+  void measure_sorted(const pbd::Substep<D>& substep, pbd::View<Ellipsoid> ellipsoids) const {
+    measure(substep, {}, ellipsoids);
+  }
 
  private:
+  void measure(const pbd::Substep<D>& substep, pbd::View<const uint32_t> slot,
+               pbd::View<Ellipsoid> ellipsoids) const;
+
   D& device_;
   AnisotropyParameters parameters_;
 };

@@ -84,7 +84,7 @@ class Solver {
   StageTimer& timer() { return timer_; }
 
  private:
-  void substep(float dt);
+  void substep(float dt, bool is_last);
   void predict(float dt, Vec3 gravity);
   void sort(float dt, Vec3 gravity);
   void find(Substep<D>& s);

@@ -23,13 +23,14 @@
 namespace meniscus::pbd {
 
 template <class D>
-void Solver<D>::substep(float dt) {
+void Solver<D>::substep(float dt, bool is_last) {
   timer_.enter(StageId::predict);
   for (ConstraintSet<D>* set : sets_) set->predict(dt);
   predict(dt, parameters_.gravity);
   sort(dt, parameters_.gravity);
 
   Substep<D> s = make_substep(dt);
+  s.is_last = is_last;
   for (ConstraintSet<D>* set : sets_) set->arrange(s);
   find(s);
 
@@ -78,7 +79,7 @@ ParticleSummary Solver<D>::run(int substeps, float dt) {
   try {
     for (ConstraintSet<D>* set : sets_) set->start_step();
     for (Observer<D>* observer : observers_) observer->start_step();
-    for (int k = 0; k < substeps; ++k) substep(dt);
+    for (int k = 0; k < substeps; ++k) substep(dt, k + 1 == substeps);
     for (ConstraintSet<D>* set : sets_) set->end_step();
     timer_.enter(StageId::finish);
     summarize();

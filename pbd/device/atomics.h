@@ -53,6 +53,26 @@ MENISCUS_HD inline void atomic_min(uint32_t& target, uint32_t value) {
 #endif
 }
 
+/// What `target` holds, while others may write it.
+template <class T>
+MENISCUS_HD T atomic_load(T& target) {
+#ifdef __CUDA_ARCH__
+  return *static_cast<volatile T*>(&target);
+#else
+  return std::atomic_ref<T>(target).load(std::memory_order_relaxed);
+#endif
+}
+
+/// Writes `value` where `expected` stands. Returns what was there before, which does depend on the order.
+MENISCUS_HD inline uint64_t atomic_exchange_if(uint64_t& target, uint64_t expected, uint64_t value) {
+#ifdef __CUDA_ARCH__
+  return atomicCAS(reinterpret_cast<unsigned long long*>(&target), expected, value);
+#else
+  std::atomic_ref<uint64_t>(target).compare_exchange_strong(expected, value, std::memory_order_relaxed);
+  return expected;
+#endif
+}
+
 /// Room for n elements at the end of a list: where it begins, which depends on the order. On a GPU the
 /// threads of a warp that happen to ask at once take theirs in one go, as one address takes one at a time.
 MENISCUS_HD inline uint32_t append(uint32_t& size, uint32_t n) {

@@ -13,6 +13,7 @@ render::Moment moment_of(const World& world, const FrameSample& sample) {
   return {.ellipsoids = world.ellipsoids(),
           .fluids = sample.particles.fluids,
           .positions = sample.particles.positions,
+          .diffuse = sample.diffuse.particles,
           .bodies = sample.bodies,
           .cloth = sample.cloth,
           .ropes = sample.ropes};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sdk/io/cloth_frame.h"
+#include "sdk/io/liquid_frame.h"
 #include "sdk/io/particle_frame.h"
 
 namespace meniscus::cli {
@@ -20,12 +21,14 @@ struct FrameSample {
   Diagnostics diagnostics;
   double mass = 0;  ///< kg, of all particles, cloth and ropes
   io::ParticleFrame particles;
+  io::DiffuseFrame diffuse;
   std::vector<uint64_t> emitted;  ///< so far, in the order of the scene's emitters
   std::vector<uint64_t> taken;    ///< so far, in the order of the scene's sinks
   std::vector<double> probes;     ///< in the order of the scene's list
   std::vector<BodyState> bodies;  ///< likewise
   io::ClothFrame cloth;
   io::RopeFrame ropes;
+  io::LiquidFrame liquid;               ///< where it is to be written
   std::vector<ClothState> cloths;       ///< in the order of the scene's list
   std::vector<std::size_t> tears;       ///< vertices of each piece that tore in two in the step
   std::vector<Vec3> attachment_forces;  ///< N, in the order of the scene's list

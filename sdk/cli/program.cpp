@@ -48,12 +48,15 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->check(CLI::Range(1, 100'000'000).description(""));
   run.add_option("--out", options.out, "The folder for the results; by default out/<scene name>")
       ->type_name("DIR");
-  run.add_option("--export", options.formats,
-                 "Write every frame's particles, bodies, cloth and ropes, as ply, vtp and/or obj")
-      ->type_name("ply,vtp,obj")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"ply", "vtp", "obj"}).description(""));
+  CLI::Option* formats =
+      run.add_option("--export", options.formats,
+                     "Write every frame's particles, bodies, cloth and ropes, as ply, vtp and/or obj")
+          ->type_name("ply,vtp,obj")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->check(CLI::IsMember({"ply", "vtp", "obj"}).description(""));
+  run.add_flag("--surface", options.surface, "With --export: the fluids' surfaces as meshes, too")
+      ->needs(formats);
   run.add_flag(
          "--render{frames}", options.picture.render,
          "Draw by OpenGL: every frame and a contact sheet; or the last frame alone; auto: that one and the "

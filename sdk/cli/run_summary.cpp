@@ -96,7 +96,7 @@ std::string rope_line(const json& rope) {
 
 /// The files that a kind of thing leaves behind, where there are any.
 std::string file_list(const std::vector<std::string>& formats, const json& figures,
-                      const std::vector<std::string>& pictures) {
+                      const std::vector<std::string>& pictures, bool surfaces) {
   std::string text = "summary.json, frames.csv, density.svg, preview.png";
   const auto add_for = [&](const char* kind, const char* file) {
     if (!figures.at(kind).empty()) text += std::string(", ") + file;
@@ -110,6 +110,7 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
     if (format != "vtp") continue;
     const bool cloth_alone = !figures.at("cloths").empty() || !figures.at("ropes").empty();
     if (count(figures, "particles") > 0 || !cloth_alone) text += ", particles.pvd";
+    if (surfaces) text += ", surface.pvd";
     add_for("bodies", "bodies.pvd");
     add_for("cloths", "cloth.pvd");
     add_for("ropes", "ropes.pvd");
@@ -120,7 +121,8 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
 }  // namespace
 
 std::string run_summary(const json& figures, const std::filesystem::path& folder,
-                        const std::vector<std::string>& formats, const std::vector<std::string>& pictures) {
+                        const std::vector<std::string>& formats, const std::vector<std::string>& pictures,
+                        bool surfaces) {
   std::string text = heading(figures);
   text += line("run", run_line(figures));
   text += line("particles", fmt::format("{}, in {:.1f} MiB on the device", count(figures, "particles"),
@@ -141,7 +143,7 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   text += line("state", text_of(figures, "state_hash"));
   for (const json& cloth : figures.at("cloths")) text += line("cloth", cloth_line(cloth));
   for (const json& rope : figures.at("ropes")) text += line("rope", rope_line(rope));
-  text += line("files", folder.string() + ": " + file_list(formats, figures, pictures));
+  text += line("files", folder.string() + ": " + file_list(formats, figures, pictures, surfaces));
   return text + fmt::format("The picture to open: {}\n", (folder / "preview.png").string());
 }
 

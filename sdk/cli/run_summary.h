@@ -13,6 +13,6 @@ namespace meniscus::cli {
 /// last line names that one.
 std::string run_summary(const nlohmann::ordered_json& figures, const std::filesystem::path& folder,
                         const std::vector<std::string>& formats,
-                        const std::vector<std::string>& pictures = {});
+                        const std::vector<std::string>& pictures = {}, bool surfaces = false);
 
 }  // namespace meniscus::cli

@@ -7,6 +7,7 @@
 #include <meniscus/outputs.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,10 @@
 #include "collision/shape_contacts.h"
 #include "collision/sheet_surface.h"
 #include "fluid/density_set.h"
+#include "fluid/diffuse.h"
 #include "fluid/material.h"
 #include "fluid/probes.h"
+#include "fluid/surface_mesh.h"
 #include "pbd/solver.h"
 
 namespace meniscus {
@@ -34,6 +37,7 @@ struct EngineDef {
   fluid::Kernel kernel{};
   float particle_spacing = 0;  ///< m
   fluid::DensityParameters density;
+  std::optional<fluid::DiffuseParameters> diffuse;
   cloth::ClothSolverParameters cloth;
   collision::RigidWorld* rigid = nullptr;  ///< must outlive the engine
 };
@@ -201,6 +205,11 @@ class Engine {
   /// C, and 1 where the support is full, measured afresh.
   virtual EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) = 0;
   virtual void read_ellipsoids(std::span<Ellipsoid> out) = 0;
+  /// Of one material, or of all fluids.
+  virtual SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) = 0;
+  virtual uint32_t diffuse_count() const = 0;
+  virtual uint32_t diffuse_refused() const = 0;  ///< in the last step
+  virtual void read_diffuse(std::span<DiffuseParticle> out) = 0;
   /// All that does not need neighbours.
   virtual Diagnostics measure(Vec3 gravity) = 0;
 };

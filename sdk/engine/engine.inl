@@ -21,6 +21,7 @@
 #include "fluid/surface_tension_pass.h"
 #include "fluid/viscosity_pass.h"
 #include "pbd/removal.h"
+#include "sdk/engine/diffuse_walls.h"
 #include "sdk/engine/engine.h"
 #include "sdk/engine/engine_kernels.h"
 #include "sdk/engine/free_room.h"
@@ -55,6 +56,7 @@ class DeviceEngine final : public Engine {
         tension_(device_, def.kernel, def.particle_spacing),
         viscosity_(device_, def.kernel),
         probes_(device_, density_),
+        mesher_(device_),
         removal_(device_),
         sinks_(device_),
         jets_(device_),
@@ -79,6 +81,7 @@ class DeviceEngine final : public Engine {
     solver_.add(viscosity_);
     solver_.add(probes_);
     solver_.add(static_cast<pbd::Observer<D>&>(ties_));
+    if (def.diffuse) add_diffuse(*def.diffuse);
     reserve(1024, 0);
   }
 
@@ -134,9 +137,21 @@ class DeviceEngine final : public Engine {
   void read_pressures(std::span<float> out, float dt) override;
   EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) override;
   void read_ellipsoids(std::span<Ellipsoid> out) override;
+  SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) override;
+  uint32_t diffuse_count() const override { return diffuse_ ? diffuse_->count() : 0; }
+  uint32_t diffuse_refused() const override { return diffuse_ ? diffuse_->refused() : 0; }
+  void read_diffuse(std::span<DiffuseParticle> out) override { diffuse_->read(out); }
   Diagnostics measure(Vec3 gravity) override;
 
  private:
+  void add_diffuse(const fluid::DiffuseParameters& parameters) {
+    diffuse_.emplace(device_, parameters);
+    diffuse_->set_walls([this](const fluid::PendingDiffuse& pending) {
+      device_.parallel_for("diffuse/walls", pending.particles.count,
+                           KeepOutOfSolids{shape_set_, pending, def_.solver.support_radius});
+    });
+    solver_.add(*diffuse_);
+  }
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
   template <class Kernel>
@@ -173,6 +188,8 @@ class DeviceEngine final : public Engine {
   fluid::SurfaceTensionPass<D> tension_;
   fluid::ViscosityPass<D> viscosity_;
   fluid::Probes<D> probes_;
+  fluid::SurfaceMesher<D> mesher_;
+  std::optional<fluid::Diffuse<D>> diffuse_;
   pbd::Removal<D> removal_;
   Sinks<D> sinks_;
   Jets<D> jets_;

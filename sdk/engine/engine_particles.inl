@@ -161,6 +161,7 @@ EngineStep DeviceEngine<D>::step(float dt) {
   contacts_fetched_ = false;
   sorted_in_step_ = particles_.sorted();
   jets_.age(particles_);
+  if (diffuse_) diffuse_->accept();
   done.stage_ms = solver_.timer().read_ms();
   done.rigid_ms = bodies_.step_ms();
   return done;

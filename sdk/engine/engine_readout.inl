@@ -60,6 +60,19 @@ void DeviceEngine<D>::read_ellipsoids(std::span<Ellipsoid> out) {
   ellipsoid_out_.read(out);
 }
 
+template <class D>
+SurfaceMesh DeviceEngine<D>::read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) {
+  fetch_contacts();
+  ellipsoid_out_.resize_discard(particles_.sorted());
+  const fluid::Anisotropy<D> anisotropy(
+      device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
+  solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
+    anisotropy.measure_sorted(substep, ellipsoid_out_.view());
+    mesher_.build(ellipsoid_out_.view(), {substep.particles.phase, group.value_or(fluid::all_fluids)}, field);
+  });
+  return mesher_.read();
+}
+
 /// Brings what the last substep's contacts did to the host, by slot; once a step, and before particles change
 /// places.
 template <class D>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include "sdk/io/output_file.h"
 
@@ -34,12 +35,37 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   file.commit();
 }
 
+/// `objects`: one a triangle.
+template <class Frame>
+void write_with_normals(const std::filesystem::path& path, const char* what, const Frame& frame,
+                        std::span<const uint32_t> objects) {
+  std::string text = fmt::format("# Meniscus {} at {:.7g} s; metres\n", what, frame.time);
+  add_vertices(text, frame.vertices);
+  for (const Vec3 n : frame.normals)
+    fmt::format_to(std::back_inserter(text), "vn {:.7g} {:.7g} {:.7g}\n", n.x, n.y, n.z);
+  for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
+    if (i == 0 || objects[i] != objects[i - 1]) text += object_line(frame.names[objects[i]]);
+    const auto& [a, b, c] = frame.triangles[i];
+    fmt::format_to(std::back_inserter(text), "f {0}//{0} {1}//{1} {2}//{2}\n", a + 1, b + 1, c + 1);
+  }
+  write_text(path, text);
+}
+
 }  // namespace
 
 void write_obj(const std::filesystem::path& path, const ParticleFrame& frame) {
   std::string text = fmt::format("# Meniscus particles at {:.7g} s; metres\n", frame.time);
   add_vertices(text, frame.positions);
   for (std::size_t i = 1; i <= frame.size(); ++i) fmt::format_to(std::back_inserter(text), "p {}\n", i);
+  write_text(path, text);
+}
+
+void write_obj(const std::filesystem::path& path, const DiffuseFrame& frame) {
+  std::string text = fmt::format("# Meniscus spray, foam and bubbles at {:.7g} s; metres\n", frame.time);
+  std::vector<Vec3> positions;
+  for (const DiffuseParticle& p : frame.particles) positions.push_back(p.position);
+  add_vertices(text, positions);
+  for (std::size_t i = 1; i <= positions.size(); ++i) fmt::format_to(std::back_inserter(text), "p {}\n", i);
   write_text(path, text);
 }
 
@@ -57,16 +83,11 @@ void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame) {
 }
 
 void write_obj(const std::filesystem::path& path, const ClothFrame& frame) {
-  std::string text = fmt::format("# Meniscus cloth at {:.7g} s; metres\n", frame.time);
-  add_vertices(text, frame.vertices);
-  for (const Vec3 n : frame.normals)
-    fmt::format_to(std::back_inserter(text), "vn {:.7g} {:.7g} {:.7g}\n", n.x, n.y, n.z);
-  for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
-    if (i == 0 || frame.pieces[i] != frame.pieces[i - 1]) text += object_line(frame.names[frame.pieces[i]]);
-    const auto& [a, b, c] = frame.triangles[i];
-    fmt::format_to(std::back_inserter(text), "f {0}//{0} {1}//{1} {2}//{2}\n", a + 1, b + 1, c + 1);
-  }
-  write_text(path, text);
+  write_with_normals(path, "cloth", frame, frame.pieces);
+}
+
+void write_obj(const std::filesystem::path& path, const LiquidFrame& frame) {
+  write_with_normals(path, "liquid", frame, frame.fluids);
 }
 
 void write_obj(const std::filesystem::path& path, const RopeFrame& frame) {

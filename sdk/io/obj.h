@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "sdk/io/cloth_frame.h"
+#include "sdk/io/liquid_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/surface_frame.h"
 
@@ -13,8 +14,14 @@ namespace meniscus::io {
 /// A vertex and a point element a particle, in metres. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const ParticleFrame& frame);
 
+/// Likewise. Throws Error(io).
+void write_obj(const std::filesystem::path& path, const DiffuseFrame& frame);
+
 /// An object a body, under its name; blanks in it become underscores. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame);
+
+/// An object a fluid, with the normals of its vertices. Throws Error(io).
+void write_obj(const std::filesystem::path& path, const LiquidFrame& frame);
 
 /// An object a piece of cloth, with the normals of its vertices. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const ClothFrame& frame);

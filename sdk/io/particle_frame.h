@@ -22,6 +22,12 @@ struct ParticleFrame {
   std::size_t size() const { return positions.size(); }
 };
 
+/// Spray, foam and bubbles, likewise.
+struct DiffuseFrame {
+  double time = 0;  ///< s
+  std::span<const DiffuseParticle> particles;
+};
+
 /// The world as it stands; valid until its next call that is not const.
 ParticleFrame frame_of(const World& world);
 

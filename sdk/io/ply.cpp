@@ -28,6 +28,11 @@ struct PlyClothVertex {
 };
 static_assert(sizeof(PlyClothVertex) == 9 * 4);
 
+struct PlyLiquidVertex {
+  Vec3 position, normal;
+};
+static_assert(sizeof(PlyLiquidVertex) == 6 * 4);
+
 struct PlyRopeVertex {
   Vec3 position, velocity;
   float radius;
@@ -44,7 +49,7 @@ static_assert(sizeof(PlyEdge) == 3 * 4);
 struct PlyFace {
   uint8_t count;
   std::array<uint32_t, 3> corners;
-  uint32_t body;
+  uint32_t piece;  // its body, or its fluid
 };
 struct PlyClothFace {
   uint8_t count;
@@ -76,6 +81,18 @@ std::string header(const ClothFrame& frame) {
       "property float vx\nproperty float vy\nproperty float vz\n"
       "element face {}\n"
       "property list uchar uint vertex_indices\nproperty uint cloth\nproperty float strain\n"
+      "end_header\n",
+      frame.time, frame.vertices.size(), frame.triangles.size());
+}
+
+std::string header(const LiquidFrame& frame) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment Meniscus liquid at {:.7g} s; metres\n"
+      "element vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n"
+      "element face {}\n"
+      "property list uchar uint vertex_indices\nproperty uint fluid\n"
       "end_header\n",
       frame.time, frame.vertices.size(), frame.triangles.size());
 }
@@ -125,6 +142,23 @@ void write_ply(const std::filesystem::path& path, const ParticleFrame& frame) {
   file.commit();
 }
 
+void write_ply(const std::filesystem::path& path, const DiffuseFrame& frame) {
+  static_assert(sizeof(DiffuseParticle) == 8 * 4, "it is written as it lies in memory");
+  OutputFile file(path);
+  file.write(
+      fmt::format("ply\nformat binary_little_endian 1.0\ncomment Meniscus spray, foam and bubbles at {:.7g} "
+                  "s; metres, metres "
+                  "a second\n"
+                  "element vertex {}\n"
+                  "property float x\nproperty float y\nproperty float z\n"
+                  "property float vx\nproperty float vy\nproperty float vz\n"
+                  "property float life\nproperty uint kind\n"
+                  "end_header\n",
+                  frame.time, frame.particles.size()));
+  file.write(frame.particles);
+  file.commit();
+}
+
 void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame) {
   std::vector<PlyFace> faces(frame.triangles.size());
   for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {3, frame.triangles[i], frame.bodies[i]};
@@ -146,6 +180,18 @@ void write_ply(const std::filesystem::path& path, const ClothFrame& frame) {
   file.write(header(frame));
   file.write(std::span<const PlyClothVertex>(vertices));
   file.write(std::span<const PlyClothFace>(faces));
+  file.commit();
+}
+
+void write_ply(const std::filesystem::path& path, const LiquidFrame& frame) {
+  std::vector<PlyLiquidVertex> vertices(frame.vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {frame.vertices[i], frame.normals[i]};
+  std::vector<PlyFace> faces(frame.triangles.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {3, frame.triangles[i], frame.fluids[i]};
+  OutputFile file(path);
+  file.write(header(frame));
+  file.write(std::span<const PlyLiquidVertex>(vertices));
+  file.write(std::span<const PlyFace>(faces));
   file.commit();
 }
 

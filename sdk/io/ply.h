@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "sdk/io/cloth_frame.h"
+#include "sdk/io/liquid_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/surface_frame.h"
 
@@ -15,6 +16,10 @@ namespace meniscus::io {
 /// a PLY integer.
 void write_ply(const std::filesystem::path& path, const ParticleFrame& frame);
 
+/// Likewise. A vertex has x y z (m), vx vy vz (m/s), life (s) and kind: 0 spray, 1 foam, 2 bubble. Throws
+/// Error(io).
+void write_ply(const std::filesystem::path& path, const DiffuseFrame& frame);
+
 /// Triangles in the same format. A vertex has x y z (m); a face also has `body`, its body in the order of the
 /// scene. Throws Error(io).
 void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame);
@@ -22,6 +27,10 @@ void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame);
 /// Triangles likewise. A vertex has x y z (m), nx ny nz and vx vy vz (m/s); a face also has `cloth`, its
 /// piece in the order of the scene, and its `strain`. Throws Error(io).
 void write_ply(const std::filesystem::path& path, const ClothFrame& frame);
+
+/// Triangles likewise. A vertex has x y z (m) and nx ny nz; a face also has `fluid`, its fluid in the order
+/// of the scene. Throws Error(io).
+void write_ply(const std::filesystem::path& path, const LiquidFrame& frame);
 
 /// Edges likewise. A vertex has x y z (m), vx vy vz (m/s) and the radius (m); an edge also has `rope`, its
 /// rope in the order of the scene. Throws Error(io).

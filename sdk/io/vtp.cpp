@@ -100,6 +100,29 @@ void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
   write_polydata(path, frame.time, piece, arrays);
 }
 
+void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame) {
+  const std::size_t count = frame.particles.size();
+  std::vector<Vec3> positions, velocities;
+  std::vector<float> lives;
+  std::vector<uint32_t> kinds;
+  for (const DiffuseParticle& p : frame.particles) {
+    positions.push_back(p.position);
+    velocities.push_back(p.velocity);
+    lives.push_back(p.life);
+    kinds.push_back(static_cast<uint32_t>(p.kind));
+  }
+  const std::vector<int64_t> corners = counting(count, 0, 1), ends = counting(count, 1, 1);
+  AppendedArrays arrays;
+  std::string piece = fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\">\n", count);
+  piece += "<PointData Scalars=\"kind\" Vectors=\"velocity\">\n";
+  piece += arrays.add("Float32", "velocity", 3, std::span<const Vec3>(velocities));
+  piece += arrays.add("Float32", "life", 1, std::span<const float>(lives));
+  piece += arrays.add("UInt32", "kind", 1, std::span<const uint32_t>(kinds));
+  piece += "</PointData>\n" + points(arrays, positions);
+  piece += "<Verts>\n" + cells(arrays, corners, ends) + "</Verts>\n</Piece>\n";
+  write_polydata(path, frame.time, piece, arrays);
+}
+
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
   const std::vector<int64_t> corners = corners_of(frame.triangles);
   const std::vector<int64_t> ends = counting(frame.triangles.size(), 3, 3);
@@ -126,6 +149,21 @@ void write_vtp(const std::filesystem::path& path, const ClothFrame& frame) {
   piece += arrays.add("UInt32", "cloth", 1, std::span<const uint32_t>(frame.pieces));
   piece += arrays.add("Float32", "strain", 1, std::span<const float>(frame.strains));
   piece += "</CellData>\n" + points(arrays, frame.vertices);
+  piece += "<Polys>\n" + cells(arrays, corners, ends) + "</Polys>\n</Piece>\n";
+  write_polydata(path, frame.time, piece, arrays);
+}
+
+void write_vtp(const std::filesystem::path& path, const LiquidFrame& frame) {
+  const std::vector<int64_t> corners = corners_of(frame.triangles);
+  const std::vector<int64_t> ends = counting(frame.triangles.size(), 3, 3);
+  AppendedArrays arrays;
+  std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
+                                  frame.vertices.size(), frame.triangles.size());
+  piece += "<PointData Normals=\"Normals\">\n" +
+           arrays.add("Float32", "Normals", 3, std::span<const Vec3>(frame.normals)) + "</PointData>\n";
+  piece += "<CellData Scalars=\"fluid\">\n" +
+           arrays.add("UInt32", "fluid", 1, std::span<const uint32_t>(frame.fluids)) + "</CellData>\n";
+  piece += points(arrays, frame.vertices);
   piece += "<Polys>\n" + cells(arrays, corners, ends) + "</Polys>\n</Piece>\n";
   write_polydata(path, frame.time, piece, arrays);
 }

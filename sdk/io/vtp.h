@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "sdk/io/cloth_frame.h"
+#include "sdk/io/liquid_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/surface_frame.h"
 
@@ -14,6 +15,9 @@ namespace meniscus::io {
 /// arrays velocity, fluid, id, density_error and pressure. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame);
 
+/// Points likewise, with the arrays velocity, life and kind: 0 spray, 1 foam, 2 bubble. Throws Error(io).
+void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame);
+
 /// Triangles in the same format, with the cell array `body`: a triangle's body, in the order of the scene.
 /// Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame);
@@ -21,6 +25,10 @@ void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame);
 /// Triangles with the point arrays velocity and Normals, and the cell arrays `cloth`, a triangle's piece in
 /// the order of the scene, and strain. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const ClothFrame& frame);
+
+/// Triangles with the point array Normals and the cell array `fluid`, in the order of the scene. Throws
+/// Error(io).
+void write_vtp(const std::filesystem::path& path, const LiquidFrame& frame);
 
 /// A polyline a rope, with the point arrays velocity and radius, as ParaView's tubes take it, and the cell
 /// array `rope`. Throws Error(io).

@@ -19,6 +19,8 @@ struct Pictures {
   Texture lit_depth{GL_DEPTH_COMPONENT32F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};
   Texture picture{GL_RGBA8, width, height};
+  Texture foam{GL_RGBA16F, width, height};  ///< sums: see Foam
+  Target to_foam{{&foam}, nullptr};
   Target to_scene{{&scene_color}, &scene_depth};
   Target to_lit{{&lit}, &lit_depth};
   Target to_toned{{&toned}, nullptr};

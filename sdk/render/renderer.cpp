@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sdk/render/passes/balls.h"
+#include "sdk/render/passes/foam.h"
 #include "sdk/render/passes/grains.h"
 #include "sdk/render/passes/needles.h"
 #include "sdk/render/passes/slice.h"
@@ -133,6 +134,8 @@ struct Renderer::Parts {
       particles.set(moment.ellipsoids, moment.fluids);
     else
       particles.set(balls_at(moment, scene), moment.fluids);
+    foam.set(view.choice.particles == ParticleView::surface ? moment.diffuse
+                                                            : std::span<const DiffuseParticle>());
     load_view(moment, view);
     to->has_shadows = false;
     if (before) before->has_shadows = false;
@@ -191,6 +194,7 @@ struct Renderer::Parts {
                      settings.filter_threshold * stage.spacing,
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
     to->thickness.draw_for_camera(particles, frame, to->scene_depth, stage.spacing);
+    foam.gather(frame, to->scene_depth, to->surface.depth(), stage.spacing, to->to_foam);
     to->to_lit.use();
     to->scene_color.bind(unit::color);
     to->scene_depth.bind(unit::depth);
@@ -200,6 +204,9 @@ struct Renderer::Parts {
     glDepthFunc(GL_ALWAYS);
     fluid.use();
     screen.draw();
+    glDisable(GL_DEPTH_TEST);
+    foam.lay_over(screen, to->foam);
+    glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     solids.draw_edges();
     needles.draw(1.2f);
@@ -248,6 +255,7 @@ struct Renderer::Parts {
   Screen screen;
   float share = 1;  // of the pixels that the picture will be shown with, along a side
   Particles particles;
+  Foam foam;
   std::optional<Grains> grains;  // where the scene has any
   Balls balls{scene.fluid_colors};
   Needles needles;

@@ -22,10 +22,11 @@ struct RenderSettings {
 
 /// What is to be seen at one moment; views of arrays that live elsewhere.
 struct Moment {
-  std::span<const Ellipsoid> ellipsoids{};  ///< World::ellipsoids
-  std::span<const uint32_t> fluids{};       ///< World::fluids, one an ellipsoid
-  std::span<const Vec3> positions{};        ///< World::positions; needed for balls alone
-  std::span<const BodyState> bodies{};      ///< in the scene's order; none: where they start
+  std::span<const Ellipsoid> ellipsoids{};     ///< World::ellipsoids
+  std::span<const uint32_t> fluids{};          ///< World::fluids, one an ellipsoid
+  std::span<const Vec3> positions{};           ///< World::positions; needed for balls alone
+  std::span<const DiffuseParticle> diffuse{};  ///< World::diffuse
+  std::span<const BodyState> bodies{};         ///< in the scene's order; none: where they start
   io::ClothFrame cloth{};
   io::RopeFrame ropes{};
   const ViewData* view = nullptr;  ///< null: as things look

@@ -52,6 +52,30 @@ void fields(V& v, RigidSolverDef& d) {
 }
 
 template <class V>
+void fields(V& v, Range& d) {
+  v("low", d.low, not_negative, "", "where it begins");
+  v("high", d.high, not_negative, "", "where it is in full");
+  v.check(d.low < d.high, "low must be below high");
+}
+
+template <class V>
+void fields(V& v, DiffuseDef& d) {
+  v("capacity", d.capacity, between(1, 1 << 26), "", "most at once");
+  v("air_rate", d.air_rate, not_negative, "1/s", "that a particle of fluid makes where air is trapped");
+  v("crest_rate", d.crest_rate, not_negative, "1/s", "that a particle of fluid makes where waves break");
+  v("air", d.air, any_value, "m/s", "mean speed at which neighbours meet");
+  v("crest", d.crest, any_value, "", "mean bend of the surface");
+  v("energy", d.energy, any_value, "J/kg", "half of the speed squared");
+  v("lifetime", d.lifetime, any_value, "s", "of each, at random");
+  v("spread", d.spread, not_negative, "", "of speed, sideways, when they are made");
+  v("drag", d.drag, not_negative, "1/s", "rate at which a bubble takes the fluid's velocity");
+  v("buoyancy", d.buoyancy, not_negative, "gravities", "of a bubble");
+  v("spray_below", d.spray_below, between(0, 1), "", "spray is among less fluid than this share");
+  v("bubbles_above", d.bubbles_above, between(0, 1), "", "bubbles are among more; foam is in between");
+  v.check(d.spray_below <= d.bubbles_above, "spray_below must not be above bubbles_above");
+}
+
+template <class V>
 void fields(V& v, WorldDef& d) {
   v("device", d.device, any_value, "", "where to run; auto takes a usable GPU, else the CPU");
   v("threads", d.threads, between(0, 1024), "", "of the CPU device; 0 is one a core");
@@ -69,6 +93,7 @@ void fields(V& v, WorldDef& d) {
   v("density", d.density, any_value, "", "the density constraint");
   v("rigid", d.rigid, any_value, "", "how contacts and joints among solids are solved");
   v("cloth", d.cloth, any_value, "", "how cloth is solved");
+  v("diffuse", d.diffuse, any_value, "", "spray, foam and bubbles; left out, there are none");
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps");
 }
 

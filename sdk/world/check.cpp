@@ -78,6 +78,34 @@ void pose(const char* name, const Pose& value) {
   if (!(std::fabs(norm - 1) < 1e-3f)) refuse(name, norm, "a rotation quaternion with a squared length of 1");
 }
 
+namespace {
+
+void range(const char* name, const Range& value) {
+  if (!std::isfinite(value.low) || value.low < 0 || !std::isfinite(value.high) || value.high <= value.low) {
+    std::ostringstream text;
+    text << value.low << " to " << value.high;
+    refuse(name, text.str(), "from a value ≥ 0 to a greater one");
+  }
+}
+
+void diffuse(const DiffuseDef& def) {
+  if (def.capacity < 1 || def.capacity > 1u << 26)
+    refuse("DiffuseDef::capacity", std::to_string(def.capacity), "from 1 to 67108864");
+  not_negative("DiffuseDef::air_rate", def.air_rate);
+  not_negative("DiffuseDef::crest_rate", def.crest_rate);
+  range("DiffuseDef::air", def.air);
+  range("DiffuseDef::crest", def.crest);
+  range("DiffuseDef::energy", def.energy);
+  range("DiffuseDef::lifetime", def.lifetime);
+  not_negative("DiffuseDef::spread", def.spread);
+  not_negative("DiffuseDef::drag", def.drag);
+  not_negative("DiffuseDef::buoyancy", def.buoyancy);
+  between("DiffuseDef::spray_below", def.spray_below, 0.0f, 1.0f);
+  between("DiffuseDef::bubbles_above", def.bubbles_above, def.spray_below, 1.0f);
+}
+
+}  // namespace
+
 void world(const WorldDef& def) {
   between("WorldDef::threads", def.threads, 0, 1024);
   finite("WorldDef::gravity", def.gravity);
@@ -102,6 +130,7 @@ void world(const WorldDef& def) {
   not_negative("ArtificialPressureDef::strength", d.artificial_pressure.strength);
   between("ArtificialPressureDef::exponent", d.artificial_pressure.exponent, 1, 16);
   between("ArtificialPressureDef::distance", d.artificial_pressure.distance, 0.0f, 0.9f);
+  if (def.diffuse) diffuse(*def.diffuse);
 }
 
 void fluid(const FluidDef& def) {

@@ -197,6 +197,8 @@ StepReport World::step(float dt) {
   report.contacts = done.result.contacts;
   report.max_neighbours = done.result.max_neighbours;
   report.max_speed = std::sqrt(done.result.summary.max_speed2);
+  report.diffuse = impl_->engine->diffuse_count();
+  report.diffuse_refused = impl_->engine->diffuse_refused();
   return report;
 }
 

@@ -38,6 +38,8 @@ EngineDef World::Impl::engine_def() {
   const float g = length(def.gravity);
   e.density.artificial_pressure = {d.artificial_pressure.strength * 1000.0f * (g > 0 ? g : 9.81f) * kernel.h,
                                    d.artificial_pressure.exponent, d.artificial_pressure.distance};
+  if (def.diffuse)
+    e.diffuse = fluid::diffuse_parameters(*def.diffuse, def.particle_spacing, kernel.h, def.gravity);
   return e;
 }
 
@@ -168,7 +170,7 @@ void World::Impl::read_probes() {
 
 void World::Impl::state_changed() {
   positions.valid = velocities.valid = fluid_indices.valid = false;
-  ellipsoids.valid = density_errors.valid = full_support.valid = pressures.valid = false;
+  diffuse.valid = ellipsoids.valid = density_errors.valid = full_support.valid = pressures.valid = false;
 }
 
 void World::Impl::remove(const std::vector<bool>& removed) {

@@ -5,6 +5,7 @@
 #include <meniscus/world.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sdk/engine/engine.h"
@@ -139,7 +140,9 @@ struct World::Impl {
   CachedReadout<uint32_t> fluid_indices;
   CachedReadout<float> density_errors, full_support, pressures;
   CachedReadout<Ellipsoid> ellipsoids;
-  EngineMeasure measured;  // with density_errors
+  CachedReadout<DiffuseParticle> diffuse;
+  EngineMeasure measured;                      // with density_errors
+  std::optional<fluid::SurfaceField> surface;  // when it was asked for
 };
 
 ParticleMaterial material_of(const FluidDef& def);

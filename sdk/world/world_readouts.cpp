@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sdk/world/check.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
@@ -47,6 +48,28 @@ std::span<const float> World::pressures() const {
 
 std::span<const Ellipsoid> World::ellipsoids() const {
   return impl_->ellipsoids.get(particle_count(), [&](auto out) { impl_->engine->read_ellipsoids(out); });
+}
+
+std::span<const DiffuseParticle> World::diffuse() const {
+  return impl_->diffuse.get(impl_->engine->diffuse_count(),
+                            [&](auto out) { impl_->engine->read_diffuse(out); });
+}
+
+SurfaceMesh World::surface_mesh(const SurfaceMeshDef& def) const {
+  check::between("SurfaceMeshDef::cell_size", def.cell_size, 0.1f, 2.0f);
+  check::between("SurfaceMeshDef::level", def.level, 0.2f, 3.0f);
+  std::optional<uint32_t> group;
+  if (def.fluid) {
+    impl_->fluids.get(*def.fluid);
+    group = def.fluid->index;
+  }
+  if (particle_count() == 0) return {};
+  if (!impl_->surface)
+    impl_->surface = fluid::calibrate_surface(impl_->def.particle_spacing, impl_->kernel.h);
+  fluid::SurfaceField field = *impl_->surface;
+  field.cell = def.cell_size * impl_->def.particle_spacing;
+  field.iso *= def.level;
+  return impl_->engine->read_surface(field, group);
 }
 
 Diagnostics World::diagnostics() const {

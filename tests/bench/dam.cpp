@@ -19,6 +19,7 @@ struct Dam {
     d.substeps = o.substeps;
     d.iterations = iterations;
     d.density.solver = solver_named(o.solver);
+    if (o.diffuse) d.diffuse.emplace();
     return d;
   }
 
@@ -82,6 +83,7 @@ Json run_case(const CommonOptions& common, const DamOptions& o, int particles, i
           {"ms_per_step_mean_wall", wall},
           {"boxes", o.boxes},
           {"rigid_ms", times.rigid_ms()},
+          {"diffuse", dam.world.diffuse().size()},
           {"contacts", d.contacts},
           {"density_error_mean_percent", 100 * d.density_error_mean},
           {"density_error_max_percent", 100 * d.density_error_max},
@@ -100,6 +102,7 @@ CLI::App* add_dam(CLI::App& app, DamOptions& o) {
   dam->add_option("--iterations", o.iterations, "a substep, one case each")->delimiter(',');
   dam->add_option("--substeps", o.substeps, "a step");
   dam->add_option("--boxes", o.boxes, "rigid bodies in the water's way");
+  dam->add_flag("--diffuse", o.diffuse, "with spray, foam and bubbles");
   dam->add_option("--warm", o.warm_steps, "steps before the clock starts");
   dam->add_option("--steps", o.timed_steps, "steps that are timed")->check(CLI::PositiveNumber);
   dam->add_option("--step-in-h", o.step_in_h,

@@ -16,6 +16,7 @@ struct DamOptions {
   std::vector<int> iterations{4};
   int substeps = 1;
   int boxes = 0;
+  bool diffuse = false;
   int warm_steps = 200;
   int timed_steps = 200;
   float step_in_h =

@@ -105,6 +105,17 @@ TEST_F(ProgramTest, ARunLeavesItsFiles) {
   EXPECT_EQ(figures["device"]["kind"], "cpu");
 }
 
+TEST_F(ProgramTest, SurfacesAreWrittenWhereTheyAreAskedFor) {
+  EXPECT_EXIT(
+      run({"run", "drop", "--device", "cpu", "--out", out(), "--export", "obj,vtp", "--surface", "--quiet"}),
+      testing::ExitedWithCode(success), "^$");
+  for (const char* name : {"surface.pvd", "frames/surface_00001.obj", "frames/surface_00002.vtp"})
+    EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
+  EXPECT_NE(bytes(fs::path(out()) / "frames/surface_00002.obj").find("\nf "), std::string::npos);
+  EXPECT_EXIT(run({"run", "drop", "--surface"}), testing::ExitedWithCode(bad_input),
+              "--surface[^\n]*--export");
+}
+
 TEST_F(ProgramTest, PicturesHaveTheSizeAndTheCameraThatAreAskedFor) {
   EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", out(), "--quiet", "--size", "64x48"}),
               testing::ExitedWithCode(success), "^$");

@@ -39,13 +39,14 @@ class Run {
   explicit Run(const RunOptions& options)
       : scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
+        surface_(options.surface),
         folder_(folder_of(options, scene_)),
         built_(build_scene(scene_)),
         rope_mass_(mass_of_ropes()),
         first_(sample(0, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
         recorder_(made(folder_), scene_),
-        exporter_(folder_, options.formats, scene_) {
+        exporter_(folder_, options.formats, options.surface, scene_) {
     if (built_.world.particle_count() == 0 && built_.bodies.empty() && built_.cloths.empty() &&
         built_.ropes.empty() && built_.emitters.empty()) {
       spdlog::warn("the scene has no particles, emitters, bodies, cloth or ropes: nothing will happen");
@@ -59,8 +60,9 @@ class Run {
     recorder_.start(built_.world.device(), first_, masses());
     try {
       for (int frame = 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
-        const FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
+        FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
         recorder_.add(now);
+        if (surface_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
         exporter_.write(now);
         pictures_.add(built_.world, now);
         const bool fluid = now.diagnostics.particles > 0;
@@ -93,12 +95,14 @@ class Run {
                     .diagnostics = world.diagnostics(),
                     .mass = 0,
                     .particles = io::frame_of(world),
+                    .diffuse = {world.time(), world.diffuse()},
                     .emitted = {},
                     .taken = {},
                     .probes = {},
                     .bodies = states(),
                     .cloth = io::cloth_frame_of(world, built_.cloths, scene_.cloths),
                     .ropes = io::rope_frame_of(world, built_.ropes, scene_.ropes),
+                    .liquid = {},
                     .cloths = {},
                     .tears = tears(),
                     .attachment_forces = {}};
@@ -156,6 +160,7 @@ class Run {
 
   Scene scene_;
   io::PreviewScene picture_;
+  bool surface_;
   std::filesystem::path folder_;
   BuiltScene built_;
   double rope_mass_;
@@ -174,7 +179,8 @@ int run_scene(const RunOptions& options) {
   run.step_through(options.quiet);
   try {
     const nlohmann::ordered_json figures = run.write_results();
-    if (!options.quiet) fmt::print("{}", run_summary(figures, run.folder(), options.formats, run.pictures()));
+    if (!options.quiet)
+      fmt::print("{}", run_summary(figures, run.folder(), options.formats, run.pictures(), options.surface));
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
     return run_failed;

@@ -16,6 +16,7 @@ struct RunOptions {
   std::optional<int> frames;
   std::string out;  ///< empty: out/<scene name>
   std::vector<std::string> formats;
+  bool surface = false;  ///< of the fluids, too, in these formats
   PictureOptions picture;
   bool quiet = false;
 };

@@ -27,8 +27,8 @@ enum class DeviceChoice {
 enum class DensitySolver {
   jacobi,     ///< damped Jacobi on accumulated multipliers
   chebyshev,  ///< the same steps, accelerated by Chebyshev's weights: fewer iterations for the same error
-  grid,       ///< once a substep a multigrid solve on a coarse grid, which reaches any depth; then Chebyshev's,
-              ///< without a warm start
+  grid,  ///< once a substep a multigrid solve on a coarse grid, which reaches any depth; then Chebyshev's,
+         ///< without a warm start
 };
 
 /// Tensile-instability repulsion of Macklin & Müller 2013, eq. 13, as a pressure of strength · ρ₀ · |g| · h.
@@ -64,6 +64,32 @@ struct ClothSolverDef {
   friend bool operator==(const ClothSolverDef&, const ClothSolverDef&) = default;
 };
 
+/// Where something begins, and where it is in full.
+struct Range {
+  float low, high;
+};
+
+/// Spray, foam and bubbles where the fluid is wild (Ihmsen et al. 2012), for the eye: they have no effect on
+/// it. A particle of fluid makes (air_rate · a + crest_rate · c) · e of them a second, where a, c and e go
+/// from 0 to 1 over the ranges `air`, `crest` and `energy`. They know solids, but no cloth, and no sinks.
+struct DiffuseDef {
+  /// Most of them at once, 1 to 2²⁶, each of 104 bytes on the device, for which there is room from the start.
+  /// When there are as many, no more are made: StepReport::diffuse_refused counts them.
+  uint32_t capacity = 1u << 18;
+  float air_rate = 60.0f;      ///< 1/s, ≥ 0, where air is trapped
+  float crest_rate = 60.0f;    ///< 1/s, ≥ 0, where waves break
+  Range air{0.6f, 2.4f};       ///< m/s: mean speed at which neighbours meet
+  Range crest{0.2f, 0.8f};     ///< mean bend of the surface, no unit: 0 where it is flat
+  Range energy{0.5f, 8.0f};    ///< J/kg, half of the speed squared
+  Range lifetime{1.0f, 4.0f};  ///< s, of each, at random
+  float spread = 0.1f;         ///< of speed, sideways, ≥ 0, when they are made
+  float drag = 40.0f;          ///< 1/s, ≥ 0: rate at which a bubble takes the fluid's velocity
+  float buoyancy = 2.0f;       ///< of a bubble, in gravities, ≥ 0: it rises at buoyancy · g / drag
+  // How much fluid is around, of what there is inside of it:
+  float spray_below = 0.15f;   ///< spray is among less than this, 0 to 1
+  float bubbles_above = 0.7f;  ///< bubbles are among more than this, spray_below to 1; foam is in between
+};
+
 struct WorldDef {
   DeviceChoice device = DeviceChoice::automatic;
   int threads = 0;                 ///< of the CPU device; 0: one a core
@@ -80,6 +106,7 @@ struct WorldDef {
   DensitySolverDef density{};
   RigidSolverDef rigid{};
   ClothSolverDef cloth{};
+  std::optional<DiffuseDef> diffuse{};  ///< none: there is none of it
 };
 
 struct FluidDef {
@@ -113,6 +140,15 @@ struct GranularDef {
   float friction = 0.6f;
   CollisionFilter filter{};         ///< which solids it collides with
   Vec3 color{0.53f, 0.36f, 0.17f};  ///< linear RGB, 0 to 1
+};
+
+/// How finely, and of what, World::surface_mesh makes a surface.
+struct SurfaceMeshDef {
+  std::optional<FluidId> fluid{};  ///< or granular material; none: all fluids as one, without grains
+  float cell_size = 0.5f;          ///< of marching cubes, spacings, 0.1 to 2
+  /// Of the field that the particles make, 0.2 to 3: at 1 the surface keeps the fluid's volume, to within .1
+  /// spacings of where it is; less is fatter.
+  float level = 1.0f;
 };
 
 // ---- solids that do not move ----

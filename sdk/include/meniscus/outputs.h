@@ -19,6 +19,23 @@ struct Ellipsoid {
   Quat rotation{0, 0, 0, 1};  ///< from its frame to the world's
 };
 
+/// The surface of a fluid, closed: each edge belongs to two triangles.
+struct SurfaceMesh {
+  std::vector<Vec3> vertices;                      ///< m
+  std::vector<Vec3> normals;                       ///< unit, one a vertex, out of the fluid
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< corners turn counter-clockwise as seen from outside
+};
+
+enum class DiffuseKind : uint32_t { spray, foam, bubble };
+
+/// A piece of air and water: see DiffuseDef.
+struct DiffuseParticle {
+  Vec3 position;     ///< m
+  Vec3 velocity;     ///< m/s
+  float life;        ///< s that are left
+  DiffuseKind kind;  ///< as of the last step
+};
+
 /// The stages of a step, in their order; see stage_name.
 enum class Stage { predict, neighbours, contacts, solve, velocity, exchange, finish };
 inline constexpr std::size_t stage_count = 7;
@@ -36,6 +53,8 @@ struct StepReport {
   uint32_t max_neighbours = 0;                 ///< the fullest neighbour list that a particle ever needed
   uint32_t removed = 0;                        ///< particles that sinks took
   uint32_t emitted = 0;                        ///< particles that emitters made
+  uint32_t diffuse = 0;                        ///< spray, foam and bubbles, in all
+  uint32_t diffuse_refused = 0;                ///< that found no room: see DiffuseDef::capacity
   float max_speed = 0;                         ///< m/s
 };
 

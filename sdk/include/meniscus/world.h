@@ -150,6 +150,14 @@ class World {
   /// The surface of the fluid is around them: flat along it, a ball where a particle is on its own or inside.
   /// Their centres are smoothed. Grains are balls one spacing across.
   std::span<const Ellipsoid> ellipsoids() const;
+  /// The surface around the ellipsoids, by marching cubes on the device. Particles that are further than 2²¹
+  /// cells from the origin are left out. Where there are no particles it is empty. Throws
+  /// Error(invalid_argument) and Error(not_found); Error(capacity) where so many cells would be needed that
+  /// 32 bits do not count them.
+  SurfaceMesh surface_mesh(const SurfaceMeshDef& def = {}) const;
+
+  /// Spray, foam and bubbles, in the order of their making; none without WorldDef::diffuse.
+  std::span<const DiffuseParticle> diffuse() const;
 
   Diagnostics diagnostics() const;
   double probe(ProbeId id) const;  ///< unit by its kind; of the last step

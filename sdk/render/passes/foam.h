@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/outputs.h>
+
+#include <span>
+
+#include "sdk/render/gl/program.h"
+#include "sdk/render/passes/screen.h"
+#include "sdk/render/uniforms.h"
+
+namespace meniscus::render {
+
+/// Spray, foam and bubbles: how much of them lies along each line of sight, before the fluid's surface and
+/// behind it, as sums, so that their order does not count; then they are laid over the picture.
+class Foam {
+ public:
+  Foam();
+
+  void set(std::span<const DiffuseParticle> particles);
+  /// Sums up. `spacing` of the fluid's particles, m.
+  void gather(const FrameUniforms& frame, const Texture& solid_depth, const Texture& fluid_depth,
+              float spacing, const Target& to_sums);
+  /// Draws over what is in the present target; the thickness map is bound already.
+  void lay_over(const Screen& screen, const Texture& sums) const;
+
+ private:
+  VertexArrayHandle array_;
+  DataBuffer particles_;
+  GLsizei count_ = 0;
+  Program gather_{"foam.vert.glsl", "foam.frag.glsl"};
+  Program lay_over_{"screen.vert.glsl", "foam_over.frag.glsl"};
+};
+
+}  // namespace meniscus::render

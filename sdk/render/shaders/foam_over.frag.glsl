@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+// Spray, foam and bubbles over the picture: white, in the light that comes there; what is behind the surface is
+// dyed by the fluid before it.
+#include "frame.glsl"
+#include "sky.glsl"
+#include "shadow.glsl"
+layout(binding = 2) uniform sampler2D foam_sums;
+layout(binding = 3) uniform sampler2D solid_depth;
+layout(binding = 4) uniform sampler2D fluid_depth;
+layout(binding = 5) uniform sampler2D thickness_map;  // absorbance; metres
+in vec2 place;
+layout(location = 0) out vec4 color;  // times its opacity
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec3 sums = texelFetch(foam_sums, pixel, 0).rgb;
+  if (sums.r + sums.g <= 0.0) discard;
+  float surface = texelFetch(fluid_depth, pixel, 0).r;
+  float z = surface > 0.0 ? surface : to_distance(texelFetch(solid_depth, pixel, 0).r);
+  vec3 world = (camera_to_world * vec4(z * view_ray(place), 1.0)).xyz;
+  vec3 white = 0.9 * (ambient_light(up.xyz) + 0.32 * sun_light * (surface > 0.0 ? sun_on(world, up.xyz) : vec3(1.0)));
+
+  vec4 depths = texture(thickness_map, place);
+  vec3 absorption = depths.rgb / max(depths.a, 1e-6);
+  vec3 dyed = white * exp(-2.0 * absorption * sums.b / max(sums.g, 1e-6));
+  float front = 1.0 - exp(-sums.r), back = 0.7 * (1.0 - exp(-sums.g)) * (1.0 - front);
+  color = vec4(front * white + back * dyed, front + back);
+}
