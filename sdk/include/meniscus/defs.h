@@ -76,8 +76,8 @@ struct DiffuseDef {
   /// Most of them at once, 1 to 2²⁶, each of 104 bytes on the device, for which there is room from the start.
   /// When there are as many, no more are made: StepReport::diffuse_refused counts them.
   uint32_t capacity = 1u << 18;
-  float air_rate = 60.0f;      ///< 1/s, ≥ 0, where air is trapped
-  float crest_rate = 60.0f;    ///< 1/s, ≥ 0, where waves break
+  float air_rate = 200.0f;     ///< 1/s, ≥ 0, where air is trapped
+  float crest_rate = 200.0f;   ///< 1/s, ≥ 0, where waves break
   Range air{0.6f, 2.4f};       ///< m/s: mean speed at which neighbours meet
   Range crest{0.2f, 0.8f};     ///< mean bend of the surface, no unit: 0 where it is flat
   Range energy{0.5f, 8.0f};    ///< J/kg, half of the speed squared

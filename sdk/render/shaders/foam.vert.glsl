@@ -17,8 +17,8 @@ void main() {
   offset = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
   vec4 clip = projection * view * vec4(centre_, 1.0);
   distance_ = clip.w;
-  float radius = spacing * (kind == 0u ? 0.16 : kind == 1u ? 0.22 : 0.14);
-  opacity = (kind == 0u ? 0.5 : kind == 1u ? 0.45 : 0.3) * smoothstep(0.0, 0.4, life);
+  float radius = spacing * (kind == 0u ? 0.08 : kind == 1u ? 0.12 : 0.08);
+  opacity = (kind == 0u ? 0.7 : kind == 1u ? 0.6 : 0.4) * smoothstep(0.0, 0.4, life);
   // One that is smaller than a pixel is as large, and as much fainter.
   float pixels = 0.5 * viewport.y * per_metre.y * radius / max(distance_, 1e-6);
   float grow = max(1.0, 0.9 / max(pixels, 1e-3));

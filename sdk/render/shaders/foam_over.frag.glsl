@@ -13,9 +13,20 @@ layout(binding = 5) uniform sampler2D thickness_map;  // absorbance; metres
 in vec2 place;
 layout(location = 0) out vec4 color;  // times its opacity
 
+// Over three pixels each way: one piece alone is a haze rather than a grain of salt.
+vec3 smoothed_sums(ivec2 pixel) {
+  vec3 sums = vec3(0.0);
+  ivec2 last = textureSize(foam_sums, 0) - 1;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x)
+      sums += float((2 - abs(x)) * (2 - abs(y))) * texelFetch(foam_sums, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).rgb;
+  }
+  return sums / 16.0;
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec3 sums = texelFetch(foam_sums, pixel, 0).rgb;
+  vec3 sums = smoothed_sums(pixel);
   if (sums.r + sums.g <= 0.0) discard;
   float surface = texelFetch(fluid_depth, pixel, 0).r;
   float z = surface > 0.0 ? surface : to_distance(texelFetch(solid_depth, pixel, 0).r);
@@ -24,7 +35,7 @@ void main() {
 
   vec4 depths = texture(thickness_map, place);
   vec3 absorption = depths.rgb / max(depths.a, 1e-6);
-  vec3 dyed = white * exp(-2.0 * absorption * sums.b / max(sums.g, 1e-6));
-  float front = 1.0 - exp(-sums.r), back = 0.7 * (1.0 - exp(-sums.g)) * (1.0 - front);
+  vec3 dyed = white * exp(-2.0 * absorption * (sums.b / max(sums.g, 1e-6) + floor_.z));
+  float front = 1.0 - exp(-sums.r), back = 0.55 * (1.0 - exp(-sums.g)) * (1.0 - front);
   color = vec4(front * white + back * dyed, front + back);
 }
