@@ -39,7 +39,8 @@ void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
 /// The table grows with the fluid's extent, as that of the cells does: by doubling, so seldom.
 template <class D>
 void PressureGrid<D>::fit(const pbd::GridView& cells) {
-  space_ = {cells, {{cells.bits_x, cells.bits_y, cells.bits_z}}};
+  constexpr uint32_t bits_of_slices = 2;
+  space_ = {cells, {{cells.bits_x - bits_of_slices, cells.bits_y, cells.bits_z}}};
   multigrid_.fit(space_.nodes);
   const uint32_t count = space_.nodes.count();
   if (flags_.size() >= count) return;
@@ -61,8 +62,8 @@ void PressureGrid<D>::find_excess(pbd::Substep<D>& substep,
   const pbd::ParticleView& p = substep.particles;
   const ContactView contacts = substep.contacts.of_first(p.sorted);
   device_.parallel_for_both("grid/excess", p.sorted,
-                            Excess<D>{kernel_, space_, substep.neighbours, contacts.start, p.position,
-                                      p.phase, excess_of, found_.view()},
+                            Excess{kernel_, space_, substep.neighbours, contacts.start, p.position, p.phase,
+                                   excess_of, found_.view()},
                             contacts.contacts.count,
                             ExcessAtWalls{kernel_, space_, substep.neighbours, contacts, p.position, p.phase,
                                           excess_of, found_.view()});

@@ -31,14 +31,22 @@ struct Space {
   /// Where in its cell a point is.
   MENISCUS_HD Vec3 part(Vec3 p) const { return place(p).t; }
   MENISCUS_HD Place place(Vec3 p) const {
-    const pbd::CellCoordinates c = cells.coordinates(p);
-    const Vec3 x = cells.inverse_cell * p;
+    pbd::CellCoordinates c = cells.coordinates(p);
+    c.x = c.x >> 2;  // floor of a quarter
+    const Vec3 x = cells.inverse_reach * p;
     const auto part = [](float v, int32_t cell) {
       return pbd::clamp(v - static_cast<float>(cell), 0.0f, 1.0f);
     };
     return {{{c.x, c.y, c.z}}, {part(x.x, c.x), part(x.y, c.y), part(x.z, c.z)}};
   }
-  MENISCUS_HD float width() const { return 1 / cells.inverse_cell; }
+  MENISCUS_HD float width() const { return 1 / cells.inverse_reach; }
+  /// Of the cell behind a node: its slices lie side by side.
+  MENISCUS_HD pbd::Run particles_behind(uint32_t node) const {
+    return {cells.start[slices * node], cells.start[slices * (node + 1)]};
+  }
+
+  static constexpr uint32_t slices = pbd::GridView::slices;
+  static_assert(slices == 4);
 };
 
 MENISCUS_HD inline float component(Vec3 v, int axis) {
@@ -117,7 +125,6 @@ struct ExcessOf {
 /// Of one particle: x, y, z: where in its cell it is, from 0 to 1; w: its excess.
 using Found = Vec4;
 
-template <class D>
 struct Excess {
   Kernel kernel;
   Space space;
@@ -128,9 +135,11 @@ struct Excess {
   ExcessOf excess_of;
   View<Found> found;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
     const float value = density_kernels::density_constraint<D>(kernel, position, neighbours, i).value;
+    if (!D::leads()) return;
     const float excess = pbd::is_grain(phase[i]) ? 0.0f : excess_of(i, value);
     found[i] = pbd::with_w(space.part(position[i].xyz()), excess);
   }
@@ -168,7 +177,7 @@ MENISCUS_HD void for_each_around(const Space& space, uint32_t node, View<const F
   for (int k = 0; k < 8; ++k) {
     const int x = k & 1, y = k >> 1 & 1, z = k >> 2;  // 0: the cell lies before the node
     const uint32_t cell = space.nodes.index(c.at[0] + x - 1, c.at[1] + y - 1, c.at[2] + z - 1);
-    const uint32_t first = space.cells.start[cell], end = space.cells.start[cell + 1];
+    const auto [first, end] = space.particles_behind(cell);
     if (first == end || !wanted(first, end)) continue;
     for (uint32_t i = first; i < end; ++i) {
       const Vec3 t = found[i].xyz();
@@ -228,7 +237,7 @@ struct GatherNodes {
                     [&](uint32_t, Vec3 away) { sight.weight += node_weight(away); });
     for_each_around(space, node, found, TouchingCells{contacts.start},
                     [&](uint32_t i, Vec3 away) { add(sight, i, away); });
-    const float inverse_width = space.cells.inverse_cell;
+    const float inverse_width = space.cells.inverse_reach;
     const float share = volume * inverse_width * inverse_width * inverse_width * sight.weight;
     flags[node] = flags_of(sight, share);
     filled[node] = share;
@@ -240,7 +249,7 @@ struct GatherNodes {
       const Contact& c = contacts.contacts[k];
       if (c.body == pbd::on_sheet || pbd::is_tie(c) || c.fraction < 0.5f) continue;
       const float distance =
-          space.cells.inverse_cell * plane_distance(c, position[i].xyz()) + dot(c.normal, away);
+          space.cells.inverse_reach * plane_distance(c, position[i].xyz()) + dot(c.normal, away);
       open *= 1 - share_behind(distance);
       sight.touched = true;
       sight.distance = pbd::min(sight.distance, distance);
@@ -367,8 +376,8 @@ struct GatherFaces {
       cell.at[axis] += along_axis;
       cell.at[side] += s;
       cell.at[other] += o;
-      const uint32_t key = space.nodes.index(cell);
-      for (uint32_t i = space.cells.start[key], end = space.cells.start[key + 1]; i < end; ++i) {
+      const pbd::Run run = space.particles_behind(space.nodes.index(cell));
+      for (uint32_t i = run.begin; i < run.end; ++i) {
         const Vec3 t = found[i].xyz();
         const float away = fabsf(static_cast<float>(along_axis) + component(t, axis) - 0.5f);
         if (away >= 1) continue;
@@ -381,7 +390,7 @@ struct GatherFaces {
       }
     }
     const uint32_t flags = map.flags[node] | map.flags[space.nodes.beside(c, axis, 1)];
-    const float inverse_width = space.cells.inverse_cell;
+    const float inverse_width = space.cells.inverse_reach;
     const float share = filled * volume * inverse_width * inverse_width * inverse_width;
     return {flags & node_touched ? pbd::min(1.0f, share) : 1.0f, mass,
             mass > 0 ? 1 / pbd::max(mass, least) : 0.0f};
