@@ -58,7 +58,7 @@ struct SolveYarns {
     group.for_each(yarn.count, [&](uint32_t k) { lengths[k] = linearize(scratch, yarn, k); });
     group.for_each(yarn.count, [&](uint32_t k) { couple(scratch, lengths[k], yarn, k); });
     const Length* steps = solve_tridiagonal(group, lengths, scratch.template rows_of<Length>(1), yarn.count);
-    group.for_each(yarn.count, [&](uint32_t k) { take(scratch, steps[k].right, yarn, k); });
+    group.for_each(yarn.count, [&](uint32_t k) { scratch.edge[k].w += steps[k].right; });
 
     Sideways* sideways = scratch.template rows_of<Sideways>(0);
     group.for_each(yarn.count + 1, [&](uint32_t k) { sideways[k] = turn(scratch, yarn, k); });
@@ -130,16 +130,6 @@ struct SolveYarns {
   }
   MENISCUS_HD float last_stiffness(const Yarn& yarn, uint32_t k) const {
     return stiffness(multiplier[yarn.first + k].w, yarn, k);
-  }
-
-  /// The new multiplier. What is much too short is not pushed apart at once: it would fly.
-  MENISCUS_HD void take(Scratch& scratch, float step, const Yarn& yarn, uint32_t k) const {
-    constexpr float most = 0.05f;  // of the rest length
-    const EdgeConstraint e = load(edges, yarn.first + k);
-    const float weight = all.position(e.a).w + all.position(e.b).w;
-    float& lambda = scratch.edge[k].w;
-    lambda += step;
-    if (lambda * weight > most * e.rest_length) lambda = most * e.rest_length / weight;
   }
 
   /// kg·m, and λ: what edge k has pushed its end with.

@@ -142,7 +142,7 @@ MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
 /// short, and there are no roots to be missed. `distance` is at the start, and greater than the gap;
 /// `motion` as relative_motion() has it.
 MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float distance, float motion, float gap) {
-  constexpr int most_steps = 20;  // few take more, and all others would wait for those
+  constexpr int most_steps = 64;
   float t = 0;
   for (int k = 0; k < most_steps; ++k) {
     t += (distance - 0.75f * gap) / motion;  // > 0.25 gap / motion
