@@ -44,6 +44,10 @@ struct SolveYarns {
   using Length = YarnScratch::Length;
   using Sideways = YarnScratch::Sideways;
 
+  /// Added to the diagonal, as a share of w_k + w_k₊₁: what is straight between two places that nothing moves
+  /// has no solution.
+  static constexpr float guard = 0.0003f;
+
   View<const Yarn> yarns;
   View<const EdgeConstraint> edges;
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
@@ -112,7 +116,7 @@ struct SolveYarns {
       gamma = damping * compliance / (compliance + weight);
     }
     scratch.edge[k] = pbd::with_w(n, before);
-    return {(1 + gamma) * a.w, compliance, (1 + gamma) * b.w,
+    return {(1 + gamma) * a.w, compliance + guard * weight, (1 + gamma) * b.w,
             e.rest_length - l - compliance * before - gamma * rate};
   }
 
