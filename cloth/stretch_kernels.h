@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cloth/constraints.h"
+#include "cloth/edge_compliance.h"
 #include "cloth/vertex_state.h"
 
 namespace meniscus::cloth::stretch_kernels {
@@ -31,7 +32,8 @@ struct SolveEdge {
     Vec4 d = plus(b.x, -1, a.x);
     d.w = 0;
     const float l = length(d.xyz());
-    const float compliance = e.compliance * vertices.inverse_dt() * vertices.inverse_dt();
+    const float c = l - e.rest_length;
+    const float compliance = edge_compliance(vertices, e, c, weight, vertices.inverse_dt());
     if (weight + compliance == 0 || l < 1e-12f) return;
     const float damping = vertices.stretch_damping(e.a), inverse_l = 1 / l;
     float rate = 0;
@@ -39,7 +41,6 @@ struct SolveEdge {
       const Vec4 was = plus(vertices.previous(e.b), -1, vertices.previous(e.a));
       rate = inverse_l * dot(d.xyz(), d.xyz() - was.xyz());
     }
-    const float c = l - e.rest_length;
     const float step = (c < 0 ? compressed_relaxation : relaxation) *
                        xpbd_step(c, rate, weight, before, compliance, damping);
     const float now = before + step, scale = inverse_l * now;

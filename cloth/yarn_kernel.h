@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cloth/edge_compliance.h"
 #include "cloth/tridiagonal.h"
 #include "cloth/vertex_state.h"
 #include "cloth/yarns.h"
@@ -73,15 +74,19 @@ struct SolveYarns {
   }
 
  private:
+  /// Of the yarn at a vertex. Where it folds back, that of both its branches: across them nothing is
+  /// shortened.
+  MENISCUS_HD static Vec3 direction(Vec3 before, Vec3 after) {
+    return normalized_or(dot(before, after) < 0 ? after - before : after + before, {0, 0, 0});
+  }
+
   /// How readily a vertex gives way, 1/kg.
   struct Mobility {
     Vec3 along;
     float w, sideways;
 
     MENISCUS_HD Mobility(Vec3 before, Vec3 after, float weight, float stiffness)
-        : along(normalized_or(before + after, {0, 0, 0})),
-          w(weight),
-          sideways(1 / (1 + weight * stiffness)) {}
+        : along(direction(before, after)), w(weight), sideways(1 / (1 + weight * stiffness)) {}
     MENISCUS_HD float operator()(Vec3 p, Vec3 q) const {
       return w * ((1 - sideways) * dot(p, along) * dot(q, along) + sideways * dot(p, q));
     }
@@ -103,7 +108,8 @@ struct SolveYarns {
     const float before = given(yarn, k).w;
     const Vec3 d = b.xyz() - a.xyz();
     const float l = length(d), weight = a.w + b.w;
-    const float compliance = e.compliance * all.inverse_dt * all.inverse_dt;
+    const float error = l - e.rest_length;
+    const float compliance = edge_compliance(all, e, error, weight, all.inverse_dt);
     if (weight + compliance == 0 || l < 1e-12f) {
       scratch.edge[k] = {0, 0, 0, before};
       return {0, 1, 0, 0};
@@ -117,7 +123,7 @@ struct SolveYarns {
     }
     scratch.edge[k] = pbd::with_w(n, before);
     return {(1 + gamma) * a.w, compliance + guard * weight, (1 + gamma) * b.w,
-            e.rest_length - l - compliance * before - gamma * rate};
+            -error - compliance * before - gamma * rate};
   }
 
   MENISCUS_HD void couple(const Scratch& scratch, Length& row, const Yarn& yarn, uint32_t k) const {
@@ -156,19 +162,19 @@ struct SolveYarns {
   /// The row of vertex k's way to the sides, m.
   MENISCUS_HD Sideways turn(const Scratch& scratch, const Yarn& yarn, uint32_t k) const {
     const float w = all.position(vertex(yarn, k)).w;
-    Vec3 along{0, 0, 0};
-    float before = 0, after = 0;
+    Vec3 before{0, 0, 0}, after{0, 0, 0};
+    float lower = 0, upper = 0;
     if (k > 0) {
-      before = w * stiffness(scratch.edge[k - 1].w, yarn, k - 1);
-      along += scratch.edge[k - 1].xyz();
+      before = scratch.edge[k - 1].xyz();
+      lower = w * stiffness(scratch.edge[k - 1].w, yarn, k - 1);
     }
     if (k < yarn.count) {
-      after = w * stiffness(scratch.edge[k].w, yarn, k);
-      along += scratch.edge[k].xyz();
+      after = scratch.edge[k].xyz();
+      upper = w * stiffness(scratch.edge[k].w, yarn, k);
     }
-    along = normalized_or(along, {0, 0, 0});
+    const Vec3 along = direction(before, after);
     const Vec3 push = steps_on(scratch, yarn, k);
-    return {-before, 1 + before + after, -after, w * (push - dot(push, along) * along)};
+    return {-lower, 1 + lower + upper, -upper, w * (push - dot(push, along) * along)};
   }
 
   /// kg·m: what edge k takes back, as it turns.

@@ -19,7 +19,7 @@ class ClothFolded : public OnDevice {
 };
 
 TEST_P(ClothFolded, OverABallAndOnTheFloor) {
-  World world(cloth_world(GetParam(), 64, 1));
+  World world(cloth_world(GetParam(), 40, 1));
   ShapeDef ball = shape(SphereGeometry{0.25f}), floor = shape(PlaneGeometry{{0, 1, 0}, -0.3f});
   ball.surface.friction = floor.surface.friction = 0.5f;
   world.create_shape(ball);
