@@ -53,7 +53,7 @@ class ClothSolids : public OnDevice {
   enum class Mover { solid, cloth };
   struct Found {
     int inside = 0;           ///< vertices, summed over the steps looked at
-    bool passed_by = false;   ///< cloth is below the solid's origin on its axis
+    bool passed_by = false;   ///< cloth is below the solid's origin on its axis, and not by its corners
     bool still_above = true;  ///< and above it
   };
 
@@ -88,12 +88,14 @@ class ClothSolids : public OnDevice {
       if (k % every && k != steps) continue;
       if (mover == Mover::solid) pose = world.body_state(body).pose;
       for (Vec3 x : world.cloth_positions(id)) found.inside += solid.depth(to_local(pose, x)) > 1e-5;
-      look_along_axis(world, id, pose.position, found);
+      look_along_axis(world, id, at_rest(def), pose.position, found);
     }
     return found;
   }
 
-  static void look_along_axis(const World& world, ClothId id, Vec3 origin, Found& found) {
+  /// The sheet's corners may close below a solid that it has wrapped.
+  static void look_along_axis(const World& world, ClothId id, const std::vector<Vec3>& rest, Vec3 origin,
+                              Found& found) {
     const auto x = world.cloth_positions(id);
     const auto t = world.cloth_triangles(id);
     const Vec3 o = origin + Vec3{1e-4f, 0, 2e-4f};  // on no edge
@@ -105,7 +107,7 @@ class ClothSolids : public OnDevice {
       if (!((ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0))) continue;
       const bool over = (bc * a.y + ca * b.y + ab * c.y) / (ab + bc + ca) > 0;
       above |= over;
-      found.passed_by |= !over;
+      found.passed_by |= !over && length(rest[t[k]]) < 0.5f;
     }
     found.still_above &= above;
   }
