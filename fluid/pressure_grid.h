@@ -3,6 +3,8 @@
 #pragma once
 
 #include "fluid/multigrid.h"
+#include "fluid/pressure_grid_excess_kernels.h"
+#include "fluid/pressure_grid_motion_kernels.h"
 #include "fluid/pressure_load_kernels.h"
 #include "pbd/substep.h"
 

@@ -6,7 +6,7 @@
 // equal and opposite impulses.
 #pragma once
 
-#include "fluid/pressure_grid_kernels.h"
+#include "fluid/pressure_grid_faces_kernels.h"
 
 namespace meniscus::fluid::grid_kernels {
 

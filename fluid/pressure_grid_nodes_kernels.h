@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the nodes of the pressure grid are: in fluid, in a solid or in air.
+#pragma once
+
+#include "fluid/pressure_grid_space.h"
+
+namespace meniscus::fluid::grid_kernels {
+
+/// What lies around a node.
+enum NodeFlags : uint32_t {
+  node_fluid = 1,       ///< its pressure is an unknown
+  node_solid = 2,       ///< it is in a solid
+  node_touched = 4,     ///< near contacts
+  node_wall_below = 8,  ///< the node before it on x is in a solid; then after it; then y and z
+};
+
+MENISCUS_HD inline uint32_t wall_flag(int axis, bool after) {
+  return node_wall_below << (2 * axis + (after ? 1 : 0));
+}
+
+enum class Face { none, open, closed };
+
+struct NodeMap {
+  NodeTable nodes;
+  View<const uint32_t> flags;
+
+  /// A face is closed where there is fluid on one side and a solid on the other.
+  MENISCUS_HD Face face(uint32_t node, int axis) const {
+    const uint32_t other = nodes.beside(nodes.coordinates(node), axis, 1);
+    return between(flags[node], flags[other], axis);
+  }
+  MENISCUS_HD static Face between(uint32_t before, uint32_t after, int axis) {
+    const bool a = before & node_fluid, b = after & node_fluid;
+    if (a && b) return Face::open;
+    if (a) return before & wall_flag(axis, true) ? Face::closed : Face::open;
+    if (b) return after & wall_flag(axis, false) ? Face::closed : Face::open;
+    return Face::none;
+  }
+};
+
+/// How much of a node's share of space lies behind a plane that is this far away, in widths of a cell.
+MENISCUS_HD inline float share_behind(float distance) {
+  const float a = pbd::max(0.0f, 1 - fabsf(distance)), half = 0.5f * a * a;
+  return distance > 0 ? half : 1 - half;
+}
+
+/// How deep in solids a node may be, in widths of a cell, to be an unknown. Half a width deeper than fluid
+/// reaches there are no faces that move any.
+inline constexpr float deepest = -0.45f;
+
+/// What a node is: fluid where particles fill half of what solids leave.
+struct GatherNodes {
+  Space space;
+  View<const Found> found;
+  View<const Vec4> position;
+  ContactView contacts;
+  float volume;  ///< m³, of a particle
+  View<uint32_t> flags;
+  View<float> filled;  ///< share of the node's space that particles fill
+
+  /// What is seen from a node: solids as whoever touches most of them sees them.
+  struct Sight {
+    float weight = 0, open = 1, distance = 1;
+    float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the nodes beside
+    bool touched = false;
+  };
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    Sight sight;
+    for_each_around(space, node, found, AllCells{},
+                    [&](uint32_t, Vec3 away) { sight.weight += node_weight(away); });
+    for_each_around(space, node, found, TouchingCells{contacts.start},
+                    [&](uint32_t i, Vec3 away) { add(sight, i, away); });
+    const float inverse_width = space.cells.inverse_reach;
+    const float share = volume * inverse_width * inverse_width * inverse_width * sight.weight;
+    flags[node] = flags_of(sight, share);
+    filled[node] = share;
+  }
+
+  MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
+    float open = 1;
+    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
+      const Contact& c = contacts.contacts[k];
+      if (c.body == pbd::on_sheet || pbd::is_tie(c) || c.fraction < 0.5f) continue;
+      const float distance =
+          space.cells.inverse_reach * plane_distance(c, position[i].xyz()) + dot(c.normal, away);
+      open *= 1 - share_behind(distance);
+      sight.touched = true;
+      sight.distance = pbd::min(sight.distance, distance);
+      MENISCUS_UNROLL
+      for (int b = 0; b < 6; ++b) {
+        const float step = component(c.normal, b / 2);
+        sight.beside[b] = pbd::min(sight.beside[b], distance + (b % 2 ? step : -step));
+      }
+    }
+    sight.open = pbd::min(sight.open, open);
+  }
+
+  MENISCUS_HD static uint32_t flags_of(const Sight& sight, float share) {
+    uint32_t flags = sight.touched ? node_touched : 0u;
+    if (sight.distance < deepest)
+      flags |= node_solid;
+    else if (share > (sight.open < 0.5f ? 0.3f : 0.5f) * sight.open)
+      flags |= node_fluid;
+    for (int b = 0; b < 6; ++b) {
+      if (sight.beside[b] < deepest) flags |= wall_flag(b / 2, b % 2);
+    }
+    return flags;
+  }
+};
+
+/// Which nodes have fluid all around.
+struct MarkInside {
+  NodeTable nodes;
+  View<const uint32_t> flags;
+  View<uint32_t> inside;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = nodes.coordinates(node);
+    uint32_t all = flags[node];
+    for (int axis = 0; axis < 3; ++axis)
+      all &= flags[nodes.beside(c, axis, -1)] & flags[nodes.beside(c, axis, 1)];
+    inside[node] = all & node_fluid;
+  }
+};
+
+}  // namespace meniscus::fluid::grid_kernels
