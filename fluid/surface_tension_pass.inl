@@ -41,7 +41,6 @@ struct Spread {
 };
 
 /// n, which points into the fluid, and b beside it.
-template <class D>
 struct SurfaceNormal {
   Kernel kernel;
   View<const Vec4> position;
@@ -50,7 +49,8 @@ struct SurfaceNormal {
   ContactView contacts;
   View<Vec4> normal;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     using Real = typename D::Real;
     const Vec4 self = position[i];
     Vec3Of<Real> n{Real(0.0f), Real(0.0f), Real(0.0f)};
@@ -63,7 +63,6 @@ struct SurfaceNormal {
   }
 };
 
-template <class D>
 struct Pull {
   Kernel kernel;
   TensionKernel tension;
@@ -75,7 +74,8 @@ struct Pull {
   View<Vec4> velocity;
   float dt;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     using Real = typename D::Real;
     const Vec4 self = position[i], n = normal[i];
     const Real own(-cohesion[i]), scale(0.5f * tension.curvature_scale);
@@ -119,13 +119,14 @@ void SurfaceTensionPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles&) {
   device_.parallel_for("velocity/affinities", p.sorted,
                        Spread{p.phase, table_.view(), cohesion_.view(), curvature_.view()});
   if (bends_) {
-    device_.parallel_for("velocity/normals", p.sorted,
-                         SurfaceNormal<D>{kernel_, p.position, curvature_.view(), substep.neighbours,
-                                          substep.contacts, normal_.view()});
+    device_.parallel_for_neighbours("velocity/normals", p.sorted,
+                                    SurfaceNormal{kernel_, p.position, curvature_.view(), substep.neighbours,
+                                                  substep.contacts, normal_.view()});
   }
-  device_.parallel_for("velocity/tension", p.sorted,
-                       Pull<D>{kernel_, tension_, bends_, p.position, normal_.view(), cohesion_.view(),
-                               substep.neighbours, substep.contacts, p.velocity, substep.dt});
+  device_.parallel_for_neighbours(
+      "velocity/tension", p.sorted,
+      Pull{kernel_, tension_, bends_, p.position, normal_.view(), cohesion_.view(), substep.neighbours,
+           substep.contacts, p.velocity, substep.dt});
 }
 
 /// Takes memory only where a fluid has a use for it.

@@ -28,7 +28,7 @@ struct SpreadSmoothing {
   }
 };
 
-template <class D, bool uniform, bool with_curl>
+template <bool uniform, bool with_curl>
 struct Smooth {
   Kernel kernel;
   View<const Vec4> position, velocity;
@@ -38,7 +38,8 @@ struct Smooth {
   View<Vec4> smoothed, vorticity;
   View<Vec4> swirl;  ///< position and |ω| side by side, for Confine
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     using Real = typename D::Real;
     const Vec4 p = position[i], v = velocity[i];
     const float own = uniform ? common_smoothing : smoothing[i];
@@ -69,7 +70,6 @@ struct Smooth {
   }
 };
 
-template <class D>
 struct Confine {
   Kernel kernel;
   View<const Vec4> swirl, vorticity;
@@ -79,7 +79,8 @@ struct Confine {
   View<const ViscosityCoefficients> table;
   float dt;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
     using Real = typename D::Real;
     const Vec4 own = swirl[i];
     const float strength = table[pbd::phase_group(phase[i])].confinement * kernel.h * dt;
@@ -133,10 +134,10 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
   }
   if (confines_) {
     using namespace viscosity_kernels;
-    device_.parallel_for(
+    device_.parallel_for_neighbours(
         "velocity/confine", substep.particles.sorted,
-        Confine<D>{kernel_, particles.predicted.view(), particles.moved.view(), substep.particles.velocity,
-                   substep.neighbours, substep.particles.phase, table_.view(), substep.dt});
+        Confine{kernel_, particles.predicted.view(), particles.moved.view(), substep.particles.velocity,
+                substep.neighbours, substep.particles.phase, table_.view(), substep.dt});
   }
 }
 
@@ -151,11 +152,11 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
     device_.parallel_for("velocity/coefficients", p.sorted,
                          SpreadSmoothing{p.phase, table_.view(), smoothing_.view()});
   }
-  device_.parallel_for(
+  device_.parallel_for_neighbours(
       "velocity/smooth", p.sorted,
-      Smooth<D, uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours, smoothing_.view(),
-                                    host_table_.front().smoothing, particles.velocity.next.view(),
-                                    particles.moved.view(), particles.predicted.view()});
+      Smooth<uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours, smoothing_.view(),
+                                 host_table_.front().smoothing, particles.velocity.next.view(),
+                                 particles.moved.view(), particles.predicted.view()});
   particles.keep_vertex_velocities();
   particles.velocity.flip();
   substep.particles = particles.view();

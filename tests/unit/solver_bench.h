@@ -73,6 +73,8 @@ class SolverBench {
 };
 
 std::unique_ptr<SolverBench> make_cpu_solver_bench();
+/// Without what registers the processor has beyond the baseline.
+std::unique_ptr<SolverBench> make_baseline_solver_bench();
 std::unique_ptr<SolverBench> make_cuda_solver_bench();
 
 inline std::unique_ptr<SolverBench> make_solver_bench(pbd::DeviceKind kind) {

@@ -43,7 +43,7 @@ struct ExportLists {
 
 }  // namespace bench_kernels
 
-template <class D>
+template <class D, auto... device_arguments>
 class SolverBenchOn final : public SolverBench {
   using Multiplier = fluid::density_kernels::Multiplier;
 
@@ -108,7 +108,7 @@ class SolverBenchOn final : public SolverBench {
   }
 
   std::vector<float> solve(const GridEquation& equation, int iterations) override {
-    D device;
+    D device{device_arguments...};
     fluid::Multigrid<D> multigrid(device);
     multigrid.fit(equation.table);
     const uint32_t nodes = equation.table.count();
@@ -123,7 +123,7 @@ class SolverBenchOn final : public SolverBench {
 
  private:
   struct Stage {
-    D device;
+    D device{device_arguments...};
     pbd::Particles particles{device};
     pbd::Solver<D> solver;
 

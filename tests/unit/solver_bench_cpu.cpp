@@ -9,4 +9,8 @@ std::unique_ptr<SolverBench> make_cpu_solver_bench() {
   return std::make_unique<SolverBenchOn<pbd::CpuDevice>>();
 }
 
+std::unique_ptr<SolverBench> make_baseline_solver_bench() {
+  return std::make_unique<SolverBenchOn<pbd::CpuDevice, 0, pbd::CpuDevice::Registers::baseline>>();
+}
+
 }  // namespace meniscus::tests

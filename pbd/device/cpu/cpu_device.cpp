@@ -13,11 +13,20 @@ namespace {
 
 constexpr uint32_t sort_block = 8192;  // elements; fixed, so that the order never depends on the threads
 
+bool has_wide_lanes() {
+#ifdef MENISCUS_HAS_WIDE_LANES
+  return __builtin_cpu_supports("avx2");
+#else
+  return false;
+#endif
+}
+
 }  // namespace
 
-CpuDevice::CpuDevice(int threads)
+CpuDevice::CpuDevice(int threads, Registers registers)
     : arena_(threads > 0 ? threads : tbb::info::default_concurrency()),
-      threads_(threads > 0 ? threads : tbb::info::default_concurrency()) {}
+      threads_(threads > 0 ? threads : tbb::info::default_concurrency()),
+      wide_(registers == Registers::widest && has_wide_lanes()) {}
 
 std::string CpuDevice::name() const {
   return "CPU, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");

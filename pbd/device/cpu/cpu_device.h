@@ -9,6 +9,7 @@
 #include "pbd/device/buffer.h"
 #include "pbd/device/cpu/lanes.h"
 #include "pbd/device/cpu/parallel_loop.h"
+#include "pbd/device/cpu/wide_lanes.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::pbd {
@@ -24,8 +25,10 @@ class CpuDevice final : public Device {
   using Lister = LaneLister;                        ///< who looks through candidates to list neighbours
   static bool leads() { return true; }
 
-  /// threads = 0: one a core.
-  explicit CpuDevice(int threads = 0);
+  enum class Registers { widest, baseline };
+
+  /// threads = 0: one a core. Whatever the registers, the bits are the same.
+  explicit CpuDevice(int threads = 0, Registers registers = Registers::widest);
 
   DeviceKind kind() const override { return DeviceKind::cpu; }
   std::string name() const override;
@@ -52,11 +55,21 @@ class CpuDevice final : public Device {
     });
   }
 
-  /// For kernels whose single items take long: calls kernel.run<D>(i), where D is this device, or, on a GPU
-  /// with too few items to fill it, CudaTeam, of which eight threads run each i.
+  /// For loops over neighbours that a thread of any GPU may take alone: calls kernel.run<D>(i) as
+  /// parallel_for_long does, but never with a team.
   template <class Kernel>
-  void parallel_for_long(const char* name, uint32_t count, const Kernel& kernel) {
-    parallel_for(name, count, RunLong<Kernel>{kernel});
+  void parallel_for_neighbours(const char* name, uint32_t count, const Kernel& kernel) {
+    parallel_for_long(name, count, kernel);
+  }
+
+  /// For kernels whose single items take long: calls kernel.run<D>(i), where D is this device, or CpuWide
+  /// where the processor has AVX2, with the same bits; or, on a GPU with too few items to fill it, CudaTeam,
+  /// of which eight threads run each i.
+  template <class Kernel>
+  void parallel_for_long(const char* /*name*/, uint32_t count, const Kernel& kernel) {
+    void (*const run)(const Kernel&, uint32_t, uint32_t) = choose_run<Kernel>();
+    if (count <= grain) return run(kernel, 0, count);
+    parallel_loop(arena_, count, grain, [&](uint32_t begin, uint32_t end) { run(kernel, begin, end); });
   }
 
   /// Runs kernel(group, scratch, n) for each n below count, each by a group of threads with a scratch of type
@@ -125,11 +138,25 @@ class CpuDevice final : public Device {
     }
   };
 
+  // All that the kernel calls is inlined: into run_wide because only there it is compiled for AVX2.
   template <class Kernel>
-  struct RunLong {
-    const Kernel& kernel;
-    void operator()(uint32_t i) const { kernel.template run<CpuDevice>(i); }
-  };
+  __attribute__((flatten)) static void run_lanes(const Kernel& kernel, uint32_t begin, uint32_t end) {
+    for (uint32_t i = begin; i < end; ++i) kernel.template run<CpuDevice>(i);
+  }
+#ifdef MENISCUS_HAS_WIDE_LANES
+  template <class Kernel>
+  __attribute__((target("avx2"), flatten)) static void run_wide(const Kernel& kernel, uint32_t begin,
+                                                                uint32_t end) {
+    for (uint32_t i = begin; i < end; ++i) kernel.template run<CpuWide>(i);
+  }
+#endif
+  template <class Kernel>
+  auto choose_run() const -> void (*)(const Kernel&, uint32_t, uint32_t) {
+#ifdef MENISCUS_HAS_WIDE_LANES
+    if (wide_) return run_wide<Kernel>;
+#endif
+    return run_lanes<Kernel>;
+  }
 
   template <class T>
   View<T> scratch(uint32_t count) {
@@ -140,6 +167,7 @@ class CpuDevice final : public Device {
 
   tbb::task_arena arena_;
   int threads_;
+  bool wide_;  // whether there is AVX2, and it is to be used
   Buffer<uint64_t> scratch_{*this, "CPU scratch"};
   std::vector<std::chrono::steady_clock::time_point> marks_;
 };

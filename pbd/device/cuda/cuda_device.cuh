@@ -161,6 +161,11 @@ class CudaDevice final : public Device {
   }
 
   template <class Kernel>
+  void parallel_for_neighbours(const char* name, uint32_t count, const Kernel& kernel) {
+    parallel_for(name, count, cuda_kernels::RunLong<CudaDevice, Kernel>{kernel});
+  }
+
+  template <class Kernel>
   void parallel_for_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
     if (count) launch(name, count, group_size, for_each_group<Kernel>, kernel);
