@@ -11,6 +11,8 @@
 namespace meniscus::fluid {
 
 template <class D>
+class DensityStop;
+template <class D>
 class PressureGrid;
 
 struct ArtificialPressure {
@@ -21,11 +23,12 @@ struct ArtificialPressure {
 
 struct DensityParameters {
   bool chebyshev = true;
-  bool pressure_grid = false;        ///< moves particles before the iterations (fluid/pressure_grid.h)
-  float relaxation = 0.3f;           ///< ω of damped Jacobi
-  float warm_start = 0.4f;           ///< share of the last substep's multipliers
-  float spectral_bound = 4.5f;       ///< of D⁻¹A, for Chebyshev
-  float compressibility = 0;         ///< 1/Pa
+  bool pressure_grid = false;   ///< moves particles before the iterations (fluid/pressure_grid.h)
+  float relaxation = 0.3f;      ///< ω of damped Jacobi
+  float warm_start = 0.4f;      ///< share of the last substep's multipliers
+  float spectral_bound = 4.5f;  ///< of D⁻¹A, for Chebyshev
+  float tolerance = 0;        ///< mean of max(C, 0) that ends the iterations; 0: there are as many as may be
+  float compressibility = 0;  ///< 1/Pa
   float correction_limit = 0.0125f;  ///< m, of one iteration
   ArtificialPressure artificial_pressure;
 };
@@ -71,11 +74,14 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void save() override;
   void restore() override;
 
+  void start_step() override;
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
 
   /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
   pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
+  /// Iterations done in a step of so many planned; to be asked when the device is done with it.
+  uint32_t iterations_done(uint32_t planned) const;
   /// C of each particle at the substep's present positions.
   void measure(const pbd::Substep<D>& substep, pbd::View<float> error, pbd::View<float> full) const;
 
@@ -88,6 +94,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   template <bool with_pair_pressure, bool any_moving>
   void correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
 
+  template <class Kernel, class LongKernel>
+  void launch_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
+                   const LongKernel& long_kernel);
+
   D& device_;
   Kernel kernel_;
   DensityParameters parameters_;
@@ -97,6 +107,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   bool any_fluid_ = true, any_grains_ = false;
   pbd::Chebyshev chebyshev_;
   std::unique_ptr<PressureGrid<D>> pressure_grid_;  // where the parameters ask for one
+  std::unique_ptr<DensityStop<D>> stop_;            // where there is a tolerance
 
   pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fluid/density_set.h"
+#include "fluid/density_stop.h"
 #include "fluid/density_wall_kernels.h"
 #include "fluid/pressure_grid.h"
 #include "pbd/gather.h"
@@ -26,12 +27,29 @@ void DensitySet<D>::set_parameters(const DensityParameters& parameters) {
     if (staged_.size()) grid->reserve(static_cast<uint32_t>(staged_.size()));
     pressure_grid_ = std::move(grid);
   }
+  if (!(parameters.tolerance > 0)) {
+    stop_.reset();
+  } else if (!stop_) {
+    auto stop = std::make_unique<DensityStop<D>>(device_);
+    stop->reserve(static_cast<uint32_t>(staged_.size()));
+    stop_ = std::move(stop);
+  }
   parameters_ = parameters;
   chebyshev_ = pbd::Chebyshev(parameters.spectral_bound);
 }
 
 template <class D>
 DensitySet<D>::~DensitySet() = default;
+
+template <class D>
+void DensitySet<D>::start_step() {
+  if (stop_) stop_->start_step();
+}
+
+template <class D>
+uint32_t DensitySet<D>::iterations_done(uint32_t planned) const {
+  return stop_ ? stop_->iterations() : planned;
+}
 
 template <class D>
 void DensitySet<D>::begin(pbd::Substep<D>& substep) {
@@ -53,6 +71,7 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const pbd::IterationWeights weights = parameters_.chebyshev
                                             ? chebyshev_.next(iteration, substep.iterations)
                                             : pbd::IterationWeights{0, parameters_.relaxation};
+  const bool last = iteration + 1 == substep.iterations;
   const Advancing advancing{
       .position = substep.particles.position,
       .multiplier = multiplier_.current.view(),
@@ -63,10 +82,10 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt),
       .limit = parameters_.correction_limit,
       .first = iteration == 0,
-      .last = iteration + 1 == substep.iterations,
+      .last = last || stop_ != nullptr,  // any may turn out to be
       .share = share_,
       .phase = substep.particles.phase,
-      .keeps_error = pressure_grid_ != nullptr};
+      .keeps_error = pressure_grid_ || stop_};
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
@@ -81,7 +100,9 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
     substep.contacts.any_moving ? iterate<true, false>(substep, advancing, pair)
                                 : iterate<false, false>(substep, advancing, pair);
   }
-  if (pressure_grid_ && advancing.last)
+  if (stop_ && last)
+    stop_->finish(substep, multiplier_.current.view(), increment_.view(), pressure_grid_ || iteration == 0);
+  if (pressure_grid_ && last)
     device_.parallel_for("density/pressure", substep.particles.sorted,
                          AddPressure{pressure_grid_->multipliers(), multiplier_.current.view()});
 }
@@ -93,10 +114,14 @@ void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Adv
   using namespace density_kernels;
   const uint32_t fluid = substep.particles.sorted;
   const pbd::ContactView contacts = substep.contacts.of_first(fluid);
-  device_.parallel_for_both(
-      "density/multipliers", fluid,
-      Advance<with_grains>{kernel_, substep.neighbours, contacts.start, advancing}, contacts.contacts.count,
-      AdvanceAtWalls<any_moving, with_grains>{kernel_, substep.neighbours, contacts, advancing});
+  launch_both("density/multipliers", fluid,
+              Advance<with_grains>{kernel_, substep.neighbours, contacts.start, advancing},
+              contacts.contacts.count,
+              AdvanceAtWalls<any_moving, with_grains>{kernel_, substep.neighbours, contacts, advancing});
+  // What has been started from is pushed with by the first iteration: it comes in any case.
+  if (stop_)
+    stop_->look(substep, multiplier_.current.view(), parameters_.tolerance, advancing.first,
+                pressure_grid_ || !advancing.first);
   pair.multiplier > 0 ? correct<true, any_moving>(substep, pair) : correct<false, any_moving>(substep, pair);
 }
 
@@ -106,13 +131,24 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   using namespace density_kernels;
   const pbd::ParticleView& p = substep.particles;
   const pbd::ContactView contacts = substep.contacts.of_first(p.sorted);
-  device_.parallel_for_both(
-      "density/correct", p.sorted,
-      Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
-                                  p.position, p.moved},
-      contacts.contacts.count,
-      CorrectAtWalls<with_pair_pressure, any_moving>{kernel_, pair, staged_.view(), substep.neighbours,
-                                                     contacts, p.position, p.moved});
+  launch_both("density/correct", p.sorted,
+              Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
+                                          p.position, p.moved},
+              contacts.contacts.count,
+              CorrectAtWalls<with_pair_pressure, any_moving>{
+                  kernel_, pair, staged_.view(), substep.neighbours, contacts, p.position, p.moved});
+}
+
+template <class D>
+template <class Kernel, class LongKernel>
+void DensitySet<D>::launch_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
+                                const LongKernel& long_kernel) {
+  if (stop_) {
+    device_.parallel_for_both(name, count, stop_->unless_ended(kernel), long_count,
+                              stop_->unless_ended(long_kernel));
+  } else {
+    device_.parallel_for_both(name, count, kernel, long_count, long_kernel);
+  }
 }
 
 template <class D>
@@ -133,6 +169,7 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
   increment_.resize_discard(size);
   staged_.resize_discard(size);
   if (pressure_grid_) pressure_grid_->reserve(size);
+  if (stop_) stop_->reserve(size);
   saved_multiplier_.resize_discard(size);
   constexpr float away = pbd::Particles::far_away;
   const pbd::Vec4 sentinel[] = {{away, away, away, 0}};

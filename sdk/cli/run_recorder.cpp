@@ -81,6 +81,7 @@ void RunRecorder::add(const FrameSample& sample) {
     density_sum_ += error;
   }
   interior_sum_ += diagnostics_.density_error_interior;
+  density_iterations_ += step_.density_iterations * step_.substeps;
   substeps_ += static_cast<uint64_t>(step_.substeps);
   removed_ += step_.removed;
   emitted_ += step_.emitted;
@@ -115,6 +116,7 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"steps", time_.size()},
           {"substeps", substeps_},
           {"iterations", step_.iterations},
+          {"density_iterations", density_iterations_ / static_cast<double>(std::max<uint64_t>(1, substeps_))},
           {"time_step_s", without_noise(scene_.frame_time)},
           {"simulated_s", time_.empty() ? 0.0 : without_noise(time_.back())},
           {"ms_per_step", times()},

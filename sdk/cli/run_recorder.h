@@ -61,7 +61,7 @@ class RunRecorder {
   std::array<std::vector<double>, stage_count> stage_ms_;
 
   // Over all frames so far.
-  double density_sum_ = 0, interior_sum_ = 0;
+  double density_sum_ = 0, interior_sum_ = 0, density_iterations_ = 0;
   uint64_t substeps_ = 0, removed_ = 0, emitted_ = 0;
   std::size_t outside_ = 0, non_finite_ = 0;
 

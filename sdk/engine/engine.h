@@ -117,6 +117,7 @@ struct EngineStep {
   pbd::StepResult result;
   std::array<double, stage_count> stage_ms{};
   double rigid_ms = 0;
+  uint32_t density_iterations = 0;  ///< over all substeps
 };
 
 /// What a fresh search finds.

@@ -164,6 +164,8 @@ EngineStep DeviceEngine<D>::step(float dt) {
   if (diffuse_) diffuse_->accept();
   done.stage_ms = solver_.timer().read_ms();
   done.rigid_ms = bodies_.step_ms();
+  done.density_iterations =
+      density_.iterations_done(static_cast<uint32_t>(done.result.substeps * def_.solver.iterations));
   return done;
 }
 

@@ -40,6 +40,8 @@ void fields(V& v, DensitySolverDef& d) {
   v("warm_start", d.warm_start, between(0, 0.5), "", "share of the last substep's multipliers to start from");
   v("spectral_bound", d.spectral_bound, between(3, 20), "",
     "largest eigenvalue that Chebyshev's weights expect");
+  v("tolerance", d.tolerance, not_negative, "",
+    "mean of max(ρ/ρ₀ − 1, 0) at which a substep's density solve ends; 0: after all iterations");
   v("compressibility", d.compressibility, not_negative, "1/Pa", "inverse bulk modulus; 0 is incompressible");
   v("correction_limit", d.correction_limit, positive, "spacings", "largest correction of one iteration");
   v("artificial_pressure", d.artificial_pressure, any_value, "", "repulsion against clumping at the surface");

@@ -123,6 +123,7 @@ void world(const WorldDef& def) {
   between("DensitySolverDef::relaxation", d.relaxation, 0.01f, 0.44f);
   between("DensitySolverDef::warm_start", d.warm_start, 0.0f, 0.5f);
   between("DensitySolverDef::spectral_bound", d.spectral_bound, 3.0f, 20.0f);
+  not_negative("DensitySolverDef::tolerance", d.tolerance);
   not_negative("DensitySolverDef::compressibility", d.compressibility);
   positive("DensitySolverDef::correction_limit", d.correction_limit);
   between("RigidSolverDef::substeps", def.rigid.substeps, 1, 1000);

@@ -192,6 +192,7 @@ StepReport World::step(float dt) {
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report.substeps = done.result.substeps;
   report.iterations = impl_->def.iterations;
+  report.density_iterations = double(done.density_iterations) / report.substeps;
   report.stage_ms = done.stage_ms;
   report.rigid_ms = done.rigid_ms;
   report.contacts = done.result.contacts;

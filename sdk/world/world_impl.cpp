@@ -30,6 +30,7 @@ EngineDef World::Impl::engine_def() {
   e.density.relaxation = d.relaxation;
   e.density.warm_start = d.warm_start;
   e.density.spectral_bound = d.spectral_bound;
+  e.density.tolerance = d.tolerance;
   e.density.compressibility = d.compressibility;
   e.density.correction_limit = d.correction_limit * def.particle_spacing;
   e.cloth = {def.cloth.over_relaxation, def.cloth.warm_start};

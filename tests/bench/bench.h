@@ -39,10 +39,11 @@ class StepTimes {
   double median_ms() const { return quantile(ms_, 0.5); }
   double p99_ms() const { return quantile(ms_, 0.99); }
   double rigid_ms() const { return quantile(rigid_ms_, 0.5); }
+  double density_iterations() const { return quantile(density_iterations_, 0.5); }
   Json stage_ms() const;  ///< medians
 
  private:
-  std::vector<double> ms_, rigid_ms_;
+  std::vector<double> ms_, rigid_ms_, density_iterations_;
   std::array<std::vector<double>, stage_count> stages_;
 };
 

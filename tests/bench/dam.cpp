@@ -19,6 +19,7 @@ struct Dam {
     d.substeps = o.substeps;
     d.iterations = iterations;
     d.density.solver = solver_named(o.solver);
+    d.density.tolerance = o.tolerance;
     if (o.diffuse) d.diffuse.emplace();
     return d;
   }
@@ -75,6 +76,8 @@ Json run_case(const CommonOptions& common, const DamOptions& o, int particles, i
           {"substeps", o.substeps},
           {"iterations", iterations},
           {"solver", o.solver},
+          {"tolerance", o.tolerance},
+          {"density_iterations", times.density_iterations()},
           {"dt_ms", 1e3 * dam.dt},
           {"h_moved_per_substep", d.max_speed * dam.dt / float(o.substeps) / dam.world.support_radius()},
           {"warm_max_speed", warm_speed},
@@ -107,6 +110,7 @@ CLI::App* add_dam(CLI::App& app, DamOptions& o) {
   dam->add_option("--steps", o.timed_steps, "steps that are timed")->check(CLI::PositiveNumber);
   dam->add_option("--step-in-h", o.step_in_h,
                   "motion a substep, in support radii, that the time step is chosen for");
+  dam->add_option("--tolerance", o.tolerance, "mean density error that ends the iterations");
   dam->add_option("--solver", o.solver)->check(is_solver());
   return dam;
 }

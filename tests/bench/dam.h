@@ -22,6 +22,7 @@ struct DamOptions {
   float step_in_h =
       0.2f;  // how far, in support radii, a particle falling from the dam's top may move in a substep
   std::string solver = "chebyshev";
+  float tolerance = 0;
 };
 
 CLI::App* add_dam(CLI::App& app, DamOptions& options);

@@ -37,6 +37,7 @@ double quantile(std::vector<double> values, double share) {
 void StepTimes::add(const StepReport& report) {
   ms_.push_back(report.ms);
   rigid_ms_.push_back(report.rigid_ms);
+  density_iterations_.push_back(report.density_iterations);
   for (size_t s = 0; s < stages_.size(); ++s) stages_[s].push_back(report.stage_ms[s]);
 }
 

@@ -42,6 +42,7 @@ class RunRecorderTest : public testing::Test {
     s.step.ms = 10 * frame;
     s.step.substeps = 4;
     s.step.iterations = 3;
+    s.step.density_iterations = 1 + 0.5 * frame;
     s.step.removed = 1;
     s.step.emitted = 5;
     s.step.stage_ms[static_cast<std::size_t>(Stage::solve)] = 5 * frame;
@@ -112,6 +113,7 @@ TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
   EXPECT_EQ(figures["frames"], 3);
   EXPECT_EQ(figures["substeps"], 12);
   EXPECT_EQ(figures["iterations"], 3);
+  EXPECT_EQ(figures["density_iterations"], 2) << "the mean over all substeps";
   EXPECT_EQ(figures["ms_per_step"]["median"], 20);
   EXPECT_EQ(figures["ms_per_step"]["p90"], 30);
   EXPECT_EQ(figures["ms_per_step"]["stages"]["solve"], 10);

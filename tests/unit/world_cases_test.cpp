@@ -159,6 +159,7 @@ TEST_P(CasesTest, AStepReportsWhatItDid) {
   const StepReport report = world.step(0.01f);
   EXPECT_EQ(report.substeps, 3);
   EXPECT_EQ(report.iterations, 7);
+  EXPECT_EQ(report.density_iterations, 7);
   EXPECT_GT(report.contacts, 400u);
   EXPECT_EQ(report.removed, 0u);
   EXPECT_GT(report.ms, 0);

@@ -41,6 +41,7 @@ TEST(WorldDefError, EachFieldIsChecked) {
       {"relaxation", [](WorldDef& d) { d.density.relaxation = 0.5f; }},
       {"warm_start", [](WorldDef& d) { d.density.warm_start = 0.6f; }},
       {"spectral_bound", [](WorldDef& d) { d.density.spectral_bound = 1; }},
+      {"tolerance", [](WorldDef& d) { d.density.tolerance = -1e-9f; }},
       {"compressibility", [](WorldDef& d) { d.density.compressibility = -1e-9f; }},
       {"correction_limit", [](WorldDef& d) { d.density.correction_limit = 0; }},
       {"strength", [](WorldDef& d) { d.density.artificial_pressure.strength = nan; }},

@@ -40,9 +40,13 @@ struct ArtificialPressureDef {
 
 struct DensitySolverDef {
   DensitySolver solver = DensitySolver::chebyshev;
-  float relaxation = 0.3f;         ///< Jacobi's damping ω, 0 < ω ≤ 0.44
-  float warm_start = 0.4f;         ///< share of the last substep's multipliers to start from, 0 to 0.5
-  float spectral_bound = 4.5f;     ///< largest eigenvalue that Chebyshev's weights expect
+  float relaxation = 0.3f;      ///< Jacobi's damping ω, 0 < ω ≤ 0.44
+  float warm_start = 0.4f;      ///< share of the last substep's multipliers to start from, 0 to 0.5
+  float spectral_bound = 4.5f;  ///< largest eigenvalue that Chebyshev's weights expect
+  /// Mean of max(C, 0) over all particles of fluids, C = ρ/ρ₀ − 1, ≥ 0, at which a substep's density solve
+  /// ends. WorldDef::iterations is then the most that it may take, and what all other constraints have; but
+  /// for the solver `grid` it takes one at least. 0: as many as WorldDef says.
+  float tolerance = 0.0f;
   float compressibility = 0.0f;    ///< 1/Pa, the inverse bulk modulus; 0 is incompressible
   float correction_limit = 0.25f;  ///< largest correction of one iteration, in particle spacings
   ArtificialPressureDef artificial_pressure{};

@@ -45,8 +45,10 @@ const char* stage_name(Stage stage);
 /// What one step did and cost.
 struct StepReport {
   int substeps = 0;
-  int iterations = 0;                          ///< a substep
-  double ms = 0;                               ///< wall clock, host and device
+  int iterations = 0;  ///< a substep
+  double density_iterations =
+      0;          ///< a substep, on average: fewer where DensitySolverDef::tolerance ends them
+  double ms = 0;  ///< wall clock, host and device
   std::array<double, stage_count> stage_ms{};  ///< on the device, summed over the substeps
   double rigid_ms = 0;                         ///< of ms, what Bullet took on the host
   uint32_t contacts = 0;                       ///< in the last substep
