@@ -4,7 +4,6 @@
 
 #include "fluid/multigrid.h"
 #include "fluid/pressure_grid_excess_kernels.h"
-#include "fluid/pressure_grid_motion_kernels.h"
 #include "fluid/pressure_load_kernels.h"
 #include "pbd/substep.h"
 
@@ -47,6 +46,7 @@ class PressureGrid {
   void fit(const pbd::GridView& cells);
   void find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last);
   void gather(pbd::Substep<D>& substep, float compressibility);
+  void balance();
   void move(pbd::Substep<D>& substep);
   grid_kernels::NodeMap map() const { return {space_.nodes, flags_.view()}; }
   float width2() const { return space_.width() * space_.width(); }
@@ -66,6 +66,7 @@ class PressureGrid {
   pbd::Buffer<grid_kernels::NodeFaces> faces_{device_, "grid faces"};
   pbd::Buffer<grid_kernels::NodeLoad> load_{device_, "grid loads"};
   pbd::Buffer<pbd::Vec4> motion_{device_, "grid motion"};
+  pbd::Buffer<grid_kernels::Balance> balance_{device_, "grid balance"};
   pbd::Buffer<grid_kernels::Lost> lost_{device_, "grid momentum"};
 };
 

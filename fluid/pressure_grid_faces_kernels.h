@@ -12,6 +12,10 @@ namespace meniscus::fluid::grid_kernels {
 using multigrid_kernels::along;
 using multigrid_kernels::Coefficients;
 
+/// Fewer neighbours than this have a few drops that fly by themselves: they take no part. Where the table
+/// wraps around they may lie among the nodes of fluid that is far away.
+inline constexpr uint32_t least_neighbours = 4;
+
 /// By what to multiply a particle's weights on the faces of each axis, so that those which can move it add up
 /// to 1; 0 where there are next to none.
 struct Normalize {
@@ -19,11 +23,17 @@ struct Normalize {
   NodeMap map;
   View<const uint32_t> inside;
   View<const Vec4> position;
+  View<const uint32_t> neighbour_count;
   ContactView contacts;
   View<Vec4> scale;   ///< w: mass, kg; 0 for who takes no part
   View<Found> found;  ///< what would count at nodes in solids counts at the others
 
   MENISCUS_HD void operator()(uint32_t i) const {
+    if (neighbour_count[i] < least_neighbours) {
+      scale[i] = {0, 0, 0, 0};
+      found[i].w = 0;
+      return;
+    }
     const Vec4 p = position[i];
     const Place place = space.place(p.xyz());
     uint32_t all = node_fluid;

@@ -6,7 +6,7 @@
 // equal and opposite impulses.
 #pragma once
 
-#include "fluid/pressure_grid_faces_kernels.h"
+#include "fluid/pressure_grid_motion_kernels.h"
 
 namespace meniscus::fluid::grid_kernels {
 
@@ -93,17 +93,18 @@ struct PushSolids {
   ContactView contacts;
   View<const NodeLoad> load;
   View<const float> pressure;
+  Datum datum;
   float share;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.particle_starting_at(n);
     if (i == pbd::no_index) return;
     const Vec3 p = position[i].xyz();
-    const float width = space.width();
+    const float width = space.width(), least = datum();
     for_each_node(space.nodes, space.place(p), [&](uint32_t node, float weight) {
       const NodeLoad at = load[node];
       if (dot(at.area, at.area) == 0) return;
-      const Vec3 each = share * pressure[node] * product(at.area, at.inverse);
+      const Vec3 each = share * (pressure[node] - least) * product(at.area, at.inverse);
       for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
         Contact& c = contacts.contacts[k];
         c.density_push += product(each, contact_weights(c, p, weight, at.area, width));
