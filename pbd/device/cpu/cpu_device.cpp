@@ -7,6 +7,10 @@
 #include <cstdlib>
 #include <cstring>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 namespace meniscus::pbd {
 
 namespace {
@@ -33,7 +37,18 @@ std::string CpuDevice::name() const {
 }
 
 void* CpuDevice::do_allocate(size_t bytes) {
-  return std::aligned_alloc(64, (bytes + 63) / 64 * 64);
+  const auto aligned = [bytes](size_t to) { return std::aligned_alloc(to, (bytes + to - 1) / to * to); };
+#ifdef __linux__
+  // Neighbour lists and what they lead to are read all over: on small pages, addresses would be looked up all
+  // the time.
+  constexpr size_t large_page = size_t{1} << 21;
+  if (bytes >= 4 * large_page) {
+    void* const memory = aligned(large_page);
+    if (memory) madvise(memory, bytes, MADV_HUGEPAGE);
+    return memory;
+  }
+#endif
+  return aligned(64);
 }
 
 void CpuDevice::do_release(void* memory) noexcept {
