@@ -48,6 +48,7 @@ void SheetSet<D>::settle(pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   if (!contacts_.any()) return;
   const pbd::ParticleView& p = substep.particles;
+  carry(substep);  // as other sets' last resorts have moved vertices since
   device_.parallel_for("sheets/unload", contacts_.vertices(),
                        Unload{loaded_vertices(), p.position.from(p.sorted), loaded_.view()});
   contacts_.hold_back(substep);
