@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "collision/sheet_surface.h"
 #include "pbd/device/shared_buffer.h"
@@ -40,6 +41,13 @@ class SheetContacts final : public pbd::ContactSource<D> {
   /// Takes back particles that would end on the other side. Their velocity is left to the contacts.
   void hold_back(const pbd::Substep<D>& substep);
 
+  /// Particles that touched absorbent pieces at the end of the last substep, by slot.
+  std::vector<WettingTouch> read_wetting(pbd::View<const pbd::Contact> contacts);
+
+  /// Whether fluid passes through any piece.
+  bool permeable() const { return permeable_; }
+  pbd::View<const SheetPart> parts() const { return parts_.view(); }
+
   // For SheetSet: what the last search found.
   sheet_kernels::NearList near();
   /// By vertex, and behind the last one the total: where its entries begin (sheet_kernels::EnterTouches).
@@ -66,6 +74,7 @@ class SheetContacts final : public pbd::ContactSource<D> {
   pbd::SurfaceTree<D> tree_;
   uint32_t vertices_ = 0;
   float largest_radius_ = 0;
+  bool permeable_ = false, absorbent_ = false;
   pbd::View<const CollisionFilter> filters_;
   pbd::Buffer<SheetPart> parts_{device_, "sheet parts"};
   pbd::Buffer<uint32_t> borders_{device_, "sheet borders"};
@@ -75,6 +84,8 @@ class SheetContacts final : public pbd::ContactSource<D> {
   pbd::Buffer<uint32_t> entry_count_{device_, "touches of vertices"};
   pbd::Buffer<uint32_t> entry_start_{device_, "touches of vertices"};
   pbd::Buffer<uint32_t> entries_{device_, "touches of vertices"};
+  pbd::Buffer<WettingTouch> wetting_{device_, "wetting particles"};
+  pbd::Buffer<uint32_t> wetting_count_{device_, "wetting particles"};
   pbd::SharedBuffer<uint32_t> found_{device_, "sheet counts"};
 };
 

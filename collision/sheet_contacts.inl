@@ -10,6 +10,8 @@
 #include "collision/sheet_find.h"
 #include "collision/sheet_guard.h"
 #include "collision/sheet_parting.h"
+#include "collision/sheet_passing.h"
+#include "collision/sheet_wetting.h"
 #include "pbd/surface_tree.inl"
 
 namespace meniscus::collision {
@@ -43,6 +45,10 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   tree_.refit(p, Margin{0});
   counter_.fill(0);
   entry_count_.fill(0);
+  if (permeable_) {
+    device_.parallel_for("sheets/passed", p.sorted,
+                         EndPassing{surface(substep), particles_.phase.current.view(), largest_radius_});
+  }
   device_.parallel_for("sheets/near", p.sorted,
                        ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
   device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
@@ -77,6 +83,24 @@ void SheetContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(p, Margin{2e-3f * largest_radius_});
   device_.parallel_for("sheets/hold back", p.sorted, HoldBack{surface(substep), p.position});
+}
+
+template <class D>
+std::vector<WettingTouch> SheetContacts<D>::read_wetting(pbd::View<const pbd::Contact> contacts) {
+  using namespace sheet_kernels;
+  const uint32_t most = most_near();
+  if (!absorbent_ || most == 0) return {};
+  if (most > wetting_.size()) wetting_.resize_or_stay(most + most / 4);
+  wetting_count_.fill(0);
+  device_.parallel_for("sheets/wetting", near_count(),
+                       ListWetting{near(), contacts, parts_.view(), particles_.position.current.view(),
+                                   particles_.slot.current.view(), wetting_.view(), wetting_count_.view()});
+  uint32_t count = 0;
+  wetting_count_.read(std::span(&count, 1));
+  std::vector<WettingTouch> found = wetting_.read(count);
+  std::sort(found.begin(), found.end(),
+            [](const WettingTouch& a, const WettingTouch& b) { return a.slot < b.slot; });
+  return found;
 }
 
 template <class D>
@@ -118,11 +142,17 @@ void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangl
   parts_.resize_discard(parts.size());
   parts_.write(parts);
   largest_radius_ = 0;
-  for (const SheetPart& part : parts) largest_radius_ = std::max(largest_radius_, part.radius);
+  permeable_ = absorbent_ = false;
+  for (const SheetPart& part : parts) {
+    largest_radius_ = std::max(largest_radius_, part.radius);
+    permeable_ |= part.flow > 0;
+    absorbent_ |= part.absorbs != 0;
+  }
   const std::vector<uint32_t> borders = border_bits(tree_.triangles());
   borders_.resize_discard(borders.size());
   borders_.write(borders);
   counter_.resize_discard(1);
+  wetting_count_.resize_discard(1);
   found_.resize_discard(1);
   start_step();
   entry_count_.resize_discard(vertices_);

@@ -29,8 +29,16 @@ class SheetSet final : public pbd::ConstraintSet<D> {
 
   /// By vertex: inverse masses, 1/kg. `heaviest` (kg) of vertices and particles.
   void set_vertices(std::span<const float> inverse_masses, float heaviest);
+  /// Those of the vertices from `first` on are different now.
+  void weigh(uint32_t first, std::span<const float> inverse_masses) {
+    own_weight_.write(inverse_masses, first);
+  }
 
-  void start_step() override { contacts_.start_step(); }
+  void start_step() override {
+    contacts_.start_step();
+    draws_before_ = draws_;
+  }
+  void undo_step() override { draws_ = draws_before_; }
   void project(pbd::Substep<D>&, int) override {}
   void settle(pbd::Substep<D>& substep) override;
   void end(pbd::Substep<D>& substep) override;
@@ -54,6 +62,7 @@ class SheetSet final : public pbd::ConstraintSet<D> {
   void start(pbd::Substep<D>& substep);
   void push_back(pbd::Substep<D>& substep, bool last);
   void carry(pbd::Substep<D>& substep);
+  void pass(pbd::Substep<D>& substep);
   sheet_kernels::AtTouches at_touches(const pbd::Substep<D>& substep);
   sheet_kernels::LoadedVertices loaded_vertices();
 
@@ -62,7 +71,8 @@ class SheetSet final : public pbd::ConstraintSet<D> {
   SheetContacts<D>& contacts_;
   Loading loading_;
   Carrying carrying_;
-  float unit_ = 0;  // kg or kg·m, of the integers that sums run in
+  uint32_t draws_ = 0, draws_before_ = 0;  // substeps: who passes through is drawn anew in each
+  float unit_ = 0;                         // kg or kg·m, of the integers that sums run in
   pbd::Buffer<float> own_weight_{device_, "vertex masses"}, loaded_{device_, "loaded vertices"};
   pbd::Buffer<pbd::Vec4> change_{device_, "vertex changes"};
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "collision/sheet_contacts.inl"
+#include "collision/sheet_passing.h"
 #include "collision/sheet_set.h"
 
 namespace meniscus::collision {
@@ -67,6 +68,20 @@ void SheetSet<D>::end(pbd::Substep<D>& substep) {
   device_.parallel_for(
       "sheets/carry velocities", contacts_.near_count(),
       CarryVelocities{at_touches(substep), change_.view(), p.velocity, particles_.phase.current.view()});
+  if (contacts_.permeable()) pass(substep);
+}
+
+template <class D>
+void SheetSet<D>::pass(pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  const pbd::View<pbd::Contact> contacts = substep.contacts.contacts;
+  device_.parallel_for("sheets/pushes", most_touches * contacts_.near_count(),
+                       NotePushes{contacts_.near(), contacts, substep.particles.position});
+  device_.parallel_for("sheets/drive", contacts_.vertices(), DrivePassing{loaded_vertices(), change_.view()});
+  device_.parallel_for(
+      "sheets/pass", contacts_.near_count(),
+      BeginPassing{contacts_.near(), contacts, contacts_.parts(), change_.view(), substep.particles.position,
+                   substep.particles.slot, particles_.phase.current.view(), draws_++, substep.dt});
 }
 
 template <class D>

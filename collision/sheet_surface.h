@@ -20,6 +20,14 @@ struct SheetPart {
   float friction = 0;  ///< Coulomb's μ
   float adhesion = 0;  ///< N: the most that it pulls one particle back with
   float spread = 0;    ///< m: a particle acts on all vertices so near; 0: on those of one triangle
+  float flow = 0;      ///< 1/(N·s): particles that pass through a second, of those that press with a newton
+  uint32_t absorbs = 0;  ///< 1: it takes up what touches it
+};
+
+/// A particle that touches an absorbent sheet, and the vertex that is nearest to it.
+struct WettingTouch {
+  uint32_t slot;  ///< of the particle
+  uint32_t vertex;
 };
 
 namespace sheet_kernels {
@@ -40,6 +48,10 @@ struct Surface {
 
   /// Whether particle i collides with the piece.
   MENISCUS_HD bool meets(uint32_t i, uint32_t part) const {
+    return !((phase[i] & pbd::phase_passing) && parts[part].flow > 0) && may_meet(i, part);
+  }
+  /// The same when it is not passing through.
+  MENISCUS_HD bool may_meet(uint32_t i, uint32_t part) const {
     const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
     return pbd::meet(parts[part].filter, filter);
   }

@@ -177,6 +177,11 @@ class Engine {
   virtual std::vector<Vec3> read_reactions() = 0;
   /// By tie, N·s on its vertex over the last step.
   virtual std::vector<Vec3> read_tie_impulses() = 0;
+  /// Particles that touched absorbent cloth at the last step's end, by slot: before any come or go.
+  virtual std::vector<collision::WettingTouch> read_wetting() = 0;
+  /// The vertices from `first` on, of which those that nothing moves stay as they are; 1/kg and m/s.
+  virtual void weigh_vertices(uint32_t first, std::span<const float> inverse_masses,
+                              std::span<const Vec3> velocities) = 0;
   /// Whether an edge was stretched further than it bears in the last step.
   virtual bool found_tears() = 0;
 

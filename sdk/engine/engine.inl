@@ -116,6 +116,11 @@ class DeviceEngine final : public Engine {
   std::vector<cloth::SegmentState> read_segments() override { return rods_.states(0, rods_.segment_count()); }
   std::vector<Vec3> read_reactions() override { return cloth_.read_reactions(); }
   std::vector<Vec3> read_tie_impulses() override { return ties_.read_impulses(); }
+  std::vector<collision::WettingTouch> read_wetting() override {
+    return sheet_contacts_.read_wetting(solver_.contacts().contacts);
+  }
+  void weigh_vertices(uint32_t first, std::span<const float> inverse_masses,
+                      std::span<const Vec3> velocities) override;
   bool found_tears() override { return cloth_.found_tears(); }
 
   void make_room(uint32_t more) override;

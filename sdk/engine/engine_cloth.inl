@@ -40,6 +40,25 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
 }
 
 template <class D>
+void DeviceEngine<D>::weigh_vertices(uint32_t first, std::span<const float> inverse_masses,
+                                     std::span<const Vec3> velocities) {
+  const uint32_t at = particles_.sorted() + first;
+  std::vector<pbd::Vec4> position(inverse_masses.size()), velocity(inverse_masses.size());
+  particles_.position.current.read(std::span(position), at);
+  particles_.velocity.current.read(std::span(velocity), at);
+  std::vector<float> weights(inverse_masses.size());
+  for (size_t v = 0; v < weights.size(); ++v) {
+    if (position[v].w == 0) continue;
+    weights[v] = position[v].w = inverse_masses[v];
+    velocity[v] = pbd::with_w(velocities[v], velocity[v].w);
+  }
+  particles_.position.current.write(position, at);
+  particles_.velocity.current.write(velocity, at);
+  sheets_.weigh(first, weights);
+  solver_.particles_changed(particles_.sorted(), 0);
+}
+
+template <class D>
 void DeviceEngine<D>::read_vertices(std::span<Vec3> positions, std::span<Vec3> velocities) {
   const auto read = [&](const pbd::Buffer<pbd::Vec4>& from, std::span<Vec3> out) {
     std::vector<pbd::Vec4> values(particles_.vertices());

@@ -51,6 +51,7 @@ ClothFrame cloth_frame_of(const World& world, const std::vector<ClothId>& ids,
     append(frame.vertices, world.cloth_positions(ids[i]));
     append(frame.velocities, world.cloth_velocities(ids[i]));
     append(frame.normals, world.cloth_normals(ids[i]));
+    append(frame.wetness, world.cloth_wetness(ids[i]));
     append(frame.strains, world.cloth_strains(ids[i]));
     const std::span<const uint32_t> corners = world.cloth_triangles(ids[i]);
     for (std::size_t k = 0; k + 2 < corners.size(); k += 3) {

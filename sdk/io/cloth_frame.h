@@ -19,6 +19,7 @@ struct ClothFrame {
   std::vector<Vec3> vertices;                      ///< m
   std::vector<Vec3> velocities;                    ///< m/s, one a vertex
   std::vector<Vec3> normals;                       ///< unit, one a vertex
+  std::vector<float> wetness;                      ///< one a vertex, or none: see World::cloth_wetness
   std::vector<std::array<uint32_t, 3>> triangles;  ///< corners turn counter-clockwise about the normal
   std::vector<float> strains;                      ///< one a triangle: its largest principal strain
   std::vector<uint32_t> pieces;                    ///< one a triangle: its piece, in the order of the scene

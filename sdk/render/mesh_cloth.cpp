@@ -12,6 +12,13 @@ Float4 paint(const std::vector<Vec3>& colors, std::size_t i, Vec3 otherwise, Loo
   return float4(i < colors.size() ? colors[i] : otherwise, 0.5f * static_cast<float>(look));
 }
 
+/// Water between its fibres takes away half of the light that dry cloth throws back.
+Float4 wetted(Float4 color, float wetness) {
+  const float light = 1 - 0.5f * std::min(wetness, 1.0f);
+  for (int k = 0; k < 3; ++k) color[k] *= light;
+  return color;
+}
+
 }  // namespace
 
 Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors,
@@ -23,7 +30,10 @@ Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& co
     if (!std::all_of(t.begin(), t.end(), is_shown)) continue;
     Float4 color = paint(colors, frame.pieces[i], ClothDef{}.color, Look::cloth);
     if (!triangle_colors.empty()) color = float4(triangle_colors[i], color[3]);
-    for (const uint32_t v : t) all.push_back({frame.vertices[v], frame.normals[v], color});
+    for (const uint32_t v : t) {
+      const float wetness = frame.wetness.empty() || !triangle_colors.empty() ? 0 : frame.wetness[v];
+      all.push_back({frame.vertices[v], frame.normals[v], wetted(color, wetness)});
+    }
   }
   return all;
 }

@@ -68,6 +68,12 @@ void fields(V& v, FabricDef& d) {
     "Coulomb's coefficient between cloth and cloth; on a solid, the solid's counts");
   v("fluid_friction", d.fluid_friction, not_negative, "", "Coulomb's coefficient between fluid and cloth");
   v("fluid_adhesion", d.fluid_adhesion, not_negative, "Pa", "pull on a wet layer of particles, per area");
+  v("permittivity", d.permittivity, not_negative, "1/s",
+    "flow of fluid through the cloth, in m/s for each metre of water column across it; 0 is tight");
+  v("absorbency", d.absorbency, not_negative, "kg/m²", "fluid that it takes up at most; 0 is none");
+  v("retention", d.retention, between(0, 1), "",
+    "share of that which it keeps; the rest runs down and drips");
+  v("drainage", d.drainage, not_negative, "m/s", "how fast that runs down steep cloth");
   v("drag", d.drag, not_negative, "", "drag coefficient of a flat plate; 0 is none");
   v("lift", d.lift, not_negative, "", "lift coefficient of a flat plate");
   v("tear_strain", d.tear_strain, not_negative, "", "edges stretched further than this tear; 0 is never");

@@ -28,6 +28,10 @@ void fabric(const FabricDef& f) {
   not_negative("FabricDef::friction", f.friction);
   not_negative("FabricDef::fluid_friction", f.fluid_friction);
   not_negative("FabricDef::fluid_adhesion", f.fluid_adhesion);
+  not_negative("FabricDef::permittivity", f.permittivity);
+  not_negative("FabricDef::absorbency", f.absorbency);
+  between("FabricDef::retention", f.retention, 0.0f, 1.0f);
+  not_negative("FabricDef::drainage", f.drainage);
   not_negative("FabricDef::drag", f.drag);
   not_negative("FabricDef::lift", f.lift);
   not_negative("FabricDef::tear_strain", f.tear_strain);

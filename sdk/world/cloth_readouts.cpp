@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sdk/world/world_impl.h"
 
@@ -70,6 +71,18 @@ std::span<const float> World::cloth_strains(ClothId id) const {
   return entry.strains;
 }
 
+std::span<const float> World::cloth_wetness(ClothId id) const {
+  ClothEntry& entry = impl_->cloths.edit(id);
+  if (!entry.wetness.empty()) return entry.wetness;
+  const FabricDef& f = entry.def.fabric;
+  entry.wetness.resize(entry.strand.count());
+  for (size_t v = 0; v < entry.water.size(); ++v) {
+    const double capacity = double{entry.constraints.masses[v]} / double{f.density} * double{f.absorbency};
+    entry.wetness[v] = static_cast<float>(entry.water[v] / capacity);
+  }
+  return entry.wetness;
+}
+
 ClothState World::cloth_state(ClothId id) const {
   impl_->fetch_cloth();
   const ClothEntry& entry = impl_->cloths.get(id);
@@ -89,6 +102,7 @@ ClothState World::cloth_state(ClothId id) const {
                 static_cast<float>(scale * from[2])};
   };
   state.mass = static_cast<float>(mass);
+  state.fluid_mass = static_cast<float>(std::accumulate(entry.water.begin(), entry.water.end(), 0.0));
   state.centre = vector(sums, 1 / mass);
   state.momentum = vector(sums + 3, 1);
   state.kinetic_energy = static_cast<float>(kinetic);

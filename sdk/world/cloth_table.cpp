@@ -10,6 +10,7 @@
 #include "collision/mesh.h"
 #include "sdk/world/check.h"
 #include "sdk/world/cloth_shapes.h"
+#include "sdk/world/cloth_water.h"
 
 namespace meniscus {
 
@@ -87,6 +88,7 @@ float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positi
 void build_constraints(ClothEntry& entry) {
   entry.constraints = cloth::build_constraints(entry.mesh, parameters(entry.def.fabric));
   entry.strand.masses = entry.constraints.masses;
+  if (entry.def.fabric.absorbency > 0) entry.graph = make_graph(entry.mesh);
   entry.closed = cloth::is_closed(entry.mesh);
   entry.tethers.clear();
 }
@@ -115,6 +117,7 @@ ClothEntry make_cloth(const ClothDef& def) {
                 "ClothDef::inflation needs a closed mesh; \"" + def.name + "\" has a border");
   }
   build_constraints(entry);
+  if (def.fabric.absorbency > 0) entry.water.resize(entry.strand.masses.size());
   entry.thickness = def.fabric.thickness > 0 ? def.fabric.thickness : 0.25f * mean_edge(entry.mesh);
   Strand& strand = entry.strand;
   strand.filter = def.filter;

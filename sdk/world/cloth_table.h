@@ -7,6 +7,8 @@
 #include <meniscus/cloth.h>
 
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "sdk/engine/engine.h"
@@ -31,6 +33,20 @@ struct Strand {
   uint32_t count() const { return static_cast<uint32_t>(masses.size()); }
 };
 
+/// The neighbours of each vertex of a piece, along edges.
+struct VertexGraph {
+  struct Edge {
+    uint32_t to;
+    float length;  ///< m, at rest
+  };
+  std::vector<uint32_t> start;
+  std::vector<Edge> edges;
+
+  std::span<const Edge> of(uint32_t v) const {
+    return std::span(edges).subspan(start[v], start[v + 1] - start[v]);
+  }
+};
+
 struct ClothEntry {
   ClothDef def;
   Strand strand;
@@ -43,6 +59,11 @@ struct ClothEntry {
   std::vector<cloth::Tether> tethers;  ///< numbered on their own
   std::vector<Vec3> normals;           ///< of the latest state, when it was asked for
   std::vector<float> strains;          ///< likewise
+  // Of absorbent cloth, by vertex:
+  std::vector<double> water;           ///< kg
+  std::optional<FluidId> soaked_with;  ///< one fluid at a time
+  VertexGraph graph;
+  std::vector<float> wetness;  ///< when it was asked for
 };
 
 struct RopeEntry {

@@ -17,6 +17,8 @@ namespace meniscus {
 
 namespace {
 
+constexpr float metre_of_water = 9806.65f;  // Pa
+
 std::vector<uint32_t> numbers_of(const std::vector<bool>& chosen) {
   std::vector<uint32_t> numbers;
   for (uint32_t v = 0; v < chosen.size(); ++v) {
@@ -42,8 +44,13 @@ class Assembly {
     const FabricDef& fabric = entry.def.fabric;
     pieces.push_back(id);
     const float distance = std::max(radius_ * spacing_, 0.5f * entry.thickness);
-    cloth.sheets.push_back({entry.def.filter, distance, fabric.fluid_friction,
-                            fabric.fluid_adhesion * spacing_ * spacing_, spread_on(entry)});
+    cloth.sheets.push_back({.filter = entry.def.filter,
+                            .radius = distance,
+                            .friction = fabric.fluid_friction,
+                            .adhesion = fabric.fluid_adhesion * spacing_ * spacing_,
+                            .spread = spread_on(entry),
+                            .flow = fabric.permittivity / (metre_of_water * spacing_ * spacing_ * spacing_),
+                            .absorbs = fabric.absorbency > 0});
     cloth::ClothModel& model = cloth.model;
     const auto part = static_cast<uint32_t>(model.pieces.size());
     constraints_.push_back(entry.constraints);
@@ -169,6 +176,7 @@ void World::Impl::fetch_cloth() {
     take(entry.strand);
     entry.normals.clear();
     entry.strains.clear();
+    entry.wetness.clear();
   });
   auto next = segments.begin();
   ropes.for_each([&](uint32_t, RopeEntry& entry) {
@@ -255,8 +263,12 @@ void World::Impl::tear_cloth() {
       strand.state.positions.push_back(strand.state.positions[t.original]);
       strand.state.velocities.push_back(strand.state.velocities[t.original]);
       tears.push_back({cloths.id(index), t.copy, t.original});
+      if (entry.water.empty()) continue;
+      entry.water[t.original] *= 0.5;
+      entry.water.push_back(entry.water[t.original]);
     }
     build_constraints(entry);
+    for (size_t v = 0; v < entry.water.size(); ++v) strand.masses[v] += static_cast<float>(entry.water[v]);
   });
 }
 

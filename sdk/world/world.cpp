@@ -28,8 +28,7 @@ float World::support_radius() const {
 }
 
 float World::particle_mass(FluidId id) const {
-  const float s = impl_->def.particle_spacing;
-  return impl_->fluids.get(id).fluid.rest_density * s * s * s;
+  return static_cast<float>(impl_->particle_mass(id));
 }
 
 // ---- what the world is made of ----
@@ -170,6 +169,7 @@ void World::relax(int iterations) {
 StepReport World::step(float dt) {
   check::positive("step's dt", dt);
   const auto start = std::chrono::steady_clock::now();
+  impl_->plan_dripping();
   impl_->plan_emission(dt);
   impl_->upload_cloth();
   impl_->state_changed();
@@ -187,6 +187,7 @@ StepReport World::step(float dt) {
   impl_->note_events();
   impl_->note_cloth_step(dt);
   StepReport report;
+  impl_->wet_cloth(dt, report);
   report.removed = impl_->take_sinks();
   report.emitted = impl_->emit(dt);
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

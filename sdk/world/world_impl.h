@@ -83,6 +83,13 @@ struct World::Impl {
   void cloth_changed();
   void tear_cloth();
   void note_cloth_step(float dt);
+  struct WetPiece;
+  double particle_mass(FluidId fluid) const;  // kg
+  void plan_dripping();
+  void wet_cloth(float dt, StepReport& report);
+  uint32_t take_up(std::span<const collision::WettingTouch> touches, std::vector<WetPiece>& wet);
+  uint32_t drip(Vec3 down, std::vector<WetPiece>& wet);
+  void weigh(const Strand& strand);
   void read_reactions();
   void forget_reactions();  // after a step that failed
   std::string name_particle(uint32_t slot) const;
@@ -130,6 +137,7 @@ struct World::Impl {
   std::vector<Vec3> reactions;     // N, of those, in the last step
   std::vector<Vec3> tie_forces;    // N, by tie, on the vertex, in the last step
   bool reactions_known = false;
+  uint32_t planned_drips = 0;    // that there is room for in this step
   float last_step = 0;           // s
   std::vector<TearEvent> tears;  // of the last step
 

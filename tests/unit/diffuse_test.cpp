@@ -290,7 +290,7 @@ TEST(RandomNumbers, AreEvenAndWithoutCorrelation) {
   constexpr int count = 100000;
   double mean[3] = {}, square[3] = {}, product = 0;
   for (uint32_t i = 0; i < count; ++i) {
-    const Vec3 r = fluid::diffuse_kernels::random_numbers(i, 7, 1);
+    const Vec3 r = pbd::random_numbers(i, 7, 1);
     const float values[] = {r.x, r.y, r.z};
     for (int k = 0; k < 3; ++k) {
       ASSERT_GE(values[k], 0);
@@ -298,7 +298,7 @@ TEST(RandomNumbers, AreEvenAndWithoutCorrelation) {
       mean[k] += double{values[k]} / count;
       square[k] += double{values[k]} * values[k] / count;
     }
-    product += double{r.x} * fluid::diffuse_kernels::random_numbers(i + 1, 7, 1).x / count;
+    product += double{r.x} * pbd::random_numbers(i + 1, 7, 1).x / count;
   }
   for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(mean[k], 0.5, 0.005);

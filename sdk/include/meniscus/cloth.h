@@ -39,7 +39,17 @@ struct FabricDef {
   float friction = 0.3f;  ///< Coulomb's μ between cloth and cloth; on solids SurfaceDef::friction counts
   float fluid_friction = 0.0f;  ///< Coulomb's μ between fluid and cloth
   float fluid_adhesion =
-      0.0f;                  ///< Pa: the pull on a wet layer of particles, per area, as SurfaceDef::adhesion
+      0.0f;  ///< Pa: the pull on a wet layer of particles, per area, as SurfaceDef::adhesion
+  /// 1/s: how much fluid passes through, in m/s for each metre of water column across it (ISO 11058, ASTM
+  /// D4491: Darcy's permeability over thickness); 0: tight.
+  float permittivity = 0.0f;
+  /// kg/m² of fluid that it takes up at most, of the first fluid that it touches; 0: none. Particles are
+  /// taken up whole, where the cloth around has room: one wets an area of its mass over this.
+  float absorbency = 0.0f;
+  /// 0 to 1: the share of it that is kept for good (as ISO 9073-6 measures it, hung up to drip); the rest
+  /// runs down, gathers at the lowest places and drips from there. Cloth that is strained keeps less.
+  float retention = 0.8f;
+  float drainage = 0.05f;    ///< m/s: how fast what it does not keep runs down steep cloth
   float drag = 1.0f;         ///< C_D of a flat plate in the world's wind; 0: no drag
   float lift = 0.5f;         ///< C_L of a flat plate
   float tear_strain = 0.0f;  ///< edges stretched further than this tear; 0: never
@@ -162,7 +172,8 @@ struct WindDef {
 // ---- read-outs ----
 
 struct ClothState {
-  float mass = 0;            ///< kg
+  float mass = 0;            ///< kg, with the fluid that it holds
+  float fluid_mass = 0;      ///< kg, of that fluid
   float area = 0;            ///< m², at rest
   float mean_stretch = 0;    ///< mean over edges of |l/L − 1|
   float max_stretch = 0;     ///< largest l/L

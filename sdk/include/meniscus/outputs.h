@@ -55,6 +55,8 @@ struct StepReport {
   uint32_t max_neighbours = 0;                 ///< the fullest neighbour list that a particle ever needed
   uint32_t removed = 0;                        ///< particles that sinks took
   uint32_t emitted = 0;                        ///< particles that emitters made
+  uint32_t absorbed = 0;                       ///< particles that cloth took up
+  uint32_t dripped = 0;                        ///< particles that fell from it
   uint32_t diffuse = 0;                        ///< spray, foam and bubbles, in all
   uint32_t diffuse_refused = 0;                ///< that found no room: see DiffuseDef::capacity
   float max_speed = 0;                         ///< m/s

@@ -83,8 +83,8 @@ class World {
   /// Lets the particles find their rest density with no motion kept: takes the energy out of overlaps.
   void relax(int iterations = 50);
 
-  /// Advances by dt seconds; then sinks take particles, and emitters make some. On Error(non_finite) the
-  /// state is the one before the call.
+  /// Advances by dt seconds; then cloth takes up particles and drips, sinks take some, and emitters make
+  /// some. On Error(non_finite) the state is the one before the call.
   StepReport step(float dt);
   double time() const;  ///< s
 
@@ -111,6 +111,8 @@ class World {
   std::span<const Vec3> cloth_normals(ClothId id) const;  ///< unit, a vertex: mean of its triangles, by area
   std::span<const uint32_t> cloth_triangles(ClothId id) const;  ///< three vertices each
   std::span<const float> cloth_strains(ClothId id) const;  ///< of each triangle, its largest principal strain
+  /// Of each vertex, the fluid that it holds over FabricDef::absorbency; 0 where that is 0.
+  std::span<const float> cloth_wetness(ClothId id) const;
   ClothState cloth_state(ClothId id) const;
   const std::vector<TearEvent>& tear_events() const;
   std::span<const Vec3> rope_positions(RopeId id) const;   ///< m
