@@ -96,6 +96,42 @@ TEST_P(ThreeTogether, KeepTheirMomentum) {
   EXPECT_TRUE(all.seen.fluid_cloth && all.seen.fluid_body && all.seen.cloth_body) << "they never met";
 }
 
+/// A sheet whose border is tied to a heavy frame stops a ball of water.
+TEST_P(ThreeTogether, TiedToABodyClothHandsOnWhatWaterPushes) {
+  World world(weightless(0.05f));
+  world.set_wind({.air_density = 0});
+  const FluidId water = world.create_fluid({});
+  const ClothId cloth = world.create_cloth(sheet(0.6f, 0.6f, 13, 13));
+  BodyDef frame = body(BoxGeometry{{0.3f, 0.02f, 0.02f}}, {0, 0, -0.3f}, 20000);
+  frame.filter = {2, 0};
+  const BodyId bar = world.create_body(frame);
+  AttachmentDef border = attach(cloth, {});
+  for (uint32_t v = 0; v < 169; ++v) {
+    if (v / 13 % 12 == 0 || v % 13 % 12 == 0) border.vertices.push_back(v);
+  }
+  border.body = bar;
+  world.create_attachment(border);
+  FluidVolumeDef ball;
+  ball.fluid = water;
+  ball.region = BallRegion{0.17f};
+  ball.pose.position = {0.02f, 0.24f, 0.01f};
+  ball.velocity = {0.2f, -2, 0};
+  world.add_fluid(ball);
+  const auto momentum = [&] {
+    return cloth_momentum(world, cloth) + fluid_momentum(world, water) + body_momentum(world, bar);
+  };
+  const Momentum before = momentum();
+  double linear = 0;
+  for (int k = 0; k < 40; ++k) {
+    world.step(1 / 60.0f);
+    const Momentum now = momentum();
+    linear = std::max(linear, norm(now.linear - before.linear) / before.gross);
+  }
+  RecordProperty("linear_drift", std::to_string(1e6 * linear) + "e-6");
+  EXPECT_LT(linear, 1e-5);
+  EXPECT_LT(body_momentum(world, bar).linear.y, -1) << "they never met";
+}
+
 TEST_P(ThreeTogether, AreTheSameEachTime) {
   const auto hash = [&](int threads) {
     WorldDef def = world_def(GetParam(), 0.05f);
