@@ -87,6 +87,12 @@ double EnergyHistory::above(double level, const Moment& moment) const {
   return moment.from_origin - moment.mass * gravity_ * level;
 }
 
+std::optional<double> EnergyHistory::ratio() const {
+  if (!floor_ || moments_.empty()) return std::nullopt;
+  const double start = above(*floor_, moments_.front());
+  return start > 0 ? std::optional(above(*floor_, moments_.back()) / start) : std::nullopt;
+}
+
 nlohmann::ordered_json EnergyHistory::summary() const {
   if (moments_.empty()) return nullptr;
   const double level = floor_ ? *floor_ : lowest_ < std::numeric_limits<double>::infinity() ? lowest_ : 0;

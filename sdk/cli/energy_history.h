@@ -24,6 +24,9 @@ class EnergyHistory {
 
   void add(const FrameSample& sample);
 
+  /// Of the last moment, over the first; none without a floor, or where the start has no energy.
+  std::optional<double> ratio() const;
+
   /// start_j, end_j, max_j; end_ratio and max_ratio over the start, null where the start has no energy; and
   /// the zero.
   nlohmann::ordered_json summary() const;

@@ -51,6 +51,7 @@ RunRecorder::RunRecorder(std::filesystem::path folder, const Scene& scene)
       table_(folder_ / "frames.csv", probe_names(scene)),
       cloth_(folder_, scene),
       energy_(scene),
+      checks_(scene),
       density_error_(1e-5, 100'000),
       body_names_(body_names(scene)) {
   if (!body_names_.empty()) body_table_.emplace(folder_ / "bodies.csv", body_names_);
@@ -63,6 +64,7 @@ void RunRecorder::start(const DeviceInfo& device, const FrameSample& sample, std
   diagnostics_ = sample.diagnostics;
   cloth_.start(sample);
   energy_.add(sample);
+  checks_.start(sample);
 }
 
 void RunRecorder::add(const FrameSample& sample) {
@@ -91,6 +93,7 @@ void RunRecorder::add(const FrameSample& sample) {
   non_finite_ = std::max(non_finite_, diagnostics_.non_finite);
   cloth_.add(sample);
   energy_.add(sample);
+  checks_.add(sample, energy_.ratio());
   table_.add(sample);
   if (body_table_) body_table_->add(sample);
 }
@@ -135,6 +138,7 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"cloths", cloth_.cloths()},
           {"ropes", cloth_.ropes()},
           {"attachments", cloth_.attachments()},
+          {"checks", checks_.summary()},
           {"interrupted", end.interrupted},
           {"error", end.error.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(end.error)},
           {"state_hash", fmt::format("{:016x}", end.state_hash)}};

@@ -13,6 +13,7 @@
 #include "sdk/cli/energy_history.h"
 #include "sdk/cli/frame_table.h"
 #include "sdk/cli/histogram.h"
+#include "sdk/cli/scene_checks.h"
 
 namespace meniscus::cli {
 
@@ -28,7 +29,8 @@ struct RunEnd {
 /// any, as it goes; summary.json and density.svg at its end.
 class RunRecorder {
  public:
-  /// `scene` must outlive the recorder. Throws Error(io) where the folder cannot be written to.
+  /// `scene` must outlive the recorder. Throws Error(io) where the folder cannot be written to, and what
+  /// SceneChecks throws.
   RunRecorder(std::filesystem::path folder, const Scene& scene);
 
   /// The state before the first step; `masses` in the order of the scene's bodies.
@@ -51,6 +53,7 @@ class RunRecorder {
   std::optional<BodyTable> body_table_;
   ClothRecord cloth_;
   EnergyHistory energy_;
+  SceneChecks checks_;
   Histogram density_error_;
   std::vector<std::string> body_names_;
   DeviceInfo device_;

@@ -94,6 +94,16 @@ std::string rope_line(const json& rope) {
                      number(rope, "length_m"), number(rope, "start_m"));
 }
 
+/// "0.2 to 1.5 m", "at least 0.2", "0".
+std::string range_text(const json& low, const json& high, const std::string& unit) {
+  const auto text = [](const json& value) { return fmt::format("{:.4g}", value.get<double>()); };
+  std::string range = low.is_null()    ? "at most " + text(high)
+                      : high.is_null() ? "at least " + text(low)
+                      : low == high    ? text(low)
+                                       : text(low) + " to " + text(high);
+  return unit.empty() ? range : range + " " + unit;
+}
+
 /// The files that a kind of thing leaves behind, where there are any.
 std::string file_list(const std::vector<std::string>& formats, const json& figures,
                       const std::vector<std::string>& pictures, bool surfaces) {
@@ -120,6 +130,15 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
 
 }  // namespace
 
+std::string check_line(const json& check) {
+  const std::string unit = text_of(check, "unit"), state = text_of(check, "state");
+  std::string text = fmt::format("\"{}\" {}", text_of(check, "name"), state);
+  if (state == "broken") text += fmt::format(" at {:.4g} s", number(check, "broken_at_s"));
+  text += fmt::format(": {} ", text_of(check, "type"));
+  if (state != "not reached") text += "was " + range_text(check.at("least"), check.at("most"), unit) + ", ";
+  return text + "allowed is " + range_text(check.at("low"), check.at("high"), unit);
+}
+
 std::string run_summary(const json& figures, const std::filesystem::path& folder,
                         const std::vector<std::string>& formats, const std::vector<std::string>& pictures,
                         bool surfaces) {
@@ -143,6 +162,7 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   text += line("state", text_of(figures, "state_hash"));
   for (const json& cloth : figures.at("cloths")) text += line("cloth", cloth_line(cloth));
   for (const json& rope : figures.at("ropes")) text += line("rope", rope_line(rope));
+  for (const json& check : figures.at("checks")) text += line("check", check_line(check));
   text += line("files", folder.string() + ": " + file_list(formats, figures, pictures, surfaces));
   return text + fmt::format("The picture to open: {}\n", (folder / "preview.png").string());
 }

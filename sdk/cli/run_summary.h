@@ -15,4 +15,7 @@ std::string run_summary(const nlohmann::ordered_json& figures, const std::filesy
                         const std::vector<std::string>& formats,
                         const std::vector<std::string>& pictures = {}, bool surfaces = false);
 
+/// A check of summary.json in words: what was seen, what is allowed, and whether it held.
+std::string check_line(const nlohmann::ordered_json& check);
+
 }  // namespace meniscus::cli

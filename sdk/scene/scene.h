@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "sdk/scene/scene_check.h"
+
 namespace meniscus {
 
 struct SceneVolume {
@@ -88,6 +90,7 @@ struct Scene {
   std::vector<SceneEmitter> emitters;
   std::vector<SceneSink> sinks;
   std::vector<SceneProbe> probes;
+  std::vector<SceneCheck> checks;
   std::optional<SceneCamera> camera;
   std::vector<SceneNamedCamera> cameras;
 };

@@ -11,6 +11,7 @@
 #include "sdk/scene/scene.h"
 #include "sdk/scene/scene_field_rule.h"
 #include "sdk/scene/scene_fields_bodies.h"
+#include "sdk/scene/scene_fields_checks.h"
 #include "sdk/scene/scene_fields_cloth.h"
 #include "sdk/scene/scene_fields_flow.h"
 #include "sdk/scene/scene_fields_shapes.h"
@@ -207,6 +208,7 @@ void fields(V& v, Scene& d) {
   v("emitters", d.emitters, any_value, "", "openings that make particles");
   v("sinks", d.sinks, any_value, "", "regions that remove particles");
   v("probes", d.probes, any_value, "", "measurements");
+  v("checks", d.checks, any_value, "", "what must hold while the scene runs: else the run fails");
   v("camera", d.camera, any_value, "",
     "where pictures are taken from; left out, a view that holds everything");
   v("cameras", d.cameras, any_value, "", "more views, to be chosen by name");

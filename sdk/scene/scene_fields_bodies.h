@@ -95,8 +95,6 @@ void fields(V& v, SceneBody& body) {
 
 // ---- joints ----
 
-enum class Axis { x, y, z };
-
 constexpr auto names_of(Axis) {
   return std::array{Named{"x", Axis::x}, Named{"y", Axis::y}, Named{"z", Axis::z}};
 }

@@ -107,6 +107,20 @@ void check_flow(const Scene& scene, const std::vector<std::string>& fluids, cons
   }
 }
 
+/// What checks look at.
+void check_checks(const Scene& scene, const std::vector<std::string>& cloths,
+                  const std::vector<std::string>& probes, const ScenePlace& place) {
+  const std::vector<std::string> bodies = body_names(scene);
+  for (std::size_t i = 0; i < scene.checks.size(); ++i) {
+    const auto check = [&](const char* key, const std::string& name, const std::vector<std::string>& names) {
+      if (!name.empty()) check_reference(name, names, place.item(i).key(key), key);
+    };
+    check("body", scene.checks[i].body, bodies);
+    check("cloth", scene.checks[i].cloth, cloths);
+    check("probe", scene.checks[i].probe, probes);
+  }
+}
+
 }  // namespace
 
 void check_names(const Scene& scene, const std::string& source) {
@@ -123,11 +137,13 @@ void check_names(const Scene& scene, const std::string& source) {
   unique_names(scene.cameras, root.key("cameras"), own_name);
   unique_names(scene.emitters, root.key("emitters"), name_of_def);
   unique_names(scene.sinks, root.key("sinks"), name_of_def);
-  unique_names(scene.probes, root.key("probes"), name_of_def);
+  const auto probes = unique_names(scene.probes, root.key("probes"), name_of_def);
+  unique_names(scene.checks, root.key("checks"), own_name);
 
   check_joints(scene, root.key("joints"));
   check_attachments(scene, cloths, ropes, root.key("attachments"));
   check_flow(scene, fluids, root);
+  check_checks(scene, cloths, probes, root.key("checks"));
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
     check_reference(scene.volumes[i].fluid, fluids, root.key("volumes").item(i).key("fluid"), "fluid");
   }

@@ -267,6 +267,25 @@ TEST_F(ProgramTest, OptionsChangeTheScene) {
   EXPECT_EQ(figures["frames"], 3);
 }
 
+TEST_F(ProgramTest, ACheckThatDoesNotHoldIsCodeThree) {
+  const auto with_limit = [&](const char* high) {
+    auto document = nlohmann::json::parse(scene);
+    document["checks"] = {{{"name", "at rest"},
+                           {"type", "share_inside"},
+                           {"high", std::stof(high)},
+                           {"region", {{"lower", {0, 0, 0}}, {"upper", {1, 1, 1}}}}}};
+    std::ofstream(folder_ / "checked.json") << document;
+    run({"run", "checked", "--device", "cpu", "--out", out(), "--quiet"});
+  };
+  EXPECT_EXIT(with_limit("1"), testing::ExitedWithCode(success), "^$");
+  EXPECT_EXIT(
+      with_limit("0.5"), testing::ExitedWithCode(check_broken),
+      "^meniscus: the check \"at rest\" broken at 0.01 s: share_inside was 1, allowed is at most 0.5\n$");
+  const auto figures = nlohmann::json::parse(std::ifstream(fs::path(out()) / "summary.json"));
+  EXPECT_EQ(figures["checks"].at(0)["state"], "broken");
+  EXPECT_TRUE(figures["error"].is_null()) << "the run itself is done";
+}
+
 TEST_F(ProgramTest, BadInputIsOneLineAndCodeTwo) {
   EXPECT_EXIT(run({}), testing::ExitedWithCode(bad_input), "^meniscus: a command is required[^\n]*\n$");
   EXPECT_EXIT(run({"dance"}), testing::ExitedWithCode(bad_input), "^meniscus: [^\n]*dance[^\n]*\n$");

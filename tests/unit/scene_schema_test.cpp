@@ -76,6 +76,7 @@ Json with_fitting_names(Json document) {
   document["attachments"][0]["body"] = "body_0";
   document["emitters"][0]["body"] = "body_0";
   document["sinks"][0]["body"] = "body_0";
+  if (document["checks"][0].contains("body")) document["checks"][0]["body"] = "body_0";
   for (const char* key : {"rope", "other_cloth", "other_rope"}) document["attachments"][0].erase(key);
   return document;
 }
@@ -91,16 +92,16 @@ void gather_types(const Json& json, const std::string& place, std::set<std::stri
 TEST(SceneSchema, ReaderTakesEveryKeyOfTheSchema) {
   const Json schema = Json::parse(scene_schema());
   std::set<std::string> types;
-  for (std::size_t choice = 0; choice < 10; ++choice) {
+  for (std::size_t choice = 0; choice < 14; ++choice) {
     const Json document = with_fitting_names(Example(choice).of(schema, ""));
     gather_types(document, "", types);
     EXPECT_NO_THROW(parse_scene(document)) << "alternative " << choice;
   }
   // Cloth and solids have a mesh and a sphere each, but under one key.
-  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 3u + 3u + 1u)
+  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 3u + 3u + 1u + 14u)
       << "geometries of solids and of cloth, joints, regions, probes and openings, each at least once; and "
          "of "
-         "sinks the half-space";
+         "sinks the half-space; checks";
 }
 
 /// Whether an alternative is for values like this one: of its `type`, or of its kind where it has none.

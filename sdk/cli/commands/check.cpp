@@ -37,7 +37,7 @@ int check_scene(const CheckOptions& options) {
   if (!scene.cloths.empty() || !scene.ropes.empty()) print_cloth(scene, built);
   fmt::print("  particles {}, {:.4g} m apart, support radius {:.4g} m\n", built.world.particle_count(),
              scene.world.particle_spacing, built.world.support_radius());
-  fmt::print("  frames {} of {:.4g} s\n", scene.frames, scene.frame_time);
+  fmt::print("  frames {} of {:.4g} s, checks {}\n", scene.frames, scene.frame_time, scene.checks.size());
   return success;
 }
 

@@ -171,16 +171,29 @@ class Run {
   RunEnd end_;
 };
 
+/// Says which checks did not hold; returns whether any did not.
+bool report_broken(const nlohmann::ordered_json& figures) {
+  bool any = false;
+  for (const auto& check : figures.at("checks")) {
+    if (check.at("state") != "broken") continue;
+    spdlog::error("the check {}", check_line(check));
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace
 
 int run_scene(const RunOptions& options) {
   if (options.quiet) spdlog::set_level(spdlog::level::err);
   Run run(options);
   run.step_through(options.quiet);
+  bool broken = false;
   try {
     const nlohmann::ordered_json figures = run.write_results();
     if (!options.quiet)
       fmt::print("{}", run_summary(figures, run.folder(), options.formats, run.pictures(), options.surface));
+    broken = report_broken(figures);
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
     return run_failed;
@@ -189,7 +202,8 @@ int run_scene(const RunOptions& options) {
     spdlog::error("{}", run.end().error);
     return run_failed;
   }
-  return run.end().interrupted ? interrupted : success;
+  if (run.end().interrupted) return interrupted;
+  return broken ? check_broken : success;
 }
 
 }  // namespace meniscus::cli

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/cli/cloth_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace meniscus::cli {
+namespace {
+
+struct Vector {
+  double x, y, z;
+};
+
+Vector operator+(const Vector& a, const Vector& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Vector operator-(const Vector& a, const Vector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Vector operator*(double s, const Vector& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+Vector of(Vec3 a) {
+  return {a.x, a.y, a.z};
+}
+Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+double triple(const Vector& a, const Vector& b, const Vector& c) {
+  return dot(a, cross(b, c));
+}
+
+/// The corners as seen from the point, and how they move.
+struct Pass {
+  std::array<Vector, 3> start, motion;
+
+  std::array<Vector, 3> at(double t) const {
+    std::array<Vector, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = start[k] + t * motion[k];
+    return corners;
+  }
+
+  /// Six times the volume between point and triangle: negative where the point is on the normal's side.
+  double volume(double t) const {
+    const auto c = at(t);
+    return triple(c[0], c[1], c[2]);
+  }
+
+  /// Whether the point, in the triangle's plane, is within it.
+  bool is_within(double t) const {
+    const auto c = at(t);
+    const Vector normal = cross(c[1] - c[0], c[2] - c[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (triple(normal, c[k], c[(k + 1) % 3]) < 0) return false;
+    }
+    return true;
+  }
+};
+
+/// Where a quadratic a t² + b t + c is zero, in order.
+std::vector<double> zeros_of(double a, double b, double c) {
+  if (a == 0) return b == 0 ? std::vector<double>{} : std::vector{-c / b};
+  const double inside = b * b - 4 * a * c;
+  if (inside < 0) return {};
+  const double q = -0.5 * (b + std::copysign(std::sqrt(inside), b));
+  if (q == 0) return {0};
+  return {std::min(q / a, c / q), std::max(q / a, c / q)};
+}
+
+/// 0, the times between 0 and 1 at which the volume, a cubic in time, turns, and 1.
+std::vector<double> monotone_parts(const Pass& pass) {
+  const auto& [a, b, c] = pass.start;
+  const auto& [u, v, w] = pass.motion;
+  const double first = triple(u, b, c) + triple(a, v, c) + triple(a, b, w),
+               second = triple(u, v, c) + triple(u, b, w) + triple(a, v, w), third = triple(u, v, w);
+  std::vector<double> times{0};
+  for (const double t : zeros_of(3 * third, 2 * second, first)) {
+    if (t > times.back() && t < 1) times.push_back(t);
+  }
+  times.push_back(1);
+  return times;
+}
+
+double zero_between(const Pass& pass, double low, double high) {
+  const bool sign = pass.volume(low) > 0;
+  for (int round = 0; round < 60; ++round) {
+    const double middle = 0.5 * (low + high);
+    ((pass.volume(middle) > 0) == sign ? low : high) = middle;
+  }
+  return low;
+}
+
+struct Box {
+  Vec3 lower, upper;
+
+  Box(Vec3 a, Vec3 b)
+      : lower{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+        upper{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)} {}
+
+  void add(const Box& b) {
+    lower = Box(lower, b.lower).lower;
+    upper = Box(upper, b.upper).upper;
+  }
+  bool meets(const Box& b) const {
+    return lower.x <= b.upper.x && b.lower.x <= upper.x && lower.y <= b.upper.y && b.lower.y <= upper.y &&
+           lower.z <= b.upper.z && b.lower.z <= upper.z;
+  }
+};
+
+std::array<Vec3, 3> corners_of(const io::ClothFrame& cloth, std::size_t triangle) {
+  const auto& t = cloth.triangles[triangle];
+  return {cloth.vertices[t[0]], cloth.vertices[t[1]], cloth.vertices[t[2]]};
+}
+
+}  // namespace
+
+int passage(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to, Vec3 point_from, Vec3 point_to) {
+  Pass pass{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    pass.start[k] = of(from[k]) - of(point_from);
+    pass.motion[k] = of(to[k]) - of(point_to) - pass.start[k];
+  }
+  const std::vector<double> times = monotone_parts(pass);
+  int net = 0;
+  for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+    const bool before = pass.volume(times[k]) > 0, after = pass.volume(times[k + 1]) > 0;
+    if (before != after && pass.is_within(zero_between(pass, times[k], times[k + 1]))) net += before ? 1 : -1;
+  }
+  return net;
+}
+
+void ClothCrossings::start(const FrameSample& sample) {
+  keep(sample);
+}
+
+void ClothCrossings::keep(const FrameSample& sample) {
+  corners_.clear();
+  for (std::size_t t = 0; t < sample.cloth.triangles.size(); ++t)
+    corners_.push_back({corners_of(sample.cloth, t)});
+  positions_.assign(sample.particles.positions.begin(), sample.particles.positions.end());
+  ids_.assign(sample.particles.ids.begin(), sample.particles.ids.end());
+  counts_.resize(sample.cloth.names.size());
+}
+
+/// Of the particles that were there before, and are there now; ids are in order.
+std::vector<ClothCrossings::Way> ClothCrossings::ways_to(const io::ParticleFrame& now) const {
+  std::vector<Way> ways;
+  for (std::size_t i = 0, old = 0; i < now.size(); ++i) {
+    while (old < ids_.size() && ids_[old] < now.ids[i]) ++old;
+    if (old < ids_.size() && ids_[old] == now.ids[i]) ways.push_back({positions_[old], now.positions[i]});
+  }
+  return ways;
+}
+
+void ClothCrossings::add(const FrameSample& sample) {
+  std::vector<Way> ways = ways_to(sample.particles);
+  const auto begin_of = [](const Way& way) { return std::min(way.from.x, way.to.x); };
+  std::sort(ways.begin(), ways.end(), [&](const Way& a, const Way& b) { return begin_of(a) < begin_of(b); });
+  float longest = 0;  // along x
+  for (const Way& way : ways) longest = std::max(longest, std::fabs(way.to.x - way.from.x));
+
+  std::vector<int> net(ways.size(), 0);
+  uint32_t piece = 0;
+  const auto finish_piece = [&] {
+    for (int& passages : net) counts_[piece] += static_cast<uint64_t>(std::abs(std::exchange(passages, 0)));
+  };
+  for (std::size_t t = 0; t < corners_.size(); ++t) {
+    if (sample.cloth.pieces[t] != piece) finish_piece();
+    piece = sample.cloth.pieces[t];
+    const std::array<Vec3, 3>&from = corners_[t].at, to = corners_of(sample.cloth, t);
+    Box box(from[0], to[0]);
+    for (std::size_t k = 1; k < 3; ++k) box.add(Box(from[k], to[k]));
+    const auto first = std::lower_bound(ways.begin(), ways.end(), box.lower.x - longest,
+                                        [&](const Way& way, float x) { return begin_of(way) < x; });
+    for (auto way = first; way != ways.end() && begin_of(*way) <= box.upper.x; ++way) {
+      if (box.meets(Box(way->from, way->to)))
+        net[static_cast<std::size_t>(way - ways.begin())] += passage(from, to, way->from, way->to);
+    }
+  }
+  if (!corners_.empty()) finish_piece();
+  keep(sample);
+}
+
+uint64_t ClothCrossings::through_all() const {
+  return std::accumulate(counts_.begin(), counts_.end(), uint64_t{0});
+}
+
+}  // namespace meniscus::cli
