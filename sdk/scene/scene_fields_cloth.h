@@ -121,6 +121,7 @@ void fields(V& v, ClothTube& d) {
   v("columns", d.columns, between(3, 10000), "", "vertices around");
   v("rows", d.rows, between(2, 10000), "",
     "vertices from top to bottom; vertex (column, row) has the number row · columns + column");
+  v("bottom", d.bottom, any_value, "", "whether a disc closes the lower end; its vertices come last");
 }
 
 template <class V>
@@ -129,7 +130,7 @@ void choices(V& v, ClothGeometry& g) {
   v.choice("mesh", ClothFile{}, g, "the triangles of a file");
   v.choice("triangles", ClothTriangles{}, g, "any triangles");
   v.choice("sphere", ClothSphere{}, g, "a closed sphere");
-  v.choice("tube", ClothTube{}, g, "a tube or cone about y, open at both ends");
+  v.choice("tube", ClothTube{}, g, "a tube or cone about y, open at both ends or a bag");
 }
 
 template <class V>

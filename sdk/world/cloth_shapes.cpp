@@ -73,6 +73,64 @@ class Geodesic {
   std::map<Weights, uint32_t> numbers_;
 };
 
+/// A disc that hangs on a mesh's last vertices, which go around its border: rings of about as long edges,
+/// with fewer and fewer vertices.
+class Disc {
+ public:
+  Disc(cloth::ClothMesh& mesh, float radius, float height, uint32_t columns)
+      : mesh_(mesh), radius_(radius), height_(height), columns_(columns) {}
+
+  void add() {
+    const int rings = std::max(1, static_cast<int>(std::lround(static_cast<float>(columns_) / two_pi)));
+    Ring outer{static_cast<uint32_t>(mesh_.vertices.size()) - columns_, columns_};
+    for (int k = 1; k <= rings; ++k) {
+      const float share = 1 - static_cast<float>(k) / static_cast<float>(rings);
+      const Ring inner = add_ring(share);
+      join(outer, inner);
+      outer = inner;
+    }
+  }
+
+ private:
+  struct Ring {
+    uint32_t first, count;
+
+    uint32_t vertex(uint32_t k) const { return first + k % count; }
+  };
+
+  static constexpr float two_pi = 2 * std::numbers::pi_v<float>;
+
+  /// At a share of the radius; the last one is a single vertex.
+  Ring add_ring(float share) {
+    const auto around = static_cast<uint32_t>(std::lround(share * static_cast<float>(columns_)));
+    const Ring ring{static_cast<uint32_t>(mesh_.vertices.size()), share > 0 ? std::max(3u, around) : 1};
+    for (uint32_t k = 0; k < ring.count; ++k) {
+      const float angle = two_pi * static_cast<float>(k) / static_cast<float>(ring.count),
+                  r = share * radius_;
+      mesh_.vertices.push_back({r * std::cos(angle), height_, r * std::sin(angle)});
+    }
+    return ring;
+  }
+
+  /// Goes around both at once, always on along the one that is behind.
+  void join(const Ring& outer, const Ring& inner) {
+    const uint32_t steps = inner.count > 1 ? inner.count : 0;
+    for (uint32_t o = 0, i = 0; o < outer.count || i < steps;) {
+      if (uint64_t{2 * o + 1} * std::max(1u, steps) <= uint64_t{2 * i + 1} * outer.count || i == steps) {
+        mesh_.triangles.push_back({outer.vertex(o), outer.vertex(o + 1), inner.vertex(i)});
+        ++o;
+      } else {
+        mesh_.triangles.push_back({outer.vertex(o), inner.vertex(i + 1), inner.vertex(i)});
+        ++i;
+      }
+    }
+  }
+
+  cloth::ClothMesh& mesh_;
+  float radius_, height_;
+  uint32_t columns_;
+};
+
 }  // namespace
 
 cloth::ClothMesh sphere_mesh(const ClothSphere& sphere) {
@@ -106,6 +164,7 @@ cloth::ClothMesh tube_mesh(const ClothTube& tube) {
       }
     }
   }
+  if (tube.bottom) Disc(mesh, tube.bottom_radius, -0.5f * tube.height, columns).add();
   return mesh;
 }
 

@@ -112,6 +112,28 @@ TEST_P(ClothReadoutTest, SpheresAndTubesAreWhatTheySay) {
   }
 }
 
+TEST_P(ClothReadoutTest, ATubeWithABottomIsABag) {
+  ClothDef def;
+  def.geometry = ClothTube{0.2f, 0.2f, 0.3f, 40, 11, true};
+  const ClothId bag = world_.create_cloth(def);
+  const ClothState state = world_.cloth_state(bag);
+  EXPECT_FALSE(state.closed);
+  EXPECT_NEAR(state.area, pi * (0.04f + 0.4f * 0.3f), 0.01f * state.area);
+  // One piece with one border, of the upper end's edges: V − E + F = 1, and 3 F = 2 E − 40.
+  const std::span<const Vec3> x = world_.cloth_positions(bag), n = world_.cloth_normals(bag);
+  const size_t faces = world_.cloth_triangles(bag).size() / 3;
+  EXPECT_EQ(2 * (x.size() - 1), faces + 40);
+  for (size_t v = 440; v < x.size(); ++v) {
+    EXPECT_FLOAT_EQ(x[v].y, -0.15f);
+    EXPECT_NEAR(n[v].y, -1, 1e-6f) << "vertex " << v;
+  }
+  EXPECT_EQ(x.back().x, 0) << "the last one is the middle";
+  for (const char* shape : {"three", "many"}) {
+    def.geometry = ClothTube{1, 1, 1, std::string(shape) == "three" ? 3 : 97, 2, true};
+    EXPECT_NO_THROW(world_.create_cloth(def)) << shape;
+  }
+}
+
 TEST_P(ClothReadoutTest, AFileIsWelded) {
   const TemporaryFolder folder;
   ClothDef def;

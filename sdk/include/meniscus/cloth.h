@@ -82,13 +82,14 @@ struct ClothSphere {
   int divisions = 8;    ///< of an edge of the icosahedron, 1 to 500; there are 10 · divisions² + 2 vertices
 };
 
-/// A tube or cone about the y axis, centred at the origin, open at both ends.
+/// A tube or cone about the y axis, centred at the origin, open at both ends; or, with a bottom, a bag.
 struct ClothTube {
   float top_radius = 0.2f;     ///< m
   float bottom_radius = 0.5f;  ///< m
   float height = 0.6f;         ///< m
   int columns = 64;            ///< vertices around, ≥ 3
-  int rows = 25;  ///< vertices along y, ≥ 2, from the top; numbered row by row as those of a sheet
+  int rows = 25;        ///< vertices along y, ≥ 2, from the top; numbered row by row as those of a sheet
+  bool bottom = false;  ///< a disc closes the lower end; its vertices come last, from its border inwards
 };
 
 using ClothGeometry = std::variant<SheetGeometry, ClothFile, ClothTriangles, ClothSphere, ClothTube>;
