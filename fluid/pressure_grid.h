@@ -4,6 +4,7 @@
 
 #include "fluid/multigrid.h"
 #include "fluid/pressure_grid_excess_kernels.h"
+#include "fluid/pressure_grid_vessels.h"
 #include "fluid/pressure_load_kernels.h"
 #include "pbd/substep.h"
 
@@ -46,7 +47,6 @@ class PressureGrid {
   void fit(const pbd::GridView& cells);
   void find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last);
   void gather(pbd::Substep<D>& substep, float compressibility);
-  void balance();
   void move(pbd::Substep<D>& substep);
   grid_kernels::NodeMap map() const { return {space_.nodes, flags_.view()}; }
   float width2() const { return space_.width() * space_.width(); }
@@ -54,6 +54,7 @@ class PressureGrid {
   D& device_;
   Kernel kernel_;
   Multigrid<D> multigrid_;
+  PressureGridVessels<D> vessels_{device_};
   grid_kernels::Space space_;
 
   pbd::Buffer<grid_kernels::Found> found_{device_, "density excess"};
@@ -66,7 +67,6 @@ class PressureGrid {
   pbd::Buffer<grid_kernels::NodeFaces> faces_{device_, "grid faces"};
   pbd::Buffer<grid_kernels::NodeLoad> load_{device_, "grid loads"};
   pbd::Buffer<pbd::Vec4> motion_{device_, "grid motion"};
-  pbd::Buffer<grid_kernels::Balance> balance_{device_, "grid balance"};
   pbd::Buffer<grid_kernels::Lost> lost_{device_, "grid momentum"};
 };
 

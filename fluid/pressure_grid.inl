@@ -32,7 +32,7 @@ void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
   fit(substep.grid);
   find_excess(substep, last);
   gather(substep, compressibility);
-  balance();
+  vessels_.level(space_.nodes, flags_.view(), multigrid_.finest(), filled_.view(), kernel_.volume);
   multigrid_.solve(grid_tuning::iterations);
   move(substep);
 }
@@ -52,7 +52,7 @@ void PressureGrid<D>::fit(const pbd::GridView& cells) {
   faces_.resize_discard(count);
   load_.resize_discard(count);
   motion_.resize_discard(count);
-  balance_.resize_discard(1);
+  vessels_.reserve(count);
   lost_.resize_discard(1);
 }
 
@@ -106,18 +106,6 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
 }
 
 template <class D>
-void PressureGrid<D>::balance() {
-  using namespace grid_kernels;
-  const uint32_t nodes = space_.nodes.count();
-  const multigrid_kernels::Level finest = multigrid_.finest();
-  device_.reduce("grid/balance", nodes, Balance{},
-                 FindBalance{space_.nodes, flags_.view(), finest.coefficients, finest.right, filled_.view()},
-                 AddBalances{}, balance_.view());
-  device_.parallel_for("grid/surplus", nodes,
-                       TakeSurplus{flags_.view(), filled_.view(), balance_.view(), finest.right});
-}
-
-template <class D>
 void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   using namespace grid_kernels;
   const pbd::ParticleView& p = substep.particles;
@@ -125,17 +113,17 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   const View<const float> pressure = multigrid_.solution();
   const FaceMoves moves{space_.nodes, faces_.view(),      pressure,
                         width2(),     grid_tuning::share, grid_tuning::farthest * std::cbrt(kernel_.volume)};
-  const Datum datum{balance_.view(), lost_.view()};
+  const PressureOf from_least = vessels_.pressure(space_.nodes, pressure);
   const uint32_t nodes = space_.nodes.count();
   device_.reduce("grid/lost", nodes, Lost{}, FindLost{moves}, AddLost{}, lost_.view());
   device_.parallel_for("grid/move faces", nodes, MoveFaces{moves, lost_.view(), motion_.view()});
   device_.parallel_for(
       "grid/push solids", contacts.contacts.count,
-      PushSolids{space_, p.position, contacts, load_.view(), pressure, datum, grid_tuning::share});
-  device_.parallel_for(
-      "grid/move particles", p.sorted,
-      MoveParticles{space_, substep.neighbours.count, scale_.view(), motion_.view(), flags_.view(), pressure,
-                    datum, grid_tuning::share * kernel_.volume, p.position, p.moved, multiplier_.view()});
+      PushSolids{space_, p.position, contacts, load_.view(), from_least, grid_tuning::share});
+  device_.parallel_for("grid/move particles", p.sorted,
+                       MoveParticles{space_, substep.neighbours.count, scale_.view(), motion_.view(),
+                                     flags_.view(), from_least, grid_tuning::share * kernel_.volume,
+                                     p.position, p.moved, multiplier_.view()});
 }
 
 }  // namespace meniscus::fluid

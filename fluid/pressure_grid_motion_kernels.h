@@ -4,7 +4,7 @@
 // How the pressure that the grid has found moves faces, and faces move particles.
 #pragma once
 
-#include "fluid/pressure_grid_balance_kernels.h"
+#include "fluid/pressure_grid_vessel_kernels.h"
 
 namespace meniscus::fluid::grid_kernels {
 
@@ -17,9 +17,6 @@ struct FaceMoves {
   float share;  ///< of the whole motion
   float limit;  ///< m
 
-  MENISCUS_HD float least(const NodeCoordinates& c, uint32_t node, int axis) const {
-    return pbd::min(pressure[node], pressure[nodes.beside(c, axis, 1)]);
-  }
   /// kg·m
   MENISCUS_HD float impulse(const NodeCoordinates& c, uint32_t node, int axis) const {
     const float fall = pressure[node] - pressure[nodes.beside(c, axis, 1)];
@@ -34,15 +31,6 @@ struct FaceMoves {
 /// What faces do not hand on, as they move too little or their motion is bounded, and the mass that all move.
 struct Lost {
   double impulse[3] = {0, 0, 0}, mass[3] = {0, 0, 0};
-  float least_pressure = 1e30f;
-};
-
-/// What the pressure counts from: in a closed vessel from where it is least.
-struct Datum {
-  View<const Balance> balance;
-  View<const Lost> lost;
-
-  MENISCUS_HD float operator()() const { return balance[0].closed() ? lost[0].least_pressure : 0.0f; }
 };
 
 struct AddLost {
@@ -51,7 +39,6 @@ struct AddLost {
       a.impulse[axis] += b.impulse[axis];
       a.mass[axis] += b.mass[axis];
     }
-    a.least_pressure = pbd::min(a.least_pressure, b.least_pressure);
     return a;
   }
 };
@@ -66,7 +53,6 @@ struct FindLost {
       const float mass = moves.faces[node].face[axis].mass;
       if (!(mass > 0)) continue;
       lost.mass[axis] = double{mass};
-      lost.least_pressure = pbd::min(lost.least_pressure, moves.least(c, node, axis));
       lost.impulse[axis] =
           double{moves.impulse(c, node, axis)} - double{mass} * double{moves.way(c, node, axis)};
     }
@@ -98,8 +84,7 @@ struct MoveParticles {
   View<const Vec4> scale;
   View<const Vec4> motion;
   View<const uint32_t> flags;
-  View<const float> pressure;
-  Datum datum;
+  PressureOf pressure;
   float to_multiplier;  ///< m³
   View<Vec4> position, moved;
   View<float> multiplier;  ///< kg·m², as the density constraint would have it
@@ -132,10 +117,10 @@ struct MoveParticles {
     float sum = 0, weights = 0;
     for_each_node(space.nodes, place, [&](uint32_t node, float weight) {
       if (flags[node] & node_solid) return;
-      sum += weight * pressure[node];
+      sum += weight * pressure(node);
       weights += weight;
     });
-    return weights > 0 ? sum / weights - datum() : 0.0f;
+    return weights > 0 ? sum / weights : 0.0f;
   }
 };
 

@@ -92,19 +92,18 @@ struct PushSolids {
   View<const Vec4> position;
   ContactView contacts;
   View<const NodeLoad> load;
-  View<const float> pressure;
-  Datum datum;
+  PressureOf pressure;
   float share;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.particle_starting_at(n);
     if (i == pbd::no_index) return;
     const Vec3 p = position[i].xyz();
-    const float width = space.width(), least = datum();
+    const float width = space.width();
     for_each_node(space.nodes, space.place(p), [&](uint32_t node, float weight) {
       const NodeLoad at = load[node];
       if (dot(at.area, at.area) == 0) return;
-      const Vec3 each = share * (pressure[node] - least) * product(at.area, at.inverse);
+      const Vec3 each = share * pressure(node) * product(at.area, at.inverse);
       for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
         Contact& c = contacts.contacts[k];
         c.density_push += product(each, contact_weights(c, p, weight, at.area, width));

@@ -4,6 +4,7 @@
 // Times steps, one line of JSON a case.
 //   bench dam --device cuda --particles 100000,1000000 --iterations 4 --out FILE
 //   bench dam --device cuda --particles 100000 --iterations 4 --boxes 1000 --out FILE
+//   bench dam --device cpu --particles 100000 --substeps 4 --iterations 30 --tolerance 0.0005
 //   bench pool --device cuda --particles 1000000 --layers 100 --solver grid --out FILE
 //   bench hanging --n 250 --substeps 20 --iterations 1 --no-tethers --seconds 10
 //   bench drape --n 250,500
