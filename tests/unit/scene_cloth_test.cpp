@@ -27,7 +27,8 @@ constexpr const char* text = R"({
      "fabric": {"density": 0.3, "stretch_model": "triangles", "warp_stiffness": 11, "weft_stiffness": 12,
                 "shear_stiffness": 13, "bending_model": "dihedral", "bending_stiffness": 14,
                 "unyielding": ["weft"], "stretch_damping": 0.5, "bending_damping": 0.6, "thickness": 0.01,
-                "friction": 0.7, "drag": 1.1, "lift": 1.2, "tear_strain": 0.25},
+                "friction": 0.7, "permittivity": 0.15, "absorbency": 0.45,
+                "retention": 0.65, "drainage": 0.03, "drag": 1.1, "lift": 1.2, "tear_strain": 0.25},
      "groups": 6, "mask": 9, "self_collision": false, "tethers": false, "color": [0.1, 0.2, 0.3]},
     {"name": "rag", "geometry": {"type": "triangles", "vertices": [[0, 0, 0], [1, 0, 0], [0, 0, 1]],
                                  "triangles": [0, 2, 1]}},
@@ -105,6 +106,10 @@ TEST(SceneCloth, Fabric) {
   EXPECT_FLOAT_EQ(f.drag, 1.1f);
   EXPECT_FLOAT_EQ(f.lift, 1.2f);
   EXPECT_FLOAT_EQ(f.tear_strain, 0.25f);
+  EXPECT_FLOAT_EQ(f.permittivity, 0.15f);
+  EXPECT_FLOAT_EQ(f.absorbency, 0.45f);
+  EXPECT_FLOAT_EQ(f.retention, 0.65f);
+  EXPECT_FLOAT_EQ(f.drainage, 0.03f);
 }
 
 TEST(SceneCloth, GeometriesAndInflation) {
