@@ -40,8 +40,7 @@ class Drawing {
       // A seam is no edge of a mesh at rest.
       const float length_at_rest = length(rest[e.b] - rest[e.a]);
       left_[k] = e.compliance <= limit &&
-                 std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length &&
-                 !is_blown_up(e.a, pieces);
+                 std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length && !has_none(e.a, pieces);
     }
   }
 
@@ -71,9 +70,10 @@ class Drawing {
     return ends;
   }
 
-  static bool is_blown_up(uint32_t v, std::span<const Piece> pieces) {
+  /// See Yarns.
+  static bool has_none(uint32_t v, std::span<const Piece> pieces) {
     return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
-      return p.inside > 0 && v >= p.first_vertex && v < p.end_vertex;
+      return (p.inside > 0 || p.tear_strain > 0) && v >= p.first_vertex && v < p.end_vertex;
     });
   }
 
