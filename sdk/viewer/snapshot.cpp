@@ -21,6 +21,7 @@ Snapshot snapshot_of(const BuiltScene& built, const Scene& scene) {
   s.positions = copy_of(world.positions());
   s.ids = copy_of(world.ids());
   s.fluids = copy_of(world.fluids());
+  s.diffuse = copy_of(world.diffuse());
   for (const BodyId body : built.bodies) s.bodies.push_back(world.body_state(body));
   s.cloth = io::cloth_frame_of(world, built.cloths, scene.cloths);
   s.ropes = io::rope_frame_of(world, built.ropes, scene.ropes);

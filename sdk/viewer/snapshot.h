@@ -30,6 +30,7 @@ struct Snapshot {
   std::vector<Vec3> positions;   ///< m, of particles
   std::vector<ParticleId> ids;   ///< likewise
   std::vector<uint32_t> fluids;  ///< likewise
+  std::vector<DiffuseParticle> diffuse;
   std::vector<BodyState> bodies;
   io::ClothFrame cloth;
   io::RopeFrame ropes;
@@ -39,6 +40,7 @@ struct Snapshot {
   render::Moment moment() const {
     return {.ellipsoids = ellipsoids,
             .fluids = fluids,
+            .diffuse = diffuse,
             .bodies = bodies,
             .cloth = cloth,
             .ropes = ropes,

@@ -92,6 +92,23 @@ Scene scene_of(const char* text) {
   return parse_scene(nlohmann::json::parse(text));
 }
 
+TEST(SnapshotTest, SprayAndFoamAreInIt) {
+  const Scene scene = scene_of(R"({
+    "name": "splash", "frame_time": 0.01,
+    "world": { "device": "cpu", "particle_spacing": 0.05, "substeps": 2, "iterations": 4, "diffuse": {} },
+    "fluids": [{ "name": "water" }],
+    "shapes": [{ "name": "tank", "geometry": { "type": "container", "half_extents": [0.5, 1, 0.5] } }],
+    "volumes": [{ "fluid": "water", "region": { "type": "box", "lower": [-0.5, -1, -0.5], "upper": [0.5, -0.7, 0.5] } },
+                { "fluid": "water", "region": { "type": "box", "lower": [-0.2, -0.6, -0.2], "upper": [0.2, -0.2, 0.2] },
+                  "velocity": [0, -5, 0] }]
+  })");
+  BuiltScene built = build_scene(scene);
+  for (int k = 0; k < 30; ++k) built.world.step(0.01f);
+  const Snapshot snapshot = snapshot_of(built, scene);
+  ASSERT_GT(snapshot.diffuse.size(), 0u);
+  EXPECT_EQ(snapshot.moment().diffuse.size(), built.world.diffuse().size());
+}
+
 class PickTest : public testing::Test {
  protected:
   const Scene scene_ = scene_of(things);
