@@ -33,7 +33,8 @@ struct Yarns {
 /// weft become yarns, in two layers; a mesh without a grain has them in three directions, and leaves some
 /// edges over. What is blown up has none: gas pushes out what yarns pull in, and each would undo all that the
 /// other has done, where a sweep gives way. Nor has
-/// what may tear: whole yarns would pull at the few vertices that bound a tear. `rest`: m, where vertices are at rest.
+/// what may tear: whole yarns would pull at the few vertices that bound a tear. `rest`: m, where vertices are
+/// at rest.
 Yarns draw_yarns(ClothConstraints& constraints, std::span<const Vec3> rest, std::span<const Piece> pieces);
 
 }  // namespace meniscus::cloth
