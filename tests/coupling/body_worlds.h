@@ -104,6 +104,18 @@ inline Momentum body_momentum(const World& world, BodyId id) {
   return sum;
 }
 
+/// Vertices weigh a third of their triangles.
+inline Momentum cloth_momentum(const World& world, ClothId id) {
+  const auto x = world.cloth_positions(id), v = world.cloth_velocities(id);
+  const auto triangles = world.cloth_triangles(id);
+  std::vector<double> share(x.size());
+  for (uint32_t corner : triangles) share[corner] += 1;
+  const double mass = double{world.cloth_state(id).mass} / static_cast<double>(triangles.size());
+  Momentum sum;
+  for (size_t k = 0; k < x.size(); ++k) add(sum, mass * share[k], x[k], v[k]);
+  return sum;
+}
+
 inline Momentum operator+(Momentum a, const Momentum& b) {
   a.linear += b.linear;
   a.angular += b.angular;

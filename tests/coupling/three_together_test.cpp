@@ -11,18 +11,6 @@
 namespace meniscus::tests {
 namespace {
 
-/// Vertices weigh a third of their triangles.
-Momentum cloth_momentum(const World& world, ClothId id) {
-  const auto x = world.cloth_positions(id), v = world.cloth_velocities(id);
-  const auto triangles = world.cloth_triangles(id);
-  std::vector<double> share(x.size());
-  for (uint32_t corner : triangles) share[corner] += 1;
-  const double mass = double{world.cloth_state(id).mass} / static_cast<double>(triangles.size());
-  Momentum sum;
-  for (size_t k = 0; k < x.size(); ++k) add(sum, mass * share[k], x[k], v[k]);
-  return sum;
-}
-
 /// Who touched whom in a step.
 struct Touching {
   bool fluid_cloth = false, fluid_body = false, cloth_body = false;

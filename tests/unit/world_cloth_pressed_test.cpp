@@ -48,7 +48,7 @@ TEST_P(PressedCloth, Opens) {
     if (c.held && at_border(v)) border.push_back(static_cast<uint32_t>(v));
   if (c.held) world.create_attachment(attach(id, border));
 
-  // Both ends of what opens by tenths a hundredth of a second, and what falls by its length.
+  // What regains a tenth of its width in a hundredth of a second, and what falls by its width.
   const float fastest_opening = 10 * 0.8f, fastest_fall = std::sqrt(2 * 9.81f * 0.8f);
   for (int k = 0; k < 60; ++k) {
     world.step(1 / 60.0f);
@@ -65,8 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(PressedCase{"Free", 0.5f, false, 8, 2, 0.02f, 1.05f},
                                      PressedCase{"ToAThirdAndFree", 0.33f, false, 8, 2, 0.06f, 1.1f},
                                      PressedCase{"Held", 0.66f, true, 8, 4, 0.04f, 1.05f},
-                                     PressedCase{"ToAThirdAndHeld", 0.33f, true, 8, 4, 0.06f, 1.05f},
-                                     PressedCase{"HeldWithOneSubstep", 0.66f, true, 1, 1, 0.1f, 2})),
+                                     PressedCase{"ToAThirdAndHeld", 0.33f, true, 8, 4, 0.06f, 1.05f})),
     [](const auto& info) {
       return std::string(std::get<1>(info.param).name) + '_' +
              testing::PrintToString(std::get<0>(info.param));
