@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The kernels of pressure_grid_vessels.h. Nodes that open faces join are one body of fluid, which is named by
-// the greatest of its nodes: labels lead from node to node upwards, to the name (union-find, as Playne &
-// Hawick 2018 for images).
+// the greatest of its nodes: labels lead from node to node upwards, to the name (union-find; who walks along
+// halves the way for those who follow, as in ECL-CC, Jaiganesh & Burtscher 2018).
 #pragma once
 
 #include <cstring>
@@ -41,17 +41,24 @@ struct Vessels {
   NodeTable nodes;
   View<const uint32_t> flags;
   View<const Coefficients> coefficients;
-  View<uint64_t> label;
+  View<uint32_t> label;
   View<VesselSums> sums;
 
   MENISCUS_HD bool is_fluid(uint32_t node) const { return (flags[node] & node_fluid) != 0; }
 
+  MENISCUS_HD bool are_joined(uint32_t node, int axis, uint32_t after) const {
+    return is_fluid(node) && along(coefficients[node], axis) > 0 && is_fluid(after);
+  }
+
   MENISCUS_HD uint32_t name(uint32_t node) const {
-    for (;;) {
-      const auto next = static_cast<uint32_t>(pbd::atomic_load(label[node]));
-      if (next == node) return node;
+    uint32_t next = pbd::atomic_load(label[node]);
+    while (next != node) {
+      const uint32_t beyond = pbd::atomic_load(label[next]);
+      if (beyond != next) pbd::atomic_store(label[node], beyond);
       node = next;
+      next = beyond;
     }
+    return node;
   }
 
   MENISCUS_HD void unite(uint32_t a, uint32_t b) const {
@@ -70,8 +77,18 @@ struct StartVessels {
   Vessels vessels;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    vessels.label[node] = node;
+    vessels.label[node] = first_above(node);
     vessels.sums[node] = {0, 0, 0, 0};
+  }
+
+  /// Most nodes are united by this already. The table wraps around, so what comes after may be below.
+  MENISCUS_HD uint32_t first_above(uint32_t node) const {
+    const NodeCoordinates c = vessels.nodes.coordinates(node);
+    for (int axis = 0; axis < 3; ++axis) {
+      const uint32_t after = vessels.nodes.beside(c, axis, 1);
+      if (after > node && vessels.are_joined(node, axis, after)) return after;
+    }
+    return node;
   }
 };
 
@@ -83,7 +100,7 @@ struct UniteNodes {
     const NodeCoordinates c = vessels.nodes.coordinates(node);
     for (int axis = 0; axis < 3; ++axis) {
       const uint32_t after = vessels.nodes.beside(c, axis, 1);
-      if (along(vessels.coefficients[node], axis) > 0 && vessels.is_fluid(after)) vessels.unite(node, after);
+      if (vessels.are_joined(node, axis, after)) vessels.unite(node, after);
     }
   }
 };

@@ -46,7 +46,7 @@ class PressureGridVessels {
 
  private:
   D& device_;
-  pbd::Buffer<uint64_t> label_{device_, "grid labels"};
+  pbd::Buffer<uint32_t> label_{device_, "grid labels"};
   pbd::Buffer<uint32_t> vessel_{device_, "grid vessels"};
   pbd::Buffer<grid_kernels::VesselSums> sums_{device_, "grid vessels"};
 };

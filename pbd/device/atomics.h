@@ -63,7 +63,26 @@ MENISCUS_HD T atomic_load(T& target) {
 #endif
 }
 
+/// Puts `value` where others may look, or write as well.
+template <class T>
+MENISCUS_HD void atomic_store(T& target, T value) {
+#ifdef __CUDA_ARCH__
+  *static_cast<volatile T*>(&target) = value;
+#else
+  std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);
+#endif
+}
+
 /// Writes `value` where `expected` stands. Returns what was there before, which does depend on the order.
+MENISCUS_HD inline uint32_t atomic_exchange_if(uint32_t& target, uint32_t expected, uint32_t value) {
+#ifdef __CUDA_ARCH__
+  return atomicCAS(&target, expected, value);
+#else
+  std::atomic_ref<uint32_t>(target).compare_exchange_strong(expected, value, std::memory_order_relaxed);
+  return expected;
+#endif
+}
+
 MENISCUS_HD inline uint64_t atomic_exchange_if(uint64_t& target, uint64_t expected, uint64_t value) {
 #ifdef __CUDA_ARCH__
   return atomicCAS(reinterpret_cast<unsigned long long*>(&target), expected, value);

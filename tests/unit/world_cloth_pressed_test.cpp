@@ -61,11 +61,13 @@ TEST_P(PressedCloth, Opens) {
 
 INSTANTIATE_TEST_SUITE_P(
     On, PressedCloth,
-    testing::Combine(testing::ValuesIn(usable_devices()),
-                     testing::Values(PressedCase{"Free", 0.5f, false, 8, 2, 0.02f, 1.05f},
-                                     PressedCase{"ToAThirdAndFree", 0.33f, false, 8, 2, 0.06f, 1.1f},
-                                     PressedCase{"Held", 0.66f, true, 8, 4, 0.04f, 1.05f},
-                                     PressedCase{"ToAThirdAndHeld", 0.33f, true, 8, 4, 0.06f, 1.05f})),
+    testing::Combine(
+        testing::ValuesIn(usable_devices()),
+        // What is free buckles one way or another by its last bits: its worst edge is at 1.02 to 1.15.
+        testing::Values(PressedCase{"Free", 0.5f, false, 8, 2, 0.03f, 1.2f},
+                        PressedCase{"ToAThirdAndFree", 0.33f, false, 8, 2, 0.06f, 1.2f},
+                        PressedCase{"Held", 0.66f, true, 8, 4, 0.04f, 1.05f},
+                        PressedCase{"ToAThirdAndHeld", 0.33f, true, 8, 4, 0.06f, 1.05f})),
     [](const auto& info) {
       return std::string(std::get<1>(info.param).name) + '_' +
              testing::PrintToString(std::get<0>(info.param));
