@@ -67,6 +67,7 @@ struct AtTouches {
   View<const Vec4> previous;
   View<const pbd::Phase> phase;
   uint32_t first_vertex;
+  Vec3 fall;  ///< m: what gravity alone moves by in the substep
 
   MENISCUS_HD SheetTouch& touch(uint32_t k, uint32_t n) const { return near.touches[most_touches * k + n]; }
   /// Whether there is a contact, and there was room for it.
@@ -123,11 +124,14 @@ struct AtTouches {
     }
   }
 
-  /// Whether the particle bears on the sheet.
-  MENISCUS_HD bool presses(const SheetTouch& t) const {
+  /// Whether particle i bears on the sheet, and by more than its weight would drag on it. What hardly presses
+  /// must run down a sheet that stands upright: stuck to it, the topmost layer around a hull weighs on it.
+  MENISCUS_HD bool presses(const SheetTouch& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
-    return c.normal_multiplier + dot(c.density_push, c.normal) > 0;
+    const float normal = c.normal_multiplier + dot(c.density_push, c.normal);
+    const Vec3 weight = fall / position[i].w, drag = weight - dot(weight, c.normal) * c.normal;
+    return normal > 0 && length(drag) <= normal;
   }
 };
 
@@ -300,7 +304,7 @@ struct CarryVelocities {
     bool presses = false;
     for (uint32_t n = 0; n < most_touches; ++n) {
       const SheetTouch& t = at.touch(k, n);
-      presses |= at.presses(t);
+      presses |= at.presses(t, i);
       if (!is_used(t) || t.share == 0) continue;
       step += t.share * t.mean([&](uint32_t v) { return change[v].xyz(); });
     }

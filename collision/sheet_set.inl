@@ -87,7 +87,10 @@ void SheetSet<D>::pass(pbd::Substep<D>& substep) {
 template <class D>
 sheet_kernels::AtTouches SheetSet<D>::at_touches(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
-  return {contacts_.near(), substep.contacts.contacts, p.position, p.moved, p.previous, p.phase, p.sorted};
+  return {contacts_.near(), substep.contacts.contacts,
+          p.position,       p.moved,
+          p.previous,       p.phase,
+          p.sorted,         substep.dt * substep.dt * substep.gravity};
 }
 
 template <class D>

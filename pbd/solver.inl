@@ -30,6 +30,7 @@ void Solver<D>::substep(float dt, bool is_last) {
   sort(dt, parameters_.gravity);
 
   Substep<D> s = make_substep(dt);
+  s.gravity = parameters_.gravity;
   s.is_last = is_last;
   for (ConstraintSet<D>* set : sets_) set->arrange(s);
   find(s);

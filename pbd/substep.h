@@ -21,8 +21,9 @@ struct Substep {
   uint32_t sentinel = 0;  ///< the particle that fills up neighbour rows
   float dt = 0;           ///< s
   int iterations = 0;
-  GridView grid{};       ///< the cells that particles of fluids are sorted by, as they were predicted
-  bool is_last = false;  ///< of its step
+  Vec3 gravity{0, 0, 0};  ///< m/s²
+  GridView grid{};        ///< the cells that particles of fluids are sorted by, as they were predicted
+  bool is_last = false;   ///< of its step
 };
 
 /// Arrays that belong to particles of fluids but live in a set: they follow when particles are sorted, added
