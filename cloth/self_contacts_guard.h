@@ -135,7 +135,7 @@ struct FindCrossings {
     const bool nearly_lost = distance < 0.1f * least;
     const float gap =
         nearly_lost ? 0.5f * distance : pbd::min(0.9f * distance, pbd::max(0.1f * distance, least));
-    const float t = motion < distance - gap ? 2 : time_of_nearness(pair, distance, motion, gap);
+    const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
     pbd::atomic_add(counters[crossings + round], 1);
     for (uint32_t k = 0; k < 4; ++k) {

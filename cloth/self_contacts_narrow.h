@@ -44,7 +44,7 @@ struct MakeContacts {
     const float start = nearest(pair, 0).distance;
     if (start - motion > reach || start < 1e-5f * thickness) return false;
     const bool fast = motion >= 0.5f * start;
-    const float t = fast ? time_of_nearness(pair, start, motion, 0.5f * pbd::min(start, thickness)) : 2;
+    const float t = fast ? time_of_nearness(pair, 0.5f * pbd::min(start, thickness)) : 2;
     const bool met = t <= 1;
     const Nearest now = met ? nearest(pair, t) : end;
     const bool is_near = met || pbd::min(start, now.distance) < near || (fast && start < 1.8f * near);

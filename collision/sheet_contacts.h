@@ -77,7 +77,7 @@ class SheetContacts final : public pbd::ContactSource<D> {
   bool permeable_ = false, absorbent_ = false;
   pbd::View<const CollisionFilter> filters_;
   pbd::Buffer<SheetPart> parts_{device_, "sheet parts"};
-  pbd::Buffer<uint32_t> borders_{device_, "sheet borders"};
+  pbd::Buffer<uint32_t> marks_{device_, "sheet marks"};
   pbd::Buffer<uint32_t> near_{device_, "particles near sheets"};
   pbd::Buffer<uint32_t> counter_{device_, "particles near sheets"};
   pbd::Buffer<sheet_kernels::SheetTouch> touches_{device_, "sheet touches"};

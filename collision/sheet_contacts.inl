@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "collision/sheet_borders.h"
 #include "collision/sheet_contacts.h"
 #include "collision/sheet_find.h"
 #include "collision/sheet_guard.h"
+#include "collision/sheet_marks.h"
 #include "collision/sheet_parting.h"
 #include "collision/sheet_passing.h"
 #include "collision/sheet_wetting.h"
@@ -52,19 +52,21 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   device_.parallel_for("sheets/near", p.sorted,
                        ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
   device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
-  device_.parallel_for("sheets/touches", near_count(),
-                       FindTouches{surface(substep), near(), counts, entry_count_.view(), support_radius_});
+  pbd::parallel_for_teams<SearchTeam>(
+      device_, "sheets/touches", near_count(),
+      FindTouches{surface(substep), near(), counts, entry_count_.view(), support_radius_});
   device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
-  device_.parallel_for("sheets/entries", most_touches * near_count(),
-                       EnterTouches{near(), entry_start_.view(), entry_count_.view(), entries_.view()});
+  pbd::parallel_for_teams<TouchTeam>(
+      device_, "sheets/entries", most_touches * near_count(),
+      EnterTouches{near(), entry_start_.view(), entry_count_.view(), entries_.view()});
 }
 
 template <class D>
 void SheetContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
   using namespace sheet_kernels;
   if (!any()) return;
-  device_.parallel_for(
-      "sheets/contacts", near_count(),
+  pbd::parallel_for_teams<TouchTeam>(
+      device_, "sheets/contacts", near_count(),
       WriteContacts{surface(substep), near(), substep.particles.velocity, writer, substep.dt});
 }
 
@@ -72,8 +74,8 @@ template <class D>
 void SheetContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   if (!any()) return;
-  device_.parallel_for(
-      "sheets/part", near_count(),
+  pbd::parallel_for_teams<SearchTeam>(
+      device_, "sheets/part", near_count(),
       PartNeighbours{surface(substep), near(), substep.neighbours, substep.sentinel, support_radius_});
 }
 
@@ -106,7 +108,7 @@ std::vector<WettingTouch> SheetContacts<D>::read_wetting(pbd::View<const pbd::Co
 template <class D>
 sheet_kernels::Surface SheetContacts<D>::surface(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
-  return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), borders_.view(), filters_, p.phase};
+  return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), marks_.view(), filters_, p.phase};
 }
 
 template <class D>
@@ -148,9 +150,9 @@ void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangl
     permeable_ |= part.flow > 0;
     absorbent_ |= part.absorbs != 0;
   }
-  const std::vector<uint32_t> borders = border_bits(tree_.triangles());
-  borders_.resize_discard(borders.size());
-  borders_.write(borders);
+  const std::vector<uint32_t> marks = triangle_marks(tree_.triangles());
+  marks_.resize_discard(marks.size());
+  marks_.write(marks);
   counter_.resize_discard(1);
   wetting_count_.resize_discard(1);
   found_.resize_discard(1);

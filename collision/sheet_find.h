@@ -6,6 +6,7 @@
 #pragma once
 
 #include "collision/sheet_area.h"
+#include "collision/sheet_marks.h"
 #include "collision/sheet_spread.h"
 #include "collision/sheet_surface.h"
 #include "pbd/contacts.h"
@@ -27,9 +28,7 @@ struct ListNear {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Aabb box = way_box(surface.previous[i].xyz(), surface.position[i].xyz(), h);
-    bool any = false;
-    pbd::for_each_overlap(surface.tree, box, 1, 0, [&](uint32_t) { any = true; });
-    if (!any) {
+    if (!pbd::overlaps_any(surface.tree, box, 1)) {
       if (phase[i] & pbd::phase_pressing) phase[i] &= ~pbd::phase_pressing;
       return;
     }
@@ -49,46 +48,66 @@ struct Place {
 /// The layers of cloth near one particle. Places that face it from one direction are of one layer.
 class Layers {
  public:
-  MENISCUS_HD int count() const { return count_; }
-  MENISCUS_HD const Place& operator[](int k) const { return layer_[k]; }
+  MENISCUS_HD uint32_t count() const { return count_; }
+  MENISCUS_HD const Place& operator[](uint32_t k) const { return layer_[k]; }
 
   /// One on a triangle's inside, or met on the way: the surface is nowhere nearer around it.
   MENISCUS_HD void add(const Place& place) {
-    for (int k = 0; k < count_; ++k) {
+    for (uint32_t k = 0; k < count_; ++k) {
       if (dot(layer_[k].normal, place.normal) < same) continue;
       if (place.distance < layer_[k].distance) layer_[k] = place;
       return;
     }
-    if (count_ < static_cast<int>(most_touches)) {
+    if (count_ < most_touches) {
       layer_[count_++] = place;
       return;
     }
-    int furthest = 0;
-    for (int k = 1; k < count_; ++k) furthest = layer_[k].distance > layer_[furthest].distance ? k : furthest;
+    uint32_t furthest = 0;
+    for (uint32_t k = 1; k < count_; ++k)
+      furthest = layer_[k].distance > layer_[furthest].distance ? k : furthest;
     if (place.distance < layer_[furthest].distance) layer_[furthest] = place;
   }
-  /// One on a triangle's edge: it counts if nothing is nearer.
-  MENISCUS_HD void add_edge(const Place& place) {
-    if (place.distance < edge_.distance) edge_ = place;
-  }
-  MENISCUS_HD void finish() {
-    for (int k = 0; k < count_; ++k) {
-      if (layer_[k].distance <= edge_.distance) return;
+  /// Puts together what a warp's threads have found, for each of them.
+  MENISCUS_HD void gather() {
+    Layers all;
+    for (uint32_t left = SearchTeam::ballot(count_ > 0); left; left &= left - 1) {
+      const uint32_t thread = pbd::lowest_bit(left), places = SearchTeam::from(thread, count_);
+      for (uint32_t k = 0; k < places; ++k) all.add(from(thread, layer_[k]));
     }
-    if (edge_.distance < 1e30f) add(edge_);
+    *this = all;
+  }
+  /// m, of the nearest; less than 0 where one was met on the way.
+  MENISCUS_HD float nearest() const {
+    float least = 3e38f;
+    for (uint32_t k = 0; k < count_; ++k) least = pbd::min(least, layer_[k].distance);
+    return least;
+  }
+  /// One on a triangle's edge, the nearest that a warp's threads have found: it counts if nothing is nearer.
+  MENISCUS_HD void add_edge(const Place& edge) {
+    const float least = SearchTeam::least(edge.distance);
+    if (least < nearest() && least < 1e30f)
+      add(from(pbd::lowest_bit(SearchTeam::ballot(edge.distance == least)), edge));
   }
 
  private:
   static constexpr float same = 0.7f;  // cosine
 
+  MENISCUS_HD static Place from(uint32_t thread, const Place& p) {
+    return {SearchTeam::from(thread, p.distance), SearchTeam::from(thread, p.normal),
+            SearchTeam::from(thread, p.triangle), SearchTeam::from(thread, p.u),
+            SearchTeam::from(thread, p.v)};
+  }
+
   Place layer_[most_touches];
-  Place edge_{3e38f, {0, 0, 0}, no_index, 0, 0};
-  int count_ = 0;
+  uint32_t count_ = 0;
 };
 
-/// Finds what the listed particles touch. Nothing has passed through a sheet at the substep's start, so that
-/// the side is known from there. Where the motion is short for the distance, a triangle is looked at where it
-/// is predicted to be; else where the two meet on the way.
+/// Finds what the listed particles touch, a warp each. Nothing has passed through a sheet at the substep's
+/// start, so that the side is known from there. Where the motion is short for the distance, a triangle is
+/// looked at where it is predicted to be; else where the two meet on the way.
+///
+/// Of the triangles near a particle few lie straight below it: edges are looked at afterwards, those alone
+/// that may be nearer than what has been found.
 struct FindTouches {
   Surface surface;
   NearList near;
@@ -102,31 +121,36 @@ struct FindTouches {
     const Vec3 from = surface.previous[i].xyz(), to = surface.position[i].xyz();
     Layers layers;
     bool at_border = false;
-    pbd::for_each_overlap(surface.tree, way_box(from, to, h), 0, 0, [&](uint32_t place) {
+    pbd::for_each_overlap_in_warp(surface.tree, way_box(from, to, h), [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.part)) return;
-      if (look_at(layers, surface.pair(from, to, t), place, surface.parts[t.part].radius))
-        at_border |= surface.borders[place] != 0;
+      const pbd::FeaturePair pair = surface.pair(from, to, t);
+      const float motion = relative_motion(pair);
+      const bool border = (surface.marks[place] & border_marks) != 0;
+      if (!border && motion < 0.3f * least_distance(pair) && !is_over_triangle(pair, 1)) return;
+      if (look_at(layers, pair, motion, place, surface.parts[t.part].radius)) at_border |= border;
     });
-    layers.finish();
-    for (int n = 0; n < static_cast<int>(most_touches); ++n) {
-      SheetTouch& touch = near.touches[most_touches * k + static_cast<uint32_t>(n)];
+    at_border = SearchTeam::any(at_border);
+    layers.gather();
+    if (layers.nearest() > 0) layers.add_edge(nearest_edge(i, to, pbd::min(h, layers.nearest())));
+    for (uint32_t n = 0; n < most_touches; ++n) {
+      SheetTouch& touch = near.touches[most_touches * k + n];
       if (n < layers.count())
-        touch = touch_at(layers[n], at_border);
-      else
+        write_touch(touch, layers[n], at_border);
+      else if (SearchTeam::leads())
         touch.vertices = 0;
     }
-    counts[i] += static_cast<uint32_t>(layers.count());
+    if (SearchTeam::leads()) counts[i] += layers.count();
   }
 
-  /// Whether the triangle is within the support radius.
-  MENISCUS_HD bool look_at(Layers& layers, const pbd::FeaturePair& pair, uint32_t place, float radius) const {
-    const float motion = relative_motion(pair);
+  /// Whether the triangle is within the support radius. Of its places at the end those on its inside count.
+  MENISCUS_HD bool look_at(Layers& layers, const pbd::FeaturePair& pair, float motion, uint32_t place,
+                           float radius) const {
     const pbd::Nearest end = nearest(pair, 1);
     if (motion >= 0.3f * end.distance) {
       const float start = nearest(pair, 0).distance;
       const float gap = 0.5f * pbd::min(start, radius);
-      const float t = start > 0 && motion > start - gap ? time_of_nearness(pair, start, motion, gap) : 2;
+      const float t = start > 0 && motion > start - gap ? time_of_nearness(pair, gap) : 2;
       if (t <= 1) {
         const pbd::Nearest met = nearest(pair, t);
         if (met.distance > 0) {
@@ -136,26 +160,50 @@ struct FindTouches {
       }
     }
     if (end.distance >= h || end.distance == 0) return false;
-    const Place found{end.distance, end.r / end.distance, place, end.u, end.v};
-    end.on == 7 ? layers.add(found) : layers.add_edge(found);
+    if (end.on == 7) layers.add({end.distance, end.r / end.distance, place, end.u, end.v});
     return true;
   }
 
-  MENISCUS_HD SheetTouch touch_at(const Place& place, bool at_border) const {
+  /// m: at the end the triangle is no nearer than that.
+  MENISCUS_HD static float least_distance(const pbd::FeaturePair& pair) {
+    const Vec3 a = pair.at(1, 1), b = pair.at(2, 1), c = pair.at(3, 1), middle = (1 / 3.0f) * (a + b + c);
+    float far2 = 0;
+    for (Vec3 x : {a, b, c}) far2 = pbd::max(far2, dot(x - middle, x - middle));
+    return length(middle - pair.at(0, 1)) - sqrtf(far2);
+  }
+
+  /// The nearest place that this thread finds within `reach`; 3e38 m away where there is none.
+  MENISCUS_HD Place nearest_edge(uint32_t i, Vec3 to, float reach) const {
+    Place edge{3e38f, {0, 0, 0}, no_index, 0, 0};
+    pbd::for_each_overlap_in_warp(surface.tree, way_box(to, to, reach), [&](uint32_t place) {
+      const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
+      if (!surface.meets(i, t.part)) return;
+      const pbd::Nearest end =
+          pbd::nearest_on_triangle(to, surface.end(t.a), surface.end(t.b), surface.end(t.c));
+      if (end.distance > 0 && end.distance < pbd::min(reach, edge.distance))
+        edge = {end.distance, end.r / end.distance, place, end.u, end.v};
+    });
+    return edge;
+  }
+
+  MENISCUS_HD void write_touch(SheetTouch& touch, const Place& place, bool at_border) const {
     const pbd::SurfaceTriangle t = surface.tree.triangles[place.triangle];
-    SheetTouch touch{};
     const float w = 1 - place.u - place.v;
-    touch.part = t.part;
-    touch.normal = place.normal;
-    touch.point = w * surface.end(t.a) + place.u * surface.end(t.b) + place.v * surface.end(t.c);
-    touch.fraction = at_border ? covered(touch.point, place) : 1;
-    if (!spread_out(surface, surface.parts[t.part].spread, touch)) {
-      touch.add(t.a, w);
-      touch.add(t.b, place.u);
-      touch.add(t.c, place.v);
+    const Vec3 point = w * surface.end(t.a) + place.u * surface.end(t.b) + place.v * surface.end(t.c);
+    const float fraction = at_border ? covered(point, place) : 1;
+    uint32_t vertices =
+        spread_out(surface, {point, place.normal, surface.parts[t.part].spread, t.part}, touch);
+    if (SearchTeam::leads()) {
+      if (vertices == 0) {
+        touch.set(vertices++, t.a, w);
+        touch.set(vertices++, t.b, place.u);
+        touch.set(vertices++, t.c, place.v);
+      }
+      touch.begin(point, place.normal, fraction, t.part, vertices);
     }
-    for (uint32_t k = 0; k < touch.vertices; ++k) pbd::atomic_add(entries[touch.vertex[k]], 1);
-    return touch;
+    SearchTeam::sync();
+    for (uint32_t k = SearchTeam::rank(); k < touch.vertices; k += SearchTeam::count())
+      pbd::atomic_add(entries[touch.vertex[k]], 1);
   }
 
   /// Of the plane through the place, as far as the particle's support reaches.
@@ -164,13 +212,13 @@ struct FindTouches {
     const float reach = sqrtf(pbd::max(reach2, 0.01f * h * h));
     const Disc disc(foot, place.normal, reach);
     float sum = 0;
-    pbd::for_each_overlap(surface.tree, way_box(foot, foot, reach), 0, 0, [&](uint32_t n) {
+    pbd::for_each_overlap_in_warp(surface.tree, way_box(foot, foot, reach), [&](uint32_t n) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, n);
       const Vec3 a = surface.end(t.a), b = surface.end(t.b), c = surface.end(t.c);
       const Vec3 normal = normalized_or(cross(b - a, c - a), {0, 0, 0});
       if (fabsf(dot(normal, disc.normal())) > 0.5f) sum += disc.covered(a, b, c);
     });
-    return pbd::min(1, sum);
+    return pbd::min(1, SearchTeam::sum(sum));
   }
 };
 
@@ -188,10 +236,12 @@ struct WriteContacts {
     for (uint32_t n = 0; n < most_touches; ++n) {
       SheetTouch& touch = near.touches[most_touches * k + n];
       if (!is_used(touch)) return;
+      const pbd::Contact contact = contact_of(touch, i);
+      if (!TouchTeam::leads()) continue;
       const uint32_t at = writer.start[i + 1] - writer.remaining[i];
       // Where there is no room for it the step will be done again.
       touch.contact = at >= writer.start[i] && at < writer.start[i + 1] ? at : no_index;
-      writer.write(i, contact_of(touch, i));
+      writer.write(i, contact);
     }
   }
 
@@ -222,7 +272,7 @@ struct EnterTouches {
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (n >= most_touches * near.count() || !is_used(near.touches[n])) return;
-    for (uint32_t k = 0; k < near.touches[n].vertices; ++k) {
+    for (uint32_t k = TouchTeam::rank(); k < near.touches[n].vertices; k += TouchTeam::count()) {
       const uint32_t v = near.touches[n].vertex[k];
       entries[start[v] + pbd::atomic_add(left[v], ~0u) - 1] = n << 5 | k;
     }

@@ -38,7 +38,7 @@ struct HoldBack {
       const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
       const float gap = pbd::min(0.5f * start, 1e-3f * radius);
       if (start <= 0 || motion < start - gap) return;
-      const float time = time_of_nearness(pair, start, motion, gap);
+      const float time = time_of_nearness(pair, gap);
       if (time >= first) return;
       first = time;
       stop = from + beside(pair, time, radius / static_cast<float>(2 << 2 * round));

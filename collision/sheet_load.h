@@ -21,7 +21,10 @@
 
 namespace meniscus::collision::sheet_kernels {
 
-/// The vertices of sheets, and what is entered with them.
+/// Works on one vertex: of coarse cloth each has thousands of touches.
+using VertexTeam = pbd::Team<32>;
+
+/// The vertices of sheets, and what is entered with them. A team asks.
 struct LoadedVertices {
   View<const uint32_t> start, entries;  // see EnterTouches
   View<const SheetTouch> touches;
@@ -35,7 +38,7 @@ struct LoadedVertices {
   MENISCUS_HD float sum(uint32_t v, const Term& term) const {
     int64_t total = 0;
     for_each(v, [&](const SheetTouch& t, float weight) { total += llrintf(term(t, weight) / unit); });
-    return unit * static_cast<float>(total);
+    return unit * static_cast<float>(VertexTeam::sum(total));
   }
   /// Of the pending impulses, kg·m, which act against the sheet.
   MENISCUS_HD Vec3 pending(uint32_t v) const {
@@ -46,20 +49,23 @@ struct LoadedVertices {
       y += llrintf(push.y);
       z += llrintf(push.z);
     });
-    return {unit * static_cast<float>(x), unit * static_cast<float>(y), unit * static_cast<float>(z)};
+    return {unit * static_cast<float>(VertexTeam::sum(x)), unit * static_cast<float>(VertexTeam::sum(y)),
+            unit * static_cast<float>(VertexTeam::sum(z))};
   }
 
  private:
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t v, const Visit& visit) const {
-    for (uint32_t e = start[v]; e < start[v + 1] && e < entries.count; ++e) {
+    const uint32_t end = start[v + 1] < entries.count ? start[v + 1] : entries.count;
+    for (uint32_t e = start[v] + VertexTeam::rank(); e < end; e += VertexTeam::count()) {
       const SheetTouch& t = touches[entries[e] >> 5];
       visit(t, t.weight[entries[e] & 31]);
     }
   }
 };
 
-/// What happens at the touches of one particle, between the sheets and the contacts.
+/// What happens at the touches of one particle, between the sheets and the contacts. A team is at work on it:
+/// all of its threads take part in means over vertices, and the first one writes.
 struct AtTouches {
   NearList near;
   View<pbd::Contact> contacts;
@@ -81,9 +87,11 @@ struct AtTouches {
     });
   }
 
-  /// Takes the contact to where the sheet is; returns how far.
+  /// Takes the contact to where the sheet is; returns to the first thread how far.
   MENISCUS_HD Vec3 follow_sheet(SheetTouch& t) const {
-    const Vec3 way = way_of_sheet(t), step = way - t.followed;
+    const Vec3 way = way_of_sheet(t);
+    if (!TouchTeam::leads()) return {0, 0, 0};
+    const Vec3 step = way - t.followed;
     t.followed = way;
     pbd::Contact& c = contacts[t.contact];
     c.point += step;
@@ -93,7 +101,9 @@ struct AtTouches {
 
   /// And the share of the particle that it carries.
   MENISCUS_HD Vec3 follow(SheetTouch& t) const {
-    const Vec3 step = follow_sheet(t), push = t.carried * step;
+    const Vec3 step = follow_sheet(t);
+    if (!TouchTeam::leads()) return step;
+    const Vec3 push = t.carried * step;
     contacts[t.contact].density_push += push;
     t.given += push;
     return step;
@@ -106,7 +116,7 @@ struct AtTouches {
       SheetTouch& t = touch(k, n);
       if (is_live(t)) step += t.share * follow(t);
     }
-    move(i, step);
+    if (TouchTeam::leads()) move(i, step);
   }
   MENISCUS_HD void move(uint32_t i, Vec3 step) const {
     position[i] = pbd::with_w(position[i].xyz() + step, position[i].w);
@@ -149,11 +159,14 @@ struct StartTouches {
     const Vec3 way = at.position[i].xyz() - at.previous[i].xyz();
     for (uint32_t n = 0; n < most_touches; ++n) {
       SheetTouch& t = at.touch(k, n);
-      t.share = carried && at.is_live(t) ? 1.0f / static_cast<float>(carriers) : 0.0f;
+      const bool live = at.is_live(t);
+      // The contact was found where that has taken the sheet already.
+      const Vec3 followed = live ? at.way_of_sheet(t) : Vec3{0, 0, 0};
+      if (!TouchTeam::leads()) continue;
+      t.followed = followed;
+      t.share = carried && live ? 1.0f / static_cast<float>(carriers) : 0.0f;
       t.carried = t.share / at.position[i].w;
       t.pending = -t.carried * way;
-      // The contact was found where that has taken the sheet already.
-      if (at.is_live(t)) t.followed = at.way_of_sheet(t);
     }
   }
 };
@@ -169,12 +182,14 @@ struct ShareMomentum {
     if (!vertices.any(v)) return;
     const float own = vertices.own_weight[v];
     const float carried = vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.carried; });
+    const Vec3 pending = vertices.pending(v);
+    if (!VertexTeam::leads()) return;
     taken[v] = {0, 0, 0, 0};
     if (own == 0 || !(carried > 0)) return;
     const Vec4 x = position[v];
     const Vec3 way = x.xyz() - previous[v].xyz();
     const float weight = own / (1 + own * carried);
-    const Vec3 step = weight * (vertices.pending(v) - carried * way);
+    const Vec3 step = weight * (pending - carried * way);
     taken[v] = pbd::with_w(step / (own * carried), 0);
     position[v] = pbd::with_w(x.xyz() + step, weight);
     moved[v] = pbd::with_w(moved[v].xyz() + step, moved[v].w);
@@ -191,16 +206,17 @@ struct GiveMomentum {
     Vec3 step{0, 0, 0};
     for (uint32_t n = 0; n < most_touches; ++n) {
       SheetTouch& t = at.touch(k, n);
-      t.pending = {0, 0, 0};
+      if (TouchTeam::leads()) t.pending = {0, 0, 0};
       if (!at.is_live(t)) continue;
       const Vec3 took = t.mean([&](uint32_t v) { return taken[v].xyz(); });
+      at.follow_sheet(t);
+      if (!TouchTeam::leads()) continue;
       step += -t.share * took;
       pbd::Contact& c = at.contacts[t.contact];
       c.density_push += -t.carried * took;
       t.given += -t.carried * took;
-      at.follow_sheet(t);
     }
-    at.move(at.near.particle[k], step);
+    if (TouchTeam::leads()) at.move(at.near.particle[k], step);
   }
 };
 
@@ -212,7 +228,7 @@ struct FollowSheets {
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= at.near.count()) return;
     at.carry(k, at.near.particle[k]);
-    if (weighs) at.note_pushes(k);
+    if (weighs && TouchTeam::leads()) at.note_pushes(k);
   }
 };
 
@@ -224,6 +240,7 @@ struct PushVertices {
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
     const Vec3 push = vertices.pending(v);
+    if (!VertexTeam::leads()) return;
     const Vec4 x = position[v];
     position[v] = pbd::with_w(x.xyz() + x.w * push, x.w);
     moved[v] = pbd::with_w(moved[v].xyz() + (x.w > 0 ? x.w : 1) * push, moved[v].w);
@@ -256,12 +273,13 @@ struct NoteGive {
     const SheetTouch& t = near.touches[n];
     if (!is_used(t) || t.contact >= contacts.count) return;
     float give = 0;
-    for (uint32_t k = 0; k < t.vertices; ++k) {
+    for (uint32_t k = TouchTeam::rank(); k < t.vertices; k += TouchTeam::count()) {
       const uint32_t v = t.vertex[k];
       const auto touches = static_cast<float>(vertices.start[v + 1] - vertices.start[v]);
       give += t.weight[k] * t.weight[k] * touches * position[v].w;
     }
-    contacts[t.contact].body_inverse_mass = give;
+    give = TouchTeam::sum(give);
+    if (TouchTeam::leads()) contacts[t.contact].body_inverse_mass = give;
   }
 };
 
@@ -285,6 +303,7 @@ struct LoadVelocities {
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
     const Vec3 step = (loaded[v] * inverse_dt) * vertices.pending(v);
+    if (!VertexTeam::leads()) return;
     change[v] = pbd::with_w(step, 0);
     velocity[v] = pbd::with_w(velocity[v].xyz() + step, 0);
   }
@@ -308,6 +327,7 @@ struct CarryVelocities {
       if (!is_used(t) || t.share == 0) continue;
       step += t.share * t.mean([&](uint32_t v) { return change[v].xyz(); });
     }
+    if (!TouchTeam::leads()) return;
     velocity[i] = pbd::with_w(velocity[i].xyz() + step, 0);
     phase[i] = presses ? phase[i] | pbd::phase_pressing : phase[i] & ~pbd::phase_pressing;
   }

@@ -11,7 +11,8 @@ namespace meniscus::collision::sheet_kernels {
 
 /// Takes those out of the near particles' lists that are on the other side of a triangle, at the substep's
 /// start, when nothing had passed through anything. Both ends of a pair see the same segment, computed in the
-/// same way, and part from one another.
+/// same way, and part from one another. A warp works on a particle: each thread has a neighbour, and all look
+/// for triangles together.
 struct PartNeighbours {
   Surface surface;
   NearList near;
@@ -21,34 +22,40 @@ struct PartNeighbours {
 
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= near.count()) return;
-    const uint32_t i = near.particle[k];
-    const Vec3 from = surface.previous[i].xyz();
-    pbd::for_each_overlap(surface.tree, way_box(from, from, h), 0, 0, [&](uint32_t place) {
-      const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      if (surface.meets(i, t.part)) part_across(i, from, t);
-    });
-  }
-
-  /// What passes through the piece stays a neighbour of both sides.
-  MENISCUS_HD void part_across(uint32_t i, Vec3 from, const pbd::SurfaceTriangle& t) const {
-    const Vec3 a = surface.start(t.a), b = surface.start(t.b), c = surface.start(t.c);
-    const Vec3 n = cross(b - a, c - a);
-    const float own = dot(n, from - a);
-    const uint32_t count = pbd::min(neighbours.count[i], neighbours.row_capacity);
-    for (uint32_t k = 0; k < count; ++k) {
-      uint32_t& j = neighbours.entry(i, k);
-      if (j == sentinel || !surface.meets(j, t.part)) continue;
-      const Vec3 to = surface.previous[j].xyz();
-      const float other = dot(n, to - a);
-      if ((own >= 0) == (other >= 0)) continue;
-      const bool first = i < j;
-      if (passes(first ? from : to, first ? to : from, first ? own : other, first ? other : own, a, b, c))
-        j = sentinel;
+    const uint32_t i = near.particle[k], count = neighbours.count[i];
+    for (uint32_t first = 0; first < count; first += SearchTeam::count()) {
+      const uint32_t n = first + SearchTeam::rank(), j = n < count ? neighbours.entry(i, n) : sentinel;
+      if (are_parted(i, j)) neighbours.entry(i, n) = sentinel;
     }
   }
 
+  /// What passes through the piece stays a neighbour of both sides.
+  MENISCUS_HD bool are_parted(uint32_t i, uint32_t j) const {
+    const Vec3 p = load(surface.previous, i).xyz(), q = j == sentinel ? p : load(surface.previous, j).xyz();
+    constexpr float slack = 1e-4f;  // more than that of what goes through an edge
+    const Aabb own = way_box(p, q, slack * h);
+    const Aabb all{SearchTeam::least(own.lower), -SearchTeam::least(-own.upper)};
+    bool parted = false;
+    pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
+    for (uint32_t group; walk.next(group);) {
+      const bool near_group = j != sentinel && !parted && pbd::overlap(surface.tree.box(1, group), own);
+      if (!SearchTeam::any(near_group)) continue;
+      for (uint32_t place = 8 * group; place < 8 * group + 8; ++place) {
+        if (parted || !near_group || !pbd::overlap(surface.tree.box(0, place), own)) continue;
+        const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
+        parted = surface.meets(i, t.part) && surface.meets(j, t.part) &&
+                 (i < j ? passes(p, q, t) : passes(q, p, t));
+      }
+    }
+    return parted;
+  }
+
   /// Whether the segment meets the triangle, within a support radius of both its ends.
-  MENISCUS_HD bool passes(Vec3 p, Vec3 q, float above, float below, Vec3 a, Vec3 b, Vec3 c) const {
+  MENISCUS_HD bool passes(Vec3 p, Vec3 q, const pbd::SurfaceTriangle& t) const {
+    const Vec3 a = surface.start(t.a), b = surface.start(t.b), c = surface.start(t.c);
+    const Vec3 n = cross(b - a, c - a);
+    const float above = dot(n, p - a), below = dot(n, q - a);
+    if ((above >= 0) == (below >= 0)) return false;
     const Vec3 x = p + above / (above - below) * (q - p);
     if (pbd::max(max_component(abs(x - p)), max_component(abs(x - q))) > h) return false;
     const Vec3 way = q - p, ap = a - p, bp = b - p, cp = c - p;

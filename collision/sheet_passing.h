@@ -59,6 +59,7 @@ struct DrivePassing {
     const Vec3 up = normalized_or(net, {0, 0, 0});
     const float greater =
         vertices.sum(v, [&](const SheetTouch& t, float w) { return w * pbd::max(0, dot(t.pending, up)); });
+    if (!VertexTeam::leads()) return;
     drive[v] = greater > 0 ? pbd::with_w(net / greater, 0) : Vec4{0, 0, 0, 0};
   }
 };
@@ -87,7 +88,7 @@ struct BeginPassing {
       const float share = pbd::max(0, dot(driven, c.normal));
       chance += parts[t.part].flow * share * pbd::max(0, dot(t.pending, c.normal)) / dt;
     }
-    if (chance > 0 && pbd::random_numbers(slot[i], draw, 0).x < chance)
+    if (TouchTeam::leads() && chance > 0 && pbd::random_numbers(slot[i], draw, 0).x < chance)
       phase[i] = (phase[i] | pbd::phase_passing) & ~pbd::phase_pressing;
   }
 };

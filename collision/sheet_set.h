@@ -63,6 +63,10 @@ class SheetSet final : public pbd::ConstraintSet<D> {
   void push_back(pbd::Substep<D>& substep, bool last);
   void carry(pbd::Substep<D>& substep);
   void pass(pbd::Substep<D>& substep);
+  template <class Kernel>
+  void at_particles(const char* name, const Kernel& kernel);
+  template <class Kernel>
+  void at_vertices(const char* name, const Kernel& kernel);
   sheet_kernels::AtTouches at_touches(const pbd::Substep<D>& substep);
   sheet_kernels::LoadedVertices loaded_vertices();
 

@@ -16,14 +16,13 @@ void SheetSet<D>::start(pbd::Substep<D>& substep) {
   if (!contacts_.any()) return;
   const pbd::ParticleView& p = substep.particles;
   const pbd::View<pbd::Vec4> position = p.position.from(p.sorted);
-  device_.parallel_for("sheets/start", contacts_.near_count(), StartTouches{at_touches(substep)});
-  device_.parallel_for("sheets/share", contacts_.vertices(),
-                       ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted),
-                                     p.previous.from(p.sorted), change_.view()});
-  device_.parallel_for("sheets/give momentum", contacts_.near_count(),
-                       GiveMomentum{at_touches(substep), change_.view()});
-  device_.parallel_for("sheets/give", most_touches * contacts_.near_count(),
-                       NoteGive{contacts_.near(), loaded_vertices(), position, substep.contacts.contacts});
+  at_particles("sheets/start", StartTouches{at_touches(substep)});
+  at_vertices("sheets/share", ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted),
+                                            p.previous.from(p.sorted), change_.view()});
+  at_particles("sheets/give momentum", GiveMomentum{at_touches(substep), change_.view()});
+  pbd::parallel_for_teams<TouchTeam>(
+      device_, "sheets/give", most_touches * contacts_.near_count(),
+      NoteGive{contacts_.near(), loaded_vertices(), position, substep.contacts.contacts});
 }
 
 template <class D>
@@ -31,9 +30,9 @@ void SheetSet<D>::push_back(pbd::Substep<D>& substep, bool last) {
   using namespace sheet_kernels;
   if (!contacts_.any()) return;
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("sheets/follow", contacts_.near_count(), FollowSheets{at_touches(substep), true});
-  device_.parallel_for("sheets/push back", contacts_.vertices(),
-                       PushVertices{loaded_vertices(), p.position.from(p.sorted), p.moved.from(p.sorted)});
+  at_particles("sheets/follow", FollowSheets{at_touches(substep), true});
+  at_vertices("sheets/push back",
+              PushVertices{loaded_vertices(), p.position.from(p.sorted), p.moved.from(p.sorted)});
   if (last) carry(substep);
 }
 
@@ -41,7 +40,7 @@ template <class D>
 void SheetSet<D>::carry(pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   if (!contacts_.any()) return;
-  device_.parallel_for("sheets/carry", contacts_.near_count(), FollowSheets{at_touches(substep), false});
+  at_particles("sheets/carry", FollowSheets{at_touches(substep), false});
 }
 
 template <class D>
@@ -62,12 +61,11 @@ void SheetSet<D>::end(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("sheets/weigh velocities", contacts_.near_count(),
                        WeighVelocities{at_touches(substep)});
-  device_.parallel_for("sheets/load velocities", contacts_.vertices(),
-                       LoadVelocities{loaded_vertices(), loaded_.view(), p.velocity.from(p.sorted),
-                                      change_.view(), 1 / substep.dt});
-  device_.parallel_for(
-      "sheets/carry velocities", contacts_.near_count(),
-      CarryVelocities{at_touches(substep), change_.view(), p.velocity, particles_.phase.current.view()});
+  at_vertices("sheets/load velocities",
+              LoadVelocities{loaded_vertices(), loaded_.view(), p.velocity.from(p.sorted), change_.view(),
+                             1 / substep.dt});
+  at_particles("sheets/carry velocities", CarryVelocities{at_touches(substep), change_.view(), p.velocity,
+                                                          particles_.phase.current.view()});
   if (contacts_.permeable()) pass(substep);
 }
 
@@ -77,11 +75,24 @@ void SheetSet<D>::pass(pbd::Substep<D>& substep) {
   const pbd::View<pbd::Contact> contacts = substep.contacts.contacts;
   device_.parallel_for("sheets/pushes", most_touches * contacts_.near_count(),
                        NotePushes{contacts_.near(), contacts, substep.particles.position});
-  device_.parallel_for("sheets/drive", contacts_.vertices(), DrivePassing{loaded_vertices(), change_.view()});
-  device_.parallel_for(
-      "sheets/pass", contacts_.near_count(),
-      BeginPassing{contacts_.near(), contacts, contacts_.parts(), change_.view(), substep.particles.position,
-                   substep.particles.slot, particles_.phase.current.view(), draws_++, substep.dt});
+  at_vertices("sheets/drive", DrivePassing{loaded_vertices(), change_.view()});
+  at_particles("sheets/pass", BeginPassing{contacts_.near(), contacts, contacts_.parts(), change_.view(),
+                                           substep.particles.position, substep.particles.slot,
+                                           particles_.phase.current.view(), draws_++, substep.dt});
+}
+
+/// A team for each near particle.
+template <class D>
+template <class Kernel>
+void SheetSet<D>::at_particles(const char* name, const Kernel& kernel) {
+  pbd::parallel_for_teams<sheet_kernels::TouchTeam>(device_, name, contacts_.near_count(), kernel);
+}
+
+/// A team for each vertex.
+template <class D>
+template <class Kernel>
+void SheetSet<D>::at_vertices(const char* name, const Kernel& kernel) {
+  pbd::parallel_for_teams<sheet_kernels::VertexTeam>(device_, name, contacts_.vertices(), kernel);
 }
 
 template <class D>

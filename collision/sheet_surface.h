@@ -6,6 +6,7 @@
 
 #include <meniscus/types.h>
 
+#include "pbd/device/teams.h"
 #include "pbd/feature_pair.h"
 #include "pbd/filter.h"
 #include "pbd/particles.h"
@@ -33,8 +34,11 @@ struct WettingTouch {
 namespace sheet_kernels {
 
 using pbd::no_index;
+using pbd::SearchTeam;
 using pbd::Vec4;
 using pbd::View;
+/// Works on one particle's touches.
+using TouchTeam = pbd::Team<8>;
 
 /// The surface, on its way from a substep's start to where it is now.
 struct Surface {
@@ -42,7 +46,7 @@ struct Surface {
   View<const Vec4> previous, position;  // of all particles
   uint32_t first_vertex;                // vertex v is this particle and v more
   View<const SheetPart> parts;
-  View<const uint32_t> borders;  // by place in the tree: bit k is set where edge k has no other triangle
+  View<const uint32_t> marks;            // by place in the tree: see triangle_marks()
   View<const CollisionFilter> by_fluid;  // empty where all collide with everything
   View<const pbd::Phase> phase;          // of all particles
 
@@ -106,16 +110,29 @@ struct alignas(16) SheetTouch {
   uint32_t vertex[most_vertices];
   float weight[most_vertices];  ///< their sum is 1
 
-  MENISCUS_HD void add(uint32_t v, float w) {
-    vertex[vertices] = v;
-    weight[vertices++] = w;
+  MENISCUS_HD void add(uint32_t v, float w) { set(vertices++, v, w); }
+  /// A touch that nothing has been done to. Its vertices are there.
+  MENISCUS_HD void begin(Vec3 at, Vec3 towards, float of_plane, uint32_t of_part, uint32_t count) {
+    point = at;
+    vertices = count;
+    normal = towards;
+    fraction = of_plane;
+    part = of_part;
+    contact = no_index;
+    share = carried = 0;
+    followed = given = pending = {0, 0, 0};
   }
-  /// Σ weight · of(vertex).
+  MENISCUS_HD void set(uint32_t k, uint32_t v, float w) {
+    vertex[k] = v;
+    weight[k] = w;
+  }
+  /// Σ weight · of(vertex), by a team.
   template <class Of>
   MENISCUS_HD Vec3 mean(const Of& of) const {
     Vec3 sum{0, 0, 0};
-    for (uint32_t k = 0; k < vertices; ++k) sum += weight[k] * of(vertex[k]);
-    return sum;
+    for (uint32_t k = TouchTeam::rank(); k < vertices; k += TouchTeam::count())
+      sum += weight[k] * of(vertex[k]);
+    return TouchTeam::sum(sum);
   }
 };
 

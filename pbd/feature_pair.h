@@ -61,6 +61,13 @@ MENISCUS_HD inline void try_edge(const Vec3 (&corner)[3], uint32_t k, Nearest& b
 
 }  // namespace nearest_detail
 
+/// Whether a point lies on the inner side of a triangle's edges, seen along its normal: what is nearest to it
+/// is then no edge.
+MENISCUS_HD inline bool is_over_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2) {
+  const Vec3 n = cross(t1 - t0, t2 - t0), a = t0 - p, b = t1 - p, c = t2 - p;
+  return dot(cross(b - a, n), a) >= 0 && dot(cross(c - b, n), b) >= 0 && dot(cross(a - c, n), c) >= 0;
+}
+
 /// Of a triangle to a point. Its regions are told apart by a plane an edge, which holds for slivers in float.
 MENISCUS_HD inline Nearest nearest_on_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2) {
   const Vec3 corner[3] = {t0 - p, t1 - p, t2 - p};
@@ -123,6 +130,11 @@ MENISCUS_HD inline Nearest nearest(const FeaturePair& p, float t) {
   return nearest_on_triangle(p.at(0, t), p.at(1, t), p.at(2, t), p.at(3, t));
 }
 
+/// Of a vertex and a triangle at time t.
+MENISCUS_HD inline bool is_over_triangle(const FeaturePair& p, float t) {
+  return is_over_triangle(p.at(0, t), p.at(1, t), p.at(2, t), p.at(3, t));
+}
+
 /// m: no two points of the two features move further than this against one another.
 MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
   const int first = p.edges ? 2 : 1;
@@ -136,19 +148,41 @@ MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
   return sqrtf(most2);
 }
 
-/// The part of the motion, 0 to 1, after which the two first come as near as `gap`, and no nearer than
-/// 3/4 of it; 2 where they do not. By
-/// additive advancement (Li, Kaufman & Jiang 2021, section 5): each step is as long as nothing can cut
-/// short, and there are no roots to be missed. `distance` is at the start, and greater than the gap;
-/// `motion` as relative_motion() has it.
-MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float distance, float motion, float gap) {
+namespace nearest_detail {
+
+/// How much later than t, at the earliest, the two may be as near as `gap`: along the direction in which they
+/// are apart, every corner of the one is at least so far from every corner of the other, and comes nearer at
+/// a speed that does not change.
+MENISCUS_HD inline float time_apart(const FeaturePair& p, const Nearest& now, float t, float gap) {
+  const Vec3 away = now.r / now.distance;
+  const int first = p.edges ? 2 : 1;
+  float time = 2;
+  for (int a = 0; a < first; ++a) {
+    for (int b = first; b < 4; ++b) {
+      const float approach = dot(away, p.motion[b] - p.motion[a]);
+      if (!(approach > 0)) continue;
+      const float apart = pbd::max(now.distance, dot(away, p.at(a, t) - p.at(b, t)));
+      time = pbd::min(time, (apart - gap) / approach);
+    }
+  }
+  return time;
+}
+
+}  // namespace nearest_detail
+
+/// The part of the motion, 0 to 1, after which the two, which are further apart at the start, come as near as
+/// `gap`, and no nearer than 3/4 of it; 2 where they do not. By conservative advancement with bounds along
+/// the direction in which they are apart (Mirtich 1996; Tang, Kim & Manocha 2009): each step is as long as
+/// nothing can cut short, and there are no roots to be missed.
+MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float gap) {
   constexpr int most_steps = 64;
   float t = 0;
+  Nearest now = nearest(p, 0);
   for (int k = 0; k < most_steps; ++k) {
-    t += (distance - 0.75f * gap) / motion;  // > 0.25 gap / motion
+    t += nearest_detail::time_apart(p, now, t, 0.75f * gap);
     if (t >= 1) return 2;
-    distance = nearest(p, t).distance;
-    if (distance <= gap) return t;
+    now = nearest(p, t);
+    if (now.distance <= gap) return t;
   }
   return t;  // they have grazed: it stops here
 }

@@ -11,6 +11,7 @@
 #include "pbd/contacts.h"
 #include "pbd/device/eight.h"
 #include "pbd/device/scalar.h"
+#include "pbd/device/teams.h"
 #include "pbd/surface.h"
 
 namespace meniscus::pbd {
@@ -52,6 +53,11 @@ MENISCUS_HD inline uint32_t overlap_mask(const BoxGroup& group, const Aabb& box)
   return x & y & z;
 }
 
+/// Eight threads look at a group, and a whole warp works on one query: there are few, with many triangles
+/// each.
+using GroupTeam = Team<BoxGroup::size>;
+using SearchTeam = Team<32>;
+
 struct SurfaceTreeView {
   static constexpr uint32_t most_levels = 8;  // so that a descent's open boxes fit into 64 bits
 
@@ -66,53 +72,141 @@ struct SurfaceTreeView {
   MENISCUS_HD uint32_t groups_of(uint32_t level) const { return (boxes[level] + 7) / 8; }
 };
 
-/// Calls visit(b) for each box b ≥ `from` of a level that overlaps, in ascending order; level 0 has the
-/// triangles' boxes. Of all that is below those boxes of the highest level, in its group `root`, whose bits
-/// are set in `open`: they overlap.
-template <class Visit>
-MENISCUS_HD void visit_overlaps(const SurfaceTreeView& tree, uint32_t root, uint64_t open, const Aabb& box,
-                                uint32_t level, uint32_t from, const Visit& visit) {
-  const uint32_t top = tree.levels - 1;
-  uint32_t at = top, group = root;
-  for (;;) {  // `open` has eight bits a level, the present one lowest
-    const uint32_t here = static_cast<uint32_t>(open & 0xff);
-    if (here == 0) {
-      if (at == top) break;
-      open >>= 8;
-      group >>= 3;
-      ++at;
-      continue;
+/// Who tests the eight boxes of a group: a thread all of them, or eight threads that walk together one each.
+struct TestAlone {
+  MENISCUS_HD static uint32_t overlaps(const BoxGroup& group, const Aabb& box) {
+    return overlap_mask(group, box);
+  }
+};
+struct TestTogether {
+  MENISCUS_HD static uint32_t overlaps(const BoxGroup& group, const Aabb& box) {
+    if (GroupTeam::count() == 1) return overlap_mask(group, box);
+    return GroupTeam::ballot(overlap(group.box(GroupTeam::rank()), box));
+  }
+};
+
+/// A walk over the boxes b ≥ `from` of a level that overlap, in ascending order; level 0 has the triangles'
+/// boxes. It stops wherever there are some, so that the threads of a warp go on together with what they
+/// found.
+template <class Test = TestAlone>
+class OverlapWalk {
+ public:
+  /// Over the whole tree.
+  MENISCUS_HD OverlapWalk(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from = 0)
+      : tree_(tree), box_(box), level_(level), from_(from), at_(tree.levels - 1) {
+    roots_ = tree.levels ? tree.groups_of(at_) : 0;
+  }
+  /// Over what is below one box of the highest level.
+  MENISCUS_HD OverlapWalk(const SurfaceTreeView& tree, uint32_t top_box, const Aabb& box, uint32_t level,
+                          uint32_t from)
+      : tree_(tree), box_(box), level_(level), from_(from), at_(tree.levels - 1), roots_(0) {
+    group_ = top_box / 8;
+    if (overlap(tree.box(at_, top_box), box)) open_ = uint64_t{1} << top_box % 8;
+  }
+
+  /// The next box; false where there are no more.
+  MENISCUS_HD bool next(uint32_t& box) {
+    while (advance()) {
+      box = 8 * group_ + lowest_bit(here());
+      open_ &= open_ - 1;
+      if (box >= from_) return true;
     }
-    open &= open - 1;
-    const uint32_t child = 8 * group + lowest_bit(here);
-    if (((child + 1) << 3 * (at - level)) <= from) continue;
-    if (at == level) {
-      visit(child);
-    } else {
-      --at;
-      group = child;
-      open = open << 8 | overlap_mask(tree.group(at, group), box);
+    return false;
+  }
+  /// The next group, and which of its eight boxes overlap.
+  MENISCUS_HD bool next_group(uint32_t& group, uint32_t& boxes) {
+    if (!advance()) return false;
+    group = group_;
+    boxes = here();
+    open_ &= ~uint64_t{0xff};
+    return true;
+  }
+
+ private:
+  MENISCUS_HD uint32_t here() const { return static_cast<uint32_t>(open_ & 0xff); }
+
+  /// To where boxes of the level are open.
+  MENISCUS_HD bool advance() {
+    const uint32_t top = tree_.levels - 1;
+    for (;;) {
+      if (here() == 0) {
+        if (at_ == top) {
+          if (next_root_ >= roots_) return false;
+          group_ = next_root_++;
+          open_ = Test::overlaps(tree_.group(top, group_), box_);
+        } else {
+          open_ >>= 8;
+          group_ >>= 3;
+          ++at_;
+        }
+      } else if (at_ == level_) {
+        return true;
+      } else {
+        const uint32_t child = 8 * group_ + lowest_bit(here());
+        open_ &= open_ - 1;
+        if (((child + 1) << 3 * (at_ - level_)) <= from_) continue;
+        --at_;
+        group_ = child;
+        open_ = open_ << 8 | Test::overlaps(tree_.group(at_, child), box_);
+      }
     }
   }
+
+  const SurfaceTreeView& tree_;
+  const Aabb box_;
+  const uint32_t level_, from_;
+  uint64_t open_ = 0;  // eight bits a level, the lowest for group_: its boxes that are still to be seen
+  uint32_t at_, group_ = 0;
+  uint32_t roots_, next_root_ = 0;
+};
+
+/// Calls visit(b) for each box b ≥ `from` of a level that overlaps, in ascending order.
+template <class Visit>
+MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from,
+                                  const Visit& visit) {
+  OverlapWalk walk(tree, box, level, from);
+  for (uint32_t b; walk.next(b);) visit(b);
 }
 
 /// The same, of all that is below one box of the highest level.
 template <class Visit>
 MENISCUS_HD void for_each_overlap_below(const SurfaceTreeView& tree, uint32_t top_box, const Aabb& box,
                                         uint32_t level, uint32_t from, const Visit& visit) {
-  const uint32_t top = tree.levels - 1;
-  if (((top_box + 1) << 3 * (top - level)) <= from || !overlap(tree.box(top, top_box), box)) return;
-  visit_overlaps(tree, top_box / 8, uint64_t{1} << top_box % 8, box, level, from, visit);
+  OverlapWalk walk(tree, top_box, box, level, from);
+  for (uint32_t b; walk.next(b);) visit(b);
 }
 
-/// The same, of the whole tree.
+/// Whether any box of a level overlaps.
+MENISCUS_HD inline bool overlaps_any(const SurfaceTreeView& tree, const Aabb& box, uint32_t level) {
+  OverlapWalk walk(tree, box, level);
+  uint32_t found;
+  return walk.next(found);
+}
+
+/// Calls visit(place, overlaps) for the triangles near a box. A GPU's warp shares them out, by eight that are
+/// near in the material to eight threads, who all come together, also those whose own triangle does not
+/// overlap.
 template <class Visit>
-MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from,
-                                  const Visit& visit) {
-  if (tree.levels == 0) return;
-  const uint32_t top = tree.levels - 1;
-  for (uint32_t root = 0; root < tree.groups_of(top); ++root)
-    visit_overlaps(tree, root, overlap_mask(tree.group(top, root), box), box, level, from, visit);
+MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Visit& visit) {
+  constexpr uint32_t threads = SearchTeam::count(), teams = threads == 1 ? 1 : threads / BoxGroup::size;
+  OverlapWalk<TestTogether> walk(tree, box, 1);
+  for (uint32_t above, boxes; walk.next_group(above, boxes);) {
+    for (uint32_t skip = SearchTeam::rank() / BoxGroup::size; skip > 0; --skip) boxes &= boxes - 1;
+    while (SearchTeam::any(boxes != 0)) {
+      const uint32_t group = 8 * above + (boxes ? lowest_bit(boxes) : 0);
+      for (uint32_t k = GroupTeam::rank(); k < BoxGroup::size; k += GroupTeam::count())
+        visit(8 * group + k, boxes != 0 && overlap(tree.box(0, 8 * group + k), box));
+      for (uint32_t skip = teams; skip > 0; --skip) boxes &= boxes - 1;
+    }
+  }
+}
+
+/// Calls visit(b) for each triangle's box that overlaps, as for_each_place_in_warp shares them out.
+template <class Visit>
+MENISCUS_HD void for_each_overlap_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Visit& visit) {
+  for_each_place_in_warp(tree, box, [&](uint32_t place, bool overlaps) {
+    if (overlaps) visit(place);
+  });
 }
 
 }  // namespace meniscus::pbd

@@ -103,6 +103,20 @@ TEST_P(SelfContactGeometry, FindsTheNearestPlaces) {
   for (int n = 0; n < 20000; ++n) expect_nearest(still(), 2e-6);
 }
 
+TEST(FeaturePair, KnowsWhatLiesOverATriangle) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> u(-1, 1);
+  int over = 0;
+  for (int n = 0; n < 5000; ++n) {
+    FeaturePair p{};
+    for (Vec3& x : p.start) x = {u(random), u(random), u(random)};
+    EXPECT_EQ(is_over_triangle(p, 0), nearest(p, 0).on == 7);
+    over += is_over_triangle(p, 0);
+  }
+  EXPECT_GT(over, 300);
+  EXPECT_LT(over, 4000);
+}
+
 TEST_P(SelfContactGeometry, FindsThemOnSlivers) {
   for (int n = 0; n < 20000; ++n) {
     FeaturePair p = still();
@@ -142,9 +156,9 @@ TEST_P(SelfContactGeometry, StopsBeforeTheyMeet) {
   for (int n = 0; n < 20000; ++n) {
     FeaturePair p = still();
     for (Vec3& m : p.motion) m = anywhere(n % 2 ? 1.0f : 4.0f);
-    const float start = nearest(p, 0).distance, motion = relative_motion(p);
+    const float start = nearest(p, 0).distance;
     if (start < 1e-3f) continue;
-    const float t = time_of_nearness(p, start, motion, 0.1f * start);
+    const float t = time_of_nearness(p, 0.1f * start);
     const double end = std::min(1.0f, t);
     double least = start;
     for (int k = 0; k <= 100; ++k) least = std::min(least, exact_distance(p, end * k / 100));
@@ -172,7 +186,7 @@ TEST_P(SelfContactGeometry, SeesWhatGoesThrough) {
     for (int k = 0; k < first; ++k) p.motion[k] -= apart / when;
     const float start = nearest(p, 0).distance;
     if (start < 1e-3f) continue;
-    EXPECT_LE(time_of_nearness(p, start, relative_motion(p), 0.1f * start), when + 1e-4f) << "case " << n;
+    EXPECT_LE(time_of_nearness(p, 0.1f * start), when + 1e-4f) << "case " << n;
   }
 }
 

@@ -61,10 +61,11 @@ class SelfContactBench {
   virtual std::vector<Vec3> velocities() = 0;
   virtual uint32_t most_contacts() = 0;
   virtual uint32_t most_held_back() = 0;
-  /// By box: the triangles whose ways, widened by `reach`, overlap it; ascending.
+  /// By box: the triangles whose ways, widened by `reach`, overlap it; ascending. A thread looks for them, or
+  /// a warp.
   virtual std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from,
                                                       std::span<const pbd::Vec4> to, float reach,
-                                                      std::span<const Aabb> boxes) = 0;
+                                                      std::span<const Aabb> boxes, bool in_warps) = 0;
 };
 
 std::unique_ptr<SelfContactBench> make_cpu_self_contact_bench(const ClothCase& cloth, int threads = 0);

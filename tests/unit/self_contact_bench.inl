@@ -31,6 +31,17 @@ struct MarkOverlaps {
   }
 };
 
+/// The same by a warp a box.
+struct MarkOverlapsInWarps {
+  MarkOverlaps marked;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const uint32_t places = marked.tree.triangles.count;
+    pbd::for_each_overlap_in_warp(marked.tree, marked.boxes[i],
+                                  [&](uint32_t place) { ++marked.marks[i * places + place]; });
+  }
+};
+
 }  // namespace bench_kernels
 
 /// Edges at their lengths at rest, one after the other, on the host: slow, but it needs no colours.
@@ -113,7 +124,8 @@ class SelfContactBenchOn final : public SelfContactBench {
   uint32_t most_held_back() override { return contacts_.most_held_back(); }
 
   std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from, std::span<const pbd::Vec4> to,
-                                              float reach, std::span<const Aabb> boxes) override {
+                                              float reach, std::span<const Aabb> boxes,
+                                              bool in_warps) override {
     pbd::Buffer<pbd::Vec4> previous = filled(from), position = filled(to);
     pbd::Buffer<Aabb> box = filled(boxes);
     pbd::ParticleView particles{};
@@ -123,8 +135,13 @@ class SelfContactBenchOn final : public SelfContactBench {
     pbd::Buffer<uint32_t> marks(device_, "marks");
     marks.resize_discard(boxes.size() * tree_.places());
     marks.fill(0);
-    device_.parallel_for("overlaps", static_cast<uint32_t>(boxes.size()),
-                         bench_kernels::MarkOverlaps{tree_.view(), box.view(), marks.view()});
+    const bench_kernels::MarkOverlaps kernel{tree_.view(), box.view(), marks.view()};
+    const auto count = static_cast<uint32_t>(boxes.size());
+    if (in_warps)
+      pbd::parallel_for_teams<pbd::SearchTeam>(device_, "overlaps", count,
+                                               bench_kernels::MarkOverlapsInWarps{kernel});
+    else
+      device_.parallel_for("overlaps", count, kernel);
     const std::vector<uint32_t> all = marks.read(marks.size());
     std::vector<std::vector<uint32_t>> found(boxes.size());
     for (size_t n = 0; n < all.size(); ++n)

@@ -55,7 +55,8 @@ class SurfaceTreeTest : public OnDevice {
       const Vec3 at = anywhere(0.6f);
       boxes.push_back(pbd::inflated({at, at}, n < 3 ? 1.0f : 0.001f * float(n)));
     }
-    const auto found = bench->overlaps(c.vertices, to, 0.004f, boxes);
+    const auto found = bench->overlaps(c.vertices, to, 0.004f, boxes, false);
+    EXPECT_EQ(bench->overlaps(c.vertices, to, 0.004f, boxes, true), found);
     size_t total = 0;
     for (size_t b = 0; b < boxes.size(); ++b) {
       std::vector<uint32_t> expected;
