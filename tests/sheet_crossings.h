@@ -11,7 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <future>
 #include <span>
+#include <thread>
 #include <vector>
 
 namespace meniscus::tests {
@@ -25,8 +27,9 @@ class SheetCrossings {
   /// places, and there must be as many as before.
   size_t advance(std::span<const Vec3> vertices, std::span<const Vec3> points) {
     size_t crossed = 0;
-    if (points_.size() == points.size()) {
-      for (size_t t = 0; t < triangles_.size(); t += 3) crossed += count_through(t, vertices, points);
+    if (points_.size() == points.size() && !points.empty()) {
+      sort(points);
+      crossed = count(vertices, points);
     }
     vertices_.assign(vertices.begin(), vertices.end());
     points_.assign(points.begin(), points.end());
@@ -35,6 +38,23 @@ class SheetCrossings {
 
  private:
   using Double3 = std::array<double, 3>;
+
+  /// On all cores: each has every so many-th triangle.
+  size_t count(std::span<const Vec3> vertices, std::span<const Vec3> points) const {
+    const size_t threads = std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::future<size_t>> counts;
+    for (size_t n = 0; n < threads; ++n) {
+      counts.push_back(std::async(std::launch::async, [&, n] {
+        size_t crossed = 0;
+        for (size_t t = 3 * n; t < triangles_.size(); t += 3 * threads)
+          crossed += count_through(t, vertices, points);
+        return crossed;
+      }));
+    }
+    size_t crossed = 0;
+    for (auto& count : counts) crossed += count.get();
+    return crossed;
+  }
 
   static Double3 minus(Vec3 a, Vec3 b) { return {double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z}; }
   static Double3 between(const Double3& a, const Double3& b, double t) {
@@ -45,21 +65,64 @@ class SheetCrossings {
            a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
 
-  size_t count_through(size_t t, std::span<const Vec3> vertices, std::span<const Vec3> points) const {
-    Vec3 lower{1e30f, 1e30f, 1e30f}, upper = -1.0f * lower;
-    for (size_t k = 0; k < 3; ++k) {
-      for (Vec3 x : {vertices_[triangles_[t + k]], vertices[triangles_[t + k]]}) {
-        lower = {std::min(lower.x, x.x), std::min(lower.y, x.y), std::min(lower.z, x.z)};
-        upper = {std::max(upper.x, x.x), std::max(upper.y, x.y), std::max(upper.z, x.z)};
-      }
+  static Aabb way(Vec3 a, Vec3 b) {
+    return {{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+            {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
+  }
+  static bool overlap(const Aabb& a, const Aabb& b) {
+    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
+           b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
+  }
+
+  // Points stand in columns along y, each in all that its way leads through.
+  static constexpr size_t columns = 64;  // on each of the two axes
+
+  struct Range {
+    size_t x0, x1, z0, z1;
+  };
+  size_t column(float at, float lower, float upper) const {
+    const double share = (double{at} - lower) / std::max(1e-30, double{upper} - lower);
+    return size_t(std::clamp(share, 0.0, 1.0) * (columns - 1));
+  }
+  Range columns_of(const Aabb& box) const {
+    return {column(box.lower.x, extent_.lower.x, extent_.upper.x),
+            column(box.upper.x, extent_.lower.x, extent_.upper.x),
+            column(box.lower.z, extent_.lower.z, extent_.upper.z),
+            column(box.upper.z, extent_.lower.z, extent_.upper.z)};
+  }
+
+  void sort(std::span<const Vec3> points) {
+    extent_ = {points[0], points[0]};
+    for (std::span<const Vec3> some : {points, std::span<const Vec3>(points_)}) {
+      for (Vec3 x : some) extent_ = {way(extent_.lower, x).lower, way(extent_.upper, x).upper};
     }
-    size_t crossed = 0;
+    in_column_.resize(columns * columns);
+    for (auto& column : in_column_) column.clear();
     for (size_t i = 0; i < points.size(); ++i) {
-      const Vec3 a = points_[i], b = points[i];
-      if (std::max(a.x, b.x) < lower.x || std::min(a.x, b.x) > upper.x || std::max(a.y, b.y) < lower.y ||
-          std::min(a.y, b.y) > upper.y || std::max(a.z, b.z) < lower.z || std::min(a.z, b.z) > upper.z)
-        continue;
-      crossed += passes(t, i, vertices, points);
+      const Range r = columns_of(way(points_[i], points[i]));
+      for (size_t x = r.x0; x <= r.x1; ++x)
+        for (size_t z = r.z0; z <= r.z1; ++z) in_column_[columns * x + z].push_back(i);
+    }
+  }
+
+  size_t count_through(size_t t, std::span<const Vec3> vertices, std::span<const Vec3> points) const {
+    Aabb box = way(vertices[triangles_[t]], vertices_[triangles_[t]]);
+    for (size_t k = 1; k < 3; ++k) {
+      const Aabb corner = way(vertices_[triangles_[t + k]], vertices[triangles_[t + k]]);
+      box = {way(box.lower, corner.lower).lower, way(box.upper, corner.upper).upper};
+    }
+    const Range r = columns_of(box);
+    size_t crossed = 0;
+    for (size_t x = r.x0; x <= r.x1; ++x) {
+      for (size_t z = r.z0; z <= r.z1; ++z) {
+        for (size_t i : in_column_[columns * x + z]) {
+          const Aabb of_point = way(points_[i], points[i]);
+          if (!overlap(of_point, box)) continue;
+          const Range own = columns_of(of_point);  // in the first column that both are in
+          if (x == std::max(r.x0, own.x0) && z == std::max(r.z0, own.z0))
+            crossed += passes(t, i, vertices, points);
+        }
+      }
     }
     return crossed;
   }
@@ -71,6 +134,7 @@ class SheetCrossings {
       start[k] = minus(vertices_[triangles_[t + k]], points_[i]);
       end[k] = minus(vertices[triangles_[t + k]], points[i]);
     }
+    if (stays_on_one_side(start, end)) return false;
     const auto volume = [&](double time) {
       return triple(between(start[0], end[0], time), between(start[1], end[1], time),
                     between(start[2], end[2], time));
@@ -91,6 +155,16 @@ class SheetCrossings {
     return false;
   }
 
+  /// Where Bernstein's coefficients of the cubic have all one sign, it has no root.
+  static bool stays_on_one_side(const Double3 (&s)[3], const Double3 (&e)[3]) {
+    const double c[] = {triple(s[0], s[1], s[2]),
+                        triple(e[0], s[1], s[2]) + triple(s[0], e[1], s[2]) + triple(s[0], s[1], e[2]),
+                        triple(s[0], e[1], e[2]) + triple(e[0], s[1], e[2]) + triple(e[0], e[1], s[2]),
+                        triple(e[0], e[1], e[2])};
+    return std::all_of(c, c + 4, [](double x) { return x > 0; }) ||
+           std::all_of(c, c + 4, [](double x) { return x < 0; });
+  }
+
   /// Whether the origin, which lies in the triangle's plane, lies in the triangle.
   static bool inside(const Double3& a, const Double3& b, const Double3& c) {
     const Double3 e{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, f{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -100,6 +174,8 @@ class SheetCrossings {
 
   std::vector<Vec3> vertices_, points_;
   std::vector<uint32_t> triangles_;
+  Aabb extent_{};
+  std::vector<std::vector<size_t>> in_column_;
 };
 
 }  // namespace meniscus::tests

@@ -8,6 +8,7 @@
 //   bench pool --device cuda --particles 1000000 --layers 100 --solver grid --out FILE
 //   bench hanging --n 250 --substeps 20 --iterations 1 --no-tethers --seconds 10
 //   bench drape --n 250,500
+//   bench sheet --fabric-density 0.2,40 --substeps 4 --iterations 2
 //   bench surface --particles 1000000
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -16,6 +17,7 @@
 #include "tests/bench/cloth.h"
 #include "tests/bench/dam.h"
 #include "tests/bench/pool.h"
+#include "tests/bench/sheet.h"
 #include "tests/bench/surface.h"
 
 int main(int argc, char** argv) {
@@ -24,6 +26,7 @@ int main(int argc, char** argv) {
   DamOptions dam;
   PoolOptions pool;
   ClothOptions hanging, drape;
+  SheetOptions sheet;
   SurfaceOptions surface;
   CLI::App app("Times steps, and says what they were worth");
   app.fallthrough();
@@ -37,6 +40,7 @@ int main(int argc, char** argv) {
   const CLI::App* pool_case = add_pool(app, pool);
   const CLI::App* hanging_case = add_hanging(app, hanging);
   const CLI::App* drape_case = add_drape(app, drape);
+  const CLI::App* sheet_case = add_sheet(app, sheet);
   const CLI::App* surface_case = add_surface(app, surface);
   CLI11_PARSE(app, argc, argv);
   try {
@@ -45,6 +49,7 @@ int main(int argc, char** argv) {
     if (pool_case->parsed()) run_pool(common, pool, results);
     if (hanging_case->parsed()) run_hanging(common, hanging, results);
     if (drape_case->parsed()) run_drape(common, drape, results);
+    if (sheet_case->parsed()) run_sheet(common, sheet, results);
     if (surface_case->parsed()) run_surface(common, surface, results);
     results.write();
   } catch (const std::exception& error) {
