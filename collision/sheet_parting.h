@@ -37,17 +37,23 @@ struct PartNeighbours {
     const Aabb all{SearchTeam::least(own.lower), -SearchTeam::least(-own.upper)};
     bool parted = false;
     pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
-    for (uint32_t group; walk.next(group);) {
-      const bool near_group = j != sentinel && !parted && pbd::overlap(surface.tree.box(1, group), own);
-      if (!SearchTeam::any(near_group)) continue;
-      for (uint32_t place = 8 * group; place < 8 * group + 8; ++place) {
-        if (parted || !near_group || !pbd::overlap(surface.tree.box(0, place), own)) continue;
-        const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-        parted = surface.meets(i, t.part) && surface.meets(j, t.part) &&
-                 (i < j ? passes(p, q, t) : passes(q, p, t));
-      }
+    for (uint32_t above, boxes; walk.next_group(above, boxes);) {
+      boxes &= pbd::overlap_mask(surface.tree.group(1, above), own);
+      for (; boxes && j != sentinel && !parted; boxes &= boxes - 1)
+        parted = are_parted_by(8 * above + pbd::lowest_bit(boxes), own, i, j);
     }
     return parted;
+  }
+
+  /// By one of eight triangles.
+  MENISCUS_HD bool are_parted_by(uint32_t group, const Aabb& box, uint32_t i, uint32_t j) const {
+    const Vec3 p = load(surface.previous, i < j ? i : j).xyz(),
+               q = load(surface.previous, i < j ? j : i).xyz();
+    for (uint32_t left = pbd::overlap_mask(surface.tree.group(0, group), box); left; left &= left - 1) {
+      const pbd::SurfaceTriangle t = load(surface.tree.triangles, 8 * group + pbd::lowest_bit(left));
+      if (surface.meets(i, t.part) && surface.meets(j, t.part) && passes(p, q, t)) return true;
+    }
+    return false;
   }
 
   /// Whether the segment meets the triangle, within a support radius of both its ends.
