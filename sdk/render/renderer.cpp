@@ -168,7 +168,9 @@ struct Renderer::Parts {
     if (grains) grains->draw_shadows(particles);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_TEST);
+    timer.mark("shadow map");
     to->thickness.draw_for_sun(particles, frame, stage.spacing);
+    timer.mark("sun thickness");
     to->has_shadows = true;
   }
 
@@ -179,12 +181,14 @@ struct Renderer::Parts {
     glDepthFunc(GL_LEQUAL);
     backdrop.use();
     screen.draw();
+    timer.mark("backdrop");
     glDepthFunc(GL_LESS);
     solids.draw_opaque();
     if (grains) grains->draw(particles);
     balls.draw(0.5f * stage.spacing);
     solids.draw_glass();
     glDisable(GL_DEPTH_TEST);
+    timer.mark("solids");
   }
 
   void draw_fluid() {
@@ -193,8 +197,11 @@ struct Renderer::Parts {
     to->surface.draw(particles, to->scene_depth, screen, settings.filter, reach,
                      settings.filter_threshold * stage.spacing,
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
+    timer.mark("surface");
     to->thickness.draw_for_camera(particles, frame, to->scene_depth, stage.spacing);
+    timer.mark("thickness");
     foam.gather(frame, to->scene_depth, to->surface.depth(), stage.spacing, to->to_foam);
+    timer.mark("foam");
     to->to_lit.use();
     to->scene_color.bind(unit::color);
     to->scene_depth.bind(unit::depth);
@@ -205,6 +212,7 @@ struct Renderer::Parts {
     fluid.use();
     screen.draw();
     glDisable(GL_DEPTH_TEST);
+    timer.mark("shading");
     foam.lay_over(screen, to->foam);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -212,6 +220,7 @@ struct Renderer::Parts {
     needles.draw(1.2f);
     slice.draw();
     glDisable(GL_DEPTH_TEST);
+    timer.mark("over");
   }
 
   void draw_picture() {
@@ -225,6 +234,7 @@ struct Renderer::Parts {
     to->toned.bind(unit::color);
     smooth.use();
     screen.draw();
+    timer.mark("tone");
   }
 
   io::Image read() const {
@@ -261,6 +271,7 @@ struct Renderer::Parts {
   Needles needles;
   Slice slice;
   bool shows_normals = false;
+  PassTimer timer;
 
   Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
   Target to_shadow{{}, &shadow};
@@ -308,6 +319,7 @@ void Renderer::load(const Moment& moment) {
 
 void Renderer::paint() {
   parts_->bind();
+  parts_->timer.start();
   if (!parts_->to->has_shadows) parts_->draw_shadows();
   parts_->draw_scene();
   parts_->draw_fluid();
@@ -323,6 +335,14 @@ void Renderer::show(int width, int height) const {
   glBlitNamedFramebuffer(from.to_picture.name(), 0, 0, 0, from.width, from.height, 0, 0, width, height,
                          GL_COLOR_BUFFER_BIT, GL_LINEAR);
   parts_->check_success();
+}
+
+void Renderer::time_passes(bool on) {
+  parts_->timer.switch_on(on);
+}
+
+std::vector<PassTime> Renderer::pass_times() const {
+  return parts_->timer.times();
 }
 
 io::Image Renderer::draw(const Moment& moment) {

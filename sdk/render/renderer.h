@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "sdk/io/preview.h"
+#include "sdk/render/gl/pass_timer.h"
 #include "sdk/render/passes/fluid_surface.h"
 #include "sdk/render/views.h"
 
@@ -59,6 +60,10 @@ class Renderer {
   io::Image image() const;
   /// Puts it over the window's own framebuffer, which is so large in pixels.
   void show(int width, int height) const;
+  /// Whether pictures from here on are timed pass by pass.
+  void time_passes(bool on);
+  /// Of the last picture that was, in the order of the passes, on what draws; waits for it.
+  std::vector<PassTime> pass_times() const;
   /// All of these at once.
   io::Image draw(const Moment& moment);
   /// Unit normals of the fluid in view space, and its distance along −z, row by row from the top; 0 where

@@ -10,6 +10,7 @@
 //   bench drape --n 250,500
 //   bench sheet --fabric-density 0.2,40 --substeps 4 --iterations 2
 //   bench surface --particles 1000000
+//   bench render --device cuda --particles 100000,1000000
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
@@ -18,6 +19,9 @@
 #include "tests/bench/dam.h"
 #include "tests/bench/pool.h"
 #include "tests/bench/sheet.h"
+#ifdef MENISCUS_WITH_RENDERER
+#include "tests/bench/render.h"
+#endif
 #include "tests/bench/surface.h"
 
 int main(int argc, char** argv) {
@@ -42,6 +46,10 @@ int main(int argc, char** argv) {
   const CLI::App* drape_case = add_drape(app, drape);
   const CLI::App* sheet_case = add_sheet(app, sheet);
   const CLI::App* surface_case = add_surface(app, surface);
+#ifdef MENISCUS_WITH_RENDERER
+  RenderOptions render;
+  const CLI::App* render_case = add_render(app, render);
+#endif
   CLI11_PARSE(app, argc, argv);
   try {
     Results results(common, argc, argv);
@@ -51,6 +59,9 @@ int main(int argc, char** argv) {
     if (drape_case->parsed()) run_drape(common, drape, results);
     if (sheet_case->parsed()) run_sheet(common, sheet, results);
     if (surface_case->parsed()) run_surface(common, surface, results);
+#ifdef MENISCUS_WITH_RENDERER
+    if (render_case->parsed()) run_render(common, render, results);
+#endif
     results.write();
   } catch (const std::exception& error) {
     std::cerr << "bench: " << error.what() << "\n";

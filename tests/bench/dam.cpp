@@ -9,57 +9,29 @@ namespace meniscus::bench {
 
 namespace {
 
-/// A block of water, a third of its tank, with edges as 5 to 4 to 5; support radius of two spacings.
-struct Dam {
-  World world;
-  float dt;
+WorldDef dam_def(const CommonOptions& common, const DamOptions& o, int iterations) {
+  WorldDef d = world_def(common);
+  d.substeps = o.substeps;
+  d.iterations = iterations;
+  d.density.solver = solver_named(o.solver);
+  d.density.tolerance = o.tolerance;
+  if (o.diffuse) d.diffuse.emplace();
+  return d;
+}
 
-  static WorldDef def(const CommonOptions& common, const DamOptions& o, int iterations) {
-    WorldDef d = world_def(common);
-    d.substeps = o.substeps;
-    d.iterations = iterations;
-    d.density.solver = solver_named(o.solver);
-    d.density.tolerance = o.tolerance;
-    if (o.diffuse) d.diffuse.emplace();
-    return d;
+/// Boxes of three spacings, half as dense as water, in layers over the dry part of the floor.
+void add_boxes(World& world, int count, Vec3 block) {
+  const float edge = 3 * world.def().particle_spacing, pitch = 4 * world.def().particle_spacing;
+  const int along = int(2 * block.x / pitch), across = int(block.z / pitch);
+  BodyDef box;
+  box.geometry = BoxGeometry{{edge / 2, edge / 2, edge / 2}};
+  for (int k = 0; k < count; ++k) {
+    const int layer = k / (along * across), row = k / along % across, column = k % along;
+    box.pose.position = {block.x + (float(column) + 0.5f) * pitch, (float(layer) + 0.5f) * pitch,
+                         (float(row) + 0.5f) * pitch};
+    world.create_body(box);
   }
-
-  Dam(const CommonOptions& common, const DamOptions& o, int particles, int iterations)
-      : world(def(common, o, iterations)) {
-    const float s = world.def().particle_spacing;
-    const double unit = std::cbrt(particles / 100.0);
-    const Vec3 block{s * std::round(float(5 * unit)), s * std::round(float(4 * unit)),
-                     s * std::round(float(5 * unit))};
-    FluidDef water;
-    water.vorticity_confinement = 0.1f;
-    const FluidId fluid = world.create_fluid(water);
-    const Vec3 half{1.5f * block.x, block.y, 0.5f * block.z};
-    ShapeDef tank;
-    tank.geometry = ContainerGeometry{half, {{Face::y_high}}};
-    tank.pose.position = half;
-    world.create_shape(tank);
-    FluidVolumeDef volume;
-    volume.fluid = fluid;
-    volume.region = BoxRegion{{0, 0, 0}, block};
-    world.add_fluid(volume);
-    add_boxes(o.boxes, block);
-    dt = float(o.substeps) * o.step_in_h * world.support_radius() / std::sqrt(2 * 9.81f * block.y);
-  }
-
-  /// Boxes of three spacings, half as dense as water, in layers over the dry part of the floor.
-  void add_boxes(int count, Vec3 block) {
-    const float edge = 3 * world.def().particle_spacing, pitch = 4 * world.def().particle_spacing;
-    const int along = int(2 * block.x / pitch), across = int(block.z / pitch);
-    BodyDef box;
-    box.geometry = BoxGeometry{{edge / 2, edge / 2, edge / 2}};
-    for (int k = 0; k < count; ++k) {
-      const int layer = k / (along * across), row = k / along % across, column = k % along;
-      box.pose.position = {block.x + (float(column) + 0.5f) * pitch, (float(layer) + 0.5f) * pitch,
-                           (float(row) + 0.5f) * pitch};
-      world.create_body(box);
-    }
-  }
-};
+}
 
 Json run_case(const CommonOptions& common, const DamOptions& o, int particles, int iterations) {
   Dam dam(common, o, particles, iterations);
@@ -98,6 +70,27 @@ Json run_case(const CommonOptions& common, const DamOptions& o, int particles, i
 }
 
 }  // namespace
+
+Dam::Dam(const CommonOptions& common, const DamOptions& o, int particles, int iterations)
+    : world(dam_def(common, o, iterations)) {
+  const float s = world.def().particle_spacing;
+  const double unit = std::cbrt(particles / 100.0);
+  const Vec3 block{s * std::round(float(5 * unit)), s * std::round(float(4 * unit)),
+                   s * std::round(float(5 * unit))};
+  FluidDef water;
+  water.vorticity_confinement = 0.1f;
+  const FluidId fluid = world.create_fluid(water);
+  const Vec3 half{1.5f * block.x, block.y, 0.5f * block.z};
+  tank.geometry = ContainerGeometry{half, {{Face::y_high}}};
+  tank.pose.position = half;
+  world.create_shape(tank);
+  FluidVolumeDef volume;
+  volume.fluid = fluid;
+  volume.region = BoxRegion{{0, 0, 0}, block};
+  world.add_fluid(volume);
+  add_boxes(world, o.boxes, block);
+  dt = float(o.substeps) * o.step_in_h * world.support_radius() / std::sqrt(2 * 9.81f * block.y);
+}
 
 CLI::App* add_dam(CLI::App& app, DamOptions& o) {
   CLI::App* dam = app.add_subcommand("dam", "a dam break, with its density error");

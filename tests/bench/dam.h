@@ -25,6 +25,15 @@ struct DamOptions {
   float tolerance = 0;
 };
 
+/// A block of water, a third of its tank, with edges as 5 to 4 to 5; support radius of two spacings.
+struct Dam {
+  World world;
+  ShapeDef tank;
+  float dt;
+
+  Dam(const CommonOptions& common, const DamOptions& options, int particles, int iterations);
+};
+
 CLI::App* add_dam(CLI::App& app, DamOptions& options);
 void run_dam(const CommonOptions& common, const DamOptions& options, Results& results);
 

@@ -4,6 +4,8 @@
 // Pictures that were looked at and found good, one for each pass of the renderer: golden/NAME.png.
 #pragma once
 
+#include <cstdlib>
+
 #include "tests/unit/render_bench.h"
 
 namespace meniscus::tests {
@@ -12,10 +14,16 @@ namespace meniscus::tests {
 /// With MENISCUS_RENEW_PICTURES=1 in the environment it becomes golden/NAME.png instead.
 void expect_picture(const std::string& name, const io::Image& image);
 
-/// Draws on the CPU, so that no GPU's driver has a say.
+/// Draws on the CPU, so that no GPU's driver has a say; on a GPU with MENISCUS_PICTURES_ON_GPU=1 in the
+/// environment.
 class GoldenTest : public RenderTest {
  protected:
-  GoldenTest() : RenderTest(render::EglDevices::software) {}
+  GoldenTest() : RenderTest(devices()) {}
+
+  static render::EglDevices devices() {
+    const char* on_gpu = std::getenv("MENISCUS_PICTURES_ON_GPU");
+    return on_gpu && *on_gpu == '1' ? render::EglDevices::all : render::EglDevices::software;
+  }
 
   /// Above a ground at y = 0.
   static io::PreviewScene on_ground(Vec3 eye, Vec3 target, float field_of_view = 35) {

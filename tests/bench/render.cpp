@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "tests/bench/render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "sdk/render/egl_context.h"
+#include "sdk/render/renderer.h"
+
+namespace meniscus::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+render::Moment moment_of(const World& world) {
+  return {.ellipsoids = world.ellipsoids(), .fluids = world.fluids()};
+}
+
+/// So that the tank is as wide as the picture.
+SceneCamera before(const ShapeDef& tank) {
+  const Vec3 half = std::get<ContainerGeometry>(tank.geometry).half_extents;
+  const Vec3 target{half.x, 0.7f * half.y, half.z};
+  return {target + 2.1f * half.x * normalized_or({0.25f, 0.45f, 1}, {0, 0, 1}), target, 35};
+}
+
+/// Medians over some pictures.
+Json pass_times(render::Renderer& renderer, const render::Moment& moment, int times) {
+  std::vector<const char*> order;
+  std::map<std::string, std::vector<double>> ms;
+  renderer.time_passes(true);
+  for (int k = 0; k < times; ++k) {
+    renderer.load(moment);
+    renderer.paint();
+    for (const render::PassTime& pass : renderer.pass_times()) {
+      if (k == 0) order.push_back(pass.name);
+      ms[pass.name].push_back(pass.ms);
+    }
+  }
+  renderer.time_passes(false);
+  Json medians;
+  for (const char* name : order) medians[name] = quantile(ms[name], 0.5);
+  return medians;
+}
+
+/// Of all pixels, those in which fluid is seen.
+double covered_share(render::Renderer& renderer) {
+  const auto normals = renderer.fluid_normals();
+  const auto covered = std::count_if(normals.begin(), normals.end(), [](const auto& n) { return n[3] > 0; });
+  return static_cast<double>(covered) / static_cast<double>(normals.size());
+}
+
+Json run_case(const CommonOptions& common, const RenderOptions& o, int particles) {
+  Dam dam(common, o.dam, particles, o.dam.iterations.front());
+  // A step moves water by so many spacings, and a larger dam has more of them.
+  const auto warm = static_cast<int>(o.dam.warm_steps * std::cbrt(1e-5 * particles));
+  for (int k = 0; k < warm; ++k) dam.world.step(dam.dt);
+  io::PreviewScene scene;
+  scene.particle_spacing = dam.world.def().particle_spacing;
+  scene.width = o.width;
+  scene.height = o.height;
+  scene.shapes = {dam.tank};
+  scene.camera = before(dam.tank);
+  const render::EglContext context;
+  const render::Moment moment = moment_of(dam.world);
+  render::Renderer renderer(scene, moment);
+  const io::Image picture = renderer.draw(moment);
+  if (!o.picture.empty()) io::write_png(o.picture, picture);
+  const auto frame = [&] {
+    renderer.load(moment);
+    renderer.paint();
+  };
+  frame();
+  glFinish();
+  const auto begin = Clock::now();
+  for (int k = 0; k < o.frames; ++k) frame();
+  glFinish();
+  const double frame_ms = ms_since(begin) / o.frames;
+  return {{"particles", dam.world.particle_count()},
+          {"width", o.width},
+          {"height", o.height},
+          {"renderer", context.renderer()},
+          {"frame_ms", frame_ms},
+          {"covered_percent", 100 * covered_share(renderer)},
+          {"pass_ms", pass_times(renderer, moment, std::min(o.frames, 20))}};
+}
+
+}  // namespace
+
+CLI::App* add_render(CLI::App& app, RenderOptions& o) {
+  CLI::App* render = app.add_subcommand("render", "pictures of a dam break in mid-splash, by OpenGL");
+  render->add_option("--particles", o.dam.particles, "how many, one case each")->delimiter(',');
+  render->add_option("--warm", o.dam.warm_steps, "steps before the picture");
+  render->add_option("--width", o.width, "pixels")->check(CLI::PositiveNumber);
+  render->add_option("--height", o.height, "pixels")->check(CLI::PositiveNumber);
+  render->add_option("--frames", o.frames, "pictures that are timed")->check(CLI::PositiveNumber);
+  render->add_option("--picture", o.picture, "a PNG file to keep one in");
+  return render;
+}
+
+void run_render(const CommonOptions& common, const RenderOptions& options, Results& results) {
+  for (int particles : options.dam.particles) results.add(run_case(common, options, particles));
+}
+
+}  // namespace meniscus::bench
