@@ -78,6 +78,11 @@ class Solver {
   /// leaves no trace.
   void measure(const std::function<void(Substep<D>&, const Found&)>& measure);
 
+  /// Calls look(substep) with the neighbours and contacts that the last substep found, which lack no more
+  /// than what came near within it, and waits for nothing. False, and not called, where they are not of the
+  /// present particles.
+  bool look(const std::function<void(Substep<D>&)>& look);
+
   const ParticleSummary& summary();
   /// Of the last substep, or measurement.
   ContactView contacts() { return contacts_.view(); }
@@ -117,8 +122,9 @@ class Solver {
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
   uint32_t fluid_room_ = 0, vertex_room_ = 0, extra_room_ = 0;
-  bool fresh_ = true;     // particles were added or changed by hand since the last step
-  float step_speed_ = 0;  // m/s, that a particle can reach in the present step
+  bool has_found_ = false;  // neighbours and contacts are of the last step's end, and of all particles
+  bool fresh_ = true;       // particles were added or changed by hand since the last step
+  float step_speed_ = 0;    // m/s, that a particle can reach in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };
 

@@ -63,10 +63,12 @@ StepResult Solver<D>::step(float dt) {
     reserve_extra();
     const ParticleSummary after = run(substeps, dt / static_cast<float>(substeps));
     const bool done = had_room();
-    if (!done || after.non_finite)
+    if (!done || after.non_finite) {
       undo_step();
-    else
+    } else {
       fresh_ = false;
+      has_found_ = true;
+    }
     if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
     make_room();
   }
@@ -120,6 +122,17 @@ void Solver<D>::measure(const std::function<void(Substep<D>&, const Found&)>& me
   restore_state();
 }
 
+template <class D>
+bool Solver<D>::look(const std::function<void(Substep<D>&)>& look) {
+  if (!has_found_) return false;
+  Substep<D> s = make_substep(0);
+  s.neighbours = search_.view();
+  s.grid = search_.grid();
+  s.contacts = contacts_.view();
+  look(s);
+  return true;
+}
+
 // ---- the stages ----
 
 template <class D>
@@ -152,6 +165,7 @@ void Solver<D>::sort(float dt, Vec3 gravity) {
 
 template <class D>
 void Solver<D>::find(Substep<D>& s) {
+  has_found_ = false;
   timer_.enter(StageId::neighbours);
   if (s.particles.sorted) search_.list(s.particles, s.sentinel);
   s.neighbours = search_.view();
@@ -256,6 +270,7 @@ void Solver<D>::reserve(uint32_t fluid, uint32_t vertices) {
 
 template <class D>
 void Solver<D>::reserve_all(uint32_t fluid, uint32_t vertices) {
+  has_found_ = false;
   const uint32_t capacity = fluid + vertices + extra_room_;
   for (ConstraintSet<D>* set : sets_) set->reserve(capacity, particles_.count());
   for (VelocityPass<D>* pass : passes_) pass->reserve(capacity);
@@ -283,6 +298,7 @@ void Solver<D>::reserve_extra() {
 template <class D>
 void Solver<D>::particles_changed(uint32_t first, uint32_t count) {
   summary_state_ = SummaryState::unknown;
+  has_found_ = false;
   fresh_ = true;
   for (ConstraintSet<D>* set : sets_) set->clear(first, count);
 }

@@ -10,13 +10,7 @@ namespace meniscus::cli {
 namespace {
 
 render::Moment moment_of(const World& world, const FrameSample& sample) {
-  return {.ellipsoids = world.ellipsoids(),
-          .fluids = sample.particles.fluids,
-          .positions = sample.particles.positions,
-          .diffuse = sample.diffuse.particles,
-          .bodies = sample.bodies,
-          .cloth = sample.cloth,
-          .ropes = sample.ropes};
+  return {.world = &world, .bodies = sample.bodies, .cloth = sample.cloth, .ropes = sample.ropes};
 }
 
 render::RenderSettings settings_of(const PictureOptions& options) {

@@ -28,6 +28,7 @@
 #include "fluid/material.h"
 #include "fluid/probes.h"
 #include "fluid/surface_mesh.h"
+#include "pbd/device/gl_buffers.h"
 #include "pbd/solver.h"
 
 namespace meniscus {
@@ -210,6 +211,9 @@ class Engine {
   virtual void read_pressures(std::span<float> out, float dt) = 0;
   /// C, and 1 where the support is full, measured afresh.
   virtual EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) = 0;
+  /// Ellipsoids and groups, by slot, to the device's own memory, by the neighbours of the last substep where
+  /// they are of the present particles. Waits for nothing then, nor for its own end.
+  virtual void write_particles(const ParticleArrays& arrays) = 0;
   virtual void read_ellipsoids(std::span<Ellipsoid> out) = 0;
   /// Of one material, or of all fluids.
   virtual SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) = 0;

@@ -142,6 +142,7 @@ class DeviceEngine final : public Engine {
   void read_pressures(std::span<float> out, float dt) override;
   EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) override;
   void read_ellipsoids(std::span<Ellipsoid> out) override;
+  void write_particles(const ParticleArrays& arrays) override;
   SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) override;
   uint32_t diffuse_count() const override { return diffuse_ ? diffuse_->count() : 0; }
   uint32_t diffuse_refused() const override { return diffuse_ ? diffuse_->refused() : 0; }

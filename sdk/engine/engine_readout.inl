@@ -61,6 +61,22 @@ void DeviceEngine<D>::read_ellipsoids(std::span<Ellipsoid> out) {
 }
 
 template <class D>
+void DeviceEngine<D>::write_particles(const ParticleArrays& arrays) {
+  const uint32_t count = particles_.sorted();
+  const fluid::Anisotropy<D> anisotropy(
+      device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
+  const auto write = [&](pbd::Substep<D>& substep) {
+    anisotropy.measure(substep, {arrays.ellipsoids, count});
+    device_.parallel_for(
+        "read-out/fluids", count,
+        engine_kernels::ReadGroup{substep.particles.phase, substep.particles.slot, {arrays.fluids, count}});
+  };
+  if (solver_.look(write)) return;
+  fetch_contacts();
+  solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) { write(substep); });
+}
+
+template <class D>
 SurfaceMesh DeviceEngine<D>::read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) {
   fetch_contacts();
   ellipsoid_out_.resize_discard(particles_.sorted());

@@ -12,17 +12,20 @@ struct Pictures {
   Pictures(int w, int h) : width(w), height(h) {}
 
   int width, height;
-  bool has_shadows = false;  ///< of what was loaded last
+  bool has_fluid_shadows = false;             ///< of what was loaded last
+  Texture albedo{GL_RGBA16F, width, height};  ///< a: gloss
+  Texture normal{GL_RGBA16F, width, height};  ///< a: 0 where nothing stands
   Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
   Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};
   Texture lit{GL_RGBA16F, width, height};
-  Texture lit_depth{GL_DEPTH_COMPONENT32F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};
   Texture picture{GL_RGBA8, width, height};
   Texture foam{GL_RGBA16F, width, height};  ///< sums: see Foam
   Target to_foam{{&foam}, nullptr};
+  Target to_surfaces{{&albedo, &normal}, &scene_depth};
   Target to_scene{{&scene_color}, &scene_depth};
-  Target to_lit{{&lit}, &lit_depth};
+  Target to_lit{{&lit}, nullptr};
+  Target over_lit{{&lit}, &scene_depth};
   Target to_toned{{&toned}, nullptr};
   Target to_picture{{&picture}, nullptr};
   FluidSurface surface{width, height};

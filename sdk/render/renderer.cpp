@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "sdk/render/moment_parts.h"
 #include "sdk/render/passes/balls.h"
 #include "sdk/render/passes/foam.h"
 #include "sdk/render/passes/grains.h"
-#include "sdk/render/passes/needles.h"
 #include "sdk/render/passes/slice.h"
 #include "sdk/render/passes/solids.h"
 #include "sdk/render/pictures.h"
@@ -32,30 +32,6 @@ const io::PreviewScene& checked(const io::PreviewScene& scene) {
   return scene;
 }
 
-Bounds bounds_of(const Solids& solids, const Moment& moment) {
-  Bounds bounds = solids.bounds();
-  for (const Ellipsoid& e : moment.ellipsoids) {
-    if (is_finite(e.centre)) bounds.add(e.centre);
-  }
-  for (const std::vector<Vec3>* points : {&moment.cloth.vertices, &moment.ropes.vertices}) {
-    for (const Vec3 p : *points) {
-      if (is_finite(p)) bounds.add(p);
-    }
-  }
-  return bounds;
-}
-
-/// Grains are as they were.
-std::vector<Ellipsoid> balls_at(const Moment& moment, const io::PreviewScene& scene) {
-  std::vector<Ellipsoid> balls(moment.ellipsoids.begin(), moment.ellipsoids.end());
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    if (moment.fluids[i] >= scene.first_granular) continue;
-    const float r = scene.particle_spacing;
-    balls[i] = {moment.positions[i], {r, r, r}, {0, 0, 0, 1}};
-  }
-  return balls;
-}
-
 /// Rows from the top, where OpenGL has them from the bottom.
 template <class T>
 void turn_over(std::vector<T>& pixels, int row, int rows) {
@@ -69,26 +45,6 @@ void bind_uniforms(GLuint binding, const DataBuffer& buffer) {
   glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer.name());
 }
 
-/// One a triangle, where the view asks for them.
-std::vector<Vec3> strain_colors(const io::ClothFrame& cloth, const ViewData& view) {
-  std::vector<Vec3> colors;
-  if (!view.choice.strain) return colors;
-  for (const float strain : cloth.strains)
-    colors.push_back(color_at(view.strain.map, view.strain.place(strain)));
-  return colors;
-}
-
-/// From each contact along its normal, in a colour for each kind of thing that is touched.
-std::vector<Needle> contact_needles(std::span<const ParticleContact> contacts, float length) {
-  constexpr Vec3 of_shapes{1.0f, 0.55f, 0.05f}, of_bodies{0.9f, 0.05f, 0.05f}, of_cloth{0.1f, 0.8f, 0.15f};
-  std::vector<Needle> needles;
-  for (const ParticleContact& c : contacts) {
-    const Vec3 color = c.body != BodyId{} ? of_bodies : c.cloth != ClothId{} ? of_cloth : of_shapes;
-    needles.push_back({c.point, c.point + length * c.normal, color});
-  }
-  return needles;
-}
-
 }  // namespace
 
 /// All that is made once, and the passes of a frame in their order.
@@ -97,7 +53,7 @@ struct Renderer::Parts {
       : scene(checked(s)),
         settings(set),
         solids(s),
-        bounds(bounds_of(solids, first)),
+        bounds(bounds_of(solids.bounds(), with_spans(first))),
         stage(stage_of(s, bounds)) {
     shadow.compare_depths();
     if (scene.first_granular < scene.fluid_colors.size()) grains.emplace();
@@ -116,33 +72,36 @@ struct Renderer::Parts {
   }
 
   void load(const Moment& moment) {
-    if (moment.fluids.size() != moment.ellipsoids.size()) {
-      throw Error(ErrorCode::invalid_argument, "fluids has " + std::to_string(moment.fluids.size()) +
-                                                   " elements, but there are " +
-                                                   std::to_string(moment.ellipsoids.size()) + " ellipsoids");
-    }
-    if (!settings.anisotropic && moment.positions.size() != moment.ellipsoids.size()) {
-      throw Error(ErrorCode::invalid_argument, "positions has " + std::to_string(moment.positions.size()) +
-                                                   " elements, but there are " +
-                                                   std::to_string(moment.ellipsoids.size()) + " ellipsoids");
-    }
     const ViewData none, &view = moment.view ? *moment.view : none;
-    solids.place(moment.bodies, moment.cloth, moment.ropes, strain_colors(moment.cloth, view));
-    if (view.choice.particles != ParticleView::surface)
+    const bool shows_fluid = view.choice.particles == ParticleView::surface;
+    if (moment.world && shows_fluid && settings.anisotropic) {
+      particles.set(*moment.world);
+      foam.set(moment.world->diffuse());
+      balls.clear();
+    } else {
+      load_particles(with_spans(moment), view, shows_fluid);
+    }
+    if (solids.place(moment.bodies, moment.cloth, moment.ropes, strain_colors(moment.cloth, view)) || grains)
+      has_solid_shadows = false;
+    load_view(view);
+    to->has_fluid_shadows = false;
+    if (before) before->has_fluid_shadows = false;
+  }
+
+  void load_particles(const Moment& moment, const ViewData& view, bool shows_fluid) {
+    check_count("fluids", moment.fluids.size(), moment.ellipsoids.size());
+    if (!settings.anisotropic) check_count("positions", moment.positions.size(), moment.ellipsoids.size());
+    if (!shows_fluid)
       particles.set({}, {});  // but balls in their place
     else if (settings.anisotropic)
       particles.set(moment.ellipsoids, moment.fluids);
     else
       particles.set(balls_at(moment, scene), moment.fluids);
-    foam.set(view.choice.particles == ParticleView::surface ? moment.diffuse
-                                                            : std::span<const DiffuseParticle>());
-    load_view(moment, view);
-    to->has_shadows = false;
-    if (before) before->has_shadows = false;
+    foam.set(shows_fluid ? moment.diffuse : std::span<const DiffuseParticle>());
+    balls.set(moment.ellipsoids, view);
   }
 
-  void load_view(const Moment& moment, const ViewData& view) {
-    balls.set(moment.ellipsoids, view);
+  void load_view(const ViewData& view) {
     needles.set(contact_needles(view.contacts, 1.2f * stage.spacing));
     if (view.choice.distances)
       slice.set(view.slice, view.distances);
@@ -158,7 +117,7 @@ struct Renderer::Parts {
     to->thickness.sun().bind(unit::fluid_shadow);
   }
 
-  void draw_shadows() {
+  void draw_solid_shadows() {
     to_shadow.use();
     to_shadow.clear_depth();
     glEnable(GL_DEPTH_TEST);
@@ -168,54 +127,74 @@ struct Renderer::Parts {
     if (grains) grains->draw_shadows(particles);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_TEST);
+    has_solid_shadows = true;
     timer.mark("shadow map");
-    to->thickness.draw_for_sun(particles, frame, stage.spacing);
-    timer.mark("sun thickness");
-    to->has_shadows = true;
+  }
+
+  void draw_fluid_shadows() {
+    sun_lists.build(particles, FluidThickness::sun_size, FluidThickness::sun_size,
+                    FluidThickness::disc_radius(stage.spacing));
+    timer.mark("lists for the sun");
+    to->thickness.draw_for_sun(sun_lists, frame);
+    to->has_fluid_shadows = true;
+    timer.mark("thickness for the sun");
   }
 
   void draw_scene() {
-    to->to_scene.use();
-    to->to_scene.clear_depth();
+    to->to_surfaces.use();
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
+    glDepthFunc(GL_ALWAYS);
     backdrop.use();
     screen.draw();
-    timer.mark("backdrop");
     glDepthFunc(GL_LESS);
+    timer.mark("backdrop");
     solids.draw_opaque();
     if (grains) grains->draw(particles);
     balls.draw(0.5f * stage.spacing);
-    solids.draw_glass();
     glDisable(GL_DEPTH_TEST);
     timer.mark("solids");
+    to->albedo.bind(unit::color);
+    to->scene_depth.bind(unit::depth);
+    to->normal.bind(unit::normals);
+    light.use();
+    light.run_over(to->scene_color);
+    timer.mark("light");
+    to->to_scene.use();
+    glEnable(GL_DEPTH_TEST);
+    solids.draw_glass();
+    glDisable(GL_DEPTH_TEST);
+    timer.mark("glass");
   }
 
   void draw_fluid() {
     const float reach = settings.filter_reach * stage.spacing;
     const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
-    to->surface.draw(particles, to->scene_depth, screen, settings.filter, reach,
-                     settings.filter_threshold * stage.spacing,
-                     reach * frame.viewport[1] / (2 * frame.lens[1] * away));
-    timer.mark("surface");
-    to->thickness.draw_for_camera(particles, frame, to->scene_depth, stage.spacing);
+    camera_lists.build(particles, to->width, to->height, FluidThickness::disc_radius(stage.spacing));
+    timer.mark("lists");
+    to->surface.draw(camera_lists, to->scene_depth);
+    timer.mark("ellipsoids");
+    to->surface.filter(settings.filter, reach, settings.filter_threshold * stage.spacing,
+                       reach * frame.viewport[1] / (2 * frame.lens[1] * away));
+    timer.mark("filter");
+    to->thickness.draw_for_camera(camera_lists, frame, to->scene_depth);
     timer.mark("thickness");
     foam.gather(frame, to->scene_depth, to->surface.depth(), stage.spacing, to->to_foam);
     timer.mark("foam");
-    to->to_lit.use();
     to->scene_color.bind(unit::color);
     to->scene_depth.bind(unit::depth);
     to->surface.depth().bind(unit::fluid_depth);
     to->thickness.camera().bind(unit::thickness);
-    glEnable(GL_DEPTH_TEST);  // for the depths to be written
-    glDepthFunc(GL_ALWAYS);
     fluid.use();
-    screen.draw();
-    glDisable(GL_DEPTH_TEST);
-    timer.mark("shading");
+    fluid.run_over(to->lit);
+    timer.mark("fluid");
+  }
+
+  /// What is to be seen however the fluid mirrors.
+  void draw_over() {
+    to->to_lit.use();
     foam.lay_over(screen, to->foam);
+    to->over_lit.use();
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
     solids.draw_edges();
     needles.draw(1.2f);
     slice.draw();
@@ -224,17 +203,22 @@ struct Renderer::Parts {
   }
 
   void draw_picture() {
-    to->to_toned.use();
     to->lit.bind(unit::color);
-    to->lit_depth.bind(unit::depth);
+    to->scene_depth.bind(unit::depth);
     to->surface.depth().bind(unit::fluid_depth);
-    (shows_normals ? view_normals : tone).use();
-    screen.draw();
-    to->to_picture.use();
+    if (shows_normals) {
+      to->to_toned.use();
+      view_normals.use();
+      screen.draw();
+    } else {
+      tone.use();
+      tone.run_over(to->toned);
+    }
+    timer.mark("tone");
     to->toned.bind(unit::color);
     smooth.use();
-    screen.draw();
-    timer.mark("tone");
+    smooth.run_over(to->picture);
+    timer.mark("edges");
   }
 
   io::Image read() const {
@@ -265,12 +249,15 @@ struct Renderer::Parts {
   Screen screen;
   float share = 1;  // of the pixels that the picture will be shown with, along a side
   Particles particles;
+  TileLists camera_lists{"list_for_camera.comp.glsl", 32};
+  TileLists sun_lists{"list_for_sun.comp.glsl", 16};
   Foam foam;
   std::optional<Grains> grains;  // where the scene has any
   Balls balls{scene.fluid_colors};
   Needles needles;
   Slice slice;
   bool shows_normals = false;
+  bool has_solid_shadows = false;  // of what was loaded last
   PassTimer timer;
 
   Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
@@ -278,10 +265,11 @@ struct Renderer::Parts {
   std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
   std::unique_ptr<Pictures> before;  // of the size before, to which a window may go back
   Program backdrop{"screen.vert.glsl", "backdrop.frag.glsl"};
-  Program fluid{"screen.vert.glsl", "fluid.frag.glsl"};
-  Program tone{"screen.vert.glsl", "tone.frag.glsl"};
+  Program light{"light.comp.glsl"};
+  Program fluid{"fluid.comp.glsl"};
+  Program tone{"tone.comp.glsl"};
   Program view_normals{"screen.vert.glsl", "view_normals.frag.glsl"};
-  Program smooth{"screen.vert.glsl", "smooth.frag.glsl"};
+  Program smooth{"smooth.comp.glsl"};
 };
 
 Renderer::Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings)
@@ -320,9 +308,11 @@ void Renderer::load(const Moment& moment) {
 void Renderer::paint() {
   parts_->bind();
   parts_->timer.start();
-  if (!parts_->to->has_shadows) parts_->draw_shadows();
+  if (!parts_->has_solid_shadows) parts_->draw_solid_shadows();
+  if (!parts_->to->has_fluid_shadows) parts_->draw_fluid_shadows();
   parts_->draw_scene();
   parts_->draw_fluid();
+  parts_->draw_over();
   parts_->draw_picture();
 }
 

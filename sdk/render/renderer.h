@@ -7,10 +7,9 @@
 
 #include <memory>
 
-#include "sdk/io/preview.h"
 #include "sdk/render/gl/pass_timer.h"
+#include "sdk/render/moment.h"
 #include "sdk/render/passes/fluid_surface.h"
-#include "sdk/render/views.h"
 
 namespace meniscus::render {
 
@@ -19,18 +18,6 @@ struct RenderSettings {
   bool anisotropic = true;        ///< else fluid is balls of one spacing's radius, at Moment::positions
   float filter_reach = 1.3f;      ///< spacings, one standard deviation
   float filter_threshold = 3.0f;  ///< spacings: surfaces that are further apart in depth are kept apart
-};
-
-/// What is to be seen at one moment; views of arrays that live elsewhere.
-struct Moment {
-  std::span<const Ellipsoid> ellipsoids{};     ///< World::ellipsoids
-  std::span<const uint32_t> fluids{};          ///< World::fluids, one an ellipsoid
-  std::span<const Vec3> positions{};           ///< World::positions; needed for balls alone
-  std::span<const DiffuseParticle> diffuse{};  ///< World::diffuse
-  std::span<const BodyState> bodies{};         ///< in the scene's order; none: where they start
-  io::ClothFrame cloth{};
-  io::RopeFrame ropes{};
-  const ViewData* view = nullptr;  ///< null: as things look
 };
 
 class Renderer {

@@ -21,7 +21,7 @@ double ms_since(Clock::time_point begin) {
 }
 
 render::Moment moment_of(const World& world) {
-  return {.ellipsoids = world.ellipsoids(), .fluids = world.fluids()};
+  return {.world = &world};
 }
 
 /// So that the tank is as wide as the picture.

@@ -211,7 +211,7 @@ TEST_F(PictureTest, ABrokenShaderIsNamed) {
 }
 
 TEST(ShaderText, IncludesAreThere) {
-  const std::string text = render::shader_text("fluid.frag.glsl");
+  const std::string text = render::shader_text("fluid.comp.glsl");
   EXPECT_EQ(text.find("#include"), std::string::npos);
   EXPECT_NE(text.find("uniform Frame"), std::string::npos);
 }

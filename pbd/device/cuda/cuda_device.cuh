@@ -151,6 +151,7 @@ class CudaDevice final : public Device {
   void wait_for_fence() override;
   void mark_time(uint32_t mark) override;
   double elapsed_ms(uint32_t from, uint32_t to) const override;
+  cudaStream_t stream() const { return stream_; }
 
   /// See CpuDevice, whose members these mirror.
   template <class Kernel>

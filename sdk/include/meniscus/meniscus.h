@@ -7,6 +7,7 @@
 #include <meniscus/defs.h>
 #include <meniscus/error.h>
 #include <meniscus/flow.h>
+#include <meniscus/graphics.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 #include <meniscus/types.h>

@@ -19,6 +19,13 @@ struct Ellipsoid {
   Quat rotation{0, 0, 0, 1};  ///< from its frame to the world's
 };
 
+/// Where World::write_particles writes to, in the memory of the world's device: that of the GPU on CUDA. One
+/// element a particle, in the order of the ids.
+struct ParticleArrays {
+  Ellipsoid* ellipsoids = nullptr;
+  uint32_t* fluids = nullptr;  ///< FluidId::index
+};
+
 /// The surface of a fluid, closed: each edge belongs to two triangles.
 struct SurfaceMesh {
   std::vector<Vec3> vertices;                      ///< m

@@ -19,6 +19,8 @@
 
 namespace meniscus {
 
+class GlParticles;
+
 /// One simulated world on one device. Worlds share nothing; a world is used by one thread at a time.
 /// Every call may throw Error, and has then changed nothing.
 class World {
@@ -152,6 +154,15 @@ class World {
   /// The surface of the fluid is around them: flat along it, a ball where a particle is on its own or inside.
   /// Their centres are smoothed. Grains are balls one spacing across.
   std::span<const Ellipsoid> ellipsoids() const;
+  /// Ellipsoids and fluids to arrays on the world's own device, for a renderer there; they are there when it
+  /// returns. Right after a step the ellipsoids go by the neighbours of its last substep, which cost no
+  /// search: at the surface they differ from ellipsoids() by what came within the support radius since.
+  /// Throws Error(invalid_argument) where an array is null.
+  void write_particles(const ParticleArrays& arrays) const;
+  /// The same to buffers of OpenGL's. Right after a step the host waits for nothing: OpenGL's commands come
+  /// before or after, as they were given. Throws Error(invalid_argument) where the world is on the CPU, or
+  /// where the buffers have no room for all particles.
+  void write_particles(GlParticles& buffers) const;
   /// The surface around the ellipsoids, by marching cubes on the device. Particles that are further than 2²¹
   /// cells from the origin are left out. Where there are no particles it is empty. Throws
   /// Error(invalid_argument) and Error(not_found); Error(capacity) where so many cells would be needed that

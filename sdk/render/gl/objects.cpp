@@ -33,9 +33,16 @@ DataBuffer::DataBuffer() {
 
 void DataBuffer::write_bytes(const void* data, std::size_t bytes) {
   glNamedBufferData(handle_, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+  room_ = bytes;
 }
 
-Texture::Texture(GLenum format, int width, int height, GLenum filter) : width_(width), height_(height) {
+void DataBuffer::resize(std::size_t bytes) {
+  glNamedBufferData(handle_, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+  room_ = bytes;
+}
+
+Texture::Texture(GLenum format, int width, int height, GLenum filter)
+    : format_(format), width_(width), height_(height) {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &name);
   handle_ = TextureHandle(name);

@@ -54,12 +54,19 @@ class DataBuffer {
   void write(std::span<const T> values) {
     write_bytes(values.data(), values.size_bytes());
   }
+  /// So many bytes; what was inside is gone.
+  void resize(std::size_t bytes);
+  /// At least so many; what was inside is gone where they are more than before.
+  void reserve(std::size_t bytes) {
+    if (bytes > room_) resize(bytes);
+  }
   GLuint name() const { return handle_; }
 
  private:
   void write_bytes(const void* data, std::size_t bytes);
 
   BufferHandle handle_;
+  std::size_t room_ = 0;
 };
 
 /// A flat picture of one format, without mipmaps, whose edges go on outwards.
@@ -71,11 +78,16 @@ class Texture {
   int width() const { return width_; }
   int height() const { return height_; }
   void bind(GLuint unit) const { glBindTextureUnit(unit, handle_); }
+  /// For compute shaders to write to.
+  void bind_image(unsigned unit) const {
+    glBindImageTexture(unit, handle_, 0, GL_FALSE, 0, GL_WRITE_ONLY, format_);
+  }
   /// Depth textures: sampling compares, and gives the share that is nearer.
   void compare_depths();
 
  private:
   TextureHandle handle_;
+  GLenum format_;
   int width_, height_;
 };
 

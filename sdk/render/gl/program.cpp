@@ -29,19 +29,43 @@ GLuint compiled(GLenum stage, const char* file) {
 }  // namespace
 
 Program::Program(const char* vertex, const char* fragment) : handle_(glCreateProgram()) {
-  for (const auto& [stage, file] : {std::pair(GL_VERTEX_SHADER, vertex), {GL_FRAGMENT_SHADER, fragment}}) {
-    const GLuint shader = compiled(static_cast<GLenum>(stage), file);
-    glAttachShader(handle_, shader);
-    glDeleteShader(shader);  // as soon as the program lets go of it
-  }
+  add(GL_VERTEX_SHADER, vertex);
+  add(GL_FRAGMENT_SHADER, fragment);
+  link(std::string(vertex) + " and " + fragment);
+}
+
+Program::Program(const char* compute) : handle_(glCreateProgram()) {
+  add(GL_COMPUTE_SHADER, compute);
+  link(compute);
+}
+
+void Program::add(GLenum stage, const char* file) {
+  const GLuint shader = compiled(stage, file);
+  glAttachShader(handle_, shader);
+  glDeleteShader(shader);  // as soon as the program lets go of it
+}
+
+void Program::link(const std::string& files) {
   glLinkProgram(handle_);
   GLint good = 0;
   glGetProgramiv(handle_, GL_LINK_STATUS, &good);
   if (good) return;
   char log[2048] = "";
   glGetProgramInfoLog(handle_, sizeof log, nullptr, log);
-  throw Error(ErrorCode::device,
-              std::string("OpenGL cannot link ") + vertex + " and " + fragment + ": " + log);
+  throw Error(ErrorCode::device, "OpenGL cannot link " + files + ": " + log);
+}
+
+void Program::run(int groups_x, int groups_y) const {
+  glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y), 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                  GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                  GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+void Program::run_over(const Texture& image) const {
+  constexpr int side = 8;
+  image.bind_image(0);
+  run((image.width() + side - 1) / side, (image.height() + side - 1) / side);
 }
 
 }  // namespace meniscus::render

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sdk/render/passes/particles.h"
-#include "sdk/render/passes/screen.h"
+#include "sdk/render/passes/tile_lists.h"
 
 namespace meniscus::render {
 
@@ -21,22 +20,22 @@ class FluidSurface {
  public:
   FluidSurface(int width, int height);
 
-  /// In front of what `solid_depth` holds. Lengths in metres: `reach` is the filter's standard deviation, and
-  /// what is `threshold` apart in depth is another surface. `pixels`: reach, seen at the scene's middle.
-  void draw(const Particles& particles, const Texture& solid_depth, const Screen& screen,
-            SurfaceFilter filter, float reach, float threshold, float pixels);
+  /// The ellipsoids, in front of what `solid_depth` holds.
+  void draw(const TileLists& lists, const Texture& solid_depth);
+  /// Lengths in metres: `reach` is the filter's standard deviation, and what is `threshold` apart in depth is
+  /// another surface. `pixels`: reach, seen at the scene's middle.
+  void filter(SurfaceFilter filter, float reach, float threshold, float pixels);
   const Texture& depth() const { return *result_; }
 
  private:
-  void apply(const Program& program, const Screen& screen, int x, int y, float reach, float threshold);
+  void apply(const Program& program, int x, int y, float reach, float threshold);
 
-  Texture first_, second_, window_depth_;
-  Target ellipsoids_, to_first_, to_second_;
+  Texture first_, second_;
   const Texture* result_ = &first_;
-  Program ellipsoid_{"ellipsoid.vert.glsl", "ellipsoid.frag.glsl"};
-  Program narrow_range_{"screen.vert.glsl", "narrow_range.frag.glsl"};
-  Program bilateral_{"screen.vert.glsl", "bilateral.frag.glsl"};
-  Program curvature_flow_{"screen.vert.glsl", "curvature_flow.frag.glsl"};
+  Program splat_{"splat.comp.glsl"};
+  Program narrow_range_{"narrow_range.comp.glsl"};
+  Program bilateral_{"bilateral.comp.glsl"};
+  Program curvature_flow_{"curvature_flow.comp.glsl"};
 };
 
 }  // namespace meniscus::render

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sdk/render/passes/particles.h"
+#include "sdk/render/passes/tile_lists.h"
 #include "sdk/render/uniforms.h"
 
 namespace meniscus::render {
@@ -14,21 +14,24 @@ class FluidThickness {
   /// Of the camera's picture; the sums have half as many pixels each way.
   FluidThickness(int width, int height);
 
-  /// `spacing` of the particles, m.
-  void draw_for_camera(const Particles& particles, const FrameUniforms& frame, const Texture& solid_depth,
-                       float spacing);
-  void draw_for_sun(const Particles& particles, const FrameUniforms& frame, float spacing);
+  /// Pixels of the sun's picture, along a side.
+  static constexpr int sun_size = 512;
+  /// Of the disc that a particle's volume is spread over, m, for the spacing of the particles.
+  static constexpr float disc_radius(float spacing) { return 1.6f * spacing; }
+
+  /// The lists are of the full picture.
+  void draw_for_camera(const TileLists& lists, const FrameUniforms& frame, const Texture& solid_depth) const;
+  void draw_for_sun(const TileLists& lists, const FrameUniforms& frame) const;
 
   const Texture& camera() const { return camera_; }  ///< a: m
   const Texture& sun() const { return sun_; }        ///< a: the least depth, 0 to 1
 
  private:
-  void draw(const Particles& particles, const Matrix4& to_clip, float x_per_metre, float y_per_metre,
-            float spacing, bool hides) const;
+  void draw(const TileLists& lists, const Texture& sums, const Matrix4& to_clip, float x_per_metre,
+            float y_per_metre, float spacing, bool hides) const;
 
   Texture camera_, sun_;
-  Target to_camera_, to_sun_;
-  Program program_{"thickness.vert.glsl", "thickness.frag.glsl"};
+  Program program_{"thickness.comp.glsl"};
 };
 
 }  // namespace meniscus::render

@@ -3,9 +3,6 @@
 #include "sdk/render/passes/particles.h"
 
 #include <cstddef>
-#include <vector>
-
-#include "pbd/math/vec.h"
 
 namespace meniscus::render {
 
@@ -27,24 +24,43 @@ Particles::Particles() : array_(make_vertex_array()) {
 }
 
 void Particles::set(std::span<const Ellipsoid> ellipsoids, std::span<const uint32_t> fluids) {
-  std::vector<Ellipsoid> shown;
-  std::vector<uint32_t> theirs;
-  shown.reserve(ellipsoids.size());
-  theirs.reserve(ellipsoids.size());
-  for (std::size_t i = 0; i < ellipsoids.size(); ++i) {
-    const Ellipsoid& e = ellipsoids[i];
-    if (!is_finite(e.centre) || !is_finite(e.radii)) continue;
-    shown.push_back(e);
-    theirs.push_back(fluids[i]);
+  shared_.reset();
+  ellipsoids_.write(ellipsoids);
+  fluids_.write(fluids);
+  count_ = static_cast<GLsizei>(ellipsoids.size());
+}
+
+void Particles::set(const World& world) {
+  if (!share(world)) return set(world.ellipsoids(), world.fluids());
+  world.write_particles(*shared_);
+  count_ = static_cast<GLsizei>(world.particle_count());
+}
+
+/// Whether the buffers can be written by the world's device, and have room.
+bool Particles::share(const World& world) {
+  const std::size_t count = world.particle_count();
+  if (!can_share_ || count == 0 || world.device().kind != "cuda") return false;
+  if (shared_ && count <= room_) return true;
+  shared_.reset();
+  room_ = count + count / 4;
+  ellipsoids_.resize(room_ * sizeof(Ellipsoid));
+  fluids_.resize(room_ * sizeof(uint32_t));
+  try {
+    shared_.emplace(ellipsoids_.name(), fluids_.name());
+  } catch (const Error&) {
+    can_share_ = false;  // another device draws
   }
-  ellipsoids_.write(std::span<const Ellipsoid>(shown));
-  fluids_.write(std::span<const uint32_t>(theirs));
-  count_ = static_cast<GLsizei>(shown.size());
+  return can_share_;
 }
 
 void Particles::draw() const {
   glBindVertexArray(array_);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+}
+
+void Particles::bind() const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, ellipsoids_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, fluids_.name());
 }
 
 }  // namespace meniscus::render

@@ -41,7 +41,7 @@ void Solids::set_edges(float radius) {
   }
 }
 
-void Solids::place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
+bool Solids::place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
                    std::span<const Vec3> cloth_triangle_colors) {
   if (!states.empty() && states.size() != scene_.bodies.size()) {
     throw Error(ErrorCode::invalid_argument, "states has " + std::to_string(states.size()) +
@@ -51,6 +51,7 @@ void Solids::place(std::span<const BodyState> states, const io::ClothFrame& clot
   for (std::size_t i = 0; i < states.size(); ++i) items_[scene_.shapes.size() + i].pose = states[i].pose;
   cloth_.set(cloth_surface(cloth, scene_.cloth_colors, cloth_triangle_colors));
   ropes_.set(rope_surface(ropes, scene_.rope_colors));
+  return !states.empty() || !cloth.vertices.empty() || !ropes.vertices.empty();
 }
 
 void Solids::draw(const Program& program, Mesh Item::*mesh) const {
@@ -88,7 +89,7 @@ void Solids::draw_glass() const {
 }
 
 void Solids::draw_edges() const {
-  draw(solid_, &Item::edges);
+  draw(edge_, &Item::edges);
 }
 
 }  // namespace meniscus::render

@@ -24,7 +24,8 @@ class Solids {
   /// How thick the bars are, m.
   void set_edges(float radius);
   /// `states` of the bodies, or none, for where they start.
-  void place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
+  /// True where something is not where it was.
+  bool place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
              std::span<const Vec3> cloth_triangle_colors = {});
 
   void draw_shadows() const;
@@ -47,6 +48,7 @@ class Solids {
   Mesh cloth_, ropes_;
   Program shadow_{"shadow.vert.glsl", "nothing.frag.glsl"};
   Program solid_{"solid.vert.glsl", "solid.frag.glsl"};
+  Program edge_{"solid.vert.glsl", "edge.frag.glsl"};
   Program glass_{"solid.vert.glsl", "glass.frag.glsl"};
 };
 

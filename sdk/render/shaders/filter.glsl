@@ -3,6 +3,7 @@
 // What the filters of the fluid's depth share. Depths are distances along −z; 0 is where there is no fluid. Beside
 // them stands how far the filter reaches, as a share.
 layout(binding = 4) uniform sampler2D fluid_depth;
+layout(binding = 0, rg32f) writeonly restrict uniform image2D result_depth;
 layout(location = 0) uniform ivec2 axis;     // pixels, from one sample to the next
 layout(location = 1) uniform float reach;    // m, one standard deviation
 layout(location = 2) uniform float threshold;  // m: what is further apart in depth is another surface

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: MIT
 #version 450 core
 #include "frame.glsl"
-#include "sky.glsl"
-#include "shadow.glsl"
-#include "material.glsl"
+#include "surfaces.glsl"
 flat in vec3 middle, albedo;
 flat in float radius;
 noperspective in vec3 ray;
-layout(location = 0) out vec4 color;
 
 void main() {
   // From the point nearest to the centre, as for ellipsoids.
@@ -19,6 +16,5 @@ void main() {
   float distance = near - sqrt(inside / square);
   vec3 here = distance * ray;
   gl_FragDepth = to_window_depth(distance);
-  color = vec4(lit(albedo, 0.02, (camera_to_world * vec4(here, 1.0)).xyz,
-                   mat3(camera_to_world) * ((here - middle) / radius)), 1.0);
+  put(albedo, 0.02, mat3(camera_to_world) * ((here - middle) / radius));
 }

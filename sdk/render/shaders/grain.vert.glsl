@@ -17,10 +17,12 @@ noperspective out vec3 ray;  // from the eye, per unit of distance along −z
 void main() {
   middle = (view * vec4(centre_, 1.0)).xyz;
   radius = radii.x;
-  vec2 corner = picture_corner(mat4(vec4(radius, 0.0, 0.0, 0.0), vec4(0.0, radius, 0.0, 0.0),
-                                    vec4(0.0, 0.0, radius, 0.0), vec4(middle, 1.0)));
+  vec2 low, high;
+  picture_of(mat4(vec4(radius, 0.0, 0.0, 0.0), vec4(0.0, radius, 0.0, 0.0), vec4(0.0, 0.0, radius, 0.0),
+                  vec4(middle, 1.0)), low, high);
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? low.x : high.x, (gl_VertexID & 2) == 0 ? low.y : high.y);
   ray = vec3(corner * lens.xy, -1.0);
   float shade = random(ivec2(gl_InstanceID, 0)), tint = random(ivec2(gl_InstanceID, 1)) - 0.5;
   albedo = look_of(fluid).rgb * mix(0.6, 1.3, shade) * (1.0 + 0.3 * tint * vec3(1.0, 0.0, -1.0));
-  gl_Position = is_grain(fluid) ? place_of(corner, middle, radius) : nowhere;
+  gl_Position = is_grain(fluid) && is_seen(middle, radius) ? vec4(corner, 0.0, 1.0) : nowhere;
 }

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 #version 450 core
+#include "frame.glsl"
+#include "fluid_hides.glsl"
 flat in vec3 paint;
 layout(location = 0) out vec4 color;
 
 void main() {
+  if (is_in_fluid()) discard;
   color = vec4(paint, 1.0);
 }

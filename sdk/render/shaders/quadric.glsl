@@ -11,14 +11,15 @@ vec2 extent(vec4 r, vec4 w) {
   return vec2(b + root, b - root) / c;
 }
 
-// The corner of this vertex, in clip space at w = 1, of the ellipsoid whose axes and centre the columns are.
-vec2 picture_corner(mat4 to_view) {
+// Its corners, in clip space at w = 1, for the ellipsoid whose axes and centre the columns are.
+void picture_of(mat4 to_view, out vec2 low, out vec2 high) {
   mat4 rows = transpose(projection * to_view);
   vec2 x = extent(rows[0], rows[3]), y = extent(rows[1], rows[3]);
-  return vec2((gl_VertexID & 1) == 0 ? x.x : x.y, (gl_VertexID & 2) == 0 ? y.x : y.y);
+  low = vec2(x.x, y.x);
+  high = vec2(x.y, y.y);
 }
 
 // One that reaches behind the near plane is left out: its picture has no end.
-vec4 place_of(vec2 corner, vec3 middle, float size) {
-  return -middle.z - size > lens.z ? vec4(corner, 0.0, 1.0) : nowhere;
+bool is_seen(vec3 middle, float size) {
+  return -middle.z - size > lens.z;
 }

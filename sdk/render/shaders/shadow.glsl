@@ -10,7 +10,7 @@ float solid_light(vec3 at) {
   // Sixteen taps in four by four, each of which blends four: soft over five texels.
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 4; ++i)
-      light += texture(shadow_map, vec3(at.xy + (vec2(i, j) - 1.5) * texel, at.z));
+      light += textureLod(shadow_map, vec3(at.xy + (vec2(i, j) - 1.5) * texel, at.z), 0.0);
   }
   return light / 16.0;
 }
@@ -20,7 +20,7 @@ vec3 sun_on(vec3 world, vec3 normal) {
   vec4 clip = world_to_sun * vec4(world + 2.5 * texel * normal, 1.0);
   vec3 at = 0.5 * clip.xyz + 0.5;
   if (any(lessThan(at.xy, vec2(0.0))) || any(greaterThan(at.xy, vec2(1.0)))) return vec3(1.0);
-  vec4 fluid = texture(fluid_shadow_map, at.xy);
+  vec4 fluid = textureLod(fluid_shadow_map, at.xy, 0.0);
   // What the light has passed of the fluid: all of it, or as far as it came.
   float depth = 2.0 * to_sun.w * (at.z - fluid.a);
   float share = clamp(depth / (2.0 * floor_.z) - 0.5, 0.0, 1.0);

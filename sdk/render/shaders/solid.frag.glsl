@@ -2,27 +2,13 @@
 // SPDX-License-Identifier: MIT
 #version 450 core
 #include "frame.glsl"
-#include "sky.glsl"
-#include "shadow.glsl"
-#include "material.glsl"
-in vec3 world, world_normal;
-flat in vec4 paint;
-layout(location = 0) out vec4 color;
+#include "tiling.glsl"
+#include "paint.glsl"
+#include "surfaces.glsl"
 
 void main() {
-  vec3 n = normalize(world_normal);
-  vec3 albedo = paint.rgb;
-  if (paint.a > 0.75) {
-    vec3 a, b;
-    plane_axes(n, a, b);
-    albedo = tiles(vec2(dot(a, world), dot(b, world)) / floor_.x, albedo);
-  }
-  // Cloth is seen from both sides, and is darker at the back. Which side it is says the triangle: at an outline the
-  // smooth normal may point away from the eye on the front, too.
-  vec3 flat_normal = cross(dFdx(world), dFdy(world));
-  if (dot(n, flat_normal) * dot(flat_normal, eye.xyz - world) < 0.0) {
-    n = -n;
-    if (paint.a > 0.25 && paint.a < 0.75) albedo *= 0.6;
-  }
-  color = vec4(lit(albedo, paint.a < 0.25 ? 0.35 : 0.05, world, n), 1.0);
+  vec3 n;
+  float gloss;
+  vec3 albedo = painted(n, gloss);
+  put(albedo, gloss, n);
 }

@@ -3,14 +3,13 @@
 #version 450 core
 // One axis of a bilateral filter: samples count the less the further apart in depth they are.
 #include "frame.glsl"
+#include "pixels.glsl"
 #include "filter.glsl"
-layout(location = 0) out vec2 result;
 
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  result = texelFetch(fluid_depth, pixel, 0).rg;
+vec2 filtered(ivec2 pixel) {
+  vec2 result = texelFetch(fluid_depth, pixel, 0).rg;
   float here = result.r;
-  if (here <= 0.0) return;
+  if (here <= 0.0) return result;
   int samples, stride;
   float falloff;
   choose_samples(pixel, here, result.g, samples, stride, falloff);
@@ -26,4 +25,10 @@ void main() {
     }
   }
   result.r = sum / weight;
+  return result;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (!is_outside(pixel)) imageStore(result_depth, pixel, vec4(filtered(pixel), 0.0, 0.0));
 }

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: MIT
 #version 450 core
 // From light to sRGB, by a curve like that of film (Narkowicz's fit to ACES); luma beside it.
+#include "frame.glsl"
+#include "pixels.glsl"
 layout(binding = 2) uniform sampler2D scene_color;
-layout(location = 0) out vec4 color;
+layout(binding = 0, rgba8) writeonly restrict uniform image2D toned;
 
 void main() {
-  vec3 c = 0.80 * texelFetch(scene_color, ivec2(gl_FragCoord.xy), 0).rgb;
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (is_outside(pixel)) return;
+  vec3 c = 0.80 * texelFetch(scene_color, pixel, 0).rgb;
   c = clamp(c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0);
   c = mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
-  color = vec4(c, dot(c, vec3(0.299, 0.587, 0.114)));
+  imageStore(toned, pixel, vec4(c, dot(c, vec3(0.299, 0.587, 0.114))));
 }

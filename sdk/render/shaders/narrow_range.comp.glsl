@@ -6,8 +6,8 @@
 // grows with the samples that are in it, so that slopes are no edges. Averages are of 1/z, which is linear in
 // the picture wherever the surface is a plane.
 #include "frame.glsl"
+#include "pixels.glsl"
 #include "filter.glsl"
-layout(location = 0) out vec2 result;
 
 struct Range {
   float low, high;
@@ -32,11 +32,10 @@ float surface_at(ivec2 pixel, vec2 here) {
   return there.r > 0.0 && there.g < here.g - 0.4 ? here.r : there.r;
 }
 
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  result = texelFetch(fluid_depth, pixel, 0).rg;
+vec2 filtered(ivec2 pixel) {
+  vec2 result = texelFetch(fluid_depth, pixel, 0).rg;
   float here = result.r;
-  if (here <= 0.0) return;
+  if (here <= 0.0) return result;
   int samples, stride;
   float falloff;
   choose_samples(pixel, here, result.g, samples, stride, falloff);
@@ -55,4 +54,10 @@ void main() {
     weight += 2.0 * w;
   }
   result.r = weight / sum;
+  return result;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (!is_outside(pixel)) imageStore(result_depth, pixel, vec4(filtered(pixel), 0.0, 0.0));
 }

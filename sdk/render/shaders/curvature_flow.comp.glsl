@@ -3,19 +3,18 @@
 #version 450 core
 // One step of curvature flow (van der Laan, Green & Sainz 2009, eqs. 3 to 9), as long as is stable.
 #include "frame.glsl"
+#include "pixels.glsl"
 #include "filter.glsl"
-layout(location = 0) out vec2 result;
 
 // What lies across an edge is taken to be level with this pixel.
 float level(float z, float here) {
   return z > 0.0 && abs(z - here) < threshold ? z : here;
 }
 
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  result = texelFetch(fluid_depth, pixel, 0).rg;
+vec2 filtered(ivec2 pixel) {
+  vec2 result = texelFetch(fluid_depth, pixel, 0).rg;
   float z = result.r;
-  if (z <= 0.0) return;
+  if (z <= 0.0) return result;
   float l = level(depth_at(pixel - ivec2(1, 0)), z), r = level(depth_at(pixel + ivec2(1, 0)), z);
   float d = level(depth_at(pixel - ivec2(0, 1)), z), u = level(depth_at(pixel + ivec2(0, 1)), z);
   float ld = level(depth_at(pixel - 1), z), ru = level(depth_at(pixel + 1), z);
@@ -28,4 +27,10 @@ void main() {
   float Dy = 2.0 * (cy * cy * zx * zxy + cx * cx * zy * zyy + cx * cx * cy * cy * z * zy);
   float Ex = zxx * D - 0.5 * zx * Dx, Ey = zyy * D - 0.5 * zy * Dy;
   result.r = z + result.g * 0.2 * cx * z * (cy * Ex + cx * Ey) / pow(D, 1.5);
+  return result;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (!is_outside(pixel)) imageStore(result_depth, pixel, vec4(filtered(pixel), 0.0, 0.0));
 }

@@ -4,47 +4,48 @@
 // Fluid over what is behind it: what it mirrors (Fresnel, by Schlick), what it lets through, bent and dyed
 // (Beer and Lambert), and what its depths send back.
 #include "frame.glsl"
+#include "pixels.glsl"
 #include "sky.glsl"
 #include "shadow.glsl"
 #include "material.glsl"
 #include "ground.glsl"
+#include "ground_color.glsl"
 #include "surface.glsl"
 layout(binding = 2) uniform sampler2D scene_color;
 layout(binding = 3) uniform sampler2D scene_depth;
 layout(binding = 5) uniform sampler2D thickness_map;  // absorbance; metres
-in vec2 place;
-layout(location = 0) out vec4 color;
+layout(binding = 0, rgba16f) writeonly restrict uniform image2D lit_color;
 
 const float index = 1.333, f0 = 0.02;
 
-vec3 mirrored(vec3 world, vec3 direction) {
+// At so many metres from the eye.
+vec3 mirrored(vec3 world, vec3 direction, float away) {
   float along;
-  if (meets_ground(world, direction, along)) return ground_color(world + along * direction, direction);
-  return sky(direction);
+  if (!meets_ground(world, direction, along)) return sky(direction);
+  // Of what a pixel shows of the ground, about: surfaces are not flat.
+  float wide = 6.0 * lens.y * viewport.w * (away + along) / max(-dot(ground.xyz, direction), 0.02);
+  return ground_color(world + along * direction, direction, vec2(wide / floor_.x));
 }
 
 // What is seen through the surface at `here` (view space), after `metres` of fluid.
-vec3 behind(vec3 here, vec3 normal, float metres) {
+vec3 behind(vec3 here, vec3 normal, float metres, vec2 place) {
   vec3 bent = refract(normalize(here), normal, 1.0 / index);
   // Even the thinnest drop bends what is behind it.
   vec3 there = here + min(metres + 2.0 * floor_.z, 0.5 * floor_.y) * bent;
   vec2 at = clamp(0.5 + 0.5 * there.xy / (-there.z * lens.xy), 0.0, 1.0);
-  bool is_seen = to_distance(texture(scene_depth, at).r) > -here.z;  // nothing in front of the surface
-  return texture(scene_color, is_seen ? at : place).rgb;
+  bool is_seen = to_distance(textureLod(scene_depth, at, 0.0).r) > -here.z;  // nothing in front of the surface
+  return textureLod(scene_color, is_seen ? at : place, 0.0).rgb;
 }
 
-void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+vec3 color_at(ivec2 pixel) {
   float z = surface_depth(pixel);
-  gl_FragDepth = texelFetch(scene_depth, pixel, 0).r;
-  color = texelFetch(scene_color, pixel, 0);
-  if (z <= 0.0) return;
-  gl_FragDepth = min(gl_FragDepth, to_window_depth(z));
+  if (z <= 0.0) return texelFetch(scene_color, pixel, 0).rgb;
 
+  vec2 place = (vec2(pixel) + 0.5) * viewport.zw;
   vec3 here = surface_point(pixel, z), view_normal = surface_normal(pixel, z);
   vec3 world = (camera_to_world * vec4(here, 1.0)).xyz;
   vec3 n = mat3(camera_to_world) * view_normal, to_eye = normalize(eye.xyz - world);
-  vec4 depths = texture(thickness_map, place);
+  vec4 depths = textureLod(thickness_map, place, 0.0);
   depths *= max(depths.a, floor_.z) / max(depths.a, 1e-6);  // no surface without a particle behind it
   vec3 passed = exp(-depths.rgb);
   vec3 sun = sun_light * sun_on(world, n);
@@ -52,10 +53,15 @@ void main() {
   // What a path of the length that colours are given for lets through: the colour itself.
   vec3 scatter = exp(-centre.w * depths.rgb / max(depths.a, 1e-6));
   vec3 glow = scatter * (0.35 * ambient_light(n) + 0.12 * sun * (0.5 + 0.5 * dot(n, to_sun.xyz)));
-  vec3 through = behind(here, view_normal, depths.a) * passed + glow * (1.0 - passed);
+  vec3 through = behind(here, view_normal, depths.a, place) * passed + glow * (1.0 - passed);
 
   float facing = clamp(dot(n, to_eye), 0.0, 1.0);
   float fresnel = f0 + (1.0 - f0) * pow(1.0 - facing, 5.0);
   float shine = pow(max(dot(n, normalize(to_sun.xyz + to_eye)), 0.0), 700.0);
-  color.rgb = mix(through, mirrored(world, reflect(-to_eye, n)), fresnel) + 3.5 * shine * sun;
+  return mix(through, mirrored(world, reflect(-to_eye, n), length(here)), fresnel) + 3.5 * shine * sun;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (!is_outside(pixel)) imageStore(lit_color, pixel, vec4(color_at(pixel), 1.0));
 }

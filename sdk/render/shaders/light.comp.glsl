@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+// Light on what is there: what stands in the scene, the ground, which fades into the sky, and that.
+#include "frame.glsl"
+#include "pixels.glsl"
+#include "sky.glsl"
+#include "shadow.glsl"
+#include "material.glsl"
+#include "ground.glsl"
+#include "ground_color.glsl"
+layout(binding = 2) uniform sampler2D albedos;  // a: gloss
+layout(binding = 3) uniform sampler2D scene_depth;
+layout(binding = 8) uniform sampler2D normals;  // a: 0 where nothing stands
+layout(binding = 0, rgba16f) writeonly restrict uniform image2D scene_color;
+
+vec3 direction_at(vec2 pixel) {
+  return mat3(camera_to_world) * view_ray((pixel + 0.5) * viewport.zw);
+}
+
+vec2 ground_place_at(vec2 pixel) {
+  vec3 direction = direction_at(pixel);
+  float along;
+  return meets_ground(eye.xyz, direction, along) ? ground_place(eye.xyz + along * direction) : vec2(1e4);
+}
+
+vec3 ground_at(ivec2 pixel, vec3 world, vec3 direction) {
+  // As far as the next pixel, which may see beyond the ground's end.
+  vec2 here = ground_place(world);
+  vec2 wide = abs(ground_place_at(vec2(pixel.x ^ 1, pixel.y)) - here) + abs(ground_place_at(vec2(pixel.x, pixel.y ^ 1)) - here);
+  return ground_color(world, direction, wide);
+}
+
+vec3 color_at(ivec2 pixel) {
+  vec3 direction = direction_at(vec2(pixel));
+  vec4 normal = texelFetch(normals, pixel, 0), albedo = texelFetch(albedos, pixel, 0);
+  if (normal.a > 0.0) {
+    vec3 world = eye.xyz + to_distance(texelFetch(scene_depth, pixel, 0).r) * direction;
+    return lit(albedo.rgb, albedo.a, world, normalize(normal.xyz));
+  }
+  float along;
+  if (!meets_ground(eye.xyz, direction, along)) return sky(normalize(direction));
+  return ground_at(pixel, eye.xyz + along * direction, normalize(direction));
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (!is_outside(pixel)) imageStore(scene_color, pixel, vec4(color_at(pixel), 1.0));
+}

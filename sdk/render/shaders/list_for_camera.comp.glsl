@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+#include "frame.glsl"
+#include "fluids.glsl"
+#include "quadric.glsl"
+#include "particles.glsl"
+#include "ellipsoid.glsl"
+#include "disc.glsl"
+#include "tiles.glsl"
+layout(location = 1) uniform ivec2 tiles;   // along x and y
+layout(location = 3) uniform float radius;  // m, of the disc
+
+const int tile_size = 32;
+
+// Its ellipsoid, and its disc among the sums of half as many pixels.
+ivec4 pixels_covered(uint i) {
+  Particle p = particle(i);
+  if (is_grain(fluid_indices[i]) || !is_finite(p.centre) || !is_finite(p.radii)) return ivec4(0, 0, -1, -1);
+  vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
+  ivec4 ellipsoid = pixels_of(p, turn_of(p.rotation), middle);
+  ivec4 disc = disc_pixels(projection * vec4(middle, 1.0), radius * vec2(projection[0][0], projection[1][1]),
+                           ivec2(viewport.xy + 1.0) / 2);
+  if (disc.x > disc.z || disc.y > disc.w) return ellipsoid;
+  disc = ivec4(2 * disc.xy, min(2 * disc.zw + 1, ivec2(viewport.xy) - 1));
+  if (ellipsoid.x > ellipsoid.z || ellipsoid.y > ellipsoid.w) return disc;
+  return ivec4(min(ellipsoid.xy, disc.xy), max(ellipsoid.zw, disc.zw));
+}
+
+#include "list.glsl"

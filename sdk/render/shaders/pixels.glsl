@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+// A thread a pixel of the picture.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+bool is_outside(ivec2 pixel) {
+  return any(greaterThanEqual(pixel, ivec2(viewport.xy)));
+}

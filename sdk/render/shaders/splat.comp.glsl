@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+// The ellipsoids of one tile by ray casting: in red where the line of sight first enters one, as a distance along −z,
+// 0 where there is none; in green how much of the filter that one is to get.
+#include "frame.glsl"
+#include "fluids.glsl"
+#include "quadric.glsl"
+#include "particles.glsl"
+#include "ellipsoid.glsl"
+#include "tiles.glsl"
+layout(local_size_x = 256) in;
+layout(binding = 3) uniform sampler2D solid_depth;
+layout(binding = 0, rg32f) writeonly restrict uniform image2D surface;
+layout(location = 0) uniform ivec2 tiles;
+
+const int size = 32;
+const uint share_bits = 63u;  // of a distance's bits, the last: they hold the filter's share instead
+
+shared uint nearest[size * size];
+
+// The distance of a solid, or of the end of what is seen: of equal ones it comes last.
+uint limit_at(ivec2 pixel) {
+  ivec2 last = ivec2(viewport.xy) - 1;
+  return floatBitsToUint(to_distance(texelFetch(solid_depth, min(pixel, last), 0).r)) | share_bits;
+}
+
+// Rows from `row` on, every `step`th.
+void draw(uint i, ivec2 corner, int row, int step) {
+  Particle p = particle(i);
+  vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
+  mat3 turn = turn_of(p.rotation);
+  ivec4 pixels = pixels_of(p, turn, middle) - corner.xyxy;
+  pixels = ivec4(max(pixels.xy, 0), min(pixels.zw, size - 1));
+  if (pixels.x > pixels.z || pixels.y + row > pixels.w) return;
+
+  // In the space where the ellipsoid is the unit ball: the eye, and the line of sight per unit of distance.
+  mat3 inverse_axes = transpose(mat3(turn[0] / p.radii.x, turn[1] / p.radii.y, turn[2] / p.radii.z));
+  vec3 from = -(inverse_axes * middle);
+  vec2 pixel = 2.0 * viewport.zw * lens.xy;
+  vec3 along_x = inverse_axes[0] * pixel.x, along_y = inverse_axes[1] * pixel.y;
+  vec3 first = inverse_axes * vec3((vec2(corner) + 0.5) * pixel - lens.xy, -1.0);
+  // A drop on its own, which is smaller than what has neighbours, is to keep its shape.
+  float evenness = mix(0.2, 1.0, smoothstep(0.65, 0.95, pow(p.radii.x * p.radii.y * p.radii.z, 1.0 / 3.0) / floor_.z));
+  uint share = uint(evenness * float(share_bits) + 0.5);
+  uint least = floatBitsToUint(0.9999 * (-middle.z - longest(p.radii)));
+
+  for (int y = pixels.y + row; y <= pixels.w; y += step) {
+    for (int x = pixels.x; x <= pixels.z; ++x) {
+      if (nearest[y * size + x] < least) continue;
+      vec3 direction = first + float(x) * along_x + float(y) * along_y;
+      // From the point nearest to the centre: exact however far the eye is.
+      float square = dot(direction, direction);
+      float halfway = -dot(from, direction) / square;
+      vec3 closest = from + halfway * direction;
+      float inside = 1.0 - dot(closest, closest);
+      if (inside < 0.0) continue;
+      float distance = halfway - sqrt(inside / square);
+      atomicMin(nearest[y * size + x], (floatBitsToUint(distance) & ~share_bits) | share);
+    }
+  }
+}
+
+void draw_list(int list, ivec2 corner) {
+  uint begin = tile_starts[list], count = tile_starts[list + 1] - begin;
+  // Where there are few, several threads share one.
+  uint team = 1u;
+  while (team < 32u && 2u * team * count <= 512u) team *= 2u;
+  for (uint k = gl_LocalInvocationID.x; k < team * count; k += 256u)
+    draw(tile_entries[begin + k / team], corner, int(k % team), int(team));
+}
+
+void main() {
+  ivec2 corner = ivec2(gl_WorkGroupID.xy) * size;
+  for (int k = int(gl_LocalInvocationID.x); k < size * size; k += 256) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
+  barrier();
+  draw_list(int(gl_WorkGroupID.y) * tiles.x + int(gl_WorkGroupID.x), corner);
+  draw_list(tiles.x * tiles.y, corner);
+  barrier();
+  for (int k = int(gl_LocalInvocationID.x); k < size * size; k += 256) {
+    ivec2 pixel = corner + ivec2(k % size, k / size);
+    uint found = nearest[k];
+    bool is_fluid = found < limit_at(pixel);
+    vec2 value = vec2(uintBitsToFloat(found & ~share_bits), float(found & share_bits) / float(share_bits));
+    imageStore(surface, pixel, vec4(is_fluid ? value : vec2(0.0), 0.0, 0.0));
+  }
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What World gives to those who draw on its device.
+#include <meniscus/graphics.h>
+#include <meniscus/world.h>
+
+#include "sdk/world/check.h"
+#include "sdk/world/world_impl.h"
+
+namespace meniscus {
+
+struct GlParticles::Impl {
+  std::unique_ptr<pbd::GlBuffers> buffers;
+};
+
+GlParticles::GlParticles(uint32_t ellipsoids, uint32_t fluids) {
+  const uint32_t names[] = {ellipsoids, fluids};
+  impl_ = std::make_unique<Impl>(Impl{pbd::share_gl_buffers(names)});
+}
+
+GlParticles::~GlParticles() = default;
+GlParticles::GlParticles(GlParticles&&) noexcept = default;
+GlParticles& GlParticles::operator=(GlParticles&&) noexcept = default;
+
+void World::write_particles(const ParticleArrays& arrays) const {
+  if (!arrays.ellipsoids) check::refuse("ParticleArrays::ellipsoids", "null", "an array on the device");
+  if (!arrays.fluids) check::refuse("ParticleArrays::fluids", "null", "an array on the device");
+  impl_->engine->write_particles(arrays);
+  impl_->engine->device().wait();
+}
+
+void World::write_particles(GlParticles& particles) const {
+  pbd::Device& device = impl_->engine->device();
+  if (device.kind() != pbd::DeviceKind::cuda)
+    check::refuse("World::device", device.name(),
+                  "a device of CUDA, which buffers of OpenGL can be shared with");
+  pbd::GlBuffers& buffers = *particles.impl_->buffers;
+  const std::vector<pbd::LentMemory> lent = buffers.lend(device);
+  const auto give_back = [&](pbd::GlBuffers* lender) { lender->give_back(device); };
+  const std::unique_ptr<pbd::GlBuffers, decltype(give_back)> in_the_end(&buffers, give_back);
+  const size_t room = std::min(lent[0].bytes / sizeof(Ellipsoid), lent[1].bytes / sizeof(uint32_t));
+  if (room < particle_count()) {
+    check::refuse("GlParticles", "buffers for " + std::to_string(room) + " particles",
+                  "room for all " + std::to_string(particle_count()));
+  }
+  impl_->engine->write_particles(
+      {static_cast<Ellipsoid*>(lent[0].data), static_cast<uint32_t*>(lent[1].data)});
+}
+
+}  // namespace meniscus

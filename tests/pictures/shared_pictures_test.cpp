@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Particles that the GPU which simulates hands to OpenGL, with no way through the host.
+#include "tests/expect_error.h"
+#include "tests/pictures/picture_difference.h"
+#include "tests/unit/render_bench.h"
+
+namespace meniscus::tests {
+namespace {
+
+class SharedPictures : public RenderTest {
+ protected:
+  void SetUp() override {
+    RenderTest::SetUp();
+    if (!pbd::cuda_status().usable) GTEST_SKIP() << pbd::cuda_status().reason;
+  }
+
+  static World falling() {
+    World world(world_def(pbd::DeviceKind::cuda, 0.05f));
+    world.create_shape(shape(PlaneGeometry{}, {0, -0.5f, 0}));
+    world.add_fluid(block(world.create_fluid({}), {-0.5f, -0.5f, -0.3f}, {0.1f, 0.4f, 0.3f}));
+    for (int k = 0; k < 20; ++k) world.step(0.01f);
+    return world;
+  }
+};
+
+TEST_F(SharedPictures, LookAsThoseByWayOfTheHost) {
+  const World world = falling();
+  const render::Moment shared{.world = &world},
+      copied{.ellipsoids = world.ellipsoids(), .fluids = world.fluids()};
+  render::Renderer renderer(small_scene(), shared);
+  const io::Image a = renderer.draw(shared), b = renderer.draw(copied), again = renderer.draw(shared);
+  EXPECT_TRUE(difference_of(a, b).acceptable());
+  EXPECT_EQ(a.rgb, again.rgb);
+}
+
+TEST_F(SharedPictures, FollowTheWorld) {
+  World world = falling();
+  render::Renderer renderer(small_scene(), {.world = &world});
+  const io::Image before = renderer.draw({.world = &world});
+  world.add_fluid(block(world.create_fluid({}), {0.2f, -0.5f, -0.3f},
+                        {0.5f, 0.4f, 0.3f}));  // more than there was room for
+  world.step(0.01f);
+  EXPECT_FALSE(difference_of(before, renderer.draw({.world = &world})).acceptable());
+}
+
+TEST_F(SharedPictures, NeedBuffersWithRoom) {
+  const World world = falling();
+  render::DataBuffer ellipsoids, fluids;
+  ellipsoids.resize(sizeof(Ellipsoid) * world.particle_count());
+  fluids.resize(sizeof(uint32_t) * (world.particle_count() - 1));
+  GlParticles particles(ellipsoids.name(), fluids.name());
+  expect_error(ErrorCode::invalid_argument, "GlParticles", [&] { world.write_particles(particles); });
+  const World other(world_def(pbd::DeviceKind::cpu, 0.05f));
+  expect_error(ErrorCode::invalid_argument, "World::device", [&] { other.write_particles(particles); });
+}
+
+}  // namespace
+}  // namespace meniscus::tests
