@@ -16,7 +16,8 @@ struct Pictures {
   Texture albedo{GL_RGBA16F, width, height};  ///< a: gloss
   Texture normal{GL_RGBA16F, width, height};  ///< a: 0 where nothing stands
   Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
-  Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};
+  Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};  ///< without the ground
+  Texture scene_distance{GL_R32F, width, height};             ///< along −z, m; the ground is there
   Texture lit{GL_RGBA16F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};
   Texture picture{GL_RGBA8, width, height};

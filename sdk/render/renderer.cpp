@@ -142,12 +142,10 @@ struct Renderer::Parts {
 
   void draw_scene() {
     to->to_surfaces.use();
+    to->to_surfaces.clear_color(1, 0, 0, 0, 0);
+    to->to_surfaces.clear_depth();
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_ALWAYS);
-    backdrop.use();
-    screen.draw();
     glDepthFunc(GL_LESS);
-    timer.mark("backdrop");
     solids.draw_opaque();
     if (grains) grains->draw(particles);
     balls.draw(0.5f * stage.spacing);
@@ -156,6 +154,7 @@ struct Renderer::Parts {
     to->albedo.bind(unit::color);
     to->scene_depth.bind(unit::depth);
     to->normal.bind(unit::normals);
+    to->scene_distance.bind_image(1);
     light.use();
     light.run_over(to->scene_color);
     timer.mark("light");
@@ -171,17 +170,17 @@ struct Renderer::Parts {
     const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
     camera_lists.build(particles, to->width, to->height, FluidThickness::disc_radius(stage.spacing));
     timer.mark("lists");
-    to->surface.draw(camera_lists, to->scene_depth);
+    to->surface.draw(camera_lists, to->scene_distance);
     timer.mark("ellipsoids");
     to->surface.filter(settings.filter, reach, settings.filter_threshold * stage.spacing,
                        reach * frame.viewport[1] / (2 * frame.lens[1] * away));
     timer.mark("filter");
-    to->thickness.draw_for_camera(camera_lists, frame, to->scene_depth);
+    to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
     timer.mark("thickness");
-    foam.gather(frame, to->scene_depth, to->surface.depth(), stage.spacing, to->to_foam);
+    foam.gather(frame, to->scene_distance, to->surface.depth(), stage.spacing, to->to_foam);
     timer.mark("foam");
     to->scene_color.bind(unit::color);
-    to->scene_depth.bind(unit::depth);
+    to->scene_distance.bind(unit::depth);
     to->surface.depth().bind(unit::fluid_depth);
     to->thickness.camera().bind(unit::thickness);
     fluid.use();
@@ -204,9 +203,10 @@ struct Renderer::Parts {
 
   void draw_picture() {
     to->lit.bind(unit::color);
-    to->scene_depth.bind(unit::depth);
     to->surface.depth().bind(unit::fluid_depth);
     if (shows_normals) {
+      to->scene_distance.bind(unit::depth);
+      to->scene_depth.bind(unit::normals);
       to->to_toned.use();
       view_normals.use();
       screen.draw();
@@ -264,7 +264,6 @@ struct Renderer::Parts {
   Target to_shadow{{}, &shadow};
   std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
   std::unique_ptr<Pictures> before;  // of the size before, to which a window may go back
-  Program backdrop{"screen.vert.glsl", "backdrop.frag.glsl"};
   Program light{"light.comp.glsl"};
   Program fluid{"fluid.comp.glsl"};
   Program tone{"tone.comp.glsl"};

@@ -12,8 +12,8 @@ namespace meniscus::render {
 FluidSurface::FluidSurface(int width, int height)
     : first_(GL_RG32F, width, height), second_(GL_RG32F, width, height) {}
 
-void FluidSurface::draw(const TileLists& lists, const Texture& solid_depth) {
-  solid_depth.bind(unit::depth);
+void FluidSurface::draw(const TileLists& lists, const Texture& scene_distance) {
+  scene_distance.bind(unit::depth);
   first_.bind_image(0);
   splat_.use();
   lists.run(splat_);

@@ -20,8 +20,8 @@ class FluidSurface {
  public:
   FluidSurface(int width, int height);
 
-  /// The ellipsoids, in front of what `solid_depth` holds.
-  void draw(const TileLists& lists, const Texture& solid_depth);
+  /// The ellipsoids, in front of what `scene_distance` holds.
+  void draw(const TileLists& lists, const Texture& scene_distance);
   /// Lengths in metres: `reach` is the filter's standard deviation, and what is `threshold` apart in depth is
   /// another surface. `pixels`: reach, seen at the scene's middle.
   void filter(SurfaceFilter filter, float reach, float threshold, float pixels);

@@ -20,8 +20,8 @@ void FluidThickness::draw(const TileLists& lists, const Texture& sums, const Mat
 }
 
 void FluidThickness::draw_for_camera(const TileLists& lists, const FrameUniforms& frame,
-                                     const Texture& solid_depth) const {
-  solid_depth.bind(unit::depth);
+                                     const Texture& scene_distance) const {
+  scene_distance.bind(unit::depth);
   const Matrix4 to_clip = frame.projection * frame.view;
   draw(lists, camera_, to_clip, frame.projection(0, 0), frame.projection(1, 1), frame.floor[2], true);
 }

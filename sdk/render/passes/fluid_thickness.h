@@ -20,7 +20,8 @@ class FluidThickness {
   static constexpr float disc_radius(float spacing) { return 1.6f * spacing; }
 
   /// The lists are of the full picture.
-  void draw_for_camera(const TileLists& lists, const FrameUniforms& frame, const Texture& solid_depth) const;
+  void draw_for_camera(const TileLists& lists, const FrameUniforms& frame,
+                       const Texture& scene_distance) const;
   void draw_for_sun(const TileLists& lists, const FrameUniforms& frame) const;
 
   const Texture& camera() const { return camera_; }  ///< a: m

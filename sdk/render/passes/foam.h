@@ -20,7 +20,7 @@ class Foam {
 
   void set(std::span<const DiffuseParticle> particles);
   /// Sums up. `spacing` of the fluid's particles, m.
-  void gather(const FrameUniforms& frame, const Texture& solid_depth, const Texture& fluid_depth,
+  void gather(const FrameUniforms& frame, const Texture& scene_distance, const Texture& fluid_depth,
               float spacing, const Target& to_sums);
   /// Draws over what is in the present target; the thickness map is bound already.
   void lay_over(const Screen& screen, const Texture& sums) const;

@@ -8,16 +8,17 @@ namespace {
 /// What covers more stands in the list of all tiles: so there is room for all, whatever is to be seen.
 constexpr std::size_t most_tiles = 9;
 constexpr int threads = 64;
+constexpr int strands = 8;  // see shaders/tiles.glsl
 
 }  // namespace
 
 void TileLists::build(const Particles& particles, int width, int height, float radius) {
   across_ = (width + tile_size_ - 1) / tile_size_;
   down_ = (height + tile_size_ - 1) / tile_size_;
-  const int lists = across_ * down_ + 1;
+  const int counters = strands * (across_ * down_ + 1);
   const std::size_t count = static_cast<std::size_t>(particles.count());
-  starts_.reserve(sizeof(GLuint) * (static_cast<std::size_t>(lists) + 1));
-  cursors_.reserve(sizeof(GLuint) * static_cast<std::size_t>(lists));
+  starts_.reserve(sizeof(GLuint) * (static_cast<std::size_t>(counters) + 1));
+  cursors_.reserve(sizeof(GLuint) * static_cast<std::size_t>(counters));
   entries_.reserve(sizeof(GLuint) * (most_tiles * count + 1));
   glClearNamedBufferData(cursors_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   particles.bind();
@@ -32,7 +33,7 @@ void TileLists::build(const Particles& particles, int width, int height, float r
     list_.run((particles.count() + threads - 1) / threads);
     if (writes) break;
     scan_.use();
-    glUniform1ui(0, static_cast<GLuint>(lists));
+    glUniform1ui(0, static_cast<GLuint>(counters));
     scan_.run(1);
   }
 }

@@ -6,15 +6,16 @@
 #include "sky.glsl"
 #include "shadow.glsl"
 #include "material.glsl"
+#include "ground.glsl"
 #include "tiling.glsl"
 #include "paint.glsl"
 #include "fluid_hides.glsl"
 layout(location = 0) out vec4 color;
 
 void main() {
-  if (is_in_fluid()) discard;
   vec3 n;
   float gloss;
   vec3 albedo = painted(n, gloss);
+  if (is_in_fluid() || is_under_ground(world, 0.0)) discard;
   color = vec4(lit(albedo, gloss, world, n), 1.0);
 }

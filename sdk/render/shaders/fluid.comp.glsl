@@ -12,7 +12,7 @@
 #include "ground_color.glsl"
 #include "surface.glsl"
 layout(binding = 2) uniform sampler2D scene_color;
-layout(binding = 3) uniform sampler2D scene_depth;
+layout(binding = 3) uniform sampler2D scene_distance;
 layout(binding = 5) uniform sampler2D thickness_map;  // absorbance; metres
 layout(binding = 0, rgba16f) writeonly restrict uniform image2D lit_color;
 
@@ -33,7 +33,7 @@ vec3 behind(vec3 here, vec3 normal, float metres, vec2 place) {
   // Even the thinnest drop bends what is behind it.
   vec3 there = here + min(metres + 2.0 * floor_.z, 0.5 * floor_.y) * bent;
   vec2 at = clamp(0.5 + 0.5 * there.xy / (-there.z * lens.xy), 0.0, 1.0);
-  bool is_seen = to_distance(textureLod(scene_depth, at, 0.0).r) > -here.z;  // nothing in front of the surface
+  bool is_seen = textureLod(scene_distance, at, 0.0).r > -here.z;  // nothing in front of the surface
   return textureLod(scene_color, is_seen ? at : place, 0.0).rgb;
 }
 

@@ -4,7 +4,7 @@
 // What one piece adds: red before the fluid's surface, or on it; green behind it, and blue that times how far
 // behind, m.
 #include "frame.glsl"
-layout(binding = 3) uniform sampler2D solid_depth;
+layout(binding = 3) uniform sampler2D scene_distance;
 layout(binding = 4) uniform sampler2D fluid_depth;
 layout(location = 1) uniform float spacing;
 in vec2 offset;
@@ -14,7 +14,7 @@ layout(location = 0) out vec4 sums;
 void main() {
   float u = 1.0 - dot(offset, offset);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (u <= 0.0 || gl_FragCoord.z > texelFetch(solid_depth, pixel, 0).r) discard;
+  if (u <= 0.0 || distance_ > texelFetch(scene_distance, pixel, 0).r) discard;
   float surface = texelFetch(fluid_depth, pixel, 0).r;
   float behind = surface > 0.0 ? max(distance_ - surface - 0.5 * spacing, 0.0) : 0.0;
   float amount = opacity * u;

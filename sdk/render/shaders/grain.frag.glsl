@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #version 450 core
 #include "frame.glsl"
+#include "ground.glsl"
 #include "surfaces.glsl"
 flat in vec3 middle, albedo;
 flat in float radius;
@@ -15,6 +16,7 @@ void main() {
   if (inside < 0.0) discard;
   float distance = near - sqrt(inside / square);
   vec3 here = distance * ray;
+  if (is_under_ground((camera_to_world * vec4(here, 1.0)).xyz, 0.0)) discard;
   gl_FragDepth = to_window_depth(distance);
   put(albedo, 0.02, mat3(camera_to_world) * ((here - middle) / radius));
 }

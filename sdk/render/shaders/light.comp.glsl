@@ -13,6 +13,7 @@ layout(binding = 2) uniform sampler2D albedos;  // a: gloss
 layout(binding = 3) uniform sampler2D scene_depth;
 layout(binding = 8) uniform sampler2D normals;  // a: 0 where nothing stands
 layout(binding = 0, rgba16f) writeonly restrict uniform image2D scene_color;
+layout(binding = 1, r32f) writeonly restrict uniform image2D scene_distance;  // along −z, m
 
 vec3 direction_at(vec2 pixel) {
   return mat3(camera_to_world) * view_ray((pixel + 0.5) * viewport.zw);
@@ -31,19 +32,23 @@ vec3 ground_at(ivec2 pixel, vec3 world, vec3 direction) {
   return ground_color(world, direction, wide);
 }
 
-vec3 color_at(ivec2 pixel) {
+// And how far away it is.
+vec3 color_at(ivec2 pixel, out float distance) {
   vec3 direction = direction_at(vec2(pixel));
   vec4 normal = texelFetch(normals, pixel, 0), albedo = texelFetch(albedos, pixel, 0);
   if (normal.a > 0.0) {
-    vec3 world = eye.xyz + to_distance(texelFetch(scene_depth, pixel, 0).r) * direction;
-    return lit(albedo.rgb, albedo.a, world, normalize(normal.xyz));
+    distance = to_distance(texelFetch(scene_depth, pixel, 0).r);
+    return lit(albedo.rgb, albedo.a, eye.xyz + distance * direction, normalize(normal.xyz));
   }
-  float along;
-  if (!meets_ground(eye.xyz, direction, along)) return sky(normalize(direction));
-  return ground_at(pixel, eye.xyz + along * direction, normalize(direction));
+  if (meets_ground(eye.xyz, direction, distance)) return ground_at(pixel, eye.xyz + distance * direction, normalize(direction));
+  distance = 1e30;
+  return sky(normalize(direction));
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (!is_outside(pixel)) imageStore(scene_color, pixel, vec4(color_at(pixel), 1.0));
+  if (is_outside(pixel)) return;
+  float distance;
+  imageStore(scene_color, pixel, vec4(color_at(pixel, distance), 1.0));
+  imageStore(scene_distance, pixel, vec4(distance));
 }

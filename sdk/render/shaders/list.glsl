@@ -9,7 +9,7 @@ layout(location = 2) uniform int writes;
 const int most_tiles = 9;  // see TileLists
 
 void enter(int list, uint i) {
-  uint place = atomicAdd(tile_cursors[list], 1u);
+  uint place = atomicAdd(tile_cursors[uint(list) * strands + i % strands], 1u);
   if (writes == 1) tile_entries[place] = i;
 }
 

@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 #version 450 core
-// From how many each list has to where each starts: a prefix sum, in one group of threads.
+// From how many each strand of a list has to where it starts: a prefix sum, in one group of threads.
 #include "tiles.glsl"
-layout(local_size_x = 256) in;
-layout(location = 0) uniform uint lists;
+layout(local_size_x = 1024) in;
+layout(location = 0) uniform uint counters;
 
-shared uint sums[256];
+shared uint sums[1024];
 
 void main() {
-  uint self = gl_LocalInvocationID.x, share = (lists + 255u) / 256u;
-  uint first = min(self * share, lists), last = min(first + share, lists);
+  uint self = gl_LocalInvocationID.x, share = (counters + 1023u) / 1024u;
+  uint first = min(self * share, counters), last = min(first + share, counters);
   uint sum = 0u;
   for (uint k = first; k < last; ++k) sum += tile_cursors[k];
   sums[self] = sum;
   barrier();
-  for (uint step = 1u; step < 256u; step *= 2u) {
+  for (uint step = 1u; step < 1024u; step *= 2u) {
     uint before = self >= step ? sums[self - step] : 0u;
     barrier();
     sums[self] += before;
@@ -28,5 +28,5 @@ void main() {
     tile_cursors[k] = place;
     place += size;
   }
-  if (self == 255u) tile_starts[lists] = place;
+  if (self == 1023u) tile_starts[counters] = place;
 }

@@ -15,9 +15,14 @@ float noise(vec2 p) {
              mix(random(cell + ivec2(0, 1)), random(cell + 1), f.x), f.y);
 }
 
+// Without clouds, at the sine of an angle.
+vec3 clear_sky(float height) {
+  return mix(mix(horizon, zenith, pow(clamp(height, 0.0, 1.0), 0.55)), below, smoothstep(0.0, -0.10, height));
+}
+
 vec3 sky(vec3 direction) {
   float height = dot(direction, up.xyz);
-  vec3 color = mix(horizon, zenith, pow(clamp(height, 0.0, 1.0), 0.55));
+  vec3 color = clear_sky(height);
   if (height > 0.02) {
     // On a ceiling, so that clouds draw together towards the horizon.
     vec3 a = normalize(cross(up.xyz, to_sun.xyz)), b = cross(a, up.xyz);
@@ -25,7 +30,7 @@ vec3 sky(vec3 direction) {
     float cloud = 0.55 * noise(at) + 0.28 * noise(2.1 * at + 5.0) + 0.17 * noise(4.3 * at + 9.0);
     color = mix(color, vec3(0.80, 0.82, 0.85), 0.75 * smoothstep(0.45, 0.75, cloud) * smoothstep(0.02, 0.25, height));
   }
-  return mix(color, below, smoothstep(0.0, -0.10, height));
+  return color;
 }
 
 // Even light from all of the sky, and from the ground, on a surface.

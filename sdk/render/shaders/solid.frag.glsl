@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #version 450 core
 #include "frame.glsl"
+#include "ground.glsl"
 #include "tiling.glsl"
 #include "paint.glsl"
 #include "surfaces.glsl"
@@ -10,5 +11,6 @@ void main() {
   vec3 n;
   float gloss;
   vec3 albedo = painted(n, gloss);
+  if (is_under_ground(world, 1e-5 * floor_.y)) discard;
   put(albedo, gloss, n);
 }

@@ -9,30 +9,47 @@
 #include "particles.glsl"
 #include "ellipsoid.glsl"
 #include "tiles.glsl"
+#include "team.glsl"
 layout(local_size_x = 256) in;
-layout(binding = 3) uniform sampler2D solid_depth;
+layout(binding = 3) uniform sampler2D scene_distance;
 layout(binding = 0, rg32f) writeonly restrict uniform image2D surface;
 layout(location = 0) uniform ivec2 tiles;
 
 const int size = 32;
 const uint share_bits = 63u;  // of a distance's bits, the last: they hold the filter's share instead
 
-shared uint nearest[size * size];
+const int block = 8;                   // pixels
+const int blocks = size / block;
 
-// The distance of a solid, or of the end of what is seen: of equal ones it comes last.
+shared uint nearest[size * size];
+shared uint farthest[blocks * blocks];  // no pixel of the block shows anything further away
+
+// What the scene hides is further away; of equal ones the scene comes last.
 uint limit_at(ivec2 pixel) {
   ivec2 last = ivec2(viewport.xy) - 1;
-  return floatBitsToUint(to_distance(texelFetch(solid_depth, min(pixel, last), 0).r)) | share_bits;
+  return floatBitsToUint(texelFetch(scene_distance, min(pixel, last), 0).r) | share_bits;
 }
 
-// Rows from `row` on, every `step`th.
-void draw(uint i, ivec2 corner, int row, int step) {
+bool is_hidden(ivec4 pixels, uint least) {
+  pixels /= block;
+  for (int y = pixels.y; y <= pixels.w; ++y) {
+    for (int x = pixels.x; x <= pixels.z; ++x) {
+      if (farthest[y * blocks + x] >= least) return false;
+    }
+  }
+  return true;
+}
+
+// A thread's share of its pixels.
+void draw(uint i, ivec2 corner, ivec2 offset, ivec2 steps) {
   Particle p = particle(i);
   vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
   mat3 turn = turn_of(p.rotation);
   ivec4 pixels = pixels_of(p, turn, middle) - corner.xyxy;
   pixels = ivec4(max(pixels.xy, 0), min(pixels.zw, size - 1));
-  if (pixels.x > pixels.z || pixels.y + row > pixels.w) return;
+  if (pixels.x > pixels.z || pixels.y > pixels.w) return;
+  uint least = floatBitsToUint(0.9999 * (-middle.z - longest(p.radii)));
+  if (is_hidden(pixels, least)) return;
 
   // In the space where the ellipsoid is the unit ball: the eye, and the line of sight per unit of distance.
   mat3 inverse_axes = transpose(mat3(turn[0] / p.radii.x, turn[1] / p.radii.y, turn[2] / p.radii.z));
@@ -43,10 +60,9 @@ void draw(uint i, ivec2 corner, int row, int step) {
   // A drop on its own, which is smaller than what has neighbours, is to keep its shape.
   float evenness = mix(0.2, 1.0, smoothstep(0.65, 0.95, pow(p.radii.x * p.radii.y * p.radii.z, 1.0 / 3.0) / floor_.z));
   uint share = uint(evenness * float(share_bits) + 0.5);
-  uint least = floatBitsToUint(0.9999 * (-middle.z - longest(p.radii)));
 
-  for (int y = pixels.y + row; y <= pixels.w; y += step) {
-    for (int x = pixels.x; x <= pixels.z; ++x) {
+  for (int y = pixels.y + offset.y; y <= pixels.w; y += steps.y) {
+    for (int x = pixels.x + offset.x; x <= pixels.z; x += steps.x) {
       if (nearest[y * size + x] < least) continue;
       vec3 direction = first + float(x) * along_x + float(y) * along_y;
       // From the point nearest to the centre: exact however far the eye is.
@@ -61,27 +77,43 @@ void draw(uint i, ivec2 corner, int row, int step) {
   }
 }
 
+void find_farthest() {
+  barrier();
+  for (uint k = gl_LocalInvocationID.x; k < uint(blocks * blocks); k += group_size) farthest[k] = 0u;
+  barrier();
+  for (int k = int(gl_LocalInvocationID.x); k < size * size; k += int(group_size))
+    atomicMax(farthest[(k / size / block) * blocks + k % size / block], nearest[k]);
+  barrier();
+}
+
+// Some of each part of the list in each round: after the first, most of what is inside of the fluid is hidden.
 void draw_list(int list, ivec2 corner) {
-  uint begin = tile_starts[list], count = tile_starts[list + 1] - begin;
-  // Where there are few, several threads share one.
-  uint team = 1u;
-  while (team < 32u && 2u * team * count <= 512u) team *= 2u;
-  for (uint k = gl_LocalInvocationID.x; k < team * count; k += 256u)
-    draw(tile_entries[begin + k / team], corner, int(k % team), int(team));
+  uint begin = list_begin(list), count = list_count(list), rounds = clamp(count / 128u, 1u, 4u);
+  for (uint round = 0u; round < rounds; ++round) {
+    uint drawn = (count + rounds - 1u - round) / rounds;
+    Team team = team_for(drawn);
+    for (uint k = gl_LocalInvocationID.x; k < team.size * drawn; k += group_size)
+      draw(tile_entries[begin + k / team.size * rounds + round], corner, offset_in(team, k), team.steps);
+    find_farthest();
+  }
+}
+
+void put(ivec2 pixel, uint found) {
+  bool is_fluid = found < limit_at(pixel);
+  vec2 value = vec2(uintBitsToFloat(found & ~share_bits), float(found & share_bits) / float(share_bits));
+  imageStore(surface, pixel, vec4(is_fluid ? value : vec2(0.0), 0.0, 0.0));
 }
 
 void main() {
+  int own = int(gl_WorkGroupID.y) * tiles.x + int(gl_WorkGroupID.x), all = tiles.x * tiles.y, first = int(gl_LocalInvocationID.x);
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * size;
-  for (int k = int(gl_LocalInvocationID.x); k < size * size; k += 256) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
-  barrier();
-  draw_list(int(gl_WorkGroupID.y) * tiles.x + int(gl_WorkGroupID.x), corner);
-  draw_list(tiles.x * tiles.y, corner);
-  barrier();
-  for (int k = int(gl_LocalInvocationID.x); k < size * size; k += 256) {
-    ivec2 pixel = corner + ivec2(k % size, k / size);
-    uint found = nearest[k];
-    bool is_fluid = found < limit_at(pixel);
-    vec2 value = vec2(uintBitsToFloat(found & ~share_bits), float(found & share_bits) / float(share_bits));
-    imageStore(surface, pixel, vec4(is_fluid ? value : vec2(0.0), 0.0, 0.0));
+  if (list_count(own) + list_count(all) == 0u) {
+    for (int k = first; k < size * size; k += int(group_size)) imageStore(surface, corner + ivec2(k % size, k / size), vec4(0.0));
+    return;
   }
+  for (int k = first; k < size * size; k += int(group_size)) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
+  find_farthest();
+  draw_list(own, corner);
+  draw_list(all, corner);
+  for (int k = first; k < size * size; k += int(group_size)) put(corner + ivec2(k % size, k / size), nearest[k]);
 }

@@ -4,12 +4,14 @@
 // Surfaces in the colours of their normals in the world; the sky is dark.
 #include "frame.glsl"
 #include "surface.glsl"
-layout(binding = 3) uniform sampler2D scene_depth;
+layout(binding = 3) uniform sampler2D scene_distance;
+layout(binding = 8) uniform sampler2D scene_depth;  // of what was drawn over it, too
 layout(location = 0) out vec4 color;
 
 vec3 point_at(ivec2 pixel) {
   pixel = clamp(pixel, ivec2(0), textureSize(scene_depth, 0) - 1);
-  return surface_point(pixel, to_distance(texelFetch(scene_depth, pixel, 0).r));
+  float distance = min(to_distance(texelFetch(scene_depth, pixel, 0).r), texelFetch(scene_distance, pixel, 0).r);
+  return surface_point(pixel, min(distance, 0.999 * lens.w));
 }
 
 // To the side on which depth changes less, so that edges stay sharp.
@@ -22,11 +24,11 @@ vec3 slope(ivec2 pixel, ivec2 axis, vec3 here) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float depth = texelFetch(scene_depth, pixel, 0).r, fluid = surface_depth(pixel);
-  vec3 c = vec3(0.12);
-  if (depth < 1.0) {
-    vec3 here = point_at(pixel), n;
-    bool is_fluid = fluid > 0.0 && fluid <= -here.z * 1.0001;
+  float fluid = surface_depth(pixel);
+  vec3 here = point_at(pixel), c = vec3(0.12);
+  bool is_fluid = fluid > 0.0 && fluid <= -here.z * 1.0001;
+  if (is_fluid || -here.z < 0.99 * lens.w) {
+    vec3 n;
     if (is_fluid)
       n = surface_normal(pixel, fluid);
     else
