@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "sdk/render/egl_context.h"
 #include "sdk/render/renderer.h"
@@ -31,18 +32,18 @@ SceneCamera before(const ShapeDef& tank) {
   return {target + 2.1f * half.x * normalized_or({0.25f, 0.45f, 1}, {0, 0, 1}), target, 35};
 }
 
-/// Means over some pictures, one straight after the other, ms.
+/// Means over some pictures, one straight after the other, ms; without a moment nothing new is loaded.
 struct FrameTimes {
   double whole = 0;
   double load = 0, paint = 0;  ///< the host's own: it goes on before they are done
 
-  void run(render::Renderer& renderer, const render::Moment& moment, int count) {
+  void run(render::Renderer& renderer, const std::optional<render::Moment>& moment, int count) {
     *this = {};
     glFinish();
     const auto begin = Clock::now();
     for (int k = 0; k < count; ++k) {
       const auto start = Clock::now();
-      renderer.load(moment);
+      if (moment) renderer.load(*moment);
       const auto loaded = Clock::now();
       renderer.paint();
       load += ms_between(start, loaded) / count;
@@ -95,9 +96,10 @@ Json run_case(const CommonOptions& common, const RenderOptions& o, int particles
   render::Renderer renderer(scene, moment);
   const io::Image picture = renderer.draw(moment);
   if (!o.picture.empty()) io::write_png(o.picture, picture);
-  FrameTimes frames;
+  FrameTimes frames, still;
   frames.run(renderer, moment, 2);
   frames.run(renderer, moment, o.frames);
+  still.run(renderer, std::nullopt, o.frames);
   return {{"particles", dam.world.particle_count()},
           {"width", o.width},
           {"height", o.height},
@@ -105,6 +107,7 @@ Json run_case(const CommonOptions& common, const RenderOptions& o, int particles
           {"frame_ms", frames.whole},
           {"load_host_ms", frames.load},
           {"paint_host_ms", frames.paint},
+          {"still_frame_ms", still.whole},
           {"covered_percent", 100 * covered_share(renderer)},
           {"pass_ms", pass_times(renderer, moment, std::min(o.frames, 20))}};
 }

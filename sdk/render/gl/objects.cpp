@@ -32,6 +32,7 @@ DataBuffer::DataBuffer() {
 }
 
 void DataBuffer::write_bytes(const void* data, std::size_t bytes) {
+  if (bytes == 0) return;
   glNamedBufferData(handle_, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
   room_ = bytes;
 }
