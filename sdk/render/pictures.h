@@ -14,7 +14,7 @@ struct Pictures {
   int width, height;
   bool has_fluid_shadows = false;             ///< of what was loaded last
   Texture albedo{GL_RGBA16F, width, height};  ///< a: gloss
-  Texture normal{GL_RGBA16F, width, height};  ///< a: 0 where nothing stands
+  Texture normal{GL_RGBA16F, width, height};  ///< both hold nothing where nothing stands
   Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
   Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};  ///< without the ground
   Texture scene_distance{GL_R32F, width, height};             ///< along −z, m; the ground is there

@@ -142,7 +142,6 @@ struct Renderer::Parts {
 
   void draw_scene() {
     to->to_surfaces.use();
-    to->to_surfaces.clear_color(1, 0, 0, 0, 0);
     to->to_surfaces.clear_depth();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);

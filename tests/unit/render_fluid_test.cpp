@@ -4,6 +4,7 @@
 // What light does in the water that is drawn.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/expect_error.h"
 #include "tests/unit/render_bench.h"
@@ -199,6 +200,30 @@ TEST_F(FluidPictureTest, ParticlesThatAreNotFiniteAreLeftOut) {
   ellipsoids.push_back(bad);
   fluids.push_back(0);
   EXPECT_EQ(draw(scene, {.ellipsoids = ellipsoids, .fluids = fluids}).rgb, clean.rgb);
+}
+
+/// Of those that cover few tiles of the picture, and of one that covers most.
+TEST_F(FluidPictureTest, ABallOfAnySizeIsDrawnWhole) {
+  io::PreviewScene scene = small_scene(0.8f);
+  scene.width = 640;
+  scene.height = 480;
+  scene.shapes = {shape(PlaneGeometry{}, {0, -50, 0})};
+  for (const float radius : {0.02f, 0.1f, 0.8f}) {
+    const Ellipsoid ball{{0, 0, 0}, {radius, radius, radius}, {0, 0, 0, 1}};
+    const uint32_t fluid = 0;
+    const render::Moment moment{.ellipsoids = {&ball, 1}, .fluids = {&fluid, 1}};
+    render::RenderSettings settings;
+    settings.filter = render::SurfaceFilter::none;
+    render::Renderer renderer(scene, moment, settings);
+    renderer.draw(moment);
+    const auto normals = renderer.fluid_normals();
+    const auto seen = std::count_if(normals.begin(), normals.end(), [](const auto& n) { return n[3] > 0; });
+    // The cone of sight that touches it, in a picture that is 35° high.
+    const double wide =
+        240 * radius / std::sqrt(9 - radius * radius) / std::tan(17.5 * std::numbers::pi / 180);
+    EXPECT_NEAR(seen / (std::numbers::pi * wide * wide), 1, 1 / wide) << radius;
+    EXPECT_NEAR(normals[240 * 640 + 320][3], 3 - radius, 1e-3f) << radius;
+  }
 }
 
 }  // namespace

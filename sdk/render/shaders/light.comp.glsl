@@ -11,7 +11,7 @@
 #include "ground_color.glsl"
 layout(binding = 2) uniform sampler2D albedos;  // a: gloss
 layout(binding = 3) uniform sampler2D scene_depth;
-layout(binding = 8) uniform sampler2D normals;  // a: 0 where nothing stands
+layout(binding = 8) uniform sampler2D normals;
 layout(binding = 0, rgba16f) writeonly restrict uniform image2D scene_color;
 layout(binding = 1, r32f) writeonly restrict uniform image2D scene_distance;  // along −z, m
 
@@ -35,10 +35,11 @@ vec3 ground_at(ivec2 pixel, vec3 world, vec3 direction) {
 // And how far away it is.
 vec3 color_at(ivec2 pixel, out float distance) {
   vec3 direction = direction_at(vec2(pixel));
-  vec4 normal = texelFetch(normals, pixel, 0), albedo = texelFetch(albedos, pixel, 0);
-  if (normal.a > 0.0) {
-    distance = to_distance(texelFetch(scene_depth, pixel, 0).r);
-    return lit(albedo.rgb, albedo.a, eye.xyz + distance * direction, normalize(normal.xyz));
+  float depth = texelFetch(scene_depth, pixel, 0).r;
+  if (depth < 1.0) {  // else nothing stands here
+    distance = to_distance(depth);
+    vec4 albedo = texelFetch(albedos, pixel, 0);
+    return lit(albedo.rgb, albedo.a, eye.xyz + distance * direction, normalize(texelFetch(normals, pixel, 0).xyz));
   }
   if (meets_ground(eye.xyz, direction, distance)) return ground_at(pixel, eye.xyz + distance * direction, normalize(direction));
   distance = 1e30;

@@ -30,7 +30,13 @@ uint limit_at(ivec2 pixel) {
   return floatBitsToUint(texelFetch(scene_distance, min(pixel, last), 0).r) | share_bits;
 }
 
+ivec4 in_tile(ivec4 pixels, ivec2 corner) {
+  return ivec4(max(pixels.xy - corner, 0), min(pixels.zw - corner, size - 1));
+}
+
+// Also where there are no pixels.
 bool is_hidden(ivec4 pixels, uint least) {
+  if (pixels.x > pixels.z || pixels.y > pixels.w) return true;
   pixels /= block;
   for (int y = pixels.y; y <= pixels.w; ++y) {
     for (int x = pixels.x; x <= pixels.z; ++x) {
@@ -44,12 +50,12 @@ bool is_hidden(ivec4 pixels, uint least) {
 void draw(uint i, ivec2 corner, ivec2 offset, ivec2 steps) {
   Particle p = particle(i);
   vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
+  float reach = longest(p.radii);
+  if (!is_seen(middle, reach)) return;
+  uint least = floatBitsToUint(0.9999 * (-middle.z - reach));
+  if (is_hidden(in_tile(pixels_of_ball(middle, reach), corner), least)) return;
   mat3 turn = turn_of(p.rotation);
-  ivec4 pixels = pixels_of(p, turn, middle) - corner.xyxy;
-  pixels = ivec4(max(pixels.xy, 0), min(pixels.zw, size - 1));
-  if (pixels.x > pixels.z || pixels.y > pixels.w) return;
-  uint least = floatBitsToUint(0.9999 * (-middle.z - longest(p.radii)));
-  if (is_hidden(pixels, least)) return;
+  ivec4 pixels = in_tile(pixels_of(p, turn, middle), corner);
 
   // In the space where the ellipsoid is the unit ball: the eye, and the line of sight per unit of distance.
   mat3 inverse_axes = transpose(mat3(turn[0] / p.radii.x, turn[1] / p.radii.y, turn[2] / p.radii.z));

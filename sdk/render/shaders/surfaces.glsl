@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 // What of a surface light needs to know, for later.
 layout(location = 0) out vec4 albedo_;  // a: gloss
-layout(location = 1) out vec4 normal_;  // a: 1
+layout(location = 1) out vec4 normal_;
 
 void put(vec3 albedo, float gloss, vec3 normal) {
   albedo_ = vec4(albedo, gloss);
-  normal_ = vec4(normal, 1.0);
+  normal_ = vec4(normal, 0.0);
 }

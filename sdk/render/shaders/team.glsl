@@ -11,7 +11,7 @@ struct Team {
 
 Team team_for(uint particles) {
   uint bits = 0u;
-  while (bits < 5u && (particles << (bits + 1u)) <= 4096u) ++bits;
+  while (bits < 5u && (particles << (bits + 1u)) <= 2048u) ++bits;
   return Team(1u << bits, ivec2(1 << ((bits + 1u) / 2u), 1 << (bits / 2u)));
 }
 
