@@ -39,7 +39,8 @@ class Renderer {
   void set_size(int width, int height, float share = 1);
 
   /// What is to be drawn. Throws Error(invalid_argument) where there are bodies, but not one a body of the
-  /// scene, or not one fluid and, for balls, one position an ellipsoid.
+  /// scene, or not one fluid and, for balls, one position an ellipsoid;
+  /// Error(capacity) for more particles than OpenGL's buffers hold, of which a million take 40 MB.
   void load(const Moment& moment);
   /// Draws it.
   void paint();

@@ -226,5 +226,16 @@ TEST_F(FluidPictureTest, ABallOfAnySizeIsDrawnWhole) {
   }
 }
 
+TEST_F(FluidPictureTest, MoreParticlesThanBuffersHoldAreAnError) {
+  GLint64 bytes = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  if (bytes > 1 << 28) GTEST_SKIP() << "this OpenGL's buffers hold " << bytes << " bytes";
+  render::Renderer renderer(small_scene(), {});
+  const std::vector<Ellipsoid> ellipsoids(static_cast<std::size_t>(bytes) / sizeof(Ellipsoid) + 1);
+  const std::vector<uint32_t> fluids(ellipsoids.size());
+  expect_error(ErrorCode::capacity, std::to_string(ellipsoids.size()),
+               [&] { renderer.load({.ellipsoids = ellipsoids, .fluids = fluids}); });
+}
+
 }  // namespace
 }  // namespace meniscus::tests

@@ -17,7 +17,6 @@ class Balls {
 
   /// Where the ellipsoids are, by the values of the view; none where it shows the fluid's surface.
   void set(std::span<const Ellipsoid> ellipsoids, const ViewData& view);
-  void clear() { count_ = 0; }
   void draw(float radius) const;
 
  private:

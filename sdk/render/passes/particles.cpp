@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/render/passes/particles.h"
 
+#include <meniscus/error.h>
+
 #include <cstddef>
 
 namespace meniscus::render {
@@ -34,6 +36,17 @@ void Particles::set(const World& world) {
   if (!share(world)) return set(world.ellipsoids(), world.fluids());
   world.write_particles(*shared_);
   count_ = static_cast<GLsizei>(world.particle_count());
+}
+
+void Particles::check_room(std::size_t count) {
+  // An ellipsoid takes more than what TileLists has for a particle.
+  GLint64 bytes = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  const std::size_t most = static_cast<std::size_t>(bytes) / sizeof(Ellipsoid);
+  if (count <= most) return;
+  throw Error(ErrorCode::capacity, std::to_string(count) +
+                                       " particles are to be drawn, but the buffers of this OpenGL hold " +
+                                       std::to_string(most));
 }
 
 /// Whether the buffers can be written by the world's device, and have room.

@@ -18,6 +18,8 @@ class Particles {
  public:
   Particles();
 
+  /// Throws Error(capacity) where OpenGL's buffers do not hold so many.
+  static void check_room(std::size_t count);
   /// Equally many of both. Those that are not finite are not drawn.
   void set(std::span<const Ellipsoid> ellipsoids, std::span<const uint32_t> fluids);
   /// Those of a world: written by its own device where that draws as well, else by way of the host.

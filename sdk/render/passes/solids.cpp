@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/render/passes/solids.h"
 
+#include <utility>
+
 #include "sdk/io/preview/palette.h"
 
 namespace meniscus::render {
@@ -51,7 +53,8 @@ bool Solids::place(std::span<const BodyState> states, const io::ClothFrame& clot
   for (std::size_t i = 0; i < states.size(); ++i) items_[scene_.shapes.size() + i].pose = states[i].pose;
   cloth_.set(cloth_surface(cloth, scene_.cloth_colors, cloth_triangle_colors));
   ropes_.set(rope_surface(ropes, scene_.rope_colors));
-  return !states.empty() || !cloth.vertices.empty() || !ropes.vertices.empty();
+  const bool moves = !states.empty() || !cloth.vertices.empty() || !ropes.vertices.empty();
+  return std::exchange(moves_, moves) || moves;
 }
 
 void Solids::draw(const Program& program, Mesh Item::*mesh) const {

@@ -46,6 +46,7 @@ class Solids {
   Bounds bounds_;
   std::vector<Item> items_;  // shapes, then bodies
   Mesh cloth_, ropes_;
+  bool moves_ = false;  // something of what was placed last
   Program shadow_{"shadow.vert.glsl", "nothing.frag.glsl"};
   Program solid_{"solid.vert.glsl", "solid.frag.glsl"};
   Program edge_{"solid.vert.glsl", "edge.frag.glsl"};

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "sdk/render/moment_parts.h"
+#include "sdk/render/passes/balls.h"
+#include "sdk/render/passes/foam.h"
+#include "sdk/render/passes/grains.h"
+#include "sdk/render/passes/slice.h"
+#include "sdk/render/passes/solids.h"
+#include "sdk/render/pictures.h"
+#include "sdk/render/renderer.h"
+
+namespace meniscus::render {
+
+/// Throws Error(invalid_argument) that names it, where a side is no picture's.
+void check_size(int width, int height);
+
+inline constexpr int shadow_size = 2048;  // pixels along a side
+
+/// All that is made once, and the passes of a frame in their order.
+struct Renderer::Parts {
+  Parts(const io::PreviewScene& s, const Moment& first, const RenderSettings& set);
+  /// As the stage says, in a picture of the present size.
+  void look();
+  void load(const Moment& moment);
+  void check_particles(const Moment& moment) const;
+  void load_particles(const Moment& moment, bool shows_fluid);
+  void load_view(const ViewData& view);
+  void bind() const;
+  void draw_solid_shadows();
+  void draw_fluid_shadows();
+  void draw_scene();
+  void draw_fluid();
+  /// What is to be seen however the fluid mirrors.
+  void draw_over();
+  void draw_picture();
+  void check_success() const;
+
+  io::PreviewScene scene;
+  RenderSettings settings;
+  Solids solids;
+  Bounds bounds;
+  Stage stage;
+  FrameUniforms frame;
+  DataBuffer frame_buffer, fluid_buffer;
+  Screen screen;
+  float share = 1;  // of the pixels that the picture will be shown with, along a side
+  Particles particles;
+  TileLists camera_lists{"list_for_camera.comp.glsl", 32};
+  TileLists sun_lists{"list_for_sun.comp.glsl", 16};
+  Foam foam;
+  std::optional<Grains> grains;  // where the scene has any
+  Balls balls{scene.fluid_colors};
+  Needles needles;
+  Slice slice;
+  bool shows_normals = false;
+  bool has_solid_shadows = false;  // of what was loaded last
+  PassTimer timer;
+
+  Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
+  Target to_shadow{{}, &shadow};
+  std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
+  std::unique_ptr<Pictures> before;  // of the size before, to which a window may go back
+  Program light{"light.comp.glsl"};
+  Program fluid{"fluid.comp.glsl"};
+  Program tone{"tone.comp.glsl"};
+  Program view_normals{"screen.vert.glsl", "view_normals.frag.glsl"};
+  Program smooth{"smooth.comp.glsl"};
+};
+
+}  // namespace meniscus::render
