@@ -159,9 +159,10 @@ class World {
   /// search: at the surface they differ from ellipsoids() by what came within the support radius since.
   /// Throws Error(invalid_argument) where an array is null.
   void write_particles(const ParticleArrays& arrays) const;
-  /// The same to buffers of OpenGL's. Right after a step the host waits for nothing: OpenGL's commands come
-  /// before or after, as they were given. Throws Error(invalid_argument) where the world is on the CPU, or
-  /// where the buffers have no room for all particles.
+  /// The same to buffers of OpenGL's. OpenGL's commands come before or after, as they were given: the driver
+  /// may have the host wait for those before; for what the world does here it does not wait, right after a
+  /// step. Throws Error(invalid_argument) where the world is on the CPU, or where the buffers have no room
+  /// for all particles.
   void write_particles(GlParticles& buffers) const;
   /// The surface around the ellipsoids, by marching cubes on the device. Particles that are further than 2²¹
   /// cells from the origin are left out. Where there are no particles it is empty. Throws
