@@ -167,12 +167,14 @@ void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwa
                    .multiplier = edge_multiplier_.view().from(first_yarn_edge_),
                    .all = vertices(substep),
                    .starts = starts,
-                   .first = 0};
+                   .first = 0,
+                   .end = 0};
   const size_t layers = layer_starts_.size() - 1;
   for (size_t k = 0; k < layers; ++k) {
     const size_t layer = backwards ? layers - 1 - k : k;
     solve.first = layer_starts_[layer];
-    device_.parallel_for_groups("cloth/yarns", layer_starts_[layer + 1] - solve.first, solve);
+    solve.end = layer_starts_[layer + 1];
+    device_.parallel_for_lane_groups("cloth/yarns", solve.end - solve.first, solve);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cloth/constraints.h"
+#include "pbd/device/scalar.h"
 
 namespace meniscus::cloth {
 
@@ -11,16 +12,20 @@ namespace meniscus::cloth {
 /// substep, crumpled cloth would burst apart.
 inline constexpr float opening_rate = 10;
 
-/// 1/kg: what an edge yields with that is `error` (m) longer than at rest. What was pressed together as the
-/// substep began becomes as soft as lets it open at that rate; it still pushes, and pulls on nothing.
-template <class Vertices>
-MENISCUS_HD float edge_compliance(const Vertices& vertices, const EdgeConstraint& e, float error,
-                                  float weight, float inverse_dt) {
-  const float given = e.compliance * inverse_dt * inverse_dt;
-  const float opening = opening_rate / inverse_dt * e.rest_length;
-  if (error >= -opening) return given;
-  const float lacking = e.rest_length - length(vertices.previous(e.b).xyz() - vertices.previous(e.a).xyz());
-  return fmaxf(given, weight * (lacking / opening - 1));
+/// 1/kg: what an edge with this compliance (m/N) yields with that is `error` (m) longer than at rest. What
+/// was pressed together as the substep began, when it had the length that was() returns, becomes as soft as
+/// lets it open at that rate; it still pushes, and pulls on nothing. R has a lane for each of several edges.
+template <class R, class Was>
+MENISCUS_HD R edge_compliance(R compliance, R rest_length, R error, R weight, float inverse_dt,
+                              const Was& was) {
+  using pbd::less_mask;
+  using pbd::max;
+  using pbd::select_less;
+  const R given = compliance * R(inverse_dt) * R(inverse_dt);
+  const R opening = R(opening_rate / inverse_dt) * rest_length;
+  if (less_mask(error, -opening) == 0) return given;
+  const R softened = weight * ((rest_length - was()) / opening - R(1));
+  return select_less(error, -opening, max(softened, given), given);
 }
 
 }  // namespace meniscus::cloth

@@ -33,7 +33,9 @@ struct SolveEdge {
     d.w = 0;
     const float l = length(d.xyz());
     const float c = l - e.rest_length;
-    const float compliance = edge_compliance(vertices, e, c, weight, vertices.inverse_dt());
+    const float compliance =
+        edge_compliance(e.compliance, e.rest_length, c, weight, vertices.inverse_dt(),
+                        [&] { return length(vertices.previous(e.b).xyz() - vertices.previous(e.a).xyz()); });
     if (weight + compliance == 0 || l < 1e-12f) return;
     const float damping = vertices.stretch_damping(e.a), inverse_l = 1 / l;
     float rate = 0;

@@ -7,21 +7,21 @@
 namespace meniscus::cloth {
 
 /// lower x(i − 1) + diagonal x(i) + upper x(i + 1) = right, with 0 for what is beyond the ends; x are numbers
-/// or vectors.
-template <class X>
-struct alignas(16) TridiagonalRow {
-  float lower, diagonal, upper;
+/// R or vectors of them.
+template <class R, class X = R>
+struct alignas(16) alignas(R) TridiagonalRow {
+  R lower, diagonal, upper;
   X right;
 };
 
 /// Elimination and substitution by one thread (Thomas). Afterwards `right` is the solution.
-template <class X>
-MENISCUS_HD void eliminate(TridiagonalRow<X>* rows, uint32_t count) {
-  float upper = 0;
+template <class R, class X>
+MENISCUS_HD void eliminate(TridiagonalRow<R, X>* rows, uint32_t count) {
+  R upper(0);
   X right{};
   for (uint32_t i = 0; i < count; ++i) {
-    const TridiagonalRow<X> r = rows[i];
-    const float inverse = 1 / (r.diagonal - r.lower * upper);
+    const TridiagonalRow<R, X> r = rows[i];
+    const R inverse = R(1) / (r.diagonal - r.lower * upper);
     upper = inverse * r.upper;
     right = inverse * (r.right - r.lower * right);
     rows[i].upper = upper;
@@ -33,17 +33,17 @@ MENISCUS_HD void eliminate(TridiagonalRow<X>* rows, uint32_t count) {
 
 /// Cyclic reduction of all rows at once by a group of threads (Hockney & Jesshope 1981): each turn couples
 /// rows that are twice as far apart. Returns which of the two has the solution in `right`.
-template <class Group, class X>
-MENISCUS_HD TridiagonalRow<X>* reduce_cyclically(const Group& group, TridiagonalRow<X>* rows,
-                                                 TridiagonalRow<X>* other, uint32_t count) {
-  using Row = TridiagonalRow<X>;
+template <class Group, class R, class X>
+MENISCUS_HD TridiagonalRow<R, X>* reduce_cyclically(const Group& group, TridiagonalRow<R, X>* rows,
+                                                    TridiagonalRow<R, X>* other, uint32_t count) {
+  using Row = TridiagonalRow<R, X>;
   for (uint32_t apart = 1; apart < count; apart *= 2) {
     group.for_each(count, [=](uint32_t i) {
       constexpr Row beyond{0, 1, 0, X{}};
       const Row r = rows[i];
       const Row before = i >= apart ? rows[i - apart] : beyond;
       const Row after = i + apart < count ? rows[i + apart] : beyond;
-      const float a = -r.lower / before.diagonal, b = -r.upper / after.diagonal;
+      const R a = -r.lower / before.diagonal, b = -r.upper / after.diagonal;
       other[i] = {a * before.lower, r.diagonal + a * before.upper + b * after.lower, b * after.upper,
                   r.right + a * before.right + b * after.right};
     });
@@ -55,10 +55,10 @@ MENISCUS_HD TridiagonalRow<X>* reduce_cyclically(const Group& group, Tridiagonal
   return rows;
 }
 
-/// Either. Returns where the solution is.
-template <class Group, class X>
-MENISCUS_HD TridiagonalRow<X>* solve_tridiagonal(const Group& group, TridiagonalRow<X>* rows,
-                                                 TridiagonalRow<X>* other, uint32_t count) {
+/// Either. Returns where the solution is; one thread needs no `other`.
+template <class Group, class R, class X>
+MENISCUS_HD TridiagonalRow<R, X>* solve_tridiagonal(const Group& group, TridiagonalRow<R, X>* rows,
+                                                    TridiagonalRow<R, X>* other, uint32_t count) {
   if constexpr (Group::is_one_thread) {
     eliminate(rows, count);
     return rows;

@@ -30,10 +30,10 @@ struct BlowOnTriangles {
     const Vec3 normal = cross(b - a, c - a);
     const float twice_area = length(normal), fast = length(u);
     if (twice_area < 1e-20f || fast < 1e-9f) return;
-    const Vec3 n = normal / twice_area;
-    const float through = dot(u, n), scale = 0.5f * wind.density * twice_area / 6;
-    const Vec3 f = scale * piece.drag * fabsf(through) * u +
-                   scale * piece.lift * through * (fast * n - (through / fast) * u);
+    const float through = dot(u, normal) / twice_area, scale = 0.5f / 6 * wind.density * twice_area;
+    const float lift = scale * piece.lift * through;
+    const Vec3 f = (scale * piece.drag * fabsf(through) - lift * through / fast) * u +
+                   (lift * fast / twice_area) * normal;
     force[k] = pbd::with_w(f, scale * (2 * piece.drag + piece.lift) * fast);
   }
 

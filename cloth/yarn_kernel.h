@@ -3,26 +3,18 @@
 #pragma once
 
 #include "cloth/edge_compliance.h"
-#include "cloth/tridiagonal.h"
 #include "cloth/vertex_state.h"
-#include "cloth/yarns.h"
+#include "cloth/yarns_at_once.h"
 
 namespace meniscus::cloth {
 
-/// A yarn while it is worked on: of each edge n, and in w its multiplier; and the rows of two systems, one
-/// after the other.
-struct YarnScratch {
-  using Length = TridiagonalRow<float>;
-  using Sideways = TridiagonalRow<Vec3>;
-
-  Vec4 edge[Yarn::most_edges];
-  alignas(16) unsigned char rows[2][(Yarn::most_edges + 1) * sizeof(Sideways)];
-
-  template <class Row>
-  MENISCUS_HD Row* rows_of(int which) {
-    return reinterpret_cast<Row*>(rows[which]);
-  }
-};
+using pbd::gather_words;
+using pbd::inverse_sqrt;
+using pbd::max;
+using pbd::scatter;
+using pbd::square_root;
+using pbd::Vec3Of;
+using pbd::Vec4Of;
 
 /// XPBD for all edges of a yarn at once (the direct solve of Deul et al. 2018, for points), with the
 /// geometric stiffness of what is taut (Tournier et al. 2015): an edge with multiplier λ and length l that
@@ -41,158 +33,233 @@ struct YarnScratch {
 /// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
 /// fro, either alone would be left.
 struct SolveYarns {
-  using Scratch = YarnScratch;
-  using Length = YarnScratch::Length;
-  using Sideways = YarnScratch::Sideways;
-
-  /// Added to the diagonal, as a share of w_k + w_k₊₁: what is straight between two places that nothing moves
-  /// has no solution.
-  static constexpr float guard = 0.0003f;
+  template <class D, class Group>
+  using Scratch = YarnScratch<D, Group>;
 
   View<const Yarn> yarns;
   View<const EdgeConstraint> edges;
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
   VertexState all;
-  bool starts;     ///< from none of the last substep's multipliers
-  uint32_t first;  ///< yarn of the layer
+  bool starts;          ///< from none of the last substep's multipliers
+  uint32_t first, end;  ///< yarns of the layer
 
-  template <class Group>
-  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t number) const {
-    const Yarn yarn = yarns[first + number];
-    Length* lengths = scratch.template rows_of<Length>(0);
-    group.for_each(yarn.count, [&](uint32_t k) { lengths[k] = linearize(scratch, yarn, k); });
-    group.for_each(yarn.count, [&](uint32_t k) { couple(scratch, lengths[k], yarn, k); });
-    const Length* steps = solve_tridiagonal(group, lengths, scratch.template rows_of<Length>(1), yarn.count);
-    group.for_each(yarn.count, [&](uint32_t k) { scratch.edge[k].w += steps[k].right; });
+  template <class D, class Group>
+  MENISCUS_HD void run(const Group& group, Scratch<D, Group>& scratch, uint32_t number) const;
+};
 
-    Sideways* sideways = scratch.template rows_of<Sideways>(0);
-    group.for_each(yarn.count + 1, [&](uint32_t k) { sideways[k] = turn(scratch, yarn, k); });
+/// The same for as many yarns as R has lanes.
+template <class D, class Group>
+class SolveYarnsAtOnce {
+ public:
+  using Scratch = YarnScratch<D, Group>;
+
+  MENISCUS_HD SolveYarnsAtOnce(const SolveYarns& solve, Scratch& scratch, uint32_t begin)
+      : s_(solve), scratch_(scratch), yarns_(solve.yarns, begin, solve.end) {}
+
+  MENISCUS_HD void run(const Group& group) const {
+    const uint32_t edges = yarns_.most, vertices = edges + 1;
+    Length* lengths = scratch_.template first_rows<Length>();
+    group.for_each(edges + 2, [&](uint32_t k) { linearize(lengths, k); });
+    group.for_each(edges, [&](uint32_t k) { couple(lengths[k], k); });
+    const Length* steps = solve_tridiagonal(group, lengths, scratch_.template other_rows<Length>(), edges);
+    group.for_each(edges, [&](uint32_t k) { take(steps[k].right, k); });
+
+    Sideways* sideways = scratch_.template first_rows<Sideways>();
+    group.for_each(vertices, [&](uint32_t k) { sideways[k] = turn(k); });
     const Sideways* ways =
-        solve_tridiagonal(group, sideways, scratch.template rows_of<Sideways>(1), yarn.count + 1);
-    group.for_each(yarn.count + 1, [&](uint32_t k) { move(scratch, ways, yarn, k); });
-    group.for_each(yarn.count, [&](uint32_t k) { note(scratch, ways, yarn, k); });
+        solve_tridiagonal(group, sideways, scratch_.template other_rows<Sideways>(), vertices);
+    group.for_each(vertices, [&](uint32_t k) { move(ways, k); });
+    group.for_each(edges, [&](uint32_t k) { note(ways, k); });
   }
 
  private:
+  using Real = typename D::Real;
+  using Vector = Vec3Of<Real>;
+  using Places = pbd::Places<D>;
+  using Length = typename Scratch::Length;
+  using Sideways = typename Scratch::Sideways;
+  using Edge = typename Scratch::Edge;
+
+  /// Added to the diagonal, as a share of w_k + w_k₊₁: what is straight between two places that nothing moves
+  /// has no solution.
+  static constexpr float guard = 0.0003f;
+
   /// Of the yarn at a vertex. Where it folds back, that of both its branches: across them nothing is
   /// shortened.
-  MENISCUS_HD static Vec3 direction(Vec3 before, Vec3 after) {
-    return normalized_or(dot(before, after) < 0 ? after - before : after + before, {0, 0, 0});
+  MENISCUS_HD static Vector direction(const Vector& before, const Vector& after) {
+    const Real turned = select_less(dot(before, after), Real(0), Real(-1), Real(1));
+    const Vector sum = after + turned * before;
+    const Real square = dot(sum, sum);
+    return select_less(Real(1e-30f), square, inverse_sqrt(square), Real(0)) * sum;
   }
 
   /// How readily a vertex gives way, 1/kg.
   struct Mobility {
-    Vec3 along;
-    float w, sideways;
+    Vector along;
+    Real w, sideways;
 
-    MENISCUS_HD Mobility(Vec3 before, Vec3 after, float weight, float stiffness)
-        : along(direction(before, after)), w(weight), sideways(1 / (1 + weight * stiffness)) {}
-    MENISCUS_HD float operator()(Vec3 p, Vec3 q) const {
-      return w * ((1 - sideways) * dot(p, along) * dot(q, along) + sideways * dot(p, q));
+    MENISCUS_HD Mobility(const Vector& before, const Vector& after, const Real& weight, const Real& stiffness)
+        : along(direction(before, after)), w(weight), sideways(Real(1) / (Real(1) + weight * stiffness)) {}
+    MENISCUS_HD Real operator()(const Vector& p, const Vector& q) const {
+      return w * ((Real(1) - sideways) * dot(p, along) * dot(q, along) + sideways * dot(p, q));
     }
   };
 
-  MENISCUS_HD uint32_t vertex(const Yarn& yarn, uint32_t k) const {
-    return k < yarn.count ? edges[yarn.first + k].a : edges[yarn.first + k - 1].b;
-  }
+  /// Edge k stands behind one that is not there.
+  MENISCUS_HD Edge& edge(uint32_t k) const { return scratch_.edges[k + 1]; }
+  MENISCUS_HD Real& stiffness(uint32_t k) const { return scratch_.stiffness[k + 1]; }
+
   /// kg, of an edge with a multiplier: how much it resists being turned.
-  MENISCUS_HD float stiffness(float lambda, const Yarn& yarn, uint32_t k) const {
-    const float rest = edges[yarn.first + k].rest_length;
-    return rest > 0 ? fabsf(lambda) / rest : 0;
+  MENISCUS_HD static Real resistance(const Real& lambda, const Real& rest_length) {
+    return select_less(Real(0), rest_length, max(lambda, -lambda) / rest_length, Real(0));
+  }
+  MENISCUS_HD auto positions() const { return s_.all.particles.position.from(s_.all.particles.sorted); }
+  MENISCUS_HD auto moves() const { return s_.all.particles.moved.from(s_.all.particles.sorted); }
+  MENISCUS_HD auto previous() const { return s_.all.particles.previous.from(s_.all.particles.sorted); }
+  MENISCUS_HD Places starts_of(const Places& edges) const {
+    Places vertices;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) vertices.at[lane] = s_.edges[edges.at[lane]].a;
+    return vertices;
+  }
+  MENISCUS_HD Places ends_of(const Places& edges) const {
+    Places vertices;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) vertices.at[lane] = s_.edges[edges.at[lane]].b;
+    return vertices;
   }
 
-  /// The row, but for what comes from the mobilities of the ends, whose weights stand beside the diagonal.
-  MENISCUS_HD Length linearize(Scratch& scratch, const Yarn& yarn, uint32_t k) const {
-    const EdgeConstraint e = load(edges, yarn.first + k);
-    const Vec4 a = all.position(e.a), b = all.position(e.b);
-    const float before = given(yarn, k).w;
-    const Vec3 d = b.xyz() - a.xyz();
-    const float l = length(d), weight = a.w + b.w;
-    const float error = l - e.rest_length;
-    const float compliance = edge_compliance(all, e, error, weight, all.inverse_dt);
-    if (weight + compliance == 0 || l < 1e-12f) {
-      scratch.edge[k] = {0, 0, 0, before};
-      return {0, 1, 0, 0};
+  /// Of edge slot − 1 its row, but for what comes from the mobilities of the ends, whose weights stand beside
+  /// the diagonal.
+  MENISCUS_HD void linearize(Length* rows, uint32_t slot) const {
+    const Real zero(0);
+    const uint32_t k = slot - 1;
+    if (slot == 0 || slot > yarns_.most) {
+      edge(k) = {{zero, zero, zero}, zero};
+      stiffness(k) = zero;
+      return;
     }
-    const Vec3 n = 1 / l * d;
-    const float damping = all.stretch_damping(e.a);
-    float rate = 0, gamma = 0;
-    if (damping > 0) {
-      rate = dot(n, d - (all.previous(e.b).xyz() - all.previous(e.a).xyz()));
+    const Places at = yarns_.edge(k), from = starts_of(at), to = ends_of(at);
+    const Vec4Of<Real> e = gather_words(s_.edges, at.index());
+    const Vec4Of<Real> a = gather(positions(), from.index()), b = gather(positions(), to.index());
+    const Real rest = e.z, last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
+    const Real before = s_.starts ? zero : last;
+    const Vector d = b.xyz() - a.xyz();
+    const Real l = square_root(dot(d, d)), weight = a.w + b.w, error = l - rest;
+    const auto was = [&] {
+      const Vector then = was_along(from, to);
+      return square_root(dot(then, then));
+    };
+    const Real compliance = edge_compliance(e.w, rest, error, weight, s_.all.inverse_dt, was);
+    const Vector n = (Real(1) / l) * d;
+    const Real damping = damping_of(from);
+    Real rate = zero, gamma = zero;
+    if (less_mask(zero, damping) != 0) {
+      rate = dot(n, d - was_along(from, to));
       gamma = damping * compliance / (compliance + weight);
     }
-    scratch.edge[k] = pbd::with_w(n, before);
-    return {(1 + gamma) * a.w, compliance + guard * weight, (1 + gamma) * b.w,
-            -error - compliance * before - gamma * rate};
+    // What has no direction, or cannot give way at all, is left alone.
+    const Real live = yarns_.if_edge(k, select_less(l, Real(1e-12f), zero, weight + compliance));
+    const auto if_live = [&](const Real& x, const Real& otherwise) {
+      return select_less(zero, live, x, otherwise);
+    };
+    edge(k) = {{if_live(n.x, zero), if_live(n.y, zero), if_live(n.z, zero)}, before};
+    rows[k] = {if_live((Real(1) + gamma) * a.w, zero), if_live(compliance + Real(guard) * weight, Real(1)),
+               if_live((Real(1) + gamma) * b.w, zero),
+               if_live(-error - compliance * before - gamma * rate, zero)};
+    stiffness(k) = resistance(last, rest);
+    scratch_.rest_length[k] = rest;
+    scratch_.weight[k + 1] = b.w;
+    if (k == 0) scratch_.weight[0] = a.w;
+  }
+  MENISCUS_HD Vector was_along(const Places& from, const Places& to) const {
+    return gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
+  }
+  MENISCUS_HD Real damping_of(const Places& vertices) const {
+    if (s_.all.damping.stretch >= 0) return Real(s_.all.inverse_dt * s_.all.damping.stretch);
+    float each[D::lane_count];
+    Places order;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
+      each[lane] = s_.all.stretch_damping(vertices.at[lane]);
+      order.at[lane] = lane;
+    }
+    return gather(View<const float>{each, D::lane_count}, order.index());
   }
 
-  MENISCUS_HD void couple(const Scratch& scratch, Length& row, const Yarn& yarn, uint32_t k) const {
-    const bool begins = k == 0, ends = k + 1 == yarn.count;
-    const Vec3 n = scratch.edge[k].xyz();
-    const Vec3 before = begins ? Vec3{0, 0, 0} : scratch.edge[k - 1].xyz();
-    const Vec3 after = ends ? Vec3{0, 0, 0} : scratch.edge[k + 1].xyz();
-    const float here = last_stiffness(yarn, k);
-    const Mobility a(before, n, row.lower, here + (begins ? 0 : last_stiffness(yarn, k - 1)));
-    const Mobility b(n, after, row.upper, here + (ends ? 0 : last_stiffness(yarn, k + 1)));
+  MENISCUS_HD void couple(Length& row, uint32_t k) const {
+    const Vector before = edge(k - 1).n, n = edge(k).n, after = edge(k + 1).n;
+    const Mobility a(before, n, row.lower, stiffness(k - 1) + stiffness(k));
+    const Mobility b(n, after, row.upper, stiffness(k) + stiffness(k + 1));
     row.diagonal += a(n, n) + b(n, n);
     row.lower = -a(before, n);
     row.upper = -b(n, after);
   }
-  MENISCUS_HD float last_stiffness(const Yarn& yarn, uint32_t k) const {
-    return stiffness(multiplier[yarn.first + k].w, yarn, k);
+  MENISCUS_HD void take(const Real& step, uint32_t k) const {
+    edge(k).lambda = yarns_.if_edge(k, edge(k).lambda + step);
+    stiffness(k) = resistance(edge(k).lambda, scratch_.rest_length[k]);
   }
 
   /// kg·m, and λ: what edge k has pushed its end with.
-  MENISCUS_HD Vec4 given(const Yarn& yarn, uint32_t k) const {
-    return starts ? Vec4{0, 0, 0, 0} : multiplier[yarn.first + k];
+  MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
+    const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
+    return {yarns_.if_edge(k, v.x), yarns_.if_edge(k, v.y), yarns_.if_edge(k, v.z), yarns_.if_edge(k, v.w)};
   }
   /// kg·m: what it is to push with beyond that. Where it is taut, the whole is to point as the edge does now;
   /// what is pressed together would be thrown to the sides by that.
-  MENISCUS_HD Vec3 step(const Scratch& scratch, const Yarn& yarn, uint32_t k) const {
-    const Vec4 edge = scratch.edge[k], before = given(yarn, k);
-    return edge.w > 0 ? (edge.w - before.w) * edge.xyz() : edge.w * edge.xyz() - before.xyz();
+  MENISCUS_HD Vector step(uint32_t k) const {
+    const Edge e = edge(k);
+    const Vector whole = e.lambda * e.n;
+    if (s_.starts) return whole;
+    const Vec4Of<Real> before = given(k);
+    const Vector taut = (e.lambda - before.w) * e.n, pressed = whole - before.xyz();
+    const auto either = [&](const Real& x, const Real& y) { return select_less(Real(0), e.lambda, x, y); };
+    return {either(taut.x, pressed.x), either(taut.y, pressed.y), either(taut.z, pressed.z)};
   }
   /// The same of both edges on vertex k.
-  MENISCUS_HD Vec3 steps_on(const Scratch& scratch, const Yarn& yarn, uint32_t k) const {
-    Vec3 sum{0, 0, 0};
-    if (k > 0) sum += step(scratch, yarn, k - 1);
-    if (k < yarn.count) sum += -step(scratch, yarn, k);
-    return sum;
+  MENISCUS_HD Vector steps_on(uint32_t k) const {
+    if (k == 0) return -step(0);
+    return k < yarns_.most ? step(k - 1) - step(k) : step(k - 1);
   }
   /// The row of vertex k's way to the sides, m.
-  MENISCUS_HD Sideways turn(const Scratch& scratch, const Yarn& yarn, uint32_t k) const {
-    const float w = all.position(vertex(yarn, k)).w;
-    Vec3 before{0, 0, 0}, after{0, 0, 0};
-    float lower = 0, upper = 0;
-    if (k > 0) {
-      before = scratch.edge[k - 1].xyz();
-      lower = w * stiffness(scratch.edge[k - 1].w, yarn, k - 1);
-    }
-    if (k < yarn.count) {
-      after = scratch.edge[k].xyz();
-      upper = w * stiffness(scratch.edge[k].w, yarn, k);
-    }
-    const Vec3 along = direction(before, after);
-    const Vec3 push = steps_on(scratch, yarn, k);
-    return {-lower, 1 + lower + upper, -upper, w * (push - dot(push, along) * along)};
+  MENISCUS_HD Sideways turn(uint32_t k) const {
+    const Real w = scratch_.weight[k], lower = w * stiffness(k - 1), upper = w * stiffness(k);
+    const Vector along = direction(edge(k - 1).n, edge(k).n), push = steps_on(k);
+    return {-lower, Real(1) + lower + upper, -upper, w * (push - dot(push, along) * along)};
   }
 
   /// kg·m: what edge k takes back, as it turns.
-  MENISCUS_HD Vec3 taken_back(const Scratch& scratch, const Sideways* ways, const Yarn& yarn,
-                              uint32_t k) const {
-    return stiffness(scratch.edge[k].w, yarn, k) * (ways[k + 1].right - ways[k].right);
+  MENISCUS_HD Vector taken_back(const Sideways* ways, uint32_t k) const {
+    return stiffness(k) * (ways[k + 1].right - ways[k].right);
   }
-  MENISCUS_HD void move(const Scratch& scratch, const Sideways* ways, const Yarn& yarn, uint32_t k) const {
-    Vec3 push = steps_on(scratch, yarn, k);
-    if (k > 0) push += -taken_back(scratch, ways, yarn, k - 1);
-    if (k < yarn.count) push += taken_back(scratch, ways, yarn, k);
-    const uint32_t v = vertex(yarn, k);
-    all.push(v, all.at(v), push);
+  MENISCUS_HD void move(const Sideways* ways, uint32_t k) const {
+    Vector push = steps_on(k);
+    if (k > 0) push = push - taken_back(ways, k - 1);
+    if (k < yarns_.most) push += taken_back(ways, k);
+    const Places at = vertex(k);
+    const uint32_t there = yarns_.have_vertex(k);
+    const Vec4Of<Real> x = gather(positions(), at.index()), moved = gather(moves(), at.index());
+    scatter(positions(), at.index(), plus(x, x.w, push), there);
+    scatter(moves(), at.index(), plus(moved, select_less(Real(0), x.w, x.w, Real(1)), push), there);
   }
-  MENISCUS_HD void note(const Scratch& scratch, const Sideways* ways, const Yarn& yarn, uint32_t k) const {
-    const Vec3 push = given(yarn, k).xyz() + step(scratch, yarn, k) - taken_back(scratch, ways, yarn, k);
-    multiplier[yarn.first + k] = pbd::with_w(push, scratch.edge[k].w);
+  MENISCUS_HD static Vec4Of<Real> plus(const Vec4Of<Real>& x, const Real& s, const Vector& push) {
+    return {x.x + s * push.x, x.y + s * push.y, x.z + s * push.z, x.w};
   }
+  MENISCUS_HD Places vertex(uint32_t k) const {
+    return k == 0 ? starts_of(yarns_.edge(0)) : ends_of(yarns_.edge(k - 1));
+  }
+  MENISCUS_HD void note(const Sideways* ways, uint32_t k) const {
+    Vector push = step(k) - taken_back(ways, k);
+    if (!s_.starts) push += given(k).xyz();
+    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, edge(k).lambda},
+            yarns_.have_edge(k));
+  }
+
+  const SolveYarns& s_;
+  Scratch& scratch_;
+  const YarnsAtOnce<D> yarns_;
 };
+
+template <class D, class Group>
+MENISCUS_HD void SolveYarns::run(const Group& group, Scratch<D, Group>& scratch, uint32_t number) const {
+  SolveYarnsAtOnce<D, Group>(*this, scratch, first + number * D::lane_count).run(group);
+}
 
 }  // namespace meniscus::cloth

@@ -194,8 +194,10 @@ Yarns draw_yarns(ClothConstraints& constraints, std::span<const Vec3> rest, std:
   for (uint32_t k = 0; k < edges.size(); ++k) stiff[k] = drawing.left(k);
   Yarns out;
   for (uint32_t layer = 0; layer < most_layers; ++layer) {
-    const auto yarns = drawing.layer();
+    auto yarns = drawing.layer();
     if (yarns.empty()) break;
+    std::stable_sort(yarns.begin(), yarns.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
     for (const std::vector<EdgeConstraint>& yarn : yarns) {
       out.yarns.push_back({static_cast<uint32_t>(out.edges.size()), static_cast<uint32_t>(yarn.size())});
       out.edges.insert(out.edges.end(), yarn.begin(), yarn.end());

@@ -32,6 +32,9 @@ struct SumUpTo {
   }
 };
 
+MENISCUS_HD inline float square_root(float a) {
+  return sqrtf(a);
+}
 MENISCUS_HD inline float inverse_sqrt(float a) {
 #ifdef __CUDA_ARCH__
   return rsqrtf(a);
@@ -57,9 +60,38 @@ MENISCUS_HD inline uint32_t bit_count(uint32_t mask) {
 #endif
 }
 
+/// Indices, one a lane, as gather() and scatter() take them.
+template <class D>
+struct Places {
+  uint32_t at[D::lane_count];
+
+  MENISCUS_HD auto index() const {
+    if constexpr (D::lane_count == 1) {
+      return at[0];
+    } else {
+      return typename D::LaneIndex{at};
+    }
+  }
+};
+
+template <class T>
+MENISCUS_HD Vec4Of<float> gather_words(View<const T> from, uint32_t j) {
+  const T v = load(from, j);
+  Vec4Of<float> words;
+  static_assert(sizeof v == sizeof words);
+  __builtin_memcpy(&words, &v, sizeof v);
+  return words;
+}
 MENISCUS_HD inline Vec4Of<float> gather(View<const Vec4> from, uint32_t j) {
-  const Vec4 v = load(from, j);
+  return gather_words(from, j);
+}
+/// Of what the kernel writes too.
+MENISCUS_HD inline Vec4Of<float> gather(View<Vec4> from, uint32_t j) {
+  const Vec4 v = from[j];
   return {v.x, v.y, v.z, v.w};
+}
+MENISCUS_HD inline void scatter(View<Vec4> to, uint32_t j, const Vec4Of<float>& v, uint32_t mask) {
+  if (mask & 1) to[j] = {v.x, v.y, v.z, v.w};
 }
 MENISCUS_HD inline float gather(View<const float> from, uint32_t j) {
   return from[j];

@@ -170,8 +170,20 @@ MENISCUS_HD Vec3Of<R> operator-(const Vec3Of<R>& a, const Vec3Of<R>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class R>
+MENISCUS_HD Vec3Of<R> operator-(const Vec3Of<R>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class R>
+MENISCUS_HD Vec3Of<R> operator+(const Vec3Of<R>& a, const Vec3Of<R>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class R>
 MENISCUS_HD Vec3Of<R> operator*(const R& s, const Vec3Of<R>& a) {
   return {s * a.x, s * a.y, s * a.z};
+}
+template <class R>
+MENISCUS_HD Vec3Of<R> operator/(const Vec3Of<R>& a, const R& s) {
+  return {a.x / s, a.y / s, a.z / s};
 }
 template <class R>
 MENISCUS_HD Vec3Of<R>& operator+=(Vec3Of<R>& a, const Vec3Of<R>& b) {

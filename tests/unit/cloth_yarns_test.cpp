@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <memory>
 #include <set>
+#include <utility>
 
 #include "cloth/topology.h"
 #include "cloth/tridiagonal.h"
+#include "cloth/yarn_kernel.h"
+#include "pbd/device/cpu/cpu_device.h"
 #include "tests/unit/cloth_shapes.h"
 
 namespace meniscus::cloth {
@@ -155,6 +159,85 @@ TEST(Tridiagonal, IsSolvedByOneThreadAndByMany) {
     EXPECT_LT(tridiagonal_residual<OneThread>(n), 1e-6) << n;
     EXPECT_LT(tridiagonal_residual<ManyThreads>(n), 1e-6) << n;
   }
+}
+
+/// Yarns of all lengths in a layer, bent and pulled at random, some of their vertices held.
+struct Layer {
+  std::vector<Yarn> yarns;
+  std::vector<EdgeConstraint> edges;
+  std::vector<pbd::Vec4> position, previous, moved, multiplier;
+
+  Layer() {
+    std::mt19937 bits(7);
+    std::uniform_real_distribution<float> any(-1, 1);
+    for (uint32_t count : {40u, 40u, 33u, 20u, 20u, 11u, 9u, 8u, 8u, 5u, 4u}) {
+      yarns.push_back({static_cast<uint32_t>(edges.size()), count});
+      for (uint32_t k = 0; k <= count; ++k) {
+        const auto v = static_cast<uint32_t>(position.size());
+        if (k < count) edges.push_back({v, v + 1, 0.1f, k % 3 ? 1e-5f : 0});
+        previous.push_back({0.1f * static_cast<float>(k), 0.02f * any(bits), 0.02f * any(bits), 0});
+        position.push_back({previous.back().x + 0.02f * any(bits), 0.03f * any(bits), 0.03f * any(bits),
+                            bits() % 9 ? 300 + 200 * any(bits) : 0});
+        moved.push_back({0, 0, 0, 0});
+      }
+    }
+    for (size_t k = 0; k < edges.size(); ++k)
+      multiplier.push_back({1e-4f * any(bits), 1e-4f * any(bits), 1e-4f * any(bits), 2e-4f * any(bits)});
+  }
+
+  SolveYarns solver(bool starts) {
+    const auto view = [](auto& values) {
+      return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
+    };
+    SolveYarns solve{.yarns = view(std::as_const(yarns)),
+                     .edges = view(std::as_const(edges)),
+                     .multiplier = view(multiplier),
+                     .all = {},
+                     .starts = starts,
+                     .first = 0,
+                     .end = static_cast<uint32_t>(yarns.size())};
+    solve.all.particles.position = view(position);
+    solve.all.particles.previous = view(std::as_const(previous));
+    solve.all.particles.moved = view(moved);
+    solve.all.damping = {0.002f, 0.002f};
+    solve.all.inverse_dt = 300;
+    return solve;
+  }
+
+  std::vector<float> results() const {
+    std::vector<float> all;
+    for (const auto* values : {&position, &moved, &multiplier})
+      for (const pbd::Vec4& v : *values) all.insert(all.end(), {v.x, v.y, v.z, v.w});
+    return all;
+  }
+};
+
+/// What a yarn alone is solved with.
+struct OneLane {
+  using Real = float;
+  static constexpr uint32_t lane_count = 1;
+};
+
+/// From no multipliers, then from those that came of it.
+template <class Run>
+std::vector<float> solved(const Run& run) {
+  Layer layer;
+  for (bool starts : {true, false}) run(layer.solver(starts));
+  return layer.results();
+}
+
+TEST(Yarns, SideBySideAreSolvedAsEachAlone) {
+  const std::vector<float> alone = solved([](const SolveYarns& solve) {
+    const auto scratch = std::make_unique<SolveYarns::Scratch<OneLane, OneThread>>();
+    for (uint32_t n = 0; n < solve.end; ++n) solve.run<OneLane>(OneThread{}, *scratch, n);
+  });
+  for (const auto registers : {pbd::CpuDevice::Registers::widest, pbd::CpuDevice::Registers::baseline}) {
+    pbd::CpuDevice device(2, registers);
+    const std::vector<float> together =
+        solved([&](const SolveYarns& solve) { device.parallel_for_lane_groups("yarns", solve.end, solve); });
+    EXPECT_EQ(together, alone);
+  }
+  EXPECT_NE(alone, Layer().results());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "pbd/device/cpu/cpu_device.h"
@@ -22,17 +23,19 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 /// Each operation on lanes, its results added up or as a mask.
 struct AllOperations {
-  static constexpr uint32_t results = 8;
+  static constexpr uint32_t results = 9, lanes = 8;
 
   pbd::View<const pbd::Vec4> points;
   pbd::View<const float> values;
   pbd::View<const uint32_t> index;
+  pbd::View<const uint32_t> own;  // lanes' places in `scattered`
   pbd::View<float> out;
+  pbd::View<pbd::Vec4> scattered;
 
   template <class D>
   void run(uint32_t i) const {
     using Real = typename D::Real;
-    const typename D::LaneIndex j{&index[8 * i]};
+    const typename D::LaneIndex j{&index[lanes * i]};
     const auto p = gather(points, j);
     const Real v = gather(values, j);
     Real folded = p.w;
@@ -48,6 +51,8 @@ struct AllOperations {
     to[5] = sum(select_less(p.x, v, p.y, p.z));
     to[6] = static_cast<float>(less_mask(p.x, v));
     to[7] = static_cast<float>(D::Lister::near(points, points[first].xyz(), 4.0f, first, 1 + i % 23));
+    to[8] = sum(square_root(p.z * p.z));
+    scatter(scattered, typename D::LaneIndex{&own[lanes * i]}, p, i);
   }
 };
 
@@ -57,10 +62,13 @@ std::vector<float> all_operations(pbd::CpuDevice::Registers registers) {
   std::normal_distribution<float> normal;
   std::vector<pbd::Vec4> points(count);
   std::vector<float> values(count), out(AllOperations::results * count);
-  std::vector<uint32_t> index(8 * count);
+  std::vector<uint32_t> index(AllOperations::lanes * count);
   for (pbd::Vec4& p : points) p = {normal(random), normal(random), normal(random), normal(random)};
   for (float& v : values) v = normal(random);
   for (uint32_t& j : index) j = static_cast<uint32_t>(random() % count);
+  std::vector<uint32_t> own(AllOperations::lanes * count);
+  std::iota(own.begin(), own.end(), 0u);
+  std::vector<pbd::Vec4> scattered(own.size(), pbd::Vec4{1, 2, 3, 4});
   values[7] = std::numeric_limits<float>::quiet_NaN();
   values[8] = std::numeric_limits<float>::infinity();
   values[9] = -0.0f;
@@ -69,8 +77,16 @@ std::vector<float> all_operations(pbd::CpuDevice::Registers registers) {
   device.parallel_for_long("test", count,
                            AllOperations{{points.data(), count},
                                          {values.data(), count},
-                                         {index.data(), 8 * count},
-                                         {out.data(), AllOperations::results * count}});
+                                         {index.data(), static_cast<uint32_t>(index.size())},
+                                         {own.data(), static_cast<uint32_t>(own.size())},
+                                         {out.data(), static_cast<uint32_t>(out.size())},
+                                         {scattered.data(), static_cast<uint32_t>(scattered.size())}});
+  for (size_t k = 0; k < scattered.size(); ++k) {
+    const bool meant = k / AllOperations::lanes >> k % AllOperations::lanes & 1;
+    const pbd::Vec4 there = scattered[k], expected = meant ? points[index[k]] : pbd::Vec4{1, 2, 3, 4};
+    EXPECT_EQ(there.xyz(), expected.xyz()) << k;
+    EXPECT_EQ(there.w, expected.w) << k;
+  }
   // What kind of not-a-number comes out is no result.
   for (float& x : out) x = std::isnan(x) ? 0.5f : x;
   return out;

@@ -84,6 +84,17 @@ class CpuDevice final : public Device {
     });
   }
 
+  /// The same for kernels that a thread may run for several n side by side, and then over numbers of as many
+  /// lanes: calls kernel.run<D>(group, scratch, k) for k below count over D's lanes, rounded up, with a
+  /// scratch of type Kernel::Scratch<D, group's type>. D is as in parallel_for_long, but never a team.
+  template <class Kernel>
+  void parallel_for_lane_groups(const char* /*name*/, uint32_t count, const Kernel& kernel) {
+    const InOneThread<Kernel> run{kernel};
+    parallel_loop(
+        arena_, (count + lane_count - 1) / lane_count, 1,
+        [&, all = choose_run<InOneThread<Kernel>>()](uint32_t begin, uint32_t end) { all(run, begin, end); });
+  }
+
   /// Two launches of parallel_for_long that touch nothing of one another, the second one's items few and
   /// longer; a GPU runs them at once.
   template <class Kernel, class LongKernel>
@@ -135,6 +146,17 @@ class CpuDevice final : public Device {
     template <class F>
     void for_each(uint32_t count, const F& f) const {
       for (uint32_t i = 0; i < count; ++i) f(i);
+    }
+  };
+
+  template <class Kernel>
+  struct InOneThread {
+    const Kernel& kernel;
+
+    template <class D>
+    void run(uint32_t n) const {
+      typename Kernel::template Scratch<D, OneThread> scratch;
+      kernel.template run<D>(OneThread{}, scratch, n);
     }
   };
 

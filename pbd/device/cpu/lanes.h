@@ -62,9 +62,12 @@ MENISCUS_LANE_FN Float4 square_root(Float4 a) {
   return r;
 }
 
+MENISCUS_LANE_FN Lanes square_root(Lanes a) {
+  return {square_root(a.low), square_root(a.high)};
+}
 /// 1/√a for a > 0. Both steps are correctly rounded, unlike rsqrtps, whose bits differ between makers.
 MENISCUS_LANE_FN Lanes inverse_sqrt(Lanes a) {
-  return Lanes(1.0f) / Lanes(square_root(a.low), square_root(a.high));
+  return Lanes(1.0f) / square_root(a);
 }
 
 /// a where x < y, else b, lane by lane.
@@ -97,7 +100,10 @@ struct Transposed {
   Float4 x, y, z, w;
 };
 
-MENISCUS_LANE_FN Float4 load4(const Vec4& v) {
+/// The four words of v.
+template <class T>
+MENISCUS_LANE_FN Float4 load4(const T& v) {
+  static_assert(sizeof(T) == sizeof(Float4));
   Float4 r;
   std::memcpy(&r, &v, sizeof r);
   return r;
@@ -127,11 +133,25 @@ struct LaneIndex {
   MENISCUS_LANE_FN uint32_t operator[](int lane) const { return at[lane]; }
 };
 
-MENISCUS_LANE_FN Vec4Of<Lanes> gather(View<const Vec4> from, LaneIndex j) {
+/// Elements of four words each, word by word.
+template <class T>
+MENISCUS_LANE_FN Vec4Of<Lanes> gather_words(View<const T> from, LaneIndex j) {
   using detail::load4;
   return detail::join(
       detail::transpose(load4(from[j[0]]), load4(from[j[1]]), load4(from[j[2]]), load4(from[j[3]])),
       detail::transpose(load4(from[j[4]]), load4(from[j[5]]), load4(from[j[6]]), load4(from[j[7]])));
+}
+MENISCUS_LANE_FN Vec4Of<Lanes> gather(View<const Vec4> from, LaneIndex j) {
+  return gather_words(from, j);
+}
+
+/// Lane k goes to to[j[k]] where bit k of the mask is set.
+MENISCUS_LANE_FN void scatter(View<Vec4> to, LaneIndex j, const Vec4Of<Lanes>& v, uint32_t mask) {
+  const detail::Transposed low = detail::transpose(v.x.low, v.y.low, v.z.low, v.w.low),
+                           high = detail::transpose(v.x.high, v.y.high, v.z.high, v.w.high);
+  const Float4 each[] = {low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w};
+  for (int k = 0; k < 8; ++k)
+    if (mask >> k & 1) std::memcpy(&to[j[k]], &each[k], sizeof(Float4));
 }
 
 MENISCUS_LANE_FN Lanes gather(View<const float> from, LaneIndex j) {

@@ -60,6 +60,9 @@ MENISCUS_WIDE_FN WideLanes& operator*=(WideLanes& a, const WideLanes& b) {
 MENISCUS_WIDE_FN WideLanes max(const WideLanes& a, const WideLanes& b) {
   return WideLanes(_mm256_max_ps(a.all, b.all));
 }
+MENISCUS_WIDE_FN WideLanes square_root(const WideLanes& a) {
+  return WideLanes(_mm256_sqrt_ps(a.all));
+}
 MENISCUS_WIDE_FN WideLanes inverse_sqrt(const WideLanes& a) {
   return WideLanes(_mm256_div_ps(_mm256_set1_ps(1.0f), _mm256_sqrt_ps(a.all)));
 }
@@ -86,9 +89,12 @@ struct WideIndex {
 
 namespace detail {
 
-/// Elements a and b, side by side.
-MENISCUS_WIDE_FN __m256 load_two(const Vec4& a, const Vec4& b) {
-  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(&a.x)), _mm_load_ps(&b.x), 1);
+/// The four words of a and of b, side by side.
+template <class T>
+MENISCUS_WIDE_FN __m256 load_two(const T& a, const T& b) {
+  static_assert(sizeof(T) == sizeof(__m128) && alignof(T) == alignof(__m128));
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(reinterpret_cast<const float*>(&a))),
+                              _mm_load_ps(reinterpret_cast<const float*>(&b)), 1);
 }
 
 MENISCUS_WIDE_FN Vec4Of<WideLanes> transpose(const __m256& a, const __m256& b, const __m256& c,
@@ -103,10 +109,23 @@ MENISCUS_WIDE_FN Vec4Of<WideLanes> transpose(const __m256& a, const __m256& b, c
 
 }  // namespace detail
 
-MENISCUS_WIDE_FN Vec4Of<WideLanes> gather(const View<const Vec4>& from, const WideIndex& j) {
+template <class T>
+MENISCUS_WIDE_FN Vec4Of<WideLanes> gather_words(const View<const T>& from, const WideIndex& j) {
   using detail::load_two;
   return detail::transpose(load_two(from[j[0]], from[j[4]]), load_two(from[j[1]], from[j[5]]),
                            load_two(from[j[2]], from[j[6]]), load_two(from[j[3]], from[j[7]]));
+}
+MENISCUS_WIDE_FN Vec4Of<WideLanes> gather(const View<const Vec4>& from, const WideIndex& j) {
+  return gather_words(from, j);
+}
+MENISCUS_WIDE_FN void scatter(const View<Vec4>& to, const WideIndex& j, const Vec4Of<WideLanes>& v,
+                              uint32_t mask) {
+  const Vec4Of<WideLanes> each = detail::transpose(v.x.all, v.y.all, v.z.all, v.w.all);  // k and k + 4
+  const __m256 two[] = {each.x.all, each.y.all, each.z.all, each.w.all};
+  for (int k = 0; k < 4; ++k) {
+    if (mask >> k & 1) _mm_store_ps(&to[j[k]].x, _mm256_castps256_ps128(two[k]));
+    if (mask >> (k + 4) & 1) _mm_store_ps(&to[j[k + 4]].x, _mm256_extractf128_ps(two[k], 1));
+  }
 }
 MENISCUS_WIDE_FN WideLanes gather(const View<const float>& from, const WideIndex& j) {
   return WideLanes(_mm256_setr_ps(from[j[0]], from[j[1]], from[j[2]], from[j[3]], from[j[4]], from[j[5]],

@@ -66,6 +66,14 @@ __global__ void __launch_bounds__(group_size)
 }
 
 template <class D, class Kernel>
+__global__ void __launch_bounds__(group_size)
+    for_each_lane_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
+  wait_for_previous(mark);
+  __shared__ typename Kernel::template Scratch<D, Block> scratch;
+  kernel.template run<D>(Block{}, scratch, blockIdx.x);
+}
+
+template <class D, class Kernel>
 struct RunLong {
   Kernel kernel;
   __device__ void operator()(uint32_t i) const { kernel.template run<D>(i); }
@@ -170,6 +178,12 @@ class CudaDevice final : public Device {
   void parallel_for_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
     if (count) launch(name, count, group_size, for_each_group<Kernel>, kernel);
+  }
+
+  template <class Kernel>
+  void parallel_for_lane_groups(const char* name, uint32_t count, const Kernel& kernel) {
+    using namespace cuda_kernels;
+    if (count) launch(name, count, group_size, for_each_lane_group<CudaDevice, Kernel>, kernel);
   }
 
   template <class Kernel>

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cloth/tridiagonal.h"
+#include "cloth/yarns.h"
+#include "pbd/device/scalar.h"
+
+namespace meniscus::cloth {
+
+using pbd::gather;
+using pbd::less_mask;
+using pbd::select_less;
+
+/// Yarns that are worked on side by side: as many as D::Real has lanes. The shorter ones wait at their ends
+/// for the longest.
+template <class D>
+struct YarnsAtOnce {
+  using Real = typename D::Real;
+  static constexpr uint32_t lanes = D::lane_count;
+
+  uint32_t first[lanes], count[lanes];
+  uint32_t most = 0;  ///< edges of the longest
+  Real edges, vertices;
+
+  /// Those from yarns[begin] on, up to yarns[end − 1].
+  MENISCUS_HD YarnsAtOnce(pbd::View<const Yarn> yarns, uint32_t begin, uint32_t end) {
+    pbd::Places<D> order;
+    float edge_counts[lanes], vertex_counts[lanes];
+    for (uint32_t lane = 0; lane < lanes; ++lane) {
+      const bool there = begin + lane < end;
+      const Yarn yarn = yarns[there ? begin + lane : begin];
+      first[lane] = yarn.first;
+      count[lane] = there ? yarn.count : 0;
+      edge_counts[lane] = static_cast<float>(count[lane]);
+      vertex_counts[lane] = there ? edge_counts[lane] + 1 : 0;
+      most = count[lane] > most ? count[lane] : most;
+      order.at[lane] = lane;
+    }
+    edges = gather(pbd::View<const float>{edge_counts, lanes}, order.index());
+    vertices = gather(pbd::View<const float>{vertex_counts, lanes}, order.index());
+  }
+
+  /// Where edge k of each is; of one that has none, another.
+  MENISCUS_HD pbd::Places<D> edge(uint32_t k) const {
+    pbd::Places<D> places;
+    for (uint32_t lane = 0; lane < lanes; ++lane) places.at[lane] = first[lane] + (k < count[lane] ? k : 0);
+    return places;
+  }
+  /// Bits of those that have an edge k, or a vertex k.
+  MENISCUS_HD uint32_t have_edge(uint32_t k) const { return less_mask(number(k), edges); }
+  MENISCUS_HD uint32_t have_vertex(uint32_t k) const { return less_mask(number(k), vertices); }
+  /// x for those that have an edge k, 0 for others.
+  MENISCUS_HD Real if_edge(uint32_t k, const Real& x) const {
+    return select_less(number(k), edges, x, Real(0));
+  }
+
+ private:
+  MENISCUS_HD static Real number(uint32_t k) { return Real(static_cast<float>(k)); }
+};
+
+/// Yarns while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
+/// there; of each vertex w; and the rows of a system, and of the one that a group of threads makes of it.
+template <class D, class Group>
+struct YarnScratch {
+  using Real = typename D::Real;
+  using Length = TridiagonalRow<Real>;
+  using Sideways = TridiagonalRow<Real, pbd::Vec3Of<Real>>;
+
+  struct alignas(16) alignas(Real) Edge {
+    pbd::Vec3Of<Real> n;
+    Real lambda;
+  };
+
+  Edge edges[Yarn::most_edges + 2];
+  Real stiffness[Yarn::most_edges + 2], rest_length[Yarn::most_edges + 2];
+  Real weight[Yarn::most_edges + 1];
+  alignas(64) unsigned char rows[Group::is_one_thread ? 1 : 2][(Yarn::most_edges + 1) * sizeof(Sideways)];
+
+  template <class Row>
+  MENISCUS_HD Row* first_rows() {
+    return reinterpret_cast<Row*>(rows[0]);
+  }
+  template <class Row>
+  MENISCUS_HD Row* other_rows() {
+    return reinterpret_cast<Row*>(rows[Group::is_one_thread ? 0 : 1]);
+  }
+};
+
+}  // namespace meniscus::cloth
