@@ -25,17 +25,19 @@ struct ContactPart {
 ///   project  at first fits the tree of boxes to the motion that cloth's own constraints have left of the
 ///            substep's, finds pairs of features that come within the thickness, and the side on which each
 ///            stays; then pushes them apart, with friction;
-///   settle   makes sure that nothing has passed through: where the solve has not sufficed, vertices are held
-///            back on their way. There, momentum is not kept.
+///   guard()  settles: makes sure that nothing has passed through. Where the solve has not sufficed, vertices
+///            are held back on their way. There, momentum is not kept.
 ///
-/// It should come after cloth's own constraints, and settle after whatever else moves vertices. The state at
+/// It should come after cloth's own constraints, and guard() after whatever else moves vertices. The state at
 /// a substep's start must not have cloth passed through cloth; what overlaps by thickness alone is pushed
 /// apart slowly. What only prescribed motion brings together is not kept apart by it.
 template <class D>
 class SelfContacts final : public pbd::ConstraintSet<D> {
  public:
   /// The tree may serve others too; it holds the boxes of the last substep.
-  SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree) {}
+  SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree), guard_(*this) {}
+
+  pbd::ConstraintSet<D>& guard() { return guard_; }
 
   /// All cloth from now on. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
   /// free of strain, also where it lies in the device's memory; that view must stay valid. `heaviest` is the
@@ -44,7 +46,6 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
                    pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts, float heaviest);
 
   void project(pbd::Substep<D>& substep, int iteration) override;
-  void settle(pbd::Substep<D>& substep) override;
 
   void start_step() override;
   bool had_room() override;
@@ -58,10 +59,20 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   uint32_t most_held_back() const { return found(self_contact_kernels::crossings); }
 
  private:
+  struct Guard final : pbd::ConstraintSet<D> {
+    explicit Guard(SelfContacts& owner) : contacts(owner) {}
+    void project(pbd::Substep<D>&, int) override {}
+    void settle(pbd::Substep<D>& substep) override { contacts.hold_back(substep); }
+    SelfContacts& contacts;
+  };
+
   static constexpr uint32_t first_rounds = 4;
   static constexpr int sweeps = 2;  // an iteration: contacts need more than what they hold apart
 
   uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
+  uint32_t found_pairs() const {
+    return found(self_contact_kernels::group_pairs) + found(self_contact_kernels::sheet_pairs);
+  }
   uint32_t used_rounds() const;
   bool ran_short() const { return used_rounds() == rounds_; }
   uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
@@ -71,12 +82,15 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void reserve_contacts(uint32_t capacity);
   void find_pairs(pbd::Substep<D>& substep);
   void make_contacts(pbd::Substep<D>& substep);
+  void hold_back(pbd::Substep<D>& substep);
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
+  self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::ContactList list();
   uint32_t launched(uint32_t counter, size_t capacity, uint32_t each = 1);
 
   D& device_;
   pbd::SurfaceTree<D>& tree_;
+  Guard guard_;
   pbd::View<const Vec3> rest_;
   uint32_t vertices_ = 0, groups_ = 0, rounds_ = first_rounds;
   float least_distance_ = 0;  // m: see FindCrossings

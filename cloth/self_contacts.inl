@@ -41,16 +41,12 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
                               FitCones{tree_.view(), parts_.view(), previous, foreseen_.view(), cones_.view(),
                                        rough_.view(), squeezed_.view()});
   const pbd::SurfaceTreeView tree = tree_.view();
-  const bool by_box =
-      device_.kind() == pbd::DeviceKind::cuda;  // which has more threads than there are groups
-  device_.parallel_for(
-      "self contacts/groups", by_box ? groups_ * tree.boxes[tree.levels - 1] : groups_,
-      FindGroups{tree, parts_.view(), cones_.view(), neighbour_start_.view(), neighbours_.view(),
-                 group_pairs_.view(), counters_.view(), groups_, by_box});
+  device_.parallel_for_groups(
+      "self contacts/groups", tree.groups_of(1),
+      FindGroups{tree, parts_.view(), cones_.view(), neighbour_start_.view(), neighbours_.view(), pairs()});
   const uint32_t threads = launched(group_pairs, 8 * group_pairs_.size(), 8);
-  device_.parallel_for(
-      "self contacts/candidates", threads,
-      FindCandidates{{cloth(substep)}, group_pairs_.view(), candidates_.view(), counters_.view(), threads});
+  device_.parallel_for("self contacts/candidates", threads,
+                       FindCandidates{{cloth(substep)}, pairs(), candidates_.view(), threads});
 }
 
 template <class D>
@@ -85,7 +81,7 @@ void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
 }
 
 template <class D>
-void SelfContacts<D>::settle(pbd::Substep<D>& substep) {
+void SelfContacts<D>::hold_back(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   if (idle()) return;
   const pbd::ParticleView& p = substep.particles;
@@ -95,7 +91,8 @@ void SelfContacts<D>::settle(pbd::Substep<D>& substep) {
   device_.parallel_for("self contacts/contain", vertices_,
                        Contain{previous, foreseen_.view(), position, moved, strayed_.view()});
   const uint32_t threads =
-      std::max(launched(candidates, candidates_.size()), launched(group_pairs, 8 * group_pairs_.size(), 8));
+      std::max({launched(candidates, candidates_.size()), launched(group_pairs, 8 * group_pairs_.size(), 8),
+                launched(sheet_pairs, 8 * group_pairs_.size(), 8)});
   for (uint32_t round = 0; round < rounds_; ++round) {
     device_.parallel_for(
         "self contacts/flags", tree_.places(),
@@ -104,7 +101,7 @@ void SelfContacts<D>::settle(pbd::Substep<D>& substep) {
     device_.parallel_for("self contacts/crossings", threads,
                          FindCrossings{{cloth(substep)},
                                        candidates_.view(),
-                                       group_pairs_.view(),
+                                       pairs(),
                                        position,
                                        flags_.view(),
                                        limit_.view(),
@@ -140,7 +137,7 @@ void SelfContacts<D>::start_step() {
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
+  return idle() || ((!ran_short() || rounds_ == most_rounds) && found_pairs() <= group_pairs_.size() &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }
 
@@ -148,7 +145,7 @@ template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
   const auto more = [](uint32_t found) { return found + found / 4; };
-  if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
+  if (found_pairs() > group_pairs_.size()) group_pairs_.resize_or_stay(more(found_pairs()));
   if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
   if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
   // start_step() makes more rounds.
@@ -253,6 +250,11 @@ self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& s
           features_.view(),
           parts_.view(),
           rough_.view()};
+}
+
+template <class D>
+self_contact_kernels::GroupPairs SelfContacts<D>::pairs() {
+  return {group_pairs_.view(), counters_.view()};
 }
 
 template <class D>

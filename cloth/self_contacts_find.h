@@ -102,34 +102,71 @@ struct FitCones {
   }
 };
 
-/// Lists the pairs of groups whose boxes overlap: by group, or by group and box of the tree's highest level.
+/// While eight groups look for those that they overlap: other eights, by number.
+struct OverlapScratch {
+  static constexpr uint32_t boxes = 128;
+
+  uint32_t eights[8 * boxes];
+  uint32_t count;
+};
+
+/// Lists the pairs of groups whose boxes overlap, for eight groups at a time: of a number of the tree's boxes
+/// after the other, those eights below that overlap all of the own ones, then their groups.
 ///
 /// Neighbours in the material always do. They cannot touch while all their normals are within a half-space
-/// (Volino & Magnenat-Thalmann 1994): such pairs are marked, and not looked at any further.
+/// (Volino & Magnenat-Thalmann 1994): such pairs are listed apart, and not looked at any further.
 struct FindGroups {
+  using Scratch = OverlapScratch;
+
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
   View<const Vec4> cones;
   View<const uint32_t> neighbour_start, neighbours;
-  View<GroupPair> pairs;
-  View<uint32_t> counters;
-  uint32_t groups;
-  bool by_box;
+  GroupPairs pairs;
 
   static constexpr float smooth = 1.3f;  // rad, the widest spread of normals in what counts as one sheet
 
-  MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t g = n % groups, part = tree.triangles[8 * g].part;
-    Appending<GroupPair> found(pairs, counters[group_pairs]);
-    const auto visit = [&](uint32_t other) {
+  /// For the groups from 8 n on, and those behind them.
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    const uint32_t end = eights_have_boxes() ? tree.groups_of(2) : 1;
+    for (uint32_t first = n / 8; first < end; first += Scratch::boxes) {
+      group.for_each(1, [&](uint32_t) { scratch.count = 0; });
+      const uint32_t boxes = end - first < Scratch::boxes ? end - first : Scratch::boxes;
+      group.for_each(boxes, [&](uint32_t k) { look_into(scratch, n, first + k); });
+      const uint32_t found = scratch.count;
+      group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
+    }
+  }
+
+ private:
+  MENISCUS_HD bool eights_have_boxes() const { return tree.levels > 2; }
+
+  MENISCUS_HD void look_into(Scratch& scratch, uint32_t n, uint32_t box) const {
+    const Aabb own = eights_have_boxes() ? tree.box(2, n) : pbd::empty_box;
+    if (tree.levels > 3 && !overlap(tree.box(3, box), own)) return;
+    uint32_t mask =
+        eights_have_boxes() ? overlap_mask(tree.group(2, box), own) : (1u << tree.groups_of(1)) - 1;
+    for (; mask != 0; mask &= mask - 1) {
+      const uint32_t eight = 8 * box + pbd::lowest_bit(mask);
+      if (eight >= n) scratch.eights[pbd::append(scratch.count, 1)] = eight;
+    }
+  }
+
+  MENISCUS_HD void pair_up(uint32_t g, uint32_t eight) const {
+    uint32_t mask = overlap_mask(tree.group(1, eight), tree.box(1, g));
+    if (eight == g / 8) mask &= ~0u << g % 8;
+    if (mask == 0) return;
+    const uint32_t part = tree.triangles[8 * g].part;
+    Appending<GroupPair> others(pairs.all, pairs.counters[group_pairs]),
+        in_sheets(pairs.all, pairs.counters[sheet_pairs], true);
+    for (; mask != 0; mask &= mask - 1) {
+      const uint32_t other = 8 * eight + pbd::lowest_bit(mask);
       if (may_touch(part, tree.triangles[8 * other].part))
-        found.add({g, other | (is_one_sheet(g, other) ? GroupPair::sheet_bit : 0)});
-    };
-    if (by_box)
-      pbd::for_each_overlap_below(tree, n / groups, tree.box(1, g), 1, g, visit);
-    else
-      pbd::for_each_overlap(tree, tree.box(1, g), 1, g, visit);
-    found.flush();
+        (is_one_sheet(g, other) ? in_sheets : others).add({g, other});
+    }
+    others.flush();
+    in_sheets.flush();
   }
 
   MENISCUS_HD bool may_touch(uint32_t p, uint32_t q) const {
@@ -264,18 +301,16 @@ struct FeaturePairs {
 /// Lists the pairs of features that may become contacts: eight threads a pair of groups.
 struct FindCandidates {
   FeaturePairs features;
-  View<const GroupPair> pairs;
+  GroupPairs pairs;
   View<FeatureCode> candidate_list;
-  View<uint32_t> counters;
   uint32_t stride;
 
   MENISCUS_HD void operator()(uint32_t thread) const {
-    const uint32_t count = 8 * listed(pairs, counters[group_pairs]);
-    Appending<FeatureCode> found(candidate_list, counters[candidates]);
+    const uint32_t count = 8 * pairs.others();
+    Appending<FeatureCode> found(candidate_list, pairs.counters[candidates]);
     for (uint32_t n = thread; n < count; n += stride) {
-      const GroupPair pair = load(pairs, n / 8);
-      if (pair.in_one_sheet()) continue;
-      features.of_place(8 * pair.first + n % 8, pair.second(), Which::for_contacts,
+      const GroupPair pair = pairs.other(n / 8);
+      features.of_place(8 * pair.first + n % 8, pair.second, Which::for_contacts,
                         [&](FeatureCode code) { found.add(code); });
     }
     found.flush();

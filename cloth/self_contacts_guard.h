@@ -86,7 +86,7 @@ struct FlagTriangles {
 struct FindCrossings {
   FeaturePairs features;
   View<const FeatureCode> candidate_list;
-  View<const GroupPair> pairs;
+  GroupPairs pairs;
   View<const Vec4> position;  // by vertex
   View<const uint8_t> flags;  // by place
   View<uint32_t> limit, counters;
@@ -97,10 +97,11 @@ struct FindCrossings {
 
   MENISCUS_HD void operator()(uint32_t thread) const {
     if (round > 0 && counters[crossings + round - 1] == 0) return;
-    const uint32_t found = listed(candidate_list, counters[candidates]),
-                   places = 8 * listed(pairs, counters[group_pairs]);
+    const uint32_t found = listed(candidate_list, counters[candidates]), others = 8 * pairs.others(),
+                   in_sheets = 8 * pairs.in_sheets();
     for (uint32_t n = thread; n < found; n += stride) check_candidate(load(candidate_list, n));
-    for (uint32_t n = thread; n < places; n += stride) check_left_out(load(pairs, n / 8), n % 8);
+    for (uint32_t n = thread; n < others; n += stride) check_left_out(pairs.other(n / 8), n % 8);
+    for (uint32_t n = thread; n < in_sheets; n += stride) check_sheet(pairs.in_sheet(n / 8), n % 8);
   }
 
   MENISCUS_HD void check_candidate(FeatureCode code) const {
@@ -110,14 +111,18 @@ struct FindCrossings {
 
   MENISCUS_HD void check_left_out(GroupPair pair, uint32_t k) const {
     const uint32_t place = 8 * pair.first + k;
-    const bool sheet = pair.in_one_sheet();
     const View<const uint32_t>& rough = features.cloth.rough;
-    if (!sheet && rough[pair.first] && rough[pair.second()]) return;
-    // A sheet that one triangle's turning folds may touch itself with any of the others.
-    const uint32_t flag = (sheet ? flags_of_group(pair.first) : flags[place]) | flags_of_group(pair.second());
-    if (!(flag & changed) || !(flag & (sheet ? own_sheet : others))) return;
-    features.of_place(place, pair.second(), sheet ? Which::all : Which::left_out,
-                      [&](FeatureCode code) { check(features.cloth.corners_of(code)); });
+    if (rough[pair.first] && rough[pair.second]) return;
+    const uint32_t flag = flags[place] | flags_of_group(pair.second);
+    if (flag & changed && flag & others) check_all(place, pair.second, Which::left_out);
+  }
+  /// A sheet that one triangle's turning folds may touch itself with any of the others.
+  MENISCUS_HD void check_sheet(GroupPair pair, uint32_t k) const {
+    const uint32_t flag = flags_of_group(pair.first) | flags_of_group(pair.second);
+    if (flag & changed && flag & own_sheet) check_all(8 * pair.first + k, pair.second, Which::all);
+  }
+  MENISCUS_HD void check_all(uint32_t place, uint32_t group, Which which) const {
+    features.of_place(place, group, which, [&](FeatureCode code) { check(features.cloth.corners_of(code)); });
   }
 
   /// Of any of its triangles.

@@ -40,6 +40,7 @@ enum Counter : uint32_t {
   candidates,
   contacts,
   group_pairs,
+  sheet_pairs,
   crossings,
   counter_count = crossings + most_rounds
 };
@@ -65,20 +66,31 @@ struct FeatureCode {
 
 /// Two groups of triangles whose boxes overlap, first ≤ second; or one, with itself.
 struct GroupPair {
-  static constexpr uint32_t sheet_bit = 1u << 31;  // of the second: see in_one_sheet()
-
-  uint32_t first, second_and_bit;
-
-  MENISCUS_HD uint32_t second() const { return second_and_bit & ~sheet_bit; }
-  /// The two lie in one smooth sheet, and cannot touch while they do.
-  MENISCUS_HD bool in_one_sheet() const { return (second_and_bit & sheet_bit) != 0; }
+  uint32_t first, second;
 };
 
-/// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads.
+/// A list of them in two parts. Those at the end lie in one smooth sheet, and cannot touch while they do:
+/// most of all pairs, and hardly any work. `counters` say how many there are.
+struct GroupPairs {
+  View<GroupPair> all;
+  View<uint32_t> counters;
+
+  MENISCUS_HD uint32_t others() const { return listed(counters[group_pairs]); }
+  MENISCUS_HD uint32_t in_sheets() const { return listed(counters[sheet_pairs]); }
+  MENISCUS_HD GroupPair& other(uint32_t k) const { return all[k]; }
+  MENISCUS_HD GroupPair& in_sheet(uint32_t k) const { return all[all.count - 1 - k]; }
+
+ private:
+  MENISCUS_HD uint32_t listed(uint32_t found) const { return found < all.count ? found : all.count; }
+};
+
+/// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads; or of a
+/// list that begins with its array's last element.
 template <class T>
 class Appending {
  public:
-  MENISCUS_HD Appending(View<T> list, uint32_t& size) : list_(list), size_(size) {}
+  MENISCUS_HD Appending(View<T> list, uint32_t& size, bool backwards = false)
+      : list_(list), size_(size), backwards_(backwards) {}
 
   MENISCUS_HD void add(const T& element) {
     if (count_ == room) flush();
@@ -87,8 +99,10 @@ class Appending {
   MENISCUS_HD void flush() {
     if (count_ == 0) return;
     const uint32_t first = pbd::append(size_, count_);
-    for (uint32_t k = 0; k < count_; ++k)
-      if (first + k < list_.count) list_[first + k] = kept_[k];
+    for (uint32_t k = 0; k < count_; ++k) {
+      const uint32_t place = first + k;
+      if (place < list_.count) list_[backwards_ ? list_.count - 1 - place : place] = kept_[k];
+    }
     count_ = 0;
   }
 
@@ -97,6 +111,7 @@ class Appending {
 
   View<T> list_;
   uint32_t& size_;
+  bool backwards_;
   uint32_t count_ = 0;
   T kept_[room];
 };

@@ -96,14 +96,6 @@ class OverlapWalk {
       : tree_(tree), box_(box), level_(level), from_(from), at_(tree.levels - 1) {
     roots_ = tree.levels ? tree.groups_of(at_) : 0;
   }
-  /// Over what is below one box of the highest level.
-  MENISCUS_HD OverlapWalk(const SurfaceTreeView& tree, uint32_t top_box, const Aabb& box, uint32_t level,
-                          uint32_t from)
-      : tree_(tree), box_(box), level_(level), from_(from), at_(tree.levels - 1), roots_(0) {
-    group_ = top_box / 8;
-    if (overlap(tree.box(at_, top_box), box)) open_ = uint64_t{1} << top_box % 8;
-  }
-
   /// The next box; false where there are no more.
   MENISCUS_HD bool next(uint32_t& box) {
     while (advance()) {
@@ -165,14 +157,6 @@ template <class Visit>
 MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from,
                                   const Visit& visit) {
   OverlapWalk walk(tree, box, level, from);
-  for (uint32_t b; walk.next(b);) visit(b);
-}
-
-/// The same, of all that is below one box of the highest level.
-template <class Visit>
-MENISCUS_HD void for_each_overlap_below(const SurfaceTreeView& tree, uint32_t top_box, const Aabb& box,
-                                        uint32_t level, uint32_t from, const Visit& visit) {
-  OverlapWalk walk(tree, top_box, box, level, from);
   for (uint32_t b; walk.next(b);) visit(b);
 }
 

@@ -74,6 +74,7 @@ class DeviceEngine final : public Engine {
     solver_.add(grains_);
     solver_.add(sheets_.carrying());
     solver_.add(face_points_);
+    solver_.add(self_contacts_.guard());
     solver_.add(sheets_);
     solver_.add(bodies_);
     solver_.add(jets_);
