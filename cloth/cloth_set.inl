@@ -65,6 +65,7 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   upload(clusters_, c.clusters);
   upload(cluster_vertices_, c.vertices);
   pass_starts_ = c.pass_starts;
+  bending_passes_ = c.bending_passes;
   strain_multiplier_.resize_discard(c.strains.size());
   isometric_multiplier_.resize_discard(c.isometric.size());
   hinge_multiplier_.resize_discard(c.hinges.size());
@@ -130,9 +131,9 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const int turn = any_gas_ ? iteration : substep.iterations - 1 - iteration;
   const bool starts = iteration == 0, backwards = turn % 2 != 0;
   if (any_gas_ && !backwards) blow_up(substep, starts);
-  if (backwards) solve_yarns(substep, starts, backwards);
-  sweep(substep, starts, backwards);
-  if (!backwards) solve_yarns(substep, starts, backwards);
+  if (!backwards) bend(substep, starts, backwards);
+  stretch(substep, starts, backwards);
+  if (backwards) bend(substep, starts, backwards);
   if (any_gas_ && backwards) blow_up(substep, starts);
   device_.parallel_for(
       "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
@@ -140,7 +141,28 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
 }
 
 template <class D>
-void ClothSet<D>::sweep(pbd::Substep<D>& substep, bool starts, bool backwards) {
+void ClothSet<D>::bend(pbd::Substep<D>& substep, bool starts, bool backwards) {
+  sweep(substep, 0, bending_passes_, starts, backwards);
+}
+
+/// Every other round runs through colours and layers in the other direction. What is left over between rounds
+/// is what sweeps and yarns undo of one another.
+template <class D>
+void ClothSet<D>::stretch(pbd::Substep<D>& substep, bool starts, bool backwards) {
+  const size_t stretch_end = pass_starts_.size() - 1;
+  for (int round = 0; round < parameters_.stretch_rounds; ++round) {
+    const bool first = starts && round == 0;
+    const int left = parameters_.stretch_rounds - 1 - round;
+    const bool reversed = (backwards ? round + 1 : left) % 2 != 0;
+    if (backwards) solve_yarns(substep, first, reversed);
+    sweep(substep, bending_passes_, stretch_end, first, reversed);
+    if (!backwards) solve_yarns(substep, first, reversed);
+  }
+}
+
+template <class D>
+void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts,
+                        bool backwards) {
   const float relaxation = parameters_.over_relaxation;
   SolveClusters solve{.clusters = clusters_.view(),
                       .batches = batches_.view(),
@@ -152,9 +174,8 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, bool starts, bool backwards) {
                       .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1},
                       .first = 0,
                       .backwards = backwards};
-  const size_t passes = pass_starts_.size() - 1;
-  for (size_t k = 0; k < passes; ++k) {
-    const size_t pass = backwards ? passes - 1 - k : k;
+  for (size_t k = first_pass; k < end_pass; ++k) {
+    const size_t pass = backwards ? first_pass + end_pass - 1 - k : k;
     solve.first = pass_starts_[pass];
     device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
   }

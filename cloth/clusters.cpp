@@ -199,6 +199,7 @@ Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec
     (all[k].kind < ConstraintKind::strain ? bending : stretch).push_back(k);
   Clustering clustering(all, rest);
   clustering.add(std::move(bending), out.pass_starts);
+  out.bending_passes = static_cast<uint32_t>(out.pass_starts.size() - 1);
   clustering.add(std::move(stretch), out.pass_starts);
   std::stable_sort(all.begin(), all.end(), [](const Any& a, const Any& b) {
     return std::tuple(a.cluster, a.kind, a.colour) < std::tuple(b.cluster, b.kind, b.colour);

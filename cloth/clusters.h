@@ -37,6 +37,7 @@ struct Clusters {
   std::vector<Batch> batches;            ///< of each cluster: in the order of the kinds, and of the colours
   std::vector<Cluster> clusters;         ///< of each pass
   std::vector<uint32_t> pass_starts{0};  ///< one more than passes
+  uint32_t bending_passes = 0;           ///< the first ones
   std::vector<uint32_t> vertices;        ///< of each cluster, ascending
 };
 

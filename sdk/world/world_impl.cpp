@@ -33,7 +33,7 @@ EngineDef World::Impl::engine_def() {
   e.density.tolerance = d.tolerance;
   e.density.compressibility = d.compressibility;
   e.density.correction_limit = d.correction_limit * def.particle_spacing;
-  e.cloth = {def.cloth.over_relaxation, def.cloth.warm_start};
+  e.cloth = {def.cloth.over_relaxation, def.cloth.warm_start, def.cloth.stretch_rounds};
   // The repulsion scales with the hydrostatic pressure over one support radius of water; without gravity,
   // with Earth's.
   const float g = length(def.gravity);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* text = R"({
   "name": "x",
-  "world": {"cloth": {"over_relaxation": 1.2, "warm_start": 0.1}},
+  "world": {"cloth": {"over_relaxation": 1.2, "warm_start": 0.1, "stretch_rounds": 3}},
   "bodies": [{"name": "bar", "motion": "kinematic", "geometry": {"type": "box"}, "copies": {"count": [2, 1, 1]}}],
   "cloths": [
     {"name": "flag", "geometry": {"type": "sheet", "width": 3, "depth": 2, "columns": 7, "rows": 5},
@@ -62,6 +62,7 @@ TEST(SceneCloth, SolverAndWind) {
   const Scene s = scene();
   EXPECT_FLOAT_EQ(s.world.cloth.over_relaxation, 1.2f);
   EXPECT_FLOAT_EQ(s.world.cloth.warm_start, 0.1f);
+  EXPECT_EQ(s.world.cloth.stretch_rounds, 3);
   ASSERT_TRUE(s.wind.has_value());
   EXPECT_FLOAT_EQ(s.wind->velocity.x, 8);
   EXPECT_FLOAT_EQ(s.wind->air_density, 1.1f);
