@@ -20,8 +20,8 @@ struct Yarn {
   static constexpr uint32_t fewest_edges = 4, most_edges = 512;
 };
 
-/// Yarns of a layer share no vertex: they are solved at once. The longest come first, and those of like length
-/// side by side.
+/// Yarns of a layer share no vertex: they are solved at once. The longest come first, and those of like
+/// length side by side.
 struct Yarns {
   std::vector<EdgeConstraint> edges;
   std::vector<Yarn> yarns;

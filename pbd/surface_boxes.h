@@ -91,11 +91,11 @@ struct TestTogether {
 template <class Test = TestAlone>
 class OverlapWalk {
  public:
-  /// Over the whole tree.
   MENISCUS_HD OverlapWalk(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from = 0)
       : tree_(tree), box_(box), level_(level), from_(from), at_(tree.levels - 1) {
     roots_ = tree.levels ? tree.groups_of(at_) : 0;
   }
+
   /// The next box; false where there are no more.
   MENISCUS_HD bool next(uint32_t& box) {
     while (advance()) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A ball of cloth, filled with air, with a weight that lies loose in it: it floats as deep as Archimedes says.
+// A ball of cloth, filled with air, with a weight that lies loose in it: it floats as deep as Archimedes
+// says.
 #include <numbers>
 
 #include "tests/coupling/body_worlds.h"
@@ -10,10 +11,10 @@
 namespace meniscus::tests {
 namespace {
 
-constexpr float spacing = 0.04f;                                // m
-constexpr float radius = 0.2f;                                  // m, of the hull
+constexpr float spacing = 0.04f;                                  // m
+constexpr float radius = 0.2f;                                    // m, of the hull
 constexpr float tank_half = radius + 6 * spacing, depth = 0.36f;  // m
-constexpr double gravity = 9.81, density = 1000, ballast = 10;  // m/s², kg/m³, kg
+constexpr double gravity = 9.81, density = 1000, ballast = 10;    // m/s², kg/m³, kg
 
 struct FloatingHull {
   World world;
