@@ -11,7 +11,7 @@ namespace meniscus::cloth::bending_kernels {
 /// three components as three constraints have the same energy, and constant gradients.
 struct SolveIsometric {
   View<const IsometricConstraint> hinges;
-  View<Vec4> multiplier;  ///< kg·m
+  View<Vec3> multiplier;  ///< kg·m
   bool starts;
 
   MENISCUS_HD void prefetch(uint32_t k) const {
@@ -23,7 +23,8 @@ struct SolveIsometric {
   MENISCUS_HD void operator()(const Vertices& vertices, uint32_t k) const {
     const IsometricConstraint h = hinges[k];
     const uint32_t number[4] = {h.a, h.b, h.c, h.d};
-    const Vec4 before = starts ? Vec4{0, 0, 0, 0} : multiplier[k];
+    const float k_of[4] = {h.weight_of_a(), h.weight[0], h.weight[1], h.weight[2]};
+    const Vec3 before = starts ? Vec3{0, 0, 0} : multiplier[k];
     const float damping = vertices.bending_damping(h.a);
     Vertex x[4];
     // From the first vertex, not the origin, from which far away all would be rounding.
@@ -32,17 +33,17 @@ struct SolveIsometric {
     MENISCUS_UNROLL
     for (int i = 0; i < 4; ++i) {
       x[i] = vertices.at(number[i]);
-      c = plus(c, h.weight[i], plus(x[i].x, -1, x[0].x));
-      weight += x[i].x.w * h.weight[i] * h.weight[i];
-      if (damping > 0) way = plus(way, h.weight[i], plus(x[i].x, -1, vertices.previous(number[i])));
+      c = plus(c, k_of[i], plus(x[i].x, -1, x[0].x));
+      weight += x[i].x.w * k_of[i] * k_of[i];
+      if (damping > 0) way = plus(way, k_of[i], plus(x[i].x, -1, vertices.previous(number[i])));
     }
     if (weight == 0) return;
-    const Vec3 step = xpbd_step(c.xyz(), way.xyz(), weight, before.xyz(),
+    const Vec3 step = xpbd_step(c.xyz(), way.xyz(), weight, before,
                                 h.compliance * vertices.inverse_dt() * vertices.inverse_dt(), damping);
     const Vec4 impulse = pbd::with_w(step, 0);
-    multiplier[k] = plus(before, 1, impulse);
+    multiplier[k] = before + step;
     MENISCUS_UNROLL
-    for (int i = 0; i < 4; ++i) vertices.push(number[i], x[i], h.weight[i], impulse);
+    for (int i = 0; i < 4; ++i) vertices.push(number[i], x[i], k_of[i], impulse);
   }
 };
 

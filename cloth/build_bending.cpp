@@ -32,14 +32,13 @@ double cotangent(const Vector3d& u, const Vector3d& v) {
 
 // Each triangle adds l times the unit vector from its third corner to the edge, in its own plane: so the sum
 // of both is l · 2 sin(θ/2) long.
-void set_weights(const Corners& x, float weight[4]) {
+void set_weights(const Corners& x, float weight[3]) {
   const Vector3d edge = x.b - x.a;
   const double a1 = cotangent(edge, x.c - x.a), b1 = cotangent(-edge, x.c - x.b);
   const double a2 = cotangent(edge, x.d - x.a), b2 = cotangent(-edge, x.d - x.b);
-  weight[0] = static_cast<float>(b1 + b2);
-  weight[1] = static_cast<float>(a1 + a2);
-  weight[2] = static_cast<float>(-a1 - b1);
-  weight[3] = static_cast<float>(-a2 - b2);
+  weight[0] = static_cast<float>(a1 + a2);
+  weight[1] = static_cast<float>(-a1 - b1);
+  weight[2] = static_cast<float>(-a2 - b2);
 }
 
 }  // namespace

@@ -54,7 +54,9 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void save() override;
   void restore() override;
 
-  pbd::SurfaceView surface() const { return {triangles_.view(), rest_.view()}; }
+  pbd::SurfaceView surface() const {
+    return {triangles_.view(), rest_.view(), fan_start_.view(), fan_.view()};
+  }
   /// Of each held vertex, what pulled at it in the last step, N·s.
   std::vector<Vec3> read_reactions() const;
   /// Whether some edge was stretched too far in the last step.
@@ -72,6 +74,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   VertexState vertices(const pbd::Substep<D>& substep) const {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
+  View<Vec4> yarn_multiplier() { return edge_multiplier_.view().from(first_yarn_edge_); }
   void bend(pbd::Substep<D>& substep, bool starts, bool backwards);
   void stretch(pbd::Substep<D>& substep, bool starts, bool backwards);
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts, bool backwards);
@@ -102,8 +105,9 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   uint32_t bending_passes_ = 0;
   pbd::Buffer<Vec4> edge_multiplier_{device_, "edge multipliers"};
   pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};
+  pbd::Buffer<float> saved_yarn_multiplier_{device_, "saved yarn multipliers"};
   pbd::Buffer<Vec4> strain_multiplier_{device_, "strain multipliers"};
-  pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
+  pbd::Buffer<Vec3> isometric_multiplier_{device_, "isometric multipliers"};
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
   pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};

@@ -83,14 +83,14 @@ void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, cons
   upload(yarns_, yarns.yarns);
   layer_starts_ = yarns.layer_starts;
   edge_multiplier_.resize_discard(edges.size());
-  saved_edge_multiplier_.resize_discard(edges.size());
+  saved_edge_multiplier_.resize_discard(clusters.edges.size());
+  saved_yarn_multiplier_.resize_discard(yarns.edges.size());
   edge_multiplier_.fill(0);
 }
 
 template <class D>
 void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges) {
-  const bool by_triangle = any_air_ || any_gas_;
-  const Fans triangles = by_triangle ? triangle_fans(model.triangles, model.rest.size()) : Fans{};
+  const Fans triangles = triangle_fans(model.triangles, model.rest.size());
   upload(fan_start_, triangles.start);
   upload(fan_, triangles.items);
   const bool warm_starts = parameters_.warm_start > 0;
@@ -185,7 +185,7 @@ template <class D>
 void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards) {
   SolveYarns solve{.yarns = yarns_.view(),
                    .edges = edges_.view().from(first_yarn_edge_),
-                   .multiplier = edge_multiplier_.view().from(first_yarn_edge_),
+                   .multiplier = yarn_multiplier(),
                    .all = vertices(substep),
                    .starts = starts,
                    .first = 0,
@@ -237,18 +237,23 @@ void ClothSet<D>::start_step() {
   if (tears_.host().size()) tears_.host()[0] = 0;
 }
 
+/// Yarns start from no push: of the last ones only their sizes count.
 template <class D>
 void ClothSet<D>::save() {
   saved_last_dt_ = last_dt_;
   device_.copy(saved_edge_multiplier_.view().data, edge_multiplier_.view().data,
-               edge_multiplier_.size() * sizeof(Vec4));
+               first_yarn_edge_ * sizeof(Vec4));
+  device_.parallel_for("cloth/save yarns", static_cast<uint32_t>(saved_yarn_multiplier_.size()),
+                       KeepMultipliers{yarn_multiplier(), saved_yarn_multiplier_.view()});
 }
 
 template <class D>
 void ClothSet<D>::restore() {
   last_dt_ = saved_last_dt_;
   device_.copy(edge_multiplier_.view().data, saved_edge_multiplier_.view().data,
-               edge_multiplier_.size() * sizeof(Vec4));
+               first_yarn_edge_ * sizeof(Vec4));
+  device_.parallel_for("cloth/restore yarns", static_cast<uint32_t>(saved_yarn_multiplier_.size()),
+                       RestoreMultipliers{saved_yarn_multiplier_.view(), yarn_multiplier()});
 }
 
 template <class D>

@@ -40,8 +40,10 @@ struct alignas(16) HingeConstraint {
 /// Grinspun 2006: l·2 sin(θ/2) while lengths are kept. For what is flat at rest.
 struct alignas(16) IsometricConstraint {
   uint32_t a, b, c, d;
-  float weight[4];   ///< they add up to 0
+  float weight[3];   ///< k of b, c and d; all four add up to 0
   float compliance;  ///< m²/J: (A₁ + A₂)/D
+
+  MENISCUS_HD float weight_of_a() const { return -(weight[0] + weight[1] + weight[2]); }
 };
 
 /// C = |x_vertex − x_anchor| − length ≤ 0, and the anchor is held fast (Kim, Chentanez & Müller 2012).

@@ -47,6 +47,20 @@ struct SolveYarns {
   MENISCUS_HD void run(const Group& group, Scratch<D, Group>& scratch, uint32_t number) const;
 };
 
+/// Puts λ of edges aside.
+struct KeepMultipliers {
+  View<const Vec4> multiplier;
+  View<float> kept;
+
+  MENISCUS_HD void operator()(uint32_t k) const { kept[k] = multiplier[k].w; }
+};
+struct RestoreMultipliers {
+  View<const float> kept;
+  View<Vec4> multiplier;
+
+  MENISCUS_HD void operator()(uint32_t k) const { multiplier[k] = {0, 0, 0, kept[k]}; }
+};
+
 /// The same for as many yarns as R has lanes.
 template <class D, class Group>
 class SolveYarnsAtOnce {

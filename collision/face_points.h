@@ -37,9 +37,8 @@ class FacePoints final : public pbd::ConstraintSet<D> {
     wanted_.host()[0] = 0;
   }
 
-  /// All faces there are. The view must stay valid until it is set anew; `triangles` are the same ones.
-  void set_surface(pbd::View<const pbd::SurfaceTriangle> surface,
-                   std::span<const pbd::SurfaceTriangle> triangles);
+  /// All faces there are. The view must stay valid until it is set anew.
+  void set_surface(const pbd::SurfaceView& surface);
   /// The most points that a substep of the last step had use for.
   uint32_t wanted() const { return wanted_.host()[0]; }
 
@@ -72,8 +71,7 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   bool active_ = false;    // whether points are in use; else it is only looked whether they should be
   uint32_t idle_ = 0;      // steps in a row that needed none
 
-  pbd::View<const pbd::SurfaceTriangle> triangles_;
-  pbd::Buffer<uint32_t> fan_start_{device_, "face fans"}, fan_{device_, "face fans"};
+  pbd::SurfaceView surface_;
   pbd::Buffer<uint32_t> needed_{device_, "face flags"}, number_{device_, "face point numbers"};
   pbd::Buffer<pbd::Vec4> weights_{device_, "face point weights"};
   pbd::Buffer<uint32_t> triangle_of_{device_, "face points"};

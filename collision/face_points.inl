@@ -11,35 +11,18 @@
 namespace meniscus::collision {
 
 template <class D>
-void FacePoints<D>::set_surface(pbd::View<const pbd::SurfaceTriangle> surface,
-                                std::span<const pbd::SurfaceTriangle> triangles) {
+void FacePoints<D>::set_surface(const pbd::SurfaceView& surface) {
   device_.wait();
-  triangles_ = surface;
-  vertices_ = 0;
-  for (const pbd::SurfaceTriangle& t : triangles)
-    vertices_ = std::max({vertices_, t.a + 1, t.b + 1, t.c + 1});
-
-  std::vector<uint32_t> start(vertices_ + 1), fan(3 * triangles.size());
-  const auto corner = [&](size_t k) {
-    const pbd::SurfaceTriangle& t = triangles[k / 3];
-    return k % 3 == 0 ? t.a : k % 3 == 1 ? t.b : t.c;
-  };
-  for (size_t k = 0; k < fan.size(); ++k) ++start[corner(k) + 1];
-  for (uint32_t v = 0; v < vertices_; ++v) start[v + 1] += start[v];
-  std::vector<uint32_t> next(start);
-  for (uint32_t k = 0; k < fan.size(); ++k) fan[next[corner(k)]++] = k;
-  fan_start_.resize_discard(start.size());
-  fan_start_.write(start);
-  fan_.resize_discard(fan.size());
-  fan_.write(fan);
+  surface_ = surface;
+  vertices_ = surface.triangles.count ? surface.fan_start.count - 1 : 0;
   wanted_.host()[0] = 0;
-  set_room(triangles.empty() ? 0 : room_);
+  set_room(surface.triangles.count ? room_ : 0);
 }
 
 template <class D>
 void FacePoints<D>::set_room(uint32_t points) {
   room_ = points;
-  const uint32_t faces = points ? triangles_.count : 0;
+  const uint32_t faces = points ? surface_.triangles.count : 0;
   needed_.resize_discard(faces);
   number_.resize_discard(points ? faces + 1 : 0);
   weights_.resize_discard(faces);
@@ -67,13 +50,13 @@ void FacePoints<D>::make_room() {
 
 template <class D>
 face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const {
-  return {triangles_,
+  return {surface_.triangles,
           needed_.view(),
           number_.view(),
           weights_.view(),
           triangle_of_.view(),
-          fan_start_.view(),
-          fan_.view(),
+          surface_.fan_start,
+          surface_.fan,
           substep.particles.owned - room_,
           room_};
 }
@@ -81,15 +64,15 @@ face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const
 template <class D>
 void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
   using namespace face_kernels;
-  if (triangles_.count == 0 || !shapes_.any_but_fixed_planes()) return;
+  if (surface_.triangles.count == 0 || !shapes_.any_but_fixed_planes()) return;
   device_.parallel_for(
-      "faces/decide", triangles_.count,
-      Decide{shapes_.shapes(), shapes_.touches(substep.particles.phase, substep.particles.sorted), triangles_,
-             substep.particles, active_ ? needed_.view() : pbd::View<uint32_t>{}, weights_.view(),
-             wanted_.view()});
+      "faces/decide", surface_.triangles.count,
+      Decide{shapes_.shapes(), shapes_.touches(substep.particles.phase, substep.particles.sorted),
+             surface_.triangles, substep.particles, active_ ? needed_.view() : pbd::View<uint32_t>{},
+             weights_.view(), wanted_.view()});
   if (!active_) return;
   device_.exclusive_scan("faces/number", needed_.view(), number_.view());
-  device_.parallel_for("faces/list", triangles_.count,
+  device_.parallel_for("faces/list", surface_.triangles.count,
                        ListPoints{needed_.view(), number_.view(), triangle_of_.view(), wanted_.view()});
   substep.particles.owned += room_;
   device_.parallel_for("faces/particles", room_,

@@ -27,7 +27,7 @@ class ContactArrays {
   /// One element, on the device: how many there are, up to the capacity.
   View<const uint32_t> total() const { return {start_.view().data + counted_, 1}; }
   uint32_t capacity() const { return static_cast<uint32_t>(contacts_.size()); }
-  void grow() { resize(capacity() + capacity() / 2); }
+  void grow() { resize(capacity() + capacity() / 4); }
 
   ContactView view() {
     bool any_moving = false;

@@ -54,17 +54,18 @@ class Removal {
  public:
   explicit Removal(D& device) : device_(device) {}
 
-  void reserve(uint32_t capacity) {
-    for (Buffer<uint32_t>* b : {&keep_, &keep_by_slot_, &order_}) b->resize_discard(capacity);
-    offset_.resize_discard(capacity + 1);
-    slot_offset_.resize_discard(capacity + 1);
-  }
+  /// How many particles there may be. Most worlds never remove any: memory is taken at the first removal.
+  void reserve(uint32_t capacity) { capacity_ = capacity; }
 
   /// By index: 1 for who stays, as vertices always do, 0 for who goes. To be filled before apply().
-  View<uint32_t> keep() { return keep_.view(); }
+  View<uint32_t> keep() {
+    allocate();
+    return keep_.view();
+  }
 
   /// Fills keep() from an array by slot.
   void keep_by_slot(Particles& particles, std::span<const uint32_t> keep) {
+    allocate();
     keep_by_slot_.write(keep);
     device_.parallel_for(
         "removal/pick", particles.count(),
@@ -103,7 +104,14 @@ class Removal {
   }
 
  private:
+  void allocate() {
+    for (Buffer<uint32_t>* b : {&keep_, &keep_by_slot_, &order_}) b->resize_discard(capacity_);
+    offset_.resize_discard(capacity_ + 1);
+    slot_offset_.resize_discard(capacity_ + 1);
+  }
+
   D& device_;
+  uint32_t capacity_ = 0;
   Buffer<uint32_t> keep_{device_, "kept particles"};
   Buffer<uint32_t> keep_by_slot_{device_, "kept slots"};
   Buffer<uint32_t> offset_{device_, "kept offsets"};

@@ -19,7 +19,7 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   ties_.set_ties(cloth.ties);
   contacts_.set_tied_bodies(ties_.tied_bodies());
   const std::span<const pbd::SurfaceTriangle> triangles = cloth.model.triangles;
-  face_points_.set_surface(cloth_.surface().triangles, triangles);
+  face_points_.set_surface(cloth_.surface());
   float heaviest = 0;
   for (const pbd::Vec4& x : cloth.position) {
     if (x.w > 0) heaviest = std::max(heaviest, 1 / x.w);

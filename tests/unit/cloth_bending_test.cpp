@@ -15,11 +15,12 @@ float angle_of(const HingeConstraint& h, const std::vector<Vec3>& x) {
 
 double value_of(const IsometricConstraint& h, const std::vector<Vec3>& x) {
   const uint32_t corner[] = {h.a, h.b, h.c, h.d};
+  const float weight[] = {h.weight_of_a(), h.weight[0], h.weight[1], h.weight[2]};
   double sum[3] = {0, 0, 0};
   for (int k = 0; k < 4; ++k) {
-    sum[0] += double{h.weight[k]} * x[corner[k]].x;
-    sum[1] += double{h.weight[k]} * x[corner[k]].y;
-    sum[2] += double{h.weight[k]} * x[corner[k]].z;
+    sum[0] += double{weight[k]} * x[corner[k]].x;
+    sum[1] += double{weight[k]} * x[corner[k]].y;
+    sum[2] += double{weight[k]} * x[corner[k]].z;
   }
   return std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
 }

@@ -68,7 +68,7 @@ class ClothSolidBenchOn final : public ClothSolidBench {
     cloth_.set_model(model);
     const collision::Touch touch{{}, setup.radius};
     shapes_.set_pieces({&touch, 1});
-    faces_.set_surface(cloth_.surface().triangles, model.triangles);
+    faces_.set_surface(cloth_.surface());
     solver_.particles_changed(0, vertices);
   }
 
