@@ -103,7 +103,9 @@ TEST_P(AnisotropyTest, MoreNeighboursChangeTheSizeStepByStep) {
     const World world = world_of(points);
     const float radius = cbrtf(world.ellipsoids().back().radii.x * world.ellipsoids().back().radii.y *
                                world.ellipsoids().back().radii.z);
-    if (k > 0) EXPECT_LT(std::abs(radius - before), 0.05f * s) << "at step " << k;
+    if (k > 0) {
+      EXPECT_LT(std::abs(radius - before), 0.05f * s) << "at step " << k;
+    }
     before = radius;
   }
 }

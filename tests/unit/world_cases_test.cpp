@@ -164,7 +164,9 @@ TEST_P(CasesTest, AStepReportsWhatItDid) {
   EXPECT_EQ(report.removed, 0u);
   EXPECT_GT(report.ms, 0);
   for (size_t k = 0; k < stage_count; ++k) {
-    if (Stage(k) != Stage::exchange) EXPECT_GT(report.stage_ms[k], 0) << stage_name(Stage(k));
+    if (Stage(k) != Stage::exchange) {
+      EXPECT_GT(report.stage_ms[k], 0) << stage_name(Stage(k));
+    }
   }
   EXPECT_EQ(report.stage_ms[static_cast<size_t>(Stage::exchange)], 0);  // without bodies there is none
   EXPECT_GT(report.max_neighbours, 20u);
