@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "collision/sheet_surface.h"
+#include "collision/sheet_shapes.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
 #include "pbd/surface_tree.h"
@@ -78,6 +78,7 @@ class SheetContacts final : public pbd::ContactSource<D> {
   pbd::View<const CollisionFilter> filters_;
   pbd::Buffer<SheetPart> parts_{device_, "sheet parts"};
   pbd::Buffer<uint32_t> marks_{device_, "sheet marks"};
+  pbd::Buffer<sheet_kernels::GroupShape> shapes_{device_, "shapes of sheets"};
   pbd::Buffer<uint32_t> near_{device_, "particles near sheets"};
   pbd::Buffer<uint32_t> counter_{device_, "particles near sheets"};
   pbd::Buffer<sheet_kernels::SheetTouch> touches_{device_, "sheet touches"};

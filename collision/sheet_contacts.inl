@@ -11,6 +11,7 @@
 #include "collision/sheet_marks.h"
 #include "collision/sheet_parting.h"
 #include "collision/sheet_passing.h"
+#include "collision/sheet_shapes.h"
 #include "collision/sheet_wetting.h"
 #include "pbd/surface_tree.inl"
 
@@ -52,9 +53,11 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   device_.parallel_for("sheets/near", p.sorted,
                        ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
   device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
-  pbd::parallel_for_teams<SearchTeam>(
-      device_, "sheets/touches", near_count(),
-      FindTouches{surface(substep), near(), counts, entry_count_.view(), support_radius_});
+  device_.parallel_for("sheets/shapes", static_cast<uint32_t>(shapes_.size()),
+                       FitShapes{surface(substep), shapes_.view()});
+  pbd::parallel_for_teams<SearchTeam>(device_, "sheets/touches", near_count(),
+                                      FindTouches{surface(substep), near(), counts, entry_count_.view(),
+                                                  shapes_.view(), support_radius_, 0.51f * largest_radius_});
   device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
   pbd::parallel_for_teams<TouchTeam>(
       device_, "sheets/entries", most_touches * near_count(),
@@ -153,6 +156,7 @@ void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangl
   const std::vector<uint32_t> marks = triangle_marks(tree_.triangles());
   marks_.resize_discard(marks.size());
   marks_.write(marks);
+  shapes_.resize_discard(marks.size() / pbd::BoxGroup::size);
   counter_.resize_discard(1);
   wetting_count_.resize_discard(1);
   found_.resize_discard(1);

@@ -7,6 +7,7 @@
 
 #include "collision/sheet_area.h"
 #include "collision/sheet_marks.h"
+#include "collision/sheet_shapes.h"
 #include "collision/sheet_spread.h"
 #include "collision/sheet_surface.h"
 #include "pbd/contacts.h"
@@ -113,7 +114,8 @@ struct FindTouches {
   NearList near;
   View<uint32_t> counts;   // contacts of each particle
   View<uint32_t> entries;  // touches of each vertex
-  float h;
+  View<const GroupShape> shapes;
+  float h, largest_gap;
 
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= near.count()) return;
@@ -121,14 +123,21 @@ struct FindTouches {
     const Vec3 from = surface.previous[i].xyz(), to = surface.position[i].xyz();
     Layers layers;
     bool at_border = false;
-    pbd::for_each_overlap_in_warp(surface.tree, way_box(from, to, h), [&](uint32_t place) {
+    // What is not near the way is not met on it.
+    const Aabb on_way = way_box(from, to, largest_gap);
+    const auto wanted = [&](uint32_t group) {
+      return shapes[group].may_be_over(to) || pbd::overlap(surface.tree.box(1, group), on_way);
+    };
+    pbd::for_each_overlap_in_warp(surface.tree, way_box(from, to, h), wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.part)) return;
-      const pbd::FeaturePair pair = surface.pair(from, to, t);
-      const float motion = relative_motion(pair);
       const bool border = (surface.marks[place] & border_marks) != 0;
-      if (!border && motion < 0.3f * least_distance(pair) && !is_over_triangle(pair, 1)) return;
-      if (look_at(layers, pair, motion, place, surface.parts[t.part].radius)) at_border |= border;
+      const bool may_meet = pbd::overlap(surface.tree.box(0, place), on_way);
+      if (!border && !may_meet &&
+          !pbd::is_over_triangle(to, surface.end(t.a), surface.end(t.b), surface.end(t.c)))
+        return;
+      const pbd::FeaturePair pair = surface.pair(from, to, t);
+      if (look_at(layers, pair, may_meet, place, surface.parts[t.part].radius)) at_border |= border;
     });
     at_border = SearchTeam::any(at_border);
     layers.gather();
@@ -144,10 +153,11 @@ struct FindTouches {
   }
 
   /// Whether the triangle is within the support radius. Of its places at the end those on its inside count.
-  MENISCUS_HD bool look_at(Layers& layers, const pbd::FeaturePair& pair, float motion, uint32_t place,
+  MENISCUS_HD bool look_at(Layers& layers, const pbd::FeaturePair& pair, bool may_meet, uint32_t place,
                            float radius) const {
     const pbd::Nearest end = nearest(pair, 1);
-    if (motion >= 0.3f * end.distance) {
+    const float motion = may_meet ? relative_motion(pair) : 0;
+    if (may_meet && motion >= 0.3f * end.distance) {
       const float start = nearest(pair, 0).distance;
       const float gap = 0.5f * pbd::min(start, radius);
       const float t = start > 0 && motion > start - gap ? time_of_nearness(pair, gap) : 2;
@@ -164,18 +174,11 @@ struct FindTouches {
     return true;
   }
 
-  /// m: at the end the triangle is no nearer than that.
-  MENISCUS_HD static float least_distance(const pbd::FeaturePair& pair) {
-    const Vec3 a = pair.at(1, 1), b = pair.at(2, 1), c = pair.at(3, 1), middle = (1 / 3.0f) * (a + b + c);
-    float far2 = 0;
-    for (Vec3 x : {a, b, c}) far2 = pbd::max(far2, dot(x - middle, x - middle));
-    return length(middle - pair.at(0, 1)) - sqrtf(far2);
-  }
-
   /// The nearest place that this thread finds within `reach`; 3e38 m away where there is none.
   MENISCUS_HD Place nearest_edge(uint32_t i, Vec3 to, float reach) const {
     Place edge{3e38f, {0, 0, 0}, no_index, 0, 0};
-    pbd::for_each_overlap_in_warp(surface.tree, way_box(to, to, reach), [&](uint32_t place) {
+    const pbd::GroupsInBall wanted{surface.tree, to, reach};
+    pbd::for_each_overlap_in_warp(surface.tree, way_box(to, to, reach), wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.part)) return;
       const pbd::Nearest end =
@@ -212,12 +215,15 @@ struct FindTouches {
     const float reach = sqrtf(pbd::max(reach2, 0.01f * h * h));
     const Disc disc(foot, place.normal, reach);
     float sum = 0;
-    pbd::for_each_overlap_in_warp(surface.tree, way_box(foot, foot, reach), [&](uint32_t n) {
-      const pbd::SurfaceTriangle t = load(surface.tree.triangles, n);
-      const Vec3 a = surface.end(t.a), b = surface.end(t.b), c = surface.end(t.c);
-      const Vec3 normal = normalized_or(cross(b - a, c - a), {0, 0, 0});
-      if (fabsf(dot(normal, disc.normal())) > 0.5f) sum += disc.covered(a, b, c);
-    });
+    pbd::for_each_overlap_in_warp(surface.tree, way_box(foot, foot, reach),
+                                  pbd::GroupsInBall{surface.tree, foot, reach}, [&](uint32_t n) {
+                                    const pbd::SurfaceTriangle t = load(surface.tree.triangles, n);
+                                    const Vec3 a = surface.end(t.a), b = surface.end(t.b),
+                                               c = surface.end(t.c);
+                                    const Vec3 normal = normalized_or(cross(b - a, c - a), {0, 0, 0});
+                                    if (fabsf(dot(normal, disc.normal())) > 0.5f)
+                                      sum += disc.covered(a, b, c);
+                                  });
     return pbd::min(1, SearchTeam::sum(sum));
   }
 };

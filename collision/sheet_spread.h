@@ -30,6 +30,7 @@ class Spread {
   MENISCUS_HD uint32_t find() {
     const float r = around_.radius;
     pbd::for_each_place_in_warp(surface_.tree, pbd::inflated({around_.point, around_.point}, r),
+                                pbd::GroupsInBall{surface_.tree, around_.point, r},
                                 [&](uint32_t place, bool overlaps) { add(place, overlaps); });
     SearchTeam::sync();
     return count_ >= 4 && correct() ? count_ : 0;

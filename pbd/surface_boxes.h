@@ -72,7 +72,8 @@ struct SurfaceTreeView {
   MENISCUS_HD uint32_t groups_of(uint32_t level) const { return (boxes[level] + 7) / 8; }
 };
 
-/// Who tests the eight boxes of a group: a thread all of them, or eight threads that walk together one each.
+/// Who tests the eight boxes of a group: a thread all of them, or the threads of a warp that walk together
+/// one each.
 struct TestAlone {
   MENISCUS_HD static uint32_t overlaps(const BoxGroup& group, const Aabb& box) {
     return overlap_mask(group, box);
@@ -81,7 +82,8 @@ struct TestAlone {
 struct TestTogether {
   MENISCUS_HD static uint32_t overlaps(const BoxGroup& group, const Aabb& box) {
     if (GroupTeam::count() == 1) return overlap_mask(group, box);
-    return GroupTeam::ballot(overlap(group.box(GroupTeam::rank()), box));
+    const uint32_t k = SearchTeam::rank() % BoxGroup::size;
+    return SearchTeam::ballot(overlap(group.box(k), box)) & 0xff;
   }
 };
 
@@ -160,6 +162,12 @@ MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, const Aabb& box, 
   for (uint32_t b; walk.next(b);) visit(b);
 }
 
+/// m², from a point to a box.
+MENISCUS_HD inline float distance2(const Aabb& box, Vec3 p) {
+  const Vec3 d = max(max(box.lower - p, p - box.upper), {0, 0, 0});
+  return dot(d, d);
+}
+
 /// Whether any box of a level overlaps.
 MENISCUS_HD inline bool overlaps_any(const SurfaceTreeView& tree, const Aabb& box, uint32_t level) {
   OverlapWalk walk(tree, box, level);
@@ -167,30 +175,61 @@ MENISCUS_HD inline bool overlaps_any(const SurfaceTreeView& tree, const Aabb& bo
   return walk.next(found);
 }
 
-/// Calls visit(place, overlaps) for the triangles near a box. A GPU's warp shares them out, by eight that are
-/// near in the material to eight threads, who all come together, also those whose own triangle does not
-/// overlap.
-template <class Visit>
-MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Visit& visit) {
+/// Those of eight boxes for which so(k) holds, by a warp.
+template <class So>
+MENISCUS_HD uint32_t boxes_where(uint32_t boxes, const So& so) {
+  if (SearchTeam::count() > 1) {
+    const uint32_t k = SearchTeam::rank() % BoxGroup::size;
+    return SearchTeam::ballot((boxes >> k & 1) && so(k)) & 0xff;
+  }
+  uint32_t left = 0;
+  for (uint32_t k = 0; k < BoxGroup::size; ++k) left |= static_cast<uint32_t>((boxes >> k & 1) && so(k)) << k;
+  return left;
+}
+
+/// Without the first `n` of them.
+MENISCUS_HD inline uint32_t boxes_behind(uint32_t boxes, uint32_t n) {
+  for (; n > 0; --n) boxes &= boxes - 1;
+  return boxes;
+}
+
+/// Calls visit(place, overlaps) for the triangles near a box, of those groups of eight for which
+/// wanted(group) holds. A GPU's warp shares them out, a group to eight threads, who all come together, also
+/// those whose own triangle does not overlap.
+template <class Wanted, class Visit>
+MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Wanted& wanted,
+                                        const Visit& visit) {
   constexpr uint32_t threads = SearchTeam::count(), teams = threads == 1 ? 1 : threads / BoxGroup::size;
   OverlapWalk<TestTogether> walk(tree, box, 1);
   for (uint32_t above, boxes; walk.next_group(above, boxes);) {
-    for (uint32_t skip = SearchTeam::rank() / BoxGroup::size; skip > 0; --skip) boxes &= boxes - 1;
-    while (SearchTeam::any(boxes != 0)) {
-      const uint32_t group = 8 * above + (boxes ? lowest_bit(boxes) : 0);
+    boxes = boxes_where(boxes, [&](uint32_t k) { return wanted(8 * above + k); });
+    uint32_t own = boxes_behind(boxes, SearchTeam::rank() / BoxGroup::size);
+    for (; boxes; boxes = boxes_behind(boxes, teams), own = boxes_behind(own, teams)) {
+      const uint32_t group = 8 * above + (own ? lowest_bit(own) : 0);
       for (uint32_t k = GroupTeam::rank(); k < BoxGroup::size; k += GroupTeam::count())
-        visit(8 * group + k, boxes != 0 && overlap(tree.box(0, 8 * group + k), box));
-      for (uint32_t skip = teams; skip > 0; --skip) boxes &= boxes - 1;
+        visit(8 * group + k, own != 0 && overlap(tree.box(0, 8 * group + k), box));
     }
   }
 }
 
 /// Calls visit(b) for each triangle's box that overlaps, as for_each_place_in_warp shares them out.
-template <class Visit>
-MENISCUS_HD void for_each_overlap_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Visit& visit) {
-  for_each_place_in_warp(tree, box, [&](uint32_t place, bool overlaps) {
+template <class Wanted, class Visit>
+MENISCUS_HD void for_each_overlap_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Wanted& wanted,
+                                          const Visit& visit) {
+  for_each_place_in_warp(tree, box, wanted, [&](uint32_t place, bool overlaps) {
     if (overlaps) visit(place);
   });
 }
+
+/// For what wants the groups that reach into a ball.
+struct GroupsInBall {
+  const SurfaceTreeView& tree;
+  Vec3 centre;
+  float radius;
+
+  MENISCUS_HD bool operator()(uint32_t group) const {
+    return distance2(tree.box(1, group), centre) < radius * radius;
+  }
+};
 
 }  // namespace meniscus::pbd

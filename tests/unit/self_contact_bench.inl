@@ -37,8 +37,9 @@ struct MarkOverlapsInWarps {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t places = marked.tree.triangles.count;
-    pbd::for_each_overlap_in_warp(marked.tree, marked.boxes[i],
-                                  [&](uint32_t place) { ++marked.marks[i * places + place]; });
+    pbd::for_each_overlap_in_warp(
+        marked.tree, marked.boxes[i], [](uint32_t) { return true; },
+        [&](uint32_t place) { ++marked.marks[i * places + place]; });
   }
 };
 
