@@ -17,7 +17,7 @@ namespace meniscus::cloth {
 struct ClothSolverParameters {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear but for yarns, 1 to 1.3
   float warm_start = 0.3f;       ///< share of the edges' last multipliers, 0 to 0.35
-  int stretch_rounds = 1;        ///< of stretch and shear in an iteration, ≥ 1
+  int stretch_rounds = 1;        ///< of stretch and shear in the last iteration, ≥ 1
 };
 
 /// Cloth: stretch, shear, bending, gas and tethers as XPBD constraints (Macklin, Müller & Chentanez 2016),
@@ -25,8 +25,8 @@ struct ClothSolverParameters {
 ///
 ///   begin     starts from a share of the last substep's multipliers, and adds the wind;
 ///   project   sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the lengths of
-///             whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds; in the next
-///             iteration all of it backwards; gas; tethers last;
+///             whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds in
+///             the last iteration; in the next iteration all of it backwards; gas; tethers last;
 ///   settle    notes what pulled at vertices that nothing moves.
 ///
 /// Small steps converge better than many iterations (Macklin et al. 2019). There and back again makes the
@@ -76,7 +76,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   }
   View<Vec4> yarn_multiplier() { return edge_multiplier_.view().from(first_yarn_edge_); }
   void bend(pbd::Substep<D>& substep, bool starts, bool backwards);
-  void stretch(pbd::Substep<D>& substep, bool starts, bool backwards);
+  void stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards);
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts, bool backwards);
   void solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards);
   void blow_up(pbd::Substep<D>& substep, bool starts);

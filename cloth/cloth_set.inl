@@ -131,8 +131,10 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const int turn = any_gas_ ? iteration : substep.iterations - 1 - iteration;
   const bool starts = iteration == 0, backwards = turn % 2 != 0;
   if (any_gas_ && !backwards) blow_up(substep, starts);
+  // Rounds are for what the end leaves: iterations that more follow do without.
+  const int rounds = iteration + 1 < substep.iterations ? 1 : parameters_.stretch_rounds;
   if (!backwards) bend(substep, starts, backwards);
-  stretch(substep, starts, backwards);
+  stretch(substep, rounds, starts, backwards);
   if (backwards) bend(substep, starts, backwards);
   if (any_gas_ && backwards) blow_up(substep, starts);
   device_.parallel_for(
@@ -148,11 +150,11 @@ void ClothSet<D>::bend(pbd::Substep<D>& substep, bool starts, bool backwards) {
 /// Every other round runs through colours and layers in the other direction. What is left over between rounds
 /// is what sweeps and yarns undo of one another.
 template <class D>
-void ClothSet<D>::stretch(pbd::Substep<D>& substep, bool starts, bool backwards) {
+void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards) {
   const size_t stretch_end = pass_starts_.size() - 1;
-  for (int round = 0; round < parameters_.stretch_rounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const bool first = starts && round == 0;
-    const int left = parameters_.stretch_rounds - 1 - round;
+    const int left = rounds - 1 - round;
     const bool reversed = (backwards ? round + 1 : left) % 2 != 0;
     if (backwards) solve_yarns(substep, first, reversed);
     sweep(substep, bending_passes_, stretch_end, first, reversed);

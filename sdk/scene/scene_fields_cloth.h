@@ -26,8 +26,9 @@ void fields(V& v, ClothSolverDef& d) {
   v("over_relaxation", d.over_relaxation, between(1, 1.3), "", "ω of stretch and shear");
   v("warm_start", d.warm_start, between(0, 0.35), "",
     "share of the last substep's stretch multipliers to start from");
-  v("stretch_rounds", d.stretch_rounds, between(1, 100), "",
-    "how many times an iteration goes over stretch and shear: cheaper than substeps where cloth drapes");
+  v("stretch_rounds", d.stretch_rounds, between(1, 32), "",
+    "how many times a substep's last iteration goes over stretch and shear: cheaper than substeps where "
+    "cloth drapes");
 }
 
 // ---- cloth ----

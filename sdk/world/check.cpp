@@ -119,7 +119,7 @@ void world(const WorldDef& def) {
   between("WorldDef::contact_radius", def.contact_radius, 0.01f, 1.0f);
   between("ClothSolverDef::over_relaxation", def.cloth.over_relaxation, 1.0f, 1.3f);
   between("ClothSolverDef::warm_start", def.cloth.warm_start, 0.0f, 0.35f);
-  between("ClothSolverDef::stretch_rounds", def.cloth.stretch_rounds, 1, 100);
+  between("ClothSolverDef::stretch_rounds", def.cloth.stretch_rounds, 1, 32);
   const DensitySolverDef& d = def.density;
   between("DensitySolverDef::relaxation", d.relaxation, 0.01f, 0.44f);
   between("DensitySolverDef::warm_start", d.warm_start, 0.0f, 0.5f);

@@ -167,7 +167,7 @@ CLI::App* add_cloth(CLI::App* app, ClothOptions& o) {
   app->add_option("--thickness", o.fabric.thickness, "m; 0: a quarter of an edge");
   app->add_option("--over-relaxation", o.solver.over_relaxation);
   app->add_option("--warm-start", o.solver.warm_start);
-  app->add_option("--stretch-rounds", o.solver.stretch_rounds, "of stretch in an iteration");
+  app->add_option("--stretch-rounds", o.solver.stretch_rounds, "of stretch in a substep's last iteration");
   return app;
 }
 

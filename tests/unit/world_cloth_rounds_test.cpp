@@ -37,7 +37,7 @@ TEST_P(ClothRounds, LeaveLessStretchWhereClothDrapes) {
   EXPECT_LT(four, 0.6 * one);
 }
 
-/// Every other iteration goes through the rounds backwards.
+/// They are the last iteration's.
 TEST_P(ClothRounds, GoWithIterations) {
   EXPECT_LT(stretch_on_a_ball(3, 2), 0.6 * stretch_on_a_ball(1, 2));
 }

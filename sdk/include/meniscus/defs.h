@@ -64,8 +64,9 @@ struct RigidSolverDef {
 struct ClothSolverDef {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear, 1 to 1.3
   float warm_start = 0.3f;       ///< share of the last substep's stretch multipliers to start from, 0 to 0.35
-  /// How many times an iteration goes over stretch and shear, 1 to 100. Where cloth drapes over solids,
-  /// several do for lengths what as many times the substeps would, and cost far less.
+  /// How many times a substep's last iteration goes over stretch and shear, 1 to 32. Where cloth drapes over
+  /// solids, several do for lengths what as many times the substeps would, and cost less. Long substeps bear
+  /// few: a sheet of 250² vertices that falls on a ball bears 8 with 8 substeps a frame, and bursts with 16.
   int stretch_rounds = 1;
 
   friend bool operator==(const ClothSolverDef&, const ClothSolverDef&) = default;
