@@ -134,20 +134,35 @@ struct AtTouches {
     }
   }
 
-  /// Whether particle i bears on the sheet. What presses with less than a quarter of what its weight would
-  /// drag with must run down a sheet that stands upright: stuck to it, the topmost layer around a hull weighs
-  /// on it. Let go of sooner, it threw taut light sheets about.
+  /// Whether particle i bears on the sheet.
   MENISCUS_HD bool presses(const SheetTouch& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
-    const float normal = c.normal_multiplier + dot(c.density_push, c.normal);
-    const Vec3 weight = fall / position[i].w, drag = weight - dot(weight, c.normal) * c.normal;
+    return bears(c.normal, c.normal_multiplier + dot(c.density_push, c.normal), i);
+  }
+  /// Whether it is predicted to, or as good as that: what would stop just before the sheet is pressed against
+  /// it by the layers behind.
+  MENISCUS_HD bool comes_to_press(const SheetTouch& t, uint32_t i) const {
+    if (!is_live(t)) return false;
+    const pbd::Contact& c = contacts[t.contact];
+    const Vec3 x = position[i].xyz(), way = x - previous[i].xyz() - c.surface_motion;
+    return dot(x - c.point, c.normal) < 1.1f * c.radius &&
+           bears(c.normal, -dot(way, c.normal) / position[i].w, i);
+  }
+
+ private:
+  /// Whether an impulse `normal`, kg·m, holds particle i. What presses with less than a quarter of what its
+  /// weight would drag with must run down a sheet that stands upright: stuck to it, the topmost layer around
+  /// a hull weighs on it. Let go of sooner, it threw taut light sheets about.
+  MENISCUS_HD bool bears(Vec3 direction, float normal, uint32_t i) const {
+    const Vec3 weight = fall / position[i].w, drag = weight - dot(weight, direction) * direction;
     return normal > 0 && length(drag) <= 4 * normal;
   }
 };
 
-/// Before anything is solved: what pressed at the last substep's end is carried, and brings in its predicted
-/// way.
+/// Before anything is solved: what pressed at the last substep's end is carried, and what is about to, and
+/// brings in its predicted way. Met with the mass of a lone vertex, an impact would throw it further than its
+/// edges are long.
 struct StartTouches {
   AtTouches at;
 
@@ -155,8 +170,11 @@ struct StartTouches {
     if (k >= at.near.count()) return;
     const uint32_t i = at.near.particle[k];
     int carriers = 0;
-    for (uint32_t n = 0; n < most_touches; ++n) carriers += at.is_live(at.touch(k, n));
-    const bool carried = at.pressed(i) && carriers > 0;
+    bool carried = at.pressed(i);
+    for (uint32_t n = 0; n < most_touches; ++n) {
+      carriers += at.is_live(at.touch(k, n));
+      carried |= at.comes_to_press(at.touch(k, n), i);
+    }
     const Vec3 way = at.position[i].xyz() - at.previous[i].xyz();
     for (uint32_t n = 0; n < most_touches; ++n) {
       SheetTouch& t = at.touch(k, n);
