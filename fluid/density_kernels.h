@@ -25,25 +25,26 @@ struct Constraint {
   Vec3 gradient;      ///< Σ e, 1/m: near 0 where the support is full
 };
 
-/// Sums over neighbours from which C and D follow.
+/// Sums over neighbours from which C and D follow, of the kernels' shapes.
 template <class R>
 struct DensitySums {
   R weight{0.0f}, gradient2{0.0f};
   Vec3Of<R> gradient{R(0.0f), R(0.0f), R(0.0f)};
 
-  /// Adds what lies at x_i − x_j = d; `share` is 1 but for images.
-  MENISCUS_HD void add(const Kernel& kernel, const Vec3Of<R>& d, const R& inverse_mass, const R& share) {
-    const R r2 = dot(d, d) + R(tiny_distance2);
-    const R inverse_r = inverse_sqrt(r2);
-    const R e = share * kernel.slope(r2 * inverse_r);
-    weight += share * kernel.weight(r2);
+  /// Adds what lies at x_i − x_j = d.
+  MENISCUS_HD void add(const Kernel& kernel, const Vec3Of<R>& d, const R& inverse_mass) {
+    const R t = kernel.distance_ratio2(d);
+    const R inverse_root = inverse_sqrt(t);
+    const R e = Kernel::slope_shape(t, inverse_root);
+    weight += Kernel::weight_shape(t);
     gradient2 += inverse_mass * (e * e);
-    gradient += (e * inverse_r) * d;
+    gradient += (e * inverse_root) * d;
   }
 
   MENISCUS_HD Constraint constraint(const Kernel& kernel, float own_inverse_mass) const {
-    const Vec3 g = sum(gradient);
-    return {sum(weight) + kernel.weight(0.0f) - 1, own_inverse_mass * dot(g, g) + sum(gradient2), g};
+    const Vec3 g = kernel.peak_pull * sum(gradient);
+    return {kernel.peak_weight * (sum(weight) + 1) - 1,
+            own_inverse_mass * dot(g, g) + kernel.peak_slope * kernel.peak_slope * sum(gradient2), g};
   }
 };
 
@@ -55,7 +56,7 @@ MENISCUS_HD Constraint density_constraint(const Kernel& kernel, View<const Vec4>
   DensitySums<Real> sums;
   pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
     const auto other = gather(position, j);
-    sums.add(kernel, self.xyz() - other.xyz(), other.w, Real(1.0f));
+    sums.add(kernel, self.xyz() - other.xyz(), other.w);
   });
   return sums.constraint(kernel, self.w);
 }
@@ -138,24 +139,24 @@ struct Advance {
 /// The repulsion of eq. 13, as an extra multiplier between each pair.
 struct PairPressure {
   float multiplier = 0;      ///< kg·m², where W = W(Δq)
-  float inverse_weight = 0;  ///< 1 / (V W(Δq))
+  float inverse_weight = 0;  ///< W(0) / W(Δq)
   int exponent = 4;
 
   template <class R>
-  MENISCUS_HD R at(const R& weight) const {
-    const R ratio = weight * R(inverse_weight);
+  MENISCUS_HD R at(const R& weight_shape) const {
+    const R ratio = weight_shape * R(inverse_weight);
     R power = ratio;
     for (int k = 1; k < exponent; ++k) power = power * ratio;
     return R(multiplier) * power;
   }
 };
 
-/// What one pair's multipliers push by, over x_i − x_j, before the inverse mass.
+/// What one pair's multipliers push by, over peak_pull · (x_i − x_j), before the inverse mass.
 template <bool with_pair_pressure, class R>
-MENISCUS_HD R push_coefficient(const Kernel& kernel, const PairPressure& pair, const R& r2, R multiplier) {
-  const R inverse_r = inverse_sqrt(r2);
-  if constexpr (with_pair_pressure) multiplier += pair.at(kernel.weight(r2));
-  return multiplier * kernel.slope(r2 * inverse_r) * inverse_r;
+MENISCUS_HD R push_shape(const PairPressure& pair, const R& t, R multiplier) {
+  const R inverse_root = inverse_sqrt(t);
+  if constexpr (with_pair_pressure) multiplier += pair.at(Kernel::weight_shape(t));
+  return multiplier * Kernel::slope_shape(t, inverse_root) * inverse_root;
 }
 
 /// Moves each particle by what the staged multipliers of itself and its neighbours say.
@@ -177,13 +178,13 @@ struct Correct {
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
       const Vec3Of<Real> d = self.xyz() - other.xyz();
-      const Real r2 = dot(d, d) + Real(tiny_distance2);
-      push += push_coefficient<with_pair_pressure, Real>(kernel, pair, r2, Real(self.w) + other.w) * d;
+      push +=
+          push_shape<with_pair_pressure, Real>(pair, kernel.distance_ratio2(d), Real(self.w) + other.w) * d;
     });
     const Vec3 total = sum(push);
     if (!D::leads()) return;
     const float w = position[i].w;
-    const Vec3 step = w * total;
+    const Vec3 step = (w * kernel.peak_pull) * total;
     position[i] = pbd::with_w(self.xyz() + step, w);
     moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
   }

@@ -89,9 +89,8 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
-    const float r2 = artificial.distance * artificial.distance * kernel_.h2;
-    pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt, 1 / kernel_.weight(r2),
-            artificial.exponent};
+    pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
+            1 / Kernel::weight_shape(artificial.distance * artificial.distance), artificial.exponent};
   }
   if (any_grains_) {
     substep.contacts.any_moving ? iterate<true, true>(substep, advancing, pair)

@@ -38,9 +38,9 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
   ImageSums<Real, n, false> sums;
   Real weight(0.0f), gradient2(0.0f);
   const auto term = [&](const Real& share, const Real& r2) {
-    const Real inverse_r = inverse_sqrt(r2);
-    weight += share * kernel.weight(r2);
-    return share * kernel.slope(r2 * inverse_r) * inverse_r;
+    const Real t = Real(kernel.inverse_h2) * r2, inverse_root = inverse_sqrt(t);
+    weight += share * Kernel::weight_shape(t);
+    return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
   };
   pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
     const auto other = gather(position, j);
@@ -56,19 +56,20 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
   });
   float own_weight = 0;
   const auto own = own_images<n, false>(mirrors, [&](float share, float r2) {
-    const float inverse_r = inverse_sqrt(r2);
-    own_weight += share * kernel.weight(r2);
-    return share * kernel.slope(r2 * inverse_r) * inverse_r;
+    const float t = kernel.inverse_h2 * r2, inverse_root = inverse_sqrt(t);
+    own_weight += share * Kernel::weight_shape(t);
+    return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
   });
+  const float pull = kernel.peak_pull;  // all but the weights have it for a factor
   float give = 0;
   if constexpr (any_moving) {
     give = give_of_bodies(contacts, mirrors, n,
-                          [&](int k) { return sums.through(mirrors, k) + own.through(mirrors, k); });
+                          [&](int k) { return pull * (sums.through(mirrors, k) + own.through(mirrors, k)); });
   }
-  const Vec3 own_gradient = own.vector(mirrors), gradient = sums.vector(mirrors) + own_gradient;
+  const Vec3 own_gradient = pull * own.vector(mirrors), gradient = pull * sums.vector(mirrors) + own_gradient;
   const Vec3 with_motion = gradient + own_gradient;
-  return {sum(weight) + own_weight + kernel.weight(0.0f) - 1,
-          self.w * dot(with_motion, with_motion) + sum(gradient2) + give, gradient};
+  return {kernel.peak_weight * (sum(weight) + own_weight + 1) - 1,
+          self.w * dot(with_motion, with_motion) + pull * pull * sum(gradient2) + give, gradient};
 }
 
 template <class D, bool any_moving>
@@ -125,6 +126,7 @@ struct CorrectAtWalls {
     using Real = typename D::Real;
     const Vec4 self = staged[i];
     const Vec3 x = self.xyz();
+    const Real pull(kernel.peak_pull);
     ImageSums<Real, n, any_moving> pushes;
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
@@ -132,7 +134,8 @@ struct CorrectAtWalls {
       const Vec3Of<Real> d = x - other.xyz();
       const Real r2 = dot(d, d) + Real(tiny_distance2), multiplier = Real(self.w) + other.w;
       const auto term = [&](const Real& share, const Real& image_r2) {
-        return share * push_coefficient<with_pair_pressure>(kernel, pair, image_r2, multiplier);
+        return pull * share *
+               push_shape<with_pair_pressure>(pair, Real(kernel.inverse_h2) * image_r2, multiplier);
       };
       PairTerms<Real, n, any_moving> terms;
       terms.total = term(Real(1.0f), r2);
@@ -140,7 +143,8 @@ struct CorrectAtWalls {
       pushes.add(mirrors, distances, d, terms);
     });
     const auto own = own_images<n, any_moving>(mirrors, [&](float share, float r2) {
-      return share * push_coefficient<with_pair_pressure>(kernel, pair, r2, 2 * self.w);
+      return kernel.peak_pull * share *
+             push_shape<with_pair_pressure>(pair, kernel.inverse_h2 * r2, 2 * self.w);
     });
     const auto others = pushes.in_one(mirrors);
     if (!D::leads()) return;

@@ -50,6 +50,10 @@ Kernel calibrate(double spacing, double support_radius) {
   k.volume = static_cast<float>(volume);
   k.poly6 = static_cast<float>(volume * 315 / (64 * std::numbers::pi * std::pow(h, 9)));
   k.spiky_gradient = static_cast<float>(gradient * 45 / (std::numbers::pi * std::pow(h, 6)));
+  k.inverse_h2 = static_cast<float>(1 / (h * h));
+  k.peak_weight = static_cast<float>(volume * 315 / (64 * std::numbers::pi * std::pow(h, 3)));
+  k.peak_slope = static_cast<float>(gradient * 45 / (std::numbers::pi * std::pow(h, 4)));
+  k.peak_pull = static_cast<float>(gradient * 45 / (std::numbers::pi * std::pow(h, 5)));
   k.rest_gradient2 = static_cast<float>(gradient * gradient * sums.gradient2);
   return k;
 }

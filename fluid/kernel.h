@@ -19,6 +19,12 @@ using pbd::inverse_sqrt;
 using pbd::max;
 using pbd::select_less;
 using pbd::sum;
+using pbd::unit_part;
+using pbd::Vec3Of;
+
+/// Keeps 1/r finite for particles that sit on one another; far below a float's step at any length that
+/// matters. In m², and in h².
+inline constexpr float tiny_distance2 = 1e-12f, tiny_ratio2 = 1e-10f;
 
 struct Kernel {
   float h, h2;           ///< support radius, m, and its square
@@ -26,6 +32,31 @@ struct Kernel {
   float poly6;           ///< V · 315 / (64 π h⁹)
   float spiky_gradient;  ///< V · 45 / (π h⁶), calibrated, 1/m
   float rest_gradient2;  ///< Σ (V |∇W|)² over the rest lattice, 1/m²
+  float inverse_h2;      ///< 1/h²
+  float peak_weight;     ///< V W at r = 0
+  float peak_slope;      ///< V |∇W| at r = 0, 1/m
+  float peak_pull;       ///< peak_slope / h, 1/m²
+
+  // Loops over neighbours add up the kernels' shapes over t = (r/h)², and take the factors, which are the
+  // same for all pairs, out of the sums:
+  //   V W = peak_weight · weight_shape(t)        V |∇W| = peak_slope · slope_shape(t, 1/√t)
+  //   V |∇W| (x_i − x_j)/r = peak_pull · slope_shape(t, 1/√t)/√t · (x_i − x_j)
+
+  /// t at x_i − x_j = d, and a little more, so that 1/√t is finite.
+  template <class R>
+  MENISCUS_HD R distance_ratio2(const Vec3Of<R>& d) const {
+    return R(inverse_h2) * dot(d, d) + R(tiny_ratio2);
+  }
+  template <class R>
+  MENISCUS_HD static R weight_shape(const R& t) {
+    const R u = unit_part(R(1.0f) - t);
+    return u * u * u;
+  }
+  template <class R>
+  MENISCUS_HD static R slope_shape(const R& t, const R& inverse_root) {
+    const R q = unit_part(R(1.0f) - t * inverse_root);
+    return q * q;
+  }
 
   /// V·W at squared distance r2.
   template <class R>
@@ -40,18 +71,7 @@ struct Kernel {
     const R u = max(R(h2) - r2, R(0.0f));
     return R(-6.0f * poly6) * (u * u);
   }
-
-  /// V·|∇W| of spiky at distance r.
-  template <class R>
-  MENISCUS_HD R slope(const R& r) const {
-    const R q = max(R(h) - r, R(0.0f));
-    return R(spiky_gradient) * (q * q);
-  }
 };
-
-/// Keeps 1/r finite for particles that sit on one another; far below a float's step at any length that
-/// matters.
-inline constexpr float tiny_distance2 = 1e-12f;
 
 /// The kernel for rest spacing s and support radius h, both in m.
 Kernel calibrate(double spacing, double support_radius);

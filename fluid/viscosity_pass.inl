@@ -47,23 +47,22 @@ struct Smooth {
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(position, j);
       const Vec3Of<Real> d = p.xyz() - other.xyz();
-      const Real r2 = dot(d, d) + Real(tiny_distance2);
+      const Real t = kernel.distance_ratio2(d);
       const Vec3Of<Real> relative = gather(velocity, j).xyz() - v.xyz();
-      Real factor = kernel.weight(r2);
-      if constexpr (uniform) {
-        factor = Real(own) * factor;
-      } else {
+      Real factor = Kernel::weight_shape(t);
+      if constexpr (!uniform) {
         factor = factor * (Real(own) + gather(smoothing, j)) * Real(p.w) / (Real(p.w) + other.w);
       }
       change += factor * relative;
       if constexpr (with_curl) {
-        const Real inverse_r = inverse_sqrt(r2);
-        curl += cross(relative, (kernel.slope(r2 * inverse_r) * inverse_r) * d);
+        const Real inverse_root = inverse_sqrt(t);
+        curl += cross(relative, (Kernel::slope_shape(t, inverse_root) * inverse_root) * d);
       }
     });
-    smoothed[i] = pbd::with_w(v.xyz() + sum(change), 0);
+    const float share = uniform ? kernel.peak_weight * own : kernel.peak_weight;
+    smoothed[i] = pbd::with_w(v.xyz() + share * sum(change), 0);
     if constexpr (with_curl) {
-      const Vec3 w = sum(curl);
+      const Vec3 w = kernel.peak_pull * sum(curl);
       vorticity[i] = pbd::with_w(w, 0);
       swirl[i] = pbd::with_w(p.xyz(), length(w));
     }
@@ -88,11 +87,10 @@ struct Confine {
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(swirl, j);
       const Vec3Of<Real> d = own.xyz() - other.xyz();
-      const Real r2 = dot(d, d) + Real(tiny_distance2);
-      const Real inverse_r = inverse_sqrt(r2);
-      eta += ((Real(own.w) - other.w) * kernel.slope(r2 * inverse_r) * inverse_r) * d;
+      const Real t = kernel.distance_ratio2(d), inverse_root = inverse_sqrt(t);
+      eta += ((Real(own.w) - other.w) * Kernel::slope_shape(t, inverse_root) * inverse_root) * d;
     });
-    const Vec3 direction = normalized_or(sum(eta), {0, 0, 0});
+    const Vec3 direction = normalized_or(sum(eta), {0, 0, 0});  // whatever the kernel's factor
     velocity[i] = pbd::with_w(velocity[i].xyz() + strength * cross(direction, vorticity[i].xyz()), 0);
   }
 };

@@ -66,6 +66,15 @@ TEST(Lanes, InverseSquareRootIsTheScalarOne) {
   }
 }
 
+TEST(Lanes, UnitPartIsTheScalarOne) {
+  std::mt19937 random(6);
+  for (int n = 0; n < 200; ++n) {
+    Eight a = random_eight(random, -2, 1);
+    a[static_cast<size_t>(n % 8)] = n % 2 ? 0.0f : std::numeric_limits<float>::quiet_NaN();
+    expect_lanewise(unit_part(lanes(a)), a, a, [](float p, float) { return unit_part(p); });
+  }
+}
+
 TEST(Lanes, SelectAndMaskCompareEachLane) {
   std::mt19937 random(3);
   for (int n = 0; n < 200; ++n) {

@@ -65,6 +65,10 @@ MENISCUS_LANE_FN Float4 square_root(Float4 a) {
 MENISCUS_LANE_FN Lanes square_root(Lanes a) {
   return {square_root(a.low), square_root(a.high)};
 }
+/// See scalar.h.
+MENISCUS_LANE_FN Lanes unit_part(Lanes a) {
+  return max(a, Lanes(0.0f));
+}
 /// 1/√a for a > 0. Both steps are correctly rounded, unlike rsqrtps, whose bits differ between makers.
 MENISCUS_LANE_FN Lanes inverse_sqrt(Lanes a) {
   return Lanes(1.0f) / square_root(a);

@@ -60,6 +60,9 @@ MENISCUS_WIDE_FN WideLanes& operator*=(WideLanes& a, const WideLanes& b) {
 MENISCUS_WIDE_FN WideLanes max(const WideLanes& a, const WideLanes& b) {
   return WideLanes(_mm256_max_ps(a.all, b.all));
 }
+MENISCUS_WIDE_FN WideLanes unit_part(const WideLanes& a) {
+  return max(a, WideLanes(0.0f));
+}
 MENISCUS_WIDE_FN WideLanes square_root(const WideLanes& a) {
   return WideLanes(_mm256_sqrt_ps(a.all));
 }

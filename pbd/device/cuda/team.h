@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "pbd/device/cuda/batch.h"
+#include "pbd/device/scalar.h"
 #include "pbd/device/view.h"
 #include "pbd/math/vec.h"
 
@@ -47,11 +48,10 @@ MENISCUS_HD inline TeamFloat select_less(TeamFloat x, TeamFloat y, TeamFloat a, 
   return x.value < y.value ? a : b;
 }
 MENISCUS_HD inline TeamFloat inverse_sqrt(TeamFloat a) {
-#ifdef __CUDA_ARCH__
-  return rsqrtf(a.value);
-#else
-  return 1.0f / sqrtf(a.value);
-#endif
+  return inverse_sqrt(a.value);
+}
+MENISCUS_HD inline TeamFloat unit_part(TeamFloat a) {
+  return unit_part(a.value);
 }
 
 /// Which lane of its team a thread has.
