@@ -43,80 +43,101 @@ struct GridView {
   }
 
   MENISCUS_HD uint32_t key(CellCoordinates c) const {
-    const auto wrap = [](int32_t v, uint32_t bits) { return static_cast<uint32_t>(v) & ((1u << bits) - 1); };
-    return wrap(c.x, bits_x) | wrap(c.y, bits_y) << bits_x | wrap(c.z, bits_z) << (bits_x + bits_y);
+    const uint32_t x = static_cast<uint32_t>(c.x) & ((1u << bits_x) - 1);
+    return row(static_cast<uint32_t>(c.y), static_cast<uint32_t>(c.z)) + x;
+  }
+  /// The key of a row's first cell.
+  MENISCUS_HD uint32_t row(uint32_t y, uint32_t z) const {
+    return ((y & ((1u << bits_y) - 1)) << bits_x) + ((z & ((1u << bits_z) - 1)) << (bits_x + bits_y));
   }
 };
 
 /// What of the grid's rows is within reach of a point. All lengths are in reaches.
 class Surroundings {
  public:
-  MENISCUS_HD Surroundings(const GridView& grid, Vec3 p) : grid_(grid), cell_(grid.coordinates(p)) {
+  MENISCUS_HD Surroundings(const GridView& grid, Vec3 p) : grid_(grid) {
+    const CellCoordinates cell = grid.coordinates(p);
     const Vec3 q = grid.inverse_reach * p;
     // Of what the coordinates have been rounded by, this point's and another's; the fractions are then as far
     // off.
     slack_ = pbd::min(1e-4f + 2.5e-7f * (fabsf(q.x) + fabsf(q.y) + fabsf(q.z)), 2.0f);
-    x_ = clamp(GridView::slices * q.x - static_cast<float>(cell_.x), 0.0f, 1.0f);
-    y_ = clamp(q.y - static_cast<float>(cell_.y), 0.0f, 1.0f);
-    z_ = clamp(q.z - static_cast<float>(cell_.z), 0.0f, 1.0f);
+    const auto fraction = [](float x, int32_t whole) {
+      return clamp(x - static_cast<float>(whole), 0.0f, 1.0f);
+    };
+    x_ = fraction(GridView::slices * q.x, cell.x) + lift;
+    first_ = static_cast<uint32_t>(cell.x) - static_cast<uint32_t>(lift);
+    y_ = static_cast<uint32_t>(cell.y) - 1;
+    z_ = static_cast<uint32_t>(cell.z) - 1;
+    const float y = fraction(q.y, cell.y), z = fraction(q.z, cell.z);
+    below_y2_ = away2(y);
+    above_y2_ = away2(1 - y);
+    below_z2_ = away2(z);
+    above_z2_ = away2(1 - z);
     const Cells most = cut(0);
-    wraps_ = most.first + most.count > width() ? 1 : 0;
+    wraps_ = most.first + most.count > width();
   }
 
-  MENISCUS_HD uint32_t runs() const { return 9u << wraps_; }
+  static constexpr uint32_t rows = 9, most_runs = 2 * rows;
 
-  /// Where the table wraps around, a row's cells are two runs.
-  MENISCUS_HD Run run(uint32_t n) const {
-    const auto row = static_cast<int32_t>(n >> wraps_);
-    const int32_t dy = row % 3 - 1, dz = row / 3 - 1;
-    const float y = away(dy, y_), z = away(dz, z_);
-    const Cells cells = cut(y * y + z * z);
+  MENISCUS_HD uint32_t runs() const { return wraps_ ? most_runs : rows; }
+
+  /// Where the table wraps around, a row's cells are two runs: the second ones come last.
+  MENISCUS_HD Run run(uint32_t n) const { return n < rows ? run(n, false) : run(n - rows, true); }
+  /// Rows with the most in reach come first: so neighbouring threads, which have a particle each, stay with
+  /// the same row longest as they go through their lists, and gather from the fewest lines of memory.
+  MENISCUS_HD Run run(uint32_t row, bool second) const {
+    constexpr uint32_t dys = 0b10'00'10'00'01'01'10'00'01, dzs = 0b10'10'00'00'10'00'01'01'01;
+    const uint32_t dy = dys >> 2 * row & 3, dz = dzs >> 2 * row & 3;  // 1: this point's own
+    const float y2 = dy == 1 ? 0.0f : dy == 0 ? below_y2_ : above_y2_;
+    const float z2 = dz == 1 ? 0.0f : dz == 0 ? below_z2_ : above_z2_;
+    const Cells cells = cut(y2 + z2);
     const uint32_t end = cells.first + cells.count, wrapped = end > width() ? end - width() : 0;
-    const uint32_t base = grid_.key({0, cell_.y + dy, cell_.z + dz});
-    const bool second = (n & wraps_) != 0;
+    const uint32_t base = grid_.row(y_ + dy, z_ + dz);
     return {load(grid_.start, base + (second ? 0 : cells.first)),
             load(grid_.start, base + (second ? wrapped : end - wrapped))};
   }
 
  private:
+  static constexpr float lift = 64;  ///< makes cells' numbers positive, so that conversion rounds down
+
   struct Cells {
     uint32_t first, count;
   };
 
   MENISCUS_HD uint32_t width() const { return 1u << grid_.bits_x; }
-  /// At least how far the rows are that lie `d` rows away from a point at the fraction x of its own.
-  MENISCUS_HD float away(int32_t d, float x) const {
-    return d == 0 ? 0.0f : pbd::max(0.0f, (d < 0 ? x : 1 - x) - slack_);
+  /// Squared, at least how far a row is whose edge lies at this distance.
+  MENISCUS_HD float away2(float edge) const {
+    const float away = pbd::max(0.0f, edge - slack_);
+    return away * away;
   }
   /// The cells of a row that are within reach, where the row's distance squared is known.
   MENISCUS_HD Cells cut(float distance2) const {
-    if (distance2 >= 1) return {0, 0};
-    const float half = GridView::slices * (sqrtf(1 - distance2) + slack_);
-    // Rounds down, as what is converted is positive.
-    const auto whole = [](float x) { return static_cast<int32_t>(x + 64) - 64; };
-    const int32_t before = whole(x_ - half), after = whole(x_ + half);
-    const uint32_t count = static_cast<uint32_t>(after - before + 1);
-    return {static_cast<uint32_t>(cell_.x + before) & (width() - 1), count < width() ? count : width()};
+    const float half = GridView::slices * (quick_root(pbd::max(1 - distance2, 0.0f)) + slack_);
+    const auto before = static_cast<uint32_t>(x_ - half), after = static_cast<uint32_t>(x_ + half);
+    const uint32_t wanted = after - before + 1, count = wanted < width() ? wanted : width();
+    return {(first_ + before) & (width() - 1), distance2 < 1 ? count : 0};
   }
 
   const GridView& grid_;
-  CellCoordinates cell_;
-  float slack_, x_, y_, z_;
-  uint32_t wraps_;  // 1 where the table wraps around within reach
+  float slack_, x_, below_y2_, above_y2_, below_z2_, above_z2_;
+  uint32_t first_, y_, z_;
+  bool wraps_;  // the table wraps around within reach
 };
 
 /// Calls visit(begin, end) for runs of sorted particles that together hold every particle within reach of p.
 template <class Visit>
 MENISCUS_HD void for_each_run(const GridView& grid, Vec3 p, const Visit& visit) {
   const Surroundings around(grid, p);
-  const uint32_t runs = around.runs();
-  Run next = around.run(0);  // the next run's bounds are on their way while this one is visited
-  MENISCUS_NO_UNROLL
-  for (uint32_t n = 0; n < runs; ++n) {
-    const Run present = next;
-    if (n + 1 < runs) next = around.run(n + 1);
-    visit(present.begin, present.end);
+  // All bounds are on their way at once; and found one after the other, a GPU's compiler would find what they
+  // have in common anew each time.
+  Run runs[Surroundings::most_runs];
+  MENISCUS_UNROLL
+  for (uint32_t row = 0; row < Surroundings::rows; ++row) runs[row] = around.run(row, false);
+  if (around.runs() > Surroundings::rows) {
+    for (uint32_t row = 0; row < Surroundings::rows; ++row)
+      runs[Surroundings::rows + row] = around.run(row, true);
   }
+  for (uint32_t n = 0; n < around.runs(); ++n) visit(runs[n].begin, runs[n].end);
 }
 
 }  // namespace meniscus::pbd

@@ -18,12 +18,13 @@ struct CudaLister {
   /// must reach batch − 1 elements further.
   MENISCUS_HD static uint32_t near(View<const Vec4> position, Vec3 self, float reach2, uint32_t first,
                                    uint32_t count) {
-    const View<const Vec4> run{position.data + first, position.count - first};
+    View<const Vec4> at{position.data + first, batch};
     uint32_t mask = 0;
-    for (uint32_t seen = 0; seen < count; seen += batch) {
+    MENISCUS_NO_UNROLL
+    for (uint32_t seen = 0; seen < count; seen += batch, at.data += batch) {
       Vec4 candidate[batch];
       MENISCUS_UNROLL
-      for (uint32_t k = 0; k < batch; ++k) candidate[k] = load(run, seen + k);
+      for (uint32_t k = 0; k < batch; ++k) candidate[k] = load(at, k);
       uint32_t near = 0;
       MENISCUS_UNROLL
       for (uint32_t k = 0; k < batch; ++k) {
