@@ -122,6 +122,8 @@ struct Advancing {
 
 template <bool with_grains>
 struct Advance {
+  static constexpr uint32_t resident_blocks = 10;  // see CudaDevice
+
   Kernel kernel;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
@@ -162,6 +164,8 @@ MENISCUS_HD R push_shape(const PairPressure& pair, const R& t, R multiplier) {
 /// Moves each particle by what the staged multipliers of itself and its neighbours say.
 template <bool with_pair_pressure>
 struct Correct {
+  static constexpr uint32_t resident_blocks = 10;
+
   Kernel kernel;
   PairPressure pair;
   View<const Vec4> staged;

@@ -30,6 +30,8 @@ struct SpreadSmoothing {
 
 template <bool uniform, bool with_curl>
 struct Smooth {
+  static constexpr uint32_t resident_blocks = 10;  // see CudaDevice
+
   Kernel kernel;
   View<const Vec4> position, velocity;
   NeighbourView neighbours;
@@ -70,6 +72,8 @@ struct Smooth {
 };
 
 struct Confine {
+  static constexpr uint32_t resident_blocks = 10;
+
   Kernel kernel;
   View<const Vec4> swirl, vorticity;
   View<Vec4> velocity;

@@ -54,6 +54,8 @@ struct PlaceInOrder {
 };
 
 struct ListNeighbours {
+  static constexpr uint32_t resident_blocks = 8;  // see CudaDevice
+
   View<const Vec4> position;
   GridView grid;
   float reach2;
@@ -128,7 +130,7 @@ NeighbourSearch<D>::NeighbourSearch(D& device, float support_radius)
 template <class D>
 void NeighbourSearch<D>::reserve(uint32_t capacity) {
   capacity_ = capacity;
-  if (row_capacity_ == 0) row_capacity_ = 64;  // about 32 are usual at h = 2 s
+  if (row_capacity_ == 0) row_capacity_ = 48;  // at h = 2 s about 32 are usual, and more than 44 rare
   const uint32_t size = capacity + Particles::padding;
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);

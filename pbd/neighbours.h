@@ -66,8 +66,13 @@ MENISCUS_HD void for_each_neighbour(const NeighbourView& list, uint32_t i, const
       j = next;
     }
   } else if constexpr (std::is_same_v<D, CudaTeam>) {
-    for (uint32_t k = team_rank(); k - team_rank() < count; k += CudaTeam::lane_count) {
-      visit(TeamIndex{list.index.data[interleaved_place(list.stride, i, k)]});
+    const auto entry = [&](uint32_t k) { return list.index.data[interleaved_place(list.stride, i, k)]; };
+    uint32_t j = count ? entry(team_rank()) : 0;
+    for (uint32_t k = 0; k < count; k += CudaTeam::lane_count) {
+      const uint32_t ahead = k + CudaTeam::lane_count;
+      const uint32_t next = ahead < count ? entry(ahead + team_rank()) : j;
+      visit(TeamIndex{j});
+      j = next;
     }
   } else {
     const uint32_t* row = list.index.data + size_t{i} * list.row_capacity;

@@ -38,8 +38,17 @@ static __global__ void copy_words(TimeMark mark, const uint32_t* from, uint32_t*
   for (uint32_t i = threadIdx.x; i < words; i += block_size) to[i] = from[i];
 }
 
+/// How many blocks a multiprocessor is to hold of a kernel that says so, else 0. The compiler then spends the
+/// registers that this leaves on having several gathers on their way at once; left alone it saves them, and
+/// each gather waits for the one before.
 template <class Kernel>
-__global__ void __launch_bounds__(block_size)
+constexpr uint32_t resident_blocks() {
+  if constexpr (requires { Kernel::resident_blocks; }) return Kernel::resident_blocks;
+  return 0;
+}
+
+template <class Kernel>
+__global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
     for_each(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel) {
   wait_for_previous(mark);
   const uint32_t i = blockIdx.x * block_size + threadIdx.x;
@@ -75,6 +84,8 @@ __global__ void __launch_bounds__(group_size)
 
 template <class D, class Kernel>
 struct RunLong {
+  static constexpr uint32_t resident_blocks = cuda_kernels::resident_blocks<Kernel>();
+
   Kernel kernel;
   __device__ void operator()(uint32_t i) const { kernel.template run<D>(i); }
 };
