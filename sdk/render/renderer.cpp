@@ -57,6 +57,7 @@ void Renderer::paint() {
   parts_->bind();
   parts_->timer.start();
   if (!parts_->has_solid_shadows) parts_->draw_solid_shadows();
+  parts_->list_particles();
   if (!parts_->to->has_fluid_shadows) parts_->draw_fluid_shadows();
   parts_->draw_scene();
   parts_->draw_fluid();

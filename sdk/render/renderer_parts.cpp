@@ -117,10 +117,16 @@ void Renderer::Parts::draw_solid_shadows() {
   timer.mark("shadow map");
 }
 
+void Renderer::Parts::list_particles() {
+  const float radius = FluidThickness::disc_radius(stage.spacing);
+  camera_lists.set(to->width, to->height, radius);
+  sun_lists.set(FluidThickness::sun_size, FluidThickness::sun_size, radius);
+  TileLists* const lists[] = {&camera_lists, &sun_lists};
+  TileLists::build(std::span(lists).first(to->has_fluid_shadows ? 1 : 2), particles);
+  timer.mark("lists");
+}
+
 void Renderer::Parts::draw_fluid_shadows() {
-  sun_lists.build(particles, FluidThickness::sun_size, FluidThickness::sun_size,
-                  FluidThickness::disc_radius(stage.spacing));
-  timer.mark("lists for the sun");
   to->thickness.draw_for_sun(sun_lists, frame);
   to->has_fluid_shadows = true;
   timer.mark("thickness for the sun");
@@ -153,8 +159,6 @@ void Renderer::Parts::draw_scene() {
 void Renderer::Parts::draw_fluid() {
   const float reach = settings.filter_reach * stage.spacing;
   const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
-  camera_lists.build(particles, to->width, to->height, FluidThickness::disc_radius(stage.spacing));
-  timer.mark("lists");
   to->surface.draw(camera_lists, to->scene_distance);
   timer.mark("ellipsoids");
   to->surface.filter(settings.filter, reach, settings.filter_threshold * stage.spacing,

@@ -29,6 +29,7 @@ struct Renderer::Parts {
   void load_view(const ViewData& view);
   void bind() const;
   void draw_solid_shadows();
+  void list_particles();
   void draw_fluid_shadows();
   void draw_scene();
   void draw_fluid();

@@ -55,8 +55,11 @@ void Program::link(const std::string& files) {
   throw Error(ErrorCode::device, "OpenGL cannot link " + files + ": " + log);
 }
 
-void Program::run(int groups_x, int groups_y) const {
+void Program::start(int groups_x, int groups_y) const {
   glDispatchCompute(static_cast<GLuint>(groups_x), static_cast<GLuint>(groups_y), 1);
+}
+
+void Program::show_writes() {
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                   GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
                   GL_TEXTURE_UPDATE_BARRIER_BIT);

@@ -17,9 +17,14 @@ class Program {
 
   explicit Program(const char* compute);
 
-  /// Runs the compute shader, which is in use, in so many groups of threads; what comes after sees what it
-  /// wrote.
-  void run(int groups_x, int groups_y = 1) const;
+  /// Starts the compute shader, which is in use, in so many groups of threads. What comes after sees what it
+  /// wrote once show_writes() has been called, and may run beside it until then.
+  void start(int groups_x, int groups_y = 1) const;
+  static void show_writes();
+  void run(int groups_x, int groups_y = 1) const {
+    start(groups_x, groups_y);
+    show_writes();
+  }
   /// Runs it, with image 0 to write to, for each of its pixels: see shaders/pixels.glsl.
   void run_over(const Texture& image) const;
   void use() const { glUseProgram(handle_); }

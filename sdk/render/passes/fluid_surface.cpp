@@ -16,7 +16,8 @@ void FluidSurface::draw(const TileLists& lists, const Texture& scene_distance) {
   scene_distance.bind(unit::depth);
   first_.bind_image(0);
   splat_.use();
-  lists.run(splat_);
+  lists.start(splat_);
+  Program::show_writes();
   result_ = &first_;
 }
 

@@ -8,41 +8,65 @@ namespace {
 /// What covers more stands in the list of all tiles: so there is room for all, whatever is to be seen.
 constexpr std::size_t most_tiles = 9;
 constexpr int threads = 64;
-constexpr int strands = 8;  // see shaders/tiles.glsl
+constexpr int strands = 16;  // see shaders/tiles.glsl
+
+int groups_for(int count) {
+  return (count + threads - 1) / threads;
+}
 
 }  // namespace
 
-void TileLists::build(const Particles& particles, int width, int height, float radius) {
+void TileLists::set(int width, int height, float radius) {
   across_ = (width + tile_size_ - 1) / tile_size_;
   down_ = (height + tile_size_ - 1) / tile_size_;
-  const int counters = strands * (across_ * down_ + 1);
-  const std::size_t count = static_cast<std::size_t>(particles.count());
-  starts_.reserve(sizeof(GLuint) * (static_cast<std::size_t>(counters) + 1));
-  cursors_.reserve(sizeof(GLuint) * static_cast<std::size_t>(counters));
-  entries_.reserve(sizeof(GLuint) * (most_tiles * count + 1));
-  glClearNamedBufferData(cursors_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-  particles.bind();
-  const GLuint buffers[] = {starts_.name(), cursors_.name(), entries_.name()};
-  glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 2, 3, buffers);
-  for (const int writes : {0, 1}) {
-    list_.use();
-    glUniform1ui(0, static_cast<GLuint>(count));
-    glUniform2i(1, across_, down_);
-    glUniform1i(2, writes);
-    glUniform1f(3, radius);
-    list_.run((particles.count() + threads - 1) / threads);
-    if (writes) break;
-    scan_.use();
-    glUniform1ui(0, static_cast<GLuint>(counters));
-    scan_.run(1);
-  }
+  radius_ = radius;
 }
 
-void TileLists::run(const Program& program) const {
+void TileLists::build(std::span<TileLists* const> all, const Particles& particles) {
+  particles.bind();
+  for (TileLists* lists : all) lists->reserve(particles);
+  for (const TileLists* lists : all) lists->list(particles, false);
+  Program::show_writes();
+  for (const TileLists* lists : all) lists->allot();
+  Program::show_writes();
+  for (const TileLists* lists : all) lists->list(particles, true);
+  Program::show_writes();
+}
+
+void TileLists::reserve(const Particles& particles) {
+  starts_.reserve(sizeof(GLuint) * static_cast<std::size_t>(lists()));
+  cursors_.reserve(sizeof(GLuint) *
+                   (static_cast<std::size_t>(strands) * static_cast<std::size_t>(lists()) + 1));
+  entries_.reserve(sizeof(GLuint) * (most_tiles * static_cast<std::size_t>(particles.count()) + 1));
+  glClearNamedBufferData(cursors_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void TileLists::bind() const {
   const GLuint buffers[] = {starts_.name(), cursors_.name(), entries_.name()};
   glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, 2, 3, buffers);
+}
+
+void TileLists::list(const Particles& particles, bool writes) const {
+  bind();
+  list_.use();
+  glUniform1ui(0, static_cast<GLuint>(particles.count()));
+  glUniform2i(1, across_, down_);
+  glUniform1i(2, writes);
+  glUniform1f(3, radius_);
+  list_.start(groups_for(particles.count()));
+}
+
+void TileLists::allot() const {
+  bind();
+  allot_.use();
+  glUniform1ui(0, static_cast<GLuint>(lists()));
+  allot_.start(groups_for(lists()));
+}
+
+void TileLists::start(const Program& program, int groups) const {
+  bind();
   glUniform2i(0, across_, down_);
-  program.run(across_, down_);
+  program.start(groups * across_, groups * down_);
 }
 
 }  // namespace meniscus::render

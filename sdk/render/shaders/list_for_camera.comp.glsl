@@ -13,11 +13,19 @@ layout(location = 3) uniform float radius;  // m, of the disc
 
 const int tile_size = 32;
 
+// Of equally deep slices of the scene; the nearest comes first.
+uint strand_at(float distance) {
+  float middle = -(view * vec4(centre.xyz, 1.0)).z, radius = floor_.y;
+  return uint(clamp((0.5 + 0.5 * (distance - middle) / radius) * float(strands), 0.0, float(strands) - 0.5));
+}
+
 // Its ellipsoid, and its disc among the sums of half as many pixels.
-ivec4 pixels_covered(uint i) {
+ivec4 pixels_covered(uint i, out uint strand) {
   Particle p = particle(i);
+  strand = 0u;
   if (is_grain(fluid_indices[i]) || !is_finite(p.centre) || !is_finite(p.radii)) return ivec4(0, 0, -1, -1);
   vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
+  strand = strand_at(-middle.z);
   ivec4 ellipsoid = pixels_of(p, turn_of(p.rotation), middle);
   ivec4 disc = disc_pixels(projection * vec4(middle, 1.0), radius * vec2(projection[0][0], projection[1][1]),
                            ivec2(viewport.xy + 1.0) / 2);

@@ -2,25 +2,40 @@
 // SPDX-License-Identifier: MIT
 #version 450 core
 // The ellipsoids of one tile by ray casting: in red where the line of sight first enters one, as a distance along −z,
-// 0 where there is none; in green how much of the filter that one is to get.
+// 0 where there is none; in green how much of the filter that one is to get. Threads first take a particle each and
+// write down the pictures of those that are not hidden; then a row of threads draws one picture at a time.
 #include "frame.glsl"
 #include "fluids.glsl"
 #include "quadric.glsl"
 #include "particles.glsl"
 #include "ellipsoid.glsl"
 #include "tiles.glsl"
-#include "team.glsl"
 layout(local_size_x = 256) in;
 layout(binding = 3) uniform sampler2D scene_distance;
 layout(binding = 0, rg32f) writeonly restrict uniform image2D surface;
 layout(location = 0) uniform ivec2 tiles;
 
+const uint group_size = 256u;
+const uint row = 32u;          // threads, 8 by 4 pixels
+const uint round_size = 128u;  // particles, between two looks at what is hidden
 const int size = 32;
 const uint share_bits = 63u;  // of a distance's bits, the last: they hold the filter's share instead
 
 const int block = 8;                   // pixels
 const int blocks = size / block;
 
+// Of an ellipsoid, at the pixel that is d from where its centre is seen. In the space where it is the unit ball the
+// line of sight is D = D0 + E per unit of distance, where D0 leads to the centre and E is linear in d. It meets the ball where
+// M = D² − (away D0 × E)² ≥ 0, at the distance (away D0·D − √M) / D²: exact however far the eye is.
+struct Picture {
+  vec4 place;   // of the centre, pixels in the tile; its distance; D0²
+  vec4 slope;   // D0·E for a pixel along x, and along y; as whole numbers the least distance, and the filter's share
+  vec4 square;  // E² = x² d.x² + 2 xy d.x d.y + y² d.y²; w: the pixels of the tile, from first to last
+  vec4 across;  // (away D0 × E)², likewise
+};
+
+shared Picture pictures[round_size];
+shared uint picture_count;
 shared uint nearest[size * size];
 shared uint farthest[blocks * blocks];  // no pixel of the block shows anything further away
 
@@ -46,38 +61,49 @@ bool is_hidden(ivec4 pixels, uint least) {
   return true;
 }
 
-// A thread's share of its pixels.
-void draw(uint i, ivec2 corner, ivec2 offset, ivec2 steps) {
+vec3 form(vec3 a, vec3 b) {
+  return vec3(dot(a, a), 2.0 * dot(a, b), dot(b, b));
+}
+
+// Of a particle that is not hidden.
+void look_at(uint i, ivec2 corner) {
   Particle p = particle(i);
   vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
-  float reach = longest(p.radii);
+  float reach = longest(p.radii), away = -middle.z;
   if (!is_seen(middle, reach)) return;
-  uint least = floatBitsToUint(0.9999 * (-middle.z - reach));
+  uint least = floatBitsToUint(0.9999 * (away - reach));
   if (is_hidden(in_tile(pixels_of_ball(middle, reach), corner), least)) return;
   mat3 turn = turn_of(p.rotation);
   ivec4 pixels = in_tile(pixels_of(p, turn, middle), corner);
+  if (is_hidden(pixels, least)) return;
 
-  // In the space where the ellipsoid is the unit ball: the eye, and the line of sight per unit of distance.
   mat3 inverse_axes = transpose(mat3(turn[0] / p.radii.x, turn[1] / p.radii.y, turn[2] / p.radii.z));
-  vec3 from = -(inverse_axes * middle);
-  vec2 pixel = 2.0 * viewport.zw * lens.xy;
-  vec3 along_x = inverse_axes[0] * pixel.x, along_y = inverse_axes[1] * pixel.y;
-  vec3 first = inverse_axes * vec3((vec2(corner) + 0.5) * pixel - lens.xy, -1.0);
+  vec2 pixel = 2.0 * viewport.zw * lens.xy, place = (middle.xy / away + lens.xy) / pixel - 0.5 - vec2(corner);
+  vec3 to_middle = inverse_axes * (middle / away), x = inverse_axes[0] * pixel.x, y = inverse_axes[1] * pixel.y;
   // A drop on its own, which is smaller than what has neighbours, is to keep its shape.
   float evenness = mix(0.2, 1.0, smoothstep(0.65, 0.95, pow(p.radii.x * p.radii.y * p.radii.z, 1.0 / 3.0) / floor_.z));
   uint share = uint(evenness * float(share_bits) + 0.5);
+  uint rectangle = uint(pixels.x) | uint(pixels.y) << 8 | uint(pixels.z) << 16 | uint(pixels.w) << 24;
+  pictures[atomicAdd(picture_count, 1u)] =
+      Picture(vec4(place, away, dot(to_middle, to_middle)),
+              vec4(dot(to_middle, x), dot(to_middle, y), uintBitsToFloat(least), uintBitsToFloat(share)),
+              vec4(form(x, y), uintBitsToFloat(rectangle)),
+              vec4(form(away * cross(to_middle, x), away * cross(to_middle, y)), 0.0));
+}
 
-  for (int y = pixels.y + offset.y; y <= pixels.w; y += steps.y) {
-    for (int x = pixels.x + offset.x; x <= pixels.z; x += steps.x) {
+// A row's threads side by side.
+void draw(Picture p, int thread) {
+  ivec4 pixels = ivec4(uvec4(floatBitsToUint(p.square.w)) >> uvec4(0, 8, 16, 24) & 255u);
+  uint least = floatBitsToUint(p.slope.z), share = floatBitsToUint(p.slope.w);
+  for (int y = pixels.y + thread / 8; y <= pixels.w; y += 4) {
+    for (int x = pixels.x + thread % 8; x <= pixels.z; x += 8) {
       if (nearest[y * size + x] < least) continue;
-      vec3 direction = first + float(x) * along_x + float(y) * along_y;
-      // From the point nearest to the centre: exact however far the eye is.
-      float square = dot(direction, direction);
-      float halfway = -dot(from, direction) / square;
-      vec3 closest = from + halfway * direction;
-      float inside = 1.0 - dot(closest, closest);
+      vec2 d = vec2(x, y) - p.place.xy;
+      vec3 products = vec3(d.x * d.x, d.x * d.y, d.y * d.y);
+      float along = p.place.w + dot(p.slope.xy, d), square = along + dot(p.slope.xy, d) + dot(p.square.xyz, products);
+      float inside = square - dot(p.across.xyz, products);
       if (inside < 0.0) continue;
-      float distance = halfway - sqrt(inside / square);
+      float distance = (p.place.z * along - sqrt(inside)) / square;
       atomicMin(nearest[y * size + x], (floatBitsToUint(distance) & ~share_bits) | share);
     }
   }
@@ -86,20 +112,20 @@ void draw(uint i, ivec2 corner, ivec2 offset, ivec2 steps) {
 void find_farthest() {
   barrier();
   for (uint k = gl_LocalInvocationID.x; k < uint(blocks * blocks); k += group_size) farthest[k] = 0u;
+  if (gl_LocalInvocationID.x == 0u) picture_count = 0u;
   barrier();
   for (int k = int(gl_LocalInvocationID.x); k < size * size; k += int(group_size))
     atomicMax(farthest[(k / size / block) * blocks + k % size / block], nearest[k]);
   barrier();
 }
 
-// Some of each part of the list in each round: after the first, most of what is inside of the fluid is hidden.
+// From front to back: after the first, most of what is inside of the fluid is hidden.
 void draw_list(int list, ivec2 corner) {
-  uint begin = list_begin(list), count = list_count(list), rounds = clamp(count / 128u, 1u, 4u);
-  for (uint round = 0u; round < rounds; ++round) {
-    uint drawn = (count + rounds - 1u - round) / rounds;
-    Team team = team_for(drawn);
-    for (uint k = gl_LocalInvocationID.x; k < team.size * drawn; k += group_size)
-      draw(tile_entries[begin + k / team.size * rounds + round], corner, offset_in(team, k), team.steps);
+  uint begin = list_begin(list), end = begin + list_count(list), self = gl_LocalInvocationID.x;
+  for (; begin < end; begin += round_size) {
+    if (self < min(round_size, end - begin)) look_at(tile_entries[begin + self], corner);
+    barrier();
+    for (uint k = self / row; k < picture_count; k += group_size / row) draw(pictures[k], int(self % row));
     find_farthest();
   }
 }
@@ -111,15 +137,17 @@ void put(ivec2 pixel, uint found) {
 }
 
 void main() {
-  int own = int(gl_WorkGroupID.y) * tiles.x + int(gl_WorkGroupID.x), all = tiles.x * tiles.y, first = int(gl_LocalInvocationID.x);
+  int own = int(gl_WorkGroupID.y) * tiles.x + int(gl_WorkGroupID.x), all = tiles.x * tiles.y;
+  int first = int(gl_LocalInvocationID.x);
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * size;
   if (list_count(own) + list_count(all) == 0u) {
-    for (int k = first; k < size * size; k += int(group_size)) imageStore(surface, corner + ivec2(k % size, k / size), vec4(0.0));
+    for (int k = first; k < size * size; k += int(group_size))
+      imageStore(surface, corner + ivec2(k % size, k / size), vec4(0.0));
     return;
   }
   for (int k = first; k < size * size; k += int(group_size)) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
   find_farthest();
-  draw_list(own, corner);
   draw_list(all, corner);
+  draw_list(own, corner);
   for (int k = first; k < size * size; k += int(group_size)) put(corner + ivec2(k % size, k / size), nearest[k]);
 }

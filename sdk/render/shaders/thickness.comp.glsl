@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 #version 450 core
-// How much fluid lies along each line of sight of one tile. Each particle's volume is spread as (1 − r²/R²)² over a
-// disc: smooth, and all of it is there. Sums are of whole numbers, which add up to the same in any order.
+// How much fluid lies along each line of sight of a block, a quarter of a tile. Each particle's volume is spread as
+// (1 − r²/R²)² over a disc: smooth, and all of it is there. Threads take a particle each and write down the discs that
+// reach the block; then each sums up some of them for one pixel. Sums are of whole numbers, which add up to the same in
+// any order.
 #include "frame.glsl"
 #include "fluids.glsl"
 #include "particles.glsl"
 #include "disc.glsl"
 #include "tiles.glsl"
-#include "team.glsl"
 layout(local_size_x = 256) in;
 layout(binding = 3) uniform sampler2D scene_distance;  // of the camera alone
 layout(binding = 0, rgba32f) writeonly restrict uniform image2D sums;  // absorbance; metres, or the smallest depth
@@ -18,46 +19,60 @@ layout(location = 2) uniform vec2 per_metre;  // clip space at distance 1
 layout(location = 3) uniform float radius;    // m, of the disc
 layout(location = 4) uniform int hides;       // 1: what lies behind a solid does not count
 
-const int size = 16;
-const float parts = 65536.0;  // of a spacing's length
+const uint group_size = 256u;
+const int size = 8;           // of a block, pixels
+const uint pixels = uint(size * size), parts = group_size / pixels;  // of the discs, one a thread of a pixel's
+const float units = 65536.0;  // of a spacing's length
 const float most = 4.0;       // absorbance, along the path that colours are given for
 
-shared uint metres[size * size], red[size * size], green[size * size], blue[size * size];
-shared uint nearest[size * size];  // depth, of the sun's
-shared float behind[size * size];  // distance of the scene, of the camera's
+struct Disc {
+  vec2 middle, scale;  // pixels in the picture, and in how many of them its radius lies
+};
+
+shared Disc discs[group_size];
+shared float distances[group_size];  // along −z of the camera's, depths of the sun's
+shared vec3 absorbances[group_size];
+shared uint disc_count;
+shared uint metres[pixels], red[pixels], green[pixels], blue[pixels];
+shared uint nearest[pixels];  // depth, of the sun's
 shared uint lowest_fluid, highest_fluid;
 
-// On the path that the colour is given for the colour is left of the light; what is all black would take in all at once.
+// On the path that the colour is given for the colour is left of the light; all black would take in all at once.
 vec3 absorbance_of(uint fluid) {
   return -log(clamp(look_of(fluid).rgb, 0.02, 0.98));
 }
 
-void add(uint i, ivec2 corner, ivec2 last, ivec2 first, ivec2 steps) {
+void look_at(uint i, ivec2 corner, ivec2 all) {
   vec4 clip = to_clip * vec4(centre_of(i), 1.0);
   vec2 reach = radius * per_metre;
-  ivec4 pixels = disc_pixels(clip, reach, last + 1) - corner.xyxy;
-  pixels = ivec4(max(pixels.xy, 0), min(pixels.zw, size - 1));
-  float depth = 0.5 * clip.z / clip.w + 0.5;
-  vec2 middle = (0.5 * clip.xy / clip.w + 0.5) * vec2(last + 1) - 0.5 - vec2(corner), scale = 2.0 * clip.w / (reach * vec2(last + 1));
-  float amount = parts * floor_.z * floor_.z * 3.0 / (3.14159265 * radius * radius);
+  ivec4 covered = disc_pixels(clip, reach, all);
+  if (any(greaterThan(covered.xy, min(covered.zw, corner + size - 1))) || any(lessThan(covered.zw, corner))) return;
+  uint place = atomicAdd(disc_count, 1u);
+  discs[place] = Disc((0.5 * clip.xy / clip.w + 0.5) * vec2(all) - 0.5, 2.0 * clip.w / (reach * vec2(all)));
+  distances[place] = hides == 1 ? clip.w : 0.5 * clip.z / clip.w + 0.5;
+  if (lowest_fluid < highest_fluid) absorbances[place] = absorbance_of(fluid_indices[i]) / most;
+}
+
+struct Sums {
+  uint metres;
+  uvec3 dyed;
+  float nearest;
+};
+
+// `behind`: the distance of what hides fluid.
+void add_discs(inout Sums own, vec2 pixel, float behind) {
+  float amount = units * floor_.z * floor_.z * 3.0 / (3.14159265 * radius * radius);
+  float depth_of_radius = 0.5 * radius / to_sun.w;
   bool is_one_fluid = lowest_fluid == highest_fluid;
-  vec3 absorbance = is_one_fluid ? vec3(0.0) : absorbance_of(fluid_indices[i]) / most;
-  for (int y = pixels.y + first.y; y <= pixels.w; y += steps.y) {
-    for (int x = pixels.x + first.x; x <= pixels.z; x += steps.x) {
-      int k = y * size + x;
-      vec2 offset = (vec2(x, y) - middle) * scale;
-      float u = 1.0 - dot(offset, offset);
-      if (u <= 0.0 || (hides == 1 && clip.w > behind[k])) continue;
-      float part = amount * u * u;
-      atomicAdd(metres[k], uint(part + 0.5));
-      // As a ball would have it, behind whose top the disc is hung: steps from disc to disc would be seen as shades.
-      if (hides == 0) atomicMin(nearest[k], floatBitsToUint(max(depth + 0.5 * radius / to_sun.w * (1.0 - sqrt(u)), 0.0)));
-      if (is_one_fluid) continue;
-      uvec3 dyed = uvec3(part * absorbance + 0.5);
-      atomicAdd(red[k], dyed.r);
-      atomicAdd(green[k], dyed.g);
-      atomicAdd(blue[k], dyed.b);
-    }
+  for (uint k = gl_LocalInvocationID.x / pixels; k < disc_count; k += parts) {
+    vec2 offset = (pixel - discs[k].middle) * discs[k].scale;
+    float u = 1.0 - dot(offset, offset);
+    if (u <= 0.0 || distances[k] > behind) continue;
+    float part = amount * u * u;
+    own.metres += uint(part + 0.5);
+    // As a ball would have it, behind whose top the disc is hung: steps from disc to disc would be seen as shades.
+    if (hides == 0) own.nearest = min(own.nearest, distances[k] + depth_of_radius * (1.0 - sqrt(u)));
+    if (!is_one_fluid) own.dyed += uvec3(part * absorbances[k] + 0.5);
   }
 }
 
@@ -70,30 +85,54 @@ void note_fluids(int list) {
   }
 }
 
-void add_list(int list, ivec2 corner, ivec2 last) {
-  uint begin = list_begin(list), count = list_count(list);
-  Team team = team_for(count);
-  for (uint k = gl_LocalInvocationID.x; k < team.size * count; k += group_size)
-    add(tile_entries[begin + k / team.size], corner, last, offset_in(team, k), team.steps);
+void add_list(int list, ivec2 corner, ivec2 all, ivec2 pixel, float behind, inout Sums own) {
+  uint begin = list_begin(list), end = begin + list_count(list), self = gl_LocalInvocationID.x;
+  for (; begin < end; begin += group_size) {
+    if (begin + self < end) look_at(tile_entries[begin + self], corner, all);
+    barrier();
+    add_discs(own, vec2(pixel), behind);
+    barrier();
+    if (self == 0u) disc_count = 0u;
+    barrier();
+  }
 }
 
 void main() {
-  int k = int(gl_LocalInvocationID.x), own = int(gl_WorkGroupID.y) * tiles.x + int(gl_WorkGroupID.x), all = tiles.x * tiles.y;
-  ivec2 corner = ivec2(gl_WorkGroupID.xy) * size, pixel = corner + ivec2(k % size, k / size), last = imageSize(sums) - 1;
-  metres[k] = red[k] = green[k] = blue[k] = 0u;
-  nearest[k] = floatBitsToUint(1.0);
-  behind[k] = hides == 1 ? texelFetch(scene_distance, min(2 * pixel + 1, textureSize(scene_distance, 0) - 1), 0).r : 0.0;
+  uint self = gl_LocalInvocationID.x, k = self % pixels;
+  int list = int(gl_WorkGroupID.y / 2u) * tiles.x + int(gl_WorkGroupID.x / 2u), shared_list = tiles.x * tiles.y;
+  ivec2 corner = ivec2(gl_WorkGroupID.xy) * size, pixel = corner + ivec2(int(k) % size, int(k) / size);
+  ivec2 all = imageSize(sums);
+  if (list_count(list) + list_count(shared_list) == 0u) {
+    if (self < pixels) imageStore(sums, pixel, vec4(0.0, 0.0, 0.0, hides == 1 ? 0.0 : 1.0));
+    return;
+  }
+  if (self < pixels) {
+    metres[k] = red[k] = green[k] = blue[k] = 0u;
+    nearest[k] = floatBitsToUint(1.0);
+  }
   lowest_fluid = ~0u;
   highest_fluid = 0u;
+  disc_count = 0u;
+  float behind = 2.0;  // of all depths
+  if (hides == 1) behind = texelFetch(scene_distance, min(2 * pixel + 1, textureSize(scene_distance, 0) - 1), 0).r;
   barrier();
-  note_fluids(own);
-  note_fluids(all);
+  note_fluids(list);
+  note_fluids(shared_list);
   barrier();
-  add_list(own, corner, last);
-  add_list(all, corner, last);
+  Sums own = Sums(0u, uvec3(0), 1.0);
+  add_list(list, corner, all, pixel, behind, own);
+  add_list(shared_list, corner, all, pixel, behind, own);
+  atomicAdd(metres[k], own.metres);
+  atomicMin(nearest[k], floatBitsToUint(max(own.nearest, 0.0)));
+  if (lowest_fluid < highest_fluid) {
+    atomicAdd(red[k], own.dyed.r);
+    atomicAdd(green[k], own.dyed.g);
+    atomicAdd(blue[k], own.dyed.b);
+  }
   barrier();
-  float length = float(metres[k]) * (floor_.z / parts);
-  vec3 dyed = vec3(red[k], green[k], blue[k]) * (floor_.z / parts * most);
+  if (self >= pixels) return;
+  float length = float(metres[k]) * (floor_.z / units);
+  vec3 dyed = vec3(red[k], green[k], blue[k]) * (floor_.z / units * most);
   if (lowest_fluid == highest_fluid) dyed = length * absorbance_of(lowest_fluid);
   imageStore(sums, pixel, vec4(dyed / centre.w, hides == 1 ? length : uintBitsToFloat(nearest[k])));
 }
