@@ -66,7 +66,7 @@ void Program::show_writes() {
 }
 
 void Program::run_over(const Texture& image) const {
-  constexpr int side = 8;
+  constexpr int side = 16;
   image.bind_image(0);
   run((image.width() + side - 1) / side, (image.height() + side - 1) / side);
 }

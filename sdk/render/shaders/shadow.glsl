@@ -5,12 +5,17 @@ layout(binding = 0) uniform sampler2DShadow shadow_map;
 layout(binding = 1) uniform sampler2D fluid_shadow_map;  // absorbance; the nearest depth
 
 float solid_light(vec3 at) {
-  vec2 texel = 1.0 / vec2(textureSize(shadow_map, 0));
+  vec2 size = vec2(textureSize(shadow_map, 0)), corner = at.xy * size - 2.0;
+  vec2 first = floor(corner), part = corner - first;
+  // Soft over five texels, of which the first and the last count in part; taps blend two each way, but for the last.
+  vec2 places[3] = vec2[](first + 0.5 + 1.0 / (2.0 - part), first + 3.0, first + 4.5);
+  vec2 weights[3] = vec2[](2.0 - part, vec2(2.0), part);
   float light = 0.0;
-  // Sixteen taps in four by four, each of which blends four: soft over five texels.
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i)
-      light += textureLod(shadow_map, vec3(at.xy + (vec2(i, j) - 1.5) * texel, at.z), 0.0);
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      vec2 place = vec2(places[i].x, places[j].y) / size;
+      light += weights[i].x * weights[j].y * textureLod(shadow_map, vec3(place, at.z), 0.0);
+    }
   }
   return light / 16.0;
 }

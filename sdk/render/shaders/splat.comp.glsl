@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 #version 450 core
-// The ellipsoids of one tile by ray casting: in red where the line of sight first enters one, as a distance along −z,
-// 0 where there is none; in green how much of the filter that one is to get. Threads first take a particle each and
-// write down the pictures of those that are not hidden; then a row of threads draws one picture at a time.
+// The ellipsoids of one tile by ray casting: in red where the line of sight first enters one, as a distance along −z, 0
+// where there is none; in green how much of the filter that one is to get. Threads first take a particle each and write
+// down the pictures of those that are not hidden; then a row of threads draws one picture at a time.
 #include "frame.glsl"
 #include "fluids.glsl"
 #include "quadric.glsl"
@@ -16,8 +16,8 @@ layout(binding = 0, rg32f) writeonly restrict uniform image2D surface;
 layout(location = 0) uniform ivec2 tiles;
 
 const uint group_size = 256u;
-const uint row = 32u;          // threads, 8 by 4 pixels
-const uint round_size = 128u;  // particles, between two looks at what is hidden
+const uint row = 32u;         // threads, 8 by 4 pixels
+const uint round_size = 64u;  // particles, between two looks at what is hidden
 const int size = 32;
 const uint share_bits = 63u;  // of a distance's bits, the last: they hold the filter's share instead
 
@@ -25,8 +25,8 @@ const int block = 8;                   // pixels
 const int blocks = size / block;
 
 // Of an ellipsoid, at the pixel that is d from where its centre is seen. In the space where it is the unit ball the
-// line of sight is D = D0 + E per unit of distance, where D0 leads to the centre and E is linear in d. It meets the ball where
-// M = D² − (away D0 × E)² ≥ 0, at the distance (away D0·D − √M) / D²: exact however far the eye is.
+// line of sight is D = D0 + E per unit of distance, where D0 leads to the centre and E is linear in d. It meets the
+// ball where M = D² − (away D0 × E)² ≥ 0, at the distance (away D0·D − √M) / D²: exact however far the eye is.
 struct Picture {
   vec4 place;   // of the centre, pixels in the tile; its distance; D0²
   vec4 slope;   // D0·E for a pixel along x, and along y; as whole numbers the least distance, and the filter's share
@@ -110,12 +110,14 @@ void draw(Picture p, int thread) {
 }
 
 void find_farthest() {
-  barrier();
   for (uint k = gl_LocalInvocationID.x; k < uint(blocks * blocks); k += group_size) farthest[k] = 0u;
   if (gl_LocalInvocationID.x == 0u) picture_count = 0u;
   barrier();
-  for (int k = int(gl_LocalInvocationID.x); k < size * size; k += int(group_size))
-    atomicMax(farthest[(k / size / block) * blocks + k % size / block], nearest[k]);
+  // Of four pixels a thread.
+  int x = int(gl_LocalInvocationID.x) % size, y = int(gl_LocalInvocationID.x) / size * 4;
+  uint most = 0u;
+  for (int k = 0; k < 4; ++k) most = max(most, nearest[(y + k) * size + x]);
+  atomicMax(farthest[y / block * blocks + x / block], most);
   barrier();
 }
 
@@ -125,8 +127,10 @@ void draw_list(int list, ivec2 corner) {
   for (; begin < end; begin += round_size) {
     if (self < min(round_size, end - begin)) look_at(tile_entries[begin + self], corner);
     barrier();
-    for (uint k = self / row; k < picture_count; k += group_size / row) draw(pictures[k], int(self % row));
-    find_farthest();
+    uint count = picture_count;
+    for (uint k = self / row; k < count; k += group_size / row) draw(pictures[k], int(self % row));
+    barrier();
+    if (count > 0u) find_farthest();
   }
 }
 
@@ -146,6 +150,7 @@ void main() {
     return;
   }
   for (int k = first; k < size * size; k += int(group_size)) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
+  barrier();
   find_farthest();
   draw_list(all, corner);
   draw_list(own, corner);
