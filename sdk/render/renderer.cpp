@@ -35,6 +35,7 @@ const SceneCamera& Renderer::camera() const {
 }
 
 void Renderer::set_camera(const SceneCamera& camera) {
+  if (camera == parts_->stage.camera) return;
   parts_->stage.camera = camera;
   parts_->look();
 }
@@ -57,9 +58,10 @@ void Renderer::paint() {
   parts_->bind();
   parts_->timer.start();
   if (!parts_->has_solid_shadows) parts_->draw_solid_shadows();
+  if (!parts_->to->has_solids) parts_->draw_solids();
   parts_->list_particles();
-  if (!parts_->to->has_fluid_shadows) parts_->draw_fluid_shadows();
-  parts_->draw_scene();
+  parts_->gather_fluid();
+  parts_->light_scene();
   parts_->draw_fluid();
   parts_->draw_over();
   parts_->draw_picture();

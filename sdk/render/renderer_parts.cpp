@@ -47,6 +47,7 @@ void Renderer::Parts::look() {
   const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
   solids.set_edges(1.3f * pixel * std::max(share, 0.6f));
   frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
+  to->has_solids = false;
 }
 
 void Renderer::Parts::load(const Moment& moment) {
@@ -55,19 +56,23 @@ void Renderer::Parts::load(const Moment& moment) {
   const bool by_spans = !moment.world || !shows_fluid || !settings.anisotropic;
   const Moment shown = by_spans ? with_spans(moment) : moment;
   check_particles(shown);
-  if (solids.place(moment.bodies, moment.cloth, moment.ropes, strain_colors(moment.cloth, view)) || grains)
-    has_solid_shadows = false;
+  const bool moves =
+      solids.place(moment.bodies, moment.cloth, moment.ropes, strain_colors(moment.cloth, view)) || grains;
   if (shown.world)
     particles.set(*shown.world);
   else
     load_particles(shown, shows_fluid);
-  balls.set(shown.ellipsoids, view);
+  const bool changes = balls.set(shown.ellipsoids, view) || moves;
   foam.set(!shows_fluid  ? std::span<const DiffuseParticle>()
            : shown.world ? shown.world->diffuse()
                          : shown.diffuse);
   load_view(view);
-  to->has_fluid_shadows = false;
-  if (before) before->has_fluid_shadows = false;
+  if (moves) has_solid_shadows = false;
+  for (Pictures* pictures : {to.get(), before.get()}) {
+    if (!pictures) continue;
+    pictures->has_fluid_shadows = false;
+    if (changes) pictures->has_solids = false;
+  }
 }
 
 /// Before anything has changed.
@@ -117,6 +122,31 @@ void Renderer::Parts::draw_solid_shadows() {
   timer.mark("shadow map");
 }
 
+void Renderer::Parts::draw_solids() {
+  to->to_surfaces.use();
+  to->to_surfaces.clear_depth();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  solids.draw_opaque();
+  if (grains) grains->draw(particles);
+  balls.draw(0.5f * stage.spacing);
+  timer.mark("solids");
+  to->scene_depth.bind(unit::depth);
+  to->glass.bind_image(1);
+  to->over.bind_image(2);
+  distance.use();
+  distance.run_over(to->scene_distance);
+  timer.mark("distances");
+  to->to_glass.use();
+  solids.draw_glass();
+  timer.mark("glass");
+  to->to_over.use();
+  solids.draw_edges();
+  glDisable(GL_DEPTH_TEST);
+  timer.mark("edges of vessels");
+  to->has_solids = true;
+}
+
 void Renderer::Parts::list_particles() {
   const float radius = FluidThickness::disc_radius(stage.spacing);
   camera_lists.set(to->width, to->height, radius);
@@ -126,46 +156,34 @@ void Renderer::Parts::list_particles() {
   timer.mark("lists");
 }
 
-void Renderer::Parts::draw_fluid_shadows() {
-  to->thickness.draw_for_sun(sun_lists, frame);
+void Renderer::Parts::gather_fluid() {
+  if (!to->has_fluid_shadows) to->thickness.draw_for_sun(sun_lists, frame);
   to->has_fluid_shadows = true;
   timer.mark("thickness for the sun");
+  to->surface.draw(camera_lists, to->scene_distance);
+  timer.mark("ellipsoids");
+  to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
+  Program::show_writes();
+  timer.mark("thickness");
 }
 
-void Renderer::Parts::draw_scene() {
-  to->to_surfaces.use();
-  to->to_surfaces.clear_depth();
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  solids.draw_opaque();
-  if (grains) grains->draw(particles);
-  balls.draw(0.5f * stage.spacing);
-  glDisable(GL_DEPTH_TEST);
-  timer.mark("solids");
+void Renderer::Parts::light_scene() {
   to->albedo.bind(unit::color);
-  to->scene_depth.bind(unit::depth);
+  to->scene_distance.bind(unit::depth);
   to->normal.bind(unit::normals);
-  to->scene_distance.bind_image(1);
+  to->glass.bind(unit::glass);
   light.use();
-  light.run_over(to->scene_color);
+  light.start_over(to->scene_color);
   timer.mark("light");
-  to->to_scene.use();
-  glEnable(GL_DEPTH_TEST);
-  solids.draw_glass();
-  glDisable(GL_DEPTH_TEST);
-  timer.mark("glass");
 }
 
 void Renderer::Parts::draw_fluid() {
   const float reach = settings.filter_reach * stage.spacing;
   const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
-  to->surface.draw(camera_lists, to->scene_distance);
-  timer.mark("ellipsoids");
   to->surface.filter(settings.filter, reach, settings.filter_threshold * stage.spacing,
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
+  Program::show_writes();  // light, where there is no filter
   timer.mark("filter");
-  to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
-  timer.mark("thickness");
   foam.gather(frame, to->scene_distance, to->surface.depth(), stage.spacing, to->to_foam);
   timer.mark("foam");
   to->scene_color.bind(unit::color);
@@ -180,12 +198,14 @@ void Renderer::Parts::draw_fluid() {
 void Renderer::Parts::draw_over() {
   to->to_lit.use();
   foam.lay_over(screen, to->foam);
-  to->over_lit.use();
-  glEnable(GL_DEPTH_TEST);
-  solids.draw_edges();
-  needles.draw(1.2f);
-  slice.draw();
-  glDisable(GL_DEPTH_TEST);
+  if (!needles.empty() || !slice.empty()) {
+    to->to_over.use();
+    glEnable(GL_DEPTH_TEST);
+    needles.draw(1.2f);
+    slice.draw();
+    glDisable(GL_DEPTH_TEST);
+    to->has_solids = false;  // without these
+  }
   timer.mark("over");
 }
 
@@ -199,6 +219,8 @@ void Renderer::Parts::draw_picture() {
     view_normals.use();
     screen.draw();
   } else {
+    to->over.bind(unit::values);
+    to->scene_depth.bind(unit::normals);
     tone.use();
     tone.run_over(to->toned);
   }
@@ -206,7 +228,7 @@ void Renderer::Parts::draw_picture() {
   to->toned.bind(unit::color);
   smooth.use();
   smooth.run_over(to->picture);
-  timer.mark("edges");
+  timer.mark("smooth edges");
 }
 
 void Renderer::Parts::check_success() const {

@@ -29,9 +29,12 @@ struct Renderer::Parts {
   void load_view(const ViewData& view);
   void bind() const;
   void draw_solid_shadows();
+  /// Where there are any, glass before them, and edges.
+  void draw_solids();
   void list_particles();
-  void draw_fluid_shadows();
-  void draw_scene();
+  /// All that is drawn particle by particle.
+  void gather_fluid();
+  void light_scene();
   void draw_fluid();
   /// What is to be seen however the fluid mirrors.
   void draw_over();
@@ -63,6 +66,7 @@ struct Renderer::Parts {
   Target to_shadow{{}, &shadow};
   std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
   std::unique_ptr<Pictures> before;  // of the size before, to which a window may go back
+  Program distance{"distance.comp.glsl"};
   Program light{"light.comp.glsl"};
   Program fluid{"fluid.comp.glsl"};
   Program tone{"tone.comp.glsl"};

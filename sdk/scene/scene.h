@@ -62,6 +62,8 @@ struct SceneCamera {
   Vec3 position{3, 2, 4};       ///< m
   Vec3 target{0, 0, 0};         ///< m
   float field_of_view = 35.0f;  ///< degrees, vertical
+
+  bool operator==(const SceneCamera&) const = default;
 };
 
 /// One more view, to be chosen by its name.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -37,11 +38,14 @@ struct FrameTimes {
   double whole = 0;
   double load = 0, paint = 0;  ///< the host's own: it goes on before they are done
 
-  void run(render::Renderer& renderer, const std::optional<render::Moment>& moment, int count) {
+  void run(
+      render::Renderer& renderer, const std::optional<render::Moment>& moment, int count,
+      const std::function<void()>& before_each = [] {}) {
     *this = {};
     glFinish();
     const auto begin = Clock::now();
     for (int k = 0; k < count; ++k) {
+      before_each();
       const auto start = Clock::now();
       if (moment) renderer.load(*moment);
       const auto loaded = Clock::now();
@@ -54,12 +58,25 @@ struct FrameTimes {
   }
 };
 
+/// To and fro, so little that nothing looks different.
+std::function<void()> turning(render::Renderer& renderer) {
+  const SceneCamera here = renderer.camera(),
+                    aside{here.position, here.target, 1.00001f * here.field_of_view};
+  return [&renderer, here, aside, is_aside = false]() mutable {
+    is_aside = !is_aside;
+    renderer.set_camera(is_aside ? aside : here);
+  };
+}
+
 /// Medians over some pictures.
-Json pass_times(render::Renderer& renderer, const render::Moment& moment, int times) {
+Json pass_times(
+    render::Renderer& renderer, const render::Moment& moment, int times,
+    const std::function<void()>& before_each = [] {}) {
   std::vector<const char*> order;
   std::map<std::string, std::vector<double>> ms;
   renderer.time_passes(true);
   for (int k = 0; k < times; ++k) {
+    before_each();
     renderer.load(moment);
     renderer.paint();
     for (const render::PassTime& pass : renderer.pass_times()) {
@@ -95,11 +112,13 @@ Json run_case(const CommonOptions& common, const RenderOptions& o, int particles
   const render::Moment moment = moment_of(dam.world);
   render::Renderer renderer(scene, moment);
   const io::Image picture = renderer.draw(moment);
+  dam.world.step(dam.dt);  // pictures follow a step, of whose neighbours their ellipsoids are made
   if (!o.picture.empty()) io::write_png(o.picture, picture);
-  FrameTimes frames, still;
+  FrameTimes frames, still, turned;
   frames.run(renderer, moment, 2);
   frames.run(renderer, moment, o.frames);
   still.run(renderer, std::nullopt, o.frames);
+  turned.run(renderer, moment, o.frames, turning(renderer));
   return {{"particles", dam.world.particle_count()},
           {"width", o.width},
           {"height", o.height},
@@ -108,8 +127,10 @@ Json run_case(const CommonOptions& common, const RenderOptions& o, int particles
           {"load_host_ms", frames.load},
           {"paint_host_ms", frames.paint},
           {"still_frame_ms", still.whole},
+          {"turned_frame_ms", turned.whole},
           {"covered_percent", 100 * covered_share(renderer)},
-          {"pass_ms", pass_times(renderer, moment, std::min(o.frames, 20))}};
+          {"pass_ms", pass_times(renderer, moment, std::min(o.frames, 20))},
+          {"turned_pass_ms", pass_times(renderer, moment, std::min(o.frames, 20), turning(renderer))}};
 }
 
 }  // namespace

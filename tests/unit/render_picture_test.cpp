@@ -187,6 +187,30 @@ TEST_F(PictureTest, OneRendererDrawsOneFrameAfterTheOther) {
   EXPECT_EQ(renderer.draw(water.moment()).rgb, first.rgb);
 }
 
+TEST_F(PictureTest, ACameraThatMovesSeesSolidsAnew) {
+  io::PreviewScene scene = with_body(BoxGeometry{{0.2f, 0.2f, 0.2f}});
+  scene.shapes.push_back(
+      shape(ContainerGeometry{{0.6f, 0.5f, 0.6f}, {{Face::y_high, std::nullopt}}}, {0, -0.2f, -0.5f}));
+  render::Renderer renderer(scene, {});
+  const SceneCamera here = renderer.camera(), aside{here.position, {0.3f, 0, 0}, here.field_of_view};
+  const io::Image first = renderer.draw({});
+  renderer.set_camera(aside);
+  EXPECT_GT(changed(first, renderer.draw({})), 1000);
+  renderer.set_camera(here);
+  EXPECT_EQ(renderer.draw({}).rgb, first.rgb);
+}
+
+TEST_F(PictureTest, BodiesMoveFromFrameToFrame) {
+  const io::PreviewScene scene = with_body(BoxGeometry{{0.2f, 0.2f, 0.2f}});
+  render::Renderer renderer(scene, {});
+  std::vector<BodyState> states(1);
+  const io::Image first = renderer.draw({.bodies = states});
+  states[0].pose.position = {0.6f, 0, 0};
+  EXPECT_GT(changed(first, renderer.draw({.bodies = states})), 300);
+  states[0].pose.position = {0, 0, 0};
+  EXPECT_EQ(renderer.draw({.bodies = states}).rgb, first.rgb);
+}
+
 TEST_F(PictureTest, BadInputIsRefusedByName) {
   io::PreviewScene scene = with_body(BoxGeometry{});
   const std::vector<BodyState> states(2);

@@ -185,6 +185,24 @@ TEST_F(ViewPictureTest, ContactsAreLinesAlongTheirNormals) {
   EXPECT_GT(changed, 40);
 }
 
+TEST_F(ViewPictureTest, WhatIsShownOnceLeavesNoTrace) {
+  ViewData needle, ball;
+  needle.choice.contacts = true;
+  needle.contacts = {{.point = {0, 0, 0}, .normal = {0, 1, 0}, .impulse = {}}};
+  ball.choice.particles = ParticleView::speed;
+  ball.values = {1};
+  const Ellipsoid balls[] = {{{0.1f, 0, 0}, {0.2f, 0.2f, 0.2f}, {}}};
+  const uint32_t fluids[] = {0};
+  io::PreviewScene s = scene();
+  s.shapes.push_back(shape(ContainerGeometry{{0.3f, 0.3f, 0.3f}, {}}));
+  render::Renderer renderer(s, {});
+  const io::Image plain = renderer.draw({});
+  EXPECT_NE(renderer.draw({.view = &needle}).rgb, plain.rgb);
+  EXPECT_EQ(renderer.draw({}).rgb, plain.rgb);
+  EXPECT_NE(renderer.draw({.ellipsoids = balls, .fluids = fluids, .view = &ball}).rgb, plain.rgb);
+  EXPECT_EQ(renderer.draw({}).rgb, plain.rgb);
+}
+
 TEST_F(ViewPictureTest, NormalsAreColours) {
   io::PreviewScene s = scene();
   s.bodies.resize(1);

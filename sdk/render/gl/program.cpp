@@ -65,10 +65,10 @@ void Program::show_writes() {
                   GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
-void Program::run_over(const Texture& image) const {
+void Program::start_over(const Texture& image) const {
   constexpr int side = 16;
   image.bind_image(0);
-  run((image.width() + side - 1) / side, (image.height() + side - 1) / side);
+  start((image.width() + side - 1) / side, (image.height() + side - 1) / side);
 }
 
 }  // namespace meniscus::render

@@ -21,12 +21,12 @@ class Program {
   /// wrote once show_writes() has been called, and may run beside it until then.
   void start(int groups_x, int groups_y = 1) const;
   static void show_writes();
-  void run(int groups_x, int groups_y = 1) const {
-    start(groups_x, groups_y);
+  /// The same, with image 0 to write to, for each of its pixels: see shaders/pixels.glsl.
+  void start_over(const Texture& image) const;
+  void run_over(const Texture& image) const {
+    start_over(image);
     show_writes();
   }
-  /// Runs it, with image 0 to write to, for each of its pixels: see shaders/pixels.glsl.
-  void run_over(const Texture& image) const;
   void use() const { glUseProgram(handle_); }
   GLuint name() const { return handle_; }
 

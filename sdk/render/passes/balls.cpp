@@ -3,6 +3,7 @@
 #include "sdk/render/passes/balls.h"
 
 #include <cstddef>
+#include <utility>
 
 #include "sdk/render/uniforms.h"
 
@@ -41,7 +42,7 @@ Balls::Balls(const std::vector<Vec3>& fluid_colors)
   glVertexArrayBindingDivisor(array_, 0, 1);
 }
 
-void Balls::set(std::span<const Ellipsoid> ellipsoids, const ViewData& view) {
+bool Balls::set(std::span<const Ellipsoid> ellipsoids, const ViewData& view) {
   const bool phases = view.choice.particles == ParticleView::phase;
   colors_ = phases ? &fluids_ : view.particles.map == ColorMap::balance ? &balance_ : &sequence_;
   std::vector<Ball> balls;
@@ -52,7 +53,7 @@ void Balls::set(std::span<const Ellipsoid> ellipsoids, const ViewData& view) {
     balls.push_back({ellipsoids[i].centre, place});
   }
   balls_.write(std::span<const Ball>(balls));
-  count_ = static_cast<GLsizei>(balls.size());
+  return std::exchange(count_, static_cast<GLsizei>(balls.size())) > 0 || count_ > 0;
 }
 
 void Balls::draw(float radius) const {

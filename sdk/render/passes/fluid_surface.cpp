@@ -17,7 +17,6 @@ void FluidSurface::draw(const TileLists& lists, const Texture& scene_distance) {
   first_.bind_image(0);
   splat_.use();
   lists.start(splat_);
-  Program::show_writes();
   result_ = &first_;
 }
 

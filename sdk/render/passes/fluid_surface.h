@@ -20,7 +20,7 @@ class FluidSurface {
  public:
   FluidSurface(int width, int height);
 
-  /// The ellipsoids, in front of what `scene_distance` holds.
+  /// Starts the ellipsoids, in front of what `scene_distance` holds: see Program::start.
   void draw(const TileLists& lists, const Texture& scene_distance);
   /// Lengths in metres: `reach` is the filter's standard deviation, and what is `threshold` apart in depth is
   /// another surface. `pixels`: reach, seen at the scene's middle.

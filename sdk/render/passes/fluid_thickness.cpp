@@ -17,7 +17,6 @@ void FluidThickness::draw(const TileLists& lists, const Texture& sums, const Mat
   glUniform1i(4, hides);
   sums.bind_image(0);
   lists.start(program_, 2);  // see shaders/thickness.comp.glsl
-  Program::show_writes();
 }
 
 void FluidThickness::draw_for_camera(const TileLists& lists, const FrameUniforms& frame,

@@ -19,7 +19,7 @@ class FluidThickness {
   /// Of the disc that a particle's volume is spread over, m, for the spacing of the particles.
   static constexpr float disc_radius(float spacing) { return 1.6f * spacing; }
 
-  /// The lists are of the full picture.
+  /// Both are started: see Program::start. The lists are of the full picture.
   void draw_for_camera(const TileLists& lists, const FrameUniforms& frame,
                        const Texture& scene_distance) const;
   void draw_for_sun(const TileLists& lists, const FrameUniforms& frame) const;

@@ -17,6 +17,7 @@ class Needles {
  public:
   Needles();
   void set(std::span<const Needle> needles);
+  bool empty() const { return count_ == 0; }
   void draw(float pixels) const;
 
  private:

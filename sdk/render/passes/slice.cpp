@@ -36,11 +36,9 @@ void Slice::draw() const {
   colors_.bind(unit::values);
   values_->bind(unit::distances);
   glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  glDepthMask(GL_FALSE);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBindVertexArray(array_);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
 

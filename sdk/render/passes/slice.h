@@ -14,6 +14,8 @@ class Slice {
  public:
   void set(const DistanceSlice& slice, const Scale& scale);
   void clear() { values_.reset(); }
+  bool empty() const { return !values_; }
+  /// Last: nothing is seen behind it but what is there already.
   void draw() const;
 
  private:

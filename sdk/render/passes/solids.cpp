@@ -82,7 +82,7 @@ void Solids::draw_opaque() const {
 
 void Solids::draw_glass() const {
   glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
   draw(glass_, &Item::walls);

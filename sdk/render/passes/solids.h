@@ -30,6 +30,7 @@ class Solids {
 
   void draw_shadows() const;
   void draw_opaque() const;
+  /// What it adds, and in alpha the share that it lets pass.
   void draw_glass() const;
   void draw_edges() const;
 

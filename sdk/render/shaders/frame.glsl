@@ -11,6 +11,11 @@ vec3 view_ray(vec2 place) {
   return vec3((2.0 * place - 1.0) * lens.xy, -1.0);
 }
 
+// The same in the world, at a pixel.
+vec3 world_ray(vec2 pixel) {
+  return mat3(camera_to_world) * view_ray((pixel + 0.5) * viewport.zw);
+}
+
 // What the depth buffer holds at a distance along −z, and back.
 float to_window_depth(float distance) {
   float n = lens.z, f = lens.w;
