@@ -67,12 +67,10 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   };
 
   static constexpr uint32_t first_rounds = 4;
+  static constexpr uint32_t most_threads = 1u << 19;  // of a launch over a list: they fill a GPU
   static constexpr int sweeps = 2;  // an iteration: contacts need more than what they hold apart
 
   uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
-  uint32_t found_pairs() const {
-    return found(self_contact_kernels::group_pairs) + found(self_contact_kernels::sheet_pairs);
-  }
   uint32_t used_rounds() const;
   bool ran_short() const { return used_rounds() == rounds_; }
   uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
@@ -85,6 +83,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void hold_back(pbd::Substep<D>& substep);
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
   self_contact_kernels::GroupPairs pairs();
+  self_contact_kernels::SheetViews sheets();
   self_contact_kernels::ContactList list();
   uint32_t launched(uint32_t counter, size_t capacity, uint32_t each = 1);
 
@@ -105,7 +104,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
   pbd::Buffer<uint32_t> limit_{device_, "cloth motion limits"};
-  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, squeezed_{device_, "cloth group flags"};
+  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, squeezed_{device_, "cloth group flags"},
+      smooth_{device_, "cloth group flags"}, folded_{device_, "cloth group flags"};
   pbd::Buffer<uint8_t> flags_{device_, "cloth triangle flags"};
   pbd::Buffer<self_contact_kernels::GroupPair> group_pairs_{device_, "cloth group pairs"};
   pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};

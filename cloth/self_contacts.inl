@@ -41,9 +41,8 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
                               FitCones{tree_.view(), parts_.view(), previous, foreseen_.view(), cones_.view(),
                                        rough_.view(), squeezed_.view()});
   const pbd::SurfaceTreeView tree = tree_.view();
-  device_.parallel_for_groups(
-      "self contacts/groups", tree.groups_of(1),
-      FindGroups{tree, parts_.view(), cones_.view(), neighbour_start_.view(), neighbours_.view(), pairs()});
+  device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
+                              FindGroups{tree, parts_.view(), sheets(), pairs()});
   const uint32_t threads = launched(group_pairs, 8 * group_pairs_.size(), 8);
   device_.parallel_for("self contacts/candidates", threads,
                        FindCandidates{{cloth(substep)}, pairs(), candidates_.view(), threads});
@@ -92,16 +91,16 @@ void SelfContacts<D>::hold_back(pbd::Substep<D>& substep) {
                        Contain{previous, foreseen_.view(), position, moved, strayed_.view()});
   const uint32_t threads =
       std::max({launched(candidates, candidates_.size()), launched(group_pairs, 8 * group_pairs_.size(), 8),
-                launched(sheet_pairs, 8 * group_pairs_.size(), 8)});
+                std::min(tree_.places(), most_threads)});
   for (uint32_t round = 0; round < rounds_; ++round) {
-    device_.parallel_for(
-        "self contacts/flags", tree_.places(),
-        FlagTriangles{tree_.view(), parts_.view(), foreseen_.view(), position, limit_.view(), cones_.view(),
-                      squeezed_.view(), counters_.view(), flags_.view(), round});
+    device_.parallel_for("self contacts/flags", tree_.places(),
+                         FlagTriangles{tree_.view(), parts_.view(), foreseen_.view(), position, limit_.view(),
+                                       squeezed_.view(), sheets(), counters_.view(), flags_.view(), round});
     device_.parallel_for("self contacts/crossings", threads,
                          FindCrossings{{cloth(substep)},
                                        candidates_.view(),
                                        pairs(),
+                                       sheets(),
                                        position,
                                        flags_.view(),
                                        limit_.view(),
@@ -137,7 +136,7 @@ void SelfContacts<D>::start_step() {
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  return idle() || ((!ran_short() || rounds_ == most_rounds) && found_pairs() <= group_pairs_.size() &&
+  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }
 
@@ -145,7 +144,7 @@ template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
   const auto more = [](uint32_t found) { return found + found / 4; };
-  if (found_pairs() > group_pairs_.size()) group_pairs_.resize_or_stay(more(found_pairs()));
+  if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
   if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
   if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
   // start_step() makes more rounds.
@@ -187,6 +186,8 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   flags_.resize_discard(tree_.places());
   rough_.resize_discard(groups_);
   squeezed_.resize_discard(groups_);
+  smooth_.resize_discard(groups_);
+  folded_.resize_discard(groups_);
   foreseen_.resize_discard(vertices_);
   limit_.resize_discard(vertices_);
   strayed_.resize_discard(vertices_);
@@ -198,7 +199,7 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   found_.resize_discard(self_contact_kernels::counter_count);
   start_step();
   strayed_.fill(0);
-  if (group_pairs_.size() < 8 * size_t{groups_}) group_pairs_.resize_discard(8 * size_t{groups_});
+  if (group_pairs_.size() < 2 * size_t{groups_}) group_pairs_.resize_discard(2 * size_t{groups_});
   const uint32_t least = std::max(256u, vertices_ / 4);
   if (candidates_.size() < least) candidates_.resize_discard(least);
   if (corners_.size() < least) reserve_contacts(least);
@@ -258,6 +259,11 @@ self_contact_kernels::GroupPairs SelfContacts<D>::pairs() {
 }
 
 template <class D>
+self_contact_kernels::SheetViews SelfContacts<D>::sheets() {
+  return {cones_.view(), neighbour_start_.view(), neighbours_.view(), smooth_.view(), folded_.view()};
+}
+
+template <class D>
 self_contact_kernels::ContactList SelfContacts<D>::list() {
   return {corners_.view(), plane_.view(), multiplier_.view(), weights_.view(), counters_.view()};
 }
@@ -266,8 +272,8 @@ self_contact_kernels::ContactList SelfContacts<D>::list() {
 /// host is in step with the device; else as fill a GPU.
 template <class D>
 uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity, uint32_t each) {
-  constexpr size_t most = 1u << 19;
-  if (device_.kind() != pbd::DeviceKind::cpu) return static_cast<uint32_t>(std::min(capacity, most));
+  if (device_.kind() != pbd::DeviceKind::cpu)
+    return static_cast<uint32_t>(std::min(capacity, size_t{most_threads}));
   return static_cast<uint32_t>(std::min(size_t{each} * counters_.view()[counter], capacity));
 }
 

@@ -111,24 +111,20 @@ struct OverlapScratch {
 };
 
 /// Lists the pairs of groups whose boxes overlap, for eight groups at a time: of a number of the tree's boxes
-/// after the other, those eights below that overlap all of the own ones, then their groups.
-///
-/// Neighbours in the material always do. They cannot touch while all their normals are within a half-space
-/// (Volino & Magnenat-Thalmann 1994): such pairs are listed apart, and not looked at any further.
+/// after the other, those eights below that overlap all of the own ones, then their groups. Neighbours in the
+/// material always do; in smooth sheets they are left out.
 struct FindGroups {
   using Scratch = OverlapScratch;
 
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
-  View<const Vec4> cones;
-  View<const uint32_t> neighbour_start, neighbours;
+  SheetViews sheets;
   GroupPairs pairs;
-
-  static constexpr float smooth = 1.3f;  // rad, the widest spread of normals in what counts as one sheet
 
   /// For the groups from 8 n on, and those behind them.
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    group.for_each(8, [&](uint32_t k) { note_smoothness(8 * n + k); });
     const uint32_t end = eights_have_boxes() ? tree.groups_of(2) : 1;
     for (uint32_t first = n / 8; first < end; first += Scratch::boxes) {
       group.for_each(1, [&](uint32_t) { scratch.count = 0; });
@@ -141,6 +137,12 @@ struct FindGroups {
 
  private:
   MENISCUS_HD bool eights_have_boxes() const { return tree.levels > 2; }
+
+  MENISCUS_HD void note_smoothness(uint32_t g) const {
+    if (g >= sheets.smooth.count) return;
+    sheets.smooth[g] = sheets.is_smooth(g);
+    sheets.folded[g] = 0;
+  }
 
   MENISCUS_HD void look_into(Scratch& scratch, uint32_t n, uint32_t box) const {
     const Aabb own = eights_have_boxes() ? tree.box(2, n) : pbd::empty_box;
@@ -158,30 +160,19 @@ struct FindGroups {
     if (eight == g / 8) mask &= ~0u << g % 8;
     if (mask == 0) return;
     const uint32_t part = tree.triangles[8 * g].part;
-    Appending<GroupPair> others(pairs.all, pairs.counters[group_pairs]),
-        in_sheets(pairs.all, pairs.counters[sheet_pairs], true);
+    Appending<GroupPair> found(pairs.list, pairs.counters[group_pairs]);
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t other = 8 * eight + pbd::lowest_bit(mask);
-      if (may_touch(part, tree.triangles[8 * other].part))
-        (is_one_sheet(g, other) ? in_sheets : others).add({g, other});
+      if (may_touch(part, tree.triangles[8 * other].part) && !sheets.has_in_sheet(g, other))
+        found.add({g, other});
     }
-    others.flush();
-    in_sheets.flush();
+    found.flush();
   }
 
   MENISCUS_HD bool may_touch(uint32_t p, uint32_t q) const {
     const Part a = parts[p], b = parts[q];
     if (p == q) return a.self != 0;
     return (a.filter_groups & b.filter_mask) != 0 && (b.filter_groups & a.filter_mask) != 0;
-  }
-
-  MENISCUS_HD bool is_one_sheet(uint32_t g, uint32_t other) const {
-    const Vec4 a = cones[g], b = cones[other];
-    if (g == other) return 2 * a.w < smooth;
-    if (a.w + b.w >= smooth || dot(a.xyz(), b.xyz()) <= cosf(smooth - a.w - b.w)) return false;
-    for (uint32_t n = neighbour_start[g]; n < neighbour_start[g + 1]; ++n)
-      if (neighbours[n] == other) return true;
-    return false;
   }
 };
 
@@ -306,10 +297,10 @@ struct FindCandidates {
   uint32_t stride;
 
   MENISCUS_HD void operator()(uint32_t thread) const {
-    const uint32_t count = 8 * pairs.others();
+    const uint32_t count = 8 * pairs.count();
     Appending<FeatureCode> found(candidate_list, pairs.counters[candidates]);
     for (uint32_t n = thread; n < count; n += stride) {
-      const GroupPair pair = pairs.other(n / 8);
+      const GroupPair pair = pairs.list[n / 8];
       features.of_place(8 * pair.first + n % 8, pair.second, Which::for_contacts,
                         [&](FeatureCode code) { found.add(code); });
     }

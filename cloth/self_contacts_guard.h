@@ -31,9 +31,8 @@ struct Contain {
 
 /// What has to be looked at again.
 enum Again : uint32_t {
-  others = 1,     // with all that is not of the same smooth sheet
-  own_sheet = 2,  // with the rest
-  changed = 4     // at all: since the last round
+  others = 1,  // with all that is not of the same smooth sheet
+  changed = 2  // at all: since the last round
 };
 
 /// A vertex's limit: bits of the part of its motion that is left to it, or what is greater than those of 1.
@@ -41,15 +40,16 @@ inline constexpr uint32_t bits_of_one = 0x3f800000, held_back = 1u << 31;
 
 /// Flags triangles: those with a vertex that is not where it was foreseen, and those of groups that are
 /// squeezed, must be looked at with all others. Everywhere else, pairs that are no contacts were foreseen
-/// further apart than the tolerances of both. Triangles whose normals have left their group's cone must be
-/// looked at with those that they were one sheet with.
+/// further apart than the tolerances of both. Where a triangle's normal has left its group's cone, the sheet
+/// around is looked at as well.
 struct FlagTriangles {
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
-  View<const Vec4> foreseen, position;      // by vertex
-  View<const uint32_t> limit;               // by vertex
-  View<const Vec4> cones;                   // by group
-  View<const uint32_t> squeezed, counters;  // by group
+  View<const Vec4> foreseen, position;  // by vertex
+  View<const uint32_t> limit;           // by vertex
+  View<const uint32_t> squeezed;        // by group
+  SheetViews sheets;
+  View<const uint32_t> counters;
   View<uint8_t> flags;
   uint32_t round;
 
@@ -60,14 +60,14 @@ struct FlagTriangles {
   }
 
   MENISCUS_HD uint32_t flags_of(const SurfaceTriangle& t, uint32_t group) const {
-    constexpr float leeway = 0.13f;  // rad: two groups' normals are then still within a half-space
     const float tolerance = parts[t.part].tolerance;
     const Vec3 a = position[t.a].xyz(), b = position[t.b].xyz(), c = position[t.c].xyz();
     uint32_t flag = squeezed[group] != 0 ? uint32_t{others} : 0;
     if (is_off(t.a, a, tolerance) || is_off(t.b, b, tolerance) || is_off(t.c, c, tolerance)) flag |= others;
-    const Vec4 cone = cones[group];
+    const Vec4 cone = sheets.cones[group];
     const Vec3 n = cross(b - a, c - a);
-    if (dot(n, cone.xyz()) < cosf(pbd::min(3.1415927f, cone.w + leeway)) * length(n)) flag |= own_sheet;
+    if (dot(n, cone.xyz()) < cosf(pbd::min(3.1415927f, cone.w + sheets.leeway)) * length(n))
+      sheets.note_fold(group);
     if (round == 0 || has_changed(t.a) || has_changed(t.b) || has_changed(t.c)) flag |= changed;
     return flag;
   }
@@ -87,6 +87,7 @@ struct FindCrossings {
   FeaturePairs features;
   View<const FeatureCode> candidate_list;
   GroupPairs pairs;
+  SheetViews sheets;
   View<const Vec4> position;  // by vertex
   View<const uint8_t> flags;  // by place
   View<uint32_t> limit, counters;
@@ -97,11 +98,11 @@ struct FindCrossings {
 
   MENISCUS_HD void operator()(uint32_t thread) const {
     if (round > 0 && counters[crossings + round - 1] == 0) return;
-    const uint32_t found = listed(candidate_list, counters[candidates]), others = 8 * pairs.others(),
-                   in_sheets = 8 * pairs.in_sheets();
+    const uint32_t found = listed(candidate_list, counters[candidates]), others = 8 * pairs.count(),
+                   places = 8 * sheets.smooth.count;
     for (uint32_t n = thread; n < found; n += stride) check_candidate(load(candidate_list, n));
-    for (uint32_t n = thread; n < others; n += stride) check_left_out(pairs.other(n / 8), n % 8);
-    for (uint32_t n = thread; n < in_sheets; n += stride) check_sheet(pairs.in_sheet(n / 8), n % 8);
+    for (uint32_t n = thread; n < others; n += stride) check_left_out(pairs.list[n / 8], n % 8);
+    for (uint32_t n = thread; n < places; n += stride) check_sheet(n);
   }
 
   MENISCUS_HD void check_candidate(FeatureCode code) const {
@@ -116,10 +117,14 @@ struct FindCrossings {
     const uint32_t flag = flags[place] | flags_of_group(pair.second);
     if (flag & changed && flag & others) check_all(place, pair.second, Which::left_out);
   }
-  /// A sheet that one triangle's turning folds may touch itself with any of the others.
-  MENISCUS_HD void check_sheet(GroupPair pair, uint32_t k) const {
-    const uint32_t flag = flags_of_group(pair.first) | flags_of_group(pair.second);
-    if (flag & changed && flag & own_sheet) check_all(8 * pair.first + k, pair.second, Which::all);
+  /// With all that was left out as its sheet was smooth.
+  MENISCUS_HD void check_sheet(uint32_t place) const {
+    const uint32_t g = place / 8;
+    if (!sheets.folded[g] || !sheets.smooth[g]) return;
+    for (uint32_t n = sheets.neighbour_start[g]; n < sheets.neighbour_start[g + 1]; ++n) {
+      const uint32_t other = sheets.neighbours[n];
+      if (other >= g && (flags[place] | flags_of_group(other)) & changed) check_all(place, other, Which::all);
+    }
   }
   MENISCUS_HD void check_all(uint32_t place, uint32_t group, Which which) const {
     features.of_place(place, group, which, [&](FeatureCode code) { check(features.cloth.corners_of(code)); });

@@ -73,7 +73,7 @@ void find_neighbours(std::span<const SurfaceTriangle> triangles, SelfContactTabl
   for (size_t begin = 0, end; begin < uses.size(); begin = end) {
     for (end = begin; end < uses.size() && uses[end].first == uses[begin].first;) ++end;
     for (size_t a = begin; a < end; ++a)
-      for (size_t b = a + 1; b < end; ++b) pairs.push_back({uses[a].second, uses[b].second});
+      for (size_t b = begin; b < end; ++b) pairs.push_back({uses[a].second, uses[b].second});
   }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

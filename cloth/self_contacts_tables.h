@@ -18,7 +18,7 @@ inline constexpr uint16_t owns_vertex = 1, owns_edge = 1 << 3, is_border = 1 << 
 
 struct SelfContactTables {
   std::vector<uint16_t> features;  ///< by place in the tree
-  /// By group of eight places, ascending: the later groups that share a vertex with it.
+  /// By group of eight places, ascending: the groups that share a vertex with it, itself among them.
   std::vector<uint32_t> neighbour_start, neighbours;
   std::vector<float> fineness;  ///< m, by part: the least height of a triangle
   std::vector<uint32_t> vertex_part;

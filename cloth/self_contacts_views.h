@@ -40,7 +40,6 @@ enum Counter : uint32_t {
   candidates,
   contacts,
   group_pairs,
-  sheet_pairs,
   crossings,
   counter_count = crossings + most_rounds
 };
@@ -69,28 +68,11 @@ struct GroupPair {
   uint32_t first, second;
 };
 
-/// A list of them in two parts. Those at the end lie in one smooth sheet, and cannot touch while they do:
-/// most of all pairs, and hardly any work. `counters` say how many there are.
-struct GroupPairs {
-  View<GroupPair> all;
-  View<uint32_t> counters;
-
-  MENISCUS_HD uint32_t others() const { return listed(counters[group_pairs]); }
-  MENISCUS_HD uint32_t in_sheets() const { return listed(counters[sheet_pairs]); }
-  MENISCUS_HD GroupPair& other(uint32_t k) const { return all[k]; }
-  MENISCUS_HD GroupPair& in_sheet(uint32_t k) const { return all[all.count - 1 - k]; }
-
- private:
-  MENISCUS_HD uint32_t listed(uint32_t found) const { return found < all.count ? found : all.count; }
-};
-
-/// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads; or of a
-/// list that begins with its array's last element.
+/// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads.
 template <class T>
 class Appending {
  public:
-  MENISCUS_HD Appending(View<T> list, uint32_t& size, bool backwards = false)
-      : list_(list), size_(size), backwards_(backwards) {}
+  MENISCUS_HD Appending(View<T> list, uint32_t& size) : list_(list), size_(size) {}
 
   MENISCUS_HD void add(const T& element) {
     if (count_ == room) flush();
@@ -101,7 +83,7 @@ class Appending {
     const uint32_t first = pbd::append(size_, count_);
     for (uint32_t k = 0; k < count_; ++k) {
       const uint32_t place = first + k;
-      if (place < list_.count) list_[backwards_ ? list_.count - 1 - place : place] = kept_[k];
+      if (place < list_.count) list_[place] = kept_[k];
     }
     count_ = 0;
   }
@@ -111,7 +93,6 @@ class Appending {
 
   View<T> list_;
   uint32_t& size_;
-  bool backwards_;
   uint32_t count_ = 0;
   T kept_[room];
 };
@@ -121,6 +102,47 @@ template <class T>
 MENISCUS_HD uint32_t listed(View<T> list, uint32_t found) {
   return found < list.count ? found : list.count;
 }
+
+/// Pairs of groups whose boxes overlap, but for those in smooth sheets.
+struct GroupPairs {
+  View<GroupPair> list;
+  View<uint32_t> counters;
+
+  MENISCUS_HD uint32_t count() const { return listed(list, counters[group_pairs]); }
+};
+
+/// What is smooth around a group. While the normals of a group and of all its neighbours, which share a
+/// vertex with it, are within a half-space, no two of these triangles can touch (Volino & Magnenat-Thalmann
+/// 1994): pairs of the group and its neighbours are not looked at. The normals of just the two of a pair are
+/// not enough, as what lies between them may be folded.
+struct SheetViews {
+  View<const Vec4> cones;                            // by group: an axis, and the widest angle to it, rad
+  View<const uint32_t> neighbour_start, neighbours;  // by group, itself among them
+  View<uint32_t> smooth, folded;                     // by group: the latter where it holds no longer
+
+  static constexpr float widest = 1.3f;   // rad, from a group's axis to any normal around
+  static constexpr float leeway = 0.13f;  // rad, that normals may leave their groups' cones by
+
+  MENISCUS_HD bool is_smooth(uint32_t g) const {
+    const Vec3 axis = cones[g].xyz();
+    for (uint32_t n = neighbour_start[g]; n < neighbour_start[g + 1]; ++n) {
+      const Vec4 cone = cones[neighbours[n]];
+      if (cone.w >= widest || dot(axis, cone.xyz()) <= cosf(widest - cone.w)) return false;
+    }
+    return true;
+  }
+  /// Whether a pair, first ≤ second, is left out.
+  MENISCUS_HD bool has_in_sheet(uint32_t first, uint32_t second) const {
+    if (!smooth[first]) return false;
+    for (uint32_t n = neighbour_start[first]; n < neighbour_start[first + 1]; ++n)
+      if (neighbours[n] == second) return true;
+    return false;
+  }
+  MENISCUS_HD void note_fold(uint32_t g) const {
+    for (uint32_t n = neighbour_start[g]; n < neighbour_start[g + 1]; ++n)
+      pbd::atomic_max(folded[neighbours[n]], 1);
+  }
+};
 
 MENISCUS_HD inline uint32_t corner_of(const SurfaceTriangle& t, uint32_t k) {
   return k == 0 ? t.a : k == 1 ? t.b : t.c;
