@@ -2,33 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "pbd/surface_order.h"
 #include "pbd/surface_tree.h"
 
 namespace meniscus::pbd {
 
 namespace surface_kernels {
-
-/// The box of each triangle's way.
-template <class Reach>
-struct FitTriangles {
-  SurfaceTreeView tree;
-  View<const Vec4> previous, position;
-  uint32_t first_vertex;
-  Reach reach;
-
-  MENISCUS_HD void operator()(uint32_t place) const {
-    const SurfaceTriangle t = load(tree.triangles, place);
-    Aabb box = empty_box;
-    if (t.a != no_index) box = joined(joined(way(t.a, t.part), way(t.b, t.part)), way(t.c, t.part));
-    tree.group(0, place / 8).set(place % 8, box);
-  }
-
-  MENISCUS_HD Aabb way(uint32_t v, uint32_t part) const {
-    const Vec3 from = load(previous, first_vertex + v).xyz(), to = load(position, first_vertex + v).xyz();
-    return inflated({min(from, to), max(from, to)}, reach(v, part, from, to));
-  }
-};
 
 /// A level's boxes from those of the level below.
 struct FitLevel {
@@ -42,6 +23,45 @@ struct FitLevel {
       for (uint32_t k = 0; k < BoxGroup::size; ++k) box = joined(box, below.box(k));
     }
     tree.group(level, b / 8).set(b % 8, box);
+  }
+};
+
+/// The boxes of triangles' ways, and those above them up to level `top`, one of which each group of threads
+/// takes with all that is below it.
+template <class Reach>
+struct FitSubtrees {
+  struct Scratch {};
+
+  SurfaceTreeView tree;
+  View<const Vec4> previous, position;
+  uint32_t first_vertex;
+  Reach reach;
+  uint32_t top;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& /*scratch*/, uint32_t n) const {
+    for (uint32_t level = 0; level <= top; ++level) {
+      const uint32_t count = 1u << 3 * (top - level), first = n * count, end = 8 * tree.groups_of(level);
+      group.for_each(count, [&](uint32_t k) {
+        if (first + k >= end) return;
+        if (level == 0)
+          fit_triangle(first + k);
+        else
+          FitLevel{tree, level}(first + k);
+      });
+    }
+  }
+
+  MENISCUS_HD void fit_triangle(uint32_t place) const {
+    const SurfaceTriangle t = load(tree.triangles, place);
+    Aabb box = empty_box;
+    if (t.a != no_index) box = joined(joined(way(t.a, t.part), way(t.b, t.part)), way(t.c, t.part));
+    tree.group(0, place / 8).set(place % 8, box);
+  }
+
+  MENISCUS_HD Aabb way(uint32_t v, uint32_t part) const {
+    const Vec3 from = load(previous, first_vertex + v).xyz(), to = load(position, first_vertex + v).xyz();
+    return inflated({min(from, to), max(from, to)}, reach(v, part, from, to));
   }
 };
 
@@ -76,10 +96,12 @@ template <class Reach>
 void SurfaceTree<D>::refit(const ParticleView& particles, const Reach& reach) {
   using namespace surface_kernels;
   const SurfaceTreeView tree = view();
-  device_.parallel_for(
-      "surface/triangles", places(),
-      FitTriangles<Reach>{tree, particles.previous, particles.position, particles.sorted, reach});
-  for (uint32_t level = 1; level < tree.levels; ++level)
+  if (tree.levels == 0) return;
+  const uint32_t top = std::min(3u, tree.levels - 1);
+  device_.parallel_for_groups(
+      "surface/subtrees", 8 * tree.groups_of(top),
+      FitSubtrees<Reach>{tree, particles.previous, particles.position, particles.sorted, reach, top});
+  for (uint32_t level = top + 1; level < tree.levels; ++level)
     device_.parallel_for("surface/boxes", 8 * tree.groups_of(level), FitLevel{tree, level});
 }
 
