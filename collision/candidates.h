@@ -30,31 +30,43 @@ struct CandidateView {
 
 namespace candidate_kernels {
 
-/// The box of all motions of a cluster.
+/// Boxes of motions while those of some clusters are joined.
+struct BoundScratch {
+  static constexpr uint32_t clusters = 4, parts = 8;  // of a cluster
+
+  Aabb motions[cluster_size * clusters], joined[parts * clusters];
+};
+
+/// The boxes of all motions of some clusters: at first each particle's, then joined by fours, then by eights.
 struct BoundClusters {
+  using Scratch = BoundScratch;
+
   pbd::View<const pbd::Vec4> from, to;
   pbd::View<Aabb> bounds;
-  uint32_t particles;
+  uint32_t particles, clusters;
 
-  MENISCUS_HD void operator()(uint32_t c) const {
-    constexpr uint32_t batch = 8;  // as many loads are on their way at once
-    const uint32_t begin = c * cluster_size, last = particles - 1;
-    const Vec3 any = from[begin].xyz();
-    Aabb box{any, any};
-    for (uint32_t first = begin; first < begin + cluster_size; first += batch) {
-      pbd::Vec4 a[batch], b[batch];
-      MENISCUS_UNROLL
-      for (uint32_t k = 0; k < batch; ++k) {
-        const uint32_t i = first + k < last ? first + k : last;
-        a[k] = pbd::load(from, i);
-        b[k] = pbd::load(to, i);
-      }
-      MENISCUS_UNROLL
-      for (uint32_t k = 0; k < batch; ++k) {
-        box = {min(box.lower, min(a[k].xyz(), b[k].xyz())), max(box.upper, max(a[k].xyz(), b[k].xyz()))};
-      }
-    }
-    bounds[c] = box;
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    constexpr uint32_t each = cluster_size / Scratch::parts;
+    const uint32_t begin = n * cluster_size * Scratch::clusters, first = n * Scratch::clusters;
+    group.for_each(cluster_size * Scratch::clusters, [&](uint32_t k) {
+      const uint32_t i = begin + k < particles ? begin + k : particles - 1;
+      const Vec3 a = pbd::load(from, i).xyz(), b = pbd::load(to, i).xyz();
+      scratch.motions[k] = {min(a, b), max(a, b)};
+    });
+    group.for_each(Scratch::parts * Scratch::clusters,
+                   [&](uint32_t k) { scratch.joined[k] = joined(scratch.motions + each * k, each); });
+    group.for_each(Scratch::clusters, [&](uint32_t k) {
+      if (first + k < clusters)
+        bounds[first + k] = joined(scratch.joined + Scratch::parts * k, Scratch::parts);
+    });
+  }
+
+  MENISCUS_HD static Aabb joined(const Aabb* boxes, uint32_t count) {
+    Aabb all = boxes[0];
+    for (uint32_t k = 1; k < count; ++k)
+      all = {min(all.lower, boxes[k].lower), max(all.upper, boxes[k].upper)};
+    return all;
   }
 };
 
@@ -105,7 +117,9 @@ class Candidates {
             uint32_t particles, float reach) {
     using namespace candidate_kernels;
     clusters_ = (particles + cluster_size - 1) / cluster_size;
-    device.parallel_for("contacts/clusters", clusters_, BoundClusters{from, to, bounds_.view(), particles});
+    constexpr uint32_t each = BoundScratch::clusters;
+    device.parallel_for_groups("contacts/clusters", (clusters_ + each - 1) / each,
+                               BoundClusters{from, to, bounds_.view(), particles, clusters_});
     const pbd::View<uint8_t> bytes{reinterpret_cast<uint8_t*>(masks_.view().data), 4 * masks_.view().count};
     device.parallel_for("contacts/candidates", clusters_ * words_ * MarkCandidates::batches,
                         MarkCandidates{set, bounds_.view(), bytes, clusters_, reach});
