@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "cloth/self_contacts_views.h"
+#include "cloth/self_contacts_zones.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
 #include "pbd/surface_tree.h"
@@ -26,7 +26,7 @@ struct ContactPart {
 ///            substep's, finds pairs of features that come within the thickness, and the side on which each
 ///            stays; then pushes them apart, with friction;
 ///   guard()  settles: makes sure that nothing has passed through. Where the solve has not sufficed, vertices
-///            are held back on their way. There, momentum is not kept.
+///            go on together.
 ///
 /// It should come after cloth's own constraints, and guard() after whatever else moves vertices. The state at
 /// a substep's start must not have cloth passed through cloth; what overlaps by thickness alone is pushed
@@ -84,6 +84,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
   self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::SheetViews sheets();
+  self_contact_kernels::Zones zones();
   self_contact_kernels::ContactList list();
   uint32_t launched(uint32_t counter, size_t capacity, uint32_t each = 1);
 
@@ -103,7 +104,9 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
   pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
-  pbd::Buffer<uint32_t> limit_{device_, "cloth motion limits"};
+  pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},
+      zone_anchor_{device_, "cloth zones"};
+  pbd::Buffer<int64_t> zone_mass_{device_, "cloth zones"};
   pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, squeezed_{device_, "cloth group flags"},
       smooth_{device_, "cloth group flags"}, folded_{device_, "cloth group flags"};
   pbd::Buffer<uint8_t> flags_{device_, "cloth triangle flags"};

@@ -34,7 +34,7 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   device_.parallel_for(
       "self contacts/foresee", vertices_,
       Foresee{previous, vertices_of(p.position, p.sorted, vertices_), vertex_part_.view(), parts_.view(),
-              strayed_.view(), foreseen_.view(), limit_.view(), entries_.view(), counters_.view()});
+              strayed_.view(), foreseen_.view(), zones(), entries_.view(), counters_.view()});
   tree_.refit(p, Reach{foreseen_.view()});
   constexpr uint32_t together = ConeScratch::groups;
   device_.parallel_for_groups("self contacts/cones", (groups_ + together - 1) / together,
@@ -43,9 +43,10 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   const pbd::SurfaceTreeView tree = tree_.view();
   device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
                               FindGroups{tree, parts_.view(), sheets(), pairs()});
-  const uint32_t threads = launched(group_pairs, 8 * group_pairs_.size(), 8);
-  device_.parallel_for("self contacts/candidates", threads,
-                       FindCandidates{{cloth(substep)}, pairs(), candidates_.view(), threads});
+  constexpr uint32_t each = CandidateScratch::pairs;
+  const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
+  device_.parallel_for_groups("self contacts/candidates", blocks,
+                              FindCandidates{{cloth(substep)}, pairs(), candidates_.view(), blocks});
 }
 
 template <class D>
@@ -89,27 +90,30 @@ void SelfContacts<D>::hold_back(pbd::Substep<D>& substep) {
   const View<Vec4> moved = vertices_of(p.moved, p.sorted, vertices_);
   device_.parallel_for("self contacts/contain", vertices_,
                        Contain{previous, foreseen_.view(), position, moved, strayed_.view()});
-  const uint32_t threads =
-      std::max({launched(candidates, candidates_.size()), launched(group_pairs, 8 * group_pairs_.size(), 8),
-                std::min(tree_.places(), most_threads)});
+  const uint32_t most = std::max({launched(candidates, candidates_.size()),
+                                  launched(group_pairs, group_pairs_.size()), vertices_, groups_});
+  const uint32_t blocks = std::min(most, most_threads) / CrossingScratch::chunk + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
-    device_.parallel_for("self contacts/flags", tree_.places(),
-                         FlagTriangles{tree_.view(), parts_.view(), foreseen_.view(), position, limit_.view(),
-                                       squeezed_.view(), sheets(), counters_.view(), flags_.view(), round});
-    device_.parallel_for("self contacts/crossings", threads,
-                         FindCrossings{{cloth(substep)},
-                                       candidates_.view(),
-                                       pairs(),
-                                       sheets(),
-                                       position,
-                                       flags_.view(),
-                                       limit_.view(),
-                                       counters_.view(),
-                                       round,
-                                       threads,
-                                       least_distance_});
-    device_.parallel_for("self contacts/hold back", vertices_,
-                         HoldBack{previous, position, moved, limit_.view(), counters_.view(), round});
+    device_.parallel_for(
+        "self contacts/flags", tree_.places(),
+        FlagTriangles{tree_.view(), parts_.view(), foreseen_.view(), position, squeezed_.view(), zones(),
+                      sheets(), counters_.view(), flags_.view(), round});
+    device_.parallel_for_groups("self contacts/crossings", blocks,
+                                FindCrossings{{cloth(substep)},
+                                              candidates_.view(),
+                                              pairs(),
+                                              sheets(),
+                                              position,
+                                              flags_.view(),
+                                              zones(),
+                                              counters_.view(),
+                                              round,
+                                              blocks,
+                                              least_distance_});
+    device_.parallel_for("self contacts/zones", vertices_,
+                         GatherZones{previous, position, zones(), counters_.view(), round});
+    device_.parallel_for("self contacts/move zones", vertices_,
+                         MoveZones{cloth(substep), position, moved, zones(), counters_.view(), round});
   }
   device_.parallel_for("self contacts/found", counter_count, NoteCounters{counters_.view(), found_.view()});
 }
@@ -189,7 +193,11 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   smooth_.resize_discard(groups_);
   folded_.resize_discard(groups_);
   foreseen_.resize_discard(vertices_);
-  limit_.resize_discard(vertices_);
+  for (pbd::Buffer<uint32_t>* buffer : {&zone_label_, &zone_mark_, &zone_anchor_})
+    buffer->resize_discard(vertices_);
+  zone_mark_.fill(0);
+  zone_mass_.resize_discard(vertices_);
+  zone_mass_.fill(0);
   strayed_.resize_discard(vertices_);
   saved_strayed_.resize_discard(vertices_);
   entries_.resize_discard(vertices_);
@@ -261,6 +269,18 @@ self_contact_kernels::GroupPairs SelfContacts<D>::pairs() {
 template <class D>
 self_contact_kernels::SheetViews SelfContacts<D>::sheets() {
   return {cones_.view(), neighbour_start_.view(), neighbours_.view(), smooth_.view(), folded_.view()};
+}
+
+/// While zones are at work, nothing pushes: they share its sums.
+template <class D>
+self_contact_kernels::Zones SelfContacts<D>::zones() {
+  constexpr float coarser = 1 << 9;  // as many vertices add up
+  return {zone_label_.view(),
+          zone_mark_.view(),
+          zone_anchor_.view(),
+          zone_mass_.view(),
+          {push_sums_.view(), coarser * unit_},
+          coarser * unit_};
 }
 
 template <class D>

@@ -4,7 +4,7 @@
 // From the tree to pairs of features that may touch: groups of triangles first, then their features' boxes.
 #pragma once
 
-#include "cloth/self_contacts_views.h"
+#include "cloth/self_contacts_zones.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -15,13 +15,14 @@ struct Foresee {
   View<const Part> parts;
   View<const float> strayed;  // m, in the last substep
   View<Vec4> foreseen;
-  View<uint32_t> limit, entries, counters;
+  Zones zones;
+  View<uint32_t> entries, counters;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
     const float thickness = parts[vertex_part[v]].thickness;
     foreseen[v] = pbd::with_w(x, 0.55f * thickness + 0.25f * length(way) + 1.5f * strayed[v]);
-    limit[v] = no_index;
+    zones.begin(v);
     entries[v] = 0;
     if (v != 0) return;
     for (uint32_t k = 0; k < counter_count; ++k) counters[k] = 0;
@@ -188,25 +189,20 @@ enum class Which {
 struct FeaturePairs {
   ClothState cloth;
 
-  /// Calls visit(code) for each pair of the triangle at `place` and one of the group `other`, if this is its
-  /// own one in a later place.
+  /// Whether these two may have any, of which the second stands later if both are in one group.
+  MENISCUS_HD bool may_have_any(uint32_t place, uint32_t other) const {
+    if (place / 8 == other / 8 && other <= place) return false;
+    return overlap(cloth.tree.box(0, place), cloth.tree.box(0, other));
+  }
+  /// Calls visit(code) for each of them.
   template <class Visit>
-  MENISCUS_HD void of_place(uint32_t place, uint32_t other, Which which, const Visit& visit) const {
-    if (cloth.tree.triangles[place].a == no_index) return;
-    const Aabb whole = cloth.tree.box(0, place);
-    const pbd::BoxGroup& boxes = cloth.tree.group(0, other);
-    uint32_t mask = overlap_mask(boxes, whole);
-    if (other == place / 8) mask &= ~((2u << place % 8) - 1);
-    if (mask == 0) return;
-    const Own own(*this, place, whole, which);
-    if (which != Which::left_out) own_vertices(own, other, boxes, mask, visit);
-    for (; mask != 0; mask &= mask - 1) {
-      const uint32_t other_place = 8 * other + pbd::lowest_bit(mask);
-      const uint32_t features = features_of(other_place, which);
-      if (which != Which::left_out && features & 7 * owns_vertex)
-        other_vertices(own, other_place, features, visit);
-      if (own.any_edges && features & 7 * owns_edge) edges(own, other_place, features, which, visit);
+  MENISCUS_HD void of_two(uint32_t place, uint32_t other, Which which, const Visit& visit) const {
+    const Own own(*this, place, which), of_other(*this, other, which);
+    if (which != Which::left_out) {
+      vertices(own, of_other, visit);
+      vertices(of_other, own, visit);
     }
+    if (own.any_edges && of_other.any_edges) edges(own, of_other, which, visit);
   }
 
  private:
@@ -219,19 +215,19 @@ struct FeaturePairs {
     return (features & ~(7u * owns_edge)) | features / is_border * owns_edge;
   }
 
-  /// The triangle of which pairs are looked for, and the boxes of its vertices.
+  /// A triangle with the boxes of its vertices.
   struct Own {
     uint32_t place, features;
     SurfaceTriangle triangle;
     bool any_edges;
     Aabb whole, vertex[3];
 
-    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place_, const Aabb& whole_, Which which)
+    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place_, Which which)
         : place(place_),
           features(pairs.features_of(place_, which)),
           triangle(load(pairs.cloth.tree.triangles, place_)),
           any_edges((features & 7 * owns_edge) != 0),
-          whole(whole_) {
+          whole(pairs.cloth.tree.box(0, place_)) {
       for (uint32_t k = 0; k < 3; ++k)
         if (any_edges || features & uint32_t{owns_vertex} << k)
           vertex[k] = pairs.cloth.way_box(corner_of(triangle, k));
@@ -242,40 +238,22 @@ struct FeaturePairs {
   MENISCUS_HD static uint32_t next(uint32_t k) { return k < 2 ? k + 1 : 0; }
 
   template <class Visit>
-  MENISCUS_HD void own_vertices(const Own& own, uint32_t other, const pbd::BoxGroup& boxes, uint32_t among,
-                                const Visit& visit) const {
+  MENISCUS_HD static void vertices(const Own& own, const Own& other, const Visit& visit) {
     for (uint32_t k = 0; k < 3; ++k) {
-      if (!(own.features & uint32_t{owns_vertex} << k)) continue;
-      const uint32_t v = corner_of(own.triangle, k);
-      for (uint32_t mask = among & overlap_mask(boxes, own.vertex[k]); mask != 0; mask &= mask - 1) {
-        const uint32_t place = 8 * other + pbd::lowest_bit(mask);
-        if (!has_vertex(load(cloth.tree.triangles, place), v))
-          visit(FeatureCode{feature(own.place, k), feature(place, face)});
-      }
+      if (!(own.features & uint32_t{owns_vertex} << k) || !overlap(own.vertex[k], other.whole)) continue;
+      if (!has_vertex(other.triangle, corner_of(own.triangle, k)))
+        visit(FeatureCode{feature(own.place, k), feature(other.place, face)});
     }
   }
 
   template <class Visit>
-  MENISCUS_HD void other_vertices(const Own& own, uint32_t place, uint32_t features,
-                                  const Visit& visit) const {
-    const SurfaceTriangle other = load(cloth.tree.triangles, place);
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (!(features & uint32_t{owns_vertex} << k)) continue;
-      const uint32_t v = corner_of(other, k);
-      if (!has_vertex(own.triangle, v) && overlap(cloth.way_box(v), own.whole))
-        visit(FeatureCode{feature(place, k), feature(own.place, face)});
-    }
-  }
-
-  template <class Visit>
-  MENISCUS_HD void edges(const Own& own, uint32_t place, uint32_t features, Which which,
-                         const Visit& visit) const {
-    const SurfaceTriangle other = load(cloth.tree.triangles, place);
-    const uint32_t own_shown = shown(own.place, own.features), other_shown = shown(place, features);
+  MENISCUS_HD void edges(const Own& own, const Own& other, Which which, const Visit& visit) const {
+    const uint32_t own_shown = shown(own.place, own.features),
+                   other_shown = shown(other.place, other.features);
     for (uint32_t f = 0; f < 3; ++f) {
-      if (!(features & uint32_t{owns_edge} << f)) continue;
-      const uint32_t s = corner_of(other, f), t = corner_of(other, next(f));
-      const Aabb box = joined(cloth.way_box(s), cloth.way_box(t));
+      if (!(other.features & uint32_t{owns_edge} << f)) continue;
+      const uint32_t s = corner_of(other.triangle, f), t = corner_of(other.triangle, next(f));
+      const Aabb box = other.edge(f);
       for (uint32_t e = 0; e < 3; ++e) {
         if (!(own.features & uint32_t{owns_edge} << e)) continue;
         if (which == Which::left_out && own_shown & uint32_t{owns_edge} << e &&
@@ -283,27 +261,51 @@ struct FeaturePairs {
           continue;
         const uint32_t v = corner_of(own.triangle, e), w = corner_of(own.triangle, next(e));
         if (s == v || s == w || t == v || t == w || !overlap(own.edge(e), box)) continue;
-        visit(FeatureCode{feature(own.place, 3 + e), feature(place, 3 + f)});
+        visit(FeatureCode{feature(own.place, 3 + e), feature(other.place, 3 + f)});
       }
     }
   }
 };
 
-/// Lists the pairs of features that may become contacts: eight threads a pair of groups.
+/// Pairs of groups while a group of threads looks through them: which triangles' boxes overlap, by number.
+struct CandidateScratch {
+  static constexpr uint32_t pairs = 16;
+
+  uint32_t hits[64 * pairs];
+  uint32_t count;
+};
+
+/// Lists the pairs of features that may become contacts: of a number of pairs of groups at a time, at first
+/// the pairs of triangles whose boxes overlap, few of all, then theirs.
 struct FindCandidates {
+  using Scratch = CandidateScratch;
+
   FeaturePairs features;
   GroupPairs pairs;
   View<FeatureCode> candidate_list;
   uint32_t stride;
 
-  MENISCUS_HD void operator()(uint32_t thread) const {
-    const uint32_t count = 8 * pairs.count();
-    Appending<FeatureCode> found(candidate_list, pairs.counters[candidates]);
-    for (uint32_t n = thread; n < count; n += stride) {
-      const GroupPair pair = pairs.list[n / 8];
-      features.of_place(8 * pair.first + n % 8, pair.second, Which::for_contacts,
-                        [&](FeatureCode code) { found.add(code); });
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    const uint32_t count = pairs.count();
+    for (uint32_t first = Scratch::pairs * n; first < count; first += Scratch::pairs * stride) {
+      const uint32_t left = count - first < Scratch::pairs ? count - first : Scratch::pairs;
+      group.for_each(1, [&](uint32_t) { scratch.count = 0; });
+      group.for_each(64 * left, [&](uint32_t k) {
+        const GroupPair two = places(first, k);
+        if (features.may_have_any(two.first, two.second)) scratch.hits[pbd::append(scratch.count, 1)] = k;
+      });
+      group.for_each(scratch.count, [&](uint32_t hit) { list(places(first, scratch.hits[hit])); });
     }
+  }
+
+ private:
+  MENISCUS_HD GroupPair places(uint32_t first, uint32_t k) const {
+    return places_of(pairs.list[first + k / 64], k % 64);
+  }
+  MENISCUS_HD void list(GroupPair two) const {
+    Appending<FeatureCode> found(candidate_list, pairs.counters[candidates]);
+    features.of_two(two.first, two.second, Which::for_contacts, [&](FeatureCode code) { found.add(code); });
     found.flush();
   }
 };

@@ -35,9 +35,6 @@ enum Again : uint32_t {
   changed = 2  // at all: since the last round
 };
 
-/// A vertex's limit: bits of the part of its motion that is left to it, or what is greater than those of 1.
-inline constexpr uint32_t bits_of_one = 0x3f800000, held_back = 1u << 31;
-
 /// Flags triangles: those with a vertex that is not where it was foreseen, and those of groups that are
 /// squeezed, must be looked at with all others. Everywhere else, pairs that are no contacts were foreseen
 /// further apart than the tolerances of both. Where a triangle's normal has left its group's cone, the sheet
@@ -46,8 +43,8 @@ struct FlagTriangles {
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
   View<const Vec4> foreseen, position;  // by vertex
-  View<const uint32_t> limit;           // by vertex
   View<const uint32_t> squeezed;        // by group
+  Zones zones;
   SheetViews sheets;
   View<const uint32_t> counters;
   View<uint8_t> flags;
@@ -76,33 +73,66 @@ struct FlagTriangles {
     const Vec3 off = x - foreseen[v].xyz();
     return dot(off, off) > tolerance * tolerance;
   }
-  MENISCUS_HD bool has_changed(uint32_t v) const { return limit[v] == held_back + round - 1; }
+  MENISCUS_HD bool has_changed(uint32_t v) const { return zones.has_moved(v, round - 1); }
 };
 
-/// Looks for pairs that would pass through one another, and limits their vertices' motion: at first to the
-/// part before they meet; if that makes others meet, in the next round to so little that the two cannot; then
-/// to none. Nothing leaves the boxes that the candidates were found by, so that no others need be looked for,
-/// but among what was left out there.
+/// While a group of threads looks for crossings: what is to be looked into, and pairs of triangles of it, by
+/// number.
+struct CrossingScratch {
+  static constexpr uint32_t chunk = 128, most_hits = 1024;
+
+  uint32_t found[chunk], hits[most_hits];
+  uint32_t found_count, hit_count;
+};
+
+/// Looks for pairs that would pass through one another, and has them go on together. If that makes others
+/// meet, these join them in the next round. Nothing leaves the boxes that the candidates were found by, so
+/// that no others need be looked for, but among what was left out there.
 struct FindCrossings {
+  using Scratch = CrossingScratch;
+
   FeaturePairs features;
   View<const FeatureCode> candidate_list;
   GroupPairs pairs;
   SheetViews sheets;
   View<const Vec4> position;  // by vertex
   View<const uint8_t> flags;  // by place
-  View<uint32_t> limit, counters;
+  Zones zones;
+  View<uint32_t> counters;
   uint32_t round, stride;
   /// m: what is nearer hardly comes nearer still, and what is nearer than a tenth of it does not at all, as
   /// it would soon be lost in rounding.
   float least;
 
-  MENISCUS_HD void operator()(uint32_t thread) const {
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     if (round > 0 && counters[crossings + round - 1] == 0) return;
-    const uint32_t found = listed(candidate_list, counters[candidates]), others = 8 * pairs.count(),
-                   places = 8 * sheets.smooth.count;
-    for (uint32_t n = thread; n < found; n += stride) check_candidate(load(candidate_list, n));
-    for (uint32_t n = thread; n < others; n += stride) check_left_out(pairs.list[n / 8], n % 8);
-    for (uint32_t n = thread; n < places; n += stride) check_sheet(n);
+    by_chunks(n, zones.mark.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
+      group.for_each(count, [&](uint32_t k) { zones.forget_sums(first + k); });
+    });
+    by_chunks(n, listed(candidate_list, counters[candidates]), Scratch::chunk,
+              [&](uint32_t first, uint32_t count) {
+                group.for_each(count, [&](uint32_t k) { check_candidate(load(candidate_list, first + k)); });
+              });
+    by_chunks(n, pairs.count(), Scratch::chunk, [&](uint32_t first, uint32_t count) {
+      const uint32_t found =
+          gather(group, scratch, first, count, [&](uint32_t k) { return was_left_out(k); });
+      check_pairs(group, scratch, found, others | changed, Which::left_out,
+                  [&](uint32_t k) { return pairs.list[scratch.found[k]]; });
+    });
+    by_chunks(n, sheets.smooth.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
+      const uint32_t found = gather(group, scratch, first, count,
+                                    [&](uint32_t g) { return sheets.folded[g] && sheets.smooth[g]; });
+      for (uint32_t k = 0; k < found; ++k) check_sheet(group, scratch, scratch.found[k]);
+    });
+  }
+
+ private:
+  /// Of `count` things each group of threads takes every so many-th chunk.
+  template <class Visit>
+  MENISCUS_HD void by_chunks(uint32_t n, uint32_t count, uint32_t chunk, const Visit& visit) const {
+    for (uint32_t first = chunk * n; first < count; first += chunk * stride)
+      visit(first, count - first < chunk ? count - first : chunk);
   }
 
   MENISCUS_HD void check_candidate(FeatureCode code) const {
@@ -110,25 +140,62 @@ struct FindCrossings {
     if (flag & changed && (flag & others || code.is_contact())) check(features.cloth.corners_of(code));
   }
 
-  MENISCUS_HD void check_left_out(GroupPair pair, uint32_t k) const {
-    const uint32_t place = 8 * pair.first + k;
+  /// Pairs of edges of which one at least was not looked for among the candidates.
+  MENISCUS_HD bool was_left_out(uint32_t k) const {
+    const GroupPair pair = pairs.list[k];
     const View<const uint32_t>& rough = features.cloth.rough;
-    if (rough[pair.first] && rough[pair.second]) return;
-    const uint32_t flag = flags[place] | flags_of_group(pair.second);
-    if (flag & changed && flag & others) check_all(place, pair.second, Which::left_out);
+    if (rough[pair.first] && rough[pair.second]) return false;
+    return has_all(flags_of_group(pair.first) | flags_of_group(pair.second), others | changed);
   }
-  /// With all that was left out as its sheet was smooth.
-  MENISCUS_HD void check_sheet(uint32_t place) const {
-    const uint32_t g = place / 8;
-    if (!sheets.folded[g] || !sheets.smooth[g]) return;
-    for (uint32_t n = sheets.neighbour_start[g]; n < sheets.neighbour_start[g + 1]; ++n) {
-      const uint32_t other = sheets.neighbours[n];
-      if (other >= g && (flags[place] | flags_of_group(other)) & changed) check_all(place, other, Which::all);
+
+  /// Around a group: what was left out as the sheet was smooth.
+  template <class Group>
+  MENISCUS_HD void check_sheet(const Group& group, Scratch& scratch, uint32_t g) const {
+    const uint32_t start = sheets.neighbour_start[g];
+    check_pairs(group, scratch, sheets.neighbour_start[g + 1] - start, changed, Which::all, [&](uint32_t k) {
+      return GroupPair{g, sheets.neighbours[start + k]};
+    });
+  }
+
+  /// Finds those k from first to first + count − 1 that are wanted; returns how many.
+  template <class Group, class Wanted>
+  MENISCUS_HD static uint32_t gather(const Group& group, Scratch& scratch, uint32_t first, uint32_t count,
+                                     const Wanted& wanted) {
+    group.for_each(1, [&](uint32_t) { scratch.found_count = 0; });
+    group.for_each(count, [&](uint32_t k) {
+      if (wanted(first + k)) scratch.found[pbd::append(scratch.found_count, 1)] = first + k;
+    });
+    const uint32_t found = scratch.found_count;
+    group.for_each(0, [](uint32_t) {});  // all have read it
+    return found;
+  }
+
+  /// Looks at `count` pairs of groups, first ≤ second: at those of their triangles that have all of the
+  /// flags.
+  template <class Group, class PairAt>
+  MENISCUS_HD void check_pairs(const Group& group, Scratch& scratch, uint32_t count, uint32_t wanted,
+                               Which which, const PairAt& pair_at) const {
+    for (uint32_t first = 0; first < 64 * count; first += Scratch::most_hits) {
+      const uint32_t left = 64 * count - first, tests = left < Scratch::most_hits ? left : Scratch::most_hits;
+      const auto triangles = [&](uint32_t k) {
+        return places_of(pair_at((first + k) / 64), (first + k) % 64);
+      };
+      group.for_each(1, [&](uint32_t) { scratch.hit_count = 0; });
+      group.for_each(tests, [&](uint32_t k) {
+        const GroupPair two = triangles(k);
+        if (has_all(flags[two.first] | flags[two.second], wanted) && two.first / 8 <= two.second / 8 &&
+            features.may_have_any(two.first, two.second))
+          scratch.hits[pbd::append(scratch.hit_count, 1)] = k;
+      });
+      group.for_each(scratch.hit_count, [&](uint32_t hit) {
+        const GroupPair two = triangles(scratch.hits[hit]);
+        features.of_two(two.first, two.second, which,
+                        [&](FeatureCode code) { check(features.cloth.corners_of(code)); });
+      });
     }
   }
-  MENISCUS_HD void check_all(uint32_t place, uint32_t group, Which which) const {
-    features.of_place(place, group, which, [&](FeatureCode code) { check(features.cloth.corners_of(code)); });
-  }
+
+  MENISCUS_HD static bool has_all(uint32_t flags, uint32_t wanted) { return (flags & wanted) == wanted; }
 
   /// Of any of its triangles.
   MENISCUS_HD uint32_t flags_of_group(uint32_t g) const {
@@ -140,49 +207,27 @@ struct FindCrossings {
 
   MENISCUS_HD void check(const Corners& corners) const {
     const FeaturePair pair = pair_of(corners, features.cloth.previous, position);
+    if (pbd::least_gap(pair) > least) return;
     const float motion = relative_motion(pair), distance = nearest(pair, 0).distance;
     if (motion == 0 || distance <= 0) return;
     const bool nearly_lost = distance < 0.1f * least;
-    const float gap =
-        nearly_lost ? 0.5f * distance : pbd::min(0.9f * distance, pbd::max(0.1f * distance, least));
+    const float gap = nearly_lost ? 0.5f * distance : pbd::min(0.9f * distance, least);
     const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
+    if (nothing_moves(corners)) return;
     pbd::atomic_add(counters[crossings + round], 1);
-    for (uint32_t k = 0; k < 4; ++k) {
-      const float part = round > 1 || nearly_lost ? 0
-                         : round == 0             ? 0.9f * t
-                                                  : little(pair.motion[k], 0.45f * (distance - gap));
-      uint32_t bits;
-      __builtin_memcpy(&bits, &part, sizeof bits);  // of numbers from 0 to 1 the order is that of their bits
-      pbd::atomic_min(limit[corners.vertex(k)], bits);
-    }
+    zones.unite(corners, round, nearly_lost || motion < rounding(corners));
   }
 
-  MENISCUS_HD static float little(Vec3 motion, float way) {
-    return pbd::min(1, way / pbd::max(length(motion), 1e-20f));
+  MENISCUS_HD bool nothing_moves(const Corners& corners) const {
+    for (uint32_t k = 0; k < 4; ++k)
+      if (position[corners.vertex(k)].w != 0) return false;
+    return true;
   }
-};
-
-/// Takes vertices back to the part of their motion that is left to them. Where the last round there is still
-/// finds something, all stay where they were, as nothing had passed through there.
-struct HoldBack {
-  View<const Vec4> previous;
-  View<Vec4> position, moved;
-  View<uint32_t> limit, counters;
-  uint32_t round;
-
-  MENISCUS_HD void operator()(uint32_t v) const {
-    if (counters[crossings + round] == 0) return;
-    const uint32_t bits = round + 1 < most_rounds ? limit[v] : 0;
-    if (bits > bits_of_one) return;
-    float part;
-    __builtin_memcpy(&part, &bits, sizeof part);
-    limit[v] = held_back + round;
-    const Vec4 x = position[v];
-    if (x.w == 0) return;
-    const Vec3 from = previous[v].xyz(), back = from + part * (x.xyz() - from);
-    position[v] = pbd::with_w(back, x.w);
-    moved[v] = pbd::with_w(moved[v].xyz() + (back - x.xyz()), moved[v].w);
+  /// m: what moves by no more than this may do so by the rounding of a zone's motion.
+  MENISCUS_HD float rounding(const Corners& corners) const {
+    const Vec3 x = position[corners.vertex(0)].xyz();
+    return 1e-6f * max_component(max(x, -x));
   }
 };
 

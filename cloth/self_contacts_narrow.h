@@ -33,6 +33,7 @@ struct MakeContacts {
     const float thickness = 0.5f * (a.thickness + b.thickness), reach = 1.1f * thickness;
 
     const FeaturePair pair = pair_of(corners, cloth.previous, cloth.foreseen);
+    if (pbd::least_gap(pair) > reach) return false;
     const float motion = relative_motion(pair);
     const Nearest end = nearest(pair, 1);
     // Whatever comes nearer than this on its way is a contact in any case, so that what is left out stays

@@ -19,7 +19,12 @@ struct PushSums {
     pbd::atomic_add(sums[3 * v + 1], llrintf(whole.y));
     pbd::atomic_add(sums[3 * v + 2], llrintf(whole.z));
   }
-  /// The sum, kg·m; it begins anew.
+  /// The sum, kg·m.
+  MENISCUS_HD Vec3 of(uint32_t v) const {
+    return unit * Vec3{static_cast<float>(sums[3 * v]), static_cast<float>(sums[3 * v + 1]),
+                       static_cast<float>(sums[3 * v + 2])};
+  }
+  /// The same; it begins anew.
   MENISCUS_HD Vec3 take(uint32_t v) const {
     return unit * Vec3{take_one(sums[3 * v]), take_one(sums[3 * v + 1]), take_one(sums[3 * v + 2])};
   }

@@ -68,6 +68,11 @@ struct GroupPair {
   uint32_t first, second;
 };
 
+/// The places of two of their triangles, k < 64.
+MENISCUS_HD inline GroupPair places_of(GroupPair pair, uint32_t k) {
+  return {8 * pair.first + k / 8, 8 * pair.second + k % 8};
+}
+
 /// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads.
 template <class T>
 class Appending {

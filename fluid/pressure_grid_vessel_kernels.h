@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The kernels of pressure_grid_vessels.h. Nodes that open faces join are one body of fluid, which is named by
-// the greatest of its nodes: labels lead from node to node upwards, to the name (union-find; who walks along
-// halves the way for those who follow, as in ECL-CC, Jaiganesh & Burtscher 2018).
+// the greatest of its nodes.
 #pragma once
 
 #include <cstring>
 
 #include "fluid/pressure_grid_faces_kernels.h"
-#include "pbd/device/atomics.h"
+#include "pbd/union_find.h"
 
 namespace meniscus::fluid::grid_kernels {
 
@@ -50,27 +49,8 @@ struct Vessels {
     return is_fluid(node) && along(coefficients[node], axis) > 0 && is_fluid(after);
   }
 
-  MENISCUS_HD uint32_t name(uint32_t node) const {
-    uint32_t next = pbd::atomic_load(label[node]);
-    while (next != node) {
-      const uint32_t beyond = pbd::atomic_load(label[next]);
-      if (beyond != next) pbd::atomic_store(label[node], beyond);
-      node = next;
-      next = beyond;
-    }
-    return node;
-  }
-
-  MENISCUS_HD void unite(uint32_t a, uint32_t b) const {
-    for (;;) {
-      a = name(a);
-      b = name(b);
-      if (a == b) return;
-      const uint32_t lower = a < b ? a : b, upper = a < b ? b : a;
-      // Else it has been led elsewhere meanwhile.
-      if (pbd::atomic_exchange_if(label[lower], lower, upper) == lower) return;
-    }
-  }
+  MENISCUS_HD uint32_t name(uint32_t node) const { return pbd::UnionFind{label}.name(node); }
+  MENISCUS_HD void unite(uint32_t a, uint32_t b) const { pbd::UnionFind{label}.unite(a, b); }
 };
 
 struct StartVessels {

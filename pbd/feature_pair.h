@@ -148,6 +148,20 @@ MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
   return sqrtf(most2);
 }
 
+/// m, or less: along some axis the two stay this far apart all the way.
+MENISCUS_HD inline float least_gap(const FeaturePair& p) {
+  const int first = p.edges ? 2 : 1;
+  Vec3 lower[2], upper[2];
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 end = p.at(k, 1), low = min(p.start[k], end), high = max(p.start[k], end);
+    const int side = k < first ? 0 : 1;
+    const bool begins = k == 0 || k == first;
+    lower[side] = begins ? low : min(lower[side], low);
+    upper[side] = begins ? high : max(upper[side], high);
+  }
+  return max_component(max(lower[0] - upper[1], lower[1] - upper[0]));
+}
+
 namespace nearest_detail {
 
 /// How much later than t, at the earliest, the two may be as near as `gap`: along the direction in which they

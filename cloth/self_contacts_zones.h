@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Impact zones: what would pass through one another goes on together.
+#pragma once
+
+#include "cloth/self_contacts_solve.h"
+#include "pbd/union_find.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// Vertices that share one motion for the rest of a substep (Provot 1997; Harmon et al. 2008, who have them
+/// turn as well): that of their centre of mass from where the substep began, when nothing had passed through.
+/// Momentum is kept, and nothing moves against anything within a zone. Zones only grow.
+struct Zones {
+  View<uint32_t> label;
+  /// By vertex, 0 for what is in none; else the last round, from 1 on, in which its zone was found to need a
+  /// new motion. What could not go along has the bit `stopped` as well.
+  View<uint32_t> mark;
+  /// Of a zone, at the vertex that names it: what it moves with, if not by itself.
+  View<uint32_t> anchor;
+  View<int64_t> mass;  // likewise
+  PushSums momentum;   // likewise, kg·m
+  float mass_unit;     // kg
+
+  static constexpr uint32_t stopped = 1u << 31;
+  /// Anchors: none; where all were at the start; else, less 1, a vertex that nothing moves.
+  static constexpr uint32_t itself = no_index, the_start = 0;
+
+  MENISCUS_HD uint32_t name(uint32_t v) const { return pbd::UnionFind{label}.name(v); }
+  MENISCUS_HD uint32_t mark_of(uint32_t v) const { return pbd::atomic_load(mark[v]); }
+  MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const {
+    return (mark_of(v) & ~stopped) == round + 1;
+  }
+
+  MENISCUS_HD void begin(uint32_t v) const {
+    forget_sums(v);
+    label[v] = v;
+    mark[v] = 0;
+    anchor[v] = itself;
+  }
+  MENISCUS_HD void forget_sums(uint32_t v) const {
+    if (mark_of(v) == 0) return;
+    momentum.take(v);
+    mass[v] = 0;
+  }
+
+  /// From now on these go together; or not at all.
+  MENISCUS_HD void unite(const Corners& corners, uint32_t round, bool stop) const {
+    for (uint32_t k = 0; k < 4; ++k) {
+      const uint32_t v = corners.vertex(k);
+      pbd::atomic_max(mark[v], round + 1);
+      if (stop) pbd::atomic_min(anchor[v], the_start);
+      if (k > 0) pbd::UnionFind{label}.unite(corners.vertex(0), v);
+    }
+  }
+};
+
+/// Sums up what zones weigh and their momentum, and finds their anchors.
+struct GatherZones {
+  View<const Vec4> previous, position;  // by vertex
+  Zones zones;
+  View<const uint32_t> counters;
+  uint32_t round;
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    const uint32_t mark = zones.mark_of(v);
+    if (counters[crossings + round] == 0 || mark == 0) return;
+    const uint32_t name = zones.name(v);
+    const bool stopped = (mark & Zones::stopped) != 0;
+    if (stopped || mark == round + 1) pbd::atomic_max(zones.mark[name], round + 1);
+    const Vec4 x = position[v];
+    const uint32_t anchor = stopped ? Zones::the_start : x.w == 0 ? v + 1 : Zones::itself;
+    pbd::atomic_min(zones.anchor[name], anchor);
+    if (v != name) pbd::atomic_min(zones.anchor[name], zones.anchor[v]);
+    if (x.w == 0) return;
+    const float m = 1 / x.w;
+    pbd::atomic_add(zones.mass[name], llrintf(m / zones.mass_unit));
+    zones.momentum.add(name, m * (x.xyz() - previous[v].xyz()));
+  }
+};
+
+/// Gives vertices the motion of their zones. Nothing leaves the box that its pairs were looked for in: a zone
+/// that would have to, stops in the next round. Where the last round there is still finds something, all stay
+/// where they were.
+struct MoveZones {
+  ClothState cloth;
+  View<Vec4> position, moved;  // by vertex
+  Zones zones;
+  View<uint32_t> counters;
+  uint32_t round;
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (counters[crossings + round] == 0) return;
+    const bool last = round + 1 == most_rounds;
+    const uint32_t mark = zones.mark_of(v);
+    if (mark == 0 && !last) return;
+    const uint32_t name = zones.name(v), of_name = zones.mark_of(name);
+    if (!last && (of_name & ~Zones::stopped) != round + 1 && !(of_name & Zones::stopped)) return;
+    const Vec4 x = position[v];
+    if (x.w == 0) return;
+    const Vec3 from = cloth.previous[v].xyz(), to = last ? from : from + motion_of(name);
+    const Aabb box = cloth.way_box(v);
+    const Vec3 inside = max(box.lower, min(box.upper, to));
+    const bool stops = inside != to;
+    if (stops) pbd::atomic_add(counters[crossings + round + 1], 1);
+    pbd::atomic_store(zones.mark[v], (round + 1) | (stops ? Zones::stopped : mark & Zones::stopped));
+    position[v] = pbd::with_w(inside, x.w);
+    moved[v] = pbd::with_w(moved[v].xyz() + (inside - x.xyz()), moved[v].w);
+  }
+
+  MENISCUS_HD Vec3 motion_of(uint32_t name) const {
+    const uint32_t anchor = zones.anchor[name];
+    if (anchor == Zones::the_start) return {0, 0, 0};
+    if (anchor != Zones::itself) return position[anchor - 1].xyz() - cloth.previous[anchor - 1].xyz();
+    return 1 / (zones.mass_unit * static_cast<float>(zones.mass[name])) * zones.momentum.of(name);
+  }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels
