@@ -189,10 +189,11 @@ enum class Which {
 struct FeaturePairs {
   ClothState cloth;
 
-  /// Whether these two may have any, of which the second stands later if both are in one group.
-  MENISCUS_HD bool may_have_any(uint32_t place, uint32_t other) const {
-    if (place / 8 == other / 8 && other <= place) return false;
-    return overlap(cloth.tree.box(0, place), cloth.tree.box(0, other));
+  /// Bits of those of a group whose boxes overlap that of the triangle at `place`; of its own group the later
+  /// ones.
+  MENISCUS_HD uint32_t overlapping(uint32_t place, uint32_t other) const {
+    const uint32_t mask = overlap_mask(cloth.tree.group(0, other), cloth.tree.box(0, place));
+    return other == place / 8 ? mask & ~((2u << place % 8) - 1) : mask;
   }
   /// Calls visit(code) for each of them.
   template <class Visit>
@@ -291,9 +292,11 @@ struct FindCandidates {
     for (uint32_t first = Scratch::pairs * n; first < count; first += Scratch::pairs * stride) {
       const uint32_t left = count - first < Scratch::pairs ? count - first : Scratch::pairs;
       group.for_each(1, [&](uint32_t) { scratch.count = 0; });
-      group.for_each(64 * left, [&](uint32_t k) {
-        const GroupPair two = places(first, k);
-        if (features.may_have_any(two.first, two.second)) scratch.hits[pbd::append(scratch.count, 1)] = k;
+      group.for_each(8 * left, [&](uint32_t k) {
+        const GroupPair pair = pairs.list[first + k / 8];
+        uint32_t mask = features.overlapping(8 * pair.first + k % 8, pair.second);
+        for (; mask != 0; mask &= mask - 1)
+          scratch.hits[pbd::append(scratch.count, 1)] = 8 * k + pbd::lowest_bit(mask);
       });
       group.for_each(scratch.count, [&](uint32_t hit) { list(places(first, scratch.hits[hit])); });
     }

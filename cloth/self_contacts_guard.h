@@ -175,17 +175,21 @@ struct FindCrossings {
   template <class Group, class PairAt>
   MENISCUS_HD void check_pairs(const Group& group, Scratch& scratch, uint32_t count, uint32_t wanted,
                                Which which, const PairAt& pair_at) const {
-    for (uint32_t first = 0; first < 64 * count; first += Scratch::most_hits) {
-      const uint32_t left = 64 * count - first, tests = left < Scratch::most_hits ? left : Scratch::most_hits;
-      const auto triangles = [&](uint32_t k) {
-        return places_of(pair_at((first + k) / 64), (first + k) % 64);
-      };
+    constexpr uint32_t at_once = Scratch::most_hits / 64;
+    for (uint32_t first = 0; first < count; first += at_once) {
+      const uint32_t left = count - first < at_once ? count - first : at_once;
+      const auto triangles = [&](uint32_t k) { return places_of(pair_at(first + k / 64), k % 64); };
       group.for_each(1, [&](uint32_t) { scratch.hit_count = 0; });
-      group.for_each(tests, [&](uint32_t k) {
-        const GroupPair two = triangles(k);
-        if (has_all(flags[two.first] | flags[two.second], wanted) && two.first / 8 <= two.second / 8 &&
-            features.may_have_any(two.first, two.second))
-          scratch.hits[pbd::append(scratch.hit_count, 1)] = k;
+      group.for_each(8 * left, [&](uint32_t k) {
+        const GroupPair pair = pair_at(first + k / 8);
+        const uint32_t place = 8 * pair.first + k % 8;
+        if (pair.first > pair.second) return;
+        uint32_t mask = features.overlapping(place, pair.second);
+        for (; mask != 0; mask &= mask - 1) {
+          const uint32_t n = pbd::lowest_bit(mask);
+          if (has_all(flags[place] | flags[8 * pair.second + n], wanted))
+            scratch.hits[pbd::append(scratch.hit_count, 1)] = 8 * k + n;
+        }
       });
       group.for_each(scratch.hit_count, [&](uint32_t hit) {
         const GroupPair two = triangles(scratch.hits[hit]);

@@ -11,7 +11,8 @@ namespace meniscus::pbd {
 
 /// Sets of numbers, each named by the greatest of its own: labels lead from number to number upwards, to the
 /// name (union-find; who walks along halves the way for those who follow, as in ECL-CC, Jaiganesh & Burtscher
-/// 2018). Any number of threads may unite at once; what the names are in the end does not depend on the order.
+/// 2018). Any number of threads may unite at once; what the names are in the end does not depend on the
+/// order.
 struct UnionFind {
   View<uint32_t> label;
 
