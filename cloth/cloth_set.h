@@ -26,11 +26,10 @@ struct ClothSolverParameters {
 /// solved in the manner of Gauss and Seidel; and the air's force on it.
 ///
 ///   begin     starts from a share of the last substep's multipliers, and adds the wind;
-///   project   sweeps over bending, then stretch, pass by pass (clusters.h) or over chains (chains.h) colour
-///   by
-///             colour, and solves for the lengths of whole yarns, layer by layer (yarns.h), stretch and yarns
-///             in a number of rounds in the last iteration; in the next iteration all of it backwards; gas;
-///             tethers last;
+///   project   sweeps over bending, then stretch, pass by pass (clusters.h), or over chains, colour by colour
+///             (chains.h), and solves for the lengths of whole yarns, layer by layer (yarns.h), stretch and
+///             yarns in a number of rounds in the last iteration; in the next iteration all of it backwards;
+///             gas; tethers last;
 ///   settle    notes what pulled at vertices that nothing moves.
 ///
 /// Small steps converge better than many iterations (Macklin et al. 2019). There and back again makes the
