@@ -4,9 +4,7 @@
 
 #include <span>
 
-#include "cloth/chains.h"
 #include "cloth/cloth_model.h"
-#include "cloth/stretch_kernels.h"
 #include "cloth/vertex_state.h"
 #include "cloth/volume_kernels.h"
 #include "cloth/wind.h"
@@ -26,10 +24,9 @@ struct ClothSolverParameters {
 /// solved in the manner of Gauss and Seidel; and the air's force on it.
 ///
 ///   begin     starts from a share of the last substep's multipliers, and adds the wind;
-///   project   sweeps over bending, then stretch, pass by pass (clusters.h), or over chains, colour by colour
-///             (chains.h), and solves for the lengths of whole yarns, layer by layer (yarns.h), stretch and
-///             yarns in a number of rounds in the last iteration; in the next iteration all of it backwards;
-///             gas; tethers last;
+///   project   sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the lengths of
+///             whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds in
+///             the last iteration; in the next iteration all of it backwards; gas; tethers last;
 ///   settle    notes what pulled at vertices that nothing moves.
 ///
 /// Small steps converge better than many iterations (Macklin et al. 2019). There and back again makes the
@@ -72,8 +69,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
     buffer.write(values);
   }
   void upload_constraints(const ClothModel& model);
-  void upload_edges(const ClothModel& model, Clusters& clusters, const Coloured<EdgeConstraint>& chains,
-                    const Yarns& yarns);
+  void upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns);
   void upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
   VertexState vertices(const pbd::Substep<D>& substep) const {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
@@ -82,8 +78,6 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void bend(pbd::Substep<D>& substep, bool starts, bool backwards);
   void stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards);
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts, bool backwards);
-  stretch_kernels::SolveEdge edge_solver(bool starts);
-  void solve_chains(pbd::Substep<D>& substep, bool starts, bool backwards);
   void solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards);
   void blow_up(pbd::Substep<D>& substep, bool starts);
 
@@ -106,7 +100,6 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> cluster_vertices_{device_, "vertices of clusters"};
   pbd::Buffer<Yarn> yarns_{device_, "yarns"};
   std::vector<uint32_t> layer_starts_{0};  // of yarns
-  std::vector<uint32_t> chain_starts_{0};  // among all edges, of each colour
   uint32_t first_yarn_edge_ = 0;
   std::vector<uint32_t> pass_starts_{0};
   uint32_t bending_passes_ = 0;

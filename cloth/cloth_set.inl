@@ -13,15 +13,6 @@
 
 namespace meniscus::cloth {
 
-/// Edges that share no vertex.
-struct SolveLooseEdges {
-  VertexState all;
-  stretch_kernels::SolveEdge edge;
-  uint32_t first;
-
-  MENISCUS_HD void operator()(uint32_t k) const { edge(LooseVertices{all}, first + k); }
-};
-
 template <class D>
 void ClothSet<D>::set_model(const ClothModel& model) {
   device_.wait();
@@ -65,9 +56,8 @@ template <class D>
 void ClothSet<D>::upload_constraints(const ClothModel& model) {
   ClothConstraints constraints = model.constraints;
   const Yarns yarns = draw_yarns(constraints, model.rest, model.pieces);
-  const Coloured<EdgeConstraint> chains = take_chains(constraints, model.rest.size());
   Clusters c = build_clusters(constraints, model.rest);
-  upload_edges(model, c, chains, yarns);
+  upload_edges(model, c, yarns);
   upload(strains_, c.strains);
   upload(isometric_, c.isometric);
   upload(hinges_, c.hinges);
@@ -81,27 +71,19 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   hinge_multiplier_.resize_discard(c.hinges.size());
 }
 
-/// First those of clusters, whose vertices become numbers within their cluster, then those of chains or
-/// yarns.
+/// First those of clusters, whose vertices become numbers within their cluster, then those of yarns.
 template <class D>
-void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters,
-                               const Coloured<EdgeConstraint>& chains, const Yarns& yarns) {
-  const auto joined = [](std::vector<EdgeConstraint> edges, const std::vector<EdgeConstraint>& more) {
-    edges.insert(edges.end(), more.begin(), more.end());
-    return edges;
-  };
-  upload_fans(model, joined(clusters.edges, chains.items));
+void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns) {
+  upload_fans(model, clusters.edges);
   number_locally(clusters);
-  const std::vector<EdgeConstraint> edges = joined(clusters.edges, chains.items);
-  first_yarn_edge_ = static_cast<uint32_t>(edges.size());
-  upload(edges_, joined(edges, yarns.edges));
-  chain_starts_.clear();
-  for (uint32_t start : chains.colour_starts)
-    chain_starts_.push_back(static_cast<uint32_t>(clusters.edges.size()) + start);
+  std::vector<EdgeConstraint> edges = clusters.edges;
+  edges.insert(edges.end(), yarns.edges.begin(), yarns.edges.end());
+  upload(edges_, edges);
+  first_yarn_edge_ = static_cast<uint32_t>(clusters.edges.size());
   upload(yarns_, yarns.yarns);
   layer_starts_ = yarns.layer_starts;
-  edge_multiplier_.resize_discard(edges_.size());
-  saved_edge_multiplier_.resize_discard(edges.size());
+  edge_multiplier_.resize_discard(edges.size());
+  saved_edge_multiplier_.resize_discard(clusters.edges.size());
   saved_yarn_multiplier_.resize_discard(yarns.edges.size());
   edge_multiplier_.fill(0);
 }
@@ -176,7 +158,6 @@ void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, bool starts, boo
     const bool reversed = (backwards ? round + 1 : left) % 2 != 0;
     if (backwards) solve_yarns(substep, first, reversed);
     sweep(substep, bending_passes_, stretch_end, first, reversed);
-    solve_chains(substep, first, reversed);
     if (!backwards) solve_yarns(substep, first, reversed);
   }
 }
@@ -192,28 +173,13 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
                       .isometric = {isometric_.view(), isometric_multiplier_.view(), starts},
                       .hinge = {hinges_.view(), hinge_multiplier_.view(), starts},
                       .strain = {strains_.view(), strain_multiplier_.view(), relaxation, starts},
-                      .edge = edge_solver(starts),
+                      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1},
                       .first = 0,
                       .backwards = backwards};
   for (size_t k = first_pass; k < end_pass; ++k) {
     const size_t pass = backwards ? first_pass + end_pass - 1 - k : k;
     solve.first = pass_starts_[pass];
     device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
-  }
-}
-
-template <class D>
-stretch_kernels::SolveEdge ClothSet<D>::edge_solver(bool starts) {
-  return {edges_.view(), edge_multiplier_.view(), parameters_.over_relaxation, starts ? share_ : 1};
-}
-
-template <class D>
-void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, bool starts, bool backwards) {
-  const size_t colours = chain_starts_.size() - 1;
-  for (size_t k = 0; k < colours; ++k) {
-    const size_t colour = backwards ? colours - 1 - k : k;
-    device_.parallel_for("cloth/chains", chain_starts_[colour + 1] - chain_starts_[colour],
-                         SolveLooseEdges{vertices(substep), edge_solver(starts), chain_starts_[colour]});
   }
 }
 

@@ -45,19 +45,6 @@ struct VertexState {
   }
 };
 
-/// What constraints see of vertices that are worked on where they are.
-struct LooseVertices {
-  const VertexState& all;
-
-  MENISCUS_HD Vertex at(uint32_t v) const { return all.at(v); }
-  MENISCUS_HD Vec4 previous(uint32_t v) const { return all.previous(v); }
-  MENISCUS_HD float inverse_dt() const { return all.inverse_dt; }
-  MENISCUS_HD float stretch_damping(uint32_t v) const { return all.stretch_damping(v); }
-  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& impulse) const {
-    all.push(v, vertex, s, impulse);
-  }
-};
-
 /// What one constraint adds to its multiplier (Macklin, Müller & Chentanez 2016, eq. 26):
 ///
 ///   Δλ = (−C − α̃ λ − γ ∇C·(x − x₀)) / ((1 + γ) Σ w|∇C|² + α̃)
