@@ -86,7 +86,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::SheetViews sheets();
   self_contact_kernels::Zones zones();
   self_contact_kernels::ContactList list();
-  uint32_t launched(uint32_t counter, size_t capacity, uint32_t each = 1);
+  uint32_t launched(uint32_t counter, size_t capacity);
 
   D& device_;
   pbd::SurfaceTree<D>& tree_;

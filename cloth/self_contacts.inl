@@ -288,13 +288,13 @@ self_contact_kernels::ContactList SelfContacts<D>::list() {
   return {corners_.view(), plane_.view(), multiplier_.view(), weights_.view(), counters_.view()};
 }
 
-/// How many threads are to look at a list, `each` of them at an element: as many as the list has, where the
-/// host is in step with the device; else as fill a GPU.
+/// How many threads are to look at a list: as many as it has elements, where the host is in step with the
+/// device; else as fill a GPU.
 template <class D>
-uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity, uint32_t each) {
+uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity) {
   if (device_.kind() != pbd::DeviceKind::cpu)
     return static_cast<uint32_t>(std::min(capacity, size_t{most_threads}));
-  return static_cast<uint32_t>(std::min(size_t{each} * counters_.view()[counter], capacity));
+  return static_cast<uint32_t>(std::min(size_t{counters_.view()[counter]}, capacity));
 }
 
 }  // namespace meniscus::cloth

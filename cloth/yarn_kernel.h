@@ -216,8 +216,9 @@ class SolveYarnsAtOnce {
     const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
     return {yarns_.if_edge(k, v.x), yarns_.if_edge(k, v.y), yarns_.if_edge(k, v.z), yarns_.if_edge(k, v.w)};
   }
-  /// kg·m: what it is to push with beyond that. Where it is taut, the whole is to point as the edge does now;
-  /// what is pressed together would be thrown to the sides by that.
+  /// kg·m: what it is to push with beyond that. Where it is taut, that points as the edge does now, and what
+  /// was given before stays as taken_back() has turned it; of what is pressed together the whole is to point
+  /// so.
   MENISCUS_HD Vector step(uint32_t k) const {
     const Edge e = edge(k);
     const Vector whole = e.lambda * e.n;
