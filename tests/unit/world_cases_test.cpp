@@ -104,7 +104,8 @@ TEST_P(CasesTest, TheHeavyFluidSinksBelowTheLight) {
     count[world.fluids()[i]] += 1;
   }
   EXPECT_EQ(count[oil.index], count[water.index]);
-  EXPECT_GT(height[oil.index] / count[oil.index], height[water.index] / count[water.index] + 0.15);
+  // Layers quite apart would be .25 m apart in the mean; what is left of the turmoil mixes them.
+  EXPECT_GT(height[oil.index] / count[oil.index], height[water.index] / count[water.index] + 0.12);
 }
 
 TEST_P(CasesTest, AdaptiveSubstepsFollowTheSpeedWithinTheirLimits) {
