@@ -27,8 +27,9 @@ using pbd::Vec4Of;
 ///      −n_k₋₁ᵀ W_k n_k Δλ_k₋₁ + (n_kᵀ (W_k + W_k₊₁) n_k + α̃) Δλ_k − n_kᵀ W_k₊₁ n_k₊₁ Δλ_k₊₁ = −C_k − α̃ λ_k
 ///
 ///    with damping as in xpbd_step.
-/// 2. Ways to the sides, y: (1 + w G) y = w f, with f the part of the vertices' pushes across the yarn and G
-///    the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy: in pairs, so that momentum is kept.
+/// 2. Ways to the sides, y: (1 + w G) y = w f, with f the part of the vertices' pushes across the yarn, what
+///    comes of λ having turned, and G the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy: in pairs,
+///    so that momentum is kept.
 ///
 /// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
 /// fro, either alone would be left.
@@ -216,28 +217,40 @@ class SolveYarnsAtOnce {
     const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
     return {yarns_.if_edge(k, v.x), yarns_.if_edge(k, v.y), yarns_.if_edge(k, v.z), yarns_.if_edge(k, v.w)};
   }
-  /// kg·m: what it is to push with beyond that. Where it is taut, that points as the edge does now, and what
-  /// was given before stays as taken_back() has turned it; of what is pressed together the whole is to point
-  /// so.
+  /// kg·m: what it is to push with beyond that. Where it is taut, the whole is to point as the edge does now;
+  /// where it is pressed together, what was given before stays as taken_back() has turned it.
   MENISCUS_HD Vector step(uint32_t k) const {
     const Edge e = edge(k);
     const Vector whole = e.lambda * e.n;
     if (s_.starts) return whole;
     const Vec4Of<Real> before = given(k);
-    const Vector taut = (e.lambda - before.w) * e.n, pressed = whole - before.xyz();
+    const Vector pressed = (e.lambda - before.w) * e.n, taut = whole - before.xyz();
     const auto either = [&](const Real& x, const Real& y) { return select_less(Real(0), e.lambda, x, y); };
-    return {either(taut.x, pressed.x), either(taut.y, pressed.y), either(taut.z, pressed.z)};
+    return {either(pressed.x, taut.x), either(pressed.y, taut.y), either(pressed.z, taut.z)};
   }
-  /// The same of both edges on vertex k.
+  /// Of that, what has come to λ.
+  MENISCUS_HD Vector increment(uint32_t k) const {
+    const Edge e = edge(k);
+    const Real before = s_.starts ? Real(0) : given(k).w;
+    return (e.lambda - before) * e.n;
+  }
+  /// What both edges on vertex k do to it.
+  template <class Push>
+  MENISCUS_HD Vector on(uint32_t k, const Push& push) const {
+    if (k == 0) return -push(0);
+    return k < yarns_.most ? push(k - 1) - push(k) : push(k - 1);
+  }
   MENISCUS_HD Vector steps_on(uint32_t k) const {
-    if (k == 0) return -step(0);
-    return k < yarns_.most ? step(k - 1) - step(k) : step(k - 1);
+    return on(k, [&](uint32_t e) { return step(e); });
   }
-  /// The row of vertex k's way to the sides, m.
+  /// The row of vertex k's way to the sides, m. What turning λ pushes with belongs to it along the yarn as
+  /// well: the lengths know nothing of that, and where a yarn folds it would throw a light vertex between
+  /// heavy ones.
   MENISCUS_HD Sideways turn(uint32_t k) const {
     const Real w = scratch_.weight[k], lower = w * stiffness(k - 1), upper = w * stiffness(k);
-    const Vector along = direction(edge(k - 1).n, edge(k).n), push = steps_on(k);
-    return {-lower, Real(1) + lower + upper, -upper, w * (push - dot(push, along) * along)};
+    const Vector along = direction(edge(k - 1).n, edge(k).n);
+    const Vector straight = on(k, [&](uint32_t e) { return increment(e); });
+    return {-lower, Real(1) + lower + upper, -upper, w * (steps_on(k) - dot(straight, along) * along)};
   }
 
   /// kg·m: what edge k takes back, as it turns.
