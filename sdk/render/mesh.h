@@ -13,7 +13,7 @@
 namespace meniscus::render {
 
 /// How a surface looks, beside its colour; what solid.frag.glsl reads from the colour's last component.
-enum class Look { glossy, cloth, tiles };
+enum class Look { glossy, cloth };
 
 struct Vertex {
   Vec3 position, normal;
@@ -23,13 +23,11 @@ struct Vertex {
 /// Three vertices a triangle.
 using Triangles = std::vector<Vertex>;
 
-/// The surface of a solid in its own frame. A container is its floors alone, those of its faces that turn up
-/// when placed by `pose`. May throw what solid_triangles throws.
+/// The surface of a solid in its own frame. A container is its floors alone. May throw what solid_triangles
+/// throws.
 Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec3 color);
-/// The other walls of a container, seen from inside; of other geometry none.
-Triangles glass_walls(const Geometry& geometry, const Pose& pose, Vec3 up);
-/// Its edges and those of its openings, as bars of this radius, m.
-Triangles container_edges(const Geometry& geometry, float radius);
+/// Whether a face of a container turns up when placed so; `inwards`: its normal in the container's frame.
+bool is_floor(Vec3 inwards, const Pose& pose, Vec3 up);
 
 /// In the colours of the pieces, or in those of the triangles where there are any.
 Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors,

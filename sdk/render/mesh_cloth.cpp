@@ -9,7 +9,7 @@ namespace meniscus::render {
 namespace {
 
 Float4 paint(const std::vector<Vec3>& colors, std::size_t i, Vec3 otherwise, Look look) {
-  return float4(i < colors.size() ? colors[i] : otherwise, 0.5f * static_cast<float>(look));
+  return float4(i < colors.size() ? colors[i] : otherwise, static_cast<float>(look));
 }
 
 /// Water between its fibres takes away half of the light that dry cloth throws back.

@@ -12,25 +12,21 @@ struct Pictures {
   Pictures(int w, int h) : width(w), height(h) {}
 
   int width, height;
-  bool has_solids = false;                    ///< where they are, as the camera sees them
   bool has_fluid_shadows = false;             ///< of what was loaded last
   Texture albedo{GL_RGBA16F, width, height};  ///< a: gloss
   Texture normal{GL_RGBA16F, width, height};  ///< both hold nothing where nothing stands
-  Texture glass{GL_RGBA16F, width, height};   ///< what its walls add; a: the share that they let pass
   Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
-  Texture scene_depth{GL_DEPTH_COMPONENT32F, width,
-                      height};                     ///< of solids and what is drawn over the picture
-  Texture over{GL_RGBA16F, width, height};         ///< what is drawn over the picture
-  Texture scene_distance{GL_R32F, width, height};  ///< along −z, m; the ground is there
+  Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};  ///< of what is rasterised
+  /// Along −z, m; the ground and vessels are there. g: what it is, see shaders/scene.glsl.
+  Texture scene_distance{GL_RG32F, width, height};
   Texture lit{GL_RGBA16F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};
   Texture picture{GL_RGBA8, width, height};
   Texture foam{GL_RGBA16F, width, height};  ///< sums: see Foam
   Target to_foam{{&foam}, nullptr};
   Target to_surfaces{{&albedo, &normal}, &scene_depth};
-  Target to_glass{{&glass}, &scene_depth};
   Target to_lit{{&lit}, nullptr};
-  Target to_over{{&over}, &scene_depth};
+  Target to_over{{&lit}, &scene_depth};
   Target to_toned{{&toned}, nullptr};
   Target to_picture{{&picture}, nullptr};
   FluidSurface surface{width, height};

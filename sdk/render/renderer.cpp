@@ -58,7 +58,8 @@ void Renderer::paint() {
   parts_->bind();
   parts_->timer.start();
   if (!parts_->has_solid_shadows) parts_->draw_solid_shadows();
-  if (!parts_->to->has_solids) parts_->draw_solids();
+  parts_->draw_solids();
+  parts_->find_distances();
   parts_->list_particles();
   parts_->gather_fluid();
   parts_->light_scene();

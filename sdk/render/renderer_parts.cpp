@@ -32,6 +32,7 @@ Renderer::Parts::Parts(const io::PreviewScene& s, const Moment& first, const Ren
     : scene(checked(s)),
       settings(set),
       solids(s),
+      vessels(s),
       bounds(bounds_of(solids.bounds(), with_spans(first))),
       stage(stage_of(s, bounds)) {
   shadow.compare_depths();
@@ -45,9 +46,8 @@ void Renderer::Parts::look() {
   frame = uniforms_of(stage, to->width, to->height);
   // Three pixels: thinner ones would be dotted.
   const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
-  solids.set_edges(1.3f * pixel * std::max(share, 0.6f));
+  frame.eye[3] = 1.3f * pixel * std::max(share, 0.6f);
   frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
-  to->has_solids = false;
 }
 
 void Renderer::Parts::load(const Moment& moment) {
@@ -58,20 +58,19 @@ void Renderer::Parts::load(const Moment& moment) {
   check_particles(shown);
   const bool moves =
       solids.place(moment.bodies, moment.cloth, moment.ropes, strain_colors(moment.cloth, view)) || grains;
+  vessels.place(moment.bodies);
   if (shown.world)
     particles.set(*shown.world);
   else
     load_particles(shown, shows_fluid);
-  const bool changes = balls.set(shown.ellipsoids, view) || moves;
+  balls.set(shown.ellipsoids, view);
   foam.set(!shows_fluid  ? std::span<const DiffuseParticle>()
            : shown.world ? shown.world->diffuse()
                          : shown.diffuse);
   load_view(view);
   if (moves) has_solid_shadows = false;
   for (Pictures* pictures : {to.get(), before.get()}) {
-    if (!pictures) continue;
-    pictures->has_fluid_shadows = false;
-    if (changes) pictures->has_solids = false;
+    if (pictures) pictures->has_fluid_shadows = false;
   }
 }
 
@@ -106,6 +105,7 @@ void Renderer::Parts::bind() const {
   bind_uniforms(fluids_binding, fluid_buffer);
   shadow.bind(unit::shadow);
   to->thickness.sun().bind(unit::fluid_shadow);
+  vessels.bind();
 }
 
 void Renderer::Parts::draw_solid_shadows() {
@@ -123,28 +123,24 @@ void Renderer::Parts::draw_solid_shadows() {
 }
 
 void Renderer::Parts::draw_solids() {
+  if (!has_triangles()) return;
   to->to_surfaces.use();
   to->to_surfaces.clear_depth();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  solids.draw_opaque();
+  solids.draw();
   if (grains) grains->draw(particles);
   balls.draw(0.5f * stage.spacing);
-  timer.mark("solids");
-  to->scene_depth.bind(unit::depth);
-  to->glass.bind_image(1);
-  to->over.bind_image(2);
-  distance.use();
-  distance.run_over(to->scene_distance);
-  timer.mark("distances");
-  to->to_glass.use();
-  solids.draw_glass();
-  timer.mark("glass");
-  to->to_over.use();
-  solids.draw_edges();
   glDisable(GL_DEPTH_TEST);
-  timer.mark("edges of vessels");
-  to->has_solids = true;
+  timer.mark("solids");
+}
+
+void Renderer::Parts::find_distances() {
+  to->scene_depth.bind(unit::depth);
+  distance.use();
+  glUniform1i(0, has_triangles());
+  distance.start_over(to->scene_distance);
+  timer.mark("distances");
 }
 
 void Renderer::Parts::list_particles() {
@@ -161,9 +157,9 @@ void Renderer::Parts::gather_fluid() {
   to->has_fluid_shadows = true;
   timer.mark("thickness for the sun");
   to->surface.draw(camera_lists, to->scene_distance);
+  Program::show_writes();
   timer.mark("ellipsoids");
   to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
-  Program::show_writes();
   timer.mark("thickness");
 }
 
@@ -171,7 +167,6 @@ void Renderer::Parts::light_scene() {
   to->albedo.bind(unit::color);
   to->scene_distance.bind(unit::depth);
   to->normal.bind(unit::normals);
-  to->glass.bind(unit::glass);
   light.use();
   light.start_over(to->scene_color);
   timer.mark("light");
@@ -182,7 +177,7 @@ void Renderer::Parts::draw_fluid() {
   const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
   to->surface.filter(settings.filter, reach, settings.filter_threshold * stage.spacing,
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
-  Program::show_writes();  // light, where there is no filter
+  Program::show_writes();  // light and thickness, where there is no filter
   timer.mark("filter");
   foam.gather(frame, to->scene_distance, to->surface.depth(), stage.spacing, to->to_foam);
   timer.mark("foam");
@@ -200,27 +195,24 @@ void Renderer::Parts::draw_over() {
   foam.lay_over(screen, to->foam);
   if (!needles.empty() || !slice.empty()) {
     to->to_over.use();
+    to->to_over.clear_depth();  // what hides them they find out for themselves
     glEnable(GL_DEPTH_TEST);
     needles.draw(1.2f);
     slice.draw();
     glDisable(GL_DEPTH_TEST);
-    to->has_solids = false;  // without these
   }
   timer.mark("over");
 }
 
 void Renderer::Parts::draw_picture() {
   to->lit.bind(unit::color);
+  to->scene_distance.bind(unit::depth);
   to->surface.depth().bind(unit::fluid_depth);
   if (shows_normals) {
-    to->scene_distance.bind(unit::depth);
-    to->scene_depth.bind(unit::normals);
     to->to_toned.use();
     view_normals.use();
     screen.draw();
   } else {
-    to->over.bind(unit::values);
-    to->scene_depth.bind(unit::normals);
     tone.use();
     tone.run_over(to->toned);
   }

@@ -8,6 +8,7 @@
 #include "sdk/render/passes/grains.h"
 #include "sdk/render/passes/slice.h"
 #include "sdk/render/passes/solids.h"
+#include "sdk/render/passes/vessels.h"
 #include "sdk/render/pictures.h"
 #include "sdk/render/renderer.h"
 
@@ -29,8 +30,10 @@ struct Renderer::Parts {
   void load_view(const ViewData& view);
   void bind() const;
   void draw_solid_shadows();
-  /// Where there are any, glass before them, and edges.
+  /// Whether anything is rasterised that light falls on.
+  bool has_triangles() const { return !solids.empty() || grains || !balls.empty(); }
   void draw_solids();
+  void find_distances();
   void list_particles();
   /// All that is drawn particle by particle.
   void gather_fluid();
@@ -44,6 +47,7 @@ struct Renderer::Parts {
   io::PreviewScene scene;
   RenderSettings settings;
   Solids solids;
+  Vessels vessels;
   Bounds bounds;
   Stage stage;
   FrameUniforms frame;

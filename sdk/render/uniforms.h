@@ -18,7 +18,7 @@ constexpr Float4 float4(Vec3 v, float w = 0) {
 struct FrameUniforms {
   Matrix4 view, projection, camera_to_world;
   Matrix4 world_to_sun;  ///< clip space of the shadow map
-  Float4 eye;            ///< m
+  Float4 eye;            ///< m; w: radius of the bars along the edges of vessels, m
   Float4 to_sun;         ///< unit; w: radius of the ball that casts shadows, m
   Float4 up;             ///< unit
   Float4 lens;           ///< tangents of half the opening angles; near and far planes, m
@@ -42,7 +42,7 @@ inline constexpr unsigned fluids_binding = 1;
 /// Texture units.
 namespace unit {
 inline constexpr unsigned shadow = 0, fluid_shadow = 1, color = 2, depth = 3, fluid_depth = 4, thickness = 5,
-                          values = 6, distances = 7, normals = 8, glass = 9;
+                          values = 6, distances = 7, normals = 8;
 }
 
 }  // namespace meniscus::render

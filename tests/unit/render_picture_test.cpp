@@ -187,6 +187,37 @@ TEST_F(PictureTest, OneRendererDrawsOneFrameAfterTheOther) {
   EXPECT_EQ(renderer.draw(water.moment()).rgb, first.rgb);
 }
 
+TEST_F(PictureTest, ThroughOpeningsOneSeesWhatIsBehind) {
+  io::PreviewScene scene = empty_scene();
+  scene.camera->position = {0, 1.2f, 3};
+  const auto drawn = [&](std::vector<Opening> openings) {
+    openings.push_back({Face::y_high, std::nullopt});
+    scene.shapes.push_back(shape(ContainerGeometry{{0.6f, 0.5f, 0.6f}, openings}, {0, -0.2f, -0.5f}));
+    const io::Image image = draw(scene);
+    scene.shapes.pop_back();
+    return image;
+  };
+  const Aabb hole{{-0.4f, -0.4f, -0.4f}, {0.4f, 0.4f, 0.4f}};
+  const io::Image closed = drawn({}), open = drawn({{Face::y_low, hole}, {Face::z_low, hole}}),
+                  without = drawn({{Face::y_low, std::nullopt}, {Face::z_low, std::nullopt}});
+  EXPECT_GT(difference(at(closed, 80, 75), at(open, 80, 75)), 30) << "the floor";
+  EXPECT_LT(difference(at(without, 80, 75), at(open, 80, 75)), 3) << "the hole in it";
+  EXPECT_GT(difference(at(closed, 80, 48), at(open, 80, 48)), 5) << "the far wall";
+  EXPECT_LT(difference(at(without, 80, 48), at(open, 80, 48)), 3) << "the hole in that";
+}
+
+TEST_F(PictureTest, VesselsMoveFromFrameToFrame) {
+  const io::PreviewScene scene =
+      with_body(ContainerGeometry{{0.3f, 0.3f, 0.3f}, {{Face::y_high, std::nullopt}}});
+  render::Renderer renderer(scene, {});
+  std::vector<BodyState> states(1);
+  const io::Image first = renderer.draw({.bodies = states});
+  states[0].pose = {{0.5f, 0.2f, 0}, {0, 0, 0.3826834f, 0.9238795f}};
+  EXPECT_GT(changed(first, renderer.draw({.bodies = states})), 500);
+  states[0].pose = {};
+  EXPECT_EQ(renderer.draw({.bodies = states}).rgb, first.rgb);
+}
+
 TEST_F(PictureTest, ACameraThatMovesSeesSolidsAnew) {
   io::PreviewScene scene = with_body(BoxGeometry{{0.2f, 0.2f, 0.2f}});
   scene.shapes.push_back(

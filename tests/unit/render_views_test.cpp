@@ -185,6 +185,19 @@ TEST_F(ViewPictureTest, ContactsAreLinesAlongTheirNormals) {
   EXPECT_GT(changed, 40);
 }
 
+TEST_F(ViewPictureTest, SolidsHideLinesBehindThem) {
+  ViewData view;
+  view.choice.contacts = true;
+  view.contacts = {{.point = {0, -0.2f, -1}, .normal = {0, 1, 0}, .impulse = {}}};
+  io::PreviewScene s = scene();
+  s.bodies.resize(1);
+  s.bodies[0].geometry = BoxGeometry{{0.7f, 0.7f, 0.1f}};
+  const io::Image hidden = draw(s, {.view = &view});
+  EXPECT_EQ(hidden.rgb, draw(s).rgb);
+  view.contacts[0].point.z = 1;
+  EXPECT_NE(draw(s, {.view = &view}).rgb, hidden.rgb);
+}
+
 TEST_F(ViewPictureTest, WhatIsShownOnceLeavesNoTrace) {
   ViewData needle, ball;
   needle.choice.contacts = true;

@@ -3,7 +3,6 @@
 #include "sdk/render/passes/balls.h"
 
 #include <cstddef>
-#include <utility>
 
 #include "sdk/render/uniforms.h"
 
@@ -42,7 +41,7 @@ Balls::Balls(const std::vector<Vec3>& fluid_colors)
   glVertexArrayBindingDivisor(array_, 0, 1);
 }
 
-bool Balls::set(std::span<const Ellipsoid> ellipsoids, const ViewData& view) {
+void Balls::set(std::span<const Ellipsoid> ellipsoids, const ViewData& view) {
   const bool phases = view.choice.particles == ParticleView::phase;
   colors_ = phases ? &fluids_ : view.particles.map == ColorMap::balance ? &balance_ : &sequence_;
   std::vector<Ball> balls;
@@ -53,7 +52,7 @@ bool Balls::set(std::span<const Ellipsoid> ellipsoids, const ViewData& view) {
     balls.push_back({ellipsoids[i].centre, place});
   }
   balls_.write(std::span<const Ball>(balls));
-  return std::exchange(count_, static_cast<GLsizei>(balls.size())) > 0 || count_ > 0;
+  count_ = static_cast<GLsizei>(balls.size());
 }
 
 void Balls::draw(float radius) const {

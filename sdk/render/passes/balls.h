@@ -16,8 +16,8 @@ class Balls {
   explicit Balls(const std::vector<Vec3>& fluid_colors);
 
   /// Where the ellipsoids are, by the values of the view; none where it shows the fluid's surface.
-  /// True where there are any, or were.
-  bool set(std::span<const Ellipsoid> ellipsoids, const ViewData& view);
+  void set(std::span<const Ellipsoid> ellipsoids, const ViewData& view);
+  bool empty() const { return count_ == 0; }
   void draw(float radius) const;
 
  private:

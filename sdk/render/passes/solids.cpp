@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/render/passes/solids.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "sdk/io/preview/palette.h"
+#include "sdk/io/solid_triangles.h"
 
 namespace meniscus::render {
 namespace {
@@ -24,23 +26,13 @@ Solids::Solids(const io::PreviewScene& scene) : scene_(scene), up_(normalized_or
 }
 
 void Solids::add(const Geometry& geometry, const Pose& pose, Vec3 color) {
-  const Triangles surface = solid_surface(geometry, pose, up_, color),
-                  walls = glass_walls(geometry, pose, up_);
-  for (const Triangles* triangles : {&surface, &walls}) {
-    for (const Vertex& v : *triangles) bounds_.add(to_world(pose, v.position));
+  for (const io::SolidTriangle& t : io::solid_triangles(geometry)) {
+    for (const Vec3 corner : t.corners) bounds_.add(to_world(pose, corner));
   }
   Item& item = items_.emplace_back();
   item.pose = pose;
-  item.surface.set(surface);
-  item.walls.set(walls);
-}
-
-void Solids::set_edges(float radius) {
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    const std::size_t body = i - scene_.shapes.size();
-    items_[i].edges.set(container_edges(
-        i < scene_.shapes.size() ? scene_.shapes[i].geometry : scene_.bodies[body].geometry, radius));
-  }
+  item.is_vessel = std::holds_alternative<ContainerGeometry>(geometry);
+  item.surface.set(solid_surface(geometry, pose, up_, color));
 }
 
 bool Solids::place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
@@ -57,42 +49,29 @@ bool Solids::place(std::span<const BodyState> states, const io::ClothFrame& clot
   return std::exchange(moves_, moves) || moves;
 }
 
-void Solids::draw(const Program& program, Mesh Item::*mesh) const {
+void Solids::draw(const Program& program, bool with_vessels) const {
   program.use();
   for (const Item& item : items_) {
-    if ((item.*mesh).empty()) continue;
+    if (item.surface.empty() || (item.is_vessel && !with_vessels)) continue;
     set_model(item.pose);
-    (item.*mesh).draw();
+    item.surface.draw();
   }
+  set_model({});
+  cloth_.draw();
+  ropes_.draw();
 }
 
 void Solids::draw_shadows() const {
-  draw(shadow_, &Item::surface);
-  set_model({});
-  cloth_.draw();
-  ropes_.draw();
+  draw(shadow_, true);
 }
 
-void Solids::draw_opaque() const {
-  draw(solid_, &Item::surface);
-  set_model({});
-  cloth_.draw();
-  ropes_.draw();
+void Solids::draw() const {
+  draw(solid_, false);
 }
 
-void Solids::draw_glass() const {
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
-  glEnable(GL_CULL_FACE);
-  glDepthMask(GL_FALSE);
-  draw(glass_, &Item::walls);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-}
-
-void Solids::draw_edges() const {
-  draw(edge_, &Item::edges);
+bool Solids::empty() const {
+  const auto is_drawn = [](const Item& item) { return !item.is_vessel && !item.surface.empty(); };
+  return cloth_.empty() && ropes_.empty() && std::none_of(items_.begin(), items_.end(), is_drawn);
 }
 
 }  // namespace meniscus::render

@@ -11,8 +11,8 @@
 
 namespace meniscus::render {
 
-/// Shapes, bodies, cloth and ropes. Of containers floors are solid, the walls seen from inside are glass, and
-/// edges are bars.
+/// Shapes, bodies, cloth and ropes as triangles. Of containers floors cast shadows; all else is up to
+/// Vessels.
 class Solids {
  public:
   /// May throw what solid_triangles throws.
@@ -21,26 +21,24 @@ class Solids {
   /// What stands still, and bodies where they start.
   const Bounds& bounds() const { return bounds_; }
 
-  /// How thick the bars are, m.
-  void set_edges(float radius);
   /// `states` of the bodies, or none, for where they start.
   /// True where something is not where it was.
   bool place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
              std::span<const Vec3> cloth_triangle_colors = {});
 
   void draw_shadows() const;
-  void draw_opaque() const;
-  /// What it adds, and in alpha the share that it lets pass.
-  void draw_glass() const;
-  void draw_edges() const;
+  void draw() const;
+  /// Whether draw() has nothing to do.
+  bool empty() const;
 
  private:
   struct Item {
-    Mesh surface, walls, edges;
+    Mesh surface;
     Pose pose;
+    bool is_vessel;
   };
   void add(const Geometry& geometry, const Pose& pose, Vec3 color);
-  void draw(const Program& program, Mesh Item::*mesh) const;
+  void draw(const Program& program, bool with_vessels) const;
 
   const io::PreviewScene scene_;
   Vec3 up_;
@@ -50,8 +48,6 @@ class Solids {
   bool moves_ = false;  // something of what was placed last
   Program shadow_{"shadow.vert.glsl", "nothing.frag.glsl"};
   Program solid_{"solid.vert.glsl", "solid.frag.glsl"};
-  Program edge_{"solid.vert.glsl", "edge.frag.glsl"};
-  Program glass_{"solid.vert.glsl", "glass.frag.glsl"};
 };
 
 }  // namespace meniscus::render

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 #version 450 core
 #include "frame.glsl"
-#include "ground.glsl"
-#include "fluid_hides.glsl"
+#include "hidden.glsl"
 flat in vec3 paint;
 layout(location = 0) out vec4 color;
 
 void main() {
-  if (is_in_fluid() || is_in_ground()) discard;
+  if (is_hidden()) discard;
   color = vec4(paint, 1.0);
 }

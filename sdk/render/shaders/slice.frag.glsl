@@ -3,8 +3,7 @@
 #version 450 core
 // Signed distances: blue inside of solids, red outside, with lines at tenths of the range and a dark one at the surface.
 #include "frame.glsl"
-#include "ground.glsl"
-#include "fluid_hides.glsl"
+#include "hidden.glsl"
 layout(binding = 6) uniform sampler2D colors;
 layout(binding = 7) uniform sampler2D distances;
 layout(location = 3) uniform vec2 range;  // m
@@ -20,5 +19,5 @@ void main() {
   c *= smoothstep(0.8, 2.0, abs(distance) / wide);
   bool is_known = distance < 0.999 * range.y;
   color = vec4(c, is_known ? 0.85 : 0.35);
-  if (is_in_fluid() || is_in_ground()) discard;
+  if (is_hidden()) discard;
 }

@@ -4,7 +4,7 @@
 #include "frame.glsl"
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 color;  // a: 0 matt, 1 tiles
+layout(location = 2) in vec4 color;  // a: 0 glossy, 1 cloth
 layout(location = 0) uniform mat4 model;
 
 out vec3 world, world_normal;

@@ -11,8 +11,9 @@ vec3 tiles(vec2 at, vec2 wide, vec3 tone) {
   return tone * mix(mix(0.86, 1.0, even), 0.93, blur) * (1.0 - 0.30 * line);
 }
 
-// Two axes along a plane.
-void plane_axes(vec3 normal, out vec3 a, out vec3 b) {
-  a = normalize(abs(normal.x) < 0.7 ? vec3(1.0, 0.0, 0.0) - normal.x * normal : vec3(0.0, 0.0, 1.0) - normal.z * normal);
-  b = cross(normal, a);
+// Along a plane, in tiles.
+vec2 tile_place(vec3 normal, vec3 world) {
+  vec3 a = abs(normal.x) < 0.7 ? vec3(1.0, 0.0, 0.0) - normal.x * normal : vec3(0.0, 0.0, 1.0) - normal.z * normal;
+  a = normalize(a);
+  return vec2(dot(a, world), dot(cross(normal, a), world)) / floor_.x;
 }

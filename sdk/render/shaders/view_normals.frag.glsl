@@ -5,13 +5,11 @@
 #include "frame.glsl"
 #include "surface.glsl"
 layout(binding = 3) uniform sampler2D scene_distance;
-layout(binding = 8) uniform sampler2D scene_depth;  // of what was drawn over it, too
 layout(location = 0) out vec4 color;
 
 vec3 point_at(ivec2 pixel) {
-  pixel = clamp(pixel, ivec2(0), textureSize(scene_depth, 0) - 1);
-  float distance = min(to_distance(texelFetch(scene_depth, pixel, 0).r), texelFetch(scene_distance, pixel, 0).r);
-  return surface_point(pixel, min(distance, 0.999 * lens.w));
+  pixel = clamp(pixel, ivec2(0), textureSize(scene_distance, 0) - 1);
+  return surface_point(pixel, min(texelFetch(scene_distance, pixel, 0).r, 0.999 * lens.w));
 }
 
 // To the side on which depth changes less, so that edges stay sharp.
