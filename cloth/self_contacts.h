@@ -22,11 +22,13 @@ struct ContactPart {
 
 /// Keeps cloth from passing through cloth: contacts of vertices with triangles and of edges with edges.
 ///
-///   project  at first fits the tree of boxes to the motion that cloth's own constraints have left of the
-///            substep's, finds pairs of features that come within the thickness, and the side on which each
-///            stays; then pushes them apart, with friction;
+///   project  at first finds pairs of features that come within the thickness, when cloth's own constraints
+///            have had their say, and the side on which each stays; then pushes them apart, with friction;
 ///   guard()  settles: makes sure that nothing has passed through. Where the solve has not sufficed, vertices
 ///            go on together.
+///
+/// Both look at the same list of pairs, which is kept: each vertex has a ball that it is to stay in, and
+/// pairs are looked for anew at a step's start and when one would leave it.
 ///
 /// It should come after cloth's own constraints, and guard() after whatever else moves vertices. The state at
 /// a substep's start must not have cloth passed through cloth; what overlaps by thickness alone is pushed
@@ -34,7 +36,7 @@ struct ContactPart {
 template <class D>
 class SelfContacts final : public pbd::ConstraintSet<D> {
  public:
-  /// The tree may serve others too; it holds the boxes of the last substep.
+  /// Nobody else may fit the tree's boxes.
   SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree), guard_(*this) {}
 
   pbd::ConstraintSet<D>& guard() { return guard_; }
@@ -48,6 +50,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& substep, int iteration) override;
 
   void start_step() override;
+  void clear(uint32_t /*first*/, uint32_t /*count*/) override { anew_ = true; }
   bool had_room() override;
   void make_room() override;
   void save() override;
@@ -55,14 +58,16 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
 
   /// Of the last step's substeps, the most contacts in any.
   uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }
-  /// The same for pairs that had to be held back.
-  uint32_t most_held_back() const { return found(self_contact_kernels::crossings); }
+  /// How often pairs were looked for in the last step.
+  uint32_t listings() const { return found(self_contact_kernels::listings); }
+  /// Of the last step's substeps, the most pairs that would have passed through one another.
+  uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
 
  private:
   struct Guard final : pbd::ConstraintSet<D> {
     explicit Guard(SelfContacts& owner) : contacts(owner) {}
     void project(pbd::Substep<D>&, int) override {}
-    void settle(pbd::Substep<D>& substep) override { contacts.hold_back(substep); }
+    void settle(pbd::Substep<D>& substep) override { contacts.join_crossings(substep); }
     SelfContacts& contacts;
   };
 
@@ -78,9 +83,10 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   bool idle() const { return tree_.places() == 0; }
   void set_parts(std::span<const ContactPart> parts, std::span<const float> fineness);
   void reserve_contacts(uint32_t capacity);
+  void list_pairs(pbd::Substep<D>& substep);
   void find_pairs(pbd::Substep<D>& substep);
   void make_contacts(pbd::Substep<D>& substep);
-  void hold_back(pbd::Substep<D>& substep);
+  void join_crossings(pbd::Substep<D>& substep);
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
   self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::SheetViews sheets();
@@ -95,6 +101,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   uint32_t vertices_ = 0, groups_ = 0, rounds_ = first_rounds;
   float least_distance_ = 0;  // m: see FindCrossings
   float unit_ = 0;            // kg·m, of the integers that pushes are summed in
+  bool anew_ = true;          // pairs are to be looked for, whatever is kept
 
   pbd::Buffer<self_contact_kernels::Part> parts_{device_, "cloth contact parts"};
   pbd::Buffer<uint16_t> features_{device_, "cloth features"};
@@ -102,14 +109,14 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> neighbour_start_{device_, "cloth neighbourhoods"};
   pbd::Buffer<uint32_t> neighbours_{device_, "cloth neighbourhoods"};
   pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
+  pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"};
   pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
   pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},
       zone_anchor_{device_, "cloth zones"};
   pbd::Buffer<int64_t> zone_mass_{device_, "cloth zones"};
-  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, squeezed_{device_, "cloth group flags"},
-      smooth_{device_, "cloth group flags"}, folded_{device_, "cloth group flags"};
-  pbd::Buffer<uint8_t> flags_{device_, "cloth triangle flags"};
+  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"},
+      folded_{device_, "cloth group flags"};
   pbd::Buffer<self_contact_kernels::GroupPair> group_pairs_{device_, "cloth group pairs"};
   pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};
   pbd::Buffer<self_contact_kernels::Corners> corners_{device_, "cloth contact vertices"};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "cloth/self_contacts.h"
@@ -26,47 +27,59 @@ View<T> vertices_of(View<T> all, uint32_t sorted, uint32_t count) {
 
 }  // namespace self_contact_kernels
 
+/// Where those that are listed will not do any more.
 template <class D>
-void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
+void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   const pbd::ParticleView& p = substep.particles;
   const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
-  device_.parallel_for(
-      "self contacts/foresee", vertices_,
-      Foresee{previous, vertices_of(p.position, p.sorted, vertices_), vertex_part_.view(), parts_.view(),
-              strayed_.view(), foreseen_.view(), zones(), entries_.view(), counters_.view()});
-  tree_.refit(p, Reach{foreseen_.view()});
-  constexpr uint32_t together = ConeScratch::groups;
-  device_.parallel_for_groups("self contacts/cones", (groups_ + together - 1) / together,
-                              FitCones{tree_.view(), parts_.view(), previous, foreseen_.view(), cones_.view(),
-                                       rough_.view(), squeezed_.view()});
+  const Listing listing{counters_.view()};
+  device_.parallel_for("self contacts/keep", vertices_,
+                       Keep{listing, previous, foreseen_.view(), vertex_part_.view(), parts_.view(),
+                            kept_.view(), counters_.view()});
+  tree_.refit(KeptBoxes{listing, {kept_.view()}});
   const pbd::SurfaceTreeView tree = tree_.view();
+  constexpr uint32_t together = ConeScratch::groups;
+  device_.parallel_for_groups(
+      "self contacts/cones", (groups_ + together - 1) / together,
+      FitCones{listing, tree, parts_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
   device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
-                              FindGroups{tree, parts_.view(), sheets(), pairs()});
+                              FindGroups{listing, tree, parts_.view(), sheets(), pairs()});
   constexpr uint32_t each = CandidateScratch::pairs;
   const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
   device_.parallel_for_groups("self contacts/candidates", blocks,
-                              FindCandidates{{cloth(substep)}, pairs(), candidates_.view(), blocks});
+                              FindCandidates{listing, {cloth(substep)}, pairs(), candidates_.view(), blocks});
 }
 
 template <class D>
-void SelfContacts<D>::make_contacts(pbd::Substep<D>& substep) {
+void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   constexpr float separation_time = 0.02f;  // s, in which an overlap is opened by a thickness
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("self contacts/foresee", vertices_,
+                       Foresee{vertices_of(p.previous, p.sorted, vertices_),
+                               vertices_of(p.position, p.sorted, vertices_),
+                               vertex_part_.view(),
+                               parts_.view(),
+                               strayed_.view(),
+                               {kept_.view()},
+                               foreseen_.view(),
+                               zones(),
+                               entries_.view(),
+                               counters_.view(),
+                               std::exchange(anew_, false)});
+  list_pairs(substep);
   const uint32_t threads = launched(candidates, candidates_.size());
   device_.parallel_for("self contacts/contacts", threads,
                        MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entries_.view(),
-                                    squeezed_.view(), substep.dt / separation_time, threads});
+                                    substep.dt / separation_time, threads});
 }
 
 template <class D>
 void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace self_contact_kernels;
   if (idle()) return;
-  if (iteration == 0) {
-    find_pairs(substep);
-    make_contacts(substep);
-  }
+  if (iteration == 0) find_pairs(substep);
   const pbd::ParticleView& p = substep.particles;
   const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
   const PushSums sums{push_sums_.view(), unit_};
@@ -81,30 +94,26 @@ void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
 }
 
 template <class D>
-void SelfContacts<D>::hold_back(pbd::Substep<D>& substep) {
+void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   if (idle()) return;
   const pbd::ParticleView& p = substep.particles;
   const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
   const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
   const View<Vec4> moved = vertices_of(p.moved, p.sorted, vertices_);
-  device_.parallel_for("self contacts/contain", vertices_,
-                       Contain{previous, foreseen_.view(), position, moved, strayed_.view()});
-  const uint32_t most = std::max({launched(candidates, candidates_.size()),
-                                  launched(group_pairs, group_pairs_.size()), vertices_, groups_});
+  device_.parallel_for(
+      "self contacts/contain", vertices_,
+      Contain{
+          previous, foreseen_.view(), {kept_.view()}, position, moved, strayed_.view(), counters_.view()});
+  const uint32_t most = std::max({launched(candidates, candidates_.size()), vertices_, tree_.places()});
   const uint32_t blocks = std::min(most, most_threads) / CrossingScratch::chunk + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
-    device_.parallel_for(
-        "self contacts/flags", tree_.places(),
-        FlagTriangles{tree_.view(), parts_.view(), foreseen_.view(), position, squeezed_.view(), zones(),
-                      sheets(), counters_.view(), flags_.view(), round});
+    device_.parallel_for("self contacts/folds", tree_.places(),
+                         FindFolds{tree_.view(), position, sheets(), counters_.view(), round});
     device_.parallel_for_groups("self contacts/crossings", blocks,
                                 FindCrossings{{cloth(substep)},
                                               candidates_.view(),
-                                              pairs(),
                                               sheets(),
-                                              position,
-                                              flags_.view(),
                                               zones(),
                                               counters_.view(),
                                               round,
@@ -120,7 +129,7 @@ void SelfContacts<D>::hold_back(pbd::Substep<D>& substep) {
 
 // ---- room ----
 
-/// How many rounds found something to hold back.
+/// How many rounds found something.
 template <class D>
 uint32_t SelfContacts<D>::used_rounds() const {
   uint32_t used = 0;
@@ -135,6 +144,7 @@ void SelfContacts<D>::start_step() {
   // many costs little, a step that is done again as much as it took.
   if (!idle()) rounds_ = ran_short() ? more_rounds() : std::max(first_rounds, used_rounds() + 2);
   std::fill(found_.host().begin(), found_.host().end(), 0u);
+  anew_ = true;
 }
 
 template <class D>
@@ -187,11 +197,10 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   unit_ = std::ldexp(1.0f, std::ilogb(heaviest) - 49);
 
   cones_.resize_discard(groups_);
-  flags_.resize_discard(tree_.places());
   rough_.resize_discard(groups_);
-  squeezed_.resize_discard(groups_);
   smooth_.resize_discard(groups_);
   folded_.resize_discard(groups_);
+  kept_.resize_discard(vertices_);
   foreseen_.resize_discard(vertices_);
   for (pbd::Buffer<uint32_t>* buffer : {&zone_label_, &zone_mark_, &zone_anchor_})
     buffer->resize_discard(vertices_);
@@ -231,10 +240,9 @@ void SelfContacts<D>::set_parts(std::span<const ContactPart> parts, std::span<co
   least_distance_ = 1e30f;
   for (size_t k = 0; k < parts.size(); ++k) {
     const ContactPart& p = parts[k];
-    // MakeContacts leaves out only what is foreseen further apart than twice this, all the way.
-    const float tolerance = 0.2f * std::min(p.thickness, fineness[k]);
-    least_distance_ = std::min(least_distance_, 0.1f * tolerance);
-    rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self, tolerance});
+    const float least = std::min(p.thickness, fineness[k]);
+    least_distance_ = std::min(least_distance_, 0.02f * least);
+    rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self, 0.3f * least});
   }
   parts_.resize_discard(rows.size());
   parts_.write(rows);
@@ -253,8 +261,10 @@ void SelfContacts<D>::restore() {
 template <class D>
 self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
-  return {vertices_of(substep.particles.previous, substep.particles.sorted, vertices_),
-          foreseen_.view(),
+  const pbd::ParticleView& p = substep.particles;
+  return {vertices_of(p.previous, p.sorted, vertices_),
+          vertices_of(p.position, p.sorted, vertices_),
+          {kept_.view()},
           tree_.view(),
           features_.view(),
           parts_.view(),

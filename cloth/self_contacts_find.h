@@ -8,34 +8,76 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Notes where each vertex is predicted to be, and how far it may end up from its way there.
+/// Notes where each vertex is predicted to be, and whether the lists of pairs still hold for it: it must stay
+/// where it was to stay, with room for what the solve may move it by, and for the thickness.
 struct Foresee {
   View<const Vec4> previous, position;  // by vertex
   View<const uint32_t> vertex_part;
   View<const Part> parts;
   View<const float> strayed;  // m, in the last substep
-  View<Vec4> foreseen;
+  KeptPlaces kept;
+  View<Vec4> foreseen;  // w: the room, m
   Zones zones;
   View<uint32_t> entries, counters;
+  bool anew;  // whatever there is
 
   MENISCUS_HD void operator()(uint32_t v) const {
     const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
     const float thickness = parts[vertex_part[v]].thickness;
-    foreseen[v] = pbd::with_w(x, 0.55f * thickness + 0.25f * length(way) + 1.5f * strayed[v]);
+    const float room = 0.55f * thickness + 0.25f * length(way) + 1.5f * strayed[v];
+    foreseen[v] = pbd::with_w(x, room);
+    if (anew || length(x - kept.balls[v].xyz()) + room > kept.balls[v].w)
+      pbd::atomic_max(counters[expired], 1);
     zones.begin(v);
     entries[v] = 0;
     if (v != 0) return;
-    for (uint32_t k = 0; k < counter_count; ++k) counters[k] = 0;
+    counters[contacts] = 0;
+    if (anew) counters[listings] = 0;
+    for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
   }
 };
 
-/// The margin of Foresee, for the tree.
-struct Reach {
-  View<const Vec4> foreseen;
+/// Where the lists have expired: what is to be listed anew.
+struct Listing {
+  View<const uint32_t> counters;
 
-  MENISCUS_HD float operator()(uint32_t v, uint32_t /*part*/, Vec3 /*from*/, Vec3 /*to*/) const {
-    return foreseen[v].w;
+  MENISCUS_HD bool wanted() const { return counters[expired] != 0; }
+};
+
+/// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
+/// it goes on as it does.
+struct Keep {
+  Listing listing;
+  View<const Vec4> previous, foreseen;
+  View<const uint32_t> vertex_part;
+  View<const Part> parts;
+  View<Vec4> kept;
+  View<uint32_t> counters;
+
+  static constexpr float longest = 16;    // substeps
+  static constexpr float leeway = 0.25f;  // of the thickness, to go otherwise
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (!listing.wanted()) return;
+    const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
+    const float thickness = parts[vertex_part[v]].thickness, far = length(way);
+    // As far as a thickness, if it takes more than this substep.
+    const float substeps = pbd::clamp(thickness / pbd::max(far, 1e-30f), 1, longest);
+    kept[v] =
+        pbd::with_w(from + 0.5f * substeps * way, 0.5f * substeps * far + foreseen[v].w + leeway * thickness);
+    if (v != 0) return;
+    counters[group_pairs] = counters[candidates] = 0;
+    ++counters[listings];
   }
+};
+
+/// Boxes around where vertices are to stay, for the tree.
+struct KeptBoxes {
+  Listing listing;
+  KeptPlaces kept;
+
+  MENISCUS_HD bool wanted() const { return listing.wanted(); }
+  MENISCUS_HD Aabb of(uint32_t v) const { return kept.box(v); }
 };
 
 /// Sixteen groups of eight triangles while their cones are fitted.
@@ -54,22 +96,24 @@ struct ConeScratch {
 struct FitCones {
   using Scratch = ConeScratch;
 
+  Listing listing;
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
-  View<const Vec4> previous, foreseen;
+  View<const Vec4> previous, position;
   View<Vec4> cones;
-  View<uint32_t> rough, squeezed;
+  View<uint32_t> rough;
 
   /// Of the groups from 16 n on.
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (!listing.wanted()) return;
     const uint32_t first = n * Scratch::groups, left = cones.count - first,
                    count = left < Scratch::groups ? left : Scratch::groups;
     group.for_each(8 * count, [&](uint32_t k) {
       const SurfaceTriangle t = load(tree.triangles, 8 * first + k);
       scratch.longest2[k] = 0;
       scratch.before[k] = normal(previous, t, scratch.longest2[k]);
-      scratch.after[k] = normal(foreseen, t, scratch.longest2[k]);
+      scratch.after[k] = normal(position, t, scratch.longest2[k]);
     });
     group.for_each(count, [&](uint32_t g) {
       Vec3 sum{0, 0, 0};
@@ -91,7 +135,6 @@ struct FitCones {
     const float angle = acosf(pbd::clamp(least, -1, 1));
     cones[first + g] = pbd::with_w(axis, angle);
     rough[first + g] = angle * sqrtf(longest2) > 0.2f * parts[tree.triangles[8 * (first + g)].part].thickness;
-    squeezed[first + g] = 0;
   }
 
   /// Of a triangle; and the square of the longest edge so far.
@@ -117,6 +160,7 @@ struct OverlapScratch {
 struct FindGroups {
   using Scratch = OverlapScratch;
 
+  Listing listing;
   pbd::SurfaceTreeView tree;
   View<const Part> parts;
   SheetViews sheets;
@@ -125,6 +169,7 @@ struct FindGroups {
   /// For the groups from 8 n on, and those behind them.
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (!listing.wanted()) return;
     group.for_each(8, [&](uint32_t k) { note_smoothness(8 * n + k); });
     const uint32_t end = eights_have_boxes() ? tree.groups_of(2) : 1;
     for (uint32_t first = n / 8; first < end; first += Scratch::boxes) {
@@ -177,14 +222,6 @@ struct FindGroups {
   }
 };
 
-/// Which pairs of features are meant. Edges count for contacts where they are on a border or in a rough
-/// group.
-enum class Which {
-  for_contacts,
-  left_out,  // of those pairs of edges
-  all
-};
-
 /// Pairs of features, of which each triangle shows those that it owns.
 struct FeaturePairs {
   ClothState cloth;
@@ -195,22 +232,17 @@ struct FeaturePairs {
     const uint32_t mask = overlap_mask(cloth.tree.group(0, other), cloth.tree.box(0, place));
     return other == place / 8 ? mask & ~((2u << place % 8) - 1) : mask;
   }
-  /// Calls visit(code) for each of them.
+  /// Calls visit(code) for each whose boxes overlap. Edges that are neither on a border nor in a rough group
+  /// are the guard's alone.
   template <class Visit>
-  MENISCUS_HD void of_two(uint32_t place, uint32_t other, Which which, const Visit& visit) const {
-    const Own own(*this, place, which), of_other(*this, other, which);
-    if (which != Which::left_out) {
-      vertices(own, of_other, visit);
-      vertices(of_other, own, visit);
-    }
-    if (own.any_edges && of_other.any_edges) edges(own, of_other, which, visit);
+  MENISCUS_HD void of_two(uint32_t place, uint32_t other, const Visit& visit) const {
+    const Own own(*this, place), of_other(*this, other);
+    vertices(own, of_other, visit);
+    vertices(of_other, own, visit);
+    edges(own, of_other, visit);
   }
 
  private:
-  MENISCUS_HD uint32_t features_of(uint32_t place, Which which) const {
-    const uint32_t features = cloth.features[place];
-    return which == Which::for_contacts ? shown(place, features) : features;
-  }
   MENISCUS_HD uint32_t shown(uint32_t place, uint32_t features) const {
     if (cloth.rough[place / 8]) return features;
     return (features & ~(7u * owns_edge)) | features / is_border * owns_edge;
@@ -218,22 +250,21 @@ struct FeaturePairs {
 
   /// A triangle with the boxes of its vertices.
   struct Own {
-    uint32_t place, features;
+    uint32_t place, features, shown;
     SurfaceTriangle triangle;
-    bool any_edges;
     Aabb whole, vertex[3];
 
-    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place_, Which which)
+    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place_)
         : place(place_),
-          features(pairs.features_of(place_, which)),
+          features(pairs.cloth.features[place_]),
+          shown(pairs.shown(place_, features)),
           triangle(load(pairs.cloth.tree.triangles, place_)),
-          any_edges((features & 7 * owns_edge) != 0),
           whole(pairs.cloth.tree.box(0, place_)) {
-      for (uint32_t k = 0; k < 3; ++k)
-        if (any_edges || features & uint32_t{owns_vertex} << k)
-          vertex[k] = pairs.cloth.way_box(corner_of(triangle, k));
+      for (uint32_t k = 0; k < 3; ++k) vertex[k] = pairs.cloth.kept.box(corner_of(triangle, k));
     }
     MENISCUS_HD Aabb edge(uint32_t k) const { return joined(vertex[k], vertex[next(k)]); }
+    MENISCUS_HD bool has_edge(uint32_t k) const { return (features & uint32_t{owns_edge} << k) != 0; }
+    MENISCUS_HD bool shows_edge(uint32_t k) const { return (shown & uint32_t{owns_edge} << k) != 0; }
   };
 
   MENISCUS_HD static uint32_t next(uint32_t k) { return k < 2 ? k + 1 : 0; }
@@ -248,21 +279,18 @@ struct FeaturePairs {
   }
 
   template <class Visit>
-  MENISCUS_HD void edges(const Own& own, const Own& other, Which which, const Visit& visit) const {
-    const uint32_t own_shown = shown(own.place, own.features),
-                   other_shown = shown(other.place, other.features);
+  MENISCUS_HD static void edges(const Own& own, const Own& other, const Visit& visit) {
     for (uint32_t f = 0; f < 3; ++f) {
-      if (!(other.features & uint32_t{owns_edge} << f)) continue;
+      if (!other.has_edge(f)) continue;
       const uint32_t s = corner_of(other.triangle, f), t = corner_of(other.triangle, next(f));
       const Aabb box = other.edge(f);
       for (uint32_t e = 0; e < 3; ++e) {
-        if (!(own.features & uint32_t{owns_edge} << e)) continue;
-        if (which == Which::left_out && own_shown & uint32_t{owns_edge} << e &&
-            other_shown & uint32_t{owns_edge} << f)
-          continue;
+        if (!own.has_edge(e)) continue;
         const uint32_t v = corner_of(own.triangle, e), w = corner_of(own.triangle, next(e));
         if (s == v || s == w || t == v || t == w || !overlap(own.edge(e), box)) continue;
-        visit(FeatureCode{feature(own.place, 3 + e), feature(other.place, 3 + f)});
+        const bool guards = !(own.shows_edge(e) && other.shows_edge(f));
+        visit(FeatureCode{feature(own.place, 3 + e) | (guards ? FeatureCode::guard_bit : 0),
+                          feature(other.place, 3 + f)});
       }
     }
   }
@@ -276,11 +304,13 @@ struct CandidateScratch {
   uint32_t count;
 };
 
-/// Lists the pairs of features that may become contacts: of a number of pairs of groups at a time, at first
-/// the pairs of triangles whose boxes overlap, few of all, then theirs.
+/// Lists the pairs of features that may come near one another while their vertices stay where they are to: of
+/// a number of pairs of groups at a time, at first the pairs of triangles whose boxes overlap, few of all,
+/// then theirs.
 struct FindCandidates {
   using Scratch = CandidateScratch;
 
+  Listing listing;
   FeaturePairs features;
   GroupPairs pairs;
   View<FeatureCode> candidate_list;
@@ -288,6 +318,7 @@ struct FindCandidates {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (!listing.wanted()) return;
     const uint32_t count = pairs.count();
     for (uint32_t first = Scratch::pairs * n; first < count; first += Scratch::pairs * stride) {
       const uint32_t left = count - first < Scratch::pairs ? count - first : Scratch::pairs;
@@ -308,8 +339,26 @@ struct FindCandidates {
   }
   MENISCUS_HD void list(GroupPair two) const {
     Appending<FeatureCode> found(candidate_list, pairs.counters[candidates]);
-    features.of_two(two.first, two.second, Which::for_contacts, [&](FeatureCode code) { found.add(code); });
+    features.of_two(two.first, two.second, [&](FeatureCode code) {
+      if (may_come_near(features.cloth.corners_of(code))) found.add(code);
+    });
     found.flush();
+  }
+
+  /// No point of either leaves the place that its corners are in by more than the greatest of their radii.
+  MENISCUS_HD bool may_come_near(const Corners& corners) const {
+    const View<const Vec4> balls = features.cloth.kept.balls;
+    const Vec3 origin = load(balls, corners.vertex(0)).xyz();
+    const uint32_t first = corners.edges() ? 2 : 1;
+    FeaturePair pair{};
+    pair.edges = corners.edges();
+    float radius[2] = {0, 0};
+    for (uint32_t k = 0; k < 4; ++k) {
+      const Vec4 ball = load(balls, corners.vertex(k));
+      pair.start[k] = ball.xyz() - origin;
+      radius[k < first ? 0 : 1] = pbd::max(radius[k < first ? 0 : 1], ball.w);
+    }
+    return nearest(pair, 0).distance <= radius[0] + radius[1];
   }
 };
 

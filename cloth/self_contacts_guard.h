@@ -8,95 +8,69 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Keeps each vertex inside the box that its contacts were looked for in, and notes how far it would stray
-/// from its way: the next substep's box allows for that. Momentum is lost where a vertex is taken back.
+/// Keeps each vertex near its way, and where pairs were looked for, and notes how far it strays from its way:
+/// the next substep allows for that. Momentum is lost where a vertex is taken back.
 struct Contain {
   View<const Vec4> previous, foreseen;  // by vertex
+  KeptPlaces kept;
   View<Vec4> position, moved;
   View<float> strayed;
+  View<uint32_t> counters;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    const Vec4 x = position[v], to = foreseen[v];
-    const Vec3 from = previous[v].xyz();
-    const Vec3 lower = min(from, to.xyz()), upper = max(from, to.xyz());
-    const float out = max_component(max(x.xyz() - upper, lower - x.xyz()));
-    strayed[v] = pbd::max(0, out);
-    if (x.w == 0 || out <= to.w) return;
-    const Aabb box = pbd::inflated({lower, upper}, to.w);
-    const Vec3 inside = max(box.lower, min(box.upper, x.xyz()));
+    if (v == 0) counters[expired] = 0;  // what has expired was listed anew
+    const Vec4 x = position[v];
+    const Vec3 from = previous[v].xyz(), to = foreseen[v].xyz();
+    const Vec3 lower = min(from, to), upper = max(from, to);
+    strayed[v] = pbd::max(0, max_component(max(x.xyz() - upper, lower - x.xyz())));
+    if (x.w == 0) return;
+    const Aabb box = pbd::inflated({lower, upper}, foreseen[v].w);
+    const Vec3 inside = kept.inside(v, max(box.lower, min(box.upper, x.xyz())));
+    if (inside == x.xyz()) return;
     position[v] = pbd::with_w(inside, x.w);
     moved[v] = pbd::with_w(moved[v].xyz() + (inside - x.xyz()), moved[v].w);
   }
 };
 
-/// What has to be looked at again.
-enum Again : uint32_t {
-  others = 1,  // with all that is not of the same smooth sheet
-  changed = 2  // at all: since the last round
-};
-
-/// Flags triangles: those with a vertex that is not where it was foreseen, and those of groups that are
-/// squeezed, must be looked at with all others. Everywhere else, pairs that are no contacts were foreseen
-/// further apart than the tolerances of both. Where a triangle's normal has left its group's cone, the sheet
-/// around is looked at as well.
-struct FlagTriangles {
+/// Finds triangles whose normals have left the cones of their groups: the sheet around is to be looked at,
+/// and pairs are listed anew in the next substep.
+struct FindFolds {
   pbd::SurfaceTreeView tree;
-  View<const Part> parts;
-  View<const Vec4> foreseen, position;  // by vertex
-  View<const uint32_t> squeezed;        // by group
-  Zones zones;
+  View<const Vec4> position;  // by vertex
   SheetViews sheets;
-  View<const uint32_t> counters;
-  View<uint8_t> flags;
+  View<uint32_t> counters;
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t place) const {
     if (round > 0 && counters[crossings + round - 1] == 0) return;
     const SurfaceTriangle t = load(tree.triangles, place);
-    flags[place] = t.a == no_index ? 0 : static_cast<uint8_t>(flags_of(t, place / 8));
+    if (t.a == no_index) return;
+    const Vec3 a = position[t.a].xyz(), n = cross(position[t.b].xyz() - a, position[t.c].xyz() - a);
+    const Vec4 cone = sheets.cones[place / 8];
+    if (dot(n, cone.xyz()) >= cosf(pbd::min(3.1415927f, cone.w + sheets.leeway)) * length(n)) return;
+    sheets.note_fold(place / 8);
+    pbd::atomic_max(counters[expired], 1);
   }
-
-  MENISCUS_HD uint32_t flags_of(const SurfaceTriangle& t, uint32_t group) const {
-    const float tolerance = parts[t.part].tolerance;
-    const Vec3 a = position[t.a].xyz(), b = position[t.b].xyz(), c = position[t.c].xyz();
-    uint32_t flag = squeezed[group] != 0 ? uint32_t{others} : 0;
-    if (is_off(t.a, a, tolerance) || is_off(t.b, b, tolerance) || is_off(t.c, c, tolerance)) flag |= others;
-    const Vec4 cone = sheets.cones[group];
-    const Vec3 n = cross(b - a, c - a);
-    if (dot(n, cone.xyz()) < cosf(pbd::min(3.1415927f, cone.w + sheets.leeway)) * length(n))
-      sheets.note_fold(group);
-    if (round == 0 || has_changed(t.a) || has_changed(t.b) || has_changed(t.c)) flag |= changed;
-    return flag;
-  }
-
-  MENISCUS_HD bool is_off(uint32_t v, Vec3 x, float tolerance) const {
-    const Vec3 off = x - foreseen[v].xyz();
-    return dot(off, off) > tolerance * tolerance;
-  }
-  MENISCUS_HD bool has_changed(uint32_t v) const { return zones.has_moved(v, round - 1); }
 };
 
 /// While a group of threads looks for crossings: what is to be looked into, and pairs of triangles of it, by
 /// number.
 struct CrossingScratch {
-  static constexpr uint32_t chunk = 128, most_hits = 1024;
+  static constexpr uint32_t chunk = 128, sheets = 16, most_hits = 1024;
 
-  uint32_t found[chunk], hits[most_hits];
+  uint32_t found[sheets], hits[most_hits];
   uint32_t found_count, hit_count;
 };
 
 /// Looks for pairs that would pass through one another, and has them go on together. If that makes others
-/// meet, these join them in the next round. Nothing leaves the boxes that the candidates were found by, so
-/// that no others need be looked for, but among what was left out there.
+/// meet, these join them in the next round. Nothing leaves the place that pairs were looked for in, so that
+/// no others need be looked for, but in sheets that are smooth no longer.
 struct FindCrossings {
   using Scratch = CrossingScratch;
 
   FeaturePairs features;
   View<const FeatureCode> candidate_list;
-  GroupPairs pairs;
   SheetViews sheets;
-  View<const Vec4> position;  // by vertex
-  View<const uint8_t> flags;  // by place
   Zones zones;
   View<uint32_t> counters;
   uint32_t round, stride;
@@ -110,19 +84,19 @@ struct FindCrossings {
     by_chunks(n, zones.mark.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
       group.for_each(count, [&](uint32_t k) { zones.forget_sums(first + k); });
     });
-    by_chunks(n, listed(candidate_list, counters[candidates]), Scratch::chunk,
-              [&](uint32_t first, uint32_t count) {
-                group.for_each(count, [&](uint32_t k) { check_candidate(load(candidate_list, first + k)); });
-              });
-    by_chunks(n, pairs.count(), Scratch::chunk, [&](uint32_t first, uint32_t count) {
-      const uint32_t found =
-          gather(group, scratch, first, count, [&](uint32_t k) { return was_left_out(k); });
-      check_pairs(group, scratch, found, others | changed, Which::left_out,
-                  [&](uint32_t k) { return pairs.list[scratch.found[k]]; });
-    });
-    by_chunks(n, sheets.smooth.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
-      const uint32_t found = gather(group, scratch, first, count,
-                                    [&](uint32_t g) { return sheets.folded[g] && sheets.smooth[g]; });
+    by_chunks(
+        n, listed(candidate_list, counters[candidates]), Scratch::chunk, [&](uint32_t first, uint32_t count) {
+          group.for_each(
+              count, [&](uint32_t k) { check(features.cloth.corners_of(load(candidate_list, first + k))); });
+        });
+    by_chunks(n, sheets.smooth.count, Scratch::sheets, [&](uint32_t first, uint32_t count) {
+      group.for_each(1, [&](uint32_t) { scratch.found_count = 0; });
+      group.for_each(count, [&](uint32_t k) {
+        if (sheets.folded[first + k] && sheets.smooth[first + k])
+          scratch.found[pbd::append(scratch.found_count, 1)] = first + k;
+      });
+      const uint32_t found = scratch.found_count;
+      group.for_each(0, [](uint32_t) {});  // all have read it
       for (uint32_t k = 0; k < found; ++k) check_sheet(group, scratch, scratch.found[k]);
     });
   }
@@ -135,82 +109,33 @@ struct FindCrossings {
       visit(first, count - first < chunk ? count - first : chunk);
   }
 
-  MENISCUS_HD void check_candidate(FeatureCode code) const {
-    const uint32_t flag = flags[code.first_place()] | flags[code.second_place()];
-    if (flag & changed && (flag & others || code.is_contact())) check(features.cloth.corners_of(code));
-  }
-
-  /// Pairs of edges of which one at least was not looked for among the candidates.
-  MENISCUS_HD bool was_left_out(uint32_t k) const {
-    const GroupPair pair = pairs.list[k];
-    const View<const uint32_t>& rough = features.cloth.rough;
-    if (rough[pair.first] && rough[pair.second]) return false;
-    return has_all(flags_of_group(pair.first) | flags_of_group(pair.second), others | changed);
-  }
-
   /// Around a group: what was left out as the sheet was smooth.
   template <class Group>
   MENISCUS_HD void check_sheet(const Group& group, Scratch& scratch, uint32_t g) const {
-    const uint32_t start = sheets.neighbour_start[g];
-    check_pairs(group, scratch, sheets.neighbour_start[g + 1] - start, changed, Which::all, [&](uint32_t k) {
-      return GroupPair{g, sheets.neighbours[start + k]};
-    });
-  }
-
-  /// Finds those k from first to first + count − 1 that are wanted; returns how many.
-  template <class Group, class Wanted>
-  MENISCUS_HD static uint32_t gather(const Group& group, Scratch& scratch, uint32_t first, uint32_t count,
-                                     const Wanted& wanted) {
-    group.for_each(1, [&](uint32_t) { scratch.found_count = 0; });
-    group.for_each(count, [&](uint32_t k) {
-      if (wanted(first + k)) scratch.found[pbd::append(scratch.found_count, 1)] = first + k;
-    });
-    const uint32_t found = scratch.found_count;
-    group.for_each(0, [](uint32_t) {});  // all have read it
-    return found;
-  }
-
-  /// Looks at `count` pairs of groups, first ≤ second: at those of their triangles that have all of the
-  /// flags.
-  template <class Group, class PairAt>
-  MENISCUS_HD void check_pairs(const Group& group, Scratch& scratch, uint32_t count, uint32_t wanted,
-                               Which which, const PairAt& pair_at) const {
     constexpr uint32_t at_once = Scratch::most_hits / 64;
-    for (uint32_t first = 0; first < count; first += at_once) {
-      const uint32_t left = count - first < at_once ? count - first : at_once;
-      const auto triangles = [&](uint32_t k) { return places_of(pair_at(first + k / 64), k % 64); };
+    const uint32_t end = sheets.neighbour_start[g + 1];
+    for (uint32_t first = sheets.neighbour_start[g]; first < end; first += at_once) {
+      const uint32_t left = end - first < at_once ? end - first : at_once;
       group.for_each(1, [&](uint32_t) { scratch.hit_count = 0; });
       group.for_each(8 * left, [&](uint32_t k) {
-        const GroupPair pair = pair_at(first + k / 8);
-        const uint32_t place = 8 * pair.first + k % 8;
-        if (pair.first > pair.second) return;
-        uint32_t mask = features.overlapping(place, pair.second);
-        for (; mask != 0; mask &= mask - 1) {
-          const uint32_t n = pbd::lowest_bit(mask);
-          if (has_all(flags[place] | flags[8 * pair.second + n], wanted))
-            scratch.hits[pbd::append(scratch.hit_count, 1)] = 8 * k + n;
-        }
+        const uint32_t other = sheets.neighbours[first + k / 8];
+        if (other < g) return;
+        uint32_t mask = features.overlapping(8 * g + k % 8, other);
+        for (; mask != 0; mask &= mask - 1)
+          scratch.hits[pbd::append(scratch.hit_count, 1)] = 8 * k + pbd::lowest_bit(mask);
       });
-      group.for_each(scratch.hit_count, [&](uint32_t hit) {
-        const GroupPair two = triangles(scratch.hits[hit]);
-        features.of_two(two.first, two.second, which,
+      group.for_each(scratch.hit_count, [&](uint32_t n) {
+        const uint32_t hit = scratch.hits[n];
+        const GroupPair two = places_of({g, sheets.neighbours[first + hit / 64]}, hit % 64);
+        features.of_two(two.first, two.second,
                         [&](FeatureCode code) { check(features.cloth.corners_of(code)); });
       });
     }
   }
 
-  MENISCUS_HD static bool has_all(uint32_t flags, uint32_t wanted) { return (flags & wanted) == wanted; }
-
-  /// Of any of its triangles.
-  MENISCUS_HD uint32_t flags_of_group(uint32_t g) const {
-    uint32_t word[2];
-    __builtin_memcpy(word, __builtin_assume_aligned(flags.data + 8 * g, 8), sizeof word);
-    const uint32_t all = word[0] | word[1];
-    return (all | all >> 8 | all >> 16 | all >> 24) & 0xff;
-  }
-
   MENISCUS_HD void check(const Corners& corners) const {
-    const FeaturePair pair = pair_of(corners, features.cloth.previous, position);
+    if (round > 0 && !has_changed(corners)) return;
+    const FeaturePair pair = pair_of(corners, features.cloth.previous, features.cloth.position);
     if (pbd::least_gap(pair) > least) return;
     const float motion = relative_motion(pair), distance = nearest(pair, 0).distance;
     if (motion == 0 || distance <= 0) return;
@@ -223,14 +148,20 @@ struct FindCrossings {
     zones.unite(corners, round, nearly_lost || motion < rounding(corners));
   }
 
+  /// Since the last round. What is to move in this one changes nothing: such a pair has been found before.
+  MENISCUS_HD bool has_changed(const Corners& corners) const {
+    for (uint32_t k = 0; k < 4; ++k)
+      if (zones.has_moved(corners.vertex(k), round)) return true;
+    return false;
+  }
   MENISCUS_HD bool nothing_moves(const Corners& corners) const {
     for (uint32_t k = 0; k < 4; ++k)
-      if (position[corners.vertex(k)].w != 0) return false;
+      if (features.cloth.position[corners.vertex(k)].w != 0) return false;
     return true;
   }
   /// m: what moves by no more than this may do so by the rounding of a zone's motion.
   MENISCUS_HD float rounding(const Corners& corners) const {
-    const Vec3 x = position[corners.vertex(0)].xyz();
+    const Vec3 x = features.cloth.position[corners.vertex(0)].xyz();
     return 1e-6f * max_component(max(x, -x));
   }
 };

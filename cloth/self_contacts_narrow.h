@@ -12,57 +12,48 @@ namespace meniscus::cloth::self_contact_kernels {
 /// for the distance, the pair is looked at where it is predicted to be; else where it meets on the way.
 struct MakeContacts {
   ClothState cloth;
-  View<FeatureCode> candidate_list;
+  View<const FeatureCode> candidate_list;
   View<const Vec3> rest;  // by vertex
   ContactList list;
-  View<uint32_t> entries;   // by vertex: its number of contacts
-  View<uint32_t> squeezed;  // by group
-  float separation;         // of a thickness: how much further apart overlaps are pushed in the substep
+  View<uint32_t> entries;  // by vertex: its number of contacts
+  float separation;        // of a thickness: how much further apart overlaps are pushed in the substep
   uint32_t stride;
 
   MENISCUS_HD void operator()(uint32_t thread) const {
     const uint32_t count = listed(candidate_list, list.counters[candidates]);
-    for (uint32_t n = thread; n < count; n += stride)
-      if (make(candidate_list[n])) candidate_list[n].first |= FeatureCode::contact_bit;
+    for (uint32_t n = thread; n < count; n += stride) {
+      const FeatureCode code = load(candidate_list, n);
+      if (!code.is_guards()) make(code);
+    }
   }
 
-  /// Whether there is a contact.
-  MENISCUS_HD bool make(FeatureCode code) const {
+  MENISCUS_HD void make(FeatureCode code) const {
     const Corners corners = cloth.corners_of(code);
     const Part a = part_of(code.first_place()), b = part_of(code.second_place());
     const float thickness = 0.5f * (a.thickness + b.thickness), reach = 1.1f * thickness;
 
-    const FeaturePair pair = pair_of(corners, cloth.previous, cloth.foreseen);
-    if (pbd::least_gap(pair) > reach) return false;
+    const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
+    if (pbd::least_gap(pair) > reach) return;
     const float motion = relative_motion(pair);
     const Nearest end = nearest(pair, 1);
-    // Whatever comes nearer than this on its way is a contact in any case, so that what is left out stays
-    // further apart than the tolerances: see FlagGroups.
-    const float near = 1.5f * (a.tolerance + b.tolerance);
+    // Whatever comes nearer than this on its way is a contact in any case.
+    const float near = a.nearness + b.nearness;
     if (motion < 0.3f * end.distance && end.distance > near &&
         (end.distance > reach || is_another_pairs(code, corners, end)))
-      return false;
+      return;
     const float start = nearest(pair, 0).distance;
-    if (start - motion > reach || start < 1e-5f * thickness) return false;
+    if (start - motion > reach || start < 1e-5f * thickness) return;
     const bool fast = motion >= 0.5f * start;
     const float t = fast ? time_of_nearness(pair, 0.5f * pbd::min(start, thickness)) : 2;
     const bool met = t <= 1;
     const Nearest now = met ? nearest(pair, t) : end;
     const bool is_near = met || pbd::min(start, now.distance) < near || (fast && start < 1.8f * near);
-    if (!is_near && (now.distance > reach || is_another_pairs(code, corners, now))) return false;
+    if (!is_near && (now.distance > reach || is_another_pairs(code, corners, now))) return;
     const float apart = distance_to_keep(code, corners, thickness);
-    if (apart <= 0 || now.distance <= 0) return false;
-    if (!is_near && now.distance > apart + 0.1f * thickness) return false;
-
-    if (is_near) note_squeeze(code);
+    if (apart <= 0 || now.distance <= 0) return;
+    if (!is_near && now.distance > apart + 0.1f * thickness) return;
     const float target = pbd::min(apart, start + separation * thickness);
-    return add(corners, now, target, sqrtf(a.friction * b.friction));
-  }
-
-  /// What has come so near may be nearer still where nothing was looked for: the guard looks there.
-  MENISCUS_HD void note_squeeze(FeatureCode code) const {
-    pbd::atomic_max(squeezed[code.first_place() / 8], 1);
-    pbd::atomic_max(squeezed[code.second_place() / 8], 1);
+    add(corners, now, target, sqrtf(a.friction * b.friction));
   }
 
   MENISCUS_HD Part part_of(uint32_t place) const { return cloth.parts[cloth.tree.triangles[place].part]; }
@@ -100,15 +91,14 @@ struct MakeContacts {
     return pbd::min(thickness, 0.7f * nearest(at_rest, 0).distance);
   }
 
-  MENISCUS_HD bool add(const Corners& corners, const Nearest& now, float target, float friction) const {
+  MENISCUS_HD void add(const Corners& corners, const Nearest& now, float target, float friction) const {
     const uint32_t c = pbd::append(list.counters[contacts], 1);
-    if (c >= list.corners.count) return false;
+    if (c >= list.corners.count) return;
     list.corners[c] = corners;
     list.plane[c] = pbd::with_w(now.r / now.distance, target);
     list.multiplier[c] = {0, 0, 0, 0};
     list.weights[c] = {now.u, now.v, friction};
     for (uint32_t k = 0; k < 4; ++k) pbd::atomic_add(entries[corners.vertex(k)], 1);
-    return true;
   }
 };
 

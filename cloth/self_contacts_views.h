@@ -30,16 +30,17 @@ struct Part {
   float friction;
   uint32_t filter_groups, filter_mask;
   uint32_t self;
-  float
-      tolerance;  // m: a vertex that the solve carries further from where it was foreseen is looked at again
+  float nearness;  // m: half of what makes any pair a contact
 };
 
-/// Rounds of holding back are counted one by one.
+/// Rounds of the guard are counted one by one.
 inline constexpr uint32_t most_rounds = 32;
 enum Counter : uint32_t {
   candidates,
   contacts,
   group_pairs,
+  expired,   // not 0: the lists of pairs hold no longer
+  listings,  // since the step's start
   crossings,
   counter_count = crossings + most_rounds
 };
@@ -52,14 +53,14 @@ MENISCUS_HD constexpr Feature feature(uint32_t place, uint32_t which) {
   return place << 3 | which;
 }
 
-/// A vertex and a face, or two edges; bit 31 of the first: it has become a contact.
+/// A vertex and a face, or two edges; bit 31 of the first: it is the guard's alone, and becomes no contact.
 struct FeatureCode {
-  static constexpr uint32_t contact_bit = 1u << 31;
+  static constexpr uint32_t guard_bit = 1u << 31;
 
   Feature first, second;
 
-  MENISCUS_HD bool is_contact() const { return (first & contact_bit) != 0; }
-  MENISCUS_HD uint32_t first_place() const { return (first & ~contact_bit) >> 3; }
+  MENISCUS_HD bool is_guards() const { return (first & guard_bit) != 0; }
+  MENISCUS_HD uint32_t first_place() const { return (first & ~guard_bit) >> 3; }
   MENISCUS_HD uint32_t second_place() const { return second >> 3; }
 };
 
@@ -100,6 +101,24 @@ class Appending {
   uint32_t& size_;
   uint32_t count_ = 0;
   T kept_[room];
+};
+
+/// Where vertices stay while lists of pairs are kept.
+struct KeptPlaces {
+  View<const Vec4> balls;  // by vertex: the centre and the radius, m
+
+  MENISCUS_HD Aabb box(uint32_t v) const {
+    const Vec4 ball = load(balls, v);
+    return pbd::inflated({ball.xyz(), ball.xyz()}, ball.w);
+  }
+  /// Of a place that a vertex would go to, the nearest that it may go to.
+  MENISCUS_HD Vec3 inside(uint32_t v, Vec3 x) const {
+    constexpr float within = 0.999f;  // of the radius, for rounding
+    const Vec4 ball = balls[v];
+    const Vec3 out = x - ball.xyz();
+    const float far2 = dot(out, out), most = within * ball.w;
+    return far2 <= most * most ? x : ball.xyz() + (most / sqrtf(far2)) * out;
+  }
 };
 
 /// How many of a list there are, unless it had no room for some.
@@ -183,18 +202,13 @@ struct ContactList {
 
 /// The vertices of a substep, and what is known of the surface.
 struct ClothState {
-  View<const Vec4> previous;  // by vertex
-  View<const Vec4> foreseen;  // by vertex: the predicted position; w: how far its box goes beyond its way
+  View<const Vec4> previous, position;  // by vertex
+  KeptPlaces kept;
   pbd::SurfaceTreeView tree;
   View<const uint16_t> features;
   View<const Part> parts;
   View<const uint32_t> rough;  // by group: whether it is bent so much that its edges stand out
 
-  MENISCUS_HD Aabb way_box(uint32_t v) const {
-    const Vec4 to = load(foreseen, v);
-    const Vec3 from = load(previous, v).xyz();
-    return pbd::inflated({min(from, to.xyz()), max(from, to.xyz())}, to.w);
-  }
   /// The vertices of a pair of features.
   MENISCUS_HD Corners corners_of(FeatureCode code) const {
     const SurfaceTriangle s = load(tree.triangles, code.first_place()),
@@ -206,7 +220,7 @@ struct ClothState {
   }
 };
 
-/// The pair's way from `from` to `to`, from its first vertex.
+/// The pair's way from `from` to `to`, seen from where its first vertex starts.
 MENISCUS_HD inline FeaturePair pair_of(const Corners& corners, View<const Vec4> from, View<const Vec4> to) {
   FeaturePair pair;
   pair.edges = corners.edges();

@@ -29,9 +29,8 @@ struct Zones {
 
   MENISCUS_HD uint32_t name(uint32_t v) const { return pbd::UnionFind{label}.name(v); }
   MENISCUS_HD uint32_t mark_of(uint32_t v) const { return pbd::atomic_load(mark[v]); }
-  MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const {
-    return (mark_of(v) & ~stopped) == round + 1;
-  }
+  /// Whether its zone has moved in the last round, or is to in this one.
+  MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const { return (mark_of(v) & ~stopped) >= round; }
 
   MENISCUS_HD void begin(uint32_t v) const {
     forget_sums(v);
@@ -80,9 +79,9 @@ struct GatherZones {
   }
 };
 
-/// Gives vertices the motion of their zones. Nothing leaves the box that its pairs were looked for in: a zone
-/// that would have to, stops in the next round. Where the last round there is still finds something, all stay
-/// where they were.
+/// Gives vertices the motion of their zones. Nothing leaves the place that its pairs were looked for in: a
+/// zone that would have to, stops in the next round. Where the last round there is still finds something, all
+/// stay where they were.
 struct MoveZones {
   ClothState cloth;
   View<Vec4> position, moved;  // by vertex
@@ -100,8 +99,7 @@ struct MoveZones {
     const Vec4 x = position[v];
     if (x.w == 0) return;
     const Vec3 from = cloth.previous[v].xyz(), to = last ? from : from + motion_of(name);
-    const Aabb box = cloth.way_box(v);
-    const Vec3 inside = max(box.lower, min(box.upper, to));
+    const Vec3 inside = cloth.kept.inside(v, to);
     const bool stops = inside != to;
     if (stops) pbd::atomic_add(counters[crossings + round + 1], 1);
     pbd::atomic_store(zones.mark[v], (round + 1) | (stops ? Zones::stopped : mark & Zones::stopped));

@@ -19,13 +19,6 @@ namespace meniscus::collision {
 
 namespace sheet_kernels {
 
-/// How far boxes go beyond the ways of their triangles, m.
-struct Margin {
-  float by;
-
-  MENISCUS_HD float operator()(uint32_t, uint32_t, Vec3, Vec3) const { return by; }
-};
-
 /// Keeps the most that any substep of a step found.
 struct NoteNear {
   View<const uint32_t> counter;
@@ -43,7 +36,7 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   using namespace sheet_kernels;
   if (!any()) return;
   const pbd::ParticleView& p = substep.particles;
-  tree_.refit(p, Margin{0});
+  tree_.refit(pbd::WayBoxes(p, 0));
   counter_.fill(0);
   entry_count_.fill(0);
   if (permeable_) {
@@ -86,7 +79,7 @@ template <class D>
 void SheetContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   const pbd::ParticleView& p = substep.particles;
-  tree_.refit(p, Margin{2e-3f * largest_radius_});
+  tree_.refit(pbd::WayBoxes(p, 2e-3f * largest_radius_));
   device_.parallel_for("sheets/hold back", p.sorted, HoldBack{surface(substep), p.position});
 }
 

@@ -11,6 +11,25 @@
 
 namespace meniscus::pbd {
 
+/// Boxes around where vertices are, and where they come from, and `reach` (m) around that.
+struct WayBoxes {
+  View<const Vec4> previous, position;
+  uint32_t first_vertex;
+  float reach;
+
+  WayBoxes(const ParticleView& particles, float reach_)
+      : previous(particles.previous),
+        position(particles.position),
+        first_vertex(particles.sorted),
+        reach(reach_) {}
+
+  MENISCUS_HD static bool wanted() { return true; }
+  MENISCUS_HD Aabb of(uint32_t v) const {
+    const Vec3 from = load(previous, first_vertex + v).xyz(), to = load(position, first_vertex + v).xyz();
+    return inflated({min(from, to), max(from, to)}, reach);
+  }
+};
+
 /// Boxes around the triangles of a surface that moves, for queries in kernels (for_each_overlap). The order
 /// of the triangles is found once; the boxes are fitted afresh whenever the vertices have moved.
 template <class D>
@@ -22,10 +41,10 @@ class SurfaceTree {
   /// vertex) say which are neighbours: at rest, as cloth that is folded has others near it.
   void set_surface(std::span<const SurfaceTriangle> triangles, std::span<const Vec3> positions);
 
-  /// Boxes around where the triangles are, and where they come from. reach(v, part, from, to) is how far
-  /// (m) vertex v's box goes beyond its way, as it belongs to a triangle of that part.
-  template <class Reach>
-  void refit(const ParticleView& particles, const Reach& reach);
+  /// Boxes around the triangles from those of their vertices, boxes.of(v). All stay as they are unless
+  /// boxes.wanted(), which is asked on the device.
+  template <class Boxes>
+  void refit(const Boxes& boxes);
 
   SurfaceTreeView view();
   /// Places in the tree, those that nothing stands at included.

@@ -12,11 +12,14 @@ namespace meniscus::pbd {
 namespace surface_kernels {
 
 /// A level's boxes from those of the level below.
+template <class Boxes>
 struct FitLevel {
   SurfaceTreeView tree;
+  Boxes boxes;
   uint32_t level;
 
   MENISCUS_HD void operator()(uint32_t b) const {
+    if (!boxes.wanted()) return;
     Aabb box = empty_box;
     if (b < tree.boxes[level]) {
       const BoxGroup& below = tree.group(level - 1, b);
@@ -26,20 +29,19 @@ struct FitLevel {
   }
 };
 
-/// The boxes of triangles' ways, and those above them up to level `top`, one of which each group of threads
+/// The boxes of triangles, and those above them up to level `top`, one of which each group of threads
 /// takes with all that is below it.
-template <class Reach>
+template <class Boxes>
 struct FitSubtrees {
   struct Scratch {};
 
   SurfaceTreeView tree;
-  View<const Vec4> previous, position;
-  uint32_t first_vertex;
-  Reach reach;
+  Boxes boxes;
   uint32_t top;
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& /*scratch*/, uint32_t n) const {
+    if (!boxes.wanted()) return;
     for (uint32_t level = 0; level <= top; ++level) {
       const uint32_t count = 1u << 3 * (top - level), first = n * count, end = 8 * tree.groups_of(level);
       group.for_each(count, [&](uint32_t k) {
@@ -47,7 +49,7 @@ struct FitSubtrees {
         if (level == 0)
           fit_triangle(first + k);
         else
-          FitLevel{tree, level}(first + k);
+          FitLevel<Boxes>{tree, boxes, level}(first + k);
       });
     }
   }
@@ -55,13 +57,8 @@ struct FitSubtrees {
   MENISCUS_HD void fit_triangle(uint32_t place) const {
     const SurfaceTriangle t = load(tree.triangles, place);
     Aabb box = empty_box;
-    if (t.a != no_index) box = joined(joined(way(t.a, t.part), way(t.b, t.part)), way(t.c, t.part));
+    if (t.a != no_index) box = joined(joined(boxes.of(t.a), boxes.of(t.b)), boxes.of(t.c));
     tree.group(0, place / 8).set(place % 8, box);
-  }
-
-  MENISCUS_HD Aabb way(uint32_t v, uint32_t part) const {
-    const Vec3 from = load(previous, first_vertex + v).xyz(), to = load(position, first_vertex + v).xyz();
-    return inflated({min(from, to), max(from, to)}, reach(v, part, from, to));
   }
 };
 
@@ -92,17 +89,16 @@ void SurfaceTree<D>::set_surface(std::span<const SurfaceTriangle> triangles,
 }
 
 template <class D>
-template <class Reach>
-void SurfaceTree<D>::refit(const ParticleView& particles, const Reach& reach) {
+template <class Boxes>
+void SurfaceTree<D>::refit(const Boxes& boxes) {
   using namespace surface_kernels;
   const SurfaceTreeView tree = view();
   if (tree.levels == 0) return;
   const uint32_t top = std::min(3u, tree.levels - 1);
-  device_.parallel_for_groups(
-      "surface/subtrees", 8 * tree.groups_of(top),
-      FitSubtrees<Reach>{tree, particles.previous, particles.position, particles.sorted, reach, top});
+  device_.parallel_for_groups("surface/subtrees", 8 * tree.groups_of(top),
+                              FitSubtrees<Boxes>{tree, boxes, top});
   for (uint32_t level = top + 1; level < tree.levels; ++level)
-    device_.parallel_for("surface/boxes", 8 * tree.groups_of(level), FitLevel{tree, level});
+    device_.parallel_for("surface/boxes", 8 * tree.groups_of(level), FitLevel<Boxes>{tree, boxes, level});
 }
 
 template <class D>

@@ -60,7 +60,8 @@ class SelfContactBench {
   virtual std::vector<Vec3> positions() = 0;
   virtual std::vector<Vec3> velocities() = 0;
   virtual uint32_t most_contacts() = 0;
-  virtual uint32_t most_held_back() = 0;
+  virtual uint32_t most_crossings() = 0;
+  virtual uint32_t listings() = 0;
   /// By box: the triangles whose ways, widened by `reach`, overlap it; ascending. A thread looks for them, or
   /// a warp.
   virtual std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from,

@@ -13,12 +13,6 @@ namespace meniscus::tests {
 
 namespace bench_kernels {
 
-struct SameReach {
-  float reach;
-
-  MENISCUS_HD float operator()(uint32_t, uint32_t, Vec3, Vec3) const { return reach; }
-};
-
 /// For each box, a row of flags by place in the tree.
 struct MarkOverlaps {
   pbd::SurfaceTreeView tree;
@@ -123,7 +117,8 @@ class SelfContactBenchOn final : public SelfContactBench {
   std::vector<Vec3> positions() override { return fetched(particles_.position.current); }
   std::vector<Vec3> velocities() override { return fetched(particles_.velocity.current); }
   uint32_t most_contacts() override { return contacts_.most_contacts(); }
-  uint32_t most_held_back() override { return contacts_.most_held_back(); }
+  uint32_t most_crossings() override { return contacts_.most_crossings(); }
+  uint32_t listings() override { return contacts_.listings(); }
 
   std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from, std::span<const pbd::Vec4> to,
                                               float reach, std::span<const Aabb> boxes,
@@ -133,7 +128,7 @@ class SelfContactBenchOn final : public SelfContactBench {
     pbd::ParticleView particles{};
     particles.previous = previous.view();
     particles.position = position.view();
-    tree_.refit(particles, bench_kernels::SameReach{reach});
+    tree_.refit(pbd::WayBoxes(particles, reach));
     pbd::Buffer<uint32_t> marks(device_, "marks");
     marks.resize_discard(boxes.size() * tree_.places());
     marks.fill(0);
