@@ -71,7 +71,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
     SelfContacts& contacts;
   };
 
-  static constexpr uint32_t first_rounds = 4;
+  static constexpr uint32_t first_rounds = 2;
   static constexpr uint32_t most_threads = 1u << 19;  // of a launch over a list: they fill a GPU
   static constexpr int sweeps = 2;  // an iteration: contacts need more than what they hold apart
 
@@ -115,8 +115,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},
       zone_anchor_{device_, "cloth zones"};
   pbd::Buffer<int64_t> zone_mass_{device_, "cloth zones"};
-  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"},
-      folded_{device_, "cloth group flags"};
+  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"};
   pbd::Buffer<self_contact_kernels::GroupPair> group_pairs_{device_, "cloth group pairs"};
   pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};
   pbd::Buffer<self_contact_kernels::Corners> corners_{device_, "cloth contact vertices"};

@@ -108,8 +108,6 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   const uint32_t most = std::max({launched(candidates, candidates_.size()), vertices_, tree_.places()});
   const uint32_t blocks = std::min(most, most_threads) / CrossingScratch::chunk + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
-    device_.parallel_for("self contacts/folds", tree_.places(),
-                         FindFolds{tree_.view(), position, sheets(), counters_.view(), round});
     device_.parallel_for_groups("self contacts/crossings", blocks,
                                 FindCrossings{{cloth(substep)},
                                               candidates_.view(),
@@ -140,9 +138,10 @@ uint32_t SelfContacts<D>::used_rounds() const {
 template <class D>
 void SelfContacts<D>::start_step() {
   using namespace self_contact_kernels;
-  // Where the last step's rounds did not suffice it gets more; most that it had no use for go. A round too
-  // many costs little, a step that is done again as much as it took.
-  if (!idle()) rounds_ = ran_short() ? more_rounds() : std::max(first_rounds, used_rounds() + 2);
+  // Where the last step's rounds did not suffice it gets more; what it had no use for goes one by one. A
+  // round too many costs little, a step that is done again as much as it took.
+  if (!idle())
+    rounds_ = ran_short() ? more_rounds() : std::max({first_rounds, used_rounds() + 2, rounds_ - 1});
   std::fill(found_.host().begin(), found_.host().end(), 0u);
   anew_ = true;
 }
@@ -199,7 +198,6 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   cones_.resize_discard(groups_);
   rough_.resize_discard(groups_);
   smooth_.resize_discard(groups_);
-  folded_.resize_discard(groups_);
   kept_.resize_discard(vertices_);
   foreseen_.resize_discard(vertices_);
   for (pbd::Buffer<uint32_t>* buffer : {&zone_label_, &zone_mark_, &zone_anchor_})
@@ -278,7 +276,7 @@ self_contact_kernels::GroupPairs SelfContacts<D>::pairs() {
 
 template <class D>
 self_contact_kernels::SheetViews SelfContacts<D>::sheets() {
-  return {cones_.view(), neighbour_start_.view(), neighbours_.view(), smooth_.view(), folded_.view()};
+  return {cones_.view(), neighbour_start_.view(), neighbours_.view(), smooth_.view()};
 }
 
 /// While zones are at work, nothing pushes: they share its sums.

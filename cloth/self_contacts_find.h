@@ -54,15 +54,16 @@ struct Keep {
   View<Vec4> kept;
   View<uint32_t> counters;
 
-  static constexpr float longest = 16;    // substeps
-  static constexpr float leeway = 0.25f;  // of the thickness, to go otherwise
+  // The balls of what lies side by side must not meet, or all of a rough sheet is listed.
+  static constexpr float longest = 16;     // substeps
+  static constexpr float furthest = 0.5f;  // of the thickness, if that takes more than this substep
+  static constexpr float leeway = 0.25f;   // of the thickness, to go otherwise
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
     const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
     const float thickness = parts[vertex_part[v]].thickness, far = length(way);
-    // As far as a thickness, if it takes more than this substep.
-    const float substeps = pbd::clamp(thickness / pbd::max(far, 1e-30f), 1, longest);
+    const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     kept[v] =
         pbd::with_w(from + 0.5f * substeps * way, 0.5f * substeps * far + foreseen[v].w + leeway * thickness);
     if (v != 0) return;
@@ -146,17 +147,17 @@ struct FitCones {
   }
 };
 
-/// While eight groups look for those that they overlap: other eights, by number.
+/// While eight groups look for those that they overlap: boxes of 512 other groups, and eights, by number.
 struct OverlapScratch {
   static constexpr uint32_t boxes = 128;
 
-  uint32_t eights[8 * boxes];
-  uint32_t count;
+  uint32_t tops[boxes], eights[8 * boxes];
+  uint32_t top_count, count;
 };
 
 /// Lists the pairs of groups whose boxes overlap, for eight groups at a time: of a number of the tree's boxes
-/// after the other, those eights below that overlap all of the own ones, then their groups. Neighbours in the
-/// material always do; in smooth sheets they are left out.
+/// after the other, those eights below that overlap all of the own ones, then their groups; in large trees
+/// the boxes above them come first. Neighbours in the material always do; in smooth sheets they are left out.
 struct FindGroups {
   using Scratch = OverlapScratch;
 
@@ -171,23 +172,48 @@ struct FindGroups {
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     if (!listing.wanted()) return;
     group.for_each(8, [&](uint32_t k) { note_smoothness(8 * n + k); });
-    const uint32_t end = eights_have_boxes() ? tree.groups_of(2) : 1;
-    for (uint32_t first = n / 8; first < end; first += Scratch::boxes) {
-      group.for_each(1, [&](uint32_t) { scratch.count = 0; });
+    const bool large = tree.levels > 4;
+    const uint32_t end = large ? tree.boxes[4] : eights_have_boxes() ? tree.groups_of(2) : 1;
+    for (uint32_t first = large ? n / 64 : n / 8; first < end; first += Scratch::boxes) {
       const uint32_t boxes = end - first < Scratch::boxes ? end - first : Scratch::boxes;
-      group.for_each(boxes, [&](uint32_t k) { look_into(scratch, n, first + k); });
-      const uint32_t found = scratch.count;
-      group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
+      if (large)
+        look_below(group, scratch, n, first, boxes);
+      else
+        pair_up_all(group, scratch, n, boxes, [&](uint32_t k) { return first + k; });
     }
   }
 
  private:
+  /// Boxes of level 4 from `first` on.
+  template <class Group>
+  MENISCUS_HD void look_below(const Group& group, Scratch& scratch, uint32_t n, uint32_t first,
+                              uint32_t boxes) const {
+    group.for_each(1, [&](uint32_t) { scratch.top_count = 0; });
+    group.for_each(boxes, [&](uint32_t k) {
+      if (overlap(tree.box(4, first + k), tree.box(2, n)))
+        scratch.tops[pbd::append(scratch.top_count, 1)] = first + k;
+    });
+    const uint32_t below = 8 * scratch.top_count;
+    for (uint32_t done = 0; done < below; done += Scratch::boxes) {
+      const uint32_t left = below - done < Scratch::boxes ? below - done : Scratch::boxes;
+      pair_up_all(group, scratch, n, left,
+                  [&](uint32_t k) { return 8 * scratch.tops[(done + k) / 8] + k % 8; });
+    }
+  }
+  /// `count` boxes of the level above the eights'.
+  template <class Group, class BoxAt>
+  MENISCUS_HD void pair_up_all(const Group& group, Scratch& scratch, uint32_t n, uint32_t count,
+                               const BoxAt& box_at) const {
+    group.for_each(1, [&](uint32_t) { scratch.count = 0; });
+    group.for_each(count, [&](uint32_t k) { look_into(scratch, n, box_at(k)); });
+    const uint32_t found = scratch.count;
+    group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
+  }
   MENISCUS_HD bool eights_have_boxes() const { return tree.levels > 2; }
 
   MENISCUS_HD void note_smoothness(uint32_t g) const {
     if (g >= sheets.smooth.count) return;
     sheets.smooth[g] = sheets.is_smooth(g);
-    sheets.folded[g] = 0;
   }
 
   MENISCUS_HD void look_into(Scratch& scratch, uint32_t n, uint32_t box) const {
@@ -296,17 +322,19 @@ struct FeaturePairs {
   }
 };
 
-/// Pairs of groups while a group of threads looks through them: which triangles' boxes overlap, by number.
+/// Pairs of groups while a group of threads looks through them: pairs of triangles whose boxes overlap, by
+/// number; those of them that no plane parts; and pairs of features of some of these.
 struct CandidateScratch {
-  static constexpr uint32_t pairs = 16;
+  static constexpr uint32_t pairs = 16, at_once = 128, most_codes = 1024;
 
-  uint32_t hits[64 * pairs];
-  uint32_t count;
+  uint16_t hits[64 * pairs], near[64 * pairs];
+  FeatureCode codes[most_codes];
+  uint32_t hit_count, near_count, code_count;
 };
 
-/// Lists the pairs of features that may come near one another while their vertices stay where they are to: of
-/// a number of pairs of groups at a time, at first the pairs of triangles whose boxes overlap, few of all,
-/// then theirs.
+/// Lists the pairs of features that may come near one another while their vertices stay where they are to, of
+/// a number of pairs of groups at a time. Each step leaves few of what the one before has found, and all
+/// threads share what is left.
 struct FindCandidates {
   using Scratch = CandidateScratch;
 
@@ -322,14 +350,22 @@ struct FindCandidates {
     const uint32_t count = pairs.count();
     for (uint32_t first = Scratch::pairs * n; first < count; first += Scratch::pairs * stride) {
       const uint32_t left = count - first < Scratch::pairs ? count - first : Scratch::pairs;
-      group.for_each(1, [&](uint32_t) { scratch.count = 0; });
-      group.for_each(8 * left, [&](uint32_t k) {
-        const GroupPair pair = pairs.list[first + k / 8];
-        uint32_t mask = features.overlapping(8 * pair.first + k % 8, pair.second);
-        for (; mask != 0; mask &= mask - 1)
-          scratch.hits[pbd::append(scratch.count, 1)] = 8 * k + pbd::lowest_bit(mask);
+      group.for_each(1, [&](uint32_t) { scratch.hit_count = scratch.near_count = 0; });
+      group.for_each(8 * left, [&](uint32_t k) { find_overlaps(scratch, pairs.list[first + k / 8], k); });
+      group.for_each(scratch.hit_count, [&](uint32_t k) {
+        const uint16_t hit = scratch.hits[k];
+        if (!are_parted(places(first, hit))) scratch.near[pbd::atomic_add(scratch.near_count, 1)] = hit;
       });
-      group.for_each(scratch.count, [&](uint32_t hit) { list(places(first, scratch.hits[hit])); });
+      const uint32_t near = scratch.near_count;
+      for (uint32_t done = 0; done < near; done += Scratch::at_once) {
+        const uint32_t now = near - done < Scratch::at_once ? near - done : Scratch::at_once;
+        group.for_each(1, [&](uint32_t) { scratch.code_count = 0; });
+        group.for_each(now,
+                       [&](uint32_t k) { find_features(scratch, places(first, scratch.near[done + k])); });
+        const uint32_t found = scratch.code_count;
+        group.for_each(found < Scratch::most_codes ? found : Scratch::most_codes,
+                       [&](uint32_t k) { list(scratch.codes[k]); });
+      }
     }
   }
 
@@ -337,26 +373,77 @@ struct FindCandidates {
   MENISCUS_HD GroupPair places(uint32_t first, uint32_t k) const {
     return places_of(pairs.list[first + k / 64], k % 64);
   }
-  MENISCUS_HD void list(GroupPair two) const {
-    Appending<FeatureCode> found(candidate_list, pairs.counters[candidates]);
+  MENISCUS_HD void find_overlaps(Scratch& scratch, GroupPair pair, uint32_t k) const {
+    uint32_t mask = features.overlapping(8 * pair.first + k % 8, pair.second);
+    for (; mask != 0; mask &= mask - 1)
+      scratch.hits[pbd::atomic_add(scratch.hit_count, 1)] =
+          static_cast<uint16_t>(8 * k + pbd::lowest_bit(mask));
+  }
+  MENISCUS_HD void find_features(Scratch& scratch, GroupPair two) const {
     features.of_two(two.first, two.second, [&](FeatureCode code) {
-      if (may_come_near(features.cloth.corners_of(code))) found.add(code);
+      const uint32_t place = pbd::atomic_add(scratch.code_count, 1);
+      if (place < Scratch::most_codes)
+        scratch.codes[place] = code;
+      else
+        list(code);
     });
-    found.flush();
+  }
+  MENISCUS_HD void list(FeatureCode code) const {
+    if (!may_come_near(features.cloth.corners_of(code))) return;
+    const uint32_t place = pbd::append(pairs.counters[candidates], 1);
+    if (place < candidate_list.count) candidate_list[place] = code;
+  }
+
+  MENISCUS_HD Vec4 ball(uint32_t v) const { return load(features.cloth.kept.balls, v); }
+
+  /// A triangle between the centres of its vertices' balls, seen from an origin.
+  struct Middle {
+    Vec3 corner[3];
+    float radius = 0;
+
+    MENISCUS_HD Vec3 normal() const { return cross(corner[1] - corner[0], corner[2] - corner[0]); }
+    MENISCUS_HD Vec3 centre() const { return (1.0f / 3) * (corner[0] + corner[1] + corner[2]); }
+    MENISCUS_HD float least(Vec3 n) const {
+      return pbd::min(dot(n, corner[0]), pbd::min(dot(n, corner[1]), dot(n, corner[2])));
+    }
+    MENISCUS_HD float most(Vec3 n) const {
+      return pbd::max(dot(n, corner[0]), pbd::max(dot(n, corner[1]), dot(n, corner[2])));
+    }
+  };
+  MENISCUS_HD Middle middle(const SurfaceTriangle& t, Vec3 origin) const {
+    Middle m;
+    for (uint32_t k = 0; k < 3; ++k) {
+      const Vec4 b = ball(corner_of(t, k));
+      m.corner[k] = b.xyz() - origin;
+      m.radius = pbd::max(m.radius, b.w);
+    }
+    return m;
+  }
+  /// Whether a plane across the way from one to the other, or along one of them, keeps them apart.
+  MENISCUS_HD bool are_parted(GroupPair two) const {
+    const SurfaceTriangle s = load(features.cloth.tree.triangles, two.first),
+                          t = load(features.cloth.tree.triangles, two.second);
+    if (has_vertex(t, s.a) || has_vertex(t, s.b) || has_vertex(t, s.c)) return false;
+    const Vec3 origin = ball(s.a).xyz();
+    const Middle a = middle(s, origin), b = middle(t, origin);
+    const float reach = a.radius + b.radius;
+    const auto parts = [&](Vec3 n) {
+      return pbd::max(a.least(n) - b.most(n), b.least(n) - a.most(n)) > reach * length(n);
+    };
+    return parts(a.centre() - b.centre()) || parts(a.normal()) || parts(b.normal());
   }
 
   /// No point of either leaves the place that its corners are in by more than the greatest of their radii.
   MENISCUS_HD bool may_come_near(const Corners& corners) const {
-    const View<const Vec4> balls = features.cloth.kept.balls;
-    const Vec3 origin = load(balls, corners.vertex(0)).xyz();
+    const Vec3 origin = ball(corners.vertex(0)).xyz();
     const uint32_t first = corners.edges() ? 2 : 1;
     FeaturePair pair{};
     pair.edges = corners.edges();
     float radius[2] = {0, 0};
     for (uint32_t k = 0; k < 4; ++k) {
-      const Vec4 ball = load(balls, corners.vertex(k));
-      pair.start[k] = ball.xyz() - origin;
-      radius[k < first ? 0 : 1] = pbd::max(radius[k < first ? 0 : 1], ball.w);
+      const Vec4 b = ball(corners.vertex(k));
+      pair.start[k] = b.xyz() - origin;
+      radius[k < first ? 0 : 1] = pbd::max(radius[k < first ? 0 : 1], b.w);
     }
     return nearest(pair, 0).distance <= radius[0] + radius[1];
   }

@@ -32,34 +32,13 @@ struct Contain {
   }
 };
 
-/// Finds triangles whose normals have left the cones of their groups: the sheet around is to be looked at,
-/// and pairs are listed anew in the next substep.
-struct FindFolds {
-  pbd::SurfaceTreeView tree;
-  View<const Vec4> position;  // by vertex
-  SheetViews sheets;
-  View<uint32_t> counters;
-  uint32_t round;
-
-  MENISCUS_HD void operator()(uint32_t place) const {
-    if (round > 0 && counters[crossings + round - 1] == 0) return;
-    const SurfaceTriangle t = load(tree.triangles, place);
-    if (t.a == no_index) return;
-    const Vec3 a = position[t.a].xyz(), n = cross(position[t.b].xyz() - a, position[t.c].xyz() - a);
-    const Vec4 cone = sheets.cones[place / 8];
-    if (dot(n, cone.xyz()) >= cosf(pbd::min(3.1415927f, cone.w + sheets.leeway)) * length(n)) return;
-    sheets.note_fold(place / 8);
-    pbd::atomic_max(counters[expired], 1);
-  }
-};
-
-/// While a group of threads looks for crossings: what is to be looked into, and pairs of triangles of it, by
-/// number.
+/// While a group of threads looks for crossings: sixteen groups of triangles, or sixteen around one, of which
+/// some have folded; and pairs of triangles, by number.
 struct CrossingScratch {
-  static constexpr uint32_t chunk = 128, sheets = 16, most_hits = 1024;
+  static constexpr uint32_t chunk = 128, groups = chunk / 8, most_hits = 1024;
 
-  uint32_t found[sheets], hits[most_hits];
-  uint32_t found_count, hit_count;
+  uint32_t bent[groups], folded[groups], hits[most_hits];
+  uint32_t hit_count;
 };
 
 /// Looks for pairs that would pass through one another, and has them go on together. If that makes others
@@ -89,15 +68,14 @@ struct FindCrossings {
           group.for_each(
               count, [&](uint32_t k) { check(features.cloth.corners_of(load(candidate_list, first + k))); });
         });
-    by_chunks(n, sheets.smooth.count, Scratch::sheets, [&](uint32_t first, uint32_t count) {
-      group.for_each(1, [&](uint32_t) { scratch.found_count = 0; });
+    by_chunks(n, features.cloth.tree.triangles.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
+      group.for_each(Scratch::groups, [&](uint32_t k) { scratch.bent[k] = 0; });
       group.for_each(count, [&](uint32_t k) {
-        if (sheets.folded[first + k] && sheets.smooth[first + k])
-          scratch.found[pbd::append(scratch.found_count, 1)] = first + k;
+        if (is_bent(first + k)) pbd::atomic_max(scratch.bent[k / 8], 1);
       });
-      const uint32_t found = scratch.found_count;
+      for (uint32_t k = 0; 8 * k < count; ++k)
+        if (scratch.bent[k]) check_around(group, scratch, first / 8 + k);
       group.for_each(0, [](uint32_t) {});  // all have read it
-      for (uint32_t k = 0; k < found; ++k) check_sheet(group, scratch, scratch.found[k]);
     });
   }
 
@@ -107,6 +85,41 @@ struct FindCrossings {
   MENISCUS_HD void by_chunks(uint32_t n, uint32_t count, uint32_t chunk, const Visit& visit) const {
     for (uint32_t first = chunk * n; first < count; first += chunk * stride)
       visit(first, count - first < chunk ? count - first : chunk);
+  }
+
+  MENISCUS_HD Vec3 normal(const SurfaceTriangle& t) const {
+    const View<const Vec4> x = features.cloth.position;
+    const Vec3 a = x[t.a].xyz();
+    return cross(x[t.b].xyz() - a, x[t.c].xyz() - a);
+  }
+  /// Whether a triangle's normal has left its group's cone.
+  MENISCUS_HD bool is_bent(uint32_t place) const {
+    const SurfaceTriangle t = load(features.cloth.tree.triangles, place);
+    return t.a != no_index && !sheets.is_in_cone(place / 8, normal(t));
+  }
+  MENISCUS_HD bool ends_smoothness(uint32_t place, uint32_t g) const {
+    const SurfaceTriangle t = load(features.cloth.tree.triangles, place);
+    return t.a != no_index && sheets.ends_smoothness(g, normal(t));
+  }
+
+  /// Looks into the sheets around a group that it may have folded; pairs are then listed anew.
+  template <class Group>
+  MENISCUS_HD void check_around(const Group& group, Scratch& scratch, uint32_t g) const {
+    const uint32_t end = sheets.neighbour_start[g + 1];
+    for (uint32_t first = sheets.neighbour_start[g]; first < end; first += Scratch::groups) {
+      const uint32_t left = end - first < Scratch::groups ? end - first : Scratch::groups;
+      group.for_each(left, [&](uint32_t k) { scratch.folded[k] = 0; });
+      group.for_each(8 * left, [&](uint32_t k) {
+        if (ends_smoothness(8 * g + k % 8, sheets.neighbours[first + k / 8]))
+          pbd::atomic_max(scratch.folded[k / 8], 1);
+      });
+      for (uint32_t k = 0; k < left; ++k) {
+        if (!scratch.folded[k]) continue;
+        pbd::atomic_max(counters[expired], 1);
+        check_sheet(group, scratch, sheets.neighbours[first + k]);
+      }
+      group.for_each(0, [](uint32_t) {});  // all have read it
+    }
   }
 
   /// Around a group: what was left out as the sheet was smooth.

@@ -142,10 +142,10 @@ struct GroupPairs {
 struct SheetViews {
   View<const Vec4> cones;                            // by group: an axis, and the widest angle to it, rad
   View<const uint32_t> neighbour_start, neighbours;  // by group, itself among them
-  View<uint32_t> smooth, folded;                     // by group: the latter where it holds no longer
+  View<uint32_t> smooth;                             // by group
 
   static constexpr float widest = 1.3f;   // rad, from a group's axis to any normal around
-  static constexpr float leeway = 0.13f;  // rad, that normals may leave their groups' cones by
+  static constexpr float leeway = 0.13f;  // rad, that normals may be further off before it holds no longer
 
   MENISCUS_HD bool is_smooth(uint32_t g) const {
     const Vec3 axis = cones[g].xyz();
@@ -162,9 +162,15 @@ struct SheetViews {
       if (neighbours[n] == second) return true;
     return false;
   }
-  MENISCUS_HD void note_fold(uint32_t g) const {
-    for (uint32_t n = neighbour_start[g]; n < neighbour_start[g + 1]; ++n)
-      pbd::atomic_max(folded[neighbours[n]], 1);
+  /// Whether a normal of a group's, of any length, lets all that is smooth around stay so; without a look at
+  /// what is around.
+  MENISCUS_HD bool is_in_cone(uint32_t g, Vec3 n) const {
+    const Vec4 cone = cones[g];
+    return dot(n, cone.xyz()) >= cosf(pbd::min(3.1415927f, cone.w + leeway)) * length(n);
+  }
+  /// Whether a normal around a smooth group ends that.
+  MENISCUS_HD bool ends_smoothness(uint32_t g, Vec3 n) const {
+    return smooth[g] && dot(n, cones[g].xyz()) < cosf(widest + leeway) * length(n);
   }
 };
 
