@@ -215,9 +215,10 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   start_step();
   strayed_.fill(0);
   if (group_pairs_.size() < 2 * size_t{groups_}) group_pairs_.resize_discard(2 * size_t{groups_});
-  const uint32_t least = std::max(256u, vertices_ / 4);
-  if (candidates_.size() < least) candidates_.resize_discard(least);
-  if (corners_.size() < least) reserve_contacts(least);
+  const uint32_t least_candidates = std::max(256u, vertices_ / 4);
+  if (candidates_.size() < least_candidates) candidates_.resize_discard(least_candidates);
+  const uint32_t least_contacts = std::max(256u, vertices_ / 16);
+  if (corners_.size() < least_contacts) reserve_contacts(least_contacts);
 }
 
 /// Whether any part collides with itself or with another.
