@@ -9,7 +9,9 @@
 
 #include "cloth/self_contacts.h"
 #include "cloth/self_contacts_find.h"
+#include "cloth/self_contacts_groups.h"
 #include "cloth/self_contacts_guard.h"
+#include "cloth/self_contacts_keep.h"
 #include "cloth/self_contacts_narrow.h"
 #include "cloth/self_contacts_solve.h"
 #include "pbd/filter.h"

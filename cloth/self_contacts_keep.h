@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// How long lists of pairs are kept, and where vertices are to stay meanwhile.
+#pragma once
+
+#include "cloth/self_contacts_zones.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// Notes where each vertex is predicted to be, and whether the lists of pairs still hold for it: it must stay
+/// where it was to stay, with room for what the solve may move it by, and for the thickness.
+struct Foresee {
+  View<const Vec4> previous, position;  // by vertex
+  View<const uint32_t> vertex_part;
+  View<const Part> parts;
+  View<const float> strayed;  // m, in the last substep
+  KeptPlaces kept;
+  View<Vec4> foreseen;  // w: the room, m
+  Zones zones;
+  View<uint32_t> entries, counters;
+  bool anew;  // whatever there is
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
+    const float thickness = parts[vertex_part[v]].thickness;
+    const float room = 0.55f * thickness + 0.25f * length(way) + 1.5f * strayed[v];
+    foreseen[v] = pbd::with_w(x, room);
+    if (anew || length(x - kept.balls[v].xyz()) + room > kept.balls[v].w)
+      pbd::atomic_max(counters[expired], 1);
+    zones.begin(v);
+    entries[v] = 0;
+    if (v != 0) return;
+    counters[contacts] = 0;
+    if (anew) counters[listings] = 0;
+    for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
+  }
+};
+
+/// Where the lists have expired: what is to be listed anew.
+struct Listing {
+  View<const uint32_t> counters;
+
+  MENISCUS_HD bool wanted() const { return counters[expired] != 0; }
+};
+
+/// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
+/// it goes on as it does.
+struct Keep {
+  Listing listing;
+  View<const Vec4> previous, foreseen;
+  View<const uint32_t> vertex_part;
+  View<const Part> parts;
+  View<Vec4> kept;
+  View<uint32_t> counters;
+
+  // The balls of what lies side by side must not meet, or all of a rough sheet is listed.
+  static constexpr float longest = 16;     // substeps
+  static constexpr float furthest = 0.5f;  // of the thickness, if that takes more than this substep
+  static constexpr float leeway = 0.25f;   // of the thickness, to go otherwise
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (!listing.wanted()) return;
+    const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
+    const float thickness = parts[vertex_part[v]].thickness, far = length(way);
+    const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
+    kept[v] =
+        pbd::with_w(from + 0.5f * substeps * way, 0.5f * substeps * far + foreseen[v].w + leeway * thickness);
+    if (v != 0) return;
+    counters[group_pairs] = counters[candidates] = 0;
+    ++counters[listings];
+  }
+};
+
+/// Boxes around where vertices are to stay, for the tree.
+struct KeptBoxes {
+  Listing listing;
+  KeptPlaces kept;
+
+  MENISCUS_HD bool wanted() const { return listing.wanted(); }
+  MENISCUS_HD Aabb of(uint32_t v) const { return kept.box(v); }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels
