@@ -162,6 +162,20 @@ TEST_P(SelfContactTest, NothingGoesThroughHoweverFast) {
   }
 }
 
+/// Their tree has more levels than those of small sheets, and is looked through from higher up.
+TEST_P(SelfContactTest, NothingGoesThroughLargeSheets) {
+  constexpr int side = 100;
+  ClothCase c = two_sheets(2 * thickness, 3, side);
+  c.substeps = 1;
+  c.keeps_edges = false;
+  const auto b = bench(c);
+  for (int k = 0; k < 6; ++k) {
+    b->step(substep);
+    EXPECT_EQ(intersections(*b, c), 0u) << "after substep " << k;
+  }
+  EXPECT_GT(b->most_contacts(), 10000u);
+}
+
 TEST_P(SelfContactTest, AFoldedSheetKeepsItsLayersApart) {
   const ClothCase c = folded(61, 12);
   const auto b = bench(c);
