@@ -25,29 +25,25 @@ void FluidSurface::filter(SurfaceFilter filter, float reach, float threshold, fl
   if (filter == SurfaceFilter::curvature_flow) {
     // A step spreads depths by √0.4 pixels.
     const int steps = std::clamp(static_cast<int>(pixels * pixels / 0.4f), 1, 120);
-    for (int k = 0; k < steps; ++k) apply(curvature_flow_, 1, 0, reach, threshold, 16, 16);
+    for (int k = 0; k < steps; ++k) apply(curvature_flow_, 1, 0, reach, threshold);
     return;
   }
   const Program& program = filter == SurfaceFilter::bilateral ? bilateral_ : narrow_range_;
   // One axis after the other leaves streaks, which the second round, half as wide, takes out.
   for (const float share : {1.0f, 0.5f}) {
-    apply(program, 1, 0, share * reach, threshold, 64, 4);  // see shaders/row.glsl
-    apply(program, 0, 1, share * reach, threshold, 64, 4);
+    apply(program, 1, 0, share * reach, threshold);
+    apply(program, 0, 1, share * reach, threshold);
   }
 }
 
-void FluidSurface::apply(const Program& program, int x, int y, float reach, float threshold, int along,
-                         int across) {
+void FluidSurface::apply(const Program& program, int x, int y, float reach, float threshold) {
   const Texture& into = result_ == &first_ ? second_ : first_;
   result_->bind(unit::fluid_depth);
   program.use();
   glUniform2i(0, x, y);
   glUniform1f(1, reach);
   glUniform1f(2, threshold);
-  into.bind_image(0);
-  const int length = x ? into.width() : into.height(), rows = x ? into.height() : into.width();
-  program.start((length + along - 1) / along, (rows + across - 1) / across);
-  Program::show_writes();
+  program.run_over(into);
   result_ = &into;
 }
 

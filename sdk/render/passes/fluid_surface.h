@@ -28,8 +28,7 @@ class FluidSurface {
   const Texture& depth() const { return *result_; }
 
  private:
-  /// Starts it in groups of so many threads along the axis and across.
-  void apply(const Program& program, int x, int y, float reach, float threshold, int along, int across);
+  void apply(const Program& program, int x, int y, float reach, float threshold);
 
   Texture first_, second_;
   const Texture* result_ = &first_;

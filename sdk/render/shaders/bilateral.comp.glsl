@@ -3,28 +3,32 @@
 #version 450 core
 // One axis of a bilateral filter: samples count the less the further apart in depth they are.
 #include "frame.glsl"
+#include "pixels.glsl"
 #include "filter.glsl"
-#include "row.glsl"
 
-vec2 filtered(vec2 here) {
+vec2 filtered(ivec2 pixel) {
+  vec2 result = texelFetch(fluid_depth, pixel, 0).rg;
+  float here = result.r;
+  if (here <= 0.0) return result;
   int samples, stride;
-  float falloff, sum = here.r, weight = 1.0;
-  choose_samples(here, samples, stride, falloff);
-  Weights along = weights_of(falloff);
+  float falloff;
+  choose_samples(pixel, here, result.g, samples, stride, falloff);
+  float sum = here, weight = 1.0;
   for (int k = 1; k <= samples; ++k) {
-    advance(along);
     for (int side = -1; side <= 1; side += 2) {
-      float z = surface_beside(side * k * stride).r;
+      float z = depth_at(pixel + side * k * stride * axis);
       if (z <= 0.0) continue;
-      float apart = (z - here.r) / threshold;
-      float w = along.at * exp(-0.5 * apart * apart);
+      float apart = (z - here) / threshold;
+      float w = exp(falloff * float(k * k) - 0.5 * apart * apart);
       sum += w * z;
       weight += w;
     }
   }
-  return vec2(sum / weight, here.g);
+  result.r = sum / weight;
+  return result;
 }
 
 void main() {
-  filter_row();
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (!is_outside(pixel)) imageStore(result_depth, pixel, vec4(filtered(pixel), 0.0, 0.0));
 }

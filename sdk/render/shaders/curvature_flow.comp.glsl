@@ -12,13 +12,13 @@ float level(float z, float here) {
 }
 
 vec2 filtered(ivec2 pixel) {
-  vec2 result = surface_at(pixel);
+  vec2 result = texelFetch(fluid_depth, pixel, 0).rg;
   float z = result.r;
   if (z <= 0.0) return result;
-  float l = level(surface_at(pixel - ivec2(1, 0)).r, z), r = level(surface_at(pixel + ivec2(1, 0)).r, z);
-  float d = level(surface_at(pixel - ivec2(0, 1)).r, z), u = level(surface_at(pixel + ivec2(0, 1)).r, z);
-  float ld = level(surface_at(pixel - 1).r, z), ru = level(surface_at(pixel + 1).r, z);
-  float lu = level(surface_at(pixel + ivec2(-1, 1)).r, z), rd = level(surface_at(pixel + ivec2(1, -1)).r, z);
+  float l = level(depth_at(pixel - ivec2(1, 0)), z), r = level(depth_at(pixel + ivec2(1, 0)), z);
+  float d = level(depth_at(pixel - ivec2(0, 1)), z), u = level(depth_at(pixel + ivec2(0, 1)), z);
+  float ld = level(depth_at(pixel - 1), z), ru = level(depth_at(pixel + 1), z);
+  float lu = level(depth_at(pixel + ivec2(-1, 1)), z), rd = level(depth_at(pixel + ivec2(1, -1)), z);
   float zx = 0.5 * (r - l), zy = 0.5 * (u - d), zxx = r - 2.0 * z + l, zyy = u - 2.0 * z + d;
   float zxy = 0.25 * (ru - rd - lu + ld);
   float cx = 2.0 * lens.x * viewport.z, cy = 2.0 * lens.y * viewport.w;

@@ -6,8 +6,8 @@
 // grows with the samples that are in it, so that slopes are no edges. Averages are of 1/z, which is linear in
 // the picture wherever the surface is a plane.
 #include "frame.glsl"
+#include "pixels.glsl"
 #include "filter.glsl"
-#include "row.glsl"
 
 struct Range {
   float low, high;
@@ -26,27 +26,33 @@ bool admit(inout float z, float here, inout Range range) {
 }
 
 // A drop in front of a surface leaves no dent in it.
-float depth_beside(int pixels, vec2 here) {
-  vec2 there = surface_beside(pixels);
+float surface_at(ivec2 pixel, vec2 here) {
+  ivec2 last = textureSize(fluid_depth, 0) - 1;
+  vec2 there = texelFetch(fluid_depth, clamp(pixel, ivec2(0), last), 0).rg;
   return there.r > 0.0 && there.g < here.g - 0.4 ? here.r : there.r;
 }
 
-vec2 filtered(vec2 here) {
+vec2 filtered(ivec2 pixel) {
+  vec2 result = texelFetch(fluid_depth, pixel, 0).rg;
+  float here = result.r;
+  if (here <= 0.0) return result;
   int samples, stride;
-  float falloff, sum = 1.0 / here.r, weight = 1.0;
-  choose_samples(here, samples, stride, falloff);
+  float falloff;
+  choose_samples(pixel, here, result.g, samples, stride, falloff);
+  float sum = 1.0 / here, weight = 1.0;
   Range range = Range(threshold, threshold);
-  Weights w = weights_of(falloff);
   for (int k = 1; k <= samples; ++k) {
-    float a = depth_beside(k * stride, here), b = depth_beside(-k * stride, here);
-    if (!admit(a, here.r, range) || !admit(b, here.r, range)) break;
-    advance(w);
-    sum += w.at * (a + b) / (a * b);
-    weight += 2.0 * w.at;
+    float a = surface_at(pixel + k * stride * axis, result), b = surface_at(pixel - k * stride * axis, result);
+    if (!admit(a, here, range) || !admit(b, here, range)) break;
+    float w = exp(falloff * float(k * k));
+    sum += w * (1.0 / a + 1.0 / b);
+    weight += 2.0 * w;
   }
-  return vec2(weight / sum, here.g);
+  result.r = weight / sum;
+  return result;
 }
 
 void main() {
-  filter_row();
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (!is_outside(pixel)) imageStore(result_depth, pixel, vec4(filtered(pixel), 0.0, 0.0));
 }
