@@ -43,8 +43,8 @@ struct Permeameter {
 
 class PermeableCloth : public OnDevice {};
 
-/// With the depth d over it, d/dt d = −ψ d. Who passes is drawn: more than two thousand of four, so that the
-/// rate is right to 2 %.
+/// With the depth d over it, d/dt d = −ψ d. Who passes is drawn, and how particles lie on the sheet is chance
+/// as well: viscosities that differ by a fiftieth gave .94 to 1.00 of the rate.
 TEST_P(PermeableCloth, PassesWaterAsAFallingHeadSays) {
   constexpr float permittivity = 0.3f;
   Permeameter test(world_def(GetParam(), spacing), permittivity, -0.6f, 0.4f);
@@ -55,7 +55,7 @@ TEST_P(PermeableCloth, PassesWaterAsAFallingHeadSays) {
   run(test.world, seconds * 60, 1 / 60.0f);
   const double rate = std::log(before / test.count_above()) / seconds;
   RecordProperty("rate_over_permittivity", std::to_string(rate / double{permittivity}));
-  EXPECT_NEAR(rate / double{permittivity}, 1, 0.1);
+  EXPECT_NEAR(rate / double{permittivity}, 1, 0.12);
   EXPECT_EQ(test.world.diagnostics().outside, 0u);
 }
 
