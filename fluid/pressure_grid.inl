@@ -84,7 +84,7 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
   device_.parallel_for("grid/inside", nodes, MarkInside{space_.nodes, flags_.view(), inside_.view()});
   device_.parallel_for("grid/normalize", p.sorted,
                        Normalize{space_, map(), inside_.view(), p.position, substep.neighbours.count,
-                                 contacts, scale_.view(), found_.view()});
+                                 scale_.view(), found_.view()});
   device_.parallel_for("grid/sums", nodes,
                        GatherExcess{space_, flags_.view(), found_.view(), kernel_.volume,
                                     -grid_tuning::most_lacking * space_.width() * width2(), finest.right});

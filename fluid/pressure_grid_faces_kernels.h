@@ -24,7 +24,6 @@ struct Normalize {
   View<const uint32_t> inside;
   View<const Vec4> position;
   View<const uint32_t> neighbour_count;
-  ContactView contacts;
   View<Vec4> scale;   ///< w: mass, kg; 0 for who takes no part
   View<Found> found;  ///< what would count at nodes in solids counts at the others
 
@@ -64,14 +63,7 @@ struct Normalize {
 
   MENISCUS_HD float mass_of(uint32_t i) const {
     const float w = position[i].w;
-    return w > 0 && !touches_sheet(i) ? 1 / w : 0.0f;
-  }
-
-  MENISCUS_HD bool touches_sheet(uint32_t i) const {
-    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
-      if (contacts.contacts[k].body == pbd::on_sheet) return true;
-    }
-    return false;
+    return w > 0 ? 1 / w : 0.0f;
   }
 };
 

@@ -27,6 +27,7 @@ WaterOnSheet make_world(const CommonOptions& common, const SheetOptions& o, cons
   def.particle_spacing = 1 / static_cast<float>(o.layers);
   def.substeps = c.substeps;
   def.iterations = c.iterations;
+  def.density.solver = solver_named(o.solver);
   World world(def);
   const FluidId water = world.create_fluid({});
   ShapeDef tank;
@@ -89,6 +90,7 @@ Json run_case(const CommonOptions& common, const SheetOptions& o, const Case& c)
           {"fabric_density", c.density},
           {"substeps", c.substeps},
           {"iterations", c.iterations},
+          {"solver", o.solver},
           {"frame_ms", 1e3 * double{o.frame}},
           {"seconds", o.seconds},
           {"ms_per_frame", times.median_ms()},
@@ -114,6 +116,7 @@ CLI::App* add_sheet(CLI::App& app, SheetOptions& o) {
   sheet->add_option("--fabric-density", o.densities, "kg/m², one case each")->delimiter(',');
   sheet->add_option("--substeps", o.substeps, "a frame, one case each")->delimiter(',');
   sheet->add_option("--iterations", o.iterations, "a substep, one case each")->delimiter(',');
+  sheet->add_option("--solver", o.solver)->check(is_solver());
   sheet->add_option("-n,--n", o.n, "vertices along each side")->check(CLI::Range(2, 2000));
   sheet->add_option("--layers", o.layers, "of particles")->check(CLI::Range(4, 1000));
   sheet->add_option("--warm", o.warm, "s before the clock starts");

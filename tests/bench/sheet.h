@@ -16,11 +16,12 @@ struct SheetOptions {
   std::vector<float> densities{0.2f, 40};  // kg/m², of the fabric
   std::vector<int> substeps{4};            // a frame
   std::vector<int> iterations{4};          // a substep
-  int n = 100;                             // vertices along each side
-  int layers = 46;                         // of water
-  float frame = 1.0f / 60;                 // s
-  double warm = 0.5;                       // s before the clock starts
-  double seconds = 10;                     // s in all
+  std::string solver = "chebyshev";
+  int n = 100;              // vertices along each side
+  int layers = 46;          // of water
+  float frame = 1.0f / 60;  // s
+  double warm = 0.5;        // s before the clock starts
+  double seconds = 10;      // s in all
 };
 
 CLI::App* add_sheet(CLI::App& app, SheetOptions& options);

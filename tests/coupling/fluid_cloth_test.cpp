@@ -52,6 +52,7 @@ struct LeakCase {
   int substeps;        // a 60th of a second
   float drop;          // m
   float mean_stretch;  // at most; fine meshes and long substeps still miss the .05 that we aim at
+  DensitySolver solver = DensitySolver::chebyshev;
 };
 
 class FluidOnCloth : public testing::TestWithParam<std::tuple<pbd::DeviceKind, LeakCase>> {};
@@ -61,6 +62,7 @@ TEST_P(FluidOnCloth, DoesNotGoThrough) {
   const auto& [device, c] = GetParam();
   WorldDef def = world_def(device, 0.04f);
   def.substeps = 1;
+  def.density.solver = c.solver;
   WaterOnSheet water(def, c.density, c.columns, 0.2f, c.drop);
   SheetCrossings crossings(water.world.cloth_positions(water.cloth),
                            water.world.cloth_triangles(water.cloth));
@@ -80,8 +82,9 @@ INSTANTIATE_TEST_SUITE_P(On, FluidOnCloth,
                                                           LeakCase{"FineAndLight", 0.2f, 31, 4, 0.03f, 0.1f},
                                                           LeakCase{"Coarse", 0.2f, 5, 4, 0.03f, 0.05f},
                                                           LeakCase{"Falling", 0.2f, 16, 4, 0.4f, 0.05f},
-                                                          LeakCase{"LongSubsteps", 0.2f, 16, 1, 0.03f,
-                                                                   0.12f})),
+                                                          LeakCase{"LongSubsteps", 0.2f, 16, 1, 0.03f, 0.12f},
+                                                          LeakCase{"FineUnderThePressureGrid", 0.2f, 31, 4,
+                                                                   0.03f, 0.05f, DensitySolver::grid})),
                          [](const auto& info) {
                            return std::string(std::get<1>(info.param).name) + "_" +
                                   testing::PrintToString(std::get<0>(info.param));
@@ -90,8 +93,12 @@ INSTANTIATE_TEST_SUITE_P(On, FluidOnCloth,
 class FluidAndCloth : public OnDevice {};
 
 TEST_P(FluidAndCloth, RestingWaterHangsFromThePins) {
-  for (const float density : {0.2f, 40.0f}) {
-    WaterOnSheet water(world_def(GetParam(), 0.05f), density, 13, 0.2f, 0.03f);
+  for (const auto& [density, solver] : {std::pair{0.2f, DensitySolver::chebyshev},
+                                        {40.0f, DensitySolver::chebyshev},
+                                        {0.2f, DensitySolver::grid}}) {
+    WorldDef def = world_def(GetParam(), 0.05f);
+    def.density.solver = solver;
+    WaterOnSheet water(def, density, 13, 0.2f, 0.03f);
     run(water.world, 120, 1 / 60.0f);
     double force = 0;
     for (int k = 0; k < 60; ++k) {
@@ -103,34 +110,37 @@ TEST_P(FluidAndCloth, RestingWaterHangsFromThePins) {
 }
 
 TEST_P(FluidAndCloth, KeepTheirMomentum) {
-  WorldDef def = world_def(GetParam(), 0.05f);
-  def.gravity = {0, 0, 0};
-  World world(def);
-  world.set_wind({.air_density = 0});
-  const FluidId water = world.create_fluid({});
-  ClothDef sheet_def = sheet(0.6f, 0.6f, 13, 13);
-  sheet_def.pose.rotation = about_z(10);
-  const ClothId cloth = world.create_cloth(sheet_def);
-  FluidVolumeDef ball;
-  ball.fluid = water;
-  ball.region = BallRegion{0.15f};
-  ball.pose.position = {0.02f, 0.26f, 0.01f};
-  ball.velocity = {0.2f, -2, 0};
-  world.add_fluid(ball);
-  const double mass = double{world.particle_mass(water)};
-  const auto momentum = [&] {
-    Sum3 sum = Sum3(world.cloth_state(cloth).momentum);
-    for (Vec3 v : world.velocities()) sum += mass * Sum3(v);
-    return sum;
-  };
-  const Sum3 before = momentum();
-  double fastest = 0;
-  for (int k = 0; k < 30; ++k) {
-    world.step(1 / 60.0f);
-    EXPECT_LT(norm(momentum() - before), 1e-5 * norm(before)) << "step " << k;
-    fastest = std::max(fastest, rms_speed(world, cloth));
+  for (const DensitySolver solver : {DensitySolver::chebyshev, DensitySolver::grid}) {
+    WorldDef def = world_def(GetParam(), 0.05f);
+    def.gravity = {0, 0, 0};
+    def.density.solver = solver;
+    World world(def);
+    world.set_wind({.air_density = 0});
+    const FluidId water = world.create_fluid({});
+    ClothDef sheet_def = sheet(0.6f, 0.6f, 13, 13);
+    sheet_def.pose.rotation = about_z(10);
+    const ClothId cloth = world.create_cloth(sheet_def);
+    FluidVolumeDef ball;
+    ball.fluid = water;
+    ball.region = BallRegion{0.15f};
+    ball.pose.position = {0.02f, 0.26f, 0.01f};
+    ball.velocity = {0.2f, -2, 0};
+    world.add_fluid(ball);
+    const double mass = double{world.particle_mass(water)};
+    const auto momentum = [&] {
+      Sum3 sum = Sum3(world.cloth_state(cloth).momentum);
+      for (Vec3 v : world.velocities()) sum += mass * Sum3(v);
+      return sum;
+    };
+    const Sum3 before = momentum();
+    double fastest = 0;
+    for (int k = 0; k < 30; ++k) {
+      world.step(1 / 60.0f);
+      EXPECT_LT(norm(momentum() - before), 1e-5 * norm(before)) << "step " << k;
+      fastest = std::max(fastest, rms_speed(world, cloth));
+    }
+    EXPECT_GT(fastest, 0.5) << "they never met";
   }
-  EXPECT_GT(fastest, 0.5) << "they never met";
 }
 
 /// A sheet held fast across a tank parts it: it bears what is above, and the water below none of that.
