@@ -85,7 +85,6 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void reserve_contacts(uint32_t capacity);
   void list_pairs(pbd::Substep<D>& substep);
   void find_pairs(pbd::Substep<D>& substep);
-  void make_contacts(pbd::Substep<D>& substep);
   void join_crossings(pbd::Substep<D>& substep);
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
   self_contact_kernels::GroupPairs pairs();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What the grid's pressure does to solids. Faces of a node that are not alike open leave a part of its
-// pressure to the solid between them; the contacts near the node take it, so that fluid and solids exchange
-// equal and opposite impulses.
+// pressure to the solid between them; the contacts near the node take it, those with cloth as well, so that
+// fluid and solids exchange equal and opposite impulses.
 #pragma once
 
 #include "fluid/pressure_grid_motion_kernels.h"
