@@ -28,7 +28,7 @@ class SheetCrossings {
   size_t advance(std::span<const Vec3> vertices, std::span<const Vec3> points) {
     size_t crossed = 0;
     if (points_.size() == points.size() && !points.empty()) {
-      sort(points);
+      sort(points, extent_of(vertices));
       crossed = count(vertices, points);
     }
     vertices_.assign(vertices.begin(), vertices.end());
@@ -91,15 +91,24 @@ class SheetCrossings {
             column(box.upper.z, extent_.lower.z, extent_.upper.z)};
   }
 
-  void sort(std::span<const Vec3> points) {
-    extent_ = {points[0], points[0]};
-    for (std::span<const Vec3> some : {points, std::span<const Vec3>(points_)}) {
-      for (Vec3 x : some) extent_ = {way(extent_.lower, x).lower, way(extent_.upper, x).upper};
+  /// Of the sheet, on its way.
+  Aabb extent_of(std::span<const Vec3> vertices) const {
+    Aabb extent{vertices[0], vertices[0]};
+    for (std::span<const Vec3> some : {vertices, std::span<const Vec3>(vertices_)}) {
+      for (Vec3 x : some) extent = {way(extent.lower, x).lower, way(extent.upper, x).upper};
     }
+    return extent;
+  }
+
+  /// Those that come near the sheet.
+  void sort(std::span<const Vec3> points, const Aabb& sheet) {
+    extent_ = sheet;
     in_column_.resize(columns * columns);
     for (auto& column : in_column_) column.clear();
     for (size_t i = 0; i < points.size(); ++i) {
-      const Range r = columns_of(way(points_[i], points[i]));
+      const Aabb of_point = way(points_[i], points[i]);
+      if (!overlap(of_point, sheet)) continue;
+      const Range r = columns_of(of_point);
       for (size_t x = r.x0; x <= r.x1; ++x)
         for (size_t z = r.z0; z <= r.z1; ++z) in_column_[columns * x + z].push_back(i);
     }
