@@ -46,8 +46,8 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   device_.parallel_for("sheets/near", p.sorted,
                        ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
   device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
-  device_.parallel_for("sheets/shapes", static_cast<uint32_t>(shapes_.size()),
-                       FitShapes{surface(substep), shapes_.view()});
+  pbd::parallel_for_teams<pbd::GroupTeam>(device_, "sheets/shapes", static_cast<uint32_t>(shapes_.size()),
+                                          FitShapes{surface(substep), shapes_.view()});
   pbd::parallel_for_teams<SearchTeam>(device_, "sheets/touches", near_count(),
                                       FindTouches{surface(substep), near(), counts, entry_count_.view(),
                                                   shapes_.view(), support_radius_, 0.51f * largest_radius_});

@@ -26,7 +26,7 @@ struct alignas(16) GroupShape {
   }
 };
 
-/// By group. One with a border may be over anything: it is always looked at.
+/// By group, a team each. One with a border may be over anything: it is always looked at.
 struct FitShapes {
   Surface surface;
   View<GroupShape> shapes;
@@ -39,21 +39,23 @@ struct FitShapes {
       corners += 3;
       axis += cross(b - a, c - a);
     });
-    centre = (1 / pbd::max(1, corners)) * centre;
-    axis = normalized_or(axis, {0, 0, 0});
+    centre = (1 / pbd::max(1, GroupTeam::sum(corners))) * GroupTeam::sum(centre);
+    axis = normalized_or(GroupTeam::sum(axis), {0, 0, 0});
     float far2 = 0, bend2 = 0;
     for_each(g, [&](Vec3 a, Vec3 b, Vec3 c, uint32_t marks) {
       for (Vec3 x : {a, b, c}) far2 = pbd::max(far2, dot(x - centre, x - centre));
       const Vec3 off = normalized_or(cross(b - a, c - a), {0, 0, 0}) - axis;
       bend2 = pbd::max(bend2, marks & border_marks ? 1e10f : dot(off, off));
     });
-    shapes[g] = {centre, sqrtf(far2), axis, sqrtf(bend2)};
+    far2 = -GroupTeam::least(-far2), bend2 = -GroupTeam::least(-bend2);
+    if (GroupTeam::leads()) shapes[g] = {centre, sqrtf(far2), axis, sqrtf(bend2)};
   }
 
  private:
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t g, const Visit& visit) const {
-    for (uint32_t place = 8 * g; place < 8 * g + 8; ++place) {
+    for (uint32_t k = GroupTeam::rank(); k < pbd::BoxGroup::size; k += GroupTeam::count()) {
+      const uint32_t place = pbd::BoxGroup::size * g + k;
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (t.a != no_index) visit(surface.end(t.a), surface.end(t.b), surface.end(t.c), surface.marks[place]);
     }

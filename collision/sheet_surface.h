@@ -33,6 +33,7 @@ struct WettingTouch {
 
 namespace sheet_kernels {
 
+using pbd::GroupTeam;
 using pbd::no_index;
 using pbd::SearchTeam;
 using pbd::Vec4;
