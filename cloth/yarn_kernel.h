@@ -31,6 +31,9 @@ using pbd::Vec4Of;
 ///    comes of λ having turned, and G the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy: in pairs,
 ///    so that momentum is kept.
 ///
+/// 3. Both hold as long as edges hardly turn. Where a vertex would move further than its edge is long, as a
+///    light one between heavy ones may, the whole yarn takes the share of its step with which it just does.
+///
 /// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
 /// fro, either alone would be left.
 struct SolveYarns {
@@ -83,8 +86,10 @@ class SolveYarnsAtOnce {
     group.for_each(vertices, [&](uint32_t k) { sideways[k] = turn(k); });
     const Sideways* ways =
         solve_tridiagonal(group, sideways, scratch_.template other_rows<Sideways>(), vertices);
-    group.for_each(vertices, [&](uint32_t k) { move(ways, k); });
-    group.for_each(edges, [&](uint32_t k) { note(ways, k); });
+    group.for_each(vertices, [&](uint32_t k) { scratch_.reach[k] = reach(ways, k); });
+    const Real share = Real(1) / max(Real(1), greatest(group, scratch_.reach, vertices));
+    group.for_each(vertices, [&](uint32_t k) { move(k, share); });
+    group.for_each(edges, [&](uint32_t k) { note(ways, k, share); });
   }
 
  private:
@@ -257,10 +262,21 @@ class SolveYarnsAtOnce {
   MENISCUS_HD Vector taken_back(const Sideways* ways, uint32_t k) const {
     return stiffness(k) * (ways[k + 1].right - ways[k].right);
   }
-  MENISCUS_HD void move(const Sideways* ways, uint32_t k) const {
+  /// kg·m: what both edges on vertex k do to it in the end.
+  MENISCUS_HD Vector push_on(const Sideways* ways, uint32_t k) const {
     Vector push = steps_on(k);
     if (k > 0) push = push - taken_back(ways, k - 1);
     if (k < yarns_.most) push += taken_back(ways, k);
+    return push;
+  }
+  /// How far that would move it, in lengths of an edge; keeps it.
+  MENISCUS_HD Real reach(const Sideways* ways, uint32_t k) const {
+    const Vector push = scratch_.push[k] = push_on(ways, k);
+    const Real rest = scratch_.rest_length[k < yarns_.most ? k : k - 1];
+    return select_less(Real(0), rest, scratch_.weight[k] * square_root(dot(push, push)) / rest, Real(0));
+  }
+  MENISCUS_HD void move(uint32_t k, const Real& share) const {
+    const Vector push = share * scratch_.push[k];
     const Places at = vertex(k);
     const uint32_t there = yarns_.have_vertex(k);
     const Vec4Of<Real> x = gather(positions(), at.index()), moved = gather(moves(), at.index());
@@ -273,11 +289,16 @@ class SolveYarnsAtOnce {
   MENISCUS_HD Places vertex(uint32_t k) const {
     return k == 0 ? starts_of(yarns_.edge(0)) : ends_of(yarns_.edge(k - 1));
   }
-  MENISCUS_HD void note(const Sideways* ways, uint32_t k) const {
-    Vector push = step(k) - taken_back(ways, k);
-    if (!s_.starts) push += given(k).xyz();
-    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, edge(k).lambda},
-            yarns_.have_edge(k));
+  MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {
+    Vector push = share * (step(k) - taken_back(ways, k));
+    Real before(0);
+    if (!s_.starts) {
+      const Vec4Of<Real> last = given(k);
+      push += last.xyz();
+      before = last.w;
+    }
+    scatter(s_.multiplier, yarns_.edge(k).index(),
+            {push.x, push.y, push.z, before + share * (edge(k).lambda - before)}, yarns_.have_edge(k));
   }
 
   const SolveYarns& s_;

@@ -60,7 +60,8 @@ struct YarnsAtOnce {
 };
 
 /// Yarns while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
-/// there; of each vertex w; and the rows of a system, and of the one that a group of threads makes of it.
+/// there; of each vertex w, what pushes it, and how far that would move it over l; and the rows of a system,
+/// and of the one that a group of threads makes of it.
 template <class D, class Group>
 struct YarnScratch {
   using Real = typename D::Real;
@@ -74,7 +75,8 @@ struct YarnScratch {
 
   Edge edges[Yarn::most_edges + 2];
   Real stiffness[Yarn::most_edges + 2], rest_length[Yarn::most_edges + 2];
-  Real weight[Yarn::most_edges + 1];
+  Real weight[Yarn::most_edges + 1], reach[Yarn::most_edges + 1];
+  pbd::Vec3Of<Real> push[Yarn::most_edges + 1];
   alignas(64) unsigned char rows[Group::is_one_thread ? 1 : 2][(Yarn::most_edges + 1) * sizeof(Sideways)];
 
   template <class Row>
@@ -86,5 +88,17 @@ struct YarnScratch {
     return reinterpret_cast<Row*>(rows[Group::is_one_thread ? 0 : 1]);
   }
 };
+
+/// The greatest of so many values, by a group of threads, which overwrite them.
+template <class Group, class Real>
+MENISCUS_HD Real greatest(const Group& group, Real* values, uint32_t count) {
+  using pbd::max;
+  while (count > 1) {
+    const uint32_t half = (count + 1) / 2;
+    group.for_each(count - half, [=](uint32_t k) { values[k] = max(values[k], values[half + k]); });
+    count = half;
+  }
+  return values[0];
+}
 
 }  // namespace meniscus::cloth
