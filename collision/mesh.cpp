@@ -4,6 +4,7 @@
 
 #include <meniscus/error.h>
 
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
@@ -88,8 +89,23 @@ void append_vertices(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& 
   }
 }
 
-void append_part(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& to_world, float scale,
-                 const std::string& path) {
+// Nothing of what assimp puts where a file has no material.
+std::optional<Vec3> color_of(const aiMaterial& material) {
+  aiString name;
+  if (material.Get(AI_MATKEY_NAME, name) != aiReturn_SUCCESS || name.length == 0) return {};
+  if (name == aiString(AI_DEFAULT_MATERIAL_NAME)) return {};
+  aiColor4D color;
+  if (material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS &&
+      material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != aiReturn_SUCCESS)
+    return {};
+  const Vec3 rgb{color.r, color.g, color.b};
+  if (!is_finite(rgb)) return {};
+  return min(max(rgb, {0, 0, 0}), {1, 1, 1});
+}
+
+void append_part(PaintedMesh& all, const aiMesh& part, std::optional<Vec3> color, const aiMatrix4x4& to_world,
+                 float scale, const std::string& path) {
+  TriangleMesh& soup = all.mesh;
   const auto first = static_cast<uint32_t>(soup.vertices.size());
   append_vertices(soup, part, to_world, scale, path);
   const bool mirrored = to_world.Determinant() < 0;  // which would turn the inside out
@@ -104,6 +120,7 @@ void append_part(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& to_w
     }
     if (mirrored) std::swap(corners[1], corners[2]);
     soup.triangles.push_back(corners);
+    all.colors.push_back(color);
   }
 }
 
@@ -117,27 +134,34 @@ void check_size(const TriangleMesh& mesh, const std::string& path) {
   refuse(ErrorCode::mesh, path, why.str());
 }
 
-TriangleMesh read_triangles(const std::string& path, float scale) {
+PaintedMesh read_triangles(const std::string& path, float scale) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
   if (!scene) refuse(ErrorCode::io, path, std::string("cannot be read: ") + importer.GetErrorString());
   const auto metres = static_cast<float>(scale * metres_a_unit(*scene));
-  TriangleMesh soup;
+  PaintedMesh soup;
   for (const PlacedNode& placed : placed_nodes(*scene)) {
     for (unsigned m = 0; m < placed.node->mNumMeshes; ++m) {
-      append_part(soup, *scene->mMeshes[placed.node->mMeshes[m]], placed.to_world, metres, path);
+      const aiMesh& part = *scene->mMeshes[placed.node->mMeshes[m]];
+      const bool has_material = part.mMaterialIndex < scene->mNumMaterials;
+      append_part(soup, part, has_material ? color_of(*scene->mMaterials[part.mMaterialIndex]) : std::nullopt,
+                  placed.to_world, metres, path);
     }
   }
   return soup;
 }
 
-CleanedMesh load(const std::string& path, float scale) {
-  check_arguments(path, scale);
-  CleanedMesh cleaned = clean_mesh_with_sources(read_triangles(path, scale));
+CleanedMesh cleaned(const TriangleMesh& soup, const std::string& path) {
+  CleanedMesh cleaned = clean_mesh_with_sources(soup);
   if (cleaned.mesh.triangles.empty()) refuse(ErrorCode::mesh, path, "has no triangle with an area");
   check_size(cleaned.mesh, path);
   orient_faces(cleaned.mesh);
   return cleaned;
+}
+
+CleanedMesh load(const std::string& path, float scale) {
+  check_arguments(path, scale);
+  return cleaned(read_triangles(path, scale).mesh, path);
 }
 
 // Throws for the first of the defects, if there is one. `faces`: the numbers of the file.
@@ -166,6 +190,15 @@ TriangleMesh load_solid(const std::string& path, float scale) {
   refuse_defects(defects.self_intersections, path, "a self-intersection", cleaned.sources,
                  "the faces of a solid must not cross");
   return std::move(cleaned.mesh);
+}
+
+PaintedMesh load_painted_mesh(const std::string& path, float scale) {
+  check_arguments(path, scale);
+  const PaintedMesh soup = read_triangles(path, scale);
+  CleanedMesh clean = cleaned(soup.mesh, path);
+  PaintedMesh painted{std::move(clean.mesh), {}};
+  for (const uint32_t source : clean.sources) painted.colors.push_back(soup.colors[source]);
+  return painted;
 }
 
 Aabb bounds(const TriangleMesh& mesh) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,14 @@ TriangleMesh load_mesh(const std::string& path, float scale = 1.0f);
 /// find_defects); the message names the defect and a face, by its place in the file, from 0, after
 /// triangulation and over all parts.
 TriangleMesh load_solid(const std::string& path, float scale = 1.0f);
+
+/// A mesh, and of each triangle the colour of its material, linear RGB, 0 to 1, where the file has one.
+struct PaintedMesh {
+  TriangleMesh mesh;
+  std::vector<std::optional<Vec3>> colors;
+};
+/// As load_mesh. Textures are passed over.
+PaintedMesh load_painted_mesh(const std::string& path, float scale = 1.0f);
 
 /// The box around the vertices, of which there must be one.
 Aabb bounds(const TriangleMesh& mesh);

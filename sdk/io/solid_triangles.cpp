@@ -65,7 +65,11 @@ class Triangulation {
     }
   }
 
-  void operator()(const MeshGeometry& def) { mesh(collision::load_mesh(def.file, def.scale)); }
+  void operator()(const MeshGeometry& def) {
+    const collision::PaintedMesh painted = collision::load_painted_mesh(def.file, def.scale);
+    mesh(painted.mesh);
+    for (std::size_t i = 0; i < painted.colors.size(); ++i) triangles[i].color = painted.colors[i];
+  }
 
   void operator()(const HullGeometry& hull) { mesh(collision::hull_mesh(hull.points)); }
 

@@ -23,8 +23,8 @@ struct Vertex {
 /// Three vertices a triangle.
 using Triangles = std::vector<Vertex>;
 
-/// The surface of a solid in its own frame. A container is its floors alone. May throw what solid_triangles
-/// throws.
+/// The surface of a solid in its own frame, in `color` where a mesh has no materials. A container is its
+/// floors alone. May throw what solid_triangles throws.
 Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec3 color);
 /// Whether a face of a container turns up when placed so; `inwards`: its normal in the container's frame.
 bool is_floor(Vec3 inwards, const Pose& pose, Vec3 up);

@@ -14,8 +14,8 @@ Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec
   const bool floors_alone = std::holds_alternative<ContainerGeometry>(geometry);
   for (const io::SolidTriangle& t : io::solid_triangles(geometry)) {
     if (floors_alone && !is_floor(t.normals[0], pose, up)) continue;
-    for (int k = 0; k < 3; ++k)
-      all.push_back({t.corners[k], t.normals[k], float4(color, static_cast<float>(Look::glossy))});
+    const Float4 look = float4(t.color.value_or(color), static_cast<float>(Look::glossy));
+    for (int k = 0; k < 3; ++k) all.push_back({t.corners[k], t.normals[k], look});
   }
   return all;
 }

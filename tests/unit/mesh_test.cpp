@@ -83,6 +83,12 @@ const char* const two_nodes_dae = R"(<?xml version="1.0"?>
 </visual_scene></library_visual_scenes>
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 
+// Of the cube: two faces in a material, and four in another.
+const char* const painted_cube_obj =
+    "mtllib paints.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "usemtl red\nf 1 2 6 5\nf 2 3 7 6\nusemtl green\nf 1 4 3 2\nf 5 6 7 8\nf 3 4 8 7\nf 4 1 5 8\n";
+const char* const paints_mtl = "newmtl red\nKd 0.8 0.1 0.05\nnewmtl green\nKd 0.1 1.5 0.2\n";
+
 // The tetrahedron in inches.
 const char* const inches_fbx = R"(; FBX 7.4.0 project file
 FBXHeaderExtension:  {
@@ -119,6 +125,31 @@ void expect_box(const TriangleMesh& mesh, Vec3 lower, Vec3 upper) {
   const Aabb box = bounds(mesh);
   EXPECT_LT(length(box.lower - lower), 1e-5f) << box.lower.x << ' ' << box.lower.y << ' ' << box.lower.z;
   EXPECT_LT(length(box.upper - upper), 1e-5f) << box.upper.x << ' ' << box.upper.y << ' ' << box.upper.z;
+}
+
+TEST_F(MeshFile, TrianglesHaveTheColoursOfTheirMaterials) {
+  write("paints.mtl", paints_mtl);
+  const PaintedMesh cube = load_painted_mesh(write("cube.obj", painted_cube_obj));
+  ASSERT_EQ(cube.mesh.triangles.size(), 12u);
+  ASSERT_EQ(cube.colors.size(), 12u);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const auto& [a, b, c] = cube.mesh.triangles[i];
+    const auto lies_at = [&](float Vec3::*axis, float at) {
+      return cube.mesh.vertices[a].*axis == at && cube.mesh.vertices[b].*axis == at &&
+             cube.mesh.vertices[c].*axis == at;
+    };
+    const bool is_red = lies_at(&Vec3::y, 0) || lies_at(&Vec3::x, 1);
+    EXPECT_EQ(cube.colors[i], (is_red ? Vec3{0.8f, 0.1f, 0.05f} : Vec3{0.1f, 1, 0.2f}))
+        << i << "; none is brighter than white";
+  }
+}
+
+TEST_F(MeshFile, WithoutMaterialsNothingHasAColour) {
+  for (const auto& [name, text] :
+       {std::pair{"cube.obj", cube_obj}, std::pair{"tetrahedron.ply", tetrahedron_ply}}) {
+    for (const auto& color : load_painted_mesh(write(name, text)).colors)
+      EXPECT_EQ(color, std::nullopt) << name;
+  }
 }
 
 TEST_F(MeshFile, PolygonsBecomeWeldedTriangles) {

@@ -3,6 +3,8 @@
 //
 // Solids, cloth, ropes and the picture as a whole.
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "sdk/render/gl/program.h"
 #include "sdk/render/gl/shader_text.h"
@@ -57,6 +59,18 @@ TEST_F(PictureTest, EachSolidIsSeenWhereItIs) {
     EXPECT_GT(seen, 400) << "geometry " << kind.index();
     EXPECT_LT(seen, 4000) << "geometry " << kind.index();
   }
+}
+
+TEST_F(PictureTest, AMeshHasTheColoursOfItsMaterials) {
+  const std::filesystem::path folder = testing::TempDir();
+  std::ofstream(folder / "two_tones.mtl") << "newmtl red\nKd 0.8 0.05 0.05\nnewmtl green\nKd 0.05 0.8 0.05\n";
+  std::ofstream(folder / "two_tones.obj") << "mtllib two_tones.mtl\nv -0.5 -0.5 0\nv 0 -0.5 0\nv 0.5 -0.5 "
+                                             "0\nv -0.5 0.5 0\nv 0 0.5 0\nv 0.5 0.5 0\n"
+                                             "usemtl red\nf 1 2 5 4\nusemtl green\nf 2 3 6 5\n";
+  const io::Image image = draw(with_body(MeshGeometry{(folder / "two_tones.obj").string()}));
+  const Pixel left = at(image, 65, 60), right = at(image, 95, 60);
+  EXPECT_GT(left.r, left.g + 60);
+  EXPECT_GT(right.g, right.r + 60);
 }
 
 TEST_F(PictureTest, TheNearerSolidHidesTheOther) {
