@@ -106,7 +106,7 @@ std::vector<std::array<float, 4>> Renderer::fluid_normals() {
   const Program program("screen.vert.glsl", "normal.frag.glsl");
   parts_->bind();
   target.use();
-  parts_->to->surface.depth().bind(unit::fluid_depth);
+  parts_->to->surface.bind();
   program.use();
   parts_->screen.draw();
   std::vector<std::array<float, 4>> pixels(std::size_t{1} * normals.width() * normals.height());

@@ -25,6 +25,7 @@ class Renderer {
   /// The view is chosen once: it holds the scene and what there is of it at `first`, unless the scene has a
   /// camera. Throws Error(invalid_argument) unless width and height of the scene are 1 to 16384,
   /// and for more than 1024 fluids and granular materials;
+  /// Error(capacity) for more pixels than OpenGL's buffers hold, of which a million take 4 MB;
   /// Error(device) where OpenGL fails; and what solid_triangles throws.
   Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings = {});
   ~Renderer();

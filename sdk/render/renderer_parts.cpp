@@ -26,6 +26,7 @@ void check_size(int width, int height) {
   };
   check("width", width);
   check("height", height);
+  FluidSurface::check_room(width, height);
 }
 
 Renderer::Parts::Parts(const io::PreviewScene& s, const Moment& first, const RenderSettings& set)
@@ -179,11 +180,11 @@ void Renderer::Parts::draw_fluid() {
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
   Program::show_writes();  // light and thickness, where there is no filter
   timer.mark("filter");
-  foam.gather(frame, to->scene_distance, to->surface.depth(), stage.spacing, to->to_foam);
+  to->surface.bind();
+  foam.gather(frame, to->scene_distance, stage.spacing, to->to_foam);
   timer.mark("foam");
   to->scene_color.bind(unit::color);
   to->scene_distance.bind(unit::depth);
-  to->surface.depth().bind(unit::fluid_depth);
   to->thickness.camera().bind(unit::thickness);
   fluid.use();
   fluid.run_over(to->lit);
@@ -207,7 +208,6 @@ void Renderer::Parts::draw_over() {
 void Renderer::Parts::draw_picture() {
   to->lit.bind(unit::color);
   to->scene_distance.bind(unit::depth);
-  to->surface.depth().bind(unit::fluid_depth);
   if (shows_normals) {
     to->to_toned.use();
     view_normals.use();

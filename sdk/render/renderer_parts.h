@@ -14,7 +14,7 @@
 
 namespace meniscus::render {
 
-/// Throws Error(invalid_argument) that names it, where a side is no picture's.
+/// Throws Error(invalid_argument) that names it, where a side is no picture's, and Error(capacity).
 void check_size(int width, int height);
 
 inline constexpr int shadow_size = 2048;  // pixels along a side

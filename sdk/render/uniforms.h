@@ -41,8 +41,8 @@ inline constexpr unsigned fluids_binding = 1;
 
 /// Texture units.
 namespace unit {
-inline constexpr unsigned shadow = 0, fluid_shadow = 1, color = 2, depth = 3, fluid_depth = 4, thickness = 5,
-                          values = 6, distances = 7, normals = 8;
+inline constexpr unsigned shadow = 0, fluid_shadow = 1, color = 2, depth = 3, thickness = 5, values = 6,
+                          distances = 7, normals = 8;
 }
 
 }  // namespace meniscus::render

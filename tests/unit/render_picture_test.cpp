@@ -272,6 +272,15 @@ TEST_F(PictureTest, BadInputIsRefusedByName) {
   expect_error(ErrorCode::invalid_argument, "width is 0", [&] { draw(scene); });
 }
 
+TEST_F(PictureTest, MorePixelsThanBuffersHoldAreAnError) {
+  GLint64 bytes = 0;
+  glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+  if (bytes >= GLint64{4} * 16384 * 16384) GTEST_SKIP() << "this OpenGL's buffers hold " << bytes << " bytes";
+  render::Renderer renderer(small_scene(), {});
+  expect_error(ErrorCode::capacity, "16384 x 16384", [&] { renderer.set_size(16384, 16384); });
+  EXPECT_EQ(renderer.draw({}).width, small_scene().width) << "it goes on as it was";
+}
+
 TEST_F(PictureTest, ABrokenShaderIsNamed) {
   expect_error(ErrorCode::not_found, "no shader called nowhere.glsl",
                [] { render::Program("nowhere.glsl", "nothing.frag.glsl"); });

@@ -14,24 +14,28 @@ enum class SurfaceFilter {
   none,
 };
 
-/// The fluid's surface as the camera sees it: in red its distance along −z in each pixel, 0 where there is
-/// none; in green how much of the filter is due there, less in drops on their own.
+/// The fluid's surface as the camera sees it, a number a pixel: see shaders/found.glsl.
 class FluidSurface {
  public:
   FluidSurface(int width, int height);
+
+  /// Throws Error(capacity) where OpenGL's buffers do not hold so many pixels.
+  static void check_room(int width, int height);
 
   /// Starts the ellipsoids, in front of what `scene_distance` holds: see Program::start.
   void draw(const TileLists& lists, const Texture& scene_distance);
   /// Lengths in metres: `reach` is the filter's standard deviation, and what is `threshold` apart in depth is
   /// another surface. `pixels`: reach, seen at the scene's middle.
   void filter(SurfaceFilter filter, float reach, float threshold, float pixels);
-  const Texture& depth() const { return *result_; }
+  /// For shaders that read it, by shaders/fluid_depth.glsl.
+  void bind() const;
 
  private:
   void apply(const Program& program, int x, int y, float reach, float threshold);
 
-  Texture first_, second_;
-  const Texture* result_ = &first_;
+  int width_, height_;
+  DataBuffer first_, second_;
+  const DataBuffer* result_ = &first_;
   Program splat_{"splat.comp.glsl"};
   Program narrow_range_{"narrow_range.comp.glsl"};
   Program bilateral_{"bilateral.comp.glsl"};

@@ -23,13 +23,12 @@ void Foam::set(std::span<const DiffuseParticle> particles) {
   count_ = static_cast<GLsizei>(particles.size());
 }
 
-void Foam::gather(const FrameUniforms& frame, const Texture& scene_distance, const Texture& fluid_depth,
-                  float spacing, const Target& to_sums) {
+void Foam::gather(const FrameUniforms& frame, const Texture& scene_distance, float spacing,
+                  const Target& to_sums) {
   if (count_ == 0) return;
   to_sums.use();
   to_sums.clear_color(0, 0, 0, 0, 0);
   scene_distance.bind(unit::depth);
-  fluid_depth.bind(unit::fluid_depth);
   gather_.use();
   glUniform2f(0, frame.projection(0, 0), frame.projection(1, 1));
   glUniform1f(1, spacing);

@@ -19,9 +19,9 @@ class Foam {
   Foam();
 
   void set(std::span<const DiffuseParticle> particles);
-  /// Sums up. `spacing` of the fluid's particles, m.
-  void gather(const FrameUniforms& frame, const Texture& scene_distance, const Texture& fluid_depth,
-              float spacing, const Target& to_sums);
+  /// Sums up, where the fluid's surface is bound. `spacing` of the fluid's particles, m.
+  void gather(const FrameUniforms& frame, const Texture& scene_distance, float spacing,
+              const Target& to_sums);
   /// Draws over what is in the present target; the thickness map is bound already.
   void lay_over(const Screen& screen, const Texture& sums) const;
 

@@ -38,7 +38,7 @@ vec3 behind(vec3 here, vec3 normal, float metres, vec2 place) {
 }
 
 vec3 color_at(ivec2 pixel) {
-  float z = surface_depth(pixel);
+  float z = fluid_depth(pixel);
   if (z <= 0.0) return texelFetch(scene_color, pixel, 0).rgb;
 
   vec2 place = (vec2(pixel) + 0.5) * viewport.zw;

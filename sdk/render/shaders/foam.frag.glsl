@@ -4,8 +4,8 @@
 // What one piece adds: red before the fluid's surface, or on it; green behind it, and blue that times how far
 // behind, m.
 #include "frame.glsl"
+#include "fluid_depth.glsl"
 layout(binding = 3) uniform sampler2D scene_distance;
-layout(binding = 4) uniform sampler2D fluid_depth;
 layout(location = 1) uniform float spacing;
 in vec2 offset;
 flat in float distance_, opacity;
@@ -15,7 +15,7 @@ void main() {
   float u = 1.0 - dot(offset, offset);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   if (u <= 0.0 || distance_ > texelFetch(scene_distance, pixel, 0).r) discard;
-  float surface = texelFetch(fluid_depth, pixel, 0).r;
+  float surface = fluid_depth(pixel);
   float behind = surface > 0.0 ? max(distance_ - surface - 0.5 * spacing, 0.0) : 0.0;
   float amount = opacity * u;
   sums = behind > 0.0 ? vec4(0.0, amount, amount * behind, 0.0) : vec4(amount, 0.0, 0.0, 0.0);

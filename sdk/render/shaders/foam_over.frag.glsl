@@ -6,9 +6,9 @@
 #include "frame.glsl"
 #include "sky.glsl"
 #include "shadow.glsl"
+#include "fluid_depth.glsl"
 layout(binding = 2) uniform sampler2D foam_sums;
 layout(binding = 3) uniform sampler2D scene_distance;
-layout(binding = 4) uniform sampler2D fluid_depth;
 layout(binding = 5) uniform sampler2D thickness_map;  // absorbance; metres
 in vec2 place;
 layout(location = 0) out vec4 color;  // times its opacity
@@ -28,7 +28,7 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 sums = smoothed_sums(pixel);
   if (sums.r + sums.g <= 0.0) discard;
-  float surface = texelFetch(fluid_depth, pixel, 0).r;
+  float surface = fluid_depth(pixel);
   float z = surface > 0.0 ? surface : min(texelFetch(scene_distance, pixel, 0).r, lens.w);
   vec3 world = (camera_to_world * vec4(z * view_ray(place), 1.0)).xyz;
   vec3 white = 0.9 * (ambient_light(up.xyz) + 0.32 * sun_light * (surface > 0.0 ? sun_on(world, up.xyz) : vec3(1.0)));

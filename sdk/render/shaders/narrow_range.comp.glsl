@@ -6,53 +6,52 @@
 // grows with the samples that are in it, so that slopes are no edges. Averages are of 1/z, which is linear in
 // the picture wherever the surface is a plane.
 #include "frame.glsl"
-#include "pixels.glsl"
 #include "filter.glsl"
 
+// A drop in front of a surface leaves no dent in it. `least`: 0, or less than all where the pixel itself shows a drop.
+float level(float found, float here, float least) {
+  return found < least ? here : abs(found);
+}
+
 struct Range {
-  float low, high;
+  float near, far;
 };
+
+void widen(inout Range range, float low, float high) {
+  range.near = min(range.near, low - threshold);
+  range.far = max(range.far, high + threshold);
+}
 
 // Whether the sample counts; what it counts as.
 bool admit(inout float z, float here, inout Range range) {
-  if (z <= 0.0 || z > here + range.high) return false;
-  if (z < here - range.low) {
+  if (z > range.far) return false;
+  if (z < range.near)
     z = here - 0.1 * floor_.z;
-  } else {
-    range.high = max(range.high, z - here + threshold);
-    range.low = max(range.low, here - z + threshold);
-  }
+  else
+    widen(range, z, z);
   return true;
 }
 
-// A drop in front of a surface leaves no dent in it.
-float surface_at(ivec2 pixel, vec2 here) {
-  ivec2 last = textureSize(fluid_depth, 0) - 1;
-  vec2 there = texelFetch(fluid_depth, clamp(pixel, ivec2(0), last), 0).rg;
-  return there.r > 0.0 && there.g < here.g - 0.4 ? here.r : there.r;
+// One after the other; nearly always both are in the range, and it is all the same.
+bool admit_both(inout float a, inout float b, float here, inout Range range) {
+  float low = min(a, b), high = max(a, b);
+  if (low < range.near || high > range.far) return admit(a, here, range) && admit(b, here, range);
+  widen(range, low, high);
+  return true;
 }
 
-vec2 filtered(ivec2 pixel) {
-  vec2 result = texelFetch(fluid_depth, pixel, 0).rg;
-  float here = result.r;
-  if (here <= 0.0) return result;
-  int samples, stride;
-  float falloff;
-  choose_samples(pixel, here, result.g, samples, stride, falloff);
-  float sum = 1.0 / here, weight = 1.0;
-  Range range = Range(threshold, threshold);
-  for (int k = 1; k <= samples; ++k) {
-    float a = surface_at(pixel + k * stride * axis, result), b = surface_at(pixel - k * stride * axis, result);
-    if (!admit(a, here, range) || !admit(b, here, range)) break;
-    float w = exp(falloff * float(k * k));
-    sum += w * (1.0 / a + 1.0 / b);
-    weight += 2.0 * w;
+float filtered(ivec2 pixel, float found) {
+  Row row = row_of(pixel);
+  Samples samples = choose_samples(row, found);
+  Weights w = weights_of(samples.weight);
+  float here = abs(found), least = found < 0.0 ? -1e38 : 0.0, sum = 1.0 / here, weight = 1.0;
+  Range range = Range(here - threshold, here + threshold);
+  for (int k = 1, places = samples.stride; k <= samples.count; ++k, places += samples.stride) {
+    float a = level(ahead(row, places), here, least), b = level(behind(row, places), here, least);
+    if (!admit_both(a, b, here, range)) break;
+    advance(w);
+    sum += w.at * (a + b) / (a * b);
+    weight += 2.0 * w.at;
   }
-  result.r = weight / sum;
-  return result;
-}
-
-void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (!is_outside(pixel)) imageStore(result_depth, pixel, vec4(filtered(pixel), 0.0, 0.0));
+  return weight / sum;
 }

@@ -8,6 +8,6 @@ layout(location = 0) out vec4 result;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float z = surface_depth(pixel);
+  float z = fluid_depth(pixel);
   result = z > 0.0 ? vec4(surface_normal(pixel, z), z) : vec4(0.0);
 }

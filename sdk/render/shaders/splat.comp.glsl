@@ -1,25 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 #version 450 core
-// The ellipsoids of one tile by ray casting: in red where the line of sight first enters one, as a distance along −z, 0
-// where there is none; in green how much of the filter that one is to get. Threads first take a particle each and write
-// down the pictures of those that are not hidden; then a row of threads draws one picture at a time.
+// The ellipsoids of one tile by ray casting: where the line of sight first enters one, and how much of the filter that
+// one is to get. Threads first take a particle each and write down the pictures of those that are not hidden; then a
+// row of threads draws one picture at a time.
 #include "frame.glsl"
 #include "fluids.glsl"
 #include "quadric.glsl"
 #include "particles.glsl"
 #include "ellipsoid.glsl"
 #include "tiles.glsl"
+#include "found.glsl"
 layout(local_size_x = 256) in;
 layout(binding = 3) uniform sampler2D scene_distance;
-layout(binding = 0, rg32f) writeonly restrict uniform image2D surface;
+layout(std430, binding = 9) writeonly restrict buffer FoundSurface {
+  float found_surface[];
+};
 layout(location = 0) uniform ivec2 tiles;
 
 const uint group_size = 256u;
 const uint row = 32u;         // threads, 8 by 4 pixels
 const uint round_size = 64u;  // particles, between two looks at what is hidden
 const int size = 32;
-const uint share_bits = 63u;  // of a distance's bits, the last: they hold the filter's share instead
 
 const int block = 8;                   // pixels
 const int blocks = size / block;
@@ -134,10 +136,13 @@ void draw_list(int list, ivec2 corner) {
   }
 }
 
-void put(ivec2 pixel, uint found) {
-  bool is_fluid = found < limit_at(pixel);
-  vec2 value = vec2(uintBitsToFloat(found & ~share_bits), float(found & share_bits) / float(share_bits));
-  imageStore(surface, pixel, vec4(is_fluid ? value : vec2(0.0), 0.0, 0.0));
+void put(ivec2 pixel, float found) {
+  if (all(lessThan(pixel, ivec2(viewport.xy)))) found_surface[place_of(pixel)] = found;
+}
+
+float marked(ivec2 pixel, uint found) {
+  if (found >= limit_at(pixel)) return nothing;
+  return uintBitsToFloat(float(found & share_bits) < 0.6 * float(share_bits) ? found | drop_bit : found);
 }
 
 void main() {
@@ -146,7 +151,7 @@ void main() {
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * size;
   if (list_count(own) + list_count(all) == 0u) {
     for (int k = first; k < size * size; k += int(group_size))
-      imageStore(surface, corner + ivec2(k % size, k / size), vec4(0.0));
+      put(corner + ivec2(k % size, k / size), nothing);
     return;
   }
   for (int k = first; k < size * size; k += int(group_size)) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
@@ -154,5 +159,8 @@ void main() {
   find_farthest();
   draw_list(all, corner);
   draw_list(own, corner);
-  for (int k = first; k < size * size; k += int(group_size)) put(corner + ivec2(k % size, k / size), nearest[k]);
+  for (int k = first; k < size * size; k += int(group_size)) {
+    ivec2 pixel = corner + ivec2(k % size, k / size);
+    put(pixel, marked(pixel, nearest[k]));
+  }
 }

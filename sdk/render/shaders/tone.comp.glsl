@@ -7,9 +7,9 @@
 #include "pixels.glsl"
 #include "sky.glsl"
 #include "bars.glsl"
+#include "fluid_depth.glsl"
 layout(binding = 2) uniform sampler2D scene_color;
 layout(binding = 3) uniform sampler2D scene_distance;
-layout(binding = 4) uniform sampler2D fluid_depth;
 layout(binding = 0, rgba8) writeonly restrict uniform image2D toned;
 
 // Without shadows: none would be seen on so thin a bar.
@@ -18,7 +18,7 @@ vec3 bar_color(vec3 n) {
 }
 
 vec3 color_at(ivec2 pixel) {
-  float fluid = texelFetch(fluid_depth, pixel, 0).r, behind = texelFetch(scene_distance, pixel, 0).r;
+  float fluid = fluid_depth(pixel), behind = texelFetch(scene_distance, pixel, 0).r;
   vec3 color = texelFetch(scene_color, pixel, 0).rgb;
   BarHit hit = find_bar(vec2(pixel), fluid > 0.0 ? min(fluid, behind) : behind);
   return hit.bar != ~0u ? bar_color(hit.normal) : color;

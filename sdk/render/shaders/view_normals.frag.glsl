@@ -22,7 +22,7 @@ vec3 slope(ivec2 pixel, ivec2 axis, vec3 here) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float fluid = surface_depth(pixel);
+  float fluid = fluid_depth(pixel);
   vec3 here = point_at(pixel), c = vec3(0.12);
   bool is_fluid = fluid > 0.0 && fluid <= -here.z * 1.0001;
   if (is_fluid || -here.z < 0.99 * lens.w) {
