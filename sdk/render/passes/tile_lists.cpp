@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/render/passes/tile_lists.h"
 
+#include <utility>
+
 namespace meniscus::render {
 namespace {
 
 /// What covers more stands in the list of all tiles: so there is room for all, whatever is to be seen.
 constexpr std::size_t most_tiles = 9;
 constexpr int threads = 64;
-constexpr int strands = 16;  // see shaders/tiles.glsl
+constexpr int strands = 16;         // see shaders/tiles.glsl
+constexpr GLuint next_binding = 9;  // see shaders/allot.comp.glsl
 
 int groups_for(int count) {
   return (count + threads - 1) / threads;
@@ -35,10 +38,18 @@ void TileLists::build(std::span<TileLists* const> all, const Particles& particle
 
 void TileLists::reserve(const Particles& particles) {
   starts_.reserve(sizeof(GLuint) * static_cast<std::size_t>(lists()));
-  cursors_.reserve(sizeof(GLuint) *
-                   (static_cast<std::size_t>(strands) * static_cast<std::size_t>(lists()) + 1));
+  std::swap(cursors_, next_cursors_);  // allot() has cleared them
+  if (cleared_ != lists()) clear_cursors();
   entries_.reserve(sizeof(GLuint) * (most_tiles * static_cast<std::size_t>(particles.count()) + 1));
-  glClearNamedBufferData(cursors_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void TileLists::clear_cursors() {
+  const std::size_t count = static_cast<std::size_t>(strands) * static_cast<std::size_t>(lists()) + 1;
+  for (DataBuffer* buffer : {&cursors_, &next_cursors_}) {
+    buffer->reserve(sizeof(GLuint) * count);
+    glClearNamedBufferData(buffer->name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  }
+  cleared_ = lists();
 }
 
 void TileLists::bind() const {
@@ -58,6 +69,7 @@ void TileLists::list(const Particles& particles, bool writes) const {
 
 void TileLists::allot() const {
   bind();
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, next_binding, next_cursors_.name());
   allot_.use();
   glUniform1ui(0, static_cast<GLuint>(lists()));
   allot_.start(groups_for(lists()));

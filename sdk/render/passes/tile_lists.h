@@ -24,6 +24,7 @@ class TileLists {
 
  private:
   void reserve(const Particles& particles);
+  void clear_cursors();
   void bind() const;
   void list(const Particles& particles, bool writes) const;
   void allot() const;
@@ -34,6 +35,8 @@ class TileLists {
   int across_ = 0, down_ = 0;
   float radius_ = 0;
   DataBuffer starts_, cursors_, entries_;
+  DataBuffer next_cursors_;  // of the next picture
+  int cleared_ = 0;          // how many lists' cursors are 0 where a picture begins
 };
 
 }  // namespace meniscus::render
