@@ -154,14 +154,15 @@ void Renderer::Parts::list_particles() {
 }
 
 void Renderer::Parts::gather_fluid() {
-  if (!to->has_fluid_shadows) to->thickness.draw_for_sun(sun_lists, frame);
-  to->has_fluid_shadows = true;
-  timer.mark("thickness for the sun");
+  // Side by side: the longest comes first, the others fill what it leaves free towards its end.
   to->surface.draw(camera_lists, to->scene_distance);
-  Program::show_writes();
   timer.mark("ellipsoids");
   to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
   timer.mark("thickness");
+  if (!to->has_fluid_shadows) to->thickness.draw_for_sun(sun_lists, frame);
+  to->has_fluid_shadows = true;
+  Program::show_writes();
+  timer.mark("thickness for the sun");
 }
 
 void Renderer::Parts::light_scene() {
@@ -178,7 +179,7 @@ void Renderer::Parts::draw_fluid() {
   const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
   to->surface.filter(settings.filter, reach, settings.filter_threshold * stage.spacing,
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
-  Program::show_writes();  // light and thickness, where there is no filter
+  Program::show_writes();  // the light, where there is no filter
   timer.mark("filter");
   to->surface.bind();
   foam.gather(frame, to->scene_distance, stage.spacing, to->to_foam);
