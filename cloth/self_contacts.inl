@@ -195,7 +195,7 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   vertices_ = static_cast<uint32_t>(rest.size());
   groups_ = tree_.places() / 8;
   // A vertex can take some 2¹³ m times the greatest mass, in steps far below a float's.
-  unit_ = std::ldexp(1.0f, std::ilogb(heaviest) - 49);
+  unit_ = std::ldexp(1.0f, std::ilogb(heaviest > 0 ? heaviest : 1.0f) - 49);
 
   cones_.resize_discard(groups_);
   rough_.resize_discard(groups_);

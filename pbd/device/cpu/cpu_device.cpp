@@ -55,20 +55,21 @@ void CpuDevice::do_release(void* memory) noexcept {
   std::free(memory);
 }
 
+// Of no bytes there may be no memory, which memcpy must not be given.
 void CpuDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
-  std::memcpy(device_memory, host, bytes);
+  if (bytes) std::memcpy(device_memory, host, bytes);
 }
 
 void CpuDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
-  std::memcpy(host, device_memory, bytes);
+  if (bytes) std::memcpy(host, device_memory, bytes);
 }
 
 void CpuDevice::copy(void* to, const void* from, size_t bytes) {
-  std::memcpy(to, from, bytes);
+  if (bytes) std::memcpy(to, from, bytes);
 }
 
 void CpuDevice::fill(void* memory, unsigned char byte, size_t bytes) {
-  std::memset(memory, byte, bytes);
+  if (bytes) std::memset(memory, byte, bytes);
 }
 
 void CpuDevice::mark_time(uint32_t mark) {
