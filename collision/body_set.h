@@ -63,6 +63,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
   void look_ahead(float dt);
   void carry_shapes();
   void rest();
+  template <class F>
+  void time_rigid(const F& step);
   float furthest_motion() const;
   void check_finite() const;
   uint32_t lanes() const;

@@ -141,9 +141,12 @@ void BodySet<D>::end(pbd::Substep<D>& substep) {
 
 template <class D>
 void BodySet<D>::exchange(pbd::Substep<D>& substep) {
-  // The device still works: time to put aside what Bullet is about to change.
+  // The device still works: time to put aside what Bullet is about to change, and for Bullet to find
+  // contacts.
   if (!saved_) world_.save(*snapshot_);
   saved_ = true;
+  ahead_ = -1;
+  time_rigid([&] { world_.begin_step(substep.dt); });
   // What was launched after the impulses, the velocity passes, runs on while Bullet steps.
   device_.wait_for_fence();
   const std::span<RigidImpulse> impulses = impulses_.host();
@@ -154,16 +157,21 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
     sums_[b].linear += impulse.linear;
     sums_[b].angular += impulse.angular;
   }
-  ahead_ = -1;
-  const auto start = std::chrono::steady_clock::now();
-  world_.step(substep.dt, impulses);
-  step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  time_rigid([&] { world_.finish_step(substep.dt, impulses); });
   world_.predict(0, arrived_.host());
   check_finite();
   device_.parallel_for("bodies/arrive", bodies_, body_kernels::Arrive{arrived_.view(), proxies_.view()});
   carry_shapes();
   const pbd::ParticleView& p = substep.particles;
   contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, furthest_motion());
+}
+
+template <class D>
+template <class F>
+void BodySet<D>::time_rigid(const F& step) {
+  const auto start = std::chrono::steady_clock::now();
+  step();
+  step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 template <class D>

@@ -29,7 +29,7 @@ void RigidDispatcher::dispatchAllCollisionPairs(btOverlappingPairCache*, const b
   order_pairs();
   btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
   for (const PairPlace& place : order_) (*getNearCallback())(pairs[place.index], *this, info);
-  order_manifolds();
+  follow_order();
 }
 
 void RigidDispatcher::order_pairs() {
@@ -44,6 +44,10 @@ void RigidDispatcher::order_pairs() {
 
 void RigidDispatcher::order_manifolds() {
   order_pairs();
+  follow_order();
+}
+
+void RigidDispatcher::follow_order() {
   const btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
   ordered_.resizeNoInitialize(0);
   for (const PairPlace& place : order_) {
@@ -53,7 +57,7 @@ void RigidDispatcher::order_manifolds() {
   touching_.clear();
   for (int i = 0; i < of_pairs; ++i) {
     ordered_[i]->m_index1a = i;
-    if (ordered_[i]->getNumContacts() > 0) touching_.push_back(i);
+    if (ordered_[i]->getNumContacts() > 0) touching_.push_back(ordered_[i]);
   }
   for (int i = 0; i < m_manifoldsPtr.size(); ++i) {
     btPersistentManifold* other = m_manifoldsPtr[i];
@@ -64,18 +68,27 @@ void RigidDispatcher::order_manifolds() {
   m_manifoldsPtr.copyFromArray(ordered_);
 }
 
-void RigidDynamics::advance(float dt) {
-  applyGravity();
-  internalSingleStepSimulation(dt);
-}
-
-void RigidDynamics::performDiscreteCollisionDetection() {
-  btDiscreteDynamicsWorld::performDiscreteCollisionDetection();
+void RigidDynamics::detect(float dt) {
+  releasePredictiveContacts();
+  getDispatchInfo().m_timeStep = dt;
+  performDiscreteCollisionDetection();
   for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
     const btRigidBody& body = *m_nonStaticRigidBodies[i];
     detected[static_cast<size_t>(body.getUserIndex())] = body.getWorldTransform();
   }
+}
+
+/// What is left of Bullet's internalSingleStepSimulation once contacts are known.
+void RigidDynamics::advance(float dt) {
+  applyGravity();
+  predictUnconstraintMotion(dt);
+  createPredictiveContacts(dt);
   prepare_contacts();
+  calculateSimulationIslands();
+  getSolverInfo().m_timeStep = dt;
+  solveConstraints(getSolverInfo());
+  integrateTransforms(dt);
+  updateActivationState(dt);
 }
 
 namespace {
@@ -115,9 +128,7 @@ void close_gap(btManifoldPoint& point, const btVector3& velocity, float dt, floa
 
 void RigidDynamics::prepare_contacts() {
   const float dt = getDispatchInfo().m_timeStep;
-  for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
-    btPersistentManifold& manifold = *getDispatcher()->getManifoldByIndexInternal(i);
-    if (manifold.getNumContacts() == 0) continue;
+  for_each_touching([&](btPersistentManifold& manifold) {
     const btRigidBody& a = *btRigidBody::upcast(manifold.getBody0());
     const btRigidBody& b = *btRigidBody::upcast(manifold.getBody1());
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
@@ -127,7 +138,7 @@ void RigidDynamics::prepare_contacts() {
       aim_friction(point, velocity);
       close_gap(point, velocity, dt, getSolverInfo().m_restitutionVelocityThreshold);
     }
-  }
+  });
 }
 
 }  // namespace meniscus::collision

@@ -23,13 +23,15 @@ class RigidDispatcher final : public btCollisionDispatcher {
 
   /// Puts the manifolds into the order of their pairs, and what belongs to no pair behind them.
   void order_manifolds();
-  /// Which manifolds of pairs have contacts, in their order. Most have none, as boxes around bodies are wide.
-  const std::vector<int>& touching() const { return touching_; }
+  /// The manifolds of pairs that have contacts, in their order. Most have none, as boxes around bodies are
+  /// wide.
+  const std::vector<btPersistentManifold*>& touching() const { return touching_; }
   /// While true, sleepers collide too.
   void set_every_pair(bool every_pair) { every_pair_ = every_pair; }
 
  private:
   void order_pairs();
+  void follow_order();
 
   struct PairPlace {
     uint64_t key;  ///< the two ids
@@ -38,7 +40,7 @@ class RigidDispatcher final : public btCollisionDispatcher {
   btOverlappingPairCache* pairs_;
   RigidPlaneContacts plane_second_{false}, plane_first_{true};
   std::vector<PairPlace> order_;
-  std::vector<int> touching_;
+  std::vector<btPersistentManifold*> touching_;
   btManifoldArray ordered_, of_pair_;
   bool every_pair_ = false;
 };
@@ -47,15 +49,25 @@ class RigidDynamics final : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
 
-  /// One step of Bullet. Forces are the caller's to set and to clear.
+  // One step of Bullet, in two. Forces are the caller's to set and to clear.
+
+  /// Finds who touches whom where bodies are. Velocities do not count.
+  void detect(float dt);
+  /// Solves what was found, and moves.
   void advance(float dt);
-  void performDiscreteCollisionDetection() override;
 
   /// Of a body, by its number, when contacts were last looked for.
   std::vector<btTransform> detected;
   /// Those of fast bodies with what they are about to hit. They live until the next step.
   btAlignedObjectArray<btPersistentManifold*>& predictive() { return m_predictiveManifolds; }
   void release_predictive() { releasePredictiveContacts(); }
+
+  /// Calls visit(manifold) for all that have contacts, in a fixed order.
+  template <class Visit>
+  void for_each_touching(const Visit& visit) {
+    for (btPersistentManifold* m : static_cast<RigidDispatcher*>(getDispatcher())->touching()) visit(*m);
+    for (int i = 0; i < m_predictiveManifolds.size(); ++i) visit(*m_predictiveManifolds[i]);
+  }
 
  private:
   void prepare_contacts();

@@ -150,25 +150,32 @@ bool is_within(const btCollisionShape& shape, const btVector3& local) {
 
 std::vector<RigidContact> RigidWorld::contacts() const {
   std::vector<RigidContact> found;
-  for (int i = 0; i < impl_->dispatcher.getNumManifolds(); ++i) {
-    const btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(i);
+  impl_->dynamics.for_each_touching([&](const btPersistentManifold& manifold) {
     const RigidRef a = impl_->solid_of(manifold.getBody0()), b = impl_->solid_of(manifold.getBody1());
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
       found.push_back(contact_of(manifold.getContactPoint(p), a, b));
     }
-  }
+  });
   std::ranges::stable_sort(found, {}, [](const RigidContact& c) { return std::tuple(rank(c.a), rank(c.b)); });
   return found;
 }
 
 std::vector<RigidTouch> RigidWorld::touches() const {
   std::vector<RigidTouch> found;
-  for (const RigidContact& contact : contacts()) {
-    if (contact.distance > 0 && !(contact.impulse > 0)) continue;
-    const bool known =
-        !found.empty() && rank(found.back().a) == rank(contact.a) && rank(found.back().b) == rank(contact.b);
-    if (!known) found.push_back({contact.a, contact.b});
-  }
+  impl_->dynamics.for_each_touching([&](const btPersistentManifold& manifold) {
+    bool touch = false;
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+      const btManifoldPoint& point = manifold.getContactPoint(p);
+      touch |= point.getDistance() <= 0 || point.m_appliedImpulse > 0;
+    }
+    if (!touch) return;
+    const RigidRef a = impl_->solid_of(manifold.getBody0()), b = impl_->solid_of(manifold.getBody1());
+    found.push_back(rank(b) < rank(a) ? RigidTouch{b, a} : RigidTouch{a, b});
+  });
+  const auto key = [](const RigidTouch& t) { return std::tuple(rank(t.a), rank(t.b)); };
+  std::ranges::sort(found, {}, key);
+  const auto same = [&](const RigidTouch& x, const RigidTouch& y) { return key(x) == key(y); };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
   return found;
 }
 

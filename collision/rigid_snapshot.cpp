@@ -93,11 +93,10 @@ void RigidWorld::save(Snapshot& to) const {
   to.manifolds.clear();
   to.points.clear();
   auto& predictive = impl_->dynamics.predictive();
-  for (const int i : impl_->dispatcher.touching()) {
-    const btPersistentManifold& manifold = *impl_->dispatcher.getManifoldByIndexInternal(i);
-    const int count = manifold.getNumContacts();
-    to.manifolds.push_back({i, count});
-    const btManifoldPoint* first = &manifold.getContactPoint(0);
+  for (const btPersistentManifold* manifold : impl_->dispatcher.touching()) {
+    const int count = manifold->getNumContacts();
+    to.manifolds.push_back({manifold->m_index1a, count});
+    const btManifoldPoint* first = &manifold->getContactPoint(0);
     to.points.insert(to.points.end(), first, first + count);
   }
   to.predictions.clear();

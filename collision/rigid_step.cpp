@@ -162,16 +162,21 @@ void RigidWorld::Impl::apply_forces() {
   }
 }
 
-void RigidWorld::step(float dt, std::span<const RigidImpulse> impulses) {
+void RigidWorld::begin_step(float dt) {
+  impl_->drive_kinematics(dt);
+  impl_->dynamics.detect(dt / static_cast<float>(impl_->def.substeps));
+}
+
+void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
   Impl& world = *impl_;
   const int substeps = world.def.substeps;
   const float h = dt / static_cast<float>(substeps);
   world.take_impulses(dt, impulses);
-  world.drive_kinematics(dt);
   world.limit_motors(h);
   world.dynamics.getSolverInfo().m_restitutionVelocityThreshold =
       resting_steps * h * length(world.def.gravity);
   for (int i = 1; i <= substeps; ++i) {
+    if (i > 1) world.dynamics.detect(h);
     world.apply_forces();
     world.dynamics.advance(h);
     world.advance_kinematics(i < substeps ? static_cast<float>(i) / static_cast<float>(substeps) : 1);

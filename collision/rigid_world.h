@@ -59,7 +59,7 @@ struct RigidJointDef {
 
 struct RigidWorldDef {
   Vec3 gravity{0, -9.81f, 0};
-  int substeps = 1;     ///< of Bullet, in one step()
+  int substeps = 1;     ///< of Bullet, in one step
   int iterations = 10;  ///< of Bullet's solver
 };
 
@@ -74,7 +74,7 @@ struct RigidContact {
   Vec3 point;      ///< m, on b
   Vec3 normal;     ///< unit, from b to a
   float distance;  ///< m
-  float impulse;   ///< N·s, in the last of Bullet's steps, of which step() makes `substeps`
+  float impulse;   ///< N·s, in the last of Bullet's steps, of which a step makes `substeps`
 };
 
 struct RigidTouch {
@@ -134,9 +134,16 @@ class RigidWorld {
 
   /// Where bodies are and where they would get to in dt, by number; with dt = 0 where they are alone.
   void predict(float dt, std::span<RigidMotion> out) const;
+  /// Finds contacts where bodies are, which takes a good part of a step. Impulses need not be known yet.
+  void begin_step(float dt);
   /// Gives each body its impulse, wakes those that one changes, and advances by dt.
-  void step(float dt, std::span<const RigidImpulse> impulses);
-  /// Sets the time, in place of step(), where there are no bodies.
+  void finish_step(float dt, std::span<const RigidImpulse> impulses);
+  /// Both at once.
+  void step(float dt, std::span<const RigidImpulse> impulses) {
+    begin_step(dt);
+    finish_step(dt, impulses);
+  }
+  /// Sets the time, in place of a step, where there are no bodies.
   void set_time(double time);
   /// The first body whose pose or velocity is not finite; no_index where all are.
   uint32_t first_non_finite() const;
@@ -146,7 +153,7 @@ class RigidWorld {
 
   // ---- what can be asked ----
 
-  std::vector<RigidContact> contacts() const;  ///< of the last step(), in a fixed order
+  std::vector<RigidContact> contacts() const;  ///< of the last step, in a fixed order
   std::vector<RigidTouch> touches()
       const;  ///< pairs with at least one point at distance ≤ 0 or an impulse; sorted
   /// The nearest. A ray that starts in a convex solid meets it at once.

@@ -51,7 +51,7 @@ void Solver<D>::substep(float dt, bool is_last) {
 
   for (ConstraintSet<D>* set : sets_) {
     if (!set->exchanges()) continue;
-    timer_.enter(StageId::exchange);
+    timer_.enter_now(StageId::exchange);
     set->exchange(s);
   }
 }
