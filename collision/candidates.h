@@ -14,21 +14,27 @@ inline constexpr uint32_t cluster_size = 32;  ///< particles; a warp's
 
 /// For kernels.
 struct CandidateView {
-  pbd::View<const uint32_t> masks;  ///< the first 32 shapes of each cluster, then the next of each, …
-  uint32_t words = 0, clusters = 0;
+  pbd::View<const uint32_t> masks;  ///< of each cluster so many words, a bit a shape
+  uint32_t words = 0;
 
   /// Calls visit(shape) for each, in the order of their numbers.
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t particle, const Visit& visit) const {
-    const uint32_t cluster = particle / cluster_size;
+    const uint32_t first = particle / cluster_size * words;
     for (uint32_t w = 0; w < words; ++w) {
-      uint32_t mask = masks[w * clusters + cluster];
+      uint32_t mask = masks[first + w];
       for (; mask; mask &= mask - 1) visit(32 * w + pbd::lowest_bit(mask));
     }
   }
 };
 
 namespace candidate_kernels {
+
+MENISCUS_HD inline Aabb joined(const Aabb* boxes, uint32_t count) {
+  Aabb all = boxes[0];
+  for (uint32_t k = 1; k < count; ++k) all = {min(all.lower, boxes[k].lower), max(all.upper, boxes[k].upper)};
+  return all;
+}
 
 /// Boxes of motions while those of some clusters are joined.
 struct BoundScratch {
@@ -61,38 +67,73 @@ struct BoundClusters {
         bounds[first + k] = joined(scratch.joined + Scratch::parts * k, Scratch::parts);
     });
   }
-
-  MENISCUS_HD static Aabb joined(const Aabb* boxes, uint32_t count) {
-    Aabb all = boxes[0];
-    for (uint32_t k = 1; k < count; ++k)
-      all = {min(all.lower, boxes[k].lower), max(all.upper, boxes[k].upper)};
-    return all;
-  }
 };
 
-/// Eight shapes for one cluster.
+/// What some clusters that are neighbours may meet of some words of shapes.
+struct MarkScratch {
+  static constexpr uint32_t clusters = 32, words = 4, shapes = 32 * words, parts = 8;
+
+  Aabb boxes[clusters], joined[parts], all;
+  bool near_any[shapes];
+  uint32_t near_any_mask[words];
+};
+
+/// Shapes are first held against a box of all those clusters: few are left for each of them to look at.
 struct MarkCandidates {
-  static constexpr uint32_t batch = 8, batches = 32 / batch;
+  using Scratch = MarkScratch;
 
   ShapeSet set;
   pbd::View<const Aabb> bounds;
-  pbd::View<uint8_t> masks;  ///< the words' bytes, the lowest first
-  uint32_t clusters;
+  pbd::View<uint32_t> masks;
+  uint32_t clusters, words;
   float reach;
 
-  MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t part = n / clusters, cluster = n % clusters;
-    const Aabb box = bounds[cluster];
-    const uint32_t last = set.shapes.count - 1;
-    uint32_t mask = 0;
-    MENISCUS_UNROLL
-    for (uint32_t k = 0; k < batch; ++k) {
-      const uint32_t number = part * batch + k;
-      const Shape& shape = set.shapes[number < last ? number : last];
-      const bool near = shape.kind == ShapeKind::plane || !out_of_reach(shape, box.lower, box.upper, reach);
-      mask |= static_cast<uint32_t>(near && number <= last) << k;
-    }
-    masks[batches * (part / batches * clusters + cluster) + part % batches] = static_cast<uint8_t>(mask);
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    const uint32_t cluster_groups = groups_of(clusters, Scratch::clusters);
+    const uint32_t first = n % cluster_groups * Scratch::clusters;
+    const uint32_t first_word = n / cluster_groups * Scratch::words;
+    find_near_any(group, scratch, first, first_word);
+    group.for_each(Scratch::clusters * Scratch::words, [&](uint32_t k) {
+      const uint32_t c = k % Scratch::clusters, w = k / Scratch::clusters;
+      if (first + c >= clusters || first_word + w >= words) return;
+      uint32_t near = 0;
+      for (uint32_t mask = scratch.near_any_mask[w]; mask; mask &= mask - 1) {
+        const uint32_t bit = pbd::lowest_bit(mask);
+        const Shape& shape = set.shapes[32 * (first_word + w) + bit];
+        near |= static_cast<uint32_t>(is_near(shape, scratch.boxes[c])) << bit;
+      }
+      masks[(first + c) * words + first_word + w] = near;
+    });
+  }
+
+  template <class Group>
+  MENISCUS_HD void find_near_any(const Group& group, Scratch& scratch, uint32_t first,
+                                 uint32_t first_word) const {
+    constexpr uint32_t each = Scratch::clusters / Scratch::parts;
+    group.for_each(Scratch::clusters, [&](uint32_t k) {
+      scratch.boxes[k] = bounds[first + k < clusters ? first + k : clusters - 1];
+    });
+    group.for_each(Scratch::parts,
+                   [&](uint32_t k) { scratch.joined[k] = joined(scratch.boxes + each * k, each); });
+    group.for_each(1, [&](uint32_t) { scratch.all = joined(scratch.joined, Scratch::parts); });
+    group.for_each(Scratch::shapes, [&](uint32_t k) {
+      const uint32_t number = 32 * first_word + k;
+      scratch.near_any[k] = number < set.shapes.count && is_near(set.shapes[number], scratch.all);
+    });
+    group.for_each(Scratch::words, [&](uint32_t w) {
+      uint32_t mask = 0;
+      for (uint32_t k = 0; k < 32; ++k) mask |= static_cast<uint32_t>(scratch.near_any[32 * w + k]) << k;
+      scratch.near_any_mask[w] = mask;
+    });
+  }
+
+  MENISCUS_HD bool is_near(const Shape& shape, const Aabb& box) const {
+    return shape.kind == ShapeKind::plane || !out_of_reach(shape, box.lower, box.upper, reach);
+  }
+  MENISCUS_HD static uint32_t groups_of(uint32_t count, uint32_t each) { return (count + each - 1) / each; }
+  MENISCUS_HD uint32_t groups() const {
+    return groups_of(clusters, Scratch::clusters) * groups_of(words, Scratch::words);
   }
 };
 
@@ -120,12 +161,11 @@ class Candidates {
     constexpr uint32_t each = BoundScratch::clusters;
     device.parallel_for_groups("contacts/clusters", (clusters_ + each - 1) / each,
                                BoundClusters{from, to, bounds_.view(), particles, clusters_});
-    const pbd::View<uint8_t> bytes{reinterpret_cast<uint8_t*>(masks_.view().data), 4 * masks_.view().count};
-    device.parallel_for("contacts/candidates", clusters_ * words_ * MarkCandidates::batches,
-                        MarkCandidates{set, bounds_.view(), bytes, clusters_, reach});
+    const MarkCandidates mark{set, bounds_.view(), masks_.view(), clusters_, words_, reach};
+    device.parallel_for_groups("contacts/candidates", mark.groups(), mark);
   }
 
-  CandidateView view() const { return {masks_.view(), words_, clusters_}; }
+  CandidateView view() const { return {masks_.view(), words_}; }
 
  private:
   uint32_t words_ = 0, clusters_ = 0;
