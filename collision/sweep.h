@@ -23,14 +23,18 @@ MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Moti
   constexpr int most_steps = 256;
   const Vec3 path = m.to - m.from;
   const float path_length = length(path), touch = 0.5f * radius;
+  const auto surface_at = [&](Vec3 p) { return sample_surface(set, shape, p, path_length + radius); };
+  SurfaceSample s = surface_at(m.from);
+  // No distance changes by more than the way: from both ends too far, nothing is met. Twice as far as it
+  // takes, as fields are not exact.
+  if (s.distance + surface_at(m.to).distance > path_length + 4 * touch) return {};
   float t = 0;
-  SurfaceSample s{};
   for (int k = 0; k < most_steps; ++k) {
-    s = sample_surface(set, shape, m.from + t * path, path_length + radius);
     if (s.distance < touch && dot(s.normal, path) < 0) return {t, m.from + t * path, s.normal, true};
     // What slides along the surface still has to get on.
     t += pbd::max(s.distance - 0.5f * touch, 0.5f * touch) / path_length;
     if (t >= 1) return {};
+    s = surface_at(m.from + t * path);
   }
   return {t, m.from + t * path, s.normal, true};  // too far to follow: it stops here
 }
