@@ -29,7 +29,7 @@ struct Project {
   ContactView contacts;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t i = contacts.particle_starting_at(n);
+    const uint32_t i = contacts.touching_particle(n);
     if (i == pbd::no_index) return;
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     Vec4 p = position[i];
@@ -87,7 +87,7 @@ struct Bounce {
   float resting_speed;  ///< m/s: slower impacts do not bounce, or nothing would come to rest
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t i = contacts.particle_starting_at(n);
+    const uint32_t i = contacts.touching_particle(n);
     if (i == pbd::no_index) return;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       Contact& c = contacts.contacts[k];

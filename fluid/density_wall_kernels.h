@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The kernels of the density constraint, for particles that touch a wall: as in density_kernels.h, with
-// images. They run over the contacts, and work at each particle's first one.
+// images.
 #pragma once
 
 #include "fluid/density_kernels.h"
@@ -92,8 +92,8 @@ struct AdvanceAtWalls {
   Advancing advancing;
 
   template <class D>
-  MENISCUS_HD void run(uint32_t contact) const {
-    const uint32_t i = contacts.particle_starting_at(contact);
+  MENISCUS_HD void run(uint32_t k) const {
+    const uint32_t i = contacts.touching_particle(k);
     if (i == pbd::no_index) return;
     if (with_grains && advancing.passes_over(i)) return;
     const Constraint c =
@@ -114,8 +114,8 @@ struct CorrectAtWalls {
   View<Vec4> position, moved;
 
   template <class D>
-  MENISCUS_HD void run(uint32_t contact) const {
-    const uint32_t i = contacts.particle_starting_at(contact);
+  MENISCUS_HD void run(uint32_t k) const {
+    const uint32_t i = contacts.touching_particle(k);
     if (i == pbd::no_index) return;
     const Mirrors mirrors = mirrors_at(contacts, i, staged[i].xyz(), kernel.h);
     mirrors.count <= 1 ? correct<D, 1>(i, mirrors) : correct<D, Mirrors::most>(i, mirrors);

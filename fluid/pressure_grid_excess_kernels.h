@@ -55,8 +55,8 @@ struct ExcessAtWalls {
   View<Found> found;
 
   template <class D>
-  MENISCUS_HD void run(uint32_t contact) const {
-    const uint32_t i = contacts.particle_starting_at(contact);
+  MENISCUS_HD void run(uint32_t k) const {
+    const uint32_t i = contacts.touching_particle(k);
     if (i == pbd::no_index) return;
     const float value =
         density_kernels::density_constraint_at_walls<D, false>(kernel, position, neighbours, contacts, i)

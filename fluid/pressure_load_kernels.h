@@ -96,7 +96,7 @@ struct PushSolids {
   float share;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t i = contacts.particle_starting_at(n);
+    const uint32_t i = contacts.touching_particle(n);
     if (i == pbd::no_index) return;
     const Vec3 p = position[i].xyz();
     const float width = space.width();

@@ -32,12 +32,18 @@ class ContactArrays {
   ContactView view() {
     bool any_moving = false;
     for (const ContactSource<D>* source : sources_) any_moving |= source->any_moving();
-    return {start_.view().first(counted_ + 1), contacts_.view().first(any_ ? capacity() : 0),
-            particle_.view(), any_moving};
+    return {start_.view().first(counted_ + 1),
+            contacts_.view().first(any_ ? capacity() : 0),
+            particle_.view(),
+            touching_.view(),
+            touching_count(),
+            any_moving};
   }
 
  private:
   void resize(uint32_t contacts);
+  /// Behind the counts, so that it is set to 0 with them.
+  View<uint32_t> touching_count() { return {counts_.view().data + counted_, 1}; }
 
   D& device_;
   std::vector<ContactSource<D>*> sources_;
@@ -46,6 +52,7 @@ class ContactArrays {
   Buffer<uint32_t> counts_{device_, "contact counts"};
   Buffer<uint32_t> start_{device_, "contact offsets"};
   Buffer<uint32_t> particle_{device_, "contact particles"};
+  Buffer<uint32_t> touching_{device_, "touching particles"};
   Buffer<Contact> contacts_{device_, "contacts"};
 };
 

@@ -5,6 +5,7 @@
 // fluid need know nothing else.
 #pragma once
 
+#include "pbd/device/atomics.h"
 #include "pbd/device/view.h"
 #include "pbd/math/vec.h"
 
@@ -50,22 +51,24 @@ MENISCUS_HD inline Vec3 multiplier_sum(const Contact& c) {
 
 /// Contacts of particle i: contacts[start[i]] to contacts[start[i + 1] − 1].
 struct ContactView {
-  View<const uint32_t> start;     ///< of each owned particle, and the total
-  View<Contact> contacts;         ///< as many as there is room for: the host does not know the total
-  View<const uint32_t> particle;  ///< whose each contact is
+  View<const uint32_t> start;           ///< of each owned particle, and the total
+  View<Contact> contacts;               ///< as many as there is room for: the host does not know the total
+  View<const uint32_t> particle;        ///< whose each contact is
+  View<const uint32_t> touching;        ///< particles that have any, in an order that chance makes
+  View<const uint32_t> touching_count;  ///< one element
   bool any_moving = false;  ///< whether solids may move; for the host: kernels for fixed ones are leaner
 
   /// How many there are.
   MENISCUS_HD uint32_t total() const { return start[start.count - 1]; }
   /// Those of the first `particles` alone.
   ContactView of_first(uint32_t particles) const {
-    return {start.first(particles + 1), contacts, particle, any_moving};
+    return {start.first(particles + 1), contacts, particle, touching, touching_count, any_moving};
   }
-  /// For work on particles that have contacts, which runs over the contacts: the particle whose first one n
-  /// is, or no_index.
-  MENISCUS_HD uint32_t particle_starting_at(uint32_t n) const {
-    const uint32_t i = particle[n];
-    return n < total() && start[i] == n ? i : no_index;
+  /// For work on particles that have contacts, each by itself, which runs over as many as there may be: the
+  /// k-th of them, or no_index.
+  MENISCUS_HD uint32_t touching_particle(uint32_t k) const {
+    const uint32_t i = k < touching_count[0] ? touching[k] : no_index;
+    return i < start.count - 1 ? i : no_index;
   }
 };
 
@@ -75,6 +78,8 @@ struct ContactWriter {
   View<uint32_t> remaining;  ///< of each particle's contacts, those that are not written yet
   View<Contact> contacts;
   View<uint32_t> particle;
+  View<uint32_t> touching;
+  View<uint32_t> touching_count;
 
   /// Fills up what was counted for i and not written. Counting and writing are compiled apart, and may judge
   /// differently by a rounding.
@@ -87,6 +92,7 @@ struct ContactWriter {
     if (n < start[i] || n >= start[i + 1]) return;  // no room for it: the step will be done again
     contacts[n] = contact;
     particle[n] = i;
+    if (n == start[i]) touching[atomic_add(touching_count[0], 1)] = i;
   }
 };
 

@@ -37,7 +37,7 @@ struct Bench {
 
   std::vector<BodyProxy> bodies;
   std::vector<Contact> contacts;
-  std::vector<uint32_t> start{0}, particle, key, sorted_key, number, grouped, slot;
+  std::vector<uint32_t> touching_count, start{0}, particle, key, sorted_key, number, grouped, slot;
   std::vector<Vec4> position, previous, moved;
   std::vector<ContactSum> partial;
   std::vector<ContactMotion> motion, next_motion;  // of the bodies
@@ -66,7 +66,11 @@ struct Bench {
     start.push_back(static_cast<uint32_t>(contacts.size()));
   }
 
-  ContactView contact_view() { return {view(start), view(contacts), view(particle)}; }
+  /// Each particle has one contact.
+  ContactView contact_view() {
+    touching_count = {static_cast<uint32_t>(particle.size())};
+    return {view(start), view(contacts), view(particle), view(particle), view(touching_count)};
+  }
 
   void group() {
     const size_t n = contacts.size();
