@@ -54,7 +54,7 @@ MENISCUS_HD Vec3 limit_by_moving(const ShapeSet& set, const Candidates& candidat
   Vec3 carried = m.to;
   for (int k = 0; k < most_hits; ++k) {
     Hit first;
-    candidates.for_each(i, [&](uint32_t number) {
+    candidates.for_each_near(set, i, m, radius, [&](uint32_t number) {
       const Shape& shape = set.shapes[number];
       if (number < set.fixed || shape.body == tied_body || !collide(shape, filter)) return;
       const Hit hit = meet(set, shape, m, radius);

@@ -71,7 +71,7 @@ struct Finder {
     if constexpr (only_fixed_planes) {
       for (uint32_t s = 0; s < set.shapes.count; ++s) look_at(s);
     } else {
-      candidates.for_each(i, look_at);
+      candidates.for_each_near(set, i, {previous[i].xyz(), position[i].xyz()}, h, look_at);
     }
   }
 
