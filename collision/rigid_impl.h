@@ -88,6 +88,18 @@ struct RigidWorld::Impl {
   double time = 0;  ///< s
 
   RigidBodyRecord& body(uint32_t n) const;
+  /// Calls visit(number, body) for each, with the next ones on their way.
+  template <class Visit>
+  void for_each_body(const Visit& visit) const {
+    constexpr size_t ahead = 4;
+    const auto& slots = bodies.slots;
+    const auto is_there = [&](size_t n) { return n < slots.size() && slots[n]; };
+    for (size_t n = 0; n < slots.size(); ++n) {
+      if (is_there(n + 2 * ahead)) fetch_soon(slots[n + 2 * ahead].get());
+      if (is_there(n + ahead)) fetch_soon(slots[n + ahead]->bullet.get());
+      if (slots[n]) visit(static_cast<uint32_t>(n), *slots[n]);
+    }
+  }
   float acceleration_scale() const;  ///< m/s², of gravity, at least 1
 
   /// To be called before something is changed that others may rest on.

@@ -80,10 +80,9 @@ RigidWorld::SnapshotPtr RigidWorld::make_snapshot() {
 
 void RigidWorld::save(Snapshot& to) const {
   to.bodies.clear();
-  for (size_t n = 0; n < impl_->bodies.slots.size(); ++n) {
-    const auto& body = impl_->bodies.slots[n];
-    if (body) to.bodies.push_back(saved(*body, impl_->dynamics.detected[n]));
-  }
+  impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
+    to.bodies.push_back(saved(body, impl_->dynamics.detected[n]));
+  });
   to.pairs.clear();
   const btBroadphasePairArray& pairs = impl_->pairs.getOverlappingPairArray();
   for (int i = 0; i < pairs.size(); ++i) {
@@ -93,12 +92,12 @@ void RigidWorld::save(Snapshot& to) const {
   to.manifolds.clear();
   to.points.clear();
   auto& predictive = impl_->dynamics.predictive();
-  for (const btPersistentManifold* manifold : impl_->dispatcher.touching()) {
-    const int count = manifold->getNumContacts();
-    to.manifolds.push_back({manifold->m_index1a, count});
-    const btManifoldPoint* first = &manifold->getContactPoint(0);
+  impl_->dispatcher.for_each_touching([&](const btPersistentManifold& manifold) {
+    const int count = manifold.getNumContacts();
+    to.manifolds.push_back({manifold.m_index1a, count});
+    const btManifoldPoint* first = &manifold.getContactPoint(0);
     to.points.insert(to.points.end(), first, first + count);
-  }
+  });
   to.predictions.clear();
   for (int i = 0; i < predictive.size(); ++i) to.predictions.push_back(*predictive[i]);
   impl_->broadphase.save(to.broadphase);

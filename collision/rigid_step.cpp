@@ -106,9 +106,7 @@ void RigidWorld::Impl::place_kinematic(RigidBodyRecord& body, const Pose& pose) 
 void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
   assert(out.size() >= body_slots());
   std::ranges::fill(out, RigidMotion{{}, {0, 0, 0}, {0, 0, 0}});
-  for (uint32_t n = 0; n < body_slots(); ++n) {
-    if (!impl_->bodies.has(n)) continue;
-    const RigidBodyRecord& body = impl_->body(n);
+  impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
     if (dt == 0) {
       out[n].start = from_bullet(body.bullet->getWorldTransform());
     } else if (body.kinematic) {
@@ -121,7 +119,7 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
     } else {
       out[n].start = from_bullet(body.bullet->getWorldTransform());
     }
-  }
+  });
 }
 
 void RigidWorld::Impl::take_impulses(float dt, std::span<const RigidImpulse> impulses) {
