@@ -30,7 +30,7 @@ struct CandidateView {
   template <class Visit>
   MENISCUS_HD void for_each_near(const ShapeSet& set, uint32_t particle, const Motion& motion, float reach,
                                  const Visit& visit) const {
-    constexpr uint32_t batch = 4, room = 8;
+    constexpr uint32_t batch = 4, room = 32;
     uint32_t aside[room], count = 0;
     Walk walk = walk_from(particle);
     for (bool more = true; more;) {

@@ -34,11 +34,11 @@ MENISCUS_HD inline FoundContact find_contact(const ShapeSet& set, const Shape& s
   if (shape.kind == ShapeKind::plane) return find_plane_contact(set, shape, m, radius, h);
   const bool moves = shape.body != pbd::no_index;
   if (out_of_reach(shape, moves ? m.from : m.to, m.to, h)) return no_contact();
+  const SurfaceSample surface = sample_surface(set, shape, m.to, h);
   if (moves && squared_length(m.to - m.from) > radius * radius) {
-    const Hit hit = sweep(set, shape, m, radius);
+    const Hit hit = sweep(set, shape, m, radius, surface.distance);
     if (hit.found) return {sample_surface(set, shape, hit.at, h), hit.at, true};
   }
-  const SurfaceSample surface = sample_surface(set, shape, m.to, h);
   return {surface, m.to, surface.distance < h - radius};
 }
 
@@ -50,7 +50,7 @@ MENISCUS_HD inline FoundContact find_face_contact(const ShapeSet& set, const Sha
   if (out_of_reach(shape, m.from, m.to, h)) return no_contact();
   const SurfaceSample surface = sample_surface(set, shape, m.to, h);
   if (surface.distance < 0.5f * radius || squared_length(m.to - m.from) > radius * radius) {
-    const Hit hit = sweep(set, shape, m, radius);
+    const Hit hit = sweep(set, shape, m, radius, surface.distance);
     if (hit.found) return {sample_surface(set, shape, hit.at, h), hit.at, true};
   }
   return {surface, m.to, surface.distance < h - radius};

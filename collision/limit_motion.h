@@ -16,7 +16,7 @@ MENISCUS_HD inline Hit first_fixed_hit(const ShapeSet& set, const Motion& m, flo
     if (shape.kind == ShapeKind::plane) {
       if (planes_too) hit = cross_plane(set, shape, m, radius);
     } else if (!out_of_reach(shape, m.from, m.to, radius)) {
-      hit = sweep(set, shape, m, radius);
+      hit = sweep(set, shape, m, radius, end_distance(set, shape, m, radius));
     }
     if (hit.found && hit.t <= first.t) first = hit;
   }

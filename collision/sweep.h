@@ -18,25 +18,32 @@ struct Hit {
 };
 
 /// Conservative advancement: steps along the motion by the distance to the surface, which nothing can cut
-/// short. The motion ends half a particle's radius from the surface, unless it leaves.
-MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Motion& m, float radius) {
+/// short. The motion ends half a particle's radius from the surface, unless it leaves. `end_distance` is the
+/// surface's from the motion's end, or less.
+MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Motion& m, float radius,
+                             float end_distance) {
   constexpr int most_steps = 256;
   const Vec3 path = m.to - m.from;
   const float path_length = length(path), touch = 0.5f * radius;
-  const auto surface_at = [&](Vec3 p) { return sample_surface(set, shape, p, path_length + radius); };
-  SurfaceSample s = surface_at(m.from);
-  // No distance changes by more than the way: from both ends too far, nothing is met. Twice as far as it
-  // takes, as fields are not exact.
-  if (s.distance + surface_at(m.to).distance > path_length + 4 * touch) return {};
   float t = 0;
+  SurfaceSample s{};
   for (int k = 0; k < most_steps; ++k) {
+    s = sample_surface(set, shape, m.from + t * path, path_length + radius);
+    // No distance changes by more than the way: from both ends too far, nothing is met. Twice as far as it
+    // takes, as fields are not exact.
+    if (k == 0 && s.distance + end_distance > path_length + 4 * touch) return {};
     if (s.distance < touch && dot(s.normal, path) < 0) return {t, m.from + t * path, s.normal, true};
     // What slides along the surface still has to get on.
     t += pbd::max(s.distance - 0.5f * touch, 0.5f * touch) / path_length;
     if (t >= 1) return {};
-    s = surface_at(m.from + t * path);
   }
   return {t, m.from + t * path, s.normal, true};  // too far to follow: it stops here
+}
+
+/// For a sweep.
+MENISCUS_HD inline float end_distance(const ShapeSet& set, const Shape& shape, const Motion& m,
+                                      float radius) {
+  return sample_surface(set, shape, m.to, length(m.to - m.from) + radius).distance;
 }
 
 /// The same for a plane, from its open side.
@@ -56,7 +63,7 @@ MENISCUS_HD inline Hit meet(const ShapeSet& set, const Shape& shape, const Motio
   const Motion beside = motion_beside(shape, m);
   if (shape.kind == ShapeKind::plane) return cross_plane(set, shape, beside, radius);
   if (out_of_reach(shape, beside.from, beside.to, radius)) return {};
-  return sweep(set, shape, beside, radius);
+  return sweep(set, shape, beside, radius, end_distance(set, shape, beside, radius));
 }
 
 }  // namespace meniscus::collision
