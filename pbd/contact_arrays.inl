@@ -30,6 +30,7 @@ void ContactArrays<D>::resize(uint32_t contacts) {
     throw;
   }
   particle_.fill(0);
+  touching_.fill(0);
 }
 
 template <class D>

@@ -67,8 +67,8 @@ struct ContactView {
   /// For work on particles that have contacts, each by itself, which runs over as many as there may be: the
   /// k-th of them, or no_index.
   MENISCUS_HD uint32_t touching_particle(uint32_t k) const {
-    const uint32_t i = k < touching_count[0] ? touching[k] : no_index;
-    return i < start.count - 1 ? i : no_index;
+    const uint32_t i = touching[k];  // at once with the count, whether it counts or not
+    return k < touching_count[0] && i < start.count - 1 ? i : no_index;
   }
 };
 
