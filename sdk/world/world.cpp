@@ -173,9 +173,9 @@ StepReport World::step(float dt) {
   impl_->plan_emission(dt);
   impl_->upload_cloth();
   impl_->state_changed();
+  impl_->forget_reactions();  // should the step fail, there are none
   EngineStep done = impl_->engine->step(dt);
   if (const pbd::ParticleSummary& summary = done.result.summary; summary.non_finite) {
-    impl_->forget_reactions();
     throw Error(ErrorCode::non_finite,
                 std::to_string(summary.non_finite) + " particles became non-finite, the first of them " +
                     impl_->name_particle(summary.first_bad_slot) +

@@ -19,18 +19,20 @@ class ClothFailureTest : public OnDevice {
     ClothId cloth;
     RopeId rod;
     AttachmentId held, tied;
+    BodyId body;
   };
 
   /// A sheet between the world and a body, a rope or a rod, gusts.
   static Parts make(pbd::DeviceKind device, bool bends = true) {
-    Parts p{World(world_def(device, 0.05f)), {}, {}, {}, {}};
+    Parts p{World(world_def(device, 0.05f)), {}, {}, {}, {}, {}};
     p.cloth = p.world.create_cloth(sheet(0.5f, 0.5f, 9, 9));
     RopeDef rod = rope({{1, 0, 0}, {2, 0, 0}}, 8);
     rod.bends_and_twists = bends;
     p.rod = p.world.create_rope(rod);
     p.held = p.world.create_attachment(attach(p.cloth, vertices_from(0, 9)));
     AttachmentDef tie = attach(p.cloth, {80});
-    tie.body = p.world.create_body(body(SphereGeometry{0.03f}, {0.27f, 0, 0.27f}));
+    p.body = p.world.create_body(body(SphereGeometry{0.03f}, {0.27f, 0, 0.27f}));
+    tie.body = p.body;
     p.tied = p.world.create_attachment(tie);
     p.world.create_attachment(attach(p.rod, {0}));
     p.world.set_wind({.velocity = {3, 0, 1}, .gust_speed = 1});
@@ -77,6 +79,15 @@ TEST_P(ClothFailureTest, AfterAFailedStepAttachmentsReadNoForce) {
   Parts p = make(GetParam());
   run(p.world, 10, dt);
   expect_failure(p.world);
+  EXPECT_EQ(p.world.attachment_force(p.held), (Vec3{0, 0, 0}));
+  EXPECT_EQ(p.world.attachment_force(p.tied), (Vec3{0, 0, 0}));
+}
+
+TEST_P(ClothFailureTest, NorDoTheyWhereABodyHasFailed) {
+  Parts p = make(GetParam());
+  run(p.world, 10, dt);
+  p.world.apply_force(p.body, {3e38f, 0, 0}, {0.27f, 0, 0.27f});
+  expect_failure(p.world, "body", 0.1f);
   EXPECT_EQ(p.world.attachment_force(p.held), (Vec3{0, 0, 0}));
   EXPECT_EQ(p.world.attachment_force(p.tied), (Vec3{0, 0, 0}));
 }
