@@ -78,7 +78,8 @@ struct AddPressure {
 
 /// How the multipliers move on: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0. The first iteration
 /// starts from a share of the last substep's λ, and takes it that this share will relieve the same share of
-/// what it relieved then: so the start needs no pass of its own.
+/// what it relieved then: so the start needs no pass of its own. It moves nothing further than an iteration
+/// may: in long substeps the last λ are of other places, and unbounded they grew until water at rest boiled.
 struct Advancing {
   View<const Vec4> position;
   View<Multiplier> multiplier;
@@ -104,13 +105,14 @@ struct Advancing {
   MENISCUS_HD void advance(uint32_t i, const Constraint& c) const {
     const Vec4 p = position[i];
     const Multiplier before = multiplier[i];
-    const float old = first ? share * before.value : before.value;
-    const float expected = first ? c.value - share * before.relieved : c.value;
+    // Both bounds hold for the pair: the same λ moves both sides, so momentum is kept.
+    const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
+    const float kept = first ? pbd::min(share, bound / pbd::max(before.value, 1e-30f)) : 1.0f;
+    const float old = kept * before.value;
+    const float expected = first ? c.value - kept * before.relieved : c.value;
     const float denominator = c.denominator + compliance;
     float change = first ? 0.0f : momentum * increment[i];
     if (denominator > 0) change += step * (expected - compliance * old) / denominator;
-    // The bound holds for the pair: the same Δλ moves both sides, so momentum is kept.
-    const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
     change = pbd::clamp(change, -bound, bound);
     const float next = pbd::max(0.0f, old + change);
     const float start = first ? c.value : before.relieved;
