@@ -4,46 +4,65 @@
 
 #include "cloth/constraints.h"
 #include "cloth/vertex_state.h"
+#include "pbd/device/side_by_side.h"
 
 namespace meniscus::cloth::bending_kernels {
+
+using pbd::gather;
+using pbd::scatter;
 
 /// An isometric hinge. With |Σ k x| as the constraint the direction is lost where it is 0; the
 /// three components as three constraints have the same energy, and constant gradients.
 struct SolveIsometric {
-  View<const IsometricConstraint> hinges;
-  View<Vec3> multiplier;  ///< kg·m
+  View<const PackedHinge> hinges;
+  View<const Vec4> coefficients;  ///< k of b, c and d; w: the compliance, m²/J
+  View<Vec4> multiplier;          ///< kg·m; none where no iteration follows that would go on from it
   bool starts;
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(hinges, k);
-    pbd::prefetch(multiplier, k);
+    pbd::prefetch(coefficients, k);
+    if (!starts) pbd::prefetch(multiplier, k);
   }
 
-  template <class Vertices>
-  MENISCUS_HD void operator()(const Vertices& vertices, uint32_t k) const {
-    const IsometricConstraint h = hinges[k];
-    const uint32_t number[4] = {h.a, h.b, h.c, h.d};
-    const float k_of[4] = {h.weight_of_a(), h.weight[0], h.weight[1], h.weight[2]};
-    const Vec3 before = starts ? Vec3{0, 0, 0} : multiplier[k];
-    const float damping = vertices.bending_damping(h.a);
-    Vertex x[4];
+  template <class D, class Vertices>
+  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together) const {
+    using Real = typename D::Real;
+    using Vector = pbd::Vec3Of<Real>;
+    const auto at = together.index();
+    pbd::Places<D> number[4];
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
+      const PackedHinge h = hinges[together.items.at[lane]];
+      MENISCUS_UNROLL
+      for (uint32_t i = 0; i < 4; ++i) number[i].at[lane] = h.vertex(i);
+    }
+    const pbd::Vec4Of<Real> h = gather(coefficients, at);
+    const Real zero(0), k_of[4] = {-(h.x + h.y + h.z), h.x, h.y, h.z};
+    const Vector before = starts ? Vector{zero, zero, zero} : gather(multiplier, at).xyz();
+    const Real damping = vertices.template bending_damping<D>(number[0]);
+    const bool damped = less_mask(zero, damping) != 0;
+    LaneVertex<D> x[4];
     // From the first vertex, not the origin, from which far away all would be rounding.
-    Vec4 c{0, 0, 0, 0}, way{0, 0, 0, 0};
-    float weight = 0;
+    Vector c{zero, zero, zero}, way{zero, zero, zero};
+    Real weight = zero;
     MENISCUS_UNROLL
     for (int i = 0; i < 4; ++i) {
       x[i] = vertices.at(number[i]);
-      c = plus(c, k_of[i], plus(x[i].x, -1, x[0].x));
+      c += k_of[i] * (x[i].x.xyz() - x[0].x.xyz());
       weight += x[i].x.w * k_of[i] * k_of[i];
-      if (damping > 0) way = plus(way, k_of[i], plus(x[i].x, -1, vertices.previous(number[i])));
+      if (damped) way += k_of[i] * (x[i].x.xyz() - vertices.previous(number[i]));
     }
-    if (weight == 0) return;
-    const Vec3 step = xpbd_step(c.xyz(), way.xyz(), weight, before,
-                                h.compliance * vertices.inverse_dt() * vertices.inverse_dt(), damping);
-    const Vec4 impulse = pbd::with_w(step, 0);
-    multiplier[k] = before + step;
+    weight = together.if_any(weight);
+    const Real compliance = h.w * Real(vertices.inverse_dt()) * Real(vertices.inverse_dt());
+    const Vector wanted = xpbd_step(c, way, weight, before, compliance, damping);
+    const auto if_live = [&](const Real& s) { return select_less(zero, weight, s, zero); };
+    const Vector step{if_live(wanted.x), if_live(wanted.y), if_live(wanted.z)};
+    if (multiplier.count != 0) {
+      const Vector now = before + step;
+      scatter(multiplier, at, {now.x, now.y, now.z, zero}, together.mask());
+    }
     MENISCUS_UNROLL
-    for (int i = 0; i < 4; ++i) vertices.push(number[i], x[i], k_of[i], impulse);
+    for (int i = 0; i < 4; ++i) vertices.push(number[i], x[i], k_of[i], step);
   }
 };
 
@@ -76,12 +95,12 @@ MENISCUS_HD inline Fold fold_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 /// A dihedral hinge.
 struct SolveHinge {
   View<const HingeConstraint> hinges;
-  View<float> multiplier;  ///< kg·m²
+  View<float> multiplier;  ///< kg·m²; none where no iteration follows
   bool starts;
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(hinges, k);
-    pbd::prefetch(multiplier, k);
+    if (!starts) pbd::prefetch(multiplier, k);
   }
 
   template <class Vertices>
@@ -91,7 +110,7 @@ struct SolveHinge {
     const Vertex x[4] = {vertices.at(h.a), vertices.at(h.b), vertices.at(h.c), vertices.at(h.d)};
     const Fold fold = fold_of(x[0].x.xyz(), x[1].x.xyz(), x[2].x.xyz(), x[3].x.xyz());
     const float before = starts ? 0 : multiplier[k];
-    if (starts) multiplier[k] = 0;
+    if (starts && multiplier.count != 0) multiplier[k] = 0;
     if (!fold.defined) return;
     const float damping = vertices.bending_damping(h.a);
     float weight = 0, rate = 0;
@@ -104,7 +123,7 @@ struct SolveHinge {
     const float compliance = h.compliance * vertices.inverse_dt() * vertices.inverse_dt();
     const float step =
         xpbd_step(turned_from(h.rest_angle, fold.angle), rate, weight, before, compliance, damping);
-    multiplier[k] = before + step;
+    if (multiplier.count != 0) multiplier[k] = before + step;
     MENISCUS_UNROLL
     for (int i = 0; i < 4; ++i) vertices.push(number[i], x[i], step * fold.gradient[i]);
   }

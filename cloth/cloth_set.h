@@ -70,6 +70,8 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   }
   void upload_constraints(const ClothModel& model);
   void upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns);
+  void upload_isometric(const std::vector<IsometricConstraint>& hinges);
+  void reserve_bending_multipliers(int iterations);
   void upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
   VertexState vertices(const pbd::Substep<D>& substep) const {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
@@ -93,7 +95,8 @@ class ClothSet final : public pbd::ConstraintSet<D> {
 
   pbd::Buffer<EdgeConstraint> edges_{device_, "cloth edges"};
   pbd::Buffer<StrainConstraint> strains_{device_, "cloth strains"};
-  pbd::Buffer<IsometricConstraint> isometric_{device_, "cloth isometric hinges"};
+  pbd::Buffer<PackedHinge> isometric_{device_, "cloth isometric hinges"};
+  pbd::Buffer<Vec4> isometric_coefficients_{device_, "cloth isometric hinges"};
   pbd::Buffer<HingeConstraint> hinges_{device_, "cloth hinges"};
   pbd::Buffer<Batch> batches_{device_, "constraint batches"};
   pbd::Buffer<Cluster> clusters_{device_, "constraint clusters"};
@@ -107,7 +110,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};
   pbd::Buffer<float> saved_yarn_multiplier_{device_, "saved yarn multipliers"};
   pbd::Buffer<Vec4> strain_multiplier_{device_, "strain multipliers"};
-  pbd::Buffer<Vec3> isometric_multiplier_{device_, "isometric multipliers"};
+  pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
   pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};

@@ -59,7 +59,7 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   Clusters c = build_clusters(constraints, model.rest);
   upload_edges(model, c, yarns);
   upload(strains_, c.strains);
-  upload(isometric_, c.isometric);
+  upload_isometric(c.isometric);
   upload(hinges_, c.hinges);
   upload(batches_, c.batches);
   upload(clusters_, c.clusters);
@@ -67,8 +67,25 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   pass_starts_ = c.pass_starts;
   bending_passes_ = c.bending_passes;
   strain_multiplier_.resize_discard(c.strains.size());
-  isometric_multiplier_.resize_discard(c.isometric.size());
-  hinge_multiplier_.resize_discard(c.hinges.size());
+}
+
+template <class D>
+void ClothSet<D>::upload_isometric(const std::vector<IsometricConstraint>& hinges) {
+  std::vector<PackedHinge> packed;
+  std::vector<Vec4> coefficients;
+  for (const IsometricConstraint& h : hinges) {
+    packed.push_back(PackedHinge::of(h));
+    coefficients.push_back({h.weight[0], h.weight[1], h.weight[2], h.compliance});
+  }
+  upload(isometric_, packed);
+  upload(isometric_coefficients_, coefficients);
+}
+
+/// Of what bends, multipliers last for a substep: for one iteration there are none.
+template <class D>
+void ClothSet<D>::reserve_bending_multipliers(int iterations) {
+  isometric_multiplier_.resize_discard(iterations > 1 ? isometric_.size() : 0);
+  hinge_multiplier_.resize_discard(iterations > 1 ? hinges_.size() : 0);
 }
 
 /// First those of clusters, whose vertices become numbers within their cluster, then those of yarns.
@@ -102,6 +119,7 @@ void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeCon
 template <class D>
 void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   if (vertex_count_ == 0) return;
+  reserve_bending_multipliers(substep.iterations);
   // A multiplier grows with the square of the substep. It fits the masses that it was found with: where
   // vertices carry fluid for a while, starting from it would throw them about.
   const float ratio = last_dt_ > 0 && !any_bears_fluid_ ? substep.dt / last_dt_ : 0;
@@ -114,9 +132,9 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   }
   if (any_air_ && wind_.density > 0) {
     using namespace wind_kernels;
-    device_.parallel_for("cloth/wind", static_cast<uint32_t>(triangles_.size()),
-                         BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
-                                         static_cast<float>(time_), wind_force_.view()});
+    device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
+                               BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
+                                               static_cast<float>(time_), wind_force_.view()});
     device_.parallel_for(
         "cloth/blow", vertex_count_,
         Blow{fan_start_.view(), fan_.view(), wind_force_.view(), vertices(substep), substep.dt});
@@ -137,7 +155,7 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   stretch(substep, rounds, starts, backwards);
   if (backwards) bend(substep, starts, backwards);
   if (any_gas_ && backwards) blow_up(substep, starts);
-  device_.parallel_for(
+  device_.parallel_for_lanes(
       "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
       tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), starts});
 }
@@ -166,16 +184,17 @@ template <class D>
 void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts,
                         bool backwards) {
   const float relaxation = parameters_.over_relaxation;
-  SolveClusters solve{.clusters = clusters_.view(),
-                      .batches = batches_.view(),
-                      .numbers = cluster_vertices_.view(),
-                      .all = vertices(substep),
-                      .isometric = {isometric_.view(), isometric_multiplier_.view(), starts},
-                      .hinge = {hinges_.view(), hinge_multiplier_.view(), starts},
-                      .strain = {strains_.view(), strain_multiplier_.view(), relaxation, starts},
-                      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1},
-                      .first = 0,
-                      .backwards = backwards};
+  SolveClusters solve{
+      .clusters = clusters_.view(),
+      .batches = batches_.view(),
+      .numbers = cluster_vertices_.view(),
+      .all = vertices(substep),
+      .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(), starts},
+      .hinge = {hinges_.view(), hinge_multiplier_.view(), starts},
+      .strain = {strains_.view(), strain_multiplier_.view(), relaxation, starts},
+      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1},
+      .first = 0,
+      .backwards = backwards};
   for (size_t k = first_pass; k < end_pass; ++k) {
     const size_t pass = backwards ? first_pass + end_pass - 1 - k : k;
     solve.first = pass_starts_[pass];

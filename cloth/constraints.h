@@ -42,8 +42,16 @@ struct alignas(16) IsometricConstraint {
   uint32_t a, b, c, d;
   float weight[3];   ///< k of b, c and d; all four add up to 0
   float compliance;  ///< m²/J: (A₁ + A₂)/D
+};
 
-  MENISCUS_HD float weight_of_a() const { return -(weight[0] + weight[1] + weight[2]); }
+/// a, b, c and d of an isometric hinge in a cluster (clusters.h), as they are numbered there.
+struct PackedHinge {
+  uint32_t bytes;
+
+  static constexpr PackedHinge of(const IsometricConstraint& h) {
+    return {h.a | h.b << 8 | h.c << 16 | h.d << 24};
+  }
+  MENISCUS_HD uint32_t vertex(uint32_t which) const { return bytes >> 8 * which & 0xff; }
 };
 
 /// C = |x_vertex − x_anchor| − length ≤ 0, and the anchor is held fast (Kim, Chentanez & Müller 2012).

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "pbd/device/scalar.h"
 #include "pbd/particles.h"
 
 namespace meniscus::cloth {
+
+using pbd::less_mask;
+using pbd::select_less;
 
 /// a + s b, four at once.
 MENISCUS_HD inline pbd::Vec4 plus(const pbd::Vec4& a, float s, const pbd::Vec4& b) {
@@ -39,6 +43,37 @@ MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t
 }
 MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t v, Vec3 impulse) {
   push_vertex(particles, v, vertex_at(particles, v), 1, pbd::with_w(impulse, 0));
+}
+
+/// A vertex in each of D's lanes.
+template <class D>
+struct LaneVertex {
+  pbd::Vec4Of<typename D::Real> x, moved;
+};
+
+/// The same for these: what pushed() does, by s times an impulse. Lanes may have a vertex in common where all
+/// but one push it with nothing.
+template <class D, class R = typename D::Real>
+MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> moved,
+                                   const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
+                                   const pbd::Vec3Of<R>& impulse) {
+  const R zero(0), w = vertex.x.w, share = s * w, taken = select_less(zero, w, share, s);
+  const auto times = [&](const R& by) {
+    return pbd::Vec4Of<R>{by * impulse.x, by * impulse.y, by * impulse.z, zero};
+  };
+  if constexpr (D::lane_count == 1) {
+    const auto sum = [](const pbd::Vec4Of<float>& a, const pbd::Vec4Of<float>& b) {
+      return pbd::Vec4{a.x + b.x, a.y + b.y, a.z + b.z, a.w};
+    };
+    x[v.at[0]] = sum(vertex.x, times(share));
+    moved[v.at[0]] = sum(vertex.moved, times(taken));
+  } else {
+    // What is turned lane by lane is added where it belongs: `vertex` need not be turned back.
+    const auto step = rows(times(share));
+    add(x, v.index(), step);
+    const bool all_move = less_mask(zero, w) == (1u << D::lane_count) - 1;
+    add(moved, v.index(), all_move ? step : rows(times(taken)));
+  }
 }
 
 }  // namespace meniscus::cloth

@@ -5,50 +5,66 @@
 #include "cloth/constraints.h"
 #include "cloth/edge_compliance.h"
 #include "cloth/vertex_state.h"
+#include "pbd/device/side_by_side.h"
 
 namespace meniscus::cloth::stretch_kernels {
+
+using pbd::gather;
+using pbd::gather_words;
+using pbd::scatter;
+using pbd::square_root;
 
 /// What is pressed together is relaxed by no more than this. Cloth that hangs from a mesh of triangles is
 /// pressed together somewhere; lengthened in full each substep it buckles to and fro, and does not rest.
 inline constexpr float compressed_relaxation = 0.2f;
 
 struct SolveEdge {
-  View<const EdgeConstraint> edges;
-  View<Vec4> multiplier;  ///< kg·m: λ n, and λ
-  float relaxation;       ///< ω of successive over-relaxation
-  float share;            ///< of the multiplier that there is
+  View<const EdgeConstraint> edges;  ///< of vertices as numbered in their cluster
+  View<Vec4> multiplier;             ///< kg·m: λ n, and λ
+  float relaxation;                  ///< ω of successive over-relaxation
+  float share;                       ///< of the multiplier that there is
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(edges, k);
     pbd::prefetch(multiplier, k);
   }
 
-  template <class Vertices>
-  MENISCUS_HD void operator()(const Vertices& vertices, uint32_t k) const {
-    const EdgeConstraint e = load(edges, k);
-    const float before = share * multiplier[k].w;
-    const Vertex a = vertices.at(e.a), b = vertices.at(e.b);
-    const float weight = a.x.w + b.x.w;
-    Vec4 d = plus(b.x, -1, a.x);
-    d.w = 0;
-    const float l = length(d.xyz());
-    const float c = l - e.rest_length;
-    const float compliance =
-        edge_compliance(e.compliance, e.rest_length, c, weight, vertices.inverse_dt(),
-                        [&] { return length(vertices.previous(e.b).xyz() - vertices.previous(e.a).xyz()); });
-    if (weight + compliance == 0 || l < 1e-12f) return;
-    const float damping = vertices.stretch_damping(e.a), inverse_l = 1 / l;
-    float rate = 0;
-    if (damping > 0) {
-      const Vec4 was = plus(vertices.previous(e.b), -1, vertices.previous(e.a));
-      rate = inverse_l * dot(d.xyz(), d.xyz() - was.xyz());
+  template <class D, class Vertices>
+  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together) const {
+    using Real = typename D::Real;
+    using Vector = pbd::Vec3Of<Real>;
+    const auto at = together.index();
+    pbd::Places<D> from, to;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
+      const EdgeConstraint& e = edges[together.items.at[lane]];
+      from.at[lane] = e.a;
+      to.at[lane] = e.b;
     }
-    const float step = (c < 0 ? compressed_relaxation : relaxation) *
-                       xpbd_step(c, rate, weight, before, compliance, damping);
-    const float now = before + step, scale = inverse_l * now;
-    multiplier[k] = {scale * d.x, scale * d.y, scale * d.z, now};
-    vertices.push(e.a, a, -inverse_l * step, d);
-    vertices.push(e.b, b, inverse_l * step, d);
+    const pbd::Vec4Of<Real> e = gather_words(edges, at);
+    const Real zero(0), rest = e.z, before = Real(share) * gather(multiplier, at).w;
+    const LaneVertex<D> a = vertices.at(from), b = vertices.at(to);
+    const Real weight = a.x.w + b.x.w;
+    const Vector d = b.x.xyz() - a.x.xyz();
+    const auto was = [&] { return vertices.previous(to) - vertices.previous(from); };
+    const Real l = square_root(dot(d, d)), c = l - rest;
+    const Real compliance = edge_compliance(e.w, rest, c, weight, vertices.inverse_dt(), [&] {
+      const Vector then = was();
+      return square_root(dot(then, then));
+    });
+    const Real damping = vertices.template stretch_damping<D>(from), nearly_none(1e-12f);
+    const Real inverse_l = select_less(l, nearly_none, zero, Real(1) / l);
+    Real rate = zero;
+    if (less_mask(zero, damping) != 0) rate = inverse_l * dot(d, d - was());
+    const Real relaxing = select_less(c, zero, Real(compressed_relaxation), Real(relaxation));
+    const Real wanted = relaxing * xpbd_step(c, rate, weight, before, compliance, damping);
+    // What has no direction, or cannot give way at all, is left alone.
+    const Real yielding = together.if_any(weight + compliance);
+    const Real step = select_less(zero, yielding, wanted, zero);
+    const Real now = before + step, scale = inverse_l * now, push = inverse_l * step;
+    scatter(multiplier, at, {scale * d.x, scale * d.y, scale * d.z, now},
+            less_mask(zero, yielding) & ~less_mask(l, nearly_none));
+    vertices.push(from, a, -push, d);
+    vertices.push(to, b, push, d);
   }
 };
 

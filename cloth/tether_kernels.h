@@ -4,8 +4,13 @@
 
 #include "cloth/constraints.h"
 #include "cloth/vertex_state.h"
+#include "pbd/device/side_by_side.h"
 
 namespace meniscus::cloth::tether_kernels {
+
+using pbd::gather;
+using pbd::scatter;
+using pbd::square_root;
 
 struct ProjectTethers {
   View<const Tether> tethers;
@@ -13,20 +18,44 @@ struct ProjectTethers {
   VertexState vertices;
   bool starts;
 
-  MENISCUS_HD void operator()(uint32_t k) const {
-    const Tether t = tethers[k];
-    const Vertex vertex = vertices.at(t.vertex);
-    const Vec4 x = vertex.x;
-    const Vec3 d = x.xyz() - vertices.position(t.anchor).xyz();
-    const Vec3 before = starts ? Vec3{0, 0, 0} : pull[k].xyz();
-    const float l = length(d);
-    if (l <= t.length || x.w == 0) {
-      if (starts) pull[k] = {0, 0, 0, 0};
-      return;
+  template <class D>
+  MENISCUS_HD void run(const pbd::SideBySide<D>& together) const {
+    using Real = typename D::Real;
+    using Vector = pbd::Vec3Of<Real>;
+    const auto at = together.index();
+    pbd::Places<D> vertex, anchor;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
+      const Tether& t = tethers[together.items.at[lane]];
+      vertex.at[lane] = t.vertex;
+      anchor.at[lane] = t.anchor;
     }
-    const Vec3 impulse = (1 - t.length / l) / x.w * d;
-    pull[k] = pbd::with_w(before + impulse, 0);
-    vertices.push(t.vertex, vertex, -impulse);
+    const Real zero(0),
+        longest = pbd::by_lane<D>([&](uint32_t lane) { return tethers[together.items.at[lane]].length; });
+    const View<Vec4> x = vertices.particles.position.from(vertices.particles.sorted),
+                     moved = vertices.particles.moved.from(vertices.particles.sorted);
+    const pbd::Vec4Of<Real> end = gather(x, vertex.index());
+    const Vector d = end.xyz() - gather(x, anchor.index()).xyz();
+    const Real l = square_root(dot(d, d));
+    const uint32_t taut = less_mask(longest, l) & less_mask(zero, end.w) & together.mask();
+    if (taut == 0 && !starts) return;
+    const auto if_taut = [&](const Real& s) {
+      return select_less(longest, l, select_less(zero, end.w, s, zero), zero);
+    };
+    const Real pulls = if_taut((Real(1) - longest / l) / end.w);
+    const Vector impulse = pulls * d;
+    pbd::Vec4Of<Real> all{impulse.x, impulse.y, impulse.z, zero};
+    if (!starts) {
+      const pbd::Vec4Of<Real> before = gather(pull, at);
+      all = {before.x + impulse.x, before.y + impulse.y, before.z + impulse.z, zero};
+    }
+    scatter(pull, at, all, together.mask());
+    if (taut == 0) return;
+    const auto moved_by = [&](const pbd::Vec4Of<Real>& v) {
+      return pbd::Vec4Of<Real>{v.x - end.w * impulse.x, v.y - end.w * impulse.y, v.z - end.w * impulse.z,
+                               v.w};
+    };
+    scatter(x, vertex.index(), moved_by(end), taut);
+    scatter(moved, vertex.index(), moved_by(gather(moved, vertex.index())), taut);
   }
 };
 

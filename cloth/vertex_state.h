@@ -6,6 +6,7 @@
 
 #include "cloth/piece.h"
 #include "cloth/push_vertex.h"
+#include "pbd/device/scalar.h"
 #include "pbd/particles.h"
 
 namespace meniscus::cloth {
@@ -35,6 +36,17 @@ struct VertexState {
   MENISCUS_HD float bending_damping(uint32_t v) const {
     return inverse_dt * (damping.bending >= 0 ? damping.bending : piece_of(v).bending_damping);
   }
+  /// The same of vertex v(lane) in each lane.
+  template <class D, class Number>
+  MENISCUS_HD typename D::Real stretch_damping_by_lane(const Number& v) const {
+    if (damping.stretch >= 0) return typename D::Real(inverse_dt * damping.stretch);
+    return pbd::by_lane<D>([&](uint32_t lane) { return stretch_damping(v(lane)); });
+  }
+  template <class D, class Number>
+  MENISCUS_HD typename D::Real bending_damping_by_lane(const Number& v) const {
+    if (damping.bending >= 0) return typename D::Real(inverse_dt * damping.bending);
+    return pbd::by_lane<D>([&](uint32_t lane) { return bending_damping(v(lane)); });
+  }
 
   /// Gives s times an impulse (kg·m; w is 0) to v.
   MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& impulse) const {
@@ -49,13 +61,15 @@ struct VertexState {
 ///
 ///   Δλ = (−C − α̃ λ − γ ∇C·(x − x₀)) / ((1 + γ) Σ w|∇C|² + α̃)
 ///
-/// for any number of constraints with a common weight Σ w|∇C|²: V is float or Vec3. `damping` is τ/h, and γ
-/// that times α̃/(α̃ + weight): what is stiffer than a substep resolves acts with the stiffness that the solve
-/// gives it, and is damped in proportion to that. Else damping would keep unyielding cloth from its length.
-template <class V>
-MENISCUS_HD V xpbd_step(V c, V rate, float weight, V multiplier, float compliance, float damping) {
-  const float gamma = damping > 0 ? damping * compliance / (compliance + weight) : 0;
-  return -1.0f / ((1 + gamma) * weight + compliance) * (c + compliance * multiplier + gamma * rate);
+/// for any number of constraints with a common weight Σ w|∇C|²: V is R or a vector of them, and R may have
+/// lanes. `damping` is τ/h, and γ that times α̃/(α̃ + weight): what is stiffer than a substep resolves acts
+/// with the stiffness that the solve gives it, and is damped in proportion to that. Else damping would keep
+/// unyielding cloth from its length.
+template <class V, class R>
+MENISCUS_HD V xpbd_step(const V& c, const V& rate, const R& weight, const V& multiplier, const R& compliance,
+                        const R& damping) {
+  const R gamma = select_less(R(0), damping, damping * compliance / (compliance + weight), R(0));
+  return R(-1) / ((R(1) + gamma) * weight + compliance) * (c + compliance * multiplier + gamma * rate);
 }
 
 }  // namespace meniscus::cloth

@@ -5,9 +5,11 @@
 // direction of travel (after Kraichnan 1970).
 #pragma once
 
-#include "pbd/math/vec.h"
+#include "pbd/device/scalar.h"
 
 namespace meniscus::cloth {
+
+using pbd::sine;
 
 struct Gust {
   Vec3 wave;       ///< rad/m
@@ -24,10 +26,12 @@ struct Wind {
   Gust gusts[gust_count] = {};
   bool gusty = false;
 
-  MENISCUS_HD Vec3 at(Vec3 x, float time) const {
-    Vec3 v = velocity;
+  template <class R>
+  MENISCUS_HD pbd::Vec3Of<R> at(const pbd::Vec3Of<R>& x, float time) const {
+    const auto each = [](Vec3 a) { return pbd::Vec3Of<R>{R(a.x), R(a.y), R(a.z)}; };
+    pbd::Vec3Of<R> v = each(velocity);
     if (!gusty) return v;
-    for (const Gust& g : gusts) v += sinf(dot(g.wave, x) - g.rate * time + g.phase) * g.amplitude;
+    for (const Gust& g : gusts) v += sine(dot(g.wave, x) - R(g.rate * time) + R(g.phase)) * each(g.amplitude);
     return v;
   }
 };

@@ -37,8 +37,8 @@ using pbd::Vec4Of;
 /// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
 /// fro, either alone would be left.
 struct SolveYarns {
-  template <class D, class Group>
-  using Scratch = YarnScratch<D, Group>;
+  template <class Group>
+  using Scratch = YarnScratch<Group>;
 
   View<const Yarn> yarns;
   View<const EdgeConstraint> edges;
@@ -47,8 +47,8 @@ struct SolveYarns {
   bool starts;          ///< from none of the last substep's multipliers
   uint32_t first, end;  ///< yarns of the layer
 
-  template <class D, class Group>
-  MENISCUS_HD void run(const Group& group, Scratch<D, Group>& scratch, uint32_t number) const;
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch<Group>& scratch, uint32_t number) const;
 };
 
 /// Puts λ of edges aside.
@@ -65,11 +65,11 @@ struct RestoreMultipliers {
   MENISCUS_HD void operator()(uint32_t k) const { multiplier[k] = {0, 0, 0, kept[k]}; }
 };
 
-/// The same for as many yarns as R has lanes.
-template <class D, class Group>
+/// The same for as many yarns as the group's threads have lanes.
+template <class Group>
 class SolveYarnsAtOnce {
  public:
-  using Scratch = YarnScratch<D, Group>;
+  using Scratch = YarnScratch<Group>;
 
   MENISCUS_HD SolveYarnsAtOnce(const SolveYarns& solve, Scratch& scratch, uint32_t begin)
       : s_(solve), scratch_(scratch), yarns_(solve.yarns, begin, solve.end) {}
@@ -93,6 +93,7 @@ class SolveYarnsAtOnce {
   }
 
  private:
+  using D = typename Group::Device;
   using Real = typename D::Real;
   using Vector = Vec3Of<Real>;
   using Places = pbd::Places<D>;
@@ -194,14 +195,7 @@ class SolveYarnsAtOnce {
     return gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
   }
   MENISCUS_HD Real damping_of(const Places& vertices) const {
-    if (s_.all.damping.stretch >= 0) return Real(s_.all.inverse_dt * s_.all.damping.stretch);
-    float each[D::lane_count];
-    Places order;
-    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
-      each[lane] = s_.all.stretch_damping(vertices.at[lane]);
-      order.at[lane] = lane;
-    }
-    return gather(View<const float>{each, D::lane_count}, order.index());
+    return s_.all.stretch_damping_by_lane<D>([&](uint32_t lane) { return vertices.at[lane]; });
   }
 
   MENISCUS_HD void couple(Length& row, uint32_t k) const {
@@ -275,16 +269,12 @@ class SolveYarnsAtOnce {
     const Real rest = scratch_.rest_length[k < yarns_.most ? k : k - 1];
     return select_less(Real(0), rest, scratch_.weight[k] * square_root(dot(push, push)) / rest, Real(0));
   }
+  /// What is not there is pushed by nothing.
   MENISCUS_HD void move(uint32_t k, const Real& share) const {
-    const Vector push = share * scratch_.push[k];
     const Places at = vertex(k);
-    const uint32_t there = yarns_.have_vertex(k);
-    const Vec4Of<Real> x = gather(positions(), at.index()), moved = gather(moves(), at.index());
-    scatter(positions(), at.index(), plus(x, x.w, push), there);
-    scatter(moves(), at.index(), plus(moved, select_less(Real(0), x.w, x.w, Real(1)), push), there);
-  }
-  MENISCUS_HD static Vec4Of<Real> plus(const Vec4Of<Real>& x, const Real& s, const Vector& push) {
-    return {x.x + s * push.x, x.y + s * push.y, x.z + s * push.z, x.w};
+    LaneVertex<D> vertex{gather(positions(), at.index()), gather(moves(), at.index())};
+    vertex.x.w = scratch_.weight[k];
+    push_side_by_side(positions(), moves(), at, vertex, Real(1), share * scratch_.push[k]);
   }
   MENISCUS_HD Places vertex(uint32_t k) const {
     return k == 0 ? starts_of(yarns_.edge(0)) : ends_of(yarns_.edge(k - 1));
@@ -306,9 +296,9 @@ class SolveYarnsAtOnce {
   const YarnsAtOnce<D> yarns_;
 };
 
-template <class D, class Group>
-MENISCUS_HD void SolveYarns::run(const Group& group, Scratch<D, Group>& scratch, uint32_t number) const {
-  SolveYarnsAtOnce<D, Group>(*this, scratch, first + number * D::lane_count).run(group);
+template <class Group>
+MENISCUS_HD void SolveYarns::operator()(const Group& group, Scratch<Group>& scratch, uint32_t number) const {
+  SolveYarnsAtOnce<Group>(*this, scratch, first + number * Group::Device::lane_count).run(group);
 }
 
 }  // namespace meniscus::cloth

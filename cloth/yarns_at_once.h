@@ -21,24 +21,18 @@ struct YarnsAtOnce {
 
   uint32_t first[lanes], count[lanes];
   uint32_t most = 0;  ///< edges of the longest
-  Real edges, vertices;
+  Real edges;
 
   /// Those from yarns[begin] on, up to yarns[end − 1].
   MENISCUS_HD YarnsAtOnce(pbd::View<const Yarn> yarns, uint32_t begin, uint32_t end) {
-    pbd::Places<D> order;
-    float edge_counts[lanes], vertex_counts[lanes];
     for (uint32_t lane = 0; lane < lanes; ++lane) {
       const bool there = begin + lane < end;
       const Yarn yarn = yarns[there ? begin + lane : begin];
       first[lane] = yarn.first;
       count[lane] = there ? yarn.count : 0;
-      edge_counts[lane] = static_cast<float>(count[lane]);
-      vertex_counts[lane] = there ? edge_counts[lane] + 1 : 0;
       most = count[lane] > most ? count[lane] : most;
-      order.at[lane] = lane;
     }
-    edges = gather(pbd::View<const float>{edge_counts, lanes}, order.index());
-    vertices = gather(pbd::View<const float>{vertex_counts, lanes}, order.index());
+    edges = pbd::by_lane<D>([&](uint32_t lane) { return static_cast<float>(count[lane]); });
   }
 
   /// Where edge k of each is; of one that has none, another.
@@ -47,9 +41,8 @@ struct YarnsAtOnce {
     for (uint32_t lane = 0; lane < lanes; ++lane) places.at[lane] = first[lane] + (k < count[lane] ? k : 0);
     return places;
   }
-  /// Bits of those that have an edge k, or a vertex k.
+  /// Bits of those that have an edge k.
   MENISCUS_HD uint32_t have_edge(uint32_t k) const { return less_mask(number(k), edges); }
-  MENISCUS_HD uint32_t have_vertex(uint32_t k) const { return less_mask(number(k), vertices); }
   /// x for those that have an edge k, 0 for others.
   MENISCUS_HD Real if_edge(uint32_t k, const Real& x) const {
     return select_less(number(k), edges, x, Real(0));
@@ -62,9 +55,9 @@ struct YarnsAtOnce {
 /// Yarns while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
 /// there; of each vertex w, what pushes it, and how far that would move it over l; and the rows of a system,
 /// and of the one that a group of threads makes of it.
-template <class D, class Group>
+template <class Group>
 struct YarnScratch {
-  using Real = typename D::Real;
+  using Real = typename Group::Device::Real;
   using Length = TridiagonalRow<Real>;
   using Sideways = TridiagonalRow<Real, pbd::Vec3Of<Real>>;
 

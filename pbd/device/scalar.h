@@ -35,6 +35,9 @@ struct SumUpTo {
 MENISCUS_HD inline float square_root(float a) {
   return sqrtf(a);
 }
+MENISCUS_HD inline float sine(float a) {
+  return sinf(a);
+}
 /// For a > 0. Of a float too small to be normal a GPU makes ∞: to look for them would take three
 /// instructions.
 MENISCUS_HD inline float inverse_sqrt(float a) {
@@ -97,6 +100,22 @@ struct Places {
     }
   }
 };
+
+/// A number of value(lane) in each lane.
+template <class D, class Value>
+MENISCUS_HD typename D::Real by_lane(const Value& value) {
+  if constexpr (D::lane_count == 1) {
+    return value(0);
+  } else {
+    float each[D::lane_count];
+    Places<D> order;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
+      each[lane] = value(lane);
+      order.at[lane] = lane;
+    }
+    return gather(View<const float>{each, D::lane_count}, order.index());
+  }
+}
 
 template <class T>
 MENISCUS_HD Vec4Of<float> gather_words(View<const T> from, uint32_t j) {

@@ -15,7 +15,7 @@ float angle_of(const HingeConstraint& h, const std::vector<Vec3>& x) {
 
 double value_of(const IsometricConstraint& h, const std::vector<Vec3>& x) {
   const uint32_t corner[] = {h.a, h.b, h.c, h.d};
-  const float weight[] = {h.weight_of_a(), h.weight[0], h.weight[1], h.weight[2]};
+  const float weight[] = {-(h.weight[0] + h.weight[1] + h.weight[2]), h.weight[0], h.weight[1], h.weight[2]};
   double sum[3] = {0, 0, 0};
   for (int k = 0; k < 4; ++k) {
     sum[0] += double{weight[k]} * x[corner[k]].x;

@@ -14,9 +14,13 @@
 #include "cloth/yarn_kernel.h"
 #include "pbd/device/cpu/cpu_device.h"
 #include "tests/unit/cloth_shapes.h"
+#include "tests/unit/one_lane.h"
 
 namespace meniscus::cloth {
 namespace {
+
+using tests::ManyThreads;
+using tests::OneThread;
 
 using Ends = std::pair<uint32_t, uint32_t>;
 
@@ -118,18 +122,6 @@ TEST(Yarns, ASeamIsPartOfNone) {
   EXPECT_TRUE(std::any_of(left.begin(), left.end(), [](const EdgeConstraint& e) { return e.b == 132; }));
 }
 
-/// Several threads, one after the other.
-struct ManyThreads {
-  static constexpr bool is_one_thread = false;
-  template <class F>
-  void for_each(uint32_t count, const F& f) const {
-    for (uint32_t i = 0; i < count; ++i) f(i);
-  }
-};
-struct OneThread : ManyThreads {
-  static constexpr bool is_one_thread = true;
-};
-
 /// What the solution leaves of the right-hand side, over the largest term.
 template <class Group>
 double tridiagonal_residual(uint32_t n) {
@@ -212,12 +204,6 @@ struct Layer {
   }
 };
 
-/// What a yarn alone is solved with.
-struct OneLane {
-  using Real = float;
-  static constexpr uint32_t lane_count = 1;
-};
-
 /// From no multipliers, then from those that came of it.
 template <class Run>
 std::vector<float> solved(const Run& run) {
@@ -228,8 +214,8 @@ std::vector<float> solved(const Run& run) {
 
 TEST(Yarns, SideBySideAreSolvedAsEachAlone) {
   const std::vector<float> alone = solved([](const SolveYarns& solve) {
-    const auto scratch = std::make_unique<SolveYarns::Scratch<OneLane, OneThread>>();
-    for (uint32_t n = 0; n < solve.end; ++n) solve.run<OneLane>(OneThread{}, *scratch, n);
+    const auto scratch = std::make_unique<SolveYarns::Scratch<OneThread>>();
+    for (uint32_t n = 0; n < solve.end; ++n) solve(OneThread{}, *scratch, n);
   });
   for (const auto registers : {pbd::CpuDevice::Registers::widest, pbd::CpuDevice::Registers::baseline}) {
     pbd::CpuDevice device(2, registers);

@@ -10,7 +10,7 @@
 #include "pbd/device/cpu/lanes.h"
 #include "pbd/device/cpu/parallel_loop.h"
 #include "pbd/device/cpu/wide_lanes.h"
-#include "pbd/device/scalar.h"
+#include "pbd/device/side_by_side.h"
 
 namespace meniscus::pbd {
 
@@ -72,27 +72,32 @@ class CpuDevice final : public Device {
     parallel_loop(arena_, count, grain, [&](uint32_t begin, uint32_t end) { run(kernel, begin, end); });
   }
 
+  /// For kernels whose threads take as many items side by side as they have lanes: calls
+  /// kernel.run(SideBySide<D>), with D as in parallel_for_long, but never a team.
+  template <class Kernel>
+  void parallel_for_lanes(const char* /*name*/, uint32_t count, const Kernel& kernel) {
+    const ByLanes<Kernel> by_lanes{kernel, count};
+    parallel_loop(arena_, (count + lane_count - 1) / lane_count, grain / lane_count,
+                  [&, all = choose_run<ByLanes<Kernel>>()](uint32_t begin, uint32_t end) {
+                    all(by_lanes, begin, end);
+                  });
+  }
+
   /// Runs kernel(group, scratch, n) for each n below count, each by a group of threads with a scratch of type
   /// Kernel::Scratch between them: the kernel calls group.for_each(m, f), which runs f(i) for each i below m
   /// and waits for all of them. Here a group is one thread, on a GPU a block, with its scratch in the
-  /// multiprocessor's own memory.
+  /// multiprocessor's own memory. A thread has the lanes of D = Group::Device, which is as in
+  /// parallel_for_long, but never a team.
   template <class Kernel>
   void parallel_for_groups(const char* /*name*/, uint32_t count, const Kernel& kernel) {
-    parallel_loop(arena_, count, 1, [&](uint32_t begin, uint32_t end) {
-      typename Kernel::Scratch scratch;
-      for (uint32_t n = begin; n < end; ++n) kernel(OneThread{}, scratch, n);
-    });
+    run_in_one_thread(InOneThread<Kernel>{kernel}, count);
   }
 
-  /// The same for kernels that a thread may run for several n side by side, and then over numbers of as many
-  /// lanes: calls kernel.run<D>(group, scratch, k) for k below count over D's lanes, rounded up, with a
-  /// scratch of type Kernel::Scratch<D, group's type>. D is as in parallel_for_long, but never a team.
+  /// The same for kernels of which each thread runs as many n side by side as it has lanes: kernel(group,
+  /// scratch, k) for k below count over lanes, rounded up, with a scratch of type Kernel::Scratch<Group>.
   template <class Kernel>
   void parallel_for_lane_groups(const char* /*name*/, uint32_t count, const Kernel& kernel) {
-    const InOneThread<Kernel> run{kernel};
-    parallel_loop(
-        arena_, (count + lane_count - 1) / lane_count, 1,
-        [&, all = choose_run<InOneThread<Kernel>>()](uint32_t begin, uint32_t end) { all(run, begin, end); });
+    run_in_one_thread(LanesInOneThread<Kernel>{kernel}, (count + lane_count - 1) / lane_count);
   }
 
   /// Two launches of parallel_for_long that touch nothing of one another, the second one's items few and
@@ -140,7 +145,20 @@ class CpuDevice final : public Device {
   void radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, View<const uint32_t> values,
                   View<uint32_t> values_out, uint32_t shift, uint32_t digit_bits, View<uint32_t> offsets);
 
+  template <class Kernel>
+  struct ByLanes {
+    const Kernel& kernel;
+    uint32_t count;
+
+    template <class D>
+    void run(uint32_t k) const {
+      kernel.run(SideBySide<D>(lane_count * k, count));
+    }
+  };
+
+  template <class D>
   struct OneThread {
+    using Device = D;
     static constexpr bool is_one_thread = true;
 
     template <class F>
@@ -155,10 +173,27 @@ class CpuDevice final : public Device {
 
     template <class D>
     void run(uint32_t n) const {
-      typename Kernel::template Scratch<D, OneThread> scratch;
-      kernel.template run<D>(OneThread{}, scratch, n);
+      typename Kernel::Scratch scratch;
+      kernel(OneThread<D>{}, scratch, n);
     }
   };
+
+  template <class Kernel>
+  struct LanesInOneThread {
+    const Kernel& kernel;
+
+    template <class D>
+    void run(uint32_t n) const {
+      typename Kernel::template Scratch<OneThread<D>> scratch;
+      kernel(OneThread<D>{}, scratch, n);
+    }
+  };
+
+  template <class Run>
+  void run_in_one_thread(const Run& run, uint32_t count) {
+    parallel_loop(arena_, count, 1,
+                  [&, all = choose_run<Run>()](uint32_t begin, uint32_t end) { all(run, begin, end); });
+  }
 
   // All that the kernel calls is inlined: into run_wide because only there it is compiled for AVX2.
   template <class Kernel>

@@ -65,6 +65,14 @@ MENISCUS_LANE_FN Float4 square_root(Float4 a) {
 MENISCUS_LANE_FN Lanes square_root(Lanes a) {
   return {square_root(a.low), square_root(a.high)};
 }
+MENISCUS_LANE_FN Float4 sine(Float4 a) {
+  Float4 r;
+  for (int k = 0; k < 4; ++k) r[k] = __builtin_sinf(a[k]);
+  return r;
+}
+MENISCUS_LANE_FN Lanes sine(Lanes a) {
+  return {sine(a.low), sine(a.high)};
+}
 /// See scalar.h.
 MENISCUS_LANE_FN Lanes unit_part(Lanes a) {
   return max(a, Lanes(0.0f));
@@ -149,13 +157,28 @@ MENISCUS_LANE_FN Vec4Of<Lanes> gather(View<const Vec4> from, LaneIndex j) {
   return gather_words(from, j);
 }
 
-/// Lane k goes to to[j[k]] where bit k of the mask is set.
-MENISCUS_LANE_FN void scatter(View<Vec4> to, LaneIndex j, const Vec4Of<Lanes>& v, uint32_t mask) {
+/// What eight lanes hold, lane by lane.
+struct LaneRows {
+  Float4 each[8];
+};
+
+MENISCUS_LANE_FN LaneRows rows(const Vec4Of<Lanes>& v) {
   const detail::Transposed low = detail::transpose(v.x.low, v.y.low, v.z.low, v.w.low),
                            high = detail::transpose(v.x.high, v.y.high, v.z.high, v.w.high);
-  const Float4 each[] = {low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w};
+  return {{low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w}};
+}
+/// Lane k goes to to[j[k]] where bit k of the mask is set.
+MENISCUS_LANE_FN void scatter(View<Vec4> to, LaneIndex j, const Vec4Of<Lanes>& v, uint32_t mask) {
+  const LaneRows r = rows(v);
   for (int k = 0; k < 8; ++k)
-    if (mask >> k & 1) std::memcpy(&to[j[k]], &each[k], sizeof(Float4));
+    if (mask >> k & 1) std::memcpy(&to[j[k]], &r.each[k], sizeof(Float4));
+}
+/// Row k is added to to[j[k]], one after the other.
+MENISCUS_LANE_FN void add(View<Vec4> to, LaneIndex j, const LaneRows& r) {
+  for (int k = 0; k < 8; ++k) {
+    const Float4 sum = detail::load4(to[j[k]]) + r.each[k];
+    std::memcpy(&to[j[k]], &sum, sizeof sum);
+  }
 }
 
 MENISCUS_LANE_FN Lanes gather(View<const float> from, LaneIndex j) {

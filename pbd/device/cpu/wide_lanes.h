@@ -66,6 +66,12 @@ MENISCUS_WIDE_FN WideLanes unit_part(const WideLanes& a) {
 MENISCUS_WIDE_FN WideLanes square_root(const WideLanes& a) {
   return WideLanes(_mm256_sqrt_ps(a.all));
 }
+MENISCUS_WIDE_FN WideLanes sine(const WideLanes& a) {
+  alignas(32) float each[WideLanes::count];
+  _mm256_store_ps(each, a.all);
+  for (float& s : each) s = __builtin_sinf(s);
+  return WideLanes(_mm256_load_ps(each));
+}
 MENISCUS_WIDE_FN WideLanes inverse_sqrt(const WideLanes& a) {
   return WideLanes(_mm256_div_ps(_mm256_set1_ps(1.0f), _mm256_sqrt_ps(a.all)));
 }
@@ -121,13 +127,29 @@ MENISCUS_WIDE_FN Vec4Of<WideLanes> gather_words(const View<const T>& from, const
 MENISCUS_WIDE_FN Vec4Of<WideLanes> gather(const View<const Vec4>& from, const WideIndex& j) {
   return gather_words(from, j);
 }
+/// Rows k and k + 4 side by side.
+struct WideRows {
+  __m256 two[4];
+
+  MENISCUS_WIDE_FN __m128 operator[](int k) const {
+    return k < 4 ? _mm256_castps256_ps128(two[k]) : _mm256_extractf128_ps(two[k - 4], 1);
+  }
+};
+
+MENISCUS_WIDE_FN WideRows rows(const Vec4Of<WideLanes>& v) {
+  const Vec4Of<WideLanes> each = detail::transpose(v.x.all, v.y.all, v.z.all, v.w.all);
+  return {{each.x.all, each.y.all, each.z.all, each.w.all}};
+}
 MENISCUS_WIDE_FN void scatter(const View<Vec4>& to, const WideIndex& j, const Vec4Of<WideLanes>& v,
                               uint32_t mask) {
-  const Vec4Of<WideLanes> each = detail::transpose(v.x.all, v.y.all, v.z.all, v.w.all);  // k and k + 4
-  const __m256 two[] = {each.x.all, each.y.all, each.z.all, each.w.all};
-  for (int k = 0; k < 4; ++k) {
-    if (mask >> k & 1) _mm_store_ps(&to[j[k]].x, _mm256_castps256_ps128(two[k]));
-    if (mask >> (k + 4) & 1) _mm_store_ps(&to[j[k + 4]].x, _mm256_extractf128_ps(two[k], 1));
+  const WideRows r = rows(v);
+  for (int k = 0; k < 8; ++k)
+    if (mask >> k & 1) _mm_store_ps(&to[j[k]].x, r[k]);
+}
+MENISCUS_WIDE_FN void add(const View<Vec4>& to, const WideIndex& j, const WideRows& r) {
+  for (int k = 0; k < 8; ++k) {
+    float* const at = &to[j[k]].x;
+    _mm_store_ps(at, _mm_add_ps(_mm_load_ps(at), r[k]));
   }
 }
 MENISCUS_WIDE_FN WideLanes gather(const View<const float>& from, const WideIndex& j) {

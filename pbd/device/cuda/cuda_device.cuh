@@ -11,7 +11,7 @@
 #include "pbd/device/cuda/cuda_check.cuh"
 #include "pbd/device/cuda/launch.cuh"
 #include "pbd/device/cuda/team.h"
-#include "pbd/device/scalar.h"
+#include "pbd/device/side_by_side.h"
 
 namespace meniscus::pbd {
 
@@ -57,6 +57,7 @@ __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
 
 /// See CpuDevice::parallel_for_groups.
 struct Block {
+  using Device = CudaDevice;
   static constexpr bool is_one_thread = false;
 
   template <class F>
@@ -74,12 +75,12 @@ __global__ void __launch_bounds__(group_size)
   kernel(Block{}, scratch, blockIdx.x);
 }
 
-template <class D, class Kernel>
+template <class Kernel>
 __global__ void __launch_bounds__(group_size)
     for_each_lane_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
   wait_for_previous(mark);
-  __shared__ typename Kernel::template Scratch<D, Block> scratch;
-  kernel.template run<D>(Block{}, scratch, blockIdx.x);
+  __shared__ typename Kernel::template Scratch<Block> scratch;
+  kernel(Block{}, scratch, blockIdx.x);
 }
 
 template <class D, class Kernel>
@@ -88,6 +89,12 @@ struct RunLong {
 
   Kernel kernel;
   __device__ void operator()(uint32_t i) const { kernel.template run<D>(i); }
+};
+
+template <class D, class Kernel>
+struct RunAlone {
+  Kernel kernel;
+  __device__ void operator()(uint32_t i) const { kernel.run(SideBySide<D>(i, i + 1)); }
 };
 
 template <class Kernel>
@@ -186,6 +193,11 @@ class CudaDevice final : public Device {
   }
 
   template <class Kernel>
+  void parallel_for_lanes(const char* name, uint32_t count, const Kernel& kernel) {
+    parallel_for(name, count, cuda_kernels::RunAlone<CudaDevice, Kernel>{kernel});
+  }
+
+  template <class Kernel>
   void parallel_for_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
     if (count) launch(name, count, group_size, for_each_group<Kernel>, kernel);
@@ -194,7 +206,7 @@ class CudaDevice final : public Device {
   template <class Kernel>
   void parallel_for_lane_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
-    if (count) launch(name, count, group_size, for_each_lane_group<CudaDevice, Kernel>, kernel);
+    if (count) launch(name, count, group_size, for_each_lane_group<Kernel>, kernel);
   }
 
   template <class Kernel>
