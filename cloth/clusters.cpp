@@ -78,6 +78,24 @@ class Bisection {
   uint32_t parts_ = 0;
 };
 
+/// Makes one part of several that follow one another and are small enough together.
+uint32_t put_together(std::span<const uint32_t> size, std::vector<uint32_t>& part) {
+  std::vector<uint32_t> number;
+  uint32_t parts = 0, sum = 0;
+  for (uint32_t s : size) {
+    if (sum + s > Cluster::most_vertices) {
+      ++parts;
+      sum = 0;
+    }
+    sum += s;
+    number.push_back(parts);
+  }
+  for (uint32_t& p : part) {
+    if (p != none) p = number[p];
+  }
+  return parts + 1;
+}
+
 /// Grows parts over what is left: the bands between the parts of the pass before, cut elsewhere.
 uint32_t grow_parts(std::span<const Any> all, std::span<const uint32_t> left, std::vector<uint32_t>& part) {
   std::vector<uint32_t> start(part.size() + 1), at;
@@ -90,10 +108,10 @@ uint32_t grow_parts(std::span<const Any> all, std::span<const uint32_t> left, st
   for (uint32_t k : left) {
     for (uint32_t v : all[k].touched()) at[next[v]++] = k;
   }
-  uint32_t parts = 0;
-  std::vector<uint32_t> front;
+  std::vector<uint32_t> front, size;
   for (uint32_t seed = 0; seed < part.size(); ++seed) {
     if (part[seed] != none || start[seed] == start[seed + 1]) continue;
+    const auto parts = static_cast<uint32_t>(size.size());
     front.assign(1, seed);
     part[seed] = parts;
     for (size_t k = 0; k < front.size(); ++k) {
@@ -105,9 +123,9 @@ uint32_t grow_parts(std::span<const Any> all, std::span<const uint32_t> left, st
         }
       }
     }
-    ++parts;
+    size.push_back(static_cast<uint32_t>(front.size()));
   }
-  return parts;
+  return put_together(size, part);
 }
 
 template <class T>

@@ -40,6 +40,17 @@ TEST(Clusters, OfAPassShareNoVertexAndHoldAll) {
   EXPECT_EQ(constraints, all.isometric.size() + all.edges.size());
 }
 
+// What the first clusters of a sheet leave are bands, and small crossings of bands.
+TEST(Clusters, ThatAreSmallArePutTogether) {
+  const Clusters all = clusters_of(make_sheet(1, 1, 100, 100));
+  for (size_t pass = 0; pass + 1 < all.pass_starts.size(); ++pass) {
+    const uint32_t begin = all.pass_starts[pass], end = all.pass_starts[pass + 1];
+    uint32_t vertices = 0;
+    for (uint32_t k = begin; k < end; ++k) vertices += vertices_of(all.clusters[k]);
+    EXPECT_LE((end - begin - 1) * Cluster::most_vertices / 2, vertices) << pass;
+  }
+}
+
 /// A crumpled sheet, of two pieces with damping of their own, some of its vertices held.
 struct Crumpled {
   Clusters clusters;
