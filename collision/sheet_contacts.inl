@@ -136,7 +136,7 @@ void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangl
                                    std::span<const Vec3> positions, std::span<const SheetPart> parts) {
   device_.wait();
   tree_.set_surface(triangles, positions);
-  vertices_ = static_cast<uint32_t>(positions.size());
+  vertices_ = triangles.empty() ? 0 : static_cast<uint32_t>(positions.size());
   parts_.resize_discard(parts.size());
   parts_.write(parts);
   largest_radius_ = 0;

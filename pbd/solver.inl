@@ -105,7 +105,7 @@ void Solver<D>::relax(float dt, int times) {
     contacts_.limit_motion(motion_of(s), true);
     for (ConstraintSet<D>* set : sets_) set->settle(s);
     device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
-    particles_changed(0, particles_.count());
+    particles_changed(0, particles_.sorted());
   }
 }
 
@@ -272,8 +272,9 @@ template <class D>
 void Solver<D>::reserve_all(uint32_t fluid, uint32_t vertices) {
   has_found_ = false;
   const uint32_t capacity = fluid + vertices + extra_room_;
-  for (ConstraintSet<D>* set : sets_) set->reserve(capacity, particles_.count());
-  for (VelocityPass<D>* pass : passes_) pass->reserve(capacity);
+  const uint32_t with_state = fluid ? capacity : 0;
+  for (ConstraintSet<D>* set : sets_) set->reserve(with_state, particles_.sorted());
+  for (VelocityPass<D>* pass : passes_) pass->reserve(with_state);
   particles_.reserve(capacity);
   search_.reserve(fluid);
   contacts_.reserve(capacity);

@@ -31,6 +31,8 @@ struct Substep {
 class ParticleState {
  public:
   virtual ~ParticleState() = default;
+  /// Room for so many particles of all kinds, as lists of neighbours end with an index behind them; 0 where
+  /// there are no fluids. What the first `kept` have stays.
   virtual void reserve(uint32_t /*capacity*/, uint32_t /*kept*/) {}
   virtual void clear(uint32_t /*first*/, uint32_t /*count*/) {}
   /// Element i becomes what was at order[i].
@@ -84,6 +86,7 @@ class VelocityPass {
   virtual ~VelocityPass() = default;
   /// May flip the particles' velocity buffers: takes its views from `particles`.
   virtual void apply(Substep<D>& substep, Particles& particles) = 0;
+  /// See ParticleState.
   virtual void reserve(uint32_t /*capacity*/) {}
 };
 

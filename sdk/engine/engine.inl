@@ -83,7 +83,7 @@ class DeviceEngine final : public Engine {
     solver_.add(probes_);
     solver_.add(static_cast<pbd::Observer<D>&>(ties_));
     if (def.diffuse) add_diffuse(*def.diffuse);
-    reserve(1024, 0);
+    reserve(0, 1);
   }
 
   pbd::Device& device() override { return device_; }

@@ -32,7 +32,9 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   sheet_contacts_.set_surface(bears_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
                               cloth.model.rest, cloth.sheets);
   std::vector<float> inverse_masses;
-  for (const pbd::Vec4& x : cloth.position) inverse_masses.push_back(x.w);
+  if (bears_fluid) {
+    for (const pbd::Vec4& x : cloth.position) inverse_masses.push_back(x.w);
+  }
   const float s = def_.particle_spacing, water = 1000.0f * s * s * s;
   sheets_.set_vertices(inverse_masses, std::max(heaviest, water));
   particles_.set_vertices(cloth.position, cloth.velocity, cloth.phase);

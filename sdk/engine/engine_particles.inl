@@ -16,10 +16,10 @@ void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
   fluid_capacity_ = fluid;
   vertex_capacity_ = vertices;
   removal_.reserve(capacity);
-  vector_out_.resize_discard(capacity);
-  scalar_out_.resize_discard(capacity);
-  full_out_.resize_discard(capacity);
-  index_out_.resize_discard(capacity);
+  vector_out_.resize_discard(fluid);
+  scalar_out_.resize_discard(fluid);
+  full_out_.resize_discard(fluid);
+  index_out_.resize_discard(fluid);
   state_sum_.resize_discard(1);
   count_out_.resize_discard(1);
 }
@@ -51,12 +51,14 @@ void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials)
   viscosity_.set_materials(fluids);
 }
 
-/// A first fill gets what it asks for; later ones leave room for more, so that an emitter does not reallocate
-/// often.
+/// A first fill gets what it asks for, if that is not little; later ones leave room for more, so that an
+/// emitter does not reallocate often.
 template <class D>
 void DeviceEngine<D>::reserve_more(uint32_t more) {
   const uint32_t present = particles_.sorted(), needed = present + more;
-  if (needed > fluid_capacity_) reserve(present == 0 ? needed : needed + needed / 4, vertex_capacity_);
+  constexpr uint32_t least = 1024;
+  if (needed > fluid_capacity_)
+    reserve(std::max(least, present == 0 ? needed : needed + needed / 4), vertex_capacity_);
 }
 
 template <class D>
