@@ -39,6 +39,7 @@ using pbd::Vec4Of;
 struct SolveYarns {
   template <class Group>
   using Scratch = YarnScratch<Group>;
+  static constexpr uint32_t group_threads = 512;  ///< see CudaDevice: many short steps, one after the other
 
   View<const Yarn> yarns;
   View<const EdgeConstraint> edges;

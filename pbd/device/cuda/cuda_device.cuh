@@ -21,7 +21,6 @@ namespace cuda_kernels {
 
 constexpr uint32_t block_size = 128;
 constexpr uint32_t teams = block_size / CudaTeam::lane_count;
-constexpr uint32_t group_size = 128;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
 constexpr uint32_t most_teams = 1u << 16;  // they fill a large GPU
@@ -55,32 +54,43 @@ __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
   if (i < count) kernel(i);
 }
 
+/// Threads of a group: as many as a kernel says, else so many.
+template <class Kernel>
+constexpr uint32_t group_size() {
+  if constexpr (requires { Kernel::group_threads; }) return Kernel::group_threads;
+  return 128;
+}
+
 /// See CpuDevice::parallel_for_groups.
+template <uint32_t threads>
 struct Block {
   using Device = CudaDevice;
   static constexpr bool is_one_thread = false;
 
   template <class F>
   __device__ void for_each(uint32_t count, const F& f) const {
-    for (uint32_t i = threadIdx.x; i < count; i += group_size) f(i);
+    for (uint32_t i = threadIdx.x; i < count; i += threads) f(i);
     __syncthreads();
   }
 };
 
 template <class Kernel>
-__global__ void __launch_bounds__(group_size)
+using BlockOf = Block<group_size<Kernel>()>;
+
+template <class Kernel>
+__global__ void __launch_bounds__(group_size<Kernel>())
     for_each_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
   wait_for_previous(mark);
   __shared__ typename Kernel::Scratch scratch;
-  kernel(Block{}, scratch, blockIdx.x);
+  kernel(BlockOf<Kernel>{}, scratch, blockIdx.x);
 }
 
 template <class Kernel>
-__global__ void __launch_bounds__(group_size)
+__global__ void __launch_bounds__(group_size<Kernel>())
     for_each_lane_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
   wait_for_previous(mark);
-  __shared__ typename Kernel::template Scratch<Block> scratch;
-  kernel(Block{}, scratch, blockIdx.x);
+  __shared__ typename Kernel::template Scratch<BlockOf<Kernel>> scratch;
+  kernel(BlockOf<Kernel>{}, scratch, blockIdx.x);
 }
 
 template <class D, class Kernel>
@@ -200,13 +210,13 @@ class CudaDevice final : public Device {
   template <class Kernel>
   void parallel_for_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
-    if (count) launch(name, count, group_size, for_each_group<Kernel>, kernel);
+    if (count) launch(name, count, group_size<Kernel>(), for_each_group<Kernel>, kernel);
   }
 
   template <class Kernel>
   void parallel_for_lane_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
-    if (count) launch(name, count, group_size, for_each_lane_group<Kernel>, kernel);
+    if (count) launch(name, count, group_size<Kernel>(), for_each_lane_group<Kernel>, kernel);
   }
 
   template <class Kernel>
