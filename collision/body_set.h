@@ -9,13 +9,15 @@
 #include "collision/rigid_world.h"
 #include "collision/shape_contacts.h"
 #include "pbd/device/shared_buffer.h"
+#include "pbd/device/side_thread.h"
 #include "pbd/substep.h"
 
 namespace meniscus::collision {
 
 /// Rigid bodies among the particles. In a substep,
 ///
-///   predict   stands a proxy for each body, predicted with the forces that Bullet will integrate;
+///   predict   stands a proxy for each body, predicted with the forces that Bullet will integrate. From here
+///             on Bullet finds who touches whom, on a thread of its own;
 ///   begin     groups the contacts by body, and splits each body among its contacts;
 ///   project   after the other sets, moves the proxies by what their contacts have gathered, and the planes
 ///             of the contacts along: the other sets find the body where it has given way to;
@@ -63,6 +65,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   void look_ahead(float dt);
   void carry_shapes();
   void rest();
+  void begin_rigid_step(float dt);
   template <class F>
   void time_rigid(const F& step);
   float furthest_motion() const;
@@ -80,7 +83,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   double step_ms_ = 0;
   float ahead_ = -1;                    // s: what motion_ has been predicted for; -1: nothing
   double start_time_ = 0;               // s, of the world
-  bool saved_ = false, ended_ = false;  // in the present step
+  bool begun_ = false, ended_ = false;  // in the present step
   RigidWorld::SnapshotPtr snapshot_;
 
   pbd::SharedBuffer<RigidMotion> motion_{device_, "body motions"};
@@ -96,6 +99,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> sorted_key_{device_, "contact bodies"};
   pbd::Buffer<uint32_t> number_{device_, "contact numbers"};
   pbd::Buffer<uint32_t> grouped_{device_, "contacts by body"};
+  pbd::SideThread side_;  // last: it is through with all that it works on before that goes
 };
 
 }  // namespace meniscus::collision

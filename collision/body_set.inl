@@ -94,6 +94,16 @@ void BodySet<D>::predict(float dt) {
   device_.parallel_for("bodies/predict", bodies_,
                        body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
   carry_shapes();
+  begin_rigid_step(dt);
+}
+
+/// Has Bullet find contacts while the rest of the substep is launched, and worked on.
+template <class D>
+void BodySet<D>::begin_rigid_step(float dt) {
+  side_.run([this, dt] {
+    begun_ = true;
+    time_rigid([&] { world_.begin_step(dt); });
+  });
 }
 
 template <class D>
@@ -141,12 +151,8 @@ void BodySet<D>::end(pbd::Substep<D>& substep) {
 
 template <class D>
 void BodySet<D>::exchange(pbd::Substep<D>& substep) {
-  // The device still works: time to put aside what Bullet is about to change, and for Bullet to find
-  // contacts.
-  if (!saved_) world_.save(*snapshot_);
-  saved_ = true;
   ahead_ = -1;
-  time_rigid([&] { world_.begin_step(substep.dt); });
+  side_.wait();
   // What was launched after the impulses, the velocity passes, runs on while Bullet steps.
   device_.wait_for_fence();
   const std::span<RigidImpulse> impulses = impulses_.host();
@@ -158,6 +164,7 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
     sums_[b].angular += impulse.angular;
   }
   time_rigid([&] { world_.finish_step(substep.dt, impulses); });
+  if (substep.is_last) side_.run([this] { world_.touches(); });
   world_.predict(0, arrived_.host());
   check_finite();
   device_.parallel_for("bodies/arrive", bodies_, body_kernels::Arrive{arrived_.view(), proxies_.view()});
@@ -207,8 +214,9 @@ void BodySet<D>::rest() {
 template <class D>
 void BodySet<D>::end_step() {
   if (bodies_ == 0) return world_.set_time(start_time_ + double{step_time_});
-  world_.end_step();
   rest();
+  side_.wait();
+  world_.end_step();
   mean_forces_before_ = mean_forces_;
   ended_ = true;
   for (uint32_t b = 0; b < bodies_; ++b)
@@ -221,13 +229,21 @@ void BodySet<D>::start_step() {
   step_time_ = 0;
   step_ms_ = 0;
   start_time_ = world_.time();
-  saved_ = ended_ = false;
+  begun_ = ended_ = false;
+  if (bodies_ == 0) return;
+  side_.run([this] { world_.save_contacts(*snapshot_); });
+  world_.save_bodies(*snapshot_);
 }
 
 template <class D>
 void BodySet<D>::undo_step() {
   if (bodies_ == 0) return world_.set_time(start_time_);
-  if (saved_) world_.restore(*snapshot_);
+  try {
+    side_.wait();
+  } catch (...) {
+    // Whoever undoes a step knows already that it went wrong.
+  }
+  if (begun_) world_.restore(*snapshot_);
   if (ended_) mean_forces_ = mean_forces_before_;
   place();
 }

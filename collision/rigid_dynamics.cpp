@@ -50,15 +50,19 @@ void RigidDispatcher::order_manifolds() {
 void RigidDispatcher::follow_order() {
   const btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
   ordered_.resizeNoInitialize(0);
+  touching_.clear();
   for (const PairPlace& place : order_) {
-    if (pairs[place.index].m_algorithm) pairs[place.index].m_algorithm->getAllContactManifolds(ordered_);
+    if (!pairs[place.index].m_algorithm) continue;
+    int i = ordered_.size();
+    pairs[place.index].m_algorithm->getAllContactManifolds(ordered_);
+    for (; i < ordered_.size(); ++i) {
+      btPersistentManifold* manifold = ordered_[i];
+      manifold->m_index1a = i;
+      const auto points = static_cast<uint32_t>(manifold->getNumContacts());
+      if (points) touching_.push_back({manifold, &manifold->getContactPoint(0), points, place.key});
+    }
   }
   const int of_pairs = ordered_.size();
-  touching_.clear();
-  for (int i = 0; i < of_pairs; ++i) {
-    ordered_[i]->m_index1a = i;
-    if (ordered_[i]->getNumContacts() > 0) touching_.push_back(ordered_[i]);
-  }
   for (int i = 0; i < m_manifoldsPtr.size(); ++i) {
     btPersistentManifold* other = m_manifoldsPtr[i];
     if (other->m_index1a < of_pairs && ordered_[other->m_index1a] == other) continue;
@@ -66,6 +70,13 @@ void RigidDispatcher::follow_order() {
     ordered_.push_back(other);
   }
   m_manifoldsPtr.copyFromArray(ordered_);
+  in_order_ = true;
+}
+
+/// Bullet puts the last one in its place; and who touches whom is no longer known.
+void RigidDispatcher::releaseManifold(btPersistentManifold* manifold) {
+  btCollisionDispatcher::releaseManifold(manifold);
+  in_order_ = false;
 }
 
 void RigidDynamics::detect(float dt) {

@@ -13,11 +13,11 @@
 
 namespace meniscus::collision {
 
-/// Has an object brought near: it is read soon. Bullet's are many, and lie about in memory.
+/// Has objects brought near: they are read soon. Bullet's are many, and lie about in memory.
 template <class T>
-void fetch_soon(const T* object) {
-  for (size_t at = 0; at < sizeof(T); at += 64)
-    __builtin_prefetch(reinterpret_cast<const char*>(object) + at);
+void fetch_soon(const T* objects, size_t count = 1) {
+  for (size_t at = 0; at < count * sizeof(T); at += 64)
+    __builtin_prefetch(reinterpret_cast<const char*>(objects) + at);
 }
 
 class RigidDispatcher final : public btCollisionDispatcher {
@@ -27,17 +27,23 @@ class RigidDispatcher final : public btCollisionDispatcher {
   bool needsCollision(const btCollisionObject* a, const btCollisionObject* b) override;
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
                                  btDispatcher* self) override;
+  void releaseManifold(btPersistentManifold* manifold) override;
 
   /// Puts the manifolds into the order of their pairs, and what belongs to no pair behind them.
   void order_manifolds();
-  /// Calls visit(manifold) for those of pairs that have contacts, in their order. Most have none, as boxes
-  /// around bodies are wide.
+  /// Calls visit(manifold, pair) for those of pairs that have contacts, in their order. Most have none, as
+  /// boxes around bodies are wide.
   template <class Visit>
-  void for_each_touching(const Visit& visit) const {
+  void for_each_touching(const Visit& visit) {
     constexpr size_t ahead = 4;
+    if (!in_order_) order_manifolds();
     for (size_t k = 0; k < touching_.size(); ++k) {
-      if (k + ahead < touching_.size()) fetch_soon(touching_[k + ahead]);
-      visit(*touching_[k]);
+      if (k + ahead < touching_.size()) {
+        const Touching& next = touching_[k + ahead];
+        fetch_soon(next.first_point, next.points);
+        fetch_soon(&next.manifold->m_companionIdA);  // beside the number of points
+      }
+      visit(*touching_[k].manifold, touching_[k].pair);
     }
   }
   /// While true, sleepers collide too.
@@ -51,12 +57,19 @@ class RigidDispatcher final : public btCollisionDispatcher {
     uint64_t key;  ///< the two ids
     int index;
   };
+  struct Touching {
+    btPersistentManifold* manifold;
+    const btManifoldPoint* first_point;
+    uint32_t points;
+    uint64_t pair;  ///< the two ids
+  };
   btOverlappingPairCache* pairs_;
   RigidPlaneContacts plane_second_{false}, plane_first_{true};
   std::vector<PairPlace> order_;
-  std::vector<btPersistentManifold*> touching_;
+  std::vector<Touching> touching_;
   btManifoldArray ordered_, of_pair_;
   bool every_pair_ = false;
+  bool in_order_ = true;
 };
 
 class RigidDynamics final : public btDiscreteDynamicsWorld {
@@ -79,7 +92,8 @@ class RigidDynamics final : public btDiscreteDynamicsWorld {
   /// Calls visit(manifold) for all that have contacts, in a fixed order.
   template <class Visit>
   void for_each_touching(const Visit& visit) {
-    static_cast<const RigidDispatcher*>(getDispatcher())->for_each_touching(visit);
+    static_cast<RigidDispatcher*>(getDispatcher())
+        ->for_each_touching([&](btPersistentManifold& manifold, uint64_t) { visit(manifold); });
     for (int i = 0; i < m_predictiveManifolds.size(); ++i) visit(*m_predictiveManifolds[i]);
   }
 

@@ -85,7 +85,11 @@ struct RigidWorld::Impl {
   Numbered<RigidBodyRecord> bodies;
   Numbered<RigidFixedRecord> fixed;
   Numbered<RigidJointRecord> joints;
-  double time = 0;  ///< s
+  double time = 0;               ///< s
+  std::vector<RigidRef> solids;  ///< by the id of the proxy
+  std::vector<uint64_t> touching_keys;
+  std::vector<RigidTouch> touches;
+  bool knows_touches = false;
 
   RigidBodyRecord& body(uint32_t n) const;
   /// Calls visit(number, body) for each, with the next ones on their way.
@@ -115,6 +119,8 @@ struct RigidWorld::Impl {
   void limit_motors(float dt);
 
   RigidRef solid_of(const btCollisionObject* object) const;
+  /// A body or fixed solid that has its number joins the world.
+  void add(btRigidBody& body, const CollisionFilter& filter);
 };
 
 /// What a step begins with: velocities of one that will be at `target` when dt has passed.

@@ -15,9 +15,27 @@ namespace meniscus::collision {
 
 namespace {
 
+constexpr uint32_t is_fixed = 1u << 31;
+
 /// Bodies before fixed solids, then by number.
-auto rank(RigidRef solid) {
-  return std::tuple(!solid.is_body, solid.number);
+uint32_t rank(RigidRef solid) {
+  return solid.is_body ? solid.number : is_fixed | solid.number;
+}
+RigidRef solid_of_rank(uint32_t rank) {
+  return {(rank & is_fixed) == 0, rank & ~is_fixed};
+}
+
+uint64_t key_of(uint32_t a, uint32_t b) {
+  return uint64_t{a} << 32 | b;
+}
+
+bool touch_at_any_point(const btPersistentManifold& manifold) {
+  bool touch = false;
+  for (int p = 0; p < manifold.getNumContacts(); ++p) {
+    const btManifoldPoint& point = manifold.getContactPoint(p);
+    touch |= point.getDistance() <= 0 || point.m_appliedImpulse > 0;
+  }
+  return touch;
 }
 
 /// A contact as seen from the solid that comes first.
@@ -160,23 +178,30 @@ std::vector<RigidContact> RigidWorld::contacts() const {
   return found;
 }
 
-std::vector<RigidTouch> RigidWorld::touches() const {
-  std::vector<RigidTouch> found;
-  impl_->dynamics.for_each_touching([&](const btPersistentManifold& manifold) {
-    bool touch = false;
-    for (int p = 0; p < manifold.getNumContacts(); ++p) {
-      const btManifoldPoint& point = manifold.getContactPoint(p);
-      touch |= point.getDistance() <= 0 || point.m_appliedImpulse > 0;
-    }
-    if (!touch) return;
-    const RigidRef a = impl_->solid_of(manifold.getBody0()), b = impl_->solid_of(manifold.getBody1());
-    found.push_back(rank(b) < rank(a) ? RigidTouch{b, a} : RigidTouch{a, b});
+const std::vector<RigidTouch>& RigidWorld::touches() {
+  if (impl_->knows_touches) return impl_->touches;
+  std::vector<uint64_t>& keys = impl_->touching_keys;
+  keys.clear();
+  const auto note = [&](const btPersistentManifold& manifold, RigidRef a, RigidRef b) {
+    const uint32_t first = rank(a), second = rank(b);
+    if (touch_at_any_point(manifold))
+      keys.push_back(key_of(std::min(first, second), std::max(first, second)));
+  };
+  impl_->dispatcher.for_each_touching([&](const btPersistentManifold& manifold, uint64_t pair) {
+    note(manifold, impl_->solids[pair >> 32], impl_->solids[pair & 0xffffffff]);
   });
-  const auto key = [](const RigidTouch& t) { return std::tuple(rank(t.a), rank(t.b)); };
-  std::ranges::sort(found, {}, key);
-  const auto same = [&](const RigidTouch& x, const RigidTouch& y) { return key(x) == key(y); };
-  found.erase(std::unique(found.begin(), found.end(), same), found.end());
-  return found;
+  const auto& predictive = impl_->dynamics.predictive();
+  for (int i = 0; i < predictive.size(); ++i)
+    note(*predictive[i], impl_->solid_of(predictive[i]->getBody0()),
+         impl_->solid_of(predictive[i]->getBody1()));
+  std::ranges::sort(keys);
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  impl_->touches.clear();
+  for (uint64_t key : keys)
+    impl_->touches.push_back(
+        {solid_of_rank(static_cast<uint32_t>(key >> 32)), solid_of_rank(static_cast<uint32_t>(key))});
+  impl_->knows_touches = true;
+  return impl_->touches;
 }
 
 bool RigidWorld::cast_ray(Vec3 from, Vec3 to, RigidRayHit& hit) const {

@@ -78,11 +78,15 @@ RigidWorld::SnapshotPtr RigidWorld::make_snapshot() {
   return SnapshotPtr(new Snapshot);
 }
 
-void RigidWorld::save(Snapshot& to) const {
+void RigidWorld::save_bodies(Snapshot& to) const {
   to.bodies.clear();
   impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
     to.bodies.push_back(saved(body, impl_->dynamics.detected[n]));
   });
+  to.time = impl_->time;
+}
+
+void RigidWorld::save_contacts(Snapshot& to) const {
   to.pairs.clear();
   const btBroadphasePairArray& pairs = impl_->pairs.getOverlappingPairArray();
   for (int i = 0; i < pairs.size(); ++i) {
@@ -92,7 +96,7 @@ void RigidWorld::save(Snapshot& to) const {
   to.manifolds.clear();
   to.points.clear();
   auto& predictive = impl_->dynamics.predictive();
-  impl_->dispatcher.for_each_touching([&](const btPersistentManifold& manifold) {
+  impl_->dispatcher.for_each_touching([&](const btPersistentManifold& manifold, uint64_t) {
     const int count = manifold.getNumContacts();
     to.manifolds.push_back({manifold.m_index1a, count});
     const btManifoldPoint* first = &manifold.getContactPoint(0);
@@ -101,7 +105,6 @@ void RigidWorld::save(Snapshot& to) const {
   to.predictions.clear();
   for (int i = 0; i < predictive.size(); ++i) to.predictions.push_back(*predictive[i]);
   impl_->broadphase.save(to.broadphase);
-  to.time = impl_->time;
 }
 
 namespace {
@@ -173,6 +176,7 @@ void RigidWorld::restore(const Snapshot& from) {
     if (body) put_back(*body, *saved_body++);
   }
   impl_->time = from.time;
+  impl_->knows_touches = false;
 }
 
 }  // namespace meniscus::collision

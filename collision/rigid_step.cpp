@@ -161,6 +161,7 @@ void RigidWorld::Impl::apply_forces() {
 }
 
 void RigidWorld::begin_step(float dt) {
+  impl_->knows_touches = false;
   impl_->drive_kinematics(dt);
   impl_->dynamics.detect(dt / static_cast<float>(impl_->def.substeps));
 }
@@ -169,6 +170,7 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
   Impl& world = *impl_;
   const int substeps = world.def.substeps;
   const float h = dt / static_cast<float>(substeps);
+  world.knows_touches = false;
   world.take_impulses(dt, impulses);
   world.limit_motors(h);
   world.dynamics.getSolverInfo().m_restitutionVelocityThreshold =

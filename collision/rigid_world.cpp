@@ -27,10 +27,6 @@ btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const 
   return info;
 }
 
-void add_to_world(RigidDynamics& dynamics, btRigidBody& body, const CollisionFilter& filter) {
-  dynamics.addRigidBody(&body, static_cast<int>(filter.groups), static_cast<int>(filter.mask));
-}
-
 /// Small bodies sleep at lower speeds than large ones; and fast ones are swept, as by how far they may go in
 /// a step before they could pass through something.
 void scale_to_size(btRigidBody& body, const RigidShape& shape, float gravity) {
@@ -105,6 +101,13 @@ float RigidWorld::Impl::acceleration_scale() const {
   return pbd::max(length(def.gravity), 1.0f);
 }
 
+void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& filter) {
+  dynamics.addRigidBody(&body, static_cast<int>(filter.groups), static_cast<int>(filter.mask));
+  const auto proxy = static_cast<size_t>(body.getBroadphaseHandle()->m_uniqueId);
+  if (solids.size() <= proxy) solids.resize(proxy + 1);
+  solids[proxy] = solid_of(&body);
+}
+
 RigidRef RigidWorld::Impl::solid_of(const btCollisionObject* object) const {
   return {!object->isStaticObject(), static_cast<uint32_t>(object->getUserIndex())};
 }
@@ -146,7 +149,7 @@ uint32_t RigidWorld::add_fixed(const RigidSolid& solid) {
   btRigidBody& body = *made->bullet;
   const uint32_t number = impl_->fixed.add(std::move(made));
   body.setUserIndex(static_cast<int>(number));
-  add_to_world(impl_->dynamics, body, solid.filter);
+  impl_->add(body, solid.filter);
   return number;
 }
 
@@ -158,6 +161,7 @@ void RigidWorld::remove_fixed(uint32_t number) {
   impl_->dynamics.removeRigidBody(&body);
   impl_->fixed.remove(number);
   impl_->dispatcher.order_manifolds();
+  impl_->knows_touches = false;
 }
 
 uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
@@ -188,7 +192,7 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
   bullet.setUserIndex(static_cast<int>(number));
   impl_->dynamics.detected.resize(impl_->bodies.slots.size(), btTransform::getIdentity());
   impl_->dynamics.detected[number] = bullet.getWorldTransform();
-  add_to_world(impl_->dynamics, bullet, def.solid.filter);
+  impl_->add(bullet, def.solid.filter);
   return number;
 }
 
@@ -204,6 +208,7 @@ void RigidWorld::remove_body(uint32_t number) {
   impl_->dynamics.removeRigidBody(&bullet);
   impl_->bodies.remove(number);
   impl_->dispatcher.order_manifolds();
+  impl_->knows_touches = false;
 }
 
 uint32_t RigidWorld::body_slots() const {

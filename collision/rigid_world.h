@@ -154,8 +154,9 @@ class RigidWorld {
   // ---- what can be asked ----
 
   std::vector<RigidContact> contacts() const;  ///< of the last step, in a fixed order
-  std::vector<RigidTouch> touches()
-      const;  ///< pairs with at least one point at distance ≤ 0 or an impulse; sorted
+  /// Pairs with at least one point at distance ≤ 0 or an impulse, sorted. Found at the first call after a
+  /// step, and kept until something changes.
+  const std::vector<RigidTouch>& touches();
   /// The nearest. A ray that starts in a convex solid meets it at once.
   bool cast_ray(Vec3 from, Vec3 to, RigidRayHit& hit) const;
   /// Solids that overlap a box or, with a radius, a ball (half_extents.x is the radius).
@@ -172,7 +173,12 @@ class RigidWorld {
   };
   using SnapshotPtr = std::unique_ptr<Snapshot, DeleteSnapshot>;
   static SnapshotPtr make_snapshot();
-  void save(Snapshot& snapshot) const;
+  void save(Snapshot& snapshot) const {
+    save_bodies(snapshot);
+    save_contacts(snapshot);
+  }
+  void save_bodies(Snapshot& snapshot) const;    ///< one half; both may be saved at once
+  void save_contacts(Snapshot& snapshot) const;  ///< the other one
   void restore(const Snapshot& snapshot);
 
  private:

@@ -94,7 +94,7 @@ class Solver {
   void sort(float dt, Vec3 gravity);
   void find(Substep<D>& s);
   Substep<D> find_at_rest(float dt);
-  ParticleSummary run(int substeps, float dt);
+  StepResult run(float dt);
   bool had_room();
   void make_room();
   void reserve_all(uint32_t fluid, uint32_t vertices);

@@ -58,36 +58,38 @@ void Solver<D>::substep(float dt, bool is_last) {
 
 template <class D>
 StepResult Solver<D>::step(float dt) {
-  const int substeps = choose_substeps(dt);
   for (;;) {
     reserve_extra();
-    const ParticleSummary after = run(substeps, dt / static_cast<float>(substeps));
+    StepResult result = run(dt);
     const bool done = had_room();
-    if (!done || after.non_finite) {
+    if (!done || result.summary.non_finite) {
       undo_step();
     } else {
       fresh_ = false;
       has_found_ = true;
     }
-    if (done) return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
+    if (done) return result;
     make_room();
   }
 }
 
-/// The substeps of a step, and what has come of them. Whatever goes wrong, the state is the one from before.
+/// The substeps of a step of length dt, and what has come of them. Whatever goes wrong, the state is the one
+/// from before.
 template <class D>
-ParticleSummary Solver<D>::run(int substeps, float dt) {
+StepResult Solver<D>::run(float dt) {
   timer_.start_step();
   save_state();
   try {
     for (ConstraintSet<D>* set : sets_) set->start_step();
     for (Observer<D>* observer : observers_) observer->start_step();
-    for (int k = 0; k < substeps; ++k) substep(dt, k + 1 == substeps);
-    for (ConstraintSet<D>* set : sets_) set->end_step();
+    const int substeps = choose_substeps(dt);
+    for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps), k + 1 == substeps);
     timer_.enter(StageId::finish);
     summarize();
     timer_.stop();
-    return summary();
+    for (ConstraintSet<D>* set : sets_) set->end_step();
+    const ParticleSummary& after = summary();
+    return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
   } catch (...) {
     undo_step();
     throw;

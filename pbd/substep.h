@@ -68,7 +68,7 @@ class ConstraintSet : public ParticleState {
   virtual void exchange(Substep<D>&) {}
 
   // Around the substeps of a step, for what lives outside of the device: undo_step() takes it back to
-  // start_step().
+  // start_step(). When end_step() is called, the device still works on the last substep.
   virtual void start_step() {}
   virtual void end_step() {}
   virtual void undo_step() {}

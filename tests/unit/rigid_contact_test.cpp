@@ -157,6 +157,30 @@ TEST(RigidContact, FastSmallBallsDoNotPassThroughAThinWall) {
   for (uint32_t ball = 0; ball < 20; ++ball) EXPECT_LT(world.pose(ball).position.x, 0) << ball;
 }
 
+// Up to ten diameters of each in a step; contacts are looked for before velocities are known.
+TEST(RigidContact, ManyFastSmallBodiesDoNotPassThroughOneAnother) {
+  constexpr uint32_t pairs = 200;
+  RigidWorld world({.gravity = {0, 0, 0}});
+  const auto add = [&](const RigidPart& part, float x, uint32_t n, float speed) {
+    const Vec3 place{x, 0.1f * static_cast<float>(n / 20), 0.1f * static_cast<float>(n % 20)};
+    RigidBodyDef def = body_def(part, place);
+    def.velocity = {speed, 0, 0};
+    return world.add_body(def);
+  };
+  for (uint32_t n = 0; n < pairs; ++n) {
+    const float way = 0.5f + 0.0037f * static_cast<float>(n);
+    const uint32_t shot = add(box_part({0.01f, 0.01f, 0.01f}), -way, n, 50);
+    const uint32_t target = add(round_part(Kind::sphere, 0.01f), 0, n, 0);
+    ASSERT_EQ(shot, 2 * n);
+    ASSERT_EQ(target, 2 * n + 1);
+  }
+  run(world, dt, 25);
+  for (uint32_t n = 0; n < pairs; ++n) {
+    EXPECT_LT(world.pose(2 * n).position.x, world.pose(2 * n + 1).position.x) << n;
+    EXPECT_GT(world.velocity(2 * n + 1).x, 5) << n;
+  }
+}
+
 TEST(RigidContact, AFastBallBouncesToo) {
   RigidWorld world({.gravity = {0, 0, 0}});
   RigidSolid wall = fixed_solid(box_part({0.1f, 1, 1}));
