@@ -52,7 +52,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
         pieces_(device, "cloth surfaces") {}
 
   /// The views must stay valid until they are set anew.
-  void set_shapes(const ShapeSet& shapes, bool only_fixed_planes);
+  void set_shapes(const ShapeSet& shapes, bool fixed_are_planes);
   /// By fluid.
   void set_filters(std::span<const CollisionFilter> filters);
   /// By fluid; empty where all collide with everything. Valid until they are set anew.
@@ -65,7 +65,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   void reserve(uint32_t particles) override;
   bool any() const override { return shapes_.shapes.count > 0; }
   bool any_moving() const override { return shapes_.fixed < shapes_.shapes.count; }
-  bool any_but_fixed_planes() const { return !only_fixed_planes_ && any(); }
+  bool any_but_fixed_planes() const { return !only_fixed_planes() && any(); }
   void limit_motion(const pbd::MotionView& motion, bool planes_too) override;
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
@@ -84,12 +84,13 @@ class ShapeContacts final : public pbd::ContactSource<D> {
  private:
   template <bool only_fixed_planes>
   auto finder(const pbd::Substep<D>& substep) const;
+  /// A tank and nothing in it, as so often: its kernels need a third of the registers.
+  bool only_fixed_planes() const { return fixed_are_planes_ && !any_moving(); }
 
   D& device_;
   float support_radius_, contact_radius_, largest_radius_;
   ShapeSet shapes_;
-  bool only_fixed_planes_ =
-      true;  // a tank and nothing in it, as so often: its kernels need a third of the registers
+  bool fixed_are_planes_ = true;
   uint32_t particles_ = 0;
   Candidates candidates_;
   pbd::Buffer<CollisionFilter> filters_;

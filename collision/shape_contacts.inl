@@ -146,9 +146,9 @@ struct Fill {
 }  // namespace shape_contact_kernels
 
 template <class D>
-void ShapeContacts<D>::set_shapes(const ShapeSet& shapes, bool only_fixed_planes) {
+void ShapeContacts<D>::set_shapes(const ShapeSet& shapes, bool fixed_are_planes) {
   shapes_ = shapes;
-  only_fixed_planes_ = only_fixed_planes;
+  fixed_are_planes_ = fixed_are_planes;
   reserve(particles_);
 }
 
@@ -170,7 +170,7 @@ void ShapeContacts<D>::set_pieces(std::span<const Touch> pieces) {
 
 template <class D>
 void ShapeContacts<D>::reserve(uint32_t particles) {
-  candidates_.reserve(particles, only_fixed_planes_ ? 0 : shapes_.shapes.count);
+  candidates_.reserve(particles, only_fixed_planes() ? 0 : shapes_.shapes.count);
   particles_ = particles;
 }
 
@@ -184,7 +184,7 @@ auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
 
 template <class D>
 void ShapeContacts<D>::limit_motion(const pbd::MotionView& motion, bool planes_too) {
-  if (shapes_.fixed == 0 || (only_fixed_planes_ && !planes_too)) return;
+  if (shapes_.fixed == 0 || (fixed_are_planes_ && !planes_too)) return;
   device_.parallel_for(
       "contacts/limit motion", motion.count,
       shape_contact_kernels::LimitByFixed{shapes_, touches(motion.phase, motion.sorted), motion, planes_too});
@@ -212,7 +212,7 @@ void ShapeContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   using namespace shape_contact_kernels;
   const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
-  if (only_fixed_planes_) {
+  if (only_fixed_planes()) {
     device_.parallel_for("contacts/count", p.owned, Count<true>{finder<true>(substep), counts});
   } else {
     candidates_.find(device_, shapes_, p.previous, p.position, p.owned, support_radius_);
@@ -225,7 +225,7 @@ void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWr
   using namespace shape_contact_kernels;
   const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
-  if (only_fixed_planes_) {
+  if (only_fixed_planes()) {
     device_.parallel_for("contacts/fill", p.owned,
                          Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer});
   } else {

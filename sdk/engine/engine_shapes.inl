@@ -41,11 +41,10 @@ void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
   replace<collision::Shape>(shapes_, solids.shapes);
   replace<collision::PlaneOpening>(openings_, solids.openings);
   shape_set_ = {shapes_.view(), solids.fixed, openings_.view(), sdfs_.view(), height_fields_.view()};
-  const bool only_fixed_planes =
-      solids.fixed == solids.shapes.size() &&
-      std::all_of(solids.shapes.begin(), solids.shapes.end(),
+  const bool fixed_are_planes =
+      std::all_of(solids.shapes.begin(), solids.shapes.begin() + solids.fixed,
                   [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; });
-  contacts_.set_shapes(shape_set_, only_fixed_planes);
+  contacts_.set_shapes(shape_set_, fixed_are_planes);
   bodies_.set_shapes(solids.carried, shapes_.view());
 }
 

@@ -15,11 +15,11 @@ class BodySweepTest : public OnDevice {
  protected:
   World world_{weightless(GetParam(), s)};
 
-  /// 7 × 7 particles around the x axis, too far apart to meet.
-  static std::vector<Vec3> sheet(float x) {
+  /// n × n particles around the x axis, too far apart to meet; n is odd.
+  static std::vector<Vec3> sheet(float x, int n = 7) {
     std::vector<Vec3> points;
-    for (int n = 0; n < 49; ++n)
-      points.push_back({x, 0.11f * (float(n % 7) - 3), 0.11f * (float(n / 7) - 3)});
+    for (int k = 0; k < n * n; ++k)
+      points.push_back({x, 0.11f * float(k % n - n / 2), 0.11f * float(k / n - n / 2)});
     return points;
   }
   void add(const std::vector<Vec3>& points, Vec3 velocity = {0, 0, 0}) {
@@ -48,6 +48,26 @@ TEST_P(BodySweepTest, ParticlesThatComeTheOtherWayAreStoppedToo) {
     const float x = world_.body_state(plate).pose.position.x;
     for (Vec3 p : world_.positions()) ASSERT_GT(p.x, x) << k;
   }
+}
+
+// Up to 30 cm a substep, which is more than a contact reaches.
+TEST_P(BodySweepTest, ManySmallPlatesTakeAParticleEachAlong) {
+  const std::vector<Vec3> points = sheet(0, 21);
+  std::vector<BodyId> plates;
+  for (size_t k = 0; k < points.size(); ++k) {
+    BodyDef def = body(BoxGeometry{{0.005f, 0.03f, 0.03f}}, points[k] - Vec3{0.5f + 0.001f * float(k), 0, 0});
+    def.velocity = {20 + 100 * float(k % 2), 0, 0};
+    def.density = 20000;
+    plates.push_back(world_.create_body(def));
+  }
+  add(points);
+  for (int k = 0; k < 8; ++k) {
+    world_.step(dt);
+    const std::span<const Vec3> at = world_.positions();
+    for (size_t n = 0; n < plates.size(); ++n)
+      ASSERT_GT(at[n].x, world_.body_state(plates[n]).pose.position.x) << k << ' ' << n;
+  }
+  for (Vec3 p : world_.positions()) EXPECT_GT(p.x, 0.1f);
 }
 
 // The blade's tip goes at 19 m/s, 4.7 cm a substep; a quarter turn in 0.05 s.
