@@ -35,15 +35,22 @@ struct Project {
     Vec4 p = position[i];
     if (p.w == 0) return;
     const float tighter = 1 - 0.01f * jitter(slot[i]);
-    Vec3 x = p.xyz(), step{0, 0, 0};
+    const Vec3 x = p.xyz(), start = previous[i].xyz();
+    Vec3 step{0, 0, 0};
+    // All of a contact is loaded at once, and the next one before what this one does is written.
+    Contact next = contacts.contacts[begin];
     for (uint32_t k = begin; k < end; ++k) {
-      Contact& c = contacts.contacts[k];
+      Contact c = next;
+      next = contacts.contacts[k + 1 < end ? k + 1 : k];
       if (is_tie(c)) {
         step += p.w * hold(c, x + step, p.w);
-        continue;
+      } else {
+        step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
+        if (c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
       }
-      step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
-      if (c.friction > 0) step += p.w * hold_back(c, x + step - previous[i].xyz(), p.w);
+      Contact& to = contacts.contacts[k];
+      to.normal_multiplier = c.normal_multiplier;
+      to.tangent_multiplier = c.tangent_multiplier;
     }
     position[i] = pbd::with_w(x + step, p.w);
     moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
@@ -89,20 +96,27 @@ struct Bounce {
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.touching_particle(n);
     if (i == pbd::no_index) return;
-    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
-      Contact& c = contacts.contacts[k];
-      if (c.normal_multiplier > 0) part(c, i);
+    const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
+    const float w = position[i].w;
+    const Vec3 before = velocity[i].xyz();
+    Vec3 v = before;
+    Contact next = contacts.contacts[begin];
+    for (uint32_t k = begin; k < end; ++k) {
+      const Contact c = next;
+      next = contacts.contacts[k + 1 < end ? k + 1 : k];
+      const float impulse = c.normal_multiplier > 0 ? parting_impulse(c, v, w) : 0;
+      if (impulse == 0) continue;
+      v += w * impulse * c.normal;
+      contacts.contacts[k].normal_multiplier = c.normal_multiplier + dt * impulse;
     }
+    if (!(v == before)) velocity[i] = pbd::with_w(v, 0);
   }
 
-  MENISCUS_HD void part(Contact& c, uint32_t i) const {
-    const Vec3 v = velocity[i].xyz();
+  /// kg·m/s, that the contact lacks for parting as it should.
+  MENISCUS_HD float parting_impulse(const Contact& c, Vec3 v, float w) const {
     const float bounce = c.approach_speed < -resting_speed ? -c.restitution * c.approach_speed : 0;
     const float lacking = bounce - dot(v - c.surface_motion / dt, c.normal);
-    if (lacking <= 0) return;
-    const float w = position[i].w, impulse = lacking / (w + c.body_inverse_mass);
-    velocity[i] = pbd::with_w(v + w * impulse * c.normal, 0);
-    c.normal_multiplier += dt * impulse;
+    return lacking > 0 ? lacking / (w + c.body_inverse_mass) : 0;
   }
 };
 
