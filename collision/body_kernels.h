@@ -20,14 +20,13 @@ struct Predict {
   View<BodyProxy> bodies;
   float dt;
 
-  MENISCUS_HD void operator()(uint32_t b) const {
+  MENISCUS_HD BodyEnds ends(uint32_t b) const {
     const RigidMotion m = motion[b];
-    BodyProxy body{};
-    body.start = m.start;
-    body.pose = moved(m.start, dt * m.velocity, dt * m.angular_velocity);
-    body.inverse_mass = mass[b].inverse_mass;
-    body.inverse_inertia = mass[b].inverse_inertia;
-    bodies[b] = body;
+    return {m.start, moved(m.start, dt * m.velocity, dt * m.angular_velocity)};
+  }
+  MENISCUS_HD void operator()(uint32_t b) const {
+    const auto [start, pose] = ends(b);
+    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0};
   }
 };
 
@@ -36,6 +35,7 @@ struct Arrive {
   View<const RigidMotion> motion;
   View<BodyProxy> bodies;
 
+  MENISCUS_HD BodyEnds ends(uint32_t b) const { return {bodies[b].start, motion[b].start}; }
   MENISCUS_HD void operator()(uint32_t b) const { bodies[b].pose = motion[b].start; }
 };
 
@@ -44,6 +44,7 @@ struct Rest {
   View<const RigidMotion> motion;
   View<BodyProxy> bodies;
 
+  MENISCUS_HD BodyEnds ends(uint32_t b) const { return {motion[b].start, motion[b].start}; }
   MENISCUS_HD void operator()(uint32_t b) const {
     BodyProxy body{};
     body.start = body.pose = motion[b].start;
@@ -51,14 +52,17 @@ struct Rest {
   }
 };
 
-struct Carry {
+/// One of these for each body, and then for each shape that one carries; a launch is what they take.
+template <class Place>
+struct WithShapes {
+  Place place;
   View<const CarriedShape> carried;
-  View<const BodyProxy> bodies;
   View<Shape> shapes;
 
   MENISCUS_HD void operator()(uint32_t k) const {
-    const CarriedShape& c = carried[k];
-    carry(c, bodies[c.body], shapes[c.shape]);
+    if (k < place.bodies.count) return place(k);
+    const CarriedShape& c = carried[k - place.bodies.count];
+    carry(c, place.ends(c.body), shapes[c.shape]);
   }
 };
 
@@ -130,13 +134,24 @@ struct SumLanes {
   View<ContactSum> partial;
   uint32_t lanes;
 
+  /// Several contacts are loaded at once.
   MENISCUS_HD void operator()(uint32_t n) const {
-    const BodyProxy& body = bodies[n / lanes];
+    constexpr uint32_t batch = 4;
+    const uint32_t first = bodies[n / lanes].first + n % lanes, end = bodies[n / lanes].end;
     ContactSum sum;
-    for (uint32_t k = body.first + n % lanes; k < body.end; k += lanes) {
-      const Contact& c = contacts[grouped[k]];
-      const Vec3 push = multiplier_sum(c);
-      sum.add(push, cross(c.arm, push));
+    for (uint32_t begin = first; begin < end; begin += batch * lanes) {
+      Vec3 push[batch], arm[batch];
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        const uint32_t at = begin + k * lanes;
+        const Contact& c = contacts[grouped[at < end ? at : begin]];
+        push[k] = multiplier_sum(c);
+        arm[k] = c.arm;
+      }
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        if (begin + k * lanes < end) sum.add(push[k], cross(arm[k], push[k]));
+      }
     }
     partial[n] = sum;
   }
@@ -179,15 +194,15 @@ struct Follow {
   uint32_t lanes;
 
   MENISCUS_HD void operator()(uint32_t k) const {
-    if (k >= contacts.total()) return;
-    Contact& c = contacts.contacts[grouped[k]];
-    if (c.body_inverse_mass == 0 || c.body >= bodies.count) return;
+    const uint32_t n = grouped[k];
+    const Contact c = contacts.contacts[n];  // as a whole, at once with how many there are
+    if (k >= contacts.total() || c.body_inverse_mass == 0 || c.body >= bodies.count) return;
     const BodyProxy& body = bodies[c.body];
     const ContactMotion now = motion_by(body, sum_of_lanes(partial, c.body, lanes)), old = before[c.body];
     if (k == body.first) after[c.body] = now;
     const Vec3 step = now.shift - old.shift + cross(now.turn - old.turn, c.arm);
-    c.point += step;
-    c.surface_motion += step;
+    contacts.contacts[n].point = c.point + step;
+    contacts.contacts[n].surface_motion = c.surface_motion + step;
   }
 };
 

@@ -60,8 +60,13 @@ MENISCUS_HD inline Aabb world_box(const Pose& pose, const Aabb& local) {
   return {centre - reach, centre + reach};
 }
 
+/// Where a body is at the substep's start, and at its end.
+struct BodyEnds {
+  Pose start, pose;
+};
+
 /// Places a shape at both ends of the substep.
-MENISCUS_HD inline void carry(const CarriedShape& carried, const BodyProxy& body, Shape& shape) {
+MENISCUS_HD inline void carry(const CarriedShape& carried, const BodyEnds& body, Shape& shape) {
   shape.start = body.start * carried.pose;
   shape.pose = body.pose * carried.pose;
   shape.size = shape.kind == ShapeKind::plane ? rotate(shape.pose.rotation, carried.normal) : shape.size;

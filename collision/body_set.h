@@ -63,7 +63,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
  private:
   void sum_contacts(pbd::Substep<D>& substep);
   void look_ahead(float dt);
-  void carry_shapes();
+  template <class Place>
+  void place_bodies(const char* name, const Place& place);
   void rest();
   void begin_rigid_step(float dt);
   template <class F>

@@ -80,10 +80,12 @@ void BodySet<D>::look_ahead(float dt) {
   ahead_ = dt;
 }
 
+/// With the shapes that they carry.
 template <class D>
-void BodySet<D>::carry_shapes() {
-  device_.parallel_for("bodies/carry", static_cast<uint32_t>(carried_.size()),
-                       body_kernels::Carry{carried_.view(), proxies_.view(), shapes_});
+template <class Place>
+void BodySet<D>::place_bodies(const char* name, const Place& place) {
+  device_.parallel_for(name, bodies_ + static_cast<uint32_t>(carried_.size()),
+                       body_kernels::WithShapes<Place>{place, carried_.view(), shapes_});
 }
 
 template <class D>
@@ -91,9 +93,7 @@ void BodySet<D>::predict(float dt) {
   step_time_ += dt;
   if (bodies_ == 0) return;
   look_ahead(dt);
-  device_.parallel_for("bodies/predict", bodies_,
-                       body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
-  carry_shapes();
+  place_bodies("bodies/predict", body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
   begin_rigid_step(dt);
 }
 
@@ -167,8 +167,7 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
   if (substep.is_last) side_.run([this] { world_.touches(); });
   world_.predict(0, arrived_.host());
   check_finite();
-  device_.parallel_for("bodies/arrive", bodies_, body_kernels::Arrive{arrived_.view(), proxies_.view()});
-  carry_shapes();
+  place_bodies("bodies/arrive", body_kernels::Arrive{arrived_.view(), proxies_.view()});
   const pbd::ParticleView& p = substep.particles;
   contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, furthest_motion());
 }
@@ -207,8 +206,7 @@ float BodySet<D>::furthest_motion() const {
 /// Leaves the shapes where the bodies are, with no motion.
 template <class D>
 void BodySet<D>::rest() {
-  device_.parallel_for("bodies/rest", bodies_, body_kernels::Rest{arrived_.view(), proxies_.view()});
-  carry_shapes();
+  place_bodies("bodies/rest", body_kernels::Rest{arrived_.view(), proxies_.view()});
 }
 
 template <class D>

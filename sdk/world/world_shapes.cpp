@@ -209,10 +209,8 @@ void release_fields(const SolidPieces& solid, Engine& engine) {
 }
 
 collision::Shape placed(const SolidPieces::Piece& piece, const Pose& pose) {
-  collision::BodyProxy stand{};
-  stand.start = stand.pose = pose;
   collision::Shape shape = piece.shape;
-  carry(piece.place, stand, shape);
+  carry(piece.place, {pose, pose}, shape);
   return shape;
 }
 

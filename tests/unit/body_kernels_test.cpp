@@ -251,7 +251,7 @@ TEST(BodyKernels, APredictedBodyGoesOnAsItMoves) {
 }
 
 TEST(BodyKernels, ACarriedPlaneIsWhereTheBodyTakesIt) {
-  BodyProxy body{};
+  BodyEnds body{};
   body.start = {{0, 0, 0}, {0, 0, 0, 1}};
   body.pose = {{5, 0, 0}, rotation_by({0, 0, 1.5707964f})};
   CarriedShape carried;
@@ -271,7 +271,7 @@ TEST(BodyKernels, ACarriedShapesBoundsHoldItAllTheWay) {
     carried.pose = {noise.in_cube(1), rotation_by(noise.in_cube(3))};
     const Vec3 half = abs(noise.in_cube(0.5f)) + Vec3{0.01f, 0.01f, 0.01f};
     carried.bounds = {-half, half};
-    BodyProxy body{};
+    BodyEnds body{};
     body.start = {noise.in_cube(2), rotation_by(noise.in_cube(3))};
     const Vec3 shift = noise.in_cube(1), turn = noise.in_cube(1.8f);
     body.pose = moved(body.start, shift, turn);
