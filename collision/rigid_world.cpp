@@ -101,8 +101,8 @@ float RigidWorld::Impl::acceleration_scale() const {
   return pbd::max(length(def.gravity), 1.0f);
 }
 
-void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& filter) {
-  dynamics.addRigidBody(&body, static_cast<int>(filter.groups), static_cast<int>(filter.mask));
+void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& meets) {
+  dynamics.addRigidBody(&body, static_cast<int>(meets.groups), static_cast<int>(meets.mask));
   const auto proxy = static_cast<size_t>(body.getBroadphaseHandle()->m_uniqueId);
   if (solids.size() <= proxy) solids.resize(proxy + 1);
   solids[proxy] = solid_of(&body);

@@ -54,11 +54,11 @@ void World::Impl::wet_cloth(float dt, StepReport& report) {
     wet |= entry.soaked_with.has_value();
   });
   if (!any) return;
-  const std::vector<collision::WettingTouch> touches = engine->read_wetting();
-  if (touches.empty() && !wet) return;
+  const std::vector<collision::WettingTouch> wetting = engine->read_wetting();
+  if (wetting.empty() && !wet) return;
   fetch_cloth();
   std::vector<WetPiece> wet_pieces;
-  report.absorbed = take_up(touches, wet_pieces);
+  report.absorbed = take_up(wetting, wet_pieces);
   if (const float g = length(def.gravity); g > 0) {
     const Vec3 down = def.gravity / g;
     for (WetPiece& piece : wet_pieces) {
@@ -73,16 +73,16 @@ void World::Impl::wet_cloth(float dt, StepReport& report) {
 }
 
 /// Particles go into the pieces that they touch, in the order of their ids. Returns how many.
-uint32_t World::Impl::take_up(std::span<const collision::WettingTouch> touches, std::vector<WetPiece>& wet) {
+uint32_t World::Impl::take_up(std::span<const collision::WettingTouch> wetting, std::vector<WetPiece>& wet) {
   const auto at = velocities.get(ids.size(), [&](auto out) { engine->read_velocities(out); });
   const auto group = fluid_indices.get(ids.size(), [&](auto out) { engine->read_fluids(out); });
   std::vector<bool> removed(ids.size());
-  uint32_t taken = 0;
+  uint32_t count = 0;
   cloths.for_each([&](uint32_t index, ClothEntry& entry) {
     const Strand& strand = entry.strand;
     if (entry.water.empty() || !strand.uploaded) return;
     std::vector<collision::WettingTouch> own;
-    for (const collision::WettingTouch& t : touches) {
+    for (const collision::WettingTouch& t : wetting) {
       if (t.vertex - strand.first < strand.count() && !removed[t.slot] &&
           !fluids.get(fluids.id(group[t.slot])).grain.is_grain)
         own.push_back(t);
@@ -98,15 +98,15 @@ uint32_t World::Impl::take_up(std::span<const collision::WettingTouch> touches, 
         continue;
       entry.soaked_with = fluid;
       removed[t.slot] = true;
-      ++taken;
+      ++count;
     }
   });
-  if (taken == 0) return 0;
+  if (count == 0) return 0;
   std::vector<bool> keep = removed;
   keep.flip();
   engine->keep(keep);
   remove(removed);
-  return taken;
+  return count;
 }
 
 /// Drops fall from the lowest places that have room beneath them. Returns how many.

@@ -63,7 +63,9 @@ TEST(Candidates, NothingWithinReachIsLeftOut) {
       EXPECT_TRUE(std::is_sorted(found[i].begin(), found[i].end()));
       for (uint32_t k = 0; k < scene.shapes.size(); ++k) {
         const bool near = !out_of_reach(scene.shapes[k], scene.from[i].xyz(), scene.to[i].xyz(), reach);
-        if (near) EXPECT_TRUE(std::binary_search(found[i].begin(), found[i].end(), k)) << i << ' ' << k;
+        if (near) {
+          EXPECT_TRUE(std::binary_search(found[i].begin(), found[i].end(), k)) << i << ' ' << k;
+        }
       }
     }
   }

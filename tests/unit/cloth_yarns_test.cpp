@@ -54,7 +54,9 @@ Drawn draw(const ClothMesh& mesh, const FabricParameters& fabric, std::span<cons
       EXPECT_LE(yarn.count, Yarn::most_edges);
       for (uint32_t k = yarn.first; k < yarn.first + yarn.count; ++k) {
         const EdgeConstraint& e = d.yarns.edges[k];
-        if (k > yarn.first) EXPECT_EQ(e.a, d.yarns.edges[k - 1].b);
+        if (k > yarn.first) {
+          EXPECT_EQ(e.a, d.yarns.edges[k - 1].b);
+        }
         for (uint32_t v : {e.a, e.b}) {
           if (v == e.a && k > yarn.first) continue;
           EXPECT_NE(layer_of[v], layer) << "vertex " << v << " is in two yarns";

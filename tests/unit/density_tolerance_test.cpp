@@ -108,7 +108,7 @@ TEST_P(DensityToleranceTest, TheSolveTakesLessTime) {
       least = std::min(least, world.step(frame).stage_ms[static_cast<size_t>(Stage::solve)]);
     return least;
   };
-  const float spacing = GetParam() == pbd::DeviceKind::cuda ? 0.015f : 0.05f;
+  const float spacing = GetParam() == pbd::DeviceKind::cuda ? 0.01f : 0.05f;
   World world = calm(def(1e-3f, 12, spacing));
   world.set_def(def(1e-3f, 100, spacing));
   const double with = solve_ms(world);
