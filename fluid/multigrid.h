@@ -28,14 +28,12 @@ class Multigrid {
 
  private:
   void coarsen();
-  void precondition();
   void cycle(size_t level);
-  void sweep(const multigrid_kernels::Level& level, bool back);
+  multigrid_kernels::SmallLevels small() const;
 
   D& device_;
   std::vector<multigrid_kernels::Level> levels_;
   size_t first_small_ = 0;  // the level from which on one group does all
-  multigrid_kernels::SmallLevels small_{};
   pbd::Buffer<multigrid_kernels::Coefficients> coefficients_{device_, "pressure equation"};
   pbd::Buffer<float> pressure_{device_, "grid corrections"};
   pbd::Buffer<float> right_{device_, "grid residuals"};

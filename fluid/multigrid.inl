@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "fluid/multigrid.h"
 
@@ -11,8 +12,7 @@ namespace meniscus::fluid {
 namespace multigrid_tuning {
 
 inline constexpr uint32_t small_bits = 6;  ///< tables up to this size are one group's work
-inline constexpr int sweeps = 1;           ///< before and after each visit of the coarser level
-inline constexpr int small_sweeps = 2;
+inline constexpr int small_sweeps = 2;     ///< before and after each visit of the coarser level; else one
 
 }  // namespace multigrid_tuning
 
@@ -42,27 +42,36 @@ void Multigrid<D>::fit(const NodeTable& table) {
   }
   first_small_ = 0;
   while (levels_[first_small_].table.count() > 1u << multigrid_tuning::small_bits) ++first_small_;
-  small_.count = static_cast<uint32_t>(levels_.size() - first_small_);
-  small_.sweeps = multigrid_tuning::small_sweeps;
-  std::copy(levels_.begin() + static_cast<std::ptrdiff_t>(first_small_), levels_.end(), small_.level);
+}
+
+template <class D>
+multigrid_kernels::SmallLevels Multigrid<D>::small() const {
+  multigrid_kernels::SmallLevels small{};
+  small.count = static_cast<uint32_t>(levels_.size() - first_small_);
+  small.sweeps = multigrid_tuning::small_sweeps;
+  std::copy(levels_.begin() + static_cast<std::ptrdiff_t>(first_small_), levels_.end(), small.level);
+  return small;
 }
 
 template <class D>
 void Multigrid<D>::solve(int iterations) {
   using namespace multigrid_kernels;
-  const Level& finest = levels_.front();
+  Level& finest = levels_.front();
   const uint32_t nodes = finest.table.count();
-  const Search search{solution_.view(), direction_.view(), image_.view(), products_.view()};
+  Search search{solution_.view(), direction_.view(), image_.view(), products_.view(), 0, 1};
   const auto product = [&](uint32_t place) { return View<double>{products_.view().data + place, 1}; };
   coarsen();
   for (int k = 0; k < iterations; ++k) {
-    precondition();
-    if (k > 0) device_.copy(product(Search::before).data, product(Search::now).data, sizeof(double));
-    device_.reduce("multigrid/residual", nodes, 0.0, ResidualProduct{finest}, Sum{}, product(Search::now));
-    device_.parallel_for("multigrid/turn", nodes, TurnDirection{finest, search, k == 0});
+    cycle(0);
+    device_.reduce("multigrid/finish", nodes, 0.0, FinishCycle{finest}, Sum{}, product(search.now));
+    if (k == 0)
+      std::swap(finest.pressure, search.direction);  // the first answer is where to go
+    else
+      device_.parallel_for("multigrid/turn", nodes, TurnDirection{finest, search});
     device_.reduce("multigrid/apply", nodes, 0.0, ApplyToDirection{finest, search}, Sum{},
                    product(Search::curvature));
     device_.parallel_for("multigrid/step", nodes, StepAlong{finest, search, k == 0});
+    std::swap(search.now, search.before);
   }
 }
 
@@ -72,35 +81,22 @@ void Multigrid<D>::coarsen() {
   for (size_t k = 0; k < first_small_; ++k)
     device_.parallel_for("multigrid/coarsen", levels_[k + 1].table.count(),
                          Coarsen{levels_[k], levels_[k + 1]});
-  device_.parallel_for_groups("multigrid/coarsen small", 1, CoarsenSmall{small_});
+  device_.parallel_for_groups("multigrid/coarsen small", 1, CoarsenSmall{small()});
 }
 
-template <class D>
-void Multigrid<D>::precondition() {
-  device_.fill(levels_.front().pressure.data, 0, levels_.front().pressure.count * sizeof(float));
-  cycle(0);
-}
-
+/// On the finest level all but the last half of a sweep: see FinishCycle.
 template <class D>
 void Multigrid<D>::cycle(size_t level) {
   using namespace multigrid_kernels;
-  if (level == first_small_) return device_.parallel_for_groups("multigrid/small", 1, SolveSmall{small_});
+  if (level == first_small_) return device_.parallel_for_groups("multigrid/small", 1, SolveSmall{small()});
   const Level& fine = levels_[level];
   const Level& coarse = levels_[level + 1];
-  sweep(fine, false);
+  const uint32_t nodes = fine.table.count();
+  device_.parallel_for("multigrid/start", nodes, StartSweep{fine});
   device_.parallel_for("multigrid/restrict", coarse.table.count(), Restrict{fine, coarse});
   cycle(level + 1);
-  device_.parallel_for("multigrid/prolong", fine.table.count(), Prolong{fine, coarse});
-  sweep(fine, true);
-}
-
-template <class D>
-void Multigrid<D>::sweep(const multigrid_kernels::Level& level, bool back) {
-  using multigrid_kernels::Relax;
-  for (int k = 0; k < multigrid_tuning::sweeps; ++k) {
-    device_.parallel_for("multigrid/relax", level.table.count(), Relax{level, back ? 1 : 0});
-    device_.parallel_for("multigrid/relax", level.table.count(), Relax{level, back ? 0 : 1});
-  }
+  device_.parallel_for("multigrid/prolong", nodes, ProlongAndRelax{fine, coarse});
+  if (level > 0) device_.parallel_for("multigrid/relax", nodes, Relax{fine, 0});
 }
 
 }  // namespace meniscus::fluid

@@ -26,42 +26,72 @@ struct Level {
   View<Coefficients> coefficients;
   View<float> pressure, right;
 
-  /// Calls visit(node beside, c of the face between).
+  /// Calls visit(coordinates of the node beside, its number, c of the face between).
   template <class Visit>
   MENISCUS_HD void for_each_beside(const NodeCoordinates& c, const Coefficients& own,
                                    const Visit& visit) const {
     MENISCUS_UNROLL
     for (int axis = 0; axis < 3; ++axis) {
-      const uint32_t before = table.beside(c, axis, -1), after = table.beside(c, axis, 1);
-      visit(before, along(coefficients[before], axis));
-      visit(after, along(own, axis));
+      NodeCoordinates before = c, after = c;
+      --before.at[axis];
+      ++after.at[axis];
+      const uint32_t node = table.index(before);
+      visit(before, node, along(coefficients[node], axis));
+      visit(after, table.index(after), along(own, axis));
     }
   }
 
-  /// b + Σ c p of the nodes beside.
-  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own) const {
+  /// b + Σ c p of the nodes beside, each p as pressure_of(coordinates, number) gives it.
+  template <class PressureOf>
+  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own,
+                         const PressureOf& pressure_of) const {
     float sum = right[node];
-    for_each_beside(c, own, [&](uint32_t beside, float face) { sum += face * pressure[beside]; });
+    for_each_beside(c, own, [&](const NodeCoordinates& at, uint32_t beside, float face) {
+      sum += face * pressure_of(at, beside);
+    });
     return sum;
   }
-
-  MENISCUS_HD float residual(uint32_t node) const {
-    const Coefficients own = coefficients[node];
-    if (!(own.w > 0)) return 0;
-    return pull(table.coordinates(node), node, own) - own.w * pressure[node];
+  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own) const {
+    return pull(c, node, own, [&](const NodeCoordinates&, uint32_t beside) { return pressure[beside]; });
   }
 };
 
-/// One half of a sweep of Gauss and Seidel's: the nodes of one colour of a chequerboard.
+/// Of a chequerboard on which no two nodes beside one another have the same.
+MENISCUS_HD inline int colour(const NodeCoordinates& c) {
+  return (c.at[0] + c.at[1] + c.at[2]) & 1;
+}
+
+/// One half of a sweep of Gauss and Seidel's: the nodes of one colour.
 struct Relax {
   Level level;
-  int colour;
+  int turn;
 
   MENISCUS_HD void operator()(uint32_t node) const {
     const NodeCoordinates c = level.table.coordinates(node);
-    if (((c.at[0] + c.at[1] + c.at[2]) & 1) != colour) return;
+    if (colour(c) != turn) return;
     const Coefficients own = level.coefficients[node];
     if (own.w > 0) level.pressure[node] = level.pull(c, node, own) / own.w;
+  }
+};
+
+/// A level's first sweep, from 0 everywhere: colour 0, then colour 1, whose nodes work out their neighbours
+/// of colour 0 for themselves.
+struct StartSweep {
+  Level level;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = level.table.coordinates(node);
+    const Coefficients own = level.coefficients[node];
+    float p = 0;
+    if (own.w > 0) {
+      p = colour(c) == 0 ? level.right[node]
+                         : level.pull(c, node, own, [&](const NodeCoordinates&, uint32_t beside) {
+                             const float w = level.coefficients[beside].w;
+                             return w > 0 ? level.right[beside] / w : 0.0f;
+                           });
+      p /= own.w;
+    }
+    level.pressure[node] = p;
   }
 };
 
@@ -129,29 +159,38 @@ struct Coarsen {
   }
 };
 
-/// Hands what is left to do to the coarse level, which starts from 0.
+/// Hands what is left to do to the coarse level. After a sweep that is nothing at nodes of colour 1.
 struct Restrict {
   Level fine, coarse;
 
   MENISCUS_HD void operator()(uint32_t node) const {
     float sum = 0;
     const Parents parents{fine.table, coarse.table};
-    parents.for_each_child(coarse.table.coordinates(node),
-                           [&](uint32_t child, const NodeCoordinates&) { sum += fine.residual(child); });
+    parents.for_each_child(coarse.table.coordinates(node), [&](uint32_t child, const NodeCoordinates& c) {
+      const Coefficients own = fine.coefficients[child];
+      if (colour(c) == 0 && own.w > 0) sum += fine.pull(c, child, own) - own.w * fine.pressure[child];
+    });
     coarse.right[node] = sum;
-    coarse.pressure[node] = 0;
   }
 };
 
-/// Adds the coarse level's answer, the same to all children: what restricts and what prolongs are each
-/// other's transpose, so that a cycle is symmetric.
-struct Prolong {
+/// Adds the coarse level's answer, the same to all children (what restricts and what prolongs are each
+/// other's transpose, so that a cycle is symmetric), and does the half of a sweep that comes next, of
+/// colour 1. Nodes of colour 0 are left as they were: the other half takes nothing of theirs.
+struct ProlongAndRelax {
   Level fine, coarse;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    if (!(fine.coefficients[node].w > 0)) return;
+    const NodeCoordinates c = fine.table.coordinates(node);
+    if (colour(c) == 0) return;
+    const Coefficients own = fine.coefficients[node];
+    if (!(own.w > 0)) return;
     const Parents parents{fine.table, coarse.table};
-    fine.pressure[node] += coarse.pressure[parents.parent(fine.table.coordinates(node))];
+    const float sum = fine.pull(c, node, own, [&](const NodeCoordinates& at, uint32_t beside) {
+      if (!(fine.coefficients[beside].w > 0)) return 0.0f;
+      return fine.pressure[beside] + coarse.pressure[parents.parent(at)];
+    });
+    fine.pressure[node] = sum / own.w;
   }
 };
 
@@ -171,23 +210,34 @@ struct SmallLevels {
       group.for_each(level[k + 1].table.count(), Coarsen{level[k], level[k + 1]});
   }
   template <class Group>
-  MENISCUS_HD void relax(const Group& group, uint32_t k, bool back) const {
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      group.for_each(level[k].table.count(), Relax{level[k], back ? 1 : 0});
-      group.for_each(level[k].table.count(), Relax{level[k], back ? 0 : 1});
+  MENISCUS_HD void relax(const Group& group, uint32_t k, int turn) const {
+    group.for_each(level[k].table.count(), Relax{level[k], turn});
+  }
+  template <class Group>
+  MENISCUS_HD void sweep_down(const Group& group, uint32_t k) const {
+    group.for_each(level[k].table.count(), StartSweep{level[k]});
+    for (int sweep = 1; sweep < sweeps; ++sweep) {
+      relax(group, k, 0);
+      relax(group, k, 1);
     }
+  }
+  template <class Group>
+  MENISCUS_HD void sweep_up(const Group& group, uint32_t k) const {
+    group.for_each(level[k].table.count(), ProlongAndRelax{level[k], level[k + 1]});
+    for (int sweep = 1; sweep < sweeps; ++sweep) {
+      relax(group, k, 0);
+      relax(group, k, 1);
+    }
+    relax(group, k, 0);
   }
   template <class Group>
   MENISCUS_HD void solve(const Group& group) const {
     for (uint32_t k = 0; k + 1 < count; ++k) {
-      relax(group, k, false);
+      sweep_down(group, k);
       group.for_each(level[k + 1].table.count(), Restrict{level[k], level[k + 1]});
     }
-    relax(group, count - 1, false);
-    for (uint32_t k = count - 1; k-- > 0;) {
-      group.for_each(level[k].table.count(), Prolong{level[k], level[k + 1]});
-      relax(group, k, true);
-    }
+    sweep_down(group, count - 1);
+    for (uint32_t k = count - 1; k-- > 0;) sweep_up(group, k);
   }
 };
 
@@ -220,9 +270,23 @@ struct Sum {
 /// What the iteration has found and where it goes next.
 struct Search {
   View<float> solution, direction, image;
-  View<double> products;  ///< r·z now and before, p·A p
+  View<double> products;  ///< r·z now and before, in turns; p·A p
+  uint32_t now, before;
 
-  enum : uint32_t { now, before, curvature };
+  static constexpr uint32_t curvature = 2;
+};
+
+/// The finest level's last half of a sweep, of colour 0. Gives r·z, where z is what the cycle makes of r.
+struct FinishCycle {
+  Level level;
+
+  MENISCUS_HD double operator()(uint32_t node) const {
+    const Coefficients own = level.coefficients[node];
+    if (!(own.w > 0)) return 0;
+    const NodeCoordinates c = level.table.coordinates(node);
+    if (colour(c) == 0) level.pressure[node] = level.pull(c, node, own) / own.w;
+    return double{level.right[node]} * double{level.pressure[node]};
+  }
 };
 
 /// q = A p; gives p·q.
@@ -236,20 +300,13 @@ struct ApplyToDirection {
     if (own.w > 0) {
       float pull = 0;
       level.for_each_beside(level.table.coordinates(node), own,
-                            [&](uint32_t beside, float face) { pull += face * search.direction[beside]; });
+                            [&](const NodeCoordinates&, uint32_t beside, float face) {
+                              pull += face * search.direction[beside];
+                            });
       image = own.w * search.direction[node] - pull;
     }
     search.image[node] = image;
     return double{search.direction[node]} * double{image};
-  }
-};
-
-/// r·z, where z is what the cycle made of r.
-struct ResidualProduct {
-  Level level;
-
-  MENISCUS_HD double operator()(uint32_t node) const {
-    return level.coefficients[node].w > 0 ? double{level.right[node]} * double{level.pressure[node]} : 0.0;
   }
 };
 
@@ -260,23 +317,21 @@ struct StepAlong {
 
   MENISCUS_HD void operator()(uint32_t node) const {
     const double curvature = search.products[Search::curvature];
-    const float step = curvature > 0 ? static_cast<float>(search.products[Search::now] / curvature) : 0.0f;
+    const float step = curvature > 0 ? static_cast<float>(search.products[search.now] / curvature) : 0.0f;
     search.solution[node] = (first ? 0 : search.solution[node]) + step * search.direction[node];
     level.right[node] -= step * search.image[node];
   }
 };
 
+/// The next direction: the cycle's answer, and a share of the last direction.
 struct TurnDirection {
   Level level;
   Search search;
-  bool first;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    const double before = search.products[Search::before];
-    const float kept =
-        !first && before > 0 ? static_cast<float>(search.products[Search::now] / before) : 0.0f;
-    const float next = level.coefficients[node].w > 0 ? level.pressure[node] : 0.0f;
-    search.direction[node] = first ? next : next + kept * search.direction[node];
+    const double before = search.products[search.before];
+    const float kept = before > 0 ? static_cast<float>(search.products[search.now] / before) : 0.0f;
+    search.direction[node] = level.pressure[node] + kept * search.direction[node];
   }
 };
 
