@@ -63,6 +63,26 @@ struct Pass {
   }
 };
 
+/// The volume as a cubic in time, c₀ + c₁ t + c₂ t² + c₃ t³.
+struct Cubic {
+  double c0, c1, c2, c3;
+
+  explicit Cubic(const Pass& pass) {
+    const auto& [a, b, c] = pass.start;
+    const auto& [u, v, w] = pass.motion;
+    c0 = triple(a, b, c);
+    c1 = triple(u, b, c) + triple(a, v, c) + triple(a, b, w);
+    c2 = triple(u, v, c) + triple(u, b, w) + triple(a, v, w);
+    c3 = triple(u, v, w);
+  }
+
+  /// By its Bernstein coefficients, between which it stays from 0 to 1. The last of them is given.
+  bool may_change_sign(double end) const {
+    const bool sign = c0 > 0;
+    return (c0 + c1 / 3 > 0) != sign || (c0 + (2 * c1 + c2) / 3 > 0) != sign || (end > 0) != sign;
+  }
+};
+
 /// Where a quadratic a t² + b t + c is zero, in order.
 std::vector<double> zeros_of(double a, double b, double c) {
   if (a == 0) return b == 0 ? std::vector<double>{} : std::vector{-c / b};
@@ -73,14 +93,10 @@ std::vector<double> zeros_of(double a, double b, double c) {
   return {std::min(q / a, c / q), std::max(q / a, c / q)};
 }
 
-/// 0, the times between 0 and 1 at which the volume, a cubic in time, turns, and 1.
-std::vector<double> monotone_parts(const Pass& pass) {
-  const auto& [a, b, c] = pass.start;
-  const auto& [u, v, w] = pass.motion;
-  const double first = triple(u, b, c) + triple(a, v, c) + triple(a, b, w),
-               second = triple(u, v, c) + triple(u, b, w) + triple(a, v, w), third = triple(u, v, w);
+/// 0, the times between 0 and 1 at which the volume turns, and 1.
+std::vector<double> monotone_parts(const Cubic& volume) {
   std::vector<double> times{0};
-  for (const double t : zeros_of(3 * third, 2 * second, first)) {
+  for (const double t : zeros_of(3 * volume.c3, 2 * volume.c2, volume.c1)) {
     if (t > times.back() && t < 1) times.push_back(t);
   }
   times.push_back(1);
@@ -126,7 +142,9 @@ int passage(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to, Vec3
     pass.start[k] = of(from[k]) - of(point_from);
     pass.motion[k] = of(to[k]) - of(point_to) - pass.start[k];
   }
-  const std::vector<double> times = monotone_parts(pass);
+  const Cubic volume(pass);
+  if (!volume.may_change_sign(pass.volume(1))) return 0;
+  const std::vector<double> times = monotone_parts(volume);
   int net = 0;
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     const bool before = pass.volume(times[k]) > 0, after = pass.volume(times[k + 1]) > 0;
