@@ -38,7 +38,7 @@ WaterOnSheet make_world(const CommonOptions& common, const SheetOptions& o, cons
   sheet.geometry = SheetGeometry{1, 1, o.n, o.n};
   sheet.fabric.density = c.density;
   sheet.fabric.warp_stiffness = sheet.fabric.weft_stiffness = 2e5f;
-  sheet.self_collision = false;
+  sheet.self_collision = o.self_collision;
   const ClothId cloth = world.create_cloth(sheet);
   AttachmentDef pins;
   pins.cloth = cloth;
@@ -101,6 +101,7 @@ Json run_case(const CommonOptions& common, const SheetOptions& o, const Case& c)
           {"substeps", c.substeps},
           {"iterations", c.iterations},
           {"solver", o.solver},
+          {"self_collision", o.self_collision},
           {"frame_ms", 1e3 * double{o.frame}},
           {"seconds", o.seconds},
           {"ms_per_frame", times.median_ms()},
@@ -127,6 +128,7 @@ CLI::App* add_sheet(CLI::App& app, SheetOptions& o) {
   sheet->add_option("--substeps", o.substeps, "a frame, one case each")->delimiter(',');
   sheet->add_option("--iterations", o.iterations, "a substep, one case each")->delimiter(',');
   sheet->add_option("--solver", o.solver)->check(is_solver());
+  sheet->add_flag("--self-collision,!--no-self-collision", o.self_collision);
   sheet->add_option("-n,--n", o.n, "vertices along each side")->check(CLI::Range(2, 2000));
   sheet->add_option("--layers", o.layers, "of particles")->check(CLI::Range(4, 1000));
   sheet->add_option("--warm", o.warm, "s before the clock starts");

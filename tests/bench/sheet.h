@@ -17,6 +17,7 @@ struct SheetOptions {
   std::vector<int> substeps{4};            // a frame
   std::vector<int> iterations{4};          // a substep
   std::string solver = "chebyshev";
+  bool self_collision = false;
   int n = 100;              // vertices along each side
   int layers = 46;          // of water
   float frame = 1.0f / 60;  // s
