@@ -112,23 +112,6 @@ double zero_between(const Pass& pass, double low, double high) {
   return low;
 }
 
-struct Box {
-  Vec3 lower, upper;
-
-  Box(Vec3 a, Vec3 b)
-      : lower{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
-        upper{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)} {}
-
-  void add(const Box& b) {
-    lower = Box(lower, b.lower).lower;
-    upper = Box(upper, b.upper).upper;
-  }
-  bool meets(const Box& b) const {
-    return lower.x <= b.upper.x && b.lower.x <= upper.x && lower.y <= b.upper.y && b.lower.y <= upper.y &&
-           lower.z <= b.upper.z && b.lower.z <= upper.z;
-  }
-};
-
 std::array<Vec3, 3> corners_of(const io::ClothFrame& cloth, std::size_t triangle) {
   const auto& t = cloth.triangles[triangle];
   return {cloth.vertices[t[0]], cloth.vertices[t[1]], cloth.vertices[t[2]]};
@@ -167,7 +150,7 @@ void ClothCrossings::keep(const FrameSample& sample) {
 }
 
 /// Of the particles that were there before, and are there now; ids are in order.
-std::vector<ClothCrossings::Way> ClothCrossings::ways_to(const io::ParticleFrame& now) const {
+std::vector<Way> ClothCrossings::ways_to(const io::ParticleFrame& now) const {
   std::vector<Way> ways;
   for (std::size_t i = 0, old = 0; i < now.size(); ++i) {
     while (old < ids_.size() && ids_[old] < now.ids[i]) ++old;
@@ -177,13 +160,8 @@ std::vector<ClothCrossings::Way> ClothCrossings::ways_to(const io::ParticleFrame
 }
 
 void ClothCrossings::add(const FrameSample& sample) {
-  std::vector<Way> ways = ways_to(sample.particles);
-  const auto begin_of = [](const Way& way) { return std::min(way.from.x, way.to.x); };
-  std::sort(ways.begin(), ways.end(), [&](const Way& a, const Way& b) { return begin_of(a) < begin_of(b); });
-  float longest = 0;  // along x
-  for (const Way& way : ways) longest = std::max(longest, std::fabs(way.to.x - way.from.x));
-
-  std::vector<int> net(ways.size(), 0);
+  const WayColumns ways(ways_to(sample.particles));
+  std::vector<int> net(ways.count(), 0);
   uint32_t piece = 0;
   const auto finish_piece = [&] {
     for (int& passages : net) counts_[piece] += static_cast<uint64_t>(std::abs(std::exchange(passages, 0)));
@@ -192,14 +170,13 @@ void ClothCrossings::add(const FrameSample& sample) {
     if (sample.cloth.pieces[t] != piece) finish_piece();
     piece = sample.cloth.pieces[t];
     const std::array<Vec3, 3>&from = corners_[t].at, to = corners_of(sample.cloth, t);
-    Box box(from[0], to[0]);
-    for (std::size_t k = 1; k < 3; ++k) box.add(Box(from[k], to[k]));
-    const auto first = std::lower_bound(ways.begin(), ways.end(), box.lower.x - longest,
-                                        [&](const Way& way, float x) { return begin_of(way) < x; });
-    for (auto way = first; way != ways.end() && begin_of(*way) <= box.upper.x; ++way) {
-      if (box.meets(Box(way->from, way->to)))
-        net[static_cast<std::size_t>(way - ways.begin())] += passage(from, to, way->from, way->to);
+    Aabb box = around({from[0], to[0]});
+    for (std::size_t k = 1; k < 3; ++k) {
+      const Aabb corner = around({from[k], to[k]});
+      box = {min(box.lower, corner.lower), max(box.upper, corner.upper)};
     }
+    ways.for_each_near(box,
+                       [&](std::size_t n, const Way& way) { net[n] += passage(from, to, way.from, way.to); });
   }
   if (!corners_.empty()) finish_piece();
   keep(sample);

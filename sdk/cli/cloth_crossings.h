@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sdk/cli/frame_sample.h"
+#include "sdk/cli/way_columns.h"
 
 namespace meniscus::cli {
 
@@ -28,9 +29,6 @@ class ClothCrossings {
  private:
   struct Corners {
     std::array<Vec3, 3> at;
-  };
-  struct Way {
-    Vec3 from, to;
   };
 
   std::vector<Way> ways_to(const io::ParticleFrame& now) const;
