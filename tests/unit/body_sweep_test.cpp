@@ -87,7 +87,9 @@ TEST_P(BodySweepTest, ABladeThatTurnsSweepsItsSector) {
     const float angle = float(k) * 18 * pi / 180;
     const Vec3 ahead{-std::sin(angle), std::cos(angle), 0};
     for (Vec3 p : world_.positions()) {
-      if (length(p) < 0.6f) ASSERT_GT(dot(ahead, p), 0) << k;  // others have been flung off its tip
+      if (length(p) < 0.6f) {  // others have been flung off its tip
+        ASSERT_GT(dot(ahead, p), 0) << k;
+      }
     }
   }
 }

@@ -56,8 +56,10 @@ TEST(WayColumns, WorkWithoutExtentAndWithoutWays) {
 
 // A run that has gone wrong is still counted to its end.
 TEST(WayColumns, BearWhatIsNotFinite) {
-  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
-  const std::vector<Way> ways{{{0, 0, 0}, {0, 0.1f, 0}}, {{nan, 0, 0}, {0, nan, nan}}, {{0, 0, 0}, {infinite, 0, 0}}};
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
+  const std::vector<Way> ways{
+      {{0, 0, 0}, {0, 0.1f, 0}}, {{nan, 0, 0}, {0, nan, nan}}, {{0, 0, 0}, {infinite, 0, 0}}};
   WayColumns(ways).for_each_near({{-1, -1, -1}, {1, 1, 1}},
                                  [&](std::size_t n, const Way&) { EXPECT_LT(n, ways.size()); });
 }
