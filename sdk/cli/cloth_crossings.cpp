@@ -117,6 +117,13 @@ std::array<Vec3, 3> corners_of(const io::ClothFrame& cloth, std::size_t triangle
   return {cloth.vertices[t[0]], cloth.vertices[t[1]], cloth.vertices[t[2]]};
 }
 
+/// Of a triangle's corners, all ways.
+Aabb around_both(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to) {
+  Aabb box = around({from[0], to[0]});
+  for (std::size_t k = 1; k < 3; ++k) box = united(box, around({from[k], to[k]}));
+  return box;
+}
+
 }  // namespace
 
 int passage(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to, Vec3 point_from, Vec3 point_to) {
@@ -160,26 +167,32 @@ std::vector<Way> ClothCrossings::ways_to(const io::ParticleFrame& now) const {
 }
 
 void ClothCrossings::add(const FrameSample& sample) {
-  const WayColumns ways(ways_to(sample.particles));
+  std::vector<Aabb> boxes;
+  for (std::size_t t = 0; t < corners_.size(); ++t)
+    boxes.push_back(around_both(corners_[t].at, corners_of(sample.cloth, t)));
+  if (!boxes.empty()) {
+    count(
+        WayColumns(ways_to(sample.particles), std::accumulate(boxes.begin(), boxes.end(), boxes[0], united)),
+        boxes, sample.cloth);
+  }
+  keep(sample);
+}
+
+void ClothCrossings::count(const WayColumns& ways, const std::vector<Aabb>& boxes,
+                           const io::ClothFrame& cloth) {
   std::vector<int> net(ways.count(), 0);
   uint32_t piece = 0;
   const auto finish_piece = [&] {
     for (int& passages : net) counts_[piece] += static_cast<uint64_t>(std::abs(std::exchange(passages, 0)));
   };
   for (std::size_t t = 0; t < corners_.size(); ++t) {
-    if (sample.cloth.pieces[t] != piece) finish_piece();
-    piece = sample.cloth.pieces[t];
-    const std::array<Vec3, 3>&from = corners_[t].at, to = corners_of(sample.cloth, t);
-    Aabb box = around({from[0], to[0]});
-    for (std::size_t k = 1; k < 3; ++k) {
-      const Aabb corner = around({from[k], to[k]});
-      box = {min(box.lower, corner.lower), max(box.upper, corner.upper)};
-    }
-    ways.for_each_near(box,
+    if (cloth.pieces[t] != piece) finish_piece();
+    piece = cloth.pieces[t];
+    const std::array<Vec3, 3>&from = corners_[t].at, to = corners_of(cloth, t);
+    ways.for_each_near(boxes[t],
                        [&](std::size_t n, const Way& way) { net[n] += passage(from, to, way.from, way.to); });
   }
-  if (!corners_.empty()) finish_piece();
-  keep(sample);
+  finish_piece();
 }
 
 uint64_t ClothCrossings::through_all() const {

@@ -32,6 +32,7 @@ class ClothCrossings {
   };
 
   std::vector<Way> ways_to(const io::ParticleFrame& now) const;
+  void count(const WayColumns& ways, const std::vector<Aabb>& boxes, const io::ClothFrame& cloth);
   void keep(const FrameSample& sample);
 
   std::vector<Corners> corners_;  // of the last frame's triangles

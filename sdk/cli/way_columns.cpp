@@ -19,26 +19,28 @@ std::size_t column(float at, std::size_t columns) {
 
 }  // namespace
 
-WayColumns::WayColumns(const std::vector<Way>& ways) : ways_(ways.size()), start_(each * each + 1, 0) {
-  if (ways.empty()) return;
-  Vec3 upper = lower_ = around(ways.front()).lower;
+// What is far from the region must not widen the columns: water that has run off falls for ever.
+WayColumns::WayColumns(const std::vector<Way>& ways, const Aabb& region)
+    : start_(each * each + 1, 0),
+      lower_(region.lower),
+      per_x_(columns_per_metre(each, region.upper.x - region.lower.x)),
+      per_z_(columns_per_metre(each, region.upper.z - region.lower.z)) {
+  std::vector<Way> inside;
   for (const Way& way : ways) {
     const Aabb box = around(way);
-    lower_ = min(lower_, box.lower);
-    upper = max(upper, box.lower);
+    if (!pbd::overlap(box, region)) continue;
+    inside.push_back(way);
     longest_ = max(longest_, box.upper - box.lower);
   }
-  per_x_ = columns_per_metre(each, upper.x - lower_.x);
-  per_z_ = columns_per_metre(each, upper.z - lower_.z);
-
   const auto column_of = [&](const Way& way) {
     const Place place = place_of(around(way).lower);
     return each * place.z + place.x;
   };
-  for (const Way& way : ways) ++start_[column_of(way) + 1];
+  for (const Way& way : inside) ++start_[column_of(way) + 1];
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   std::vector<std::size_t> next = start_;
-  for (const Way& way : ways) ways_[next[column_of(way)]++] = way;
+  ways_.resize(inside.size());
+  for (const Way& way : inside) ways_[next[column_of(way)]++] = way;
 }
 
 WayColumns::Place WayColumns::place_of(Vec3 point) const {

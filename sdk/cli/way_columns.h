@@ -22,10 +22,14 @@ inline Aabb around(const Way& way) {
   return {min(way.from, way.to), max(way.from, way.to)};
 }
 
-/// Ways by the column along y that the lower corner of each one's box is in.
+inline Aabb united(const Aabb& a, const Aabb& b) {
+  return {min(a.lower, b.lower), max(a.upper, b.upper)};
+}
+
+/// The ways whose boxes meet a region, by the column along y that the lower corner of each one's box is in.
 class WayColumns {
  public:
-  explicit WayColumns(const std::vector<Way>& ways);
+  WayColumns(const std::vector<Way>& ways, const Aabb& region);
 
   std::size_t count() const { return ways_.size(); }
 
@@ -51,7 +55,7 @@ class WayColumns {
 
   std::vector<Way> ways_;
   std::vector<std::size_t> start_;  // of each column, and the end
-  Vec3 lower_{}, longest_{};        // of the columns; the extent of no way's box is larger
+  Vec3 lower_, longest_{};          // of the columns; the extent of no way's box is larger
   float per_x_ = 0, per_z_ = 0;     // columns a metre
 };
 

@@ -28,7 +28,8 @@ TEST(WayColumns, FindAllWaysThatMeetABox) {
     const Vec3 from = random.point(2);
     ways.push_back({from, from + random.point(k % 50 ? 0.02f : 0.5f)});
   }
-  const WayColumns columns(ways);
+  const Aabb region{{-3, -3, -3}, {3, 3, 3}};
+  const WayColumns columns(ways, region);
   ASSERT_EQ(columns.count(), ways.size());
   for (int k = 0; k < 200; ++k) {
     const Vec3 corner = random.point(2.5f);
@@ -44,13 +45,18 @@ TEST(WayColumns, FindAllWaysThatMeetABox) {
   }
 }
 
-TEST(WayColumns, WorkWithoutExtentAndWithoutWays) {
+TEST(WayColumns, KeepWhatMeetsTheirRegion) {
+  const std::vector<Way> ways{
+      {{0, 0, 0}, {0.1f, 0, 0}}, {{-2, 0, 0}, {2, 0, 0}}, {{0, -900, 0}, {0, -990, 0}}};
+  EXPECT_EQ(WayColumns(ways, {{-1, -1, -1}, {1, 1, 1}}).count(), 2u);
+  EXPECT_EQ(WayColumns({}, {{-1, -1, -1}, {1, 1, 1}}).count(), 0u);
+}
+
+TEST(WayColumns, WorkWithoutExtent) {
   int found = 0;
-  const auto count = [&](std::size_t, const Way&) { ++found; };
-  const Aabb box{{-1, -1, -1}, {1, 1, 1}};
-  WayColumns({}).for_each_near(box, count);
-  EXPECT_EQ(found, 0);
-  WayColumns({{{0, 0, 0}, {0, 0, 0}}, {{0, 2, 0}, {0, 3, 0}}}).for_each_near(box, count);
+  const Aabb point{{0, 0, 0}, {0, 0, 0}};
+  const WayColumns columns({{{0, 0, 0}, {0, 0, 0}}, {{0, 2, 0}, {0, 3, 0}}}, point);
+  columns.for_each_near(point, [&](std::size_t, const Way&) { ++found; });
   EXPECT_EQ(found, 1);
 }
 
@@ -60,8 +66,12 @@ TEST(WayColumns, BearWhatIsNotFinite) {
               infinite = std::numeric_limits<float>::infinity();
   const std::vector<Way> ways{
       {{0, 0, 0}, {0, 0.1f, 0}}, {{nan, 0, 0}, {0, nan, nan}}, {{0, 0, 0}, {infinite, 0, 0}}};
-  WayColumns(ways).for_each_near({{-1, -1, -1}, {1, 1, 1}},
-                                 [&](std::size_t n, const Way&) { EXPECT_LT(n, ways.size()); });
+  const Aabb regions[] = {{{-1, -1, -1}, {1, 1, 1}}, {{nan, 0, 0}, {infinite, 1, 1}}};
+  for (const Aabb& region : regions) {
+    WayColumns(ways, region).for_each_near({{-1, -1, -1}, {1, 1, 1}}, [&](std::size_t n, const Way&) {
+      EXPECT_LT(n, ways.size());
+    });
+  }
 }
 
 }  // namespace
