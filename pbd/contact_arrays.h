@@ -36,14 +36,14 @@ class ContactArrays {
             contacts_.view().first(any_ ? capacity() : 0),
             particle_.view(),
             touching_.view(),
-            touching_count(),
+            touching_counts(),
             any_moving};
   }
 
  private:
   void resize(uint32_t contacts);
-  /// Behind the counts, so that it is set to 0 with them.
-  View<uint32_t> touching_count() { return {counts_.view().data + counted_, 1}; }
+  /// Behind the counts, so that they are set to 0 with them.
+  View<uint32_t> touching_counts() { return {counts_.view().data + counted_, 2}; }
 
   D& device_;
   std::vector<ContactSource<D>*> sources_;

@@ -51,24 +51,26 @@ MENISCUS_HD inline Vec3 multiplier_sum(const Contact& c) {
 
 /// Contacts of particle i: contacts[start[i]] to contacts[start[i + 1] − 1].
 struct ContactView {
-  View<const uint32_t> start;           ///< of each owned particle, and the total
-  View<Contact> contacts;               ///< as many as there is room for: the host does not know the total
-  View<const uint32_t> particle;        ///< whose each contact is
-  View<const uint32_t> touching;        ///< particles that have any, in an order that chance makes
-  View<const uint32_t> touching_count;  ///< one element
+  View<const uint32_t> start;            ///< of each owned particle, and the total
+  View<Contact> contacts;                ///< as many as there is room for: the host does not know the total
+  View<const uint32_t> particle;         ///< whose each contact is
+  View<const uint32_t> touching;         ///< see touching_particle()
+  View<const uint32_t> touching_counts;  ///< of particles with one, and with several
   bool any_moving = false;  ///< whether solids may move; for the host: kernels for fixed ones are leaner
 
   /// How many there are.
   MENISCUS_HD uint32_t total() const { return start[start.count - 1]; }
   /// Those of the first `particles` alone.
   ContactView of_first(uint32_t particles) const {
-    return {start.first(particles + 1), contacts, particle, touching, touching_count, any_moving};
+    return {start.first(particles + 1), contacts, particle, touching, touching_counts, any_moving};
   }
   /// For work on particles that have contacts, each by itself, which runs over as many as there may be: the
-  /// k-th of them, or no_index.
+  /// k-th of them, or no_index. Those with one contact stand at the front, those with several at the back, in
+  /// an order that chance makes: threads that are side by side have as much to do.
   MENISCUS_HD uint32_t touching_particle(uint32_t k) const {
-    const uint32_t i = touching[k];  // at once with the count, whether it counts or not
-    return k < touching_count[0] && i < start.count - 1 ? i : no_index;
+    const uint32_t i = touching[k];  // at once with the counts, whether it counts or not
+    const bool is_one = k < touching_counts[0] || touching.count - k <= touching_counts[1];
+    return is_one && i < start.count - 1 ? i : no_index;
   }
 };
 
@@ -79,7 +81,7 @@ struct ContactWriter {
   View<Contact> contacts;
   View<uint32_t> particle;
   View<uint32_t> touching;
-  View<uint32_t> touching_count;
+  View<uint32_t> touching_counts;
 
   /// Fills up what was counted for i and not written. Counting and writing are compiled apart, and may judge
   /// differently by a rounding.
@@ -92,7 +94,16 @@ struct ContactWriter {
     if (n < start[i] || n >= start[i + 1]) return;  // no room for it: the step will be done again
     contacts[n] = contact;
     particle[n] = i;
-    if (n == start[i]) touching[atomic_add(touching_count[0], 1)] = i;
+    if (n == start[i]) list(i, start[i + 1] - n > 1);
+  }
+
+ private:
+  // A count by itself: threads of a warp that add to it do so at once, and stay side by side.
+  MENISCUS_HD void list(uint32_t i, bool has_several) const {
+    if (has_several)
+      touching[touching.count - 1 - atomic_add(touching_counts[1], 1)] = i;
+    else
+      touching[atomic_add(touching_counts[0], 1)] = i;
   }
 };
 

@@ -37,7 +37,7 @@ struct Bench {
 
   std::vector<BodyProxy> bodies;
   std::vector<Contact> contacts;
-  std::vector<uint32_t> touching_count, start{0}, particle, key, sorted_key, number, grouped, slot;
+  std::vector<uint32_t> touching_counts, start{0}, particle, key, sorted_key, number, grouped, slot;
   std::vector<Vec4> position, previous, moved;
   std::vector<ContactSum> partial;
   std::vector<ContactMotion> motion, next_motion;  // of the bodies
@@ -68,8 +68,8 @@ struct Bench {
 
   /// Each particle has one contact.
   ContactView contact_view() {
-    touching_count = {static_cast<uint32_t>(particle.size())};
-    return {view(start), view(contacts), view(particle), view(particle), view(touching_count)};
+    touching_counts = {static_cast<uint32_t>(particle.size()), 0};
+    return {view(start), view(contacts), view(particle), view(particle), view(touching_counts)};
   }
 
   void group() {
