@@ -59,7 +59,7 @@ struct SurfaceNormal {
       n += (gather(curvature, j) * kernel.weight_slope(dot(d, d))) * d;
     });
     const Vec3 inwards = held_by_walls(contacts, i, kernel.h * sum(n));
-    normal[i] = pbd::with_w(inwards, curvature[i]);
+    if (D::leads()) normal[i] = pbd::with_w(inwards, curvature[i]);
   }
 };
 
@@ -91,7 +91,7 @@ struct Pull {
       }
     });
     const Vec3 f = held_by_walls(contacts, i, sum(force));
-    velocity[i] = pbd::with_w(velocity[i].xyz() + (dt * self.w) * f, 0);
+    if (D::leads()) velocity[i] = pbd::with_w(velocity[i].xyz() + (dt * self.w) * f, 0);
   }
 };
 

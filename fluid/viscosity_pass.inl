@@ -62,9 +62,11 @@ struct Smooth {
       }
     });
     const float share = uniform ? kernel.peak_weight * own : kernel.peak_weight;
-    smoothed[i] = pbd::with_w(v.xyz() + share * sum(change), 0);
+    const Vec3 all_changes = sum(change), all_curls = sum(curl);
+    if (!D::leads()) return;
+    smoothed[i] = pbd::with_w(v.xyz() + share * all_changes, 0);
     if constexpr (with_curl) {
-      const Vec3 w = kernel.peak_pull * sum(curl);
+      const Vec3 w = kernel.peak_pull * all_curls;
       vorticity[i] = pbd::with_w(w, 0);
       swirl[i] = pbd::with_w(p.xyz(), length(w));
     }
@@ -95,6 +97,7 @@ struct Confine {
       eta += ((Real(own.w) - other.w) * Kernel::slope_shape(t, inverse_root) * inverse_root) * d;
     });
     const Vec3 direction = normalized_or(sum(eta), {0, 0, 0});  // whatever the kernel's factor
+    if (!D::leads()) return;
     velocity[i] = pbd::with_w(velocity[i].xyz() + strength * cross(direction, vorticity[i].xyz()), 0);
   }
 };

@@ -88,7 +88,7 @@ struct ListNeighbours {
   MENISCUS_HD void list_by_team(uint32_t i, TeamWriter& writer) const {
     const Vec3 self = position[i].xyz();
     const Surroundings around(grid, self);
-    for (uint32_t n = team_rank(); any_in_team(n < around.runs()); n += CudaTeam::lane_count) {
+    for (uint32_t n = CudaTeam::rank(); any_in_team(n < around.runs()); n += CudaTeam::lane_count) {
       const Run run = n < around.runs() ? around.run(n) : Run{0, 0};
       for (uint32_t j = run.begin; any_in_team(j < run.end); j += 32) {
         writer.append(j, j < run.end ? near_ones<CudaTeam>(self, i, j, run.end) : 0);

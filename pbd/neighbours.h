@@ -3,7 +3,7 @@
 //
 // Neighbour lists as constraints read them: through for_each_neighbour alone, so that the form of the list
 // can change. What D is says who reads: the CPU with eight lanes (CpuDevice), a thread of the GPU
-// (CudaDevice), or eight (CudaTeam).
+// (CudaDevice), or four or eight (CudaTeamOf).
 #pragma once
 
 #include <type_traits>
@@ -65,13 +65,21 @@ MENISCUS_HD void for_each_neighbour(const NeighbourView& list, uint32_t i, const
       visit(j.d);
       j = next;
     }
-  } else if constexpr (std::is_same_v<D, CudaTeam>) {
-    const auto entry = [&](uint32_t k) { return list.index.data[interleaved_place(list.stride, i, k)]; };
-    uint32_t j = count ? entry(team_rank()) : 0;
-    for (uint32_t k = 0; k < count; k += CudaTeam::lane_count) {
-      const uint32_t ahead = k + CudaTeam::lane_count;
-      const uint32_t next = ahead < count ? entry(ahead + team_rank()) : j;
-      visit(TeamIndex{j});
+  } else if constexpr (is_cuda_team<D>) {
+    // Of eight entries each thread takes as many, one after the other.
+    constexpr uint32_t each = 8 / D::lane_count;
+    struct alignas(4 * each) Part {
+      uint32_t at[each];
+    };
+    const auto part = [&](uint32_t k) {
+      const size_t place = interleaved_place(list.stride, i, k + each * D::rank());
+      return *reinterpret_cast<const Part*>(list.index.data + place);
+    };
+    Part j = count ? part(0) : Part{};
+    for (uint32_t k = 0; k < count; k += 8) {
+      const Part next = k + 8 < count ? part(k + 8) : j;
+      MENISCUS_UNROLL
+      for (uint32_t n = 0; n < each; ++n) visit(typename D::Index{j.at[n]});
       j = next;
     }
   } else {
@@ -156,7 +164,7 @@ class TeamWriter {
     count_ += place.total;
   }
   MENISCUS_HD uint32_t finish(uint32_t sentinel) {
-    const uint32_t k = count_ + team_rank();
+    const uint32_t k = count_ + CudaTeam::rank();
     if (k < (count_ + 7) / 8 * 8) write(k, sentinel);
     return count_;
   }

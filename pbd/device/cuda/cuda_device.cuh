@@ -20,10 +20,10 @@ class CudaDevice;
 namespace cuda_kernels {
 
 constexpr uint32_t block_size = 128;
-constexpr uint32_t teams = block_size / CudaTeam::lane_count;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
-constexpr uint32_t most_teams = 1u << 16;  // they fill a large GPU
+constexpr uint32_t most_teams = 1u << 16;       // they fill a large GPU
+constexpr uint32_t most_half_teams = 1u << 17;  // likewise
 constexpr uint32_t most_for_one_launch =
     1u << 18;  // items; beyond, occupancy counts more than a fork and a join
 
@@ -107,25 +107,29 @@ struct RunAlone {
   __device__ void operator()(uint32_t i) const { kernel.run(SideBySide<D>(i, i + 1)); }
 };
 
-template <class Kernel>
+/// How many a block holds.
+template <class Team>
+constexpr uint32_t teams = block_size / Team::lane_count;
+
+template <class Team, class Kernel>
 __global__ void __launch_bounds__(block_size)
     for_each_team(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel) {
   wait_for_previous(mark);
-  const uint32_t i = (blockIdx.x * block_size + threadIdx.x) / CudaTeam::lane_count;
-  if (i < count) kernel.template run<CudaTeam>(i);
+  const uint32_t i = blockIdx.x * teams<Team> + threadIdx.x / Team::lane_count;
+  if (i < count) kernel.template run<Team>(i);
 }
 
 // The teams come first: their work is the longer. Few of them need as many registers as would keep others
 // from the multiprocessor: those spill.
-template <class Kernel, class TeamKernel>
+template <class Team, class Kernel, class TeamKernel>
 __global__ void __launch_bounds__(block_size, 8)
     for_each_of_both(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel,
                      uint32_t team_count, uint32_t team_blocks,
                      const __grid_constant__ TeamKernel team_kernel) {
   wait_for_previous(mark);
   if (blockIdx.x < team_blocks) {
-    const uint32_t i = (blockIdx.x * block_size + threadIdx.x) / CudaTeam::lane_count;
-    if (i < team_count) team_kernel.template run<CudaTeam>(i);
+    const uint32_t i = blockIdx.x * teams<Team> + threadIdx.x / Team::lane_count;
+    if (i < team_count) team_kernel.template run<Team>(i);
   } else {
     const uint32_t i = (blockIdx.x - team_blocks) * block_size + threadIdx.x;
     if (i < count) kernel.template run<CudaDevice>(i);
@@ -199,7 +203,9 @@ class CudaDevice final : public Device {
 
   template <class Kernel>
   void parallel_for_neighbours(const char* name, uint32_t count, const Kernel& kernel) {
-    parallel_for(name, count, cuda_kernels::RunLong<CudaDevice, Kernel>{kernel});
+    using namespace cuda_kernels;
+    if (count > most_half_teams) return parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
+    run_teams<CudaHalfTeam>(name, count, kernel);
   }
 
   template <class Kernel>
@@ -223,8 +229,7 @@ class CudaDevice final : public Device {
   void parallel_for_long(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
     if (count > most_teams) return parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
-    if (count == 0) return;
-    launch(name, (count + teams - 1) / teams, block_size, for_each_team<Kernel>, count, kernel);
+    run_teams<CudaTeam>(name, count, kernel);
   }
 
   template <class Kernel, class LongKernel>
@@ -242,11 +247,9 @@ class CudaDevice final : public Device {
       join();
       return;
     }
-    const uint32_t team_blocks = (long_count + teams - 1) / teams;
-    const uint32_t blocks = team_blocks + (count + block_size - 1) / block_size;
-    if (blocks == 0) return;
-    launch(name, blocks, block_size, for_each_of_both<Kernel, LongKernel>, count, kernel, long_count,
-           team_blocks, long_kernel);
+    // Beside work that fills the GPU by itself, what takes the least in all.
+    count > most_half_teams ? run_both<CudaHalfTeam>(name, count, kernel, long_count, long_kernel)
+                            : run_both<CudaTeam>(name, count, kernel, long_count, long_kernel);
   }
 
   template <class T, class Map, class Combine>
@@ -272,6 +275,26 @@ class CudaDevice final : public Device {
   void flush_mark();
   void fork();  // what is launched on the side stream from here on follows what came before
   void join();  // what is launched from here on follows the side stream
+
+  template <class Team>
+  static uint32_t blocks_of(uint32_t count) {
+    return (count + cuda_kernels::teams<Team> - 1) / cuda_kernels::teams<Team>;
+  }
+  template <class Team, class Kernel>
+  void run_teams(const char* name, uint32_t count, const Kernel& kernel) {
+    using namespace cuda_kernels;
+    if (count) launch(name, blocks_of<Team>(count), block_size, for_each_team<Team, Kernel>, count, kernel);
+  }
+  template <class Team, class Kernel, class TeamKernel>
+  void run_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t team_count,
+                const TeamKernel& team_kernel) {
+    using namespace cuda_kernels;
+    const uint32_t team_blocks = blocks_of<Team>(team_count);
+    const uint32_t blocks = team_blocks + (count + block_size - 1) / block_size;
+    if (blocks == 0) return;
+    launch(name, blocks, block_size, for_each_of_both<Team, Kernel, TeamKernel>, count, kernel, team_count,
+           team_blocks, team_kernel);
+  }
 
   template <class... Parameters, class... Arguments>
   void launch(const char* name, uint32_t blocks, uint32_t threads, void (*kernel)(Parameters...),
