@@ -121,7 +121,7 @@ class Drawing {
   /// What is too long is cut; the edge at the cut is left out, so that the parts share no vertex.
   template <class Part>
   static void for_each_part(size_t count, const Part& part) {
-    const size_t parts = (count + Yarn::most_edges) / (Yarn::most_edges + 1);
+    const size_t parts = (count + 1 + Yarn::most_edges) / (Yarn::most_edges + 1);
     for (size_t p = 0, first = 0; p < parts; ++p) {
       const size_t end = (count + 1) * (p + 1) / parts - 1;
       part(first, end - first);

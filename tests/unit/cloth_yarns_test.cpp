@@ -102,6 +102,16 @@ TEST(Yarns, LongOnesAreCut) {
   EXPECT_EQ(d.yarns.edges.size(), 6u * (columns - 3) + 5u * columns);
 }
 
+TEST(Yarns, AreCutWhereTheyAreLongerThanTheMost) {
+  for (const uint32_t edges : {511u, 512u, 513u, 514u, 515u, 1025u, 1026u, 1027u, 1028u}) {
+    SCOPED_TRACE(edges);
+    const Drawn d = draw(make_sheet(10, 0.02f, edges + 1, 2), {.shear_stiffness = 100});
+    const uint32_t cuts = edges / (Yarn::most_edges + 1);
+    EXPECT_EQ(d.yarns.yarns.size(), 2 * (cuts + 1));
+    EXPECT_EQ(d.yarns.edges.size(), 2 * (edges - cuts));
+  }
+}
+
 TEST(Yarns, SoftEdgesAreNone) {
   const Drawn d = draw(make_sheet(1, 1, 12, 12), {.weft_stiffness = 10, .shear_stiffness = 10});
   EXPECT_EQ(d.yarns.layers(), 1u);
