@@ -45,7 +45,7 @@ struct Listing {
 };
 
 /// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
-/// it goes on as it does.
+/// it goes on as it does. What has no finite way stays nowhere and meets nothing, so that the step fails.
 struct Keep {
   Listing listing;
   View<const Vec4> previous, foreseen;
@@ -58,14 +58,15 @@ struct Keep {
   static constexpr float longest = 16;     // substeps
   static constexpr float furthest = 0.5f;  // of the thickness, if that takes more than this substep
   static constexpr float leeway = 0.25f;   // of the thickness, to go otherwise
+  static constexpr float most_finite = 3e38f;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
     const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
     const float thickness = parts[vertex_part[v]].thickness, far = length(way);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
-    kept[v] =
-        pbd::with_w(from + 0.5f * substeps * way, 0.5f * substeps * far + foreseen[v].w + leeway * thickness);
+    const float radius = 0.5f * substeps * far + foreseen[v].w + leeway * thickness;
+    kept[v] = pbd::with_w(from + 0.5f * substeps * way, radius < most_finite ? radius : NAN);
     if (v != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];

@@ -90,24 +90,28 @@ struct StopMotion {
   MENISCUS_HD void operator()(uint32_t i) const { velocity[i] = {0, 0, 0, 0}; }
 };
 
+inline constexpr float most_finite = 3e38f;
+
 MENISCUS_HD inline ParticleSummary empty_summary() {
-  constexpr float big = 3e38f;
-  return {{big, big, big}, {-big, -big, -big}, 0, 0, no_index};
+  constexpr Vec3 corner{most_finite, most_finite, most_finite};
+  return {corner, -corner, 0, 0, no_index};
 }
 
+/// What is so fast that a float does not hold its speed squared counts as non-finite.
 struct Summarize {
   View<const Vec4> position, velocity;
   View<const uint32_t> slot;
 
   MENISCUS_HD ParticleSummary operator()(uint32_t i) const {
     const Vec3 x = position[i].xyz(), v = velocity[i].xyz();
-    if (!is_finite(x) || !is_finite(v)) {
+    const float speed2 = dot(v, v);
+    if (!is_finite(x) || !(speed2 <= most_finite)) {
       ParticleSummary bad = empty_summary();
       bad.non_finite = 1;
       bad.first_bad_slot = slot[i];
       return bad;
     }
-    return {x, x, dot(v, v), 0, no_index};
+    return {x, x, speed2, 0, no_index};
   }
 };
 

@@ -6,6 +6,7 @@
 // a higher level holds the boxes 8b to 8b + 7 of the level below.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "pbd/contacts.h"
@@ -16,8 +17,15 @@
 
 namespace meniscus::pbd {
 
+/// What boxes are joined to.
 inline constexpr Aabb empty_box{{3e38f, 3e38f, 3e38f}, {-3e38f, -3e38f, -3e38f}};
+/// The box of a place where nothing stands: of no numbers, so that none overlaps it, not even one without
+/// end.
+MENISCUS_HD constexpr Aabb nowhere() {
+  return {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+}
 
+/// The second where the first is nowhere.
 MENISCUS_HD inline Aabb joined(const Aabb& a, const Aabb& b) {
   return {min(a.lower, b.lower), max(a.upper, b.upper)};
 }
@@ -63,7 +71,7 @@ struct SurfaceTreeView {
 
   View<BoxGroup> groups;        ///< of all levels
   uint32_t start[most_levels];  ///< of each level, its first group
-  uint32_t boxes[most_levels];  ///< of each level; its last group is filled up with empty ones
+  uint32_t boxes[most_levels];  ///< of each level; its last group is filled up with boxes that are nowhere
   uint32_t levels = 0;
   View<const SurfaceTriangle> triangles;  ///< in the tree's order; a is no_index for what fills up a group
 

@@ -23,9 +23,9 @@ struct FitLevel {
     Aabb box = empty_box;
     if (b < tree.boxes[level]) {
       const BoxGroup& below = tree.group(level - 1, b);
-      for (uint32_t k = 0; k < BoxGroup::size; ++k) box = joined(box, below.box(k));
+      for (uint32_t k = 0; k < BoxGroup::size; ++k) box = joined(below.box(k), box);
     }
-    tree.group(level, b / 8).set(b % 8, box);
+    tree.group(level, b / 8).set(b % 8, box.lower.x <= box.upper.x ? box : nowhere());
   }
 };
 
@@ -56,7 +56,7 @@ struct FitSubtrees {
 
   MENISCUS_HD void fit_triangle(uint32_t place) const {
     const SurfaceTriangle t = load(tree.triangles, place);
-    Aabb box = empty_box;
+    Aabb box = nowhere();
     if (t.a != no_index) box = joined(joined(boxes.of(t.a), boxes.of(t.b)), boxes.of(t.c));
     tree.group(0, place / 8).set(place % 8, box);
   }

@@ -130,6 +130,20 @@ TEST_P(ClothFailureTest, WithoutTheCulpritTheWorldGoesOn) {
   EXPECT_NEAR(world.cloth_state(good).centre.y, -0.5f * 9.81f * 0.01f, 0.01f);
 }
 
+TEST_P(ClothFailureTest, ClothThatFliesOffTooFastIsAFailure) {
+  for (const float speed : {1e22f, 1e25f, 1e30f}) {
+    SCOPED_TRACE(speed);
+    World world(world_def(GetParam(), 0.05f));
+    world.create_cloth(sheet(1, 1, 15, 15));
+    const FluidId water = world.create_fluid({});
+    world.add_fluid(block(water, {-0.2f, 0.1f, -0.2f}, {0.2f, 0.3f, 0.2f}));
+    ClothDef mad = sheet(1, 1, 15, 15, {0, 1, 0});
+    mad.velocity = {speed, 0, 0};
+    world.create_cloth(mad);
+    expect_failure(world, "non-finite", dt);
+  }
+}
+
 // Contacts start with little room. A world in which there was more from the beginning must agree with one in
 // which steps had to be done again.
 TEST_P(ClothFailureTest, AStepThatIsDoneAgainIsTheSame) {

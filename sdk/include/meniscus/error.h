@@ -14,8 +14,8 @@ enum class ErrorCode {
   parse,             ///< a scene file with a wrong, missing or unknown key
   mesh,              ///< a mesh that cannot be used: empty, degenerate, no inside
   capacity,          ///< a final limit was reached; the message names it and the remedy
-  non_finite,        ///< the step met NaN or infinity; the state is the one before the step
-  device,            ///< CUDA or the driver failed, or the asked device is not there
+  non_finite,  ///< the step met NaN, infinity or more than 1.7·10¹⁹ m/s; the state is the one before
+  device,      ///< CUDA or the driver failed, or the asked device is not there
   out_of_memory,
 };
 
