@@ -50,6 +50,8 @@ class Diffuse final : public pbd::Observer<D> {
   /// Who keeps them out of solids; runs when they have moved and new ones are made.
   void set_walls(std::function<void(const PendingDiffuse&)> walls) { walls_ = std::move(walls); }
 
+  void set_gravity(Vec3 gravity) { parameters_.gravity = gravity; }
+
   void start_step() override { elapsed_ = 0; }
   void observe(const pbd::Substep<D>& substep) override;
   /// The step is done, and stays so.

@@ -30,6 +30,7 @@ void DeviceEngine<D>::set_solvers(const EngineDef& def) {
   solver_.set_parameters(def.solver);
   density_.set_parameters(def.density);
   cloth_.set_parameters(def.cloth);
+  if (diffuse_) diffuse_->set_gravity(def.solver.gravity);
 }
 
 template <class D>

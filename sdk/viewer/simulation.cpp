@@ -158,6 +158,7 @@ void Simulation::take_over(const Scene& scene) {
   def.particle_spacing = world.def().particle_spacing;
   def.support_ratio = world.def().support_ratio;
   def.contact_radius = world.def().contact_radius;
+  def.diffuse = world.def().diffuse;
   world.set_def(def);
   for (std::size_t i = 0; i < scene_->fluids.size(); ++i) {
     FluidDef fluid = scene.fluids.at(i);

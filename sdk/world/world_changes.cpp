@@ -55,6 +55,7 @@ void World::set_def(const WorldDef& def) {
   expect_same("particle_spacing", now.particle_spacing, def.particle_spacing);
   expect_same("support_ratio", now.support_ratio, def.support_ratio);
   expect_same("contact_radius", now.contact_radius, def.contact_radius);
+  expect_same("diffuse", now.diffuse, def.diffuse);
   if (now.cloth != def.cloth) impl_->cloth_changed();
   impl_->def = def;
   impl_->rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});

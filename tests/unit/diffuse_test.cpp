@@ -50,6 +50,10 @@ class DiffuseTest : public OnDevice {
   /// Two blocks of water that meet at 4 m/s without gravity.
   static World collision_of(WorldDef def) {
     def.gravity = {0, 0, 0};
+    return blocks_that_meet(def);
+  }
+  /// The same with it.
+  static World blocks_that_meet(const WorldDef& def) {
     World world(def);
     const FluidId water = world.create_fluid({});
     for (const float side : {-1.0f, 1.0f}) {
@@ -59,6 +63,21 @@ class DiffuseTest : public OnDevice {
     return world;
   }
 };
+
+TEST_P(DiffuseTest, SprayFallsByTheWorldsPresentGravity) {
+  const WorldDef down = def();
+  WorldDef none = def();
+  none.gravity = {0, 0, 0};
+  std::vector<DiffuseParticle> seen[2];
+  for (const bool later : {false, true}) {
+    World world = blocks_that_meet(later ? none : down);
+    world.set_def(down);
+    run(world, 20, 0.008f);
+    seen[later] = copy_of(world);
+  }
+  EXPECT_GT(seen[0].size(), 20u);
+  EXPECT_TRUE(same(seen[0], seen[1]));
+}
 
 TEST_P(DiffuseTest, WithoutTheOptionThereIsNone) {
   World world = dam_break(GetParam());

@@ -156,6 +156,9 @@ TEST_P(WorldChangesTest, WhatCannotChangeIsRefused) {
   other.particle_spacing = 0.2f;
   expect_error(ErrorCode::invalid_argument, "particle_spacing", [&] { world.set_def(other); });
   other = world.def();
+  other.diffuse = DiffuseDef{};
+  expect_error(ErrorCode::invalid_argument, "diffuse", [&] { world.set_def(other); });
+  other = world.def();
   other.density.relaxation = 2;
   expect_error(ErrorCode::invalid_argument, "relaxation", [&] { world.set_def(other); });
   FluidDef heavy;

@@ -75,6 +75,8 @@ struct ClothSolverDef {
 /// Where something begins, and where it is in full.
 struct Range {
   float low, high;
+
+  friend bool operator==(const Range&, const Range&) = default;
 };
 
 /// Spray, foam and bubbles where the fluid is wild (Ihmsen et al. 2012), for the eye: they have no effect on
@@ -96,6 +98,8 @@ struct DiffuseDef {
   // How much fluid is around, of what there is inside of it:
   float spray_below = 0.15f;   ///< spray is among less than this, 0 to 1
   float bubbles_above = 0.7f;  ///< bubbles are among more than this, spray_below to 1; foam is in between
+
+  friend bool operator==(const DiffuseDef&, const DiffuseDef&) = default;
 };
 
 struct WorldDef {
