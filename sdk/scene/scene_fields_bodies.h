@@ -67,8 +67,8 @@ void fields(V& v, SceneBody& body) {
   v("geometry", geometry, required(any_value), "", "what it is");
   v("pose", d.pose, any_value, "",
     "placement of the geometry at the start; that of the first keyframe, if there is one");
-  v("velocity", d.velocity, any_value, "m/s", "of the centre of mass, at the start");
-  v("angular_velocity", d.angular_velocity, any_value, "rad/s", "at the start");
+  v("velocity", d.velocity, any_value, "m/s", "of a dynamic body's centre of mass, at the start");
+  v("angular_velocity", d.angular_velocity, any_value, "rad/s", "of a dynamic body, at the start");
   v("density", d.density, positive, "kg/m³", "mass, centre of mass and inertia follow from the geometry");
   v("mass", d.mass, positive, "kg", "takes the place of what the density gives");
   surface_fields(v, d.surface);
@@ -88,6 +88,8 @@ void fields(V& v, SceneBody& body) {
   const bool kinematic = d.motion == BodyMotion::kinematic;
   v.check(kinematic || !std::holds_alternative<ContainerGeometry>(d.geometry),
           "a container must be kinematic");
+  v.check(!kinematic || (length(d.velocity) == 0 && length(d.angular_velocity) == 0),
+          "velocity and angular_velocity are for dynamic bodies alone");
   v.check(kinematic || d.keyframes.empty(), "keyframes are for kinematic bodies alone");
   v.check(in_order(d.keyframes), "the times of keyframes must increase");
   v.check(!d.loop || d.keyframes.size() >= 2, "loop needs at least 2 keyframes");

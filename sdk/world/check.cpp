@@ -78,6 +78,12 @@ void pose(const char* name, const Pose& value) {
   if (!(std::fabs(norm - 1) < 1e-3f)) refuse(name, norm, "a rotation quaternion with a squared length of 1");
 }
 
+void color(const char* name, Vec3 value) {
+  for (const float share : {value.x, value.y, value.z}) {
+    if (!(share >= 0 && share <= 1)) refuse(name, text_of(value), "from 0 to 1 in each component");
+  }
+}
+
 namespace {
 
 void range(const char* name, const Range& value) {
@@ -107,6 +113,7 @@ void diffuse(const DiffuseDef& def) {
 }  // namespace
 
 void world(const WorldDef& def) {
+  one_of("WorldDef::device", def.device, DeviceChoice::cuda);
   between("WorldDef::threads", def.threads, 0, 1024);
   finite("WorldDef::gravity", def.gravity);
   between("WorldDef::particle_spacing", def.particle_spacing, 1e-4f, 1e3f);  // floats hold the kernel
@@ -121,6 +128,7 @@ void world(const WorldDef& def) {
   between("ClothSolverDef::warm_start", def.cloth.warm_start, 0.0f, 0.35f);
   between("ClothSolverDef::stretch_rounds", def.cloth.stretch_rounds, 1, 32);
   const DensitySolverDef& d = def.density;
+  one_of("DensitySolverDef::solver", d.solver, DensitySolver::grid);
   between("DensitySolverDef::relaxation", d.relaxation, 0.01f, 0.44f);
   between("DensitySolverDef::warm_start", d.warm_start, 0.0f, 0.5f);
   between("DensitySolverDef::spectral_bound", d.spectral_bound, 3.0f, 20.0f);
@@ -142,13 +150,13 @@ void fluid(const FluidDef& def) {
   not_negative("FluidDef::vorticity_confinement", def.vorticity_confinement);
   not_negative("FluidDef::cohesion", def.cohesion);
   not_negative("FluidDef::surface_tension", def.surface_tension);
-  finite("FluidDef::color", def.color);
+  color("FluidDef::color", def.color);
 }
 
 void granular(const GranularDef& def) {
   positive("GranularDef::density", def.density);
   not_negative("GranularDef::friction", def.friction);
-  finite("GranularDef::color", def.color);
+  color("GranularDef::color", def.color);
 }
 
 }  // namespace meniscus::check

@@ -24,6 +24,13 @@ void between(const char* name, float value, float lower, float upper);
 void between(const char* name, int value, int lower, int upper);
 void box(const char* name, const Aabb& value);  ///< finite, lower ≤ upper on each axis
 void pose(const char* name, const Pose& value);
+void color(const char* name, Vec3 value);  ///< each from 0 to 1
+
+/// Of an enumeration whose values go from 0 to `last`.
+template <class E>
+void one_of(const char* name, E value, E last) {
+  between(name, static_cast<int>(value), 0, static_cast<int>(last));
+}
 
 void world(const WorldDef& def);
 void fluid(const FluidDef& def);

@@ -18,6 +18,8 @@ void stiffness(const char* name, float value) {
 
 void fabric(const FabricDef& f) {
   positive("FabricDef::density", f.density);
+  one_of("FabricDef::stretch_model", f.stretch_model, StretchModel::triangles);
+  one_of("FabricDef::bending_model", f.bending_model, BendingModel::dihedral);
   stiffness("FabricDef::warp_stiffness", f.warp_stiffness);
   stiffness("FabricDef::weft_stiffness", f.weft_stiffness);
   stiffness("FabricDef::shear_stiffness", f.shear_stiffness);
@@ -72,6 +74,7 @@ void cloth(const ClothDef& def) {
   positive("ClothDef::stretch.y", def.stretch.y);
   positive("ClothDef::stretch.z", def.stretch.z);
   finite("ClothDef::velocity", def.velocity);
+  color("ClothDef::color", def.color);
   fabric(def.fabric);
   if (!def.inflation) return;
   positive("InflationDef::air_pressure", def.inflation->air_pressure);
@@ -94,6 +97,7 @@ void rope(const RopeDef& def) {
   if (!(def.youngs_modulus > 0)) refuse("RopeDef::youngs_modulus", std::to_string(def.youngs_modulus), "> 0");
   if (!(def.shear_modulus > 0)) refuse("RopeDef::shear_modulus", std::to_string(def.shear_modulus), "> 0");
   not_negative("RopeDef::damping", def.damping);
+  color("RopeDef::color", def.color);
 }
 
 void attachment(const AttachmentDef& def) {

@@ -21,7 +21,7 @@ struct CheckGeometry {
     extents("ContainerGeometry::half_extents", g.half_extents);
     std::bitset<6> missing;
     for (const Opening& o : g.openings) {
-      between("Opening::face", static_cast<int>(o.face), 0, 5);
+      one_of("Opening::face", o.face, Face::z_high);
       if (o.region)
         box("Opening::region", *o.region);
       else
@@ -109,6 +109,11 @@ void keyframes(const BodyDef& def) {
   }
 }
 
+/// A kinematic body has the velocity of its keyframes.
+void at_rest(const char* name, Vec3 v) {
+  if (!(v == Vec3{0, 0, 0})) refuse(name, text_of(v), "0 for a body that is kinematic");
+}
+
 /// Infinite stiffness holds an axis.
 void stiffness(const char* name, Vec3 v) {
   if (!(v.x >= 0 && v.y >= 0 && v.z >= 0)) refuse(name, text_of(v), "≥ 0 on each axis");
@@ -157,10 +162,15 @@ void shape(const ShapeDef& def) {
 }
 
 void body(const BodyDef& def) {
+  one_of("BodyDef::motion", def.motion, BodyMotion::kinematic);
   pose("BodyDef::pose", def.pose);
   surface(def.surface);
   finite("BodyDef::velocity", def.velocity);
   finite("BodyDef::angular_velocity", def.angular_velocity);
+  if (def.motion == BodyMotion::kinematic) {
+    at_rest("BodyDef::velocity", def.velocity);
+    at_rest("BodyDef::angular_velocity", def.angular_velocity);
+  }
   positive("BodyDef::density", def.density);
   if (def.mass) positive("BodyDef::mass", *def.mass);
   between("BodyDef::linear_damping", def.linear_damping, 0.0f, 1.0f);

@@ -75,6 +75,7 @@ void World::destroy_shape(ShapeId id) {
 }
 
 ProbeId World::create_probe(const ProbeDef& def) {
+  check::one_of("ProbeDef::kind", def.kind, ProbeKind::wall_force);
   check::finite("ProbeDef::point", def.point);
   if (def.patch) check::box("ProbeDef::patch", *def.patch);
   if (def.kind != ProbeKind::point_pressure) impl_->shapes.get(def.shape);

@@ -259,6 +259,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "bodies[0].mask: 1.5 is not allowed; must be a whole number"},
         Mistake{"KeyframesOfADynamicBody", BODY(BOX R"(, "keyframes": [{"time": 0}])"),
                 "bodies[0]: keyframes are for kinematic bodies alone"},
+        Mistake{"VelocityOfAKinematicBody", BODY(BOX R"(, "motion": "kinematic", "velocity": [0, 1, 0])"),
+                "bodies[0]: velocity and angular_velocity are for dynamic bodies alone"},
         Mistake{"KeyframesOutOfOrder",
                 BODY(BOX R"(, "motion": "kinematic", "keyframes": [{"time": 1}, {"time": 1}])"),
                 "bodies[0]: the times of keyframes must increase"},

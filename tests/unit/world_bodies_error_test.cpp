@@ -176,6 +176,16 @@ TEST_P(BodyErrorTest, AMassIsNoSmallerAndNoLargerThanFloatsCanDivideBy) {
   expect_refused(invalid, "BodyDef::density", body(SphereGeometry{1e6f}));
 }
 
+TEST_P(BodyErrorTest, MotionsAreChecked) {
+  expect_refused("BodyDef::motion is 2", [](BodyDef& d) { d.motion = static_cast<BodyMotion>(2); });
+  BodyDef guided = kinematic(BoxGeometry{});
+  guided.velocity = {0, 1, 0};
+  expect_refused(invalid, "BodyDef::velocity is (0, 1, 0)", guided);
+  guided.velocity = {0, 0, 0};
+  guided.angular_velocity = {0, 0, -2};
+  expect_refused(invalid, "BodyDef::angular_velocity is (0, 0, -2)", guided);
+}
+
 TEST_P(BodyErrorTest, KeyframesAreOfKinematicBodiesAndInOrder) {
   expect_refused("BodyDef::keyframes is 1 keyframes", [](BodyDef& d) { d.keyframes = {{0, {}}}; });
   const auto guided = [&](std::vector<Keyframe> keys) {

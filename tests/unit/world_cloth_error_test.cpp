@@ -108,6 +108,17 @@ TEST_P(ClothErrorTest, FabricIsChecked) {
   }
 }
 
+TEST_P(ClothErrorTest, ModelsAndColoursAreChecked) {
+  expect_cloth_refused("FabricDef::stretch_model is 2",
+                       [](ClothDef& d) { d.fabric.stretch_model = static_cast<StretchModel>(2); });
+  expect_cloth_refused("FabricDef::bending_model is -1",
+                       [](ClothDef& d) { d.fabric.bending_model = static_cast<BendingModel>(-1); });
+  for (float bad : {-0.1f, 1.1f, not_a_number}) {
+    expect_cloth_refused("ClothDef::color", [&](ClothDef& d) { d.color.x = bad; });
+    expect_rope_refused("RopeDef::color", [&](RopeDef& d) { d.color.z = bad; });
+  }
+}
+
 TEST_P(ClothErrorTest, SheetsSpheresAndTubesAreChecked) {
   const auto refused = [&](const std::string& named, const ClothGeometry& geometry) {
     expect_cloth_refused(named, [&](ClothDef& d) { d.geometry = geometry; });

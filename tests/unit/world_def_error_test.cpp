@@ -24,6 +24,7 @@ struct BadWorld {
 
 TEST(WorldDefError, EachFieldIsChecked) {
   const BadWorld bad[] = {
+      {"device", [](WorldDef& d) { d.device = static_cast<DeviceChoice>(3); }},
       {"threads", [](WorldDef& d) { d.threads = -1; }},
       {"gravity", [](WorldDef& d) { d.gravity.y = nan; }},
       {"gravity", [](WorldDef& d) { d.gravity.x = inf; }},
@@ -38,6 +39,8 @@ TEST(WorldDefError, EachFieldIsChecked) {
       {"min_substeps", [](WorldDef& d) { d.min_substeps = 0; }},
       {"max_substeps", [](WorldDef& d) { d.min_substeps = 9, d.max_substeps = 8; }},
       {"contact_radius", [](WorldDef& d) { d.contact_radius = 0; }},
+      {"DensitySolverDef::solver", [](WorldDef& d) { d.density.solver = static_cast<DensitySolver>(7); }},
+      {"DensitySolverDef::solver", [](WorldDef& d) { d.density.solver = static_cast<DensitySolver>(-1); }},
       {"relaxation", [](WorldDef& d) { d.density.relaxation = 0.5f; }},
       {"warm_start", [](WorldDef& d) { d.density.warm_start = 0.6f; }},
       {"spectral_bound", [](WorldDef& d) { d.density.spectral_bound = 1; }},
@@ -84,12 +87,17 @@ TEST_P(DefErrorTest, Fluids) {
       {"cohesion", [](FluidDef& d) { d.cohesion = inf; }},
       {"surface_tension", [](FluidDef& d) { d.surface_tension = -1; }},
       {"color", [](FluidDef& d) { d.color.y = nan; }},
+      {"color", [](FluidDef& d) { d.color.x = 1.1f; }},
+      {"color", [](FluidDef& d) { d.color.z = -0.1f; }},
   };
   for (const auto& [name, spoil] : bad) {
     FluidDef def;
     spoil(def);
     expect_error(invalid, name, [&] { world_.create_fluid(def); });
   }
+  GranularDef grains;
+  grains.color.y = 2;
+  expect_error(invalid, "GranularDef::color is (0.53, 2, 0.17)", [&] { world_.create_granular(grains); });
   EXPECT_EQ(world_.create_fluid({}).index, 0u);  // the refused ones left nothing behind
 }
 
@@ -161,6 +169,8 @@ TEST_P(DefErrorTest, SinksAndProbes) {
   probe.point.x = nan;
   expect_error(invalid, "point", [&] { world_.create_probe(probe); });
   probe = {};
+  probe.kind = static_cast<ProbeKind>(3);
+  expect_error(invalid, "ProbeDef::kind", [&] { world_.create_probe(probe); });
   probe.kind = ProbeKind::wall_force;
   expect_error(ErrorCode::not_found, "shape", [&] { world_.create_probe(probe); });
   probe.kind = ProbeKind::wall_pressure;
