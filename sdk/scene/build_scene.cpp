@@ -53,52 +53,90 @@ AttachmentDef with_ids(const SceneAttachment& attachment, const Scene& scene,
   return def;
 }
 
-void add_cloth(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene& built) {
-  for (const ClothDef& def : scene.cloths) built.cloths.push_back(built.world.create_cloth(def));
-  for (const RopeDef& def : scene.ropes) built.ropes.push_back(built.world.create_rope(def));
-  for (const SceneAttachment& attachment : scene.attachments) {
-    built.attachments.push_back(built.world.create_attachment(with_ids(attachment, scene, bodies, built)));
+const std::string& name_of(const auto& item) {
+  if constexpr (requires { item.name; })
+    return item.name;
+  else
+    return item.def.name;
+}
+const std::string& name_of(const SceneVolume& volume) {
+  return volume.fluid;
+}
+
+/// Calls make(item) for each of the scene's items. What it throws names the item, as in cloths[0] ("flag").
+template <class Item, class Make>
+void for_each_item(const char* key, const std::vector<Item>& items, const Make& make) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    try {
+      make(items[i]);
+    } catch (const Error& error) {
+      throw Error(error.code(), std::string(key) + "[" + std::to_string(i) + "] (\"" + name_of(items[i]) +
+                                    "\"): " + error.what());
+    }
   }
+}
+
+void add_solids(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene& built) {
+  for_each_item("shapes", scene.shapes,
+                [&](const ShapeDef& def) { built.shapes.push_back(built.world.create_shape(def)); });
+  for_each_item("bodies", scene.bodies, [&](const SceneBody& body) {
+    for (const BodyDef& def : copies_of(body)) built.bodies.push_back(built.world.create_body(def));
+  });
+  for_each_item("joints", scene.joints, [&](const SceneJoint& joint) {
+    built.joints.push_back(built.world.create_joint(with_bodies(joint, bodies, built.bodies)));
+  });
+}
+
+void add_cloth(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene& built) {
+  for_each_item("cloths", scene.cloths,
+                [&](const ClothDef& def) { built.cloths.push_back(built.world.create_cloth(def)); });
+  for_each_item("ropes", scene.ropes,
+                [&](const RopeDef& def) { built.ropes.push_back(built.world.create_rope(def)); });
+  for_each_item("attachments", scene.attachments, [&](const SceneAttachment& attachment) {
+    built.attachments.push_back(built.world.create_attachment(with_ids(attachment, scene, bodies, built)));
+  });
   if (scene.wind) built.world.set_wind(*scene.wind);
 }
 
+void fill_volumes(const Scene& scene, BuiltScene& built) {
+  for_each_item("volumes", scene.volumes, [&](const SceneVolume& volume) {
+    FluidVolumeDef def = volume.def;
+    def.fluid = material_of(volume.fluid, scene, built.fluids);
+    built.world.add_fluid(def);
+  });
+}
+
 void add_flow(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene& built) {
-  for (const SceneEmitter& emitter : scene.emitters) {
+  for_each_item("emitters", scene.emitters, [&](const SceneEmitter& emitter) {
     EmitterDef def = emitter.def;
     def.fluid = material_of(emitter.fluid, scene, built.fluids);
     if (!emitter.body.empty()) def.body = id_of(emitter.body, bodies, built.bodies, "body");
     built.emitters.push_back(built.world.create_emitter(def));
-  }
-  for (const SceneSink& sink : scene.sinks) {
+  });
+  for_each_item("sinks", scene.sinks, [&](const SceneSink& sink) {
     SinkDef def = sink.def;
     if (!sink.body.empty()) def.body = id_of(sink.body, bodies, built.bodies, "body");
     built.sinks.push_back(built.world.create_sink(def));
-  }
+  });
 }
 
 }  // namespace
 
 BuiltScene build_scene(const Scene& scene) {
   BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
-  for (const FluidDef& def : scene.fluids) built.fluids.push_back(built.world.create_fluid(def));
-  for (const GranularDef& def : scene.granulars) built.fluids.push_back(built.world.create_granular(def));
-  // Solids before volumes: filling a region leaves out what would stand inside one.
-  for (const ShapeDef& def : scene.shapes) built.shapes.push_back(built.world.create_shape(def));
+  for_each_item("fluids", scene.fluids,
+                [&](const FluidDef& def) { built.fluids.push_back(built.world.create_fluid(def)); });
+  for_each_item("granulars", scene.granulars,
+                [&](const GranularDef& def) { built.fluids.push_back(built.world.create_granular(def)); });
   const std::vector<BodyDef> bodies = bodies_of(scene);
-  for (const BodyDef& def : bodies) built.bodies.push_back(built.world.create_body(def));
-  for (const SceneJoint& joint : scene.joints) {
-    built.joints.push_back(built.world.create_joint(with_bodies(joint, bodies, built.bodies)));
-  }
+  // Solids before volumes: filling a region leaves out what would stand inside one.
+  add_solids(scene, bodies, built);
   add_cloth(scene, bodies, built);
-  for (const SceneVolume& volume : scene.volumes) {
-    FluidVolumeDef def = volume.def;
-    def.fluid = material_of(volume.fluid, scene, built.fluids);
-    built.world.add_fluid(def);
-  }
+  fill_volumes(scene, built);
   add_flow(scene, bodies, built);
-  for (const SceneProbe& probe : scene.probes) {
+  for_each_item("probes", scene.probes, [&](const SceneProbe& probe) {
     built.probes.push_back(built.world.create_probe(with_shape(probe, scene, built.shapes)));
-  }
+  });
   if (scene.relax_iterations > 0) built.world.relax(scene.relax_iterations);
   return built;
 }

@@ -120,6 +120,7 @@ struct BuiltScene {
   std::vector<ProbeId> probes;
 };
 
+/// Throws what World throws, with the item of the scene.
 BuiltScene build_scene(const Scene& scene);
 
 }  // namespace meniscus

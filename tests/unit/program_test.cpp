@@ -87,6 +87,8 @@ class ProgramTest : public testing::Test {
     return std::to_string(number(16)) + "x" + std::to_string(number(20));
   }
 
+  void write(const char* name, const char* text) const { std::ofstream(folder_ / name) << text; }
+
   std::string out() const { return (folder_ / "out").string(); }
 
   fs::path folder_;
@@ -296,6 +298,17 @@ TEST_F(ProgramTest, BadInputIsOneLineAndCodeTwo) {
               "^meniscus: --device: gpu");
   EXPECT_EXIT(run({"check", "drop", "--set", "frames=none"}), testing::ExitedWithCode(bad_input),
               "^meniscus: [^\n]*frames[^\n]*\n$");
+}
+
+TEST_F(ProgramTest, WhatTheWorldRefusesIsNamedByItsPlaceInTheScene) {
+  write("torn.json", R"({ "name": "torn", "cloths": [
+    { "name": "sheet", "geometry": { "type": "sheet" } },
+    { "name": "c", "geometry": { "type": "triangles", "vertices": [[0, 0, 0], [1, 0, 0], [0, 0, 1], [1, 0, 1]],
+                                 "triangles": [0, 2, 9] } }] })");
+  for (const char* command : {"run", "check"}) {
+    EXPECT_EXIT(run({command, "torn"}), testing::ExitedWithCode(bad_input),
+                "^meniscus: cloths\\[1\\] \\(\"c\"\\): triangle 0 [^\n]*\n$");
+  }
 }
 
 TEST_F(ProgramTest, AFolderThatCannotBeUsedStopsTheRunAtOnce) {
