@@ -102,7 +102,7 @@ void fill_volumes(const Scene& scene, BuiltScene& built) {
   for_each_item("volumes", scene.volumes, [&](const SceneVolume& volume) {
     FluidVolumeDef def = volume.def;
     def.fluid = material_of(volume.fluid, scene, built.fluids);
-    built.world.add_fluid(def);
+    built.volumes.push_back(built.world.add_fluid(def));
   });
 }
 
@@ -123,7 +123,7 @@ void add_flow(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene
 }  // namespace
 
 BuiltScene build_scene(const Scene& scene) {
-  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for_each_item("fluids", scene.fluids,
                 [&](const FluidDef& def) { built.fluids.push_back(built.world.create_fluid(def)); });
   for_each_item("granulars", scene.granulars,

@@ -115,6 +115,7 @@ struct BuiltScene {
   std::vector<ClothId> cloths;
   std::vector<RopeId> ropes;
   std::vector<AttachmentId> attachments;
+  std::vector<std::size_t> volumes;  ///< how many particles each made
   std::vector<EmitterId> emitters;
   std::vector<SinkId> sinks;
   std::vector<ProbeId> probes;

@@ -311,6 +311,16 @@ TEST_F(ProgramTest, WhatTheWorldRefusesIsNamedByItsPlaceInTheScene) {
   }
 }
 
+TEST_F(ProgramTest, AVolumeWithoutParticlesIsAWarning) {
+  write("dry.json", R"({ "name": "dry", "frames": 1, "fluids": [{ "name": "water" }], "volumes": [
+    { "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.4, 0.4, 0.4] } },
+    { "fluid": "water", "region": { "type": "box", "lower": [1, 0, 0], "upper": [1.4, 0.001, 0.4] } }] })");
+  const auto warning = testing::ContainsRegex("meniscus: volumes\\[1\\] makes no particles\n");
+  EXPECT_EXIT(run({"check", "dry"}), testing::ExitedWithCode(success), warning);
+  EXPECT_EXIT(run({"run", "dry", "--device", "cpu", "--out", out()}), testing::ExitedWithCode(success),
+              warning);
+}
+
 TEST_F(ProgramTest, AFolderThatCannotBeUsedStopsTheRunAtOnce) {
   const std::string file = (folder_ / "drop.json").string();
   EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", file}), testing::ExitedWithCode(bad_input),

@@ -6,6 +6,7 @@
 
 #include "sdk/cli/program.h"
 #include "sdk/cli/scene_lookup.h"
+#include "sdk/cli/scene_warnings.h"
 
 namespace meniscus::cli {
 
@@ -29,6 +30,7 @@ int check_scene(const CheckOptions& options) {
   scene.world.device = DeviceChoice::cpu;
   scene.relax_iterations = 0;
   const BuiltScene built = build_scene(scene);
+  warn_of_oddities(built);
   fmt::print("{}: valid\n", scene.name);
   if (!scene.description.empty()) fmt::print("  {}\n", scene.description);
   fmt::print("  fluids {}, shapes {}, bodies {}, joints {}, volumes {}, emitters {}, sinks {}, probes {}\n",

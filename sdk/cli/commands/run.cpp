@@ -15,6 +15,7 @@
 #include "sdk/cli/progress.h"
 #include "sdk/cli/run_recorder.h"
 #include "sdk/cli/run_summary.h"
+#include "sdk/cli/scene_warnings.h"
 
 namespace meniscus::cli {
 namespace {
@@ -47,10 +48,7 @@ class Run {
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
         recorder_(made(folder_), scene_),
         exporter_(folder_, options.formats, options.surface, scene_) {
-    if (built_.world.particle_count() == 0 && built_.bodies.empty() && built_.cloths.empty() &&
-        built_.ropes.empty() && built_.emitters.empty()) {
-      spdlog::warn("the scene has no particles, emitters, bodies, cloth or ropes: nothing will happen");
-    }
+    warn_of_oddities(built_);
   }
 
   /// From here on an error ends the run but not the program: what was done is still written.
