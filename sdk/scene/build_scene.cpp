@@ -120,6 +120,14 @@ void add_flow(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene
   });
 }
 
+void expect_closed(const SceneCheck& check, const Scene& scene, const BuiltScene& built) {
+  if (check.kind != CheckKind::cloth_volume) return;
+  const ClothId cloth = id_of(check.cloth, scene.cloths, built.cloths, "cloth");
+  if (!built.world.cloth_state(cloth).closed)
+    throw Error(ErrorCode::invalid_argument,
+                "cloth_volume is of closed pieces, and \"" + check.cloth + "\" has a border");
+}
+
 }  // namespace
 
 BuiltScene build_scene(const Scene& scene) {
@@ -137,6 +145,7 @@ BuiltScene build_scene(const Scene& scene) {
   for_each_item("probes", scene.probes, [&](const SceneProbe& probe) {
     built.probes.push_back(built.world.create_probe(with_shape(probe, scene, built.shapes)));
   });
+  for_each_item("checks", scene.checks, [&](const SceneCheck& check) { expect_closed(check, scene, built); });
   if (scene.relax_iterations > 0) built.world.relax(scene.relax_iterations);
   return built;
 }

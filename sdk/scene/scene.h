@@ -121,7 +121,8 @@ struct BuiltScene {
   std::vector<ProbeId> probes;
 };
 
-/// Throws what World throws, with the item of the scene.
+/// Throws what World throws, with the item of the scene; and Error(invalid_argument) where a check is of the
+/// volume of cloth that is not closed.
 BuiltScene build_scene(const Scene& scene);
 
 }  // namespace meniscus

@@ -321,6 +321,16 @@ TEST_F(ProgramTest, AVolumeWithoutParticlesIsAWarning) {
               warning);
 }
 
+TEST_F(ProgramTest, TheVolumeOfOpenClothIsNoCheck) {
+  write("open.json", R"({ "name": "open", "cloths": [{ "name": "sheet", "geometry": { "type": "sheet" } }],
+    "checks": [{ "type": "outside", "name": "dry" },
+               { "type": "cloth_volume", "name": "full", "cloth": "sheet", "low": 0.9 }] })");
+  for (const char* command : {"run", "check"}) {
+    EXPECT_EXIT(run({command, "open"}), testing::ExitedWithCode(bad_input),
+                "^meniscus: checks\\[1\\] \\(\"full\"\\): cloth_volume [^\n]*\"sheet\" has a border\n$");
+  }
+}
+
 TEST_F(ProgramTest, AFolderThatCannotBeUsedStopsTheRunAtOnce) {
   const std::string file = (folder_ / "drop.json").string();
   EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", file}), testing::ExitedWithCode(bad_input),
