@@ -32,8 +32,8 @@ FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std
       ropes_(!scene.ropes.empty()),
       surface_(surface && !scene.fluids.empty()) {
   if (formats.empty()) return;
-  make_folder(folder_ / "frames");
   if (const std::vector<BodyDef> bodies = bodies_of(scene); !bodies.empty()) bodies_.emplace(bodies);
+  make_folder(folder_ / "frames");
   if (!vtp_) return;
   if (particles_) particle_collection_.emplace(folder_ / "particles.pvd");
   if (diffuse_) diffuse_collection_.emplace(folder_ / "diffuse.pvd");

@@ -46,7 +46,18 @@ json limit(const std::optional<float>& value) {
 
 }  // namespace
 
+void expect_floor(const Scene& scene) {
+  for (const SceneCheck& check : scene.checks) {
+    if (check.kind == CheckKind::energy && !floor_level(scene))
+      throw Error(
+          ErrorCode::invalid_argument,
+          "the check \"" + check.name +
+              "\" is of energy, which needs a level plane or a container as a floor to be measured from");
+  }
+}
+
 SceneChecks::SceneChecks(const Scene& scene) : scene_(scene), seen_(scene.checks.size()) {
+  expect_floor(scene);
   const auto own_name = [](const auto& def) { return def.name; };
   const std::vector<BodyDef> bodies = bodies_of(scene);
   for (std::size_t i = 0; i < seen_.size(); ++i) {
@@ -55,11 +66,6 @@ SceneChecks::SceneChecks(const Scene& scene) : scene_(scene), seen_(scene.checks
     seen_[i].cloth = place_of(check.cloth, scene.cloths, own_name);
     seen_[i].probe = place_of(check.probe, scene.probes, [](const auto& probe) { return probe.def.name; });
     if (check.kind == CheckKind::crossings) crossings_.emplace();
-    if (check.kind == CheckKind::energy && !floor_level(scene))
-      throw Error(
-          ErrorCode::invalid_argument,
-          "the check \"" + check.name +
-              "\" is of energy, which needs a level plane or a container as a floor to be measured from");
   }
 }
 

@@ -12,11 +12,13 @@
 
 namespace meniscus::cli {
 
+/// Throws Error(invalid_argument) where a check is of energy, but there is no floor to measure it from.
+void expect_floor(const Scene& scene);
+
 /// Looks after every frame whether what the scene states holds.
 class SceneChecks {
  public:
-  /// `scene` must outlive this. Throws Error(invalid_argument) where energy is to be looked at, but there is
-  /// no floor to measure it from.
+  /// `scene` must outlive this. Throws what expect_floor throws.
   explicit SceneChecks(const Scene& scene);
 
   /// The state before the first step.

@@ -331,6 +331,15 @@ TEST_F(ProgramTest, TheVolumeOfOpenClothIsNoCheck) {
   }
 }
 
+TEST_F(ProgramTest, ARunThatCannotStartLeavesItsFolderAsItWas) {
+  fs::create_directories(out());
+  std::ofstream(fs::path(out()) / "frames") << "in the way of the folder";
+  std::ofstream(fs::path(out()) / "frames.csv") << "of the run before";
+  EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", out(), "--export", "ply"}),
+              testing::ExitedWithCode(bad_input), "cannot make the folder");
+  EXPECT_EQ(bytes(fs::path(out()) / "frames.csv"), "of the run before");
+}
+
 TEST_F(ProgramTest, AFolderThatCannotBeUsedStopsTheRunAtOnce) {
   const std::string file = (folder_ / "drop.json").string();
   EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", file}), testing::ExitedWithCode(bad_input),

@@ -5,6 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "sdk/cli/program.h"
+#include "sdk/cli/scene_checks.h"
 #include "sdk/cli/scene_lookup.h"
 #include "sdk/cli/scene_warnings.h"
 
@@ -30,6 +31,7 @@ int check_scene(const CheckOptions& options) {
   scene.world.device = DeviceChoice::cpu;
   scene.relax_iterations = 0;
   const BuiltScene built = build_scene(scene);
+  expect_floor(scene);
   warn_of_oddities(built);
   fmt::print("{}: valid\n", scene.name);
   if (!scene.description.empty()) fmt::print("  {}\n", scene.description);

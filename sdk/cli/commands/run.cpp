@@ -15,6 +15,7 @@
 #include "sdk/cli/progress.h"
 #include "sdk/cli/run_recorder.h"
 #include "sdk/cli/run_summary.h"
+#include "sdk/cli/scene_checks.h"
 #include "sdk/cli/scene_warnings.h"
 
 namespace meniscus::cli {
@@ -23,6 +24,7 @@ namespace {
 Scene scene_of(const RunOptions& options) {
   Scene scene = chosen_scene(options.scene);
   if (options.frames) scene.frames = *options.frames;
+  expect_floor(scene);
   return scene;
 }
 
@@ -46,8 +48,8 @@ class Run {
         rope_mass_(mass_of_ropes()),
         first_(sample(0, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
-        recorder_(made(folder_), scene_),
-        exporter_(folder_, options.formats, options.surface, scene_) {
+        exporter_(made(folder_), options.formats, options.surface, scene_),
+        recorder_(folder_, scene_) {
     warn_of_oddities(built_);
   }
 
@@ -164,8 +166,8 @@ class Run {
   double rope_mass_;
   FrameSample first_;       // the state before the first frame
   FramePictures pictures_;  // before the folder is made: a run that cannot start leaves it as it was
+  FrameExporter exporter_;  // before the recorder, which writes over the tables of the run before
   RunRecorder recorder_;
-  FrameExporter exporter_;
   RunEnd end_;
 };
 
