@@ -24,11 +24,14 @@ template <class... Parts>
   throw Error(ErrorCode::invalid_argument, text.str());
 }
 
-void check_positive(const char* name, float value) {
-  if (!(value > 0)) refuse("the ", name, " of a rod is ", value, "; it must be > 0");
+const char* kind_of(const RodParameters& p) {
+  return p.bends_and_twists ? "rod" : "rope";
 }
 
 void check(const RodParameters& p) {
+  const auto check_positive = [&](const char* name, float value) {
+    if (!(value > 0)) refuse("the ", name, " of a ", kind_of(p), " is ", value, "; it must be > 0");
+  };
   check_positive("radius", p.radius);
   check_positive("density", p.density);
   check_positive("Young's modulus", p.youngs_modulus);
@@ -37,23 +40,24 @@ void check(const RodParameters& p) {
   check_positive("bending stiffness", p.bending_stiffness.value_or(1));
   check_positive("twist stiffness", p.twist_stiffness.value_or(1));
   if (!std::isfinite(p.radius) || !std::isfinite(p.density))
-    refuse("the radius and the density of a rod must be finite");
+    refuse("the radius and the density of a ", kind_of(p), " must be finite");
   if (!std::isfinite(p.damping) || p.damping < 0)
-    refuse("the damping of a rod is ", p.damping, "; it must be finite and ≥ 0");
+    refuse("the damping of a ", kind_of(p), " is ", p.damping, "; it must be finite and ≥ 0");
 }
 
-void check(std::span<const Vec3> points, bool closed) {
+void check(std::span<const Vec3> points, const RodParameters& p) {
+  const bool closed = p.closed;
   const size_t least = closed ? 3 : 2;
   if (points.size() < least)
-    refuse(closed ? "a closed rod" : "a rod", " has ", points.size(), " points; it must have at least ",
+    refuse(closed ? "a closed " : "a ", kind_of(p), " has ", points.size(), " points; it must have at least ",
            least);
   for (size_t i = 0; i < points.size(); ++i) {
-    if (!is_finite(points[i])) refuse("point ", i, " of a rod is not finite");
+    if (!is_finite(points[i])) refuse("point ", i, " of a ", kind_of(p), " is not finite");
   }
   for (size_t i = closed ? 0 : 1; i < points.size(); ++i) {
     const size_t before = (i ? i : points.size()) - 1;
     if (!(length(points[i] - points[before]) > 1e-6f * max_component(abs(points[i]))))
-      refuse("points ", before, " and ", i, " of a rod coincide");
+      refuse("points ", before, " and ", i, " of a ", kind_of(p), " coincide");
   }
 }
 
@@ -160,7 +164,7 @@ void set_rest(RodModel& model, bool straight) {
 
 RodModel build_rod(std::span<const Vec3> points, const RodParameters& parameters) {
   check(parameters);
-  check(points, parameters.closed);
+  check(points, parameters);
   const Section section = section_of(parameters);
   const auto count = static_cast<uint32_t>(points.size());
   const uint32_t segments = parameters.closed ? count : count - 1;

@@ -102,14 +102,14 @@ void check_error_target(float target_error, float margin) {
   const bool sound = target_error > 0 && std::isfinite(target_error) && margin >= 0 && std::isfinite(margin);
   if (sound) return;
   throw Error(ErrorCode::invalid_argument,
-              "target_error is " + std::to_string(target_error) + " m and margin " + std::to_string(margin) +
+              "max_error is " + std::to_string(target_error) + " m and margin " + std::to_string(margin) +
                   " m: they must be finite, the one positive, the other not negative");
 }
 
 void refuse_error_target(float target_error, float error, float cell_size, double points,
                          uint32_t max_points) {
   std::ostringstream message;
-  message << "target_error is " << target_error << " m, which takes cells of " << cell_size
+  message << "max_error is " << target_error << " m, which takes cells of " << cell_size
           << " m or less: their " << points << " points are more than the " << max_points << " allowed";
   if (std::isfinite(error)) message << " (cells of twice that size are off by " << error << " m)";
   throw Error(ErrorCode::capacity, message.str() + ". Allow for a larger error");

@@ -89,6 +89,8 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
 
 Json read_document(const std::string& path, std::span<const std::string> overrides) {
   Json document = parse_text(read_text(path), path);
+  // What is no object is refused when it is read as a scene.
+  if (!document.is_object()) return document;
   for (const std::string& text : overrides) apply_override(document, text);
   return document;
 }

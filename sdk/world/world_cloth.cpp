@@ -52,9 +52,10 @@ std::vector<cloth::EdgeConstraint> sew(const AttachmentDef& def, const Strand& s
     if (found) seams.push_back(nearest);
   }
   if (seams.empty()) {
+    const std::string none =
+        &other == &strand ? "no other vertex of the same piece" : "no vertex of the other piece";
     throw Error(ErrorCode::invalid_argument, "AttachmentDef::reach of \"" + def.name + "\" is " +
-                                                 std::to_string(def.reach) +
-                                                 " m; no vertex of the other piece is as near");
+                                                 std::to_string(def.reach) + " m; " + none + " is as near");
   }
   return seams;
 }

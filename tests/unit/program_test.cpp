@@ -300,6 +300,15 @@ TEST_F(ProgramTest, BadInputIsOneLineAndCodeTwo) {
               "^meniscus: [^\n]*frames[^\n]*\n$");
 }
 
+TEST_F(ProgramTest, WhatIsNoSceneIsCalledByItsName) {
+  EXPECT_EXIT(run({"run", folder_.string()}), testing::ExitedWithCode(bad_input),
+              "^meniscus: '[^\n]*' is a folder, not a scene file\n$");
+  write("list.json", "[1, 2]");
+  EXPECT_EXIT(run({"run", (folder_ / "list.json").string(), "--device", "cpu"}),
+              testing::ExitedWithCode(bad_input),
+              "^meniscus: [^\n]*list.json: an array of 2 is not allowed; must be an object[^\n]*\n$");
+}
+
 TEST_F(ProgramTest, WhatTheWorldRefusesIsNamedByItsPlaceInTheScene) {
   write("torn.json", R"({ "name": "torn", "cloths": [
     { "name": "sheet", "geometry": { "type": "sheet" } },

@@ -246,7 +246,7 @@ TEST(SdfToError, TargetsOutOfReachAreRefusedWithTheNumbers) {
     return "nothing";
   };
   const std::string why = refused(0.001f, 0.1f, ErrorCode::capacity);
-  EXPECT_NE(why.find("target_error is 0.001 m"), std::string::npos) << why;
+  EXPECT_NE(why.find("max_error is 0.001 m"), std::string::npos) << why;
   EXPECT_NE(why.find("100000"), std::string::npos) << why;
   EXPECT_NE(refused(0.001f, 100, ErrorCode::capacity), "nothing");  // where no field at all fits
   for (float bad : {0.0f, -1.0f, std::nanf("")}) refused(bad, 0.1f, ErrorCode::invalid_argument);

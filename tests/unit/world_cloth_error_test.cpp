@@ -210,10 +210,14 @@ TEST_P(ClothErrorTest, RopesAreChecked) {
   expect_rope_refused("RopeDef::points is 1 points", [](RopeDef& d) { d.points.pop_back(); });
   expect_rope_refused("at least 3", [](RopeDef& d) { d.closed = true; });
   expect_rope_refused("RopeDef::points", [](RopeDef& d) { d.points[1].z = not_a_number; });
-  expect_rope_refused("coincide", [](RopeDef& d) { d.points[1] = d.points[0]; });
-  expect_rope_refused("coincide", [](RopeDef& d) {
+  expect_rope_refused("of a rope coincide", [](RopeDef& d) { d.points[1] = d.points[0]; });
+  expect_rope_refused("of a rope coincide", [](RopeDef& d) {
     d.points[1] = d.points[0];
     d.segments = 0;
+  });
+  expect_rope_refused("of a rod coincide", [](RopeDef& d) {
+    d.points[1] = d.points[0];
+    d.bends_and_twists = true;
   });
   expect_rope_refused("RopeDef::segments is -1", [](RopeDef& d) { d.segments = -1; });
   expect_rope_refused("RopeDef::segments is 1000001", [](RopeDef& d) { d.segments = 1000001; });
@@ -256,6 +260,10 @@ TEST_P(ClothErrorTest, AttachmentsAreChecked) {
     expect_attachment_refused("AttachmentDef::compliance", [&](AttachmentDef& d) { d.compliance = bad; });
   expect_attachment_refused("no vertex of the other piece is as near",
                             [&](AttachmentDef& d) { d.other_rope = tried_.rope; });
+  expect_attachment_refused("no other vertex of the same piece is as near", [&](AttachmentDef& d) {
+    d.other_cloth = d.cloth;
+    d.reach = 1e-4f;
+  });
   expect_attachment_refused("clamped is for rods alone", [](AttachmentDef& d) { d.clamped = true; });
   const auto clamps = [&](RopeId id) {
     return [id](AttachmentDef& d) {
