@@ -51,7 +51,7 @@ void fields(V& v, DensitySolverDef& d) {
 template <class V>
 void fields(V& v, RigidSolverDef& d) {
   v("substeps", d.substeps, between(1, 1000), "", "steps of the bodies in a substep");
-  v("iterations", d.iterations, between(1, 1000), "", "solver iterations of each");
+  v("iterations", d.iterations, between(1, 10000), "", "solver iterations of each");
 }
 
 template <class V>

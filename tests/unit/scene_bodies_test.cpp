@@ -259,5 +259,12 @@ TEST_F(SceneHull, AFileThatIsNoMeshIsNamedWithItsPlace) {
   EXPECT_NE(text_of_error.find("bad.obj"), std::string::npos) << text_of_error;
 }
 
+TEST(SceneBodies, BulletMayTakeAsManyIterationsAsAWorldAllows) {
+  const Scene scene =
+      parse_scene(nlohmann::json::parse(R"({"name": "x", "world": {"rigid": {"iterations": 10000}}})"));
+  EXPECT_EQ(scene.world.rigid.iterations, 10000);
+  EXPECT_NO_THROW(World world(scene.world));
+}
+
 }  // namespace
 }  // namespace meniscus

@@ -291,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"name": "a_1", "geometry": {"type": "box"}}]})",
                 R"(bodies[1].name: "a_1" is the name of bodies[0] already)"},
         Mistake{"Rigid", R"({"name": "x", "world": {"rigid": {"iterations": 0}}})",
-                "world.rigid.iterations: 0 is not allowed; must be at least 1 and at most 1000"},
+                "world.rigid.iterations: 0 is not allowed; must be at least 1 and at most 10000"},
         Mistake{"NameOfAShape", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"}}],
                                 "bodies": [{"name": "b", "geometry": {"type": "box"}},
                                            {"name": "a", "geometry": {"type": "box"}}]})",
