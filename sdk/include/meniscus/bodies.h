@@ -27,8 +27,8 @@ struct BodyDef {
   Geometry geometry =
       BoxGeometry{};  ///< planes and height fields cannot move; a container is for kinematic bodies alone
   Pose pose{};        ///< of the geometry's frame
-  Vec3 velocity{0, 0, 0};          ///< m/s, of the centre of mass; dynamic bodies
-  Vec3 angular_velocity{0, 0, 0};  ///< rad/s; dynamic bodies
+  Vec3 velocity{0, 0, 0};          ///< m/s, of the centre of mass; 0 for kinematic bodies
+  Vec3 angular_velocity{0, 0, 0};  ///< rad/s; 0 for kinematic bodies
   float density = 500.0f;          ///< kg/m³: mass, centre of mass and inertia follow from the geometry
   std::optional<float> mass{};     ///< kg; takes the place of what the density gives
   SurfaceDef surface{};
@@ -133,7 +133,7 @@ struct ContactEvent {
   bool began = true;  ///< else it ended
 };
 
-/// What a query met first.
+/// What a ray met first.
 struct RayHit {
   BodyId body{};    ///< valid where it is a body
   ShapeId shape{};  ///< valid where it is a fixed shape

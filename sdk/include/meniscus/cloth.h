@@ -60,8 +60,9 @@ struct FabricDef {
 struct SheetGeometry {
   float width = 1.0f;  ///< m, along x
   float depth = 1.0f;  ///< m, along z
-  int columns = 33;    ///< vertices along x, ≥ 2
-  int rows = 33;  ///< vertices along z, ≥ 2; vertex (column, row) has the number row · columns + column
+  int columns = 33;    ///< vertices along x, 2 to 10,000
+  /// Vertices along z, 2 to 10,000; vertex (column, row) has the number row · columns + column.
+  int rows = 33;
 };
 
 /// Any triangles: from a file that assimp reads, in which vertices at one place are one vertex.
@@ -88,14 +89,17 @@ struct ClothTube {
   float top_radius = 0.2f;     ///< m
   float bottom_radius = 0.5f;  ///< m
   float height = 0.6f;         ///< m
-  int columns = 64;            ///< vertices around, ≥ 3
-  int rows = 25;        ///< vertices along y, ≥ 2, from the top; numbered row by row as those of a sheet
+  int columns = 64;            ///< vertices around, 3 to 10,000
+  /// Vertices along y, 2 to 10,000, from the top; numbered row by row as those of a sheet.
+  int rows = 25;
   bool bottom = false;  ///< a disc closes the lower end; its vertices come last, from its border inwards
 };
 
 using ClothGeometry = std::variant<SheetGeometry, ClothFile, ClothTriangles, ClothSphere, ClothTube>;
 
-/// Gas inside a closed piece of cloth. Where the cloth tears, it escapes.
+/// Gas inside a closed piece of cloth. Where the cloth tears, it escapes. Its overpressure is
+/// air_pressure · (fills − V)/V₀, with V₀ the volume at rest and fills = V₀ (1 + pressure/air_pressure): near
+/// V₀ that of an ideal gas at one temperature.
 struct InflationDef {
   float pressure = 0.0f;           ///< Pa above the air outside, at the volume of the cloth's rest shape
   float air_pressure = 101325.0f;  ///< Pa outside: how much the gas resists a change of its volume; > 0
@@ -124,7 +128,7 @@ struct ClothDef {
 struct RopeDef {
   std::string name;
   std::vector<Vec3> points;  ///< m, in the frame below: the vertices at rest, or with `segments` corners
-  int segments = 0;          ///< when > 0, the way along the points is divided into so many
+  int segments = 0;  ///< when > 0, the way along the points is divided into so many; at most a million
   Pose pose{};
   Vec3 velocity{0, 0, 0};         ///< m/s
   float radius = 0.005f;          ///< m, > 0
@@ -141,9 +145,9 @@ struct RopeDef {
 
 // ---- attachments ----
 
-/// Holds vertices of a piece of cloth or of a rope where they are: to the world, to a body, or to vertices of
-/// another piece or rope, which are then held at the distance that they have. Exactly one of `cloth` and
-/// `rope` is given, and at most one of `body`, `other_cloth` and `other_rope`.
+/// Holds vertices of a piece of cloth or of a rope where they are: to the world, to a body, or to other
+/// vertices of another piece or rope or of the same, which are then held at the distance that they have.
+/// Exactly one of `cloth` and `rope` is given, and at most one of `body`, `other_cloth` and `other_rope`.
 struct AttachmentDef {
   std::string name;
   std::optional<ClothId> cloth{};
@@ -174,11 +178,13 @@ struct WindDef {
 // ---- read-outs ----
 
 struct ClothState {
-  float mass = 0;            ///< kg, with the fluid that it holds
-  float fluid_mass = 0;      ///< kg, of that fluid
-  float area = 0;            ///< m², at rest
-  float mean_stretch = 0;    ///< mean over edges of |l/L − 1|
-  float max_stretch = 0;     ///< largest l/L
+  float mass = 0;        ///< kg, with the fluid that it holds
+  float fluid_mass = 0;  ///< kg, of that fluid
+  float area = 0;        ///< m², at rest
+  /// Mean of |l/L − 1| over the edges of all triangles, l their length and L that at rest: 0 is unstretched.
+  /// An edge of two triangles counts twice.
+  float mean_stretch = 0;
+  float max_stretch = 0;     ///< largest l/L: 1 is unstretched
   float volume = 0;          ///< m³, of a closed piece
   float pressure = 0;        ///< Pa, overpressure of its gas
   Vec3 centre{0, 0, 0};      ///< m, of mass
@@ -187,7 +193,8 @@ struct ClothState {
   bool closed = false;
 };
 
-/// A tear of the last step: `copy` was one with `original`, and has its place in all read-outs.
+/// A vertex that tore in two in the last step: `original` keeps its number, and `copy` is that of the new
+/// one, at the end of all read-outs.
 struct TearEvent {
   ClothId cloth{};
   uint32_t copy = 0, original = 0;

@@ -33,22 +33,22 @@ enum class DensitySolver {
 
 /// Tensile-instability repulsion of Macklin & Müller 2013, eq. 13, as a pressure of strength · ρ₀ · |g| · h.
 struct ArtificialPressureDef {
-  float strength = 0.0f;  ///< k, no unit; the paper's look comes at about 0.1
-  int exponent = 4;       ///< n
-  float distance = 0.2f;  ///< Δq, as a fraction of the support radius
+  float strength = 0.0f;  ///< k, no unit, ≥ 0; the paper's look comes at about 0.1
+  int exponent = 4;       ///< n, 1 to 16
+  float distance = 0.2f;  ///< Δq, as a fraction of the support radius, 0 to 0.9
 };
 
 struct DensitySolverDef {
   DensitySolver solver = DensitySolver::chebyshev;
-  float relaxation = 0.3f;      ///< Jacobi's damping ω, 0 < ω ≤ 0.44
+  float relaxation = 0.3f;      ///< Jacobi's damping ω, 0.01 to 0.44
   float warm_start = 0.4f;      ///< share of the last substep's multipliers to start from, 0 to 0.5
-  float spectral_bound = 4.5f;  ///< largest eigenvalue that Chebyshev's weights expect
+  float spectral_bound = 4.5f;  ///< largest eigenvalue that Chebyshev's weights expect, 3 to 20
   /// Mean of max(C, 0) over all particles of fluids, C = ρ/ρ₀ − 1, ≥ 0, at which a substep's density solve
-  /// ends. WorldDef::iterations is then the most that it may take, and what all other constraints have; but
-  /// for the solver `grid` it takes one at least. 0: as many as WorldDef says.
+  /// ends. WorldDef::iterations is then the most that it may take, and what all other constraints have. At
+  /// least one iteration is made, except with `grid`, which may need none. 0: as many as WorldDef says.
   float tolerance = 0.0f;
-  float compressibility = 0.0f;    ///< 1/Pa, the inverse bulk modulus; 0 is incompressible
-  float correction_limit = 0.25f;  ///< largest correction of one iteration, in particle spacings
+  float compressibility = 0.0f;    ///< 1/Pa, ≥ 0, the inverse bulk modulus; 0 is incompressible
+  float correction_limit = 0.25f;  ///< largest correction of one iteration, in particle spacings, > 0
   ArtificialPressureDef artificial_pressure{};
 };
 
@@ -104,17 +104,18 @@ struct DiffuseDef {
 
 struct WorldDef {
   DeviceChoice device = DeviceChoice::automatic;
-  int threads = 0;                 ///< of the CPU device; 0: one a core
+  int threads = 0;                 ///< of the CPU device, at most 1024; 0: one a core
   Vec3 gravity{0, -9.81f, 0};      ///< m/s²
-  float particle_spacing = 0.05f;  ///< s, m: the rest distance between fluid particles
+  float particle_spacing = 0.05f;  ///< s, m: the rest distance between fluid particles, 1e-4 to 1e3
   float support_ratio = 2.0f;      ///< support radius h over spacing, 1.5 to 3
-  int substeps = 4;                ///< a step, when cfl_number is 0
-  int iterations = 10;             ///< a substep
-  float cfl_number =
-      0.0f;  ///< when > 0: substeps are chosen so that nothing moves further than this · h in one
-  int min_substeps = 1;  ///< limits of that choice
-  int max_substeps = 16;
-  float contact_radius = 0.5f;  ///< distance at which a particle's centre stops at a surface, in spacings
+  int substeps = 4;                ///< per step, 1 to 1000, when cfl_number is 0
+  int iterations = 10;             ///< per substep, 1 to 1000
+  /// When > 0: substeps are chosen so that nothing moves further than this · h in one.
+  float cfl_number = 0.0f;
+  int min_substeps = 1;   ///< fewest of that choice, 1 to 1000
+  int max_substeps = 16;  ///< most of it, min_substeps to 1000
+  /// Distance at which a particle's centre stops at a surface, in spacings, 0.01 to 1.
+  float contact_radius = 0.5f;
   DensitySolverDef density{};
   RigidSolverDef rigid{};
   ClothSolverDef cloth{};
@@ -124,7 +125,9 @@ struct WorldDef {
 struct FluidDef {
   std::string name = "water";
   float rest_density = 1000.0f;  ///< ρ₀, kg/m³
-  float viscosity = 0.0f;        ///< kinematic, m²/s
+  /// Kinematic, m²/s, ≥ 0. In a substep of length hₜ velocities are evened out by 1 − exp(−22 ν hₜ/h²), so
+  /// that no more than h²/(22 hₜ) acts, however much is asked for: shorter substeps bear more.
+  float viscosity = 0.0f;
   float xsph = 5.0f;  ///< 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h²
   float vorticity_confinement = 0.0f;  ///< ε, no unit; the force is ε · h · (N × ω)
   /// σ, N/m: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀ s³/(2πσ)).
@@ -271,14 +274,16 @@ struct BoxRegion {
   Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};  ///< m, before the pose
 };
 
+/// About the origin, before the pose.
 struct BallRegion {
-  float radius = 0.5f;  ///< m
+  float radius = 0.5f;  ///< m, > 0
 };
 
 /// The inside of a mesh, by its winding number.
 struct MeshRegion {
   std::string file;
-  float scale = 1.0f;  ///< metres a file unit
+  float scale =
+      1.0f;  ///< metres a file unit; where the file says how long its unit is, as FBX does, a factor
 };
 
 using Region = std::variant<BoxRegion, BallRegion, MeshRegion>;
@@ -297,12 +302,12 @@ struct FluidVolumeDef {
 // ---- probes ----
 
 enum class ProbeKind {
-  point_pressure,  ///< Pa, at a point in the fluid
-  wall_pressure,   ///< Pa, mean normal stress on a patch of a shape
-  wall_force,      ///< N, magnitude of the fluid's force on a patch of a shape, or on the whole of it
+  point_pressure,  ///< Pa, mean of the fluid within a support radius of a point, by kernel; 0 where is none
+  wall_pressure,   ///< Pa, wall_force on the patch over ProbeDef::area: friction counts, and it is never < 0
+  wall_force,      ///< N, magnitude of the particles' force on a patch of a shape, or on the whole of it
 };
 
-/// Measured as the mean over the substeps of a step.
+/// Measured as the mean over the substeps of a step; of forces, as vectors.
 struct ProbeDef {
   std::string name;
   ProbeKind kind = ProbeKind::point_pressure;

@@ -49,7 +49,9 @@ struct EmitterDef {
   Pose pose{};                   ///< of the opening, in the world; with a body, in the body's frame
   std::optional<BodyId> body{};  ///< carries the opening, and gives what leaves its own velocity on top
   float speed = 1.0f;            ///< m/s, out of the opening, > 0
-  float rate = 0.0f;  ///< m³/s, 0 to speed · area; 0: as much as that. From half on down it is an even spray
+  /// m³/s that leaves, at most speed · area of the opening; 0: as much as that. Half of it or less leaves as
+  /// an even spray, in place of a jet.
+  float rate = 0.0f;
   float start = 0.0f;                                   ///< s, of World::time, ≥ 0
   float stop = std::numeric_limits<float>::infinity();  ///< s, ≥ start
   std::optional<uint32_t> most_particles{};             ///< it makes no more than these
@@ -65,8 +67,8 @@ struct HalfSpaceRegion {
 
 using SinkRegion = std::variant<BoxRegion, BallRegion, HalfSpaceRegion>;
 
-/// Takes every particle of fluid inside the region at the end of a step; or, with `outside`, every one
-/// outside of it. A particle counts for one sink alone.
+/// Takes every particle, of fluid or grain, inside the region at the end of a step; or, with `outside`, every
+/// one outside of it. A particle counts for one sink alone.
 struct SinkDef {
   std::string name;
   SinkRegion region = BoxRegion{{-1, -1, -1}, {1, 1, 1}};

@@ -52,10 +52,10 @@ const char* stage_name(Stage stage);
 /// What one step did and cost.
 struct StepReport {
   int substeps = 0;
-  int iterations = 0;  ///< a substep
-  double density_iterations =
-      0;          ///< a substep, on average: fewer where DensitySolverDef::tolerance ends them
-  double ms = 0;  ///< wall clock, host and device
+  int iterations = 0;  ///< per substep
+  /// Per substep, on average: fewer where DensitySolverDef::tolerance ends them.
+  double density_iterations = 0;
+  double ms = 0;                               ///< wall clock, host and device
   std::array<double, stage_count> stage_ms{};  ///< on the device, summed over the substeps
   double rigid_ms = 0;                         ///< of ms, what Bullet took on the host
   uint32_t contacts = 0;                       ///< in the last substep
@@ -66,22 +66,23 @@ struct StepReport {
   uint32_t dripped = 0;                        ///< particles that fell from it
   uint32_t diffuse = 0;                        ///< spray, foam and bubbles, in all
   uint32_t diffuse_refused = 0;                ///< that found no room: see DiffuseDef::capacity
-  float max_speed = 0;                         ///< m/s
+  float max_speed = 0;                         ///< m/s, of particles and of vertices of cloth and ropes
 };
 
-/// The state of the fluid, measured afresh from the particles' positions. Density error is C = ρ/ρ₀ − 1.
+/// The state of the particles, measured afresh from their positions. Density error is C = ρ/ρ₀ − 1. What says
+/// `all` counts vertices of cloth and ropes as well; rigid bodies are in none.
 struct Diagnostics {
-  std::size_t particles = 0;
+  std::size_t particles = 0;          ///< of fluids and granular materials
   double density_error_mean = 0;      ///< mean of max(C, 0) over all particles
   double density_error_max = 0;       ///< largest C
   double density_error_interior = 0;  ///< mean of |C| over particles whose support is full
   double neighbours_mean = 0;         ///< particles within the support radius of one
-  double kinetic_energy = 0;          ///< J
-  double potential_energy = 0;        ///< J, from the origin
-  float max_speed = 0;                ///< m/s
+  double kinetic_energy = 0;          ///< J, of all; what is held fast has none
+  double potential_energy = 0;        ///< J, of all, in the world's gravity, from the origin; likewise
+  float max_speed = 0;                ///< m/s, of all
   std::size_t contacts = 0;           ///< between particles and solids near enough to count in the density
-  std::size_t non_finite = 0;
-  std::size_t outside = 0;  ///< particles beyond a container's wall, or inside a solid
+  std::size_t non_finite = 0;         ///< of all
+  std::size_t outside = 0;            ///< of all, beyond a container's wall, or inside a solid
 };
 
 /// A device as `meniscus devices` lists it.

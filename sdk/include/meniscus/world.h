@@ -32,8 +32,8 @@ class World {
 
   const WorldDef& def() const;
   /// What a world can change while it runs: gravity, substeps, iterations, cfl_number and its limits, and how
-  /// density, solids and cloth are solved. Throws Error(invalid_argument), naming it, where another member is
-  /// not as it was.
+  /// density, solids and cloth are solved, from the next step on. Throws Error(invalid_argument), naming it,
+  /// where another member is not as it was.
   void set_def(const WorldDef& def);
   /// "cpu" or "cuda", the device's name, and, where `automatic` fell back to the CPU, the reason.
   DeviceInfo device() const;
@@ -45,9 +45,11 @@ class World {
   /// density.
   void set_fluid(FluidId id, const FluidDef& def);
   FluidId create_granular(const GranularDef& def);
+  /// Where its geometry is a mesh, throws Error(io) and Error(mesh) for a file that cannot be used, and
+  /// Error(capacity) where MeshGeometry::max_error takes too fine a field.
   ShapeId create_shape(const ShapeDef& def);
   void destroy_shape(ShapeId id);
-  /// Throws what loading a mesh throws.
+  /// Throws Error(io) and Error(mesh) where its opening is a mesh whose file cannot be used.
   EmitterId create_emitter(const EmitterDef& def);
   void destroy_emitter(EmitterId id);
   FlowCount emitter_count(EmitterId id) const;
@@ -57,22 +59,30 @@ class World {
   ProbeId create_probe(const ProbeDef& def);
   void destroy_probe(ProbeId id);
   /// Throws Error(mesh) where the mesh of a dynamic body is not a closed, simple surface, and names the face;
-  /// and where a body is a needle, with a moment of inertia below a millionth of the largest.
+  /// and where a body is a needle, with a moment of inertia below a millionth of the largest; and what
+  /// create_shape throws for meshes.
   BodyId create_body(const BodyDef& def);
   void destroy_body(BodyId id);  ///< and its joints, attachments, emitters and sinks
+  /// Throws Error(not_found) where there is no such body, and Error(invalid_argument) where both are the
+  /// same.
   JointId create_joint(const JointDef& def);
   void destroy_joint(JointId id);
 
-  /// Throws Error(mesh) where the mesh is no surface, and names the triangle, edge or vertex.
+  /// Throws Error(mesh) where the mesh is no surface, and names the triangle, edge or vertex, or where it has
+  /// a border but is to hold gas; Error(io) where a file cannot be read.
   ClothId create_cloth(const ClothDef& def);
   void destroy_cloth(ClothId id);  ///< and its attachments
   RopeId create_rope(const RopeDef& def);
   void destroy_rope(RopeId id);  ///< and its attachments
+  /// Throws Error(not_found) where there is no such cloth, rope or body, and Error(invalid_argument) where no
+  /// vertex is in the region or near enough to be sewn.
   AttachmentId create_attachment(const AttachmentDef& def);
   void destroy_attachment(AttachmentId id);
+  /// From the next step on. It acts on cloth alone. Without it the air is at rest, and has 1.2 kg/m³.
   void set_wind(const WindDef& wind);
 
-  /// Fills a region; returns how many particles were made.
+  /// Fills a region; returns how many particles were made. Throws Error(io) and Error(mesh) where the region
+  /// is a mesh whose file cannot be used, and Error(capacity) where it holds more than a world does.
   std::size_t add_fluid(const FluidVolumeDef& def);
   /// One particle a position, none left out; velocities may be empty (at rest), else as many. Returns the
   /// first id: the rest follow on.
@@ -82,7 +92,8 @@ class World {
   void remove_particles(std::span<const ParticleId> ids);
   /// N·s on each, at once. No particle twice; unknown ids are an error.
   void apply_impulses(std::span<const ParticleId> ids, std::span<const Vec3> impulses);
-  /// Lets the particles find their rest density with no motion kept: takes the energy out of overlaps.
+  /// Lets the particles find their rest density with no motion kept: takes the energy out of overlaps. 0 to
+  /// 100,000 iterations.
   void relax(int iterations = 50);
 
   /// Advances by dt seconds; then cloth takes up particles and drips, sinks take some, and emitters make
@@ -133,8 +144,9 @@ class World {
   std::vector<ParticleContact> particle_contacts() const;  ///< with an impulse; none after a step that failed
   std::vector<SolidContact> solid_contacts() const;        ///< one of each is a body
   const std::vector<ContactEvent>& contact_events() const;
-  /// The first solid or particle on the way from `from` to `to`; a particle is a ball of half a spacing. A
-  /// ray that starts in a convex solid meets it there; a particle that it starts in does not count.
+  /// The first solid or particle on the way from `from` to `to`, none where it gets there; a particle is a
+  /// ball of half a spacing in radius. Cloth and ropes do not count. A ray that starts in a convex solid
+  /// meets it there; a particle that it starts in does not count.
   std::optional<RayHit> cast_ray(Vec3 from, Vec3 to) const;
   /// m, of each point to the surface of the nearest solid that a filter collides with, negative inside;
   /// `reach` where there is none so near. Cloth does not count.
