@@ -5,7 +5,6 @@
 #include <meniscus/types.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "pbd/surface_boxes.h"

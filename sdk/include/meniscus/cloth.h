@@ -194,7 +194,7 @@ struct ClothState {
 };
 
 /// A vertex that tore in two in the last step: `original` keeps its number, and `copy` is that of the new
-/// one, at the end of all read-outs.
+/// one, at the end of the piece's read-outs.
 struct TearEvent {
   ClothId cloth{};
   uint32_t copy = 0, original = 0;
