@@ -161,7 +161,7 @@ struct FindCrossings {
     zones.unite(corners, round, nearly_lost || motion < rounding(corners));
   }
 
-  /// Since the last round. What is to move in this one changes nothing: such a pair has been found before.
+  /// In the last round. What is unchanged since then has been looked at before.
   MENISCUS_HD bool has_changed(const Corners& corners) const {
     for (uint32_t k = 0; k < 4; ++k)
       if (zones.has_moved(corners.vertex(k), round)) return true;

@@ -14,8 +14,9 @@ namespace meniscus::cloth::self_contact_kernels {
 /// Momentum is kept, and nothing moves against anything within a zone. Zones only grow.
 struct Zones {
   View<uint32_t> label;
-  /// By vertex, 0 for what is in none; else the last round, from 1 on, in which its zone was found to need a
-  /// new motion. What could not go along has the bit `stopped` as well.
+  /// By vertex, 0 for what is in none; else, counted from 1, in bits 0 to 7 the last round in which its zone
+  /// was found to need a new motion, and in bits 8 to 15 the last in which it went along with one. What could
+  /// not go along has the bit `stopped` as well.
   View<uint32_t> mark;
   /// Of a zone, at the vertex that names it: what it moves with, if not by itself.
   View<uint32_t> anchor;
@@ -23,14 +24,23 @@ struct Zones {
   PushSums momentum;   // likewise, kg·m
   float mass_unit;     // kg
 
-  static constexpr uint32_t stopped = 1u << 31;
+  static constexpr uint32_t stopped = 1u << 31, a_round = 0xff;
   /// Anchors: none; where all were at the start; else, less 1, a vertex that nothing moves.
   static constexpr uint32_t itself = no_index, the_start = 0;
 
   MENISCUS_HD uint32_t name(uint32_t v) const { return pbd::UnionFind{label}.name(v); }
   MENISCUS_HD uint32_t mark_of(uint32_t v) const { return pbd::atomic_load(mark[v]); }
-  /// Whether its zone has moved in the last round, or is to in this one.
-  MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const { return (mark_of(v) & ~stopped) >= round; }
+  MENISCUS_HD static bool is_stopped(uint32_t mark) { return (mark & stopped) != 0; }
+  /// Whether a vertex with this mark was found to need a new motion in this round.
+  MENISCUS_HD static bool is_needed(uint32_t mark, uint32_t round) { return (mark & a_round) == round + 1; }
+  /// Whether it has moved in the round before this one. What others find meanwhile does not change that:
+  /// which pairs are looked at must not depend on who is first.
+  MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const {
+    return (mark_of(v) >> 8 & a_round) == round;
+  }
+  MENISCUS_HD void need(uint32_t v, uint32_t round) const {
+    pbd::atomic_max(mark[v], (mark_of(v) & ~a_round) | (round + 1));
+  }
 
   MENISCUS_HD void begin(uint32_t v) const {
     forget_sums(v);
@@ -48,7 +58,7 @@ struct Zones {
   MENISCUS_HD void unite(const Corners& corners, uint32_t round, bool stop) const {
     for (uint32_t k = 0; k < 4; ++k) {
       const uint32_t v = corners.vertex(k);
-      pbd::atomic_max(mark[v], round + 1);
+      need(v, round);
       if (stop) pbd::atomic_min(anchor[v], the_start);
       if (k > 0) pbd::UnionFind{label}.unite(corners.vertex(0), v);
     }
@@ -66,8 +76,8 @@ struct GatherZones {
     const uint32_t mark = zones.mark_of(v);
     if (counters[crossings + round] == 0 || mark == 0) return;
     const uint32_t name = zones.name(v);
-    const bool stopped = (mark & Zones::stopped) != 0;
-    if (stopped || mark == round + 1) pbd::atomic_max(zones.mark[name], round + 1);
+    const bool stopped = Zones::is_stopped(mark);
+    if (stopped || Zones::is_needed(mark, round)) zones.need(name, round);
     const Vec4 x = position[v];
     const uint32_t anchor = stopped ? Zones::the_start : x.w == 0 ? v + 1 : Zones::itself;
     pbd::atomic_min(zones.anchor[name], anchor);
@@ -95,14 +105,15 @@ struct MoveZones {
     const uint32_t mark = zones.mark_of(v);
     if (mark == 0 && !last) return;
     const uint32_t name = zones.name(v), of_name = zones.mark_of(name);
-    if (!last && (of_name & ~Zones::stopped) != round + 1 && !(of_name & Zones::stopped)) return;
+    if (!last && !Zones::is_needed(of_name, round) && !Zones::is_stopped(of_name)) return;
     const Vec4 x = position[v];
     if (x.w == 0) return;
     const Vec3 from = cloth.previous[v].xyz(), to = last ? from : from + motion_of(name);
     const Vec3 inside = cloth.kept.inside(v, to);
     const bool stops = inside != to;
-    if (stops) pbd::atomic_add(counters[crossings + round + 1], 1);
-    pbd::atomic_store(zones.mark[v], (round + 1) | (stops ? Zones::stopped : mark & Zones::stopped));
+    if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
+    pbd::atomic_store(zones.mark[v],
+                      (round + 1) << 8 | (round + 1) | (stops ? Zones::stopped : mark & Zones::stopped));
     position[v] = pbd::with_w(inside, x.w);
     moved[v] = pbd::with_w(moved[v].xyz() + (inside - x.xyz()), moved[v].w);
   }
