@@ -8,6 +8,7 @@
 #include <deque>
 
 #include "cloth/incidence.h"
+#include "pbd/device/scalar.h"
 
 namespace meniscus::cloth {
 
@@ -30,7 +31,7 @@ class Drawing {
         ends_(ends_of(edges)),
         around_(std::span<const Ends>(ends_), static_cast<uint32_t>(rest.size())),
         left_(edges.size()) {
-    std::vector<float> least(rest.size(), most_finite);
+    std::vector<float> least(rest.size(), pbd::most_finite);
     for (const EdgeConstraint& e : edges) {
       for (uint32_t v : {e.a, e.b}) least[v] = std::min(least[v], e.compliance);
     }
@@ -62,8 +63,6 @@ class Drawing {
   bool left(uint32_t edge) const { return left_[edge]; }
 
  private:
-  static constexpr float most_finite = 3e38f;
-
   static std::vector<Ends> ends_of(std::span<const EdgeConstraint> edges) {
     std::vector<Ends> ends;
     for (const EdgeConstraint& e : edges) ends.push_back({e.a, e.b});

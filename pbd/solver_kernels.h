@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pbd/contacts.h"
+#include "pbd/device/scalar.h"
 #include "pbd/particles.h"
 #include "pbd/solver.h"
 
@@ -89,8 +90,6 @@ struct StopMotion {
 
   MENISCUS_HD void operator()(uint32_t i) const { velocity[i] = {0, 0, 0, 0}; }
 };
-
-inline constexpr float most_finite = 3e38f;
 
 MENISCUS_HD inline ParticleSummary empty_summary() {
   constexpr Vec3 corner{most_finite, most_finite, most_finite};

@@ -18,7 +18,8 @@
 namespace meniscus::pbd {
 
 /// What boxes are joined to.
-inline constexpr Aabb empty_box{{3e38f, 3e38f, 3e38f}, {-3e38f, -3e38f, -3e38f}};
+inline constexpr Aabb empty_box{{most_finite, most_finite, most_finite},
+                                {-most_finite, -most_finite, -most_finite}};
 /// The box of a place where nothing stands: of no numbers, so that none overlaps it, not even one without
 /// end.
 MENISCUS_HD constexpr Aabb nowhere() {

@@ -13,6 +13,9 @@
 
 namespace meniscus::pbd {
 
+/// The greatest that counts as finite.
+inline constexpr float most_finite = 3e38f;
+
 MENISCUS_HD inline float sum(float a) {
   return a;
 }
