@@ -58,18 +58,21 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   constexpr float separation_time = 0.02f;  // s, in which an overlap is opened by a thickness
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("self contacts/foresee", vertices_,
-                       Foresee{vertices_of(p.previous, p.sorted, vertices_),
-                               vertices_of(p.position, p.sorted, vertices_),
-                               vertex_part_.view(),
-                               parts_.view(),
-                               strayed_.view(),
-                               {kept_.view()},
-                               foreseen_.view(),
-                               zones(),
-                               entries_.view(),
-                               counters_.view(),
-                               std::exchange(anew_, false)});
+  device_.parallel_for(
+      "self contacts/foresee", vertices_,
+      Foresee{vertices_of(p.previous, p.sorted, vertices_),
+              vertices_of(p.position, p.sorted, vertices_),
+              vertex_part_.view(),
+              parts_.view(),
+              strayed_.view(),
+              {kept_.view()},
+              foreseen_.view(),
+              zones(),
+              entries_.view(),
+              counters_.view(),
+              {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
+               static_cast<uint32_t>(corners_.size())},
+              std::exchange(anew_, false)});
   list_pairs(substep);
   const uint32_t threads = launched(candidates, candidates_.size());
   device_.parallel_for("self contacts/contacts", threads,
@@ -158,7 +161,7 @@ bool SelfContacts<D>::had_room() {
 template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
-  const auto more = [](uint32_t found) { return found + found / 4; };
+  const auto more = [](uint32_t found) { return found + found / 8; };
   if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
   if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
   if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));

@@ -59,7 +59,7 @@ struct FindCrossings {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (round > 0 && counters[crossings + round - 1] == 0) return;
+    if (counters[doomed] != 0 || (round > 0 && counters[crossings + round - 1] == 0)) return;
     by_chunks(n, zones.mark.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
       group.for_each(count, [&](uint32_t k) { zones.forget_sums(first + k); });
     });
@@ -179,13 +179,13 @@ struct FindCrossings {
   }
 };
 
-/// What the substep found, for the host; the most of any.
+/// What the substep found, for the host; the most of any, up to the first whose lists had no room.
 struct NoteCounters {
   View<const uint32_t> counters;
   View<uint32_t> found;
 
   MENISCUS_HD void operator()(uint32_t k) const {
-    if (found[k] < counters[k]) found[k] = counters[k];
+    if (counters[doomed] == 0 && found[k] < counters[k]) found[k] = counters[k];
   }
 };
 

@@ -8,6 +8,16 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
+/// How many elements lists have room for.
+struct Room {
+  uint32_t group_pairs, candidates, contacts;
+
+  MENISCUS_HD bool sufficed(View<const uint32_t> found) const {
+    return found[Counter::group_pairs] <= group_pairs && found[Counter::candidates] <= candidates &&
+           found[Counter::contacts] <= contacts;
+  }
+};
+
 /// Notes where each vertex is predicted to be, and whether the lists of pairs still hold for it: it must stay
 /// where it was to stay, with room for what the solve may move it by, and for the thickness.
 struct Foresee {
@@ -19,6 +29,7 @@ struct Foresee {
   View<Vec4> foreseen;  // w: the room, m
   Zones zones;
   View<uint32_t> entries, counters;
+  Room room_for;
   bool anew;  // whatever there is
 
   MENISCUS_HD void operator()(uint32_t v) const {
@@ -31,17 +42,21 @@ struct Foresee {
     zones.begin(v);
     entries[v] = 0;
     if (v != 0) return;
+    if (anew)
+      counters[listings] = counters[doomed] = 0;
+    else if (!room_for.sufficed(counters))
+      counters[doomed] = 1;
     counters[contacts] = 0;
-    if (anew) counters[listings] = 0;
     for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
   }
 };
 
-/// Where the lists have expired: what is to be listed anew.
+/// Where the lists have expired: what is to be listed anew. In a step that will be done again nothing is:
+/// with contacts missing, ever more would be found, and room made for it.
 struct Listing {
   View<const uint32_t> counters;
 
-  MENISCUS_HD bool wanted() const { return counters[expired] != 0; }
+  MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[doomed] == 0; }
 };
 
 /// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
@@ -58,7 +73,6 @@ struct Keep {
   static constexpr float longest = 16;     // substeps
   static constexpr float furthest = 0.5f;  // of the thickness, if that takes more than this substep
   static constexpr float leeway = 0.25f;   // of the thickness, to go otherwise
-  static constexpr float most_finite = 3e38f;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
@@ -66,7 +80,7 @@ struct Keep {
     const float thickness = parts[vertex_part[v]].thickness, far = length(way);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     const float radius = 0.5f * substeps * far + foreseen[v].w + leeway * thickness;
-    kept[v] = pbd::with_w(from + 0.5f * substeps * way, radius < most_finite ? radius : NAN);
+    kept[v] = pbd::with_w(from + 0.5f * substeps * way, radius < pbd::most_finite ? radius : NAN);
     if (v != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];

@@ -20,6 +20,7 @@ struct MakeContacts {
   uint32_t stride;
 
   MENISCUS_HD void operator()(uint32_t thread) const {
+    if (list.counters[doomed] != 0) return;
     const uint32_t count = listed(candidate_list, list.counters[candidates]);
     for (uint32_t n = thread; n < count; n += stride) {
       const FeatureCode code = load(candidate_list, n);

@@ -41,6 +41,7 @@ enum Counter : uint32_t {
   group_pairs,
   expired,   // not 0: the lists of pairs hold no longer
   listings,  // since the step's start
+  doomed,    // not 0: a list had no room, and the step will be done again
   crossings,
   counter_count = crossings + most_rounds
 };
