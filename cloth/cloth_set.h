@@ -16,14 +16,15 @@ namespace meniscus::cloth {
 
 struct ClothSolverParameters {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear but for yarns, 1 to 1.3
-  float warm_start = 0.3f;       ///< share of the edges' last multipliers, 0 to 0.35
+  float warm_start = 0.7f;       ///< share of the last multipliers of edges outside yarns, 0 to 0.95
   int stretch_rounds = 1;        ///< of stretch and shear in the last iteration, ≥ 1
 };
 
 /// Cloth: stretch, shear, bending, gas and tethers as XPBD constraints (Macklin, Müller & Chentanez 2016),
 /// solved in the manner of Gauss and Seidel; and the air's force on it.
 ///
-///   begin     starts from a share of the last substep's multipliers, and adds the wind;
+///   begin     adds the wind, and starts from a share of what edges outside yarns last pulled with, which
+///             yarns take up before anything moves;
 ///   project   sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the lengths of
 ///             whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds in
 ///             the last iteration; in the next iteration all of it backwards; gas; tethers last;
@@ -78,9 +79,12 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   }
   View<Vec4> yarn_multiplier() { return edge_multiplier_.view().from(first_yarn_edge_); }
   void bend(pbd::Substep<D>& substep, bool starts, bool backwards);
-  void stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards);
-  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts, bool backwards);
-  void solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards);
+  void stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards, bool ends);
+  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts, bool backwards,
+             bool ends);
+  bool starts_from_last() const { return share_ > 0 && first_yarn_edge_ > 0; }
+  void start_from_last(pbd::Substep<D>& substep);
+  void solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards, View<Vec4> pending = {});
   void blow_up(pbd::Substep<D>& substep, bool starts);
 
   D& device_;
@@ -112,6 +116,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<Vec4> strain_multiplier_{device_, "strain multipliers"};
   pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
+  pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
   pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
   pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};
   pbd::Buffer<Tether> tethers_{device_, "tethers"};

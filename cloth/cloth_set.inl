@@ -111,6 +111,7 @@ void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeCon
   upload(fan_start_, triangles.start);
   upload(fan_, triangles.items);
   const bool warm_starts = parameters_.warm_start > 0;
+  pending_.resize_discard(warm_starts && !edges.empty() ? vertex_count_ : 0);
   const Fans by_edge = warm_starts ? edge_fans(edges, model.rest.size()) : Fans{};
   upload(edge_fan_start_, by_edge.start);
   upload(edge_fan_, by_edge.items);
@@ -123,13 +124,8 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   // A multiplier grows with the square of the substep. It fits the masses that it was found with: where
   // vertices carry fluid for a while, starting from it would throw them about.
   const float ratio = last_dt_ > 0 && !any_bears_fluid_ ? substep.dt / last_dt_ : 0;
-  share_ = parameters_.warm_start * std::min(1.0f, ratio * ratio);
+  share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
-  if (share_ > 0 && edges_.size()) {
-    device_.parallel_for("cloth/warm start", vertex_count_,
-                         stretch_kernels::WarmStart{edge_fan_start_.view(), edge_fan_.view(),
-                                                    edge_multiplier_.view(), vertices(substep), share_});
-  }
   if (any_air_ && wind_.density > 0) {
     using namespace wind_kernels;
     device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
@@ -140,6 +136,19 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
         Blow{fan_start_.view(), fan_.view(), wind_force_.view(), vertices(substep), substep.dt});
   }
   time_ += substep.dt;
+  if (starts_from_last()) start_from_last(substep);
+}
+
+/// Yarns take up what the other edges start to push with, before anything moves: by far the most of it is
+/// what they hold.
+template <class D>
+void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
+  using namespace stretch_kernels;
+  device_.parallel_for("cloth/start", vertex_count_,
+                       StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
+                                   pending_.view()});
+  solve_yarns(substep, true, false, pending_.view());
+  device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
 
 template <class D>
@@ -152,7 +161,7 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   // Rounds are for what the end leaves: iterations that more follow do without.
   const int rounds = iteration + 1 < substep.iterations ? 1 : parameters_.stretch_rounds;
   if (!backwards) bend(substep, starts, backwards);
-  stretch(substep, rounds, starts, backwards);
+  stretch(substep, rounds, starts, backwards, iteration + 1 == substep.iterations);
   if (backwards) bend(substep, starts, backwards);
   if (any_gas_ && backwards) blow_up(substep, starts);
   device_.parallel_for_lanes(
@@ -162,27 +171,27 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
 
 template <class D>
 void ClothSet<D>::bend(pbd::Substep<D>& substep, bool starts, bool backwards) {
-  sweep(substep, 0, bending_passes_, starts, backwards);
+  sweep(substep, 0, bending_passes_, starts, backwards, false);
 }
 
 /// Every other round runs through colours and layers in the other direction. What is left over between rounds
 /// is what sweeps and yarns undo of one another.
 template <class D>
-void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards) {
+void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards, bool ends) {
   const size_t stretch_end = pass_starts_.size() - 1;
   for (int round = 0; round < rounds; ++round) {
     const bool first = starts && round == 0;
     const int left = rounds - 1 - round;
     const bool reversed = (backwards ? round + 1 : left) % 2 != 0;
-    if (backwards) solve_yarns(substep, first, reversed);
-    sweep(substep, bending_passes_, stretch_end, first, reversed);
-    if (!backwards) solve_yarns(substep, first, reversed);
+    if (backwards) solve_yarns(substep, first && !starts_from_last(), reversed);
+    sweep(substep, bending_passes_, stretch_end, first, reversed, ends && left == 0);
+    if (!backwards) solve_yarns(substep, first && !starts_from_last(), reversed);
   }
 }
 
 template <class D>
 void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts,
-                        bool backwards) {
+                        bool backwards, bool ends) {
   const float relaxation = parameters_.over_relaxation;
   SolveClusters solve{
       .clusters = clusters_.view(),
@@ -192,7 +201,8 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
       .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(), starts},
       .hinge = {hinges_.view(), hinge_multiplier_.view(), starts},
       .strain = {strains_.view(), strain_multiplier_.view(), relaxation, starts},
-      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1},
+      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1, ends,
+               parameters_.warm_start},
       .first = 0,
       .backwards = backwards};
   for (size_t k = first_pass; k < end_pass; ++k) {
@@ -203,11 +213,12 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
 }
 
 template <class D>
-void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards) {
+void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards, View<Vec4> pending) {
   SolveYarns solve{.yarns = yarns_.view(),
                    .edges = edges_.view().from(first_yarn_edge_),
                    .multiplier = yarn_multiplier(),
                    .all = vertices(substep),
+                   .pending = pending,
                    .starts = starts,
                    .first = 0,
                    .end = 0};

@@ -11,6 +11,7 @@ namespace meniscus::cloth::stretch_kernels {
 
 using pbd::gather;
 using pbd::gather_words;
+using pbd::max;
 using pbd::scatter;
 using pbd::square_root;
 
@@ -23,6 +24,8 @@ struct SolveEdge {
   View<Vec4> multiplier;             ///< kg·m: λ n, and λ
   float relaxation;                  ///< ω of successive over-relaxation
   float share;                       ///< of the multiplier that there is
+  bool ends;                         ///< the substep: what is left is for the next one
+  float next_share;                  ///< for that, of what pulls (λ < 0); of what pushes less, as it buckles
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(edges, k);
@@ -55,33 +58,58 @@ struct SolveEdge {
     const Real inverse_l = select_less(l, nearly_none, zero, Real(1) / l);
     Real rate = zero;
     if (less_mask(zero, damping) != 0) rate = inverse_l * dot(d, d - was());
-    const Real relaxing = select_less(c, zero, Real(compressed_relaxation), Real(relaxation));
-    const Real wanted = relaxing * xpbd_step(c, rate, weight, before, compliance, damping);
+    const Real whole = xpbd_step(c, rate, weight, before, compliance, damping), slack = max(zero, -before);
+    // What still pulls lets go in full.
+    const Real pressed =
+        select_less(slack, whole, slack + Real(compressed_relaxation) * (whole - slack), whole);
+    const Real wanted = select_less(c, zero, pressed, Real(relaxation) * whole);
     // What has no direction, or cannot give way at all, is left alone.
     const Real yielding = together.if_any(weight + compliance);
     const Real step = select_less(zero, yielding, wanted, zero);
-    const Real now = before + step, scale = inverse_l * now, push = inverse_l * step;
-    scatter(multiplier, at, {scale * d.x, scale * d.y, scale * d.z, now},
-            less_mask(zero, yielding) & ~less_mask(l, nearly_none));
+    const Real push = inverse_l * step,
+               left = select_less(l, nearly_none, zero, kept(before + step, weight, rest)),
+               scale = inverse_l * left;
+    scatter(multiplier, at, {scale * d.x, scale * d.y, scale * d.z, left}, less_mask(zero, yielding));
     vertices.push(from, a, -push, d);
     vertices.push(to, b, push, d);
   }
+
+ private:
+  static constexpr float pushing_share = 0.4f;  // of next_share
+
+  /// No more for the next substep than would move the ends by the edge's length: what hangs from an edge may
+  /// weigh thousands of times what they do.
+  template <class Real>
+  MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest) const {
+    if (!ends) return lambda;
+    const Real most = rest / weight,
+               part = select_less(lambda, Real(0), Real(next_share), Real(pushing_share * next_share));
+    return max(-most, -max(-most, -part * lambda));
+  }
 };
 
-/// Starts vertices from a share of the edges' last multipliers.
-struct WarmStart {
+/// What edges start to push each vertex with.
+struct StartPushes {
   View<const uint32_t> fan_start, fan;
   View<const Vec4> multiplier;
-  VertexState vertices;
   float share;
+  View<Vec4> pending;  ///< kg·m, by vertex; w is 0
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    Vec4 impulse{0, 0, 0, 0};
+    Vec4 push{0, 0, 0, 0};
     for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k)
-      impulse = plus(impulse, fan[k] % 2 ? 1.0f : -1.0f, load(multiplier, fan[k] / 2));
-    impulse.w = 0;
-    vertices.push(v, vertices.at(v), share, impulse);
+      push = plus(push, fan[k] % 2 ? share : -share, load(multiplier, fan[k] / 2));
+    push.w = 0;
+    pending[v] = push;
   }
+};
+
+/// Moves vertices by what was put aside for them.
+struct GivePending {
+  View<const Vec4> pending;
+  VertexState vertices;
+
+  MENISCUS_HD void operator()(uint32_t v) const { vertices.push(v, vertices.at(v), 1, pending[v]); }
 };
 
 /// Warp, weft and shear of a triangle, one after the other.

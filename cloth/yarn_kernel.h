@@ -34,6 +34,9 @@ using pbd::Vec4Of;
 /// 3. Both hold as long as edges hardly turn. Where a vertex would move further than its edge is long, as a
 ///    light one between heavy ones may, the whole yarn takes the share of its step with which it just does.
 ///
+/// Where pushes are pending (ClothSet::start_from_last), lengths are solved for as they will be by these, the
+/// yarn's own are added to them, and nothing moves.
+///
 /// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
 /// fro, either alone would be left.
 struct SolveYarns {
@@ -45,6 +48,7 @@ struct SolveYarns {
   View<const EdgeConstraint> edges;
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
   VertexState all;
+  View<Vec4> pending;   ///< kg·m, by vertex, where any is
   bool starts;          ///< from none of the last substep's multipliers
   uint32_t first, end;  ///< yarns of the layer
 
@@ -82,6 +86,10 @@ class SolveYarnsAtOnce {
     group.for_each(edges, [&](uint32_t k) { couple(lengths[k], k); });
     const Length* steps = solve_tridiagonal(group, lengths, scratch_.template other_rows<Length>(), edges);
     group.for_each(edges, [&](uint32_t k) { take(steps[k].right, k); });
+    if (puts_aside()) {
+      group.for_each(vertices, [&](uint32_t k) { put_aside(k); });
+      return group.for_each(edges, [&](uint32_t k) { note_aside(k); });
+    }
 
     Sideways* sideways = scratch_.template first_rows<Sideways>();
     group.for_each(vertices, [&](uint32_t k) { sideways[k] = turn(k); });
@@ -127,6 +135,9 @@ class SolveYarnsAtOnce {
     }
   };
 
+  MENISCUS_HD bool puts_aside() const { return s_.pending.count > 0; }
+  MENISCUS_HD Vector pending(const Places& v) const { return gather(s_.pending, v.index()).xyz(); }
+
   /// Edge k stands behind one that is not there.
   MENISCUS_HD Edge& edge(uint32_t k) const { return scratch_.edges[k + 1]; }
   MENISCUS_HD Real& stiffness(uint32_t k) const { return scratch_.stiffness[k + 1]; }
@@ -165,13 +176,15 @@ class SolveYarnsAtOnce {
     const Real rest = e.z, last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
     const Real before = s_.starts ? zero : last;
     const Vector d = b.xyz() - a.xyz();
-    const Real l = square_root(dot(d, d)), weight = a.w + b.w, error = l - rest;
+    const Real l = square_root(dot(d, d)), weight = a.w + b.w;
+    Real error = l - rest;
     const auto was = [&] {
       const Vector then = was_along(from, to);
       return square_root(dot(then, then));
     };
     const Real compliance = edge_compliance(e.w, rest, error, weight, s_.all.inverse_dt, was);
     const Vector n = (Real(1) / l) * d;
+    if (puts_aside()) error += dot(n, b.w * pending(to) - a.w * pending(from));
     const Real damping = damping_of(from);
     Real rate = zero, gamma = zero;
     if (less_mask(zero, damping) != 0) {
@@ -269,6 +282,18 @@ class SolveYarnsAtOnce {
     const Vector push = scratch_.push[k] = push_on(ways, k);
     const Real rest = scratch_.rest_length[k < yarns_.most ? k : k - 1];
     return select_less(Real(0), rest, scratch_.weight[k] * square_root(dot(push, push)) / rest, Real(0));
+  }
+  /// Adds lengths' pushes alone to what is pending: nothing has moved yet that could be turned, and the next
+  /// solve finds the yarn where it then is.
+  MENISCUS_HD void put_aside(uint32_t k) const {
+    const Places at = vertex(k);
+    const Vector now = pending(at) + steps_on(k);
+    scatter(s_.pending, at.index(), {now.x, now.y, now.z, Real(0)}, yarns_.have_edge(k == 0 ? 0 : k - 1));
+  }
+  MENISCUS_HD void note_aside(uint32_t k) const {
+    const Vector push = step(k);
+    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, edge(k).lambda},
+            yarns_.have_edge(k));
   }
   /// What is not there is pushed by nothing.
   MENISCUS_HD void move(uint32_t k, const Real& share) const {

@@ -24,8 +24,9 @@ constexpr auto names_of(BendingModel) {
 template <class V>
 void fields(V& v, ClothSolverDef& d) {
   v("over_relaxation", d.over_relaxation, between(1, 1.3), "", "ω of stretch and shear");
-  v("warm_start", d.warm_start, between(0, 0.35), "",
-    "share of the last substep's stretch multipliers to start from");
+  v("warm_start", d.warm_start, between(0, 0.95), "",
+    "share of what edges outside yarns last pulled with, to start from: more makes shear stiffer in few "
+    "substeps, and fine sheets slower to come to rest");
   v("stretch_rounds", d.stretch_rounds, between(1, 32), "",
     "how many times a substep's last iteration goes over stretch and shear: cheaper than substeps where "
     "cloth drapes");

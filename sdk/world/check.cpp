@@ -125,7 +125,7 @@ void world(const WorldDef& def) {
   between("WorldDef::max_substeps", def.max_substeps, def.min_substeps, 1000);
   between("WorldDef::contact_radius", def.contact_radius, 0.01f, 1.0f);
   between("ClothSolverDef::over_relaxation", def.cloth.over_relaxation, 1.0f, 1.3f);
-  between("ClothSolverDef::warm_start", def.cloth.warm_start, 0.0f, 0.35f);
+  between("ClothSolverDef::warm_start", def.cloth.warm_start, 0.0f, 0.95f);
   between("ClothSolverDef::stretch_rounds", def.cloth.stretch_rounds, 1, 32);
   const DensitySolverDef& d = def.density;
   one_of("DensitySolverDef::solver", d.solver, DensitySolver::grid);

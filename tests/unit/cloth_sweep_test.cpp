@@ -101,7 +101,8 @@ struct Crumpled {
                           view(hinge_multiplier), starts},
             .hinge = {},
             .strain = {},
-            .edge = {view(std::as_const(clusters.edges)), view(edge_multiplier), 1.2f, starts ? 0.3f : 1},
+            .edge = {view(std::as_const(clusters.edges)), view(edge_multiplier), 1.2f, starts ? 0.9f : 1,
+                     !starts, 0.7f},
             .first = clusters.pass_starts[pass],
             .backwards = !starts};
   }

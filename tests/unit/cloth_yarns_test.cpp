@@ -159,7 +159,7 @@ double tridiagonal_residual(uint32_t n) {
 }
 
 TEST(Tridiagonal, IsSolvedByOneThreadAndByMany) {
-  for (uint32_t n : {1u, 2u, 3u, 7u, 64u, 100u, 512u}) {
+  for (uint32_t n : {1u, 2u, 3u, 4u, 5u, 7u, 13u, 64u, 65u, 100u, 250u, 499u, 512u, 513u}) {
     EXPECT_LT(tridiagonal_residual<OneThread>(n), 1e-6) << n;
     EXPECT_LT(tridiagonal_residual<ManyThreads>(n), 1e-6) << n;
   }
@@ -169,7 +169,7 @@ TEST(Tridiagonal, IsSolvedByOneThreadAndByMany) {
 struct Layer {
   std::vector<Yarn> yarns;
   std::vector<EdgeConstraint> edges;
-  std::vector<pbd::Vec4> position, previous, moved, multiplier;
+  std::vector<pbd::Vec4> position, previous, moved, multiplier, pending;
 
   Layer() {
     std::mt19937 bits(7);
@@ -183,13 +183,14 @@ struct Layer {
         position.push_back({previous.back().x + 0.02f * any(bits), 0.03f * any(bits), 0.03f * any(bits),
                             bits() % 9 ? 300 + 200 * any(bits) : 0});
         moved.push_back({0, 0, 0, 0});
+        pending.push_back({1e-5f * any(bits), 1e-5f * any(bits), 1e-5f * any(bits), 0});
       }
     }
     for (size_t k = 0; k < edges.size(); ++k)
       multiplier.push_back({1e-4f * any(bits), 1e-4f * any(bits), 1e-4f * any(bits), 2e-4f * any(bits)});
   }
 
-  SolveYarns solver(bool starts) {
+  SolveYarns solver(bool starts, bool puts_aside) {
     const auto view = [](auto& values) {
       return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
     };
@@ -197,6 +198,7 @@ struct Layer {
                      .edges = view(std::as_const(edges)),
                      .multiplier = view(multiplier),
                      .all = {},
+                     .pending = puts_aside ? view(pending) : pbd::View<pbd::Vec4>{},
                      .starts = starts,
                      .first = 0,
                      .end = static_cast<uint32_t>(yarns.size())};
@@ -210,17 +212,18 @@ struct Layer {
 
   std::vector<float> results() const {
     std::vector<float> all;
-    for (const auto* values : {&position, &moved, &multiplier})
+    for (const auto* values : {&position, &moved, &multiplier, &pending})
       for (const pbd::Vec4& v : *values) all.insert(all.end(), {v.x, v.y, v.z, v.w});
     return all;
   }
 };
 
-/// From no multipliers, then from those that came of it.
+/// From no multipliers, for what is pending and then at once; then from those that came of it.
 template <class Run>
 std::vector<float> solved(const Run& run) {
   Layer layer;
-  for (bool starts : {true, false}) run(layer.solver(starts));
+  for (bool puts_aside : {true, false}) run(layer.solver(true, puts_aside));
+  run(layer.solver(false, false));
   return layer.results();
 }
 

@@ -312,7 +312,7 @@ TEST_P(ClothErrorTest, TheSolverIsChecked) {
     def.cloth.over_relaxation = bad;
     expect_error(invalid, "ClothSolverDef::over_relaxation", [&] { World world(def); });
   }
-  for (float bad : {-0.1f, 0.36f, infinity, not_a_number}) {
+  for (float bad : {-0.1f, 0.96f, infinity, not_a_number}) {
     WorldDef def = world_def(GetParam(), 0.05f);
     def.cloth.warm_start = bad;
     expect_error(invalid, "ClothSolverDef::warm_start", [&] { World world(def); });

@@ -12,11 +12,12 @@ namespace {
 class ClothRounds : public testing::TestWithParam<pbd::DeviceKind> {
  protected:
   /// The 99th percentile of all edges' stretch, of a sheet that has fallen over a ball.
-  static double stretch_on_a_ball(int rounds, int iterations) {
+  static double stretch_on_a_ball(int rounds, int iterations, float warm_start = 0) {
     WorldDef settings = world_def(GetParam(), 0.05f);
     settings.substeps = 8;
     settings.iterations = iterations;
     settings.cloth.stretch_rounds = rounds;
+    settings.cloth.warm_start = warm_start;
     World world(settings);
     ShapeDef ball;
     ball.geometry = SphereGeometry{0.5f};
@@ -40,6 +41,15 @@ TEST_P(ClothRounds, LeaveLessStretchWhereClothDrapes) {
 /// They are the last iteration's.
 TEST_P(ClothRounds, GoWithIterations) {
   EXPECT_LT(stretch_on_a_ball(3, 2), 0.6 * stretch_on_a_ball(1, 2));
+}
+
+/// What diagonals pull with is all but taken back by yarns, round after round: it takes many rounds to add
+/// up, or many substeps of which each starts from the last.
+TEST_P(ClothRounds, AreSavedByAStartFromTheLastSubstep) {
+  const double many = stretch_on_a_ball(8, 1), afresh = stretch_on_a_ball(1, 1),
+               from_last = stretch_on_a_ball(1, 1, ClothSolverDef{}.warm_start);
+  EXPECT_GT(afresh, 1.8 * many) << many;
+  EXPECT_LT(from_last, 1.5 * many);
 }
 
 INSTANTIATE_TEST_SUITE_P(On, ClothRounds, testing::ValuesIn(usable_devices()),
