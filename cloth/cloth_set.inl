@@ -201,8 +201,8 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
       .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(), starts},
       .hinge = {hinges_.view(), hinge_multiplier_.view(), starts},
       .strain = {strains_.view(), strain_multiplier_.view(), relaxation, starts},
-      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1, ends,
-               parameters_.warm_start},
+      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1, starts_from_last(),
+               ends, parameters_.warm_start},
       .first = 0,
       .backwards = backwards};
   for (size_t k = first_pass; k < end_pass; ++k) {

@@ -24,6 +24,7 @@ struct SolveEdge {
   View<Vec4> multiplier;             ///< kg·m: λ n, and λ
   float relaxation;                  ///< ω of successive over-relaxation
   float share;                       ///< of the multiplier that there is
+  bool lets_go;                      ///< what still pulls, when it is pressed: it started with a pull
   bool ends;                         ///< the substep: what is left is for the next one
   float next_share;                  ///< for that, of what pulls (λ < 0); of what pushes less, as it buckles
 
@@ -58,11 +59,8 @@ struct SolveEdge {
     const Real inverse_l = select_less(l, nearly_none, zero, Real(1) / l);
     Real rate = zero;
     if (less_mask(zero, damping) != 0) rate = inverse_l * dot(d, d - was());
-    const Real whole = xpbd_step(c, rate, weight, before, compliance, damping), slack = max(zero, -before);
-    // What still pulls lets go in full.
-    const Real pressed =
-        select_less(slack, whole, slack + Real(compressed_relaxation) * (whole - slack), whole);
-    const Real wanted = select_less(c, zero, pressed, Real(relaxation) * whole);
+    const Real whole = xpbd_step(c, rate, weight, before, compliance, damping);
+    const Real wanted = select_less(c, zero, of_pressed(whole, before), Real(relaxation) * whole);
     // What has no direction, or cannot give way at all, is left alone.
     const Real yielding = together.if_any(weight + compliance);
     const Real step = select_less(zero, yielding, wanted, zero);
@@ -77,6 +75,13 @@ struct SolveEdge {
  private:
   static constexpr float pushing_share = 0.4f;  // of next_share
 
+  template <class Real>
+  MENISCUS_HD Real of_pressed(const Real& step, const Real& before) const {
+    const Real least(compressed_relaxation);
+    if (!lets_go) return least * step;
+    const Real pull = max(Real(0), -before);
+    return select_less(pull, step, pull + least * (step - pull), step);
+  }
   /// No more for the next substep than would move the ends by the edge's length: what hangs from an edge may
   /// weigh thousands of times what they do.
   template <class Real>

@@ -102,7 +102,7 @@ struct Crumpled {
             .hinge = {},
             .strain = {},
             .edge = {view(std::as_const(clusters.edges)), view(edge_multiplier), 1.2f, starts ? 0.9f : 1,
-                     !starts, 0.7f},
+                     starts, !starts, 0.7f},
             .first = clusters.pass_starts[pass],
             .backwards = !starts};
   }
