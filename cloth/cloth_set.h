@@ -95,7 +95,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   CommonDamping damping_;
   bool any_air_ = false, any_gas_ = false, any_tears_ = false, any_bears_fluid_ = false;
   float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
-  float share_ = 0;                        // of them, to start from
+  float share_ = 0;                        // of what they left for this one
 
   pbd::Buffer<EdgeConstraint> edges_{device_, "cloth edges"};
   pbd::Buffer<StrainConstraint> strains_{device_, "cloth strains"};

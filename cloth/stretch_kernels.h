@@ -75,6 +75,7 @@ struct SolveEdge {
  private:
   static constexpr float pushing_share = 0.4f;  // of next_share
 
+  /// Of a step that would lengthen what is pressed: all that only takes a pull back, and a part of the rest.
   template <class Real>
   MENISCUS_HD Real of_pressed(const Real& step, const Real& before) const {
     const Real least(compressed_relaxation);
@@ -82,6 +83,7 @@ struct SolveEdge {
     const Real pull = max(Real(0), -before);
     return select_less(pull, step, pull + least * (step - pull), step);
   }
+
   /// No more for the next substep than would move the ends by the edge's length: what hangs from an edge may
   /// weigh thousands of times what they do.
   template <class Real>
