@@ -110,7 +110,7 @@ struct Split {
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
     const float share = static_cast<float>(body.end - body.first);
     c.arm = c.point + pbd::max(distance, pbd::max(c.radius, 0.0f)) * c.normal - body.pose.position;
-    c.body_inverse_mass =
+    c.body_inverse_mass +=
         share * (is_tie(c) ? largest_inverse_mass_at(body, c.arm) : inverse_mass_at(body, c.arm, c.normal));
   }
 };

@@ -87,7 +87,8 @@ void FacePoints<D>::begin(pbd::Substep<D>& substep) {
   device_.parallel_for("faces/loosen", room_, Loosen{points(substep), substep.contacts});
   contacts_.begin(substep);
   device_.parallel_for("faces/count", vertices_,
-                       CountAtVertices{points(substep), substep.contacts.start, at_vertex_.view()});
+                       CountAtVertices{points(substep), substep.contacts.start, at_vertex_.view(),
+                                       particles_.phase.current.view(), substep.particles.sorted});
 }
 
 template <class D>

@@ -29,11 +29,13 @@ struct Demand {
   View<const uint32_t> stirred;  ///< by point: whether the last round has moved its face; none in the first
   View<Vec4> demand;             ///< by point
 
+  /// What was put into a solid comes out by its contacts alone.
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = points.first + n;
     Vec3 step{0, 0, 0};
     const bool unchanged = stirred.count && !stirred[n];  // it asked for nothing, and would again
-    if (n < points.count() && !unchanged && contacts.start[i] != contacts.start[i + 1])
+    if (n < points.count() && !unchanged && contacts.start[i] != contacts.start[i + 1] &&
+        !touches.was_placed(i))
       step = step_of(points.triangle_of[n]);
     demand[n] = pbd::with_w(step, 0);
   }

@@ -172,7 +172,8 @@ struct MakeParticles {
     const uint32_t triangle = used ? points.triangle_of[n] : 0;
     const uint32_t corner = sorted + points.triangles[triangle].a;
     particles.moved[i] = {0, 0, 0, 0};
-    phase[i] = pbd::phase_vertex | pbd::phase_face | pbd::phase_group(particles.phase[corner]);
+    phase[i] = pbd::phase_vertex | pbd::phase_face | pbd::phase_group(particles.phase[corner]) |
+               (of_any(points.triangles[triangle]) & pbd::phase_placed);
     slot[i] = pbd::vertex_slot + (i - sorted);
     if (!used) {
       particles.position[i] = previous[i] = pbd::with_w(particles.position[corner].xyz(), 0);
@@ -183,6 +184,10 @@ struct MakeParticles {
     particles.position[i] = pbd::with_w(at, 1);  // their masses follow when contacts are known
     previous[i] = pbd::with_w(points.mix(previous, sorted, triangle), 1);
     particles.velocity[i] = pbd::with_w(points.mix(particles.velocity, sorted, triangle), 0);
+  }
+  MENISCUS_HD pbd::Phase of_any(const SurfaceTriangle& t) const {
+    const uint32_t sorted = particles.sorted;
+    return particles.phase[sorted + t.a] | particles.phase[sorted + t.b] | particles.phase[sorted + t.c];
   }
 };
 
@@ -199,16 +204,24 @@ struct Loosen {
   }
 };
 
-/// How many points with contacts touch each vertex.
+/// How many points with contacts touch each vertex. While one of them is in a solid that its face was put
+/// into, the vertex is not out of it either.
 struct CountAtVertices {
   Points points;
   View<const uint32_t> contact_start;
   View<uint32_t> at_vertex;
+  View<pbd::Phase> phase;
+  uint32_t sorted;
 
   MENISCUS_HD void operator()(uint32_t vertex) const {
     uint32_t count = 0;
-    points.for_each_at(vertex, [&](uint32_t i, float) { count += contact_start[i] != contact_start[i + 1]; });
+    pbd::Phase any = 0;
+    points.for_each_at(vertex, [&](uint32_t i, float) {
+      count += contact_start[i] != contact_start[i + 1];
+      any |= phase[i];
+    });
     at_vertex[vertex] = count;
+    if (any & pbd::phase_placed) phase[sorted + vertex] |= pbd::phase_placed;
   }
 };
 

@@ -15,6 +15,13 @@ struct Touch {
 
 namespace shape_contact_kernels {
 
+/// m: how far a vertex that was put into a solid comes out of it in a substep. Were it to come out at once,
+/// it would leave with the speed of that.
+MENISCUS_HD inline float way_out(float contact_radius, float dt) {
+  constexpr float time = 0.02f;  // s, for a radius
+  return contact_radius * dt / time;
+}
+
 /// How a particle meets solids, by its fluid or its piece of cloth. What is tied to a body does not touch it.
 struct Touches {
   pbd::View<const pbd::Phase> phase;
@@ -30,6 +37,9 @@ struct Touches {
   }
   MENISCUS_HD bool is_vertex(uint32_t i) const { return (phase[i] & pbd::phase_vertex) != 0; }
   MENISCUS_HD bool is_face(uint32_t i) const { return by_piece.count && (phase[i] & pbd::phase_face) != 0; }
+  MENISCUS_HD bool was_placed(uint32_t i) const {
+    return by_piece.count && (phase[i] & pbd::phase_placed) != 0;
+  }
   /// The body that i is tied to, or no_index.
   MENISCUS_HD uint32_t body_of(uint32_t i) const {
     return i >= sorted && i - sorted < tied_body.count ? tied_body[i - sorted] : pbd::no_index;
@@ -42,8 +52,9 @@ struct Touches {
 template <class D>
 class ShapeContacts final : public pbd::ContactSource<D> {
  public:
-  ShapeContacts(D& device, float support_radius, float contact_radius)
+  ShapeContacts(D& device, pbd::Particles& particles, float support_radius, float contact_radius)
       : device_(device),
+        particles_(particles),
         support_radius_(support_radius),
         contact_radius_(contact_radius),
         largest_radius_(contact_radius),
@@ -88,10 +99,11 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   bool only_fixed_planes() const { return fixed_are_planes_ && !any_moving(); }
 
   D& device_;
+  pbd::Particles& particles_;
   float support_radius_, contact_radius_, largest_radius_;
   ShapeSet shapes_;
   bool fixed_are_planes_ = true;
-  uint32_t particles_ = 0;
+  uint32_t room_ = 0;  // particles
   Candidates candidates_;
   pbd::Buffer<CollisionFilter> filters_;
   pbd::Buffer<Touch> pieces_;

@@ -38,7 +38,8 @@ struct LimitByMoving {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
-    if (!is_finite(motion.to) || touches.is_face(i)) return;
+    // What was put into a solid would be held there by it.
+    if (!is_finite(motion.to) || touches.is_face(i) || touches.was_placed(i)) return;
     const Touch touch = touches.of(i);
     const Vec3 end =
         limit_by_moving(set, candidates, i, motion, touch.radius, touch.filter, touches.body_of(i));
@@ -102,13 +103,32 @@ struct Fill {
   pbd::View<const pbd::Vec4> velocity;
   float dt;
   pbd::ContactWriter writer;
+  pbd::View<pbd::Phase> phase;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (!writer.has_any(i)) return;
-    find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
-      writer.write(i, make_contact(i, shape, found));
-    });
-    writer.finish(i, inert(i));
+    const bool placed = i >= find.touches.sorted && find.touches.was_placed(i);
+    float in = 0;  // a solid, m
+    if (writer.has_any(i)) {
+      find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
+        pbd::Contact c = make_contact(i, shape, found);
+        if (placed) in = pbd::max(in, give_way(i, shape, c));
+        writer.write(i, c);
+      });
+      writer.finish(i, inert(i));
+    }
+    if (placed && in == 0) phase[i] &= ~pbd::phase_placed;
+  }
+
+  /// Moves the surface back to where it lets the vertex out slowly; returns by how much, m. So far in, the
+  /// surface gives way as readily as the vertex: the cloth around it goes another way, perhaps, and is not to
+  /// be torn apart.
+  MENISCUS_HD float give_way(uint32_t i, const Shape& shape, pbd::Contact& c) const {
+    const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
+    const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;
+    const float back = pbd::max(0.0f, c.radius - plane_distance(c, start) - way_out(c.radius, dt));
+    c.point -= back * c.normal;
+    if (back > 0) c.body_inverse_mass = find.position[i].w;
+    return back;
   }
 
   /// A contact that is too far away to do anything.
@@ -149,7 +169,7 @@ template <class D>
 void ShapeContacts<D>::set_shapes(const ShapeSet& shapes, bool fixed_are_planes) {
   shapes_ = shapes;
   fixed_are_planes_ = fixed_are_planes;
-  reserve(particles_);
+  reserve(room_);
 }
 
 template <class D>
@@ -171,7 +191,7 @@ void ShapeContacts<D>::set_pieces(std::span<const Touch> pieces) {
 template <class D>
 void ShapeContacts<D>::reserve(uint32_t particles) {
   candidates_.reserve(particles, only_fixed_planes() ? 0 : shapes_.shapes.count);
-  particles_ = particles;
+  room_ = particles;
 }
 
 template <class D>
@@ -202,7 +222,7 @@ void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, float 
 template <class D>
 CandidateView ShapeContacts<D>::find_near(pbd::View<const pbd::Vec4> position, uint32_t particles,
                                           float reach) {
-  candidates_.reserve(particles_, shapes_.shapes.count);
+  candidates_.reserve(room_, shapes_.shapes.count);
   candidates_.find(device_, shapes_, position, position, particles, reach);
   return candidates_.view();
 }
@@ -226,11 +246,13 @@ void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWr
   const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
   if (only_fixed_planes()) {
-    device_.parallel_for("contacts/fill", p.owned,
-                         Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer});
+    device_.parallel_for(
+        "contacts/fill", p.owned,
+        Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer, particles_.phase.current.view()});
   } else {
-    device_.parallel_for("contacts/fill", p.owned,
-                         Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer});
+    device_.parallel_for(
+        "contacts/fill", p.owned,
+        Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer, particles_.phase.current.view()});
   }
 }
 

@@ -30,7 +30,7 @@ struct alignas(16) Contact {
   float friction;       ///< Coulomb's μ
   Vec3 surface_motion;  ///< m, of the surface here, from the substep's start to now
   float body_inverse_mass;  ///< 1/kg: how the body gives way along the normal, split among its contacts; 0:
-                            ///< not at all
+                            ///< not at all. What was put into a solid meets one that gives way in any case
   Vec3 arm;                 ///< m, from the body's centre of mass to where impulses act
   uint32_t body;            ///< the rigid body, no_index or on_sheet
   float approach_speed;  ///< m/s along the normal, before the substep's solve; negative towards the surface

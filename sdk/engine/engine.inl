@@ -39,7 +39,7 @@ class DeviceEngine final : public Engine {
       : device_(device_arguments...),
         def_(def),
         solver_(device_, particles_, def.solver),
-        contacts_(device_, def.solver.support_radius, def.solver.contact_radius),
+        contacts_(device_, particles_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
         ties_(device_, bodies_),
         density_(device_, def.kernel, def.density),

@@ -98,7 +98,7 @@ class Assembly {
       const bool fast = held[v];
       cloth.position.push_back(pbd::with_w(strand.state.positions[v], fast ? 0 : 1 / strand.masses[v]));
       cloth.velocity.push_back(pbd::with_w(fast ? Vec3{0, 0, 0} : strand.state.velocities[v], 0));
-      cloth.phase.push_back(pbd::phase_vertex | piece);
+      cloth.phase.push_back(pbd::phase_vertex | pbd::phase_placed | piece);
       if (fast) cloth.model.held.push_back(first + v);
     }
     cloth.touches.push_back({strand.filter, strand.contact_radius});

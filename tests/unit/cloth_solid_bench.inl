@@ -109,7 +109,7 @@ class ClothSolidBenchOn final : public ClothSolidBench {
   collision::RigidWorld rigid_;
   pbd::Particles particles_{device_};
   pbd::Solver<D> solver_;
-  collision::ShapeContacts<D> shapes_{device_, 0.1f, 0.025f};
+  collision::ShapeContacts<D> shapes_{device_, particles_, 0.1f, 0.025f};
   collision::BodySet<D> bodies_{device_, rigid_, shapes_};
   collision::ContactSet<D> contacts_{device_};
   collision::FacePoints<D> faces_{device_, particles_, shapes_, bodies_, contacts_};

@@ -162,7 +162,7 @@ class SolverBenchOn final : public SolverBench {
     shapes.resize_discard(static_cast<uint32_t>(setup.planes.size()));
     shapes.write(setup.planes);
     // With a radius of 0 for contacts a particle may lie anywhere, and has all of its images.
-    collision::ShapeContacts<D> contacts(stage.device, setup.support_radius, 0);
+    collision::ShapeContacts<D> contacts(stage.device, stage.particles, setup.support_radius, 0);
     contacts.set_shapes({shapes.view(), static_cast<uint32_t>(setup.planes.size()), {}, {}, {}}, true);
     fluid::DensitySet<D> density(stage.device, setup.kernel, setup.parameters);
     stage.solver.add(contacts);
