@@ -15,8 +15,8 @@ struct Touch {
 
 namespace shape_contact_kernels {
 
-/// m: how far a vertex that was put into a solid comes out of it in a substep. Were it to come out at once,
-/// it would leave with the speed of that.
+/// m: how far what was put into a solid comes out of it in a substep. Were it to come out at once, it would
+/// leave with the speed of that.
 MENISCUS_HD inline float way_out(float contact_radius, float dt) {
   constexpr float time = 0.02f;  // s, for a radius
   return contact_radius * dt / time;
@@ -37,9 +37,7 @@ struct Touches {
   }
   MENISCUS_HD bool is_vertex(uint32_t i) const { return (phase[i] & pbd::phase_vertex) != 0; }
   MENISCUS_HD bool is_face(uint32_t i) const { return by_piece.count && (phase[i] & pbd::phase_face) != 0; }
-  MENISCUS_HD bool was_placed(uint32_t i) const {
-    return by_piece.count && (phase[i] & pbd::phase_placed) != 0;
-  }
+  MENISCUS_HD bool was_placed(uint32_t i) const { return (phase[i] & pbd::phase_placed) != 0; }
   /// The body that i is tied to, or no_index.
   MENISCUS_HD uint32_t body_of(uint32_t i) const {
     return i >= sorted && i - sorted < tied_body.count ? tied_body[i - sorted] : pbd::no_index;

@@ -106,7 +106,7 @@ struct Fill {
   pbd::View<pbd::Phase> phase;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const bool placed = i >= find.touches.sorted && find.touches.was_placed(i);
+    const bool placed = find.touches.was_placed(i);
     float in = 0;  // a solid, m
     if (writer.has_any(i)) {
       find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
@@ -119,9 +119,9 @@ struct Fill {
     if (placed && in == 0) phase[i] &= ~pbd::phase_placed;
   }
 
-  /// Moves the surface back to where it lets the vertex out slowly; returns by how much, m. So far in, the
-  /// surface gives way as readily as the vertex: the cloth around it goes another way, perhaps, and is not to
-  /// be torn apart.
+  /// Moves the surface back to where it lets the particle out slowly; returns by how much, m. So far in, the
+  /// surface gives way as readily as the particle: the cloth around a vertex may go another way, and is not
+  /// to be torn apart.
   MENISCUS_HD float give_way(uint32_t i, const Shape& shape, pbd::Contact& c) const {
     const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
     const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;

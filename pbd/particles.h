@@ -26,8 +26,8 @@ inline constexpr Phase phase_face = 1u
 inline constexpr Phase phase_grain = 1u << 19;  ///< in the place of phase_fluid: a grain of sand or the like
 inline constexpr Phase phase_pressing = 1u << 20;  ///< a sheet bore it at the last substep's end
 inline constexpr Phase phase_passing = 1u << 21;   ///< it is on its way through permeable sheets
-inline constexpr Phase phase_placed = 1u << 22;  ///< a vertex that was put where it is, perhaps into a solid,
-                                                 ///< and is not known to be out of all since
+inline constexpr Phase phase_placed = 1u << 22;  ///< it was put where it is, or a solid was, perhaps over it,
+                                                 ///< and it is not known to be out of all since
 
 /// For how many more steps what has just left an opening keeps its velocity: in the top byte.
 inline constexpr uint32_t most_held = 255;

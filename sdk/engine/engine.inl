@@ -98,7 +98,7 @@ class DeviceEngine final : public Engine {
   void remove_sdf(uint32_t number) override { mesh_fields_.release(number); }
   void remove_height_field(uint32_t number) override { height_samples_[number].reset(); }
   void set_shapes(const SolidShapes& solids) override;
-  void place_bodies() override { bodies_.place(); }
+  void place_bodies() override;
   std::span<const collision::RigidImpulse> body_forces() const override { return bodies_.mean_forces(); }
   std::vector<ContactReadout> read_contacts() override;
   void forget_contacts(uint32_t solid, TouchedKind kind) override;
@@ -159,6 +159,7 @@ class DeviceEngine final : public Engine {
     });
     solver_.add(*diffuse_);
   }
+  void note_placed();
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
   template <class Kernel>

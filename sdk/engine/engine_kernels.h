@@ -12,6 +12,13 @@ namespace meniscus::engine_kernels {
 
 using pbd::View;
 
+/// See phase_placed.
+struct NotePlaced {
+  View<pbd::Phase> phase;
+
+  MENISCUS_HD void operator()(uint32_t i) const { phase[i] |= pbd::phase_placed; }
+};
+
 /// Writes xyz of sorted particles to the user's order.
 struct ReadVector {
   View<const pbd::Vec4> from;

@@ -46,6 +46,20 @@ void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
                   [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; });
   contacts_.set_shapes(shape_set_, fixed_are_planes);
   bodies_.set_shapes(solids.carried, shapes_.view());
+  note_placed();
+}
+
+template <class D>
+void DeviceEngine<D>::place_bodies() {
+  bodies_.place();
+  note_placed();
+}
+
+/// Solids have been put where they are, perhaps over particles.
+template <class D>
+void DeviceEngine<D>::note_placed() {
+  device_.parallel_for("shapes/placed", particles_.count(),
+                       engine_kernels::NotePlaced{particles_.phase.current.view()});
 }
 
 template <class D>

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Water that a solid is put into makes room for it, and is not thrown about.
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "tests/worlds.h"
+
+namespace meniscus::tests {
+namespace {
+
+class PlacedSolids : public OnDevice {
+ protected:
+  PlacedSolids() {
+    WorldDef def = world_def(GetParam(), 0.04f);
+    def.substeps = 4;
+    world.emplace(def);
+    world->create_shape(tank({-0.4f, 0, -0.4f}, {0.4f, 1.5f, 0.4f}));
+    world->add_fluid(block(world->create_fluid({}), {-0.4f, 0, -0.4f}, {0.4f, 0.5f, 0.4f}));
+    for (int k = 0; k < 30; ++k) world->step(1 / 60.0f);
+  }
+
+  static BodyDef box(BodyMotion motion) {
+    BodyDef def;
+    def.geometry = geometry;
+    def.motion = motion;
+    def.pose.position = centre;
+    return def;
+  }
+
+  /// Held where it is, half a second later nothing is inside.
+  void expect_calm(const char* what, bool stays) {
+    float fastest = 0;
+    for (int k = 0; k < 30; ++k) {
+      world->step(1 / 60.0f);
+      for (Vec3 v : world->velocities()) fastest = std::max(fastest, length(v));
+    }
+    // Taken out within a substep, the innermost would have 30 m/s and more.
+    EXPECT_LT(fastest, 7) << what;
+    if (!stays) return;
+    int inside = 0;
+    for (Vec3 x : world->positions()) inside += max_component(abs(x - centre)) < geometry.half_extents.x;
+    EXPECT_EQ(inside, 0) << what;
+  }
+
+  static constexpr BoxGeometry geometry{{0.15f, 0.15f, 0.15f}};
+  static constexpr Vec3 centre{0, 0.25f, 0};
+  std::optional<World> world;
+};
+MENISCUS_ON_EACH_DEVICE(PlacedSolids);
+
+TEST_P(PlacedSolids, AShape) {
+  world->create_shape(shape(geometry, centre));
+  expect_calm("a shape", true);
+}
+
+TEST_P(PlacedSolids, AFloatingBody) {
+  world->create_body(box(BodyMotion::dynamic));
+  expect_calm("a body", false);
+}
+
+TEST_P(PlacedSolids, ABodyThatIsMovedThere) {
+  BodyDef def = box(BodyMotion::kinematic);
+  def.pose.position = {0, 1.2f, 0};
+  const BodyId body = world->create_body(def);
+  world->step(1 / 60.0f);
+  world->set_body_pose(body, {centre, {0, 0, 0, 1}});
+  expect_calm("a body that is moved there", true);
+}
+
+}  // namespace
+}  // namespace meniscus::tests
