@@ -230,40 +230,42 @@ class SolveYarnsAtOnce {
     const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
     return {yarns_.if_edge(k, v.x), yarns_.if_edge(k, v.y), yarns_.if_edge(k, v.z), yarns_.if_edge(k, v.w)};
   }
-  /// kg·m: what it is to push with beyond that. Where it is taut, the whole is to point as the edge does now;
-  /// where it is pressed together, what was given before stays as taken_back() has turned it.
-  MENISCUS_HD Vector step(uint32_t k) const {
-    const Edge e = edge(k);
-    const Vector whole = e.lambda * e.n;
-    if (s_.starts) return whole;
-    const Vec4Of<Real> before = given(k);
-    const Vector pressed = (e.lambda - before.w) * e.n, taut = whole - before.xyz();
+  /// What an edge is to do beyond what it has given, kg·m.
+  struct Change {
+    Vector whole, straight;  ///< and of that, what has come to λ
+
+    MENISCUS_HD Change operator-() const { return {-whole, -straight}; }
+    MENISCUS_HD friend Change operator-(const Change& a, const Change& b) {
+      return {a.whole - b.whole, a.straight - b.straight};
+    }
+  };
+  /// Where it is taut, the whole is to point as the edge does now; where it is pressed together, what was
+  /// given before stays as taken_back() has turned it.
+  MENISCUS_HD Change change(const Edge& e, const Vec4Of<Real>& before) const {
+    const Vector straight = (e.lambda - before.w) * e.n, taut = e.lambda * e.n - before.xyz();
     const auto either = [&](const Real& x, const Real& y) { return select_less(Real(0), e.lambda, x, y); };
-    return {either(pressed.x, taut.x), either(pressed.y, taut.y), either(pressed.z, taut.z)};
+    return {{either(straight.x, taut.x), either(straight.y, taut.y), either(straight.z, taut.z)}, straight};
   }
-  /// Of that, what has come to λ.
-  MENISCUS_HD Vector increment(uint32_t k) const {
+  MENISCUS_HD Change change(uint32_t k) const {
     const Edge e = edge(k);
-    const Real before = s_.starts ? Real(0) : given(k).w;
-    return (e.lambda - before) * e.n;
+    if (!s_.starts) return change(e, given(k));
+    const Vector whole = e.lambda * e.n;
+    return {whole, whole};
   }
   /// What both edges on vertex k do to it.
-  template <class Push>
-  MENISCUS_HD Vector on(uint32_t k, const Push& push) const {
-    if (k == 0) return -push(0);
-    return k < yarns_.most ? push(k - 1) - push(k) : push(k - 1);
-  }
-  MENISCUS_HD Vector steps_on(uint32_t k) const {
-    return on(k, [&](uint32_t e) { return step(e); });
+  MENISCUS_HD Change changes_on(uint32_t k) const {
+    if (k == 0) return -change(0);
+    return k < yarns_.most ? change(k - 1) - change(k) : change(k - 1);
   }
   /// The row of vertex k's way to the sides, m. What turning λ pushes with belongs to it along the yarn as
   /// well: the lengths know nothing of that, and where a yarn folds it would throw a light vertex between
-  /// heavy ones.
+  /// heavy ones. Keeps what its edges do to the vertex.
   MENISCUS_HD Sideways turn(uint32_t k) const {
     const Real w = scratch_.weight[k], lower = w * stiffness(k - 1), upper = w * stiffness(k);
     const Vector along = direction(edge(k - 1).n, edge(k).n);
-    const Vector straight = on(k, [&](uint32_t e) { return increment(e); });
-    return {-lower, Real(1) + lower + upper, -upper, w * (steps_on(k) - dot(straight, along) * along)};
+    const Change on_it = changes_on(k);
+    scratch_.push[k] = on_it.whole;
+    return {-lower, Real(1) + lower + upper, -upper, w * (on_it.whole - dot(on_it.straight, along) * along)};
   }
 
   /// kg·m: what edge k takes back, as it turns.
@@ -272,7 +274,7 @@ class SolveYarnsAtOnce {
   }
   /// kg·m: what both edges on vertex k do to it in the end.
   MENISCUS_HD Vector push_on(const Sideways* ways, uint32_t k) const {
-    Vector push = steps_on(k);
+    Vector push = scratch_.push[k];
     if (k > 0) push = push - taken_back(ways, k - 1);
     if (k < yarns_.most) push += taken_back(ways, k);
     return push;
@@ -287,11 +289,11 @@ class SolveYarnsAtOnce {
   /// solve finds the yarn where it then is.
   MENISCUS_HD void put_aside(uint32_t k) const {
     const Places at = vertex(k);
-    const Vector now = pending(at) + steps_on(k);
+    const Vector now = pending(at) + changes_on(k).whole;
     scatter(s_.pending, at.index(), {now.x, now.y, now.z, Real(0)}, yarns_.have_edge(k == 0 ? 0 : k - 1));
   }
   MENISCUS_HD void note_aside(uint32_t k) const {
-    const Vector push = step(k);
+    const Vector push = change(k).whole;
     scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, edge(k).lambda},
             yarns_.have_edge(k));
   }
@@ -306,15 +308,12 @@ class SolveYarnsAtOnce {
     return k == 0 ? starts_of(yarns_.edge(0)) : ends_of(yarns_.edge(k - 1));
   }
   MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {
-    Vector push = share * (step(k) - taken_back(ways, k));
-    Real before(0);
-    if (!s_.starts) {
-      const Vec4Of<Real> last = given(k);
-      push += last.xyz();
-      before = last.w;
-    }
+    const Edge e = edge(k);
+    const Vec4Of<Real> last = s_.starts ? Vec4Of<Real>{Real(0), Real(0), Real(0), Real(0)} : given(k);
+    const Vector step = s_.starts ? e.lambda * e.n : change(e, last).whole;
+    const Vector push = last.xyz() + share * (step - taken_back(ways, k));
     scatter(s_.multiplier, yarns_.edge(k).index(),
-            {push.x, push.y, push.z, before + share * (edge(k).lambda - before)}, yarns_.have_edge(k));
+            {push.x, push.y, push.z, last.w + share * (e.lambda - last.w)}, yarns_.have_edge(k));
   }
 
   const SolveYarns& s_;
