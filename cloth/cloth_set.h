@@ -78,13 +78,18 @@ class ClothSet final : public pbd::ConstraintSet<D> {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
   View<Vec4> yarn_multiplier() { return edge_multiplier_.view().from(first_yarn_edge_); }
-  void bend(pbd::Substep<D>& substep, bool starts, bool backwards);
-  void stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards, bool ends);
-  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts, bool backwards,
-             bool ends);
+  /// How constraints are gone over.
+  struct Turn {
+    bool starts = false;     ///< the substep's multipliers
+    bool backwards = false;  ///< through passes, colours and layers
+    bool ends = false;       ///< what the substep does to edges
+  };
+  void bend(pbd::Substep<D>& substep, const Turn& turn);
+  void stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn);
+  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
   bool starts_from_last() const { return share_ > 0 && first_yarn_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
-  void solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards, View<Vec4> pending = {});
+  void solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
   void blow_up(pbd::Substep<D>& substep, bool starts);
 
   D& device_;

@@ -147,7 +147,7 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   device_.parallel_for("cloth/start", vertex_count_,
                        StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
                                    pending_.view()});
-  solve_yarns(substep, true, false, pending_.view());
+  solve_yarns(substep, {.starts = true}, pending_.view());
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
 
@@ -155,76 +155,78 @@ template <class D>
 void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (vertex_count_ == 0) return;
   // What comes last holds best: lengths, or where there is gas its volume.
-  const int turn = any_gas_ ? iteration : substep.iterations - 1 - iteration;
-  const bool starts = iteration == 0, backwards = turn % 2 != 0;
-  if (any_gas_ && !backwards) blow_up(substep, starts);
+  const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
+  const Turn turn{
+      .starts = iteration == 0, .backwards = turns % 2 != 0, .ends = iteration + 1 == substep.iterations};
+  if (any_gas_ && !turn.backwards) blow_up(substep, turn.starts);
   // Rounds are for what the end leaves: iterations that more follow do without.
-  const int rounds = iteration + 1 < substep.iterations ? 1 : parameters_.stretch_rounds;
-  if (!backwards) bend(substep, starts, backwards);
-  stretch(substep, rounds, starts, backwards, iteration + 1 == substep.iterations);
-  if (backwards) bend(substep, starts, backwards);
-  if (any_gas_ && backwards) blow_up(substep, starts);
+  const int rounds = turn.ends ? parameters_.stretch_rounds : 1;
+  if (!turn.backwards) bend(substep, turn);
+  stretch(substep, rounds, turn);
+  if (turn.backwards) bend(substep, turn);
+  if (any_gas_ && turn.backwards) blow_up(substep, turn.starts);
   device_.parallel_for_lanes(
       "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
-      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), starts});
+      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), turn.starts});
 }
 
 template <class D>
-void ClothSet<D>::bend(pbd::Substep<D>& substep, bool starts, bool backwards) {
-  sweep(substep, 0, bending_passes_, starts, backwards, false);
+void ClothSet<D>::bend(pbd::Substep<D>& substep, const Turn& turn) {
+  sweep(substep, 0, bending_passes_, {.starts = turn.starts, .backwards = turn.backwards});
 }
 
 /// Every other round runs through colours and layers in the other direction. What is left over between rounds
 /// is what sweeps and yarns undo of one another.
 template <class D>
-void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, bool starts, bool backwards, bool ends) {
+void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn) {
   const size_t stretch_end = pass_starts_.size() - 1;
   for (int round = 0; round < rounds; ++round) {
-    const bool first = starts && round == 0;
     const int left = rounds - 1 - round;
-    const bool reversed = (backwards ? round + 1 : left) % 2 != 0;
-    if (backwards) solve_yarns(substep, first && !starts_from_last(), reversed);
-    sweep(substep, bending_passes_, stretch_end, first, reversed, ends && left == 0);
-    if (!backwards) solve_yarns(substep, first && !starts_from_last(), reversed);
+    const Turn edges{.starts = turn.starts && round == 0,
+                     .backwards = (turn.backwards ? round + 1 : left) % 2 != 0,
+                     .ends = turn.ends && left == 0};
+    const Turn yarns{.starts = edges.starts && !starts_from_last(), .backwards = edges.backwards};
+    if (turn.backwards) solve_yarns(substep, yarns);
+    sweep(substep, bending_passes_, stretch_end, edges);
+    if (!turn.backwards) solve_yarns(substep, yarns);
   }
 }
 
 template <class D>
-void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, bool starts,
-                        bool backwards, bool ends) {
+void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn) {
   const float relaxation = parameters_.over_relaxation;
-  SolveClusters solve{
-      .clusters = clusters_.view(),
-      .batches = batches_.view(),
-      .numbers = cluster_vertices_.view(),
-      .all = vertices(substep),
-      .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(), starts},
-      .hinge = {hinges_.view(), hinge_multiplier_.view(), starts},
-      .strain = {strains_.view(), strain_multiplier_.view(), relaxation, starts},
-      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, starts ? share_ : 1, starts_from_last(),
-               ends, parameters_.warm_start},
-      .first = 0,
-      .backwards = backwards};
+  SolveClusters solve{.clusters = clusters_.view(),
+                      .batches = batches_.view(),
+                      .numbers = cluster_vertices_.view(),
+                      .all = vertices(substep),
+                      .isometric = {isometric_.view(), isometric_coefficients_.view(),
+                                    isometric_multiplier_.view(), turn.starts},
+                      .hinge = {hinges_.view(), hinge_multiplier_.view(), turn.starts},
+                      .strain = {strains_.view(), strain_multiplier_.view(), relaxation, turn.starts},
+                      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, turn.starts ? share_ : 1,
+                               starts_from_last(), turn.ends, parameters_.warm_start},
+                      .first = 0,
+                      .backwards = turn.backwards};
   for (size_t k = first_pass; k < end_pass; ++k) {
-    const size_t pass = backwards ? first_pass + end_pass - 1 - k : k;
+    const size_t pass = turn.backwards ? first_pass + end_pass - 1 - k : k;
     solve.first = pass_starts_[pass];
     device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
   }
 }
 
 template <class D>
-void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, bool starts, bool backwards, View<Vec4> pending) {
+void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending) {
   SolveYarns solve{.yarns = yarns_.view(),
                    .edges = edges_.view().from(first_yarn_edge_),
                    .multiplier = yarn_multiplier(),
                    .all = vertices(substep),
                    .pending = pending,
-                   .starts = starts,
+                   .starts = turn.starts,
                    .first = 0,
                    .end = 0};
   const size_t layers = layer_starts_.size() - 1;
   for (size_t k = 0; k < layers; ++k) {
-    const size_t layer = backwards ? layers - 1 - k : k;
+    const size_t layer = turn.backwards ? layers - 1 - k : k;
     solve.first = layer_starts_[layer];
     solve.end = layer_starts_[layer + 1];
     device_.parallel_for_lane_groups("cloth/yarns", solve.end - solve.first, solve);

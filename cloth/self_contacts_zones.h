@@ -24,7 +24,7 @@ struct Zones {
   PushSums momentum;   // likewise, kg·m
   float mass_unit;     // kg
 
-  static constexpr uint32_t stopped = 1u << 31, a_round = 0xff;
+  static constexpr uint32_t stopped = 1u << 31, a_round = 0xff, moved_shift = 8;
   /// Anchors: none; where all were at the start; else, less 1, a vertex that nothing moves.
   static constexpr uint32_t itself = no_index, the_start = 0;
 
@@ -36,7 +36,7 @@ struct Zones {
   /// Whether it has moved in the round before this one. What others find meanwhile does not change that:
   /// which pairs are looked at must not depend on who is first.
   MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const {
-    return (mark_of(v) >> 8 & a_round) == round;
+    return (mark_of(v) >> moved_shift & a_round) == round;
   }
   MENISCUS_HD void need(uint32_t v, uint32_t round) const {
     pbd::atomic_max(mark[v], (mark_of(v) & ~a_round) | (round + 1));
@@ -112,8 +112,8 @@ struct MoveZones {
     const Vec3 inside = cloth.kept.inside(v, to);
     const bool stops = inside != to;
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
-    pbd::atomic_store(zones.mark[v],
-                      (round + 1) << 8 | (round + 1) | (stops ? Zones::stopped : mark & Zones::stopped));
+    pbd::atomic_store(zones.mark[v], (round + 1) << Zones::moved_shift | (round + 1) |
+                                         (stops ? Zones::stopped : mark & Zones::stopped));
     position[v] = pbd::with_w(inside, x.w);
     moved[v] = pbd::with_w(moved[v].xyz() + (inside - x.xyz()), moved[v].w);
   }
