@@ -143,10 +143,9 @@ uint32_t SelfContacts<D>::used_rounds() const {
 template <class D>
 void SelfContacts<D>::start_step() {
   using namespace self_contact_kernels;
-  // Where the last step's rounds did not suffice it gets more; what it had no use for goes one by one. A
-  // round too many costs little, a step that is done again as much as it took.
-  if (!idle())
-    rounds_ = ran_short() ? more_rounds() : std::max({first_rounds, used_rounds() + 2, rounds_ - 1});
+  // What the last step had no use for goes one by one. A round too many costs little, a step that is done
+  // again as much as it took.
+  if (!idle()) rounds_ = std::min(most_rounds, std::max({first_rounds, used_rounds() + 2, rounds_ - 1}));
   std::fill(found_.host().begin(), found_.host().end(), 0u);
   anew_ = true;
 }
@@ -165,7 +164,7 @@ void SelfContacts<D>::make_room() {
   if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
   if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
   if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
-  // start_step() makes more rounds.
+  if (ran_short()) rounds_ = more_rounds();
 }
 
 template <class D>

@@ -196,8 +196,9 @@ struct Follow {
   MENISCUS_HD void operator()(uint32_t k) const {
     const uint32_t n = grouped[k];
     const Contact c = contacts.contacts[n];  // as a whole, at once with how many there are
-    if (k >= contacts.total() || c.body_inverse_mass == 0 || c.body >= bodies.count) return;
+    if (k >= contacts.total() || c.body >= bodies.count) return;
     const BodyProxy& body = bodies[c.body];
+    if (c.body_inverse_mass == 0 && k != body.first) return;
     const ContactMotion now = motion_by(body, sum_of_lanes(partial, c.body, lanes)), old = before[c.body];
     if (k == body.first) after[c.body] = now;
     const Vec3 step = now.shift - old.shift + cross(now.turn - old.turn, c.arm);

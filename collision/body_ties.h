@@ -26,7 +26,11 @@ struct BodyTie {
 template <class D>
 class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D>, public pbd::Observer<D> {
  public:
-  BodyTies(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies) {}
+  BodyTies(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies), release_(*this) {}
+
+  /// Comes after what settles where vertices are: so long, what is tied to a body that nothing moves has w =
+  /// 0.
+  pbd::ConstraintSet<D>& release() { return release_; }
 
   /// All there are. Bodies that are gone must have no ties.
   void set_ties(std::span<const BodyTie> ties);
@@ -42,12 +46,20 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D
   void start_step() override { impulse_.fill(0); }
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>&, int) override {}
-  void settle(pbd::Substep<D>& substep) override;
   void observe(const pbd::Substep<D>& substep) override;
 
  private:
+  struct Release final : pbd::ConstraintSet<D> {
+    explicit Release(BodyTies& owner) : ties(owner) {}
+    void project(pbd::Substep<D>&, int) override {}
+    void settle(pbd::Substep<D>& substep) override { ties.let_go(substep); }
+    BodyTies& ties;
+  };
+  void let_go(pbd::Substep<D>& substep);
+
   D& device_;
   const BodySet<D>& bodies_;
+  Release release_;
   std::vector<uint32_t> place_;  // of each tie among those in the order of their vertices
   pbd::Buffer<BodyTie> ties_{device_, "ties"};
   pbd::Buffer<pbd::Vec4> impulse_{device_, "tie impulses"};

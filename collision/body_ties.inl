@@ -175,7 +175,7 @@ void BodyTies<D>::begin(pbd::Substep<D>& substep) {
 }
 
 template <class D>
-void BodyTies<D>::settle(pbd::Substep<D>& substep) {
+void BodyTies<D>::let_go(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("ties/let go", ties_.view().count,
                        tie_kernels::LetGo{{ties_.view(), p.sorted},

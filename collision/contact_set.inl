@@ -14,14 +14,6 @@ using pbd::ContactView;
 using pbd::Vec4;
 using pbd::View;
 
-/// A different small number for each particle. Particles that a corner would hold on the very same point,
-/// where nothing could part them again, come to rest a little apart.
-MENISCUS_HD inline float jitter(uint32_t slot) {
-  uint32_t x = slot * 2654435761u;
-  x ^= x >> 15;
-  return static_cast<float>(x & 0xffff) * (1.0f / 65536);
-}
-
 struct Project {
   View<Vec4> position, moved;
   View<const Vec4> previous;
@@ -34,7 +26,7 @@ struct Project {
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     Vec4 p = position[i];
     if (p.w == 0) return;
-    const float tighter = 1 - 0.01f * jitter(slot[i]);
+    const float tighter = pbd::share_of_radius(slot[i]);
     const Vec3 x = p.xyz(), start = previous[i].xyz();
     Vec3 step{0, 0, 0};
     // All of a contact is loaded at once, and the next one before what this one does is written.

@@ -19,7 +19,7 @@ namespace meniscus::collision {
 /// among the sets:
 ///
 ///   arrange   looks which faces need a point, and makes the particles;
-///   begin     has them stop a little nearer to solids than vertices, and notes which vertices have any;
+///   begin     notes which vertices have any;
 ///   project   puts them where their triangles are and gives them their masses, lets ContactSet project all
 ///             contacts, and hands on to the vertices what the points have been moved by;
 ///   settle    moves out what the iterations have left inside, as a last resort;

@@ -22,6 +22,7 @@ void FacePoints<D>::set_surface(const pbd::SurfaceView& surface) {
 template <class D>
 void FacePoints<D>::set_room(uint32_t points) {
   room_ = points;
+  active_ = active_ && points > 0;
   const uint32_t faces = points ? surface_.triangles.count : 0;
   needed_.resize_discard(faces);
   number_.resize_discard(points ? faces + 1 : 0);
@@ -84,7 +85,6 @@ template <class D>
 void FacePoints<D>::begin(pbd::Substep<D>& substep) {
   using namespace face_kernels;
   if (!any(substep)) return contacts_.begin(substep);
-  device_.parallel_for("faces/loosen", room_, Loosen{points(substep), substep.contacts});
   contacts_.begin(substep);
   device_.parallel_for("faces/count", vertices_,
                        CountAtVertices{points(substep), substep.contacts.start, at_vertex_.view(),

@@ -47,10 +47,10 @@ MENISCUS_HD inline Aabb bounds_of(const FaceMotion& m) {
 
 /// Of the contact's radius: a face has a point where it comes so much nearer than its vertices.
 constexpr float slack = 0.25f;
-/// Of the contact's radius: points stop there. Less than 1 − slack: where vertices rest, also where they are
-/// pressed in by a little, points touch before they push. Were they to appear where they push, cloth that
-/// rests with faces about the slack would be kicked for ever.
-constexpr float point_radius = 0.7f;
+// Points stop at less than 1 − slack: where vertices rest, also where they are pressed in by a little, points
+// touch before they push. Were they to appear where they push, cloth that rests with faces about the slack
+// would be kicked for ever.
+static_assert(shape_contact_kernels::face_radius < 1 - slack);
 
 /// Decides whether a face needs a point: where it comes near a solid, and clearly nearer than its vertices.
 struct Decide {
@@ -181,26 +181,24 @@ struct MakeParticles {
       return;
     }
     const Vec3 at = points.mix(particles.position, sorted, triangle);
-    particles.position[i] = pbd::with_w(at, 1);  // their masses follow when contacts are known
-    previous[i] = pbd::with_w(points.mix(previous, sorted, triangle), 1);
+    const float w = inverse_mass(triangle);  // Weigh follows when contacts are known
+    particles.position[i] = pbd::with_w(at, w);
+    previous[i] = pbd::with_w(points.mix(previous, sorted, triangle), w);
     particles.velocity[i] = pbd::with_w(points.mix(particles.velocity, sorted, triangle), 0);
+  }
+  /// Σ b² w over the corners; never 0, which means that a point is not in use.
+  MENISCUS_HD float inverse_mass(uint32_t triangle) const {
+    const uint32_t sorted = particles.sorted;
+    const SurfaceTriangle t = points.triangles[triangle];
+    const Vec4 b = points.weights[triangle];
+    const View<Vec4> x = particles.position;
+    return pbd::max(
+        b.x * b.x * x[sorted + t.a].w + b.y * b.y * x[sorted + t.b].w + b.z * b.z * x[sorted + t.c].w,
+        1e-30f);
   }
   MENISCUS_HD pbd::Phase of_any(const SurfaceTriangle& t) const {
     const uint32_t sorted = particles.sorted;
     return particles.phase[sorted + t.a] | particles.phase[sorted + t.b] | particles.phase[sorted + t.c];
-  }
-};
-
-/// Points stop nearer to solids than vertices do.
-struct Loosen {
-  Points points;
-  pbd::ContactView contacts;
-
-  MENISCUS_HD void operator()(uint32_t n) const {
-    if (n >= points.count()) return;
-    const uint32_t i = points.first + n;
-    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k)
-      contacts.contacts[k].radius *= point_radius;
   }
 };
 

@@ -86,7 +86,9 @@ void GrainSet<D>::project(pbd::Substep<D>& substep, int iteration) {
     device_.parallel_for("grains/start", p.sorted, Start{current_rows(), p.position, p.moved});
     // Solids answer what grains start with. Else the lowest layer would have nothing to stand on, and give
     // way.
-    contacts_.project(substep, iteration);
+    pbd::Substep<D> grains = substep;  // vertices, and points of faces, have their turn
+    grains.contacts = substep.contacts.of_first(p.sorted);
+    contacts_.project(grains, iteration);
   }
   device_.parallel_for("grains/stage", p.sorted,
                        Stage{current_rows().count, touching_.view(), p.position, staged_.view()});

@@ -15,6 +15,10 @@ struct Touch {
 
 namespace shape_contact_kernels {
 
+/// Of the contact's radius: points of faces stop there. Cloth that rests touches with them before they push;
+/// see face_points_kernels.h.
+constexpr float face_radius = 0.7f;
+
 /// m: how far what was put into a solid comes out of it in a substep. Were it to come out at once, it would
 /// leave with the speed of that.
 MENISCUS_HD inline float way_out(float contact_radius, float dt) {
@@ -89,6 +93,8 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
 
   const ShapeSet& shapes() const { return shapes_; }
+  /// Of fluids and pieces of cloth, m.
+  float largest_radius() const { return largest_radius_; }
 
  private:
   template <bool only_fixed_planes>

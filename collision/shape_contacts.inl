@@ -103,6 +103,7 @@ struct Fill {
   pbd::View<const pbd::Vec4> velocity;
   float dt;
   pbd::ContactWriter writer;
+  pbd::View<const uint32_t> slot;
   pbd::View<pbd::Phase> phase;
 
   MENISCUS_HD void operator()(uint32_t i) const {
@@ -125,7 +126,9 @@ struct Fill {
   MENISCUS_HD float give_way(uint32_t i, const Shape& shape, pbd::Contact& c) const {
     const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
     const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;
-    const float back = pbd::max(0.0f, c.radius - plane_distance(c, start) - way_out(c.radius, dt));
+    const float stop = pbd::share_of_radius(slot[i]) * c.radius;
+    const float way = way_out(find.touches.of(i).radius, dt);
+    const float back = pbd::max(0.0f, stop - plane_distance(c, start) - way);
     c.point -= back * c.normal;
     if (back > 0) c.body_inverse_mass = find.position[i].w;
     return back;
@@ -147,7 +150,7 @@ struct Fill {
     c.solid = shape.owner;
     c.normal = normal;
     c.fraction = 1;
-    c.radius = find.touches.of(i).radius;
+    c.radius = find.touches.of(i).radius * (find.touches.is_face(i) ? face_radius : 1.0f);
     if (!only_fixed_planes && !find.touches.is_vertex(i))
       c.fraction = solid_fraction(find.set, shape, f.at, f.surface.distance, find.h);
     c.friction = shape.surface.friction;
@@ -246,13 +249,13 @@ void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWr
   const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
   if (only_fixed_planes()) {
-    device_.parallel_for(
-        "contacts/fill", p.owned,
-        Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer, particles_.phase.current.view()});
+    device_.parallel_for("contacts/fill", p.owned,
+                         Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer, p.slot,
+                                    particles_.phase.current.view()});
   } else {
-    device_.parallel_for(
-        "contacts/fill", p.owned,
-        Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer, particles_.phase.current.view()});
+    device_.parallel_for("contacts/fill", p.owned,
+                         Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer, p.slot,
+                                     particles_.phase.current.view()});
   }
 }
 

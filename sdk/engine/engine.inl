@@ -75,6 +75,7 @@ class DeviceEngine final : public Engine {
     solver_.add(sheets_.carrying());
     solver_.add(face_points_);
     solver_.add(self_contacts_.guard());
+    solver_.add(ties_.release());
     solver_.add(sheets_);
     solver_.add(bodies_);
     solver_.add(jets_);
@@ -207,6 +208,7 @@ class DeviceEngine final : public Engine {
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   bool contacts_fetched_ = true;
+  bool any_placed_ = true;       // since the last step: see note_placed()
   uint32_t sorted_in_step_ = 0;  // particles of fluids in the last step: who was added since has no contacts
   collision::ShapeSet shape_set_;
   collision::MeshFields<D> mesh_fields_;

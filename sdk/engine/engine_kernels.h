@@ -12,13 +12,6 @@ namespace meniscus::engine_kernels {
 
 using pbd::View;
 
-/// See phase_placed.
-struct NotePlaced {
-  View<pbd::Phase> phase;
-
-  MENISCUS_HD void operator()(uint32_t i) const { phase[i] |= pbd::phase_placed; }
-};
-
 /// Writes xyz of sorted particles to the user's order.
 struct ReadVector {
   View<const pbd::Vec4> from;
@@ -85,6 +78,30 @@ struct SolidDistance {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     distance[i] = nearest_solid(set, filter, points[i], reach, [](const collision::Shape&) { return false; });
+  }
+};
+
+/// Finds who is in a solid, or nearer to it than any motion leads: see phase_placed.
+struct NotePlaced {
+  collision::ShapeSet set;
+  collision::CandidateView candidates;
+  collision::shape_contact_kernels::Touches touches;
+  View<const pbd::Vec4> position;
+  View<pbd::Phase> phase;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const collision::Touch touch = touches.of(i);
+    const uint32_t tied_body = touches.body_of(i);
+    const Vec3 p = position[i].xyz();
+    const float least = 0.5f * touch.radius;
+    bool is_in = false;
+    candidates.for_each(i, [&](uint32_t k) {
+      const collision::Shape& shape = set.shapes[k];
+      if (is_in || !collide(shape, touch.filter)) return;
+      if (tied_body != pbd::no_index && shape.body == tied_body) return;
+      is_in = collision::sample_surface(set, shape, p, touch.radius).distance < least;
+    });
+    if (is_in) phase[i] |= pbd::phase_placed;
   }
 };
 

@@ -158,6 +158,7 @@ EngineStep DeviceEngine<D>::step(float dt) {
   EngineStep done;
   fetched_contacts_.clear();  // after a step that fails there are none
   contacts_fetched_ = true;
+  note_placed();
   done.result = solver_.step(dt);
   if (done.result.summary.non_finite) return done;
   last_substep_ = dt / static_cast<float>(done.result.substeps);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
+
 #include "sdk/engine/engine.inl"
 
 namespace meniscus {
@@ -46,20 +48,26 @@ void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
                   [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; });
   contacts_.set_shapes(shape_set_, fixed_are_planes);
   bodies_.set_shapes(solids.carried, shapes_.view());
-  note_placed();
+  any_placed_ = true;
 }
 
 template <class D>
 void DeviceEngine<D>::place_bodies() {
   bodies_.place();
-  note_placed();
+  any_placed_ = true;
 }
 
-/// Solids have been put where they are, perhaps over particles.
+/// Where solids or cloth have been put into one another, or into fluid.
 template <class D>
 void DeviceEngine<D>::note_placed() {
-  device_.parallel_for("shapes/placed", particles_.count(),
-                       engine_kernels::NotePlaced{particles_.phase.current.view()});
+  if (!std::exchange(any_placed_, false) || shape_set_.shapes.count == 0) return;
+  const pbd::View<const pbd::Vec4> position = particles_.position.current.view();
+  device_.parallel_for(
+      "shapes/placed", particles_.count(),
+      engine_kernels::NotePlaced{
+          shape_set_, contacts_.find_near(position, particles_.count(), contacts_.largest_radius()),
+          contacts_.touches(particles_.phase.current.view(), particles_.sorted()), position,
+          particles_.phase.current.view()});
 }
 
 template <class D>

@@ -26,6 +26,7 @@ struct Strand {
   VertexStates state;     ///< when it is not the device that has the latest
   uint32_t first = 0;     ///< since the last upload
   bool uploaded = false;  ///< then the device has the latest state
+  bool placed = true;     ///< it was put where it is, and the device does not know it yet
   std::vector<float> masses;
   CollisionFilter filter;
   float contact_radius = 0;  ///< m, towards solids

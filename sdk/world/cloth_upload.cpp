@@ -98,7 +98,7 @@ class Assembly {
       const bool fast = held[v];
       cloth.position.push_back(pbd::with_w(strand.state.positions[v], fast ? 0 : 1 / strand.masses[v]));
       cloth.velocity.push_back(pbd::with_w(fast ? Vec3{0, 0, 0} : strand.state.velocities[v], 0));
-      cloth.phase.push_back(pbd::phase_vertex | pbd::phase_placed | piece);
+      cloth.phase.push_back(pbd::phase_vertex | (strand.placed ? pbd::phase_placed : 0) | piece);
       if (fast) cloth.model.held.push_back(first + v);
     }
     cloth.touches.push_back({strand.filter, strand.contact_radius});
@@ -223,8 +223,12 @@ void World::Impl::upload_cloth() {
   pieces = all.pieces;
   vertex_count = all.vertices();
   held = all.cloth.model.held;
-  cloths.for_each([](uint32_t, ClothEntry& entry) { entry.strand.uploaded = true; });
-  ropes.for_each([](uint32_t, RopeEntry& entry) { entry.strand.uploaded = true; });
+  const auto note = [](uint32_t, auto& entry) {
+    entry.strand.uploaded = true;
+    entry.strand.placed = false;
+  };
+  cloths.for_each(note);
+  ropes.for_each(note);
   cloth_is_on_device = true;
   reactions_known = true;  // none yet
   reactions.clear();

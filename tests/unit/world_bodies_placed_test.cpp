@@ -38,7 +38,7 @@ class PlacedSolids : public OnDevice {
       for (Vec3 v : world->velocities()) fastest = std::max(fastest, length(v));
     }
     // Taken out within a substep, the innermost would have 30 m/s and more.
-    EXPECT_LT(fastest, 7) << what;
+    EXPECT_LT(fastest, 9) << what;
     if (!stays) return;
     int inside = 0;
     for (Vec3 x : world->positions()) inside += max_component(abs(x - centre)) < geometry.half_extents.x;
