@@ -21,8 +21,11 @@ FramePictures::FramePictures(const PictureOptions& options, std::filesystem::pat
     return;
   }
   if (options.render != "last") sheet_.emplace(scene.frames);
-  if (!options.video.empty())
-    video_.emplace(options.video, picture.width, picture.height, 1 / double{scene.frame_time});
+  if (options.video.empty()) return;
+  // The run's own folder is made when all else is ready; a video in it wants it now.
+  const std::filesystem::path parent = std::filesystem::path(options.video).parent_path();
+  if ((parent / "").lexically_normal() == (folder_ / "").lexically_normal()) make_folder(folder_);
+  video_.emplace(options.video, picture.width, picture.height, 1 / double{scene.frame_time});
 }
 
 void FramePictures::add(const World& world, const FrameSample& sample) {

@@ -86,6 +86,8 @@ void SceneChecks::add(const FrameSample& sample, std::optional<double> energy) {
     if (check.kind == CheckKind::tears) seen.tears += sample.tears.at(seen.cloth);
     if (time < double{check.from} - rounding) continue;
     if (check.until && time > double{*check.until} + rounding) continue;
+    // Where there was none at the start, there is nothing to compare it with.
+    if (check.kind == CheckKind::energy && !energy) continue;
     const double now = value(check, seen, sample, energy);
     seen.least = seen.reached ? std::min(seen.least, now) : now;
     seen.most = seen.reached ? std::max(seen.most, now) : now;
@@ -105,7 +107,7 @@ double SceneChecks::value(const SceneCheck& check, const Seen& seen, const Frame
     case CheckKind::density_error:
       return sample.diagnostics.density_error_mean;
     case CheckKind::energy:
-      return energy.value_or(0);
+      return *energy;
     case CheckKind::share_inside:
       return share_inside(check.region, sample.particles.positions);
     case CheckKind::body_position:

@@ -41,10 +41,12 @@ std::vector<std::string> sample_names() {
 }
 
 std::string scene_path(const std::string& scene) {
-  if (fs::is_regular_file(scene)) return scene;
+  std::error_code refused;  // a name too long, say, is no file
+  if (fs::is_regular_file(scene, refused)) return scene;
   const fs::path sample = samples_folder() / (scene + ".json");
-  if (scene.find('/') == std::string::npos && fs::is_regular_file(sample)) return sample.string();
-  if (fs::is_directory(scene)) throw Error(ErrorCode::io, "'" + scene + "' is a folder, not a scene file");
+  if (scene.find('/') == std::string::npos && fs::is_regular_file(sample, refused)) return sample.string();
+  if (fs::is_directory(scene, refused))
+    throw Error(ErrorCode::io, "'" + scene + "' is a folder, not a scene file");
   throw Error(ErrorCode::io,
               "no scene file and no sample is called '" + scene + "'; samples: " + list_of_samples());
 }

@@ -127,6 +127,7 @@ void fields(V& v, HullGeometry& d) {
   v("points", d.points, any_value, "m", "what the hull holds; without a file, at least 4, not in a plane");
   v("file", file, any_value, "", "mesh whose vertices the hull holds too; a file as that of a mesh");
   v("scale", scale, positive, "m", "length of a unit of the file");
+  v.check(file || scale == 1, "scale is the file's; points are in metres");
   v.check(file || d.points.size() >= 4,
           "a hull needs at least 4 points, not " + std::to_string(d.points.size()) + ", or a file");
 }

@@ -294,6 +294,8 @@ TEST_F(ProgramTest, BadInputIsOneLineAndCodeTwo) {
   EXPECT_EXIT(run({"run"}), testing::ExitedWithCode(bad_input), "^meniscus: scene is required[^\n]*\n$");
   EXPECT_EXIT(run({"run", "flood"}), testing::ExitedWithCode(bad_input),
               "^meniscus: [^\n]*'flood'; samples: drop, flag, raft\n$");
+  EXPECT_EXIT(run({"run", std::string(300, 'x')}), testing::ExitedWithCode(bad_input),
+              "^meniscus: no scene file [^\n]*\n$");
   EXPECT_EXIT(run({"run", "drop", "--device", "gpu"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --device: gpu");
   EXPECT_EXIT(run({"check", "drop", "--set", "frames=none"}), testing::ExitedWithCode(bad_input),

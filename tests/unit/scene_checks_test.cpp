@@ -112,7 +112,7 @@ class SceneChecksTest : public testing::Test {
   }
 
   /// Of the only check, after frames of 1 s with this sample at each.
-  nlohmann::ordered_json after(const std::vector<FrameSample>& samples, double energy = 1) {
+  nlohmann::ordered_json after(const std::vector<FrameSample>& samples, std::optional<double> energy = 1) {
     SceneChecks checks(scene_);
     checks.start(samples.front());
     double time = 0;
@@ -228,6 +228,7 @@ TEST_F(SceneChecksTest, EnergyNeedsAFloor) {
   scene_.shapes.resize(1);
   EXPECT_EQ(after({FrameSample{}}, 1.25)["most"], 1.25);
   EXPECT_EQ(after({FrameSample{}}, 1.75)["state"], "broken");
+  EXPECT_EQ(after({FrameSample{}}, std::nullopt)["state"], "not reached");
 }
 
 }  // namespace

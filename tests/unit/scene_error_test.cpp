@@ -272,6 +272,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "bodies[0]: loop needs at least 2 keyframes"},
         Mistake{"FewPoints", BODY(R"("geometry": {"type": "hull", "points": [[0, 0, 0], [1, 0, 0]]})"),
                 "bodies[0].geometry: a hull needs at least 4 points, not 2, or a file"},
+        Mistake{
+            "ScaleOfPoints",
+            BODY(
+                R"("geometry": {"type": "hull", "scale": 2, "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]})"),
+            "bodies[0].geometry: scale is the file's; points are in metres"},
         Mistake{"NoParts", BODY(R"("geometry": {"type": "compound", "parts": []})"),
                 "bodies[0].geometry.parts: an array of 0 is not allowed; must have at least 1 items"},
         Mistake{"PartInAPart",
