@@ -28,8 +28,7 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D
  public:
   BodyTies(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies), release_(*this) {}
 
-  /// Comes after what settles where vertices are: so long, what is tied to a body that nothing moves has w =
-  /// 0.
+  /// Comes after what settles where vertices are: until then those on bodies that nothing moves have w = 0.
   pbd::ConstraintSet<D>& release() { return release_; }
 
   /// All there are. Bodies that are gone must have no ties.
