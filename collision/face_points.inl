@@ -84,8 +84,8 @@ void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
 template <class D>
 void FacePoints<D>::begin(pbd::Substep<D>& substep) {
   using namespace face_kernels;
-  if (!any(substep)) return contacts_.begin(substep);
   contacts_.begin(substep);
+  if (!any(substep)) return;
   device_.parallel_for("faces/count", vertices_,
                        CountAtVertices{points(substep), substep.contacts.start, at_vertex_.view(),
                                        particles_.phase.current.view(), substep.particles.sorted});

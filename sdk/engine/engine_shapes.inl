@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
-
 #include "sdk/engine/engine.inl"
 
 namespace meniscus {
@@ -60,7 +58,7 @@ void DeviceEngine<D>::place_bodies() {
 /// Where solids or cloth have been put into one another, or into fluid.
 template <class D>
 void DeviceEngine<D>::note_placed() {
-  if (!std::exchange(any_placed_, false) || shape_set_.shapes.count == 0) return;
+  if (!any_placed_ || shape_set_.shapes.count == 0) return;
   const pbd::View<const pbd::Vec4> position = particles_.position.current.view();
   device_.parallel_for(
       "shapes/placed", particles_.count(),
@@ -68,6 +66,7 @@ void DeviceEngine<D>::note_placed() {
           shape_set_, contacts_.find_near(position, particles_.count(), contacts_.largest_radius()),
           contacts_.touches(particles_.phase.current.view(), particles_.sorted()), position,
           particles_.phase.current.view()});
+  any_placed_ = false;
 }
 
 template <class D>
