@@ -115,7 +115,7 @@ struct RigidWorld::Impl {
   void take_impulses(float dt, std::span<const RigidImpulse> impulses);
   void drive_kinematics(float dt);
   void advance_kinematics(float share);
-  void apply_forces();
+  void apply_forces(float dt);
   void limit_motors(float dt);
 
   RigidRef solid_of(const btCollisionObject* object) const;

@@ -27,17 +27,22 @@ Vec3 limited_turn(Vec3 angular_velocity, float dt) {
   return speed * dt > most_turn ? most_turn / (speed * dt) * angular_velocity : angular_velocity;
 }
 
-/// As btRigidBody::computeGyroscopicImpulseImplicit_Body, of a body that turns at another rate: one step of
-/// Newton's method for Euler's equation, implicit, in the body's frame.
-btVector3 gyroscopic_change(const btRigidBody& body, const btVector3& angular, float dt) {
+/// What changes a free body's angular velocity as its axes turn: one step of Newton's method for Euler's
+/// equation, implicit, in the body's frame (Catto, "Numerical Methods", GDC 2015). Bullet's own leaves out
+/// small bodies, whose moments of inertia multiply to less than it would divide by.
+btVector3 gyroscopic_torque(const btRigidBody& body, const btVector3& angular, float dt) {
   const btMatrix3x3& axes = body.getWorldTransform().getBasis();
-  const btVector3 inertia = body.getLocalInertia(), w = angular * axes, momentum = inertia * w;
-  const btMatrix3x3 tensor(inertia.x(), 0, 0, 0, inertia.y(), 0, 0, 0, inertia.z());
+  const btVector3 inertia = body.getLocalInertia(), inverse = body.getInvInertiaDiagLocal();
+  const btVector3 w = angular * axes, momentum = inertia * w;
+  const btMatrix3x3 over_inertia(inverse.x(), 0, 0, 0, inverse.y(), 0, 0, 0, inverse.z());
   btMatrix3x3 turn, spin;
   w.getSkewSymmetricMatrix(&turn[0], &turn[1], &turn[2]);
   momentum.getSkewSymmetricMatrix(&spin[0], &spin[1], &spin[2]);
-  const btMatrix3x3 slope = tensor + (turn * tensor - spin) * dt;
-  return axes * -slope.solve33(dt * w.cross(momentum));
+  const float turning = btMin(dt, most_turn / btMax(w.length(), FLT_MIN));
+  const btMatrix3x3 slope =
+      btMatrix3x3::getIdentity() + over_inertia * (turn.scaled(inertia) - spin) * turning;
+  const btVector3 change = -slope.solve33(turning * inverse * w.cross(momentum));
+  return axes * (inertia * change / dt);
 }
 
 /// What Bullet's steps make of a body's velocity where nothing is in its way; the mean over the steps. The
@@ -45,7 +50,7 @@ btVector3 gyroscopic_change(const btRigidBody& body, const btVector3& angular, f
 RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
   const float share = 1 / static_cast<float>(substeps), h = share * dt;
   const btVector3 gain = h * (body.getGravity() + body.getInvMass() * to_bullet(memory.force));
-  const btVector3 spin = h * (body.getInvInertiaTensorWorld() * to_bullet(memory.torque));
+  const btMatrix3x3& over_inertia = body.getInvInertiaTensorWorld();
   const float kept = btPow(1 - body.getLinearDamping(), h);
   const float angular_kept = btPow(1 - body.getAngularDamping(), h);
   btVector3 linear = body.getLinearVelocity(), angular = body.getAngularVelocity();
@@ -53,7 +58,7 @@ RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, floa
   for (int i = 0; i < substeps; ++i) {
     linear = kept * linear + gain;
     angular *= angular_kept;
-    angular += gyroscopic_change(body, angular, h) + spin;
+    angular += h * (over_inertia * (gyroscopic_torque(body, angular, h) + to_bullet(memory.torque)));
     mean.velocity += share * from_bullet(linear);
     mean.angular_velocity += share * limited_turn(from_bullet(angular), h);
   }
@@ -151,12 +156,16 @@ void RigidWorld::Impl::advance_kinematics(float share) {
   }
 }
 
-void RigidWorld::Impl::apply_forces() {
+void RigidWorld::Impl::apply_forces(float dt) {
   for (const auto& body : bodies.slots) {
     if (!body || body->kinematic) continue;
-    body->bullet->clearForces();
-    body->bullet->applyCentralForce(to_bullet(body->memory.force));
-    body->bullet->applyTorque(to_bullet(body->memory.torque));
+    btRigidBody& bullet = *body->bullet;
+    bullet.clearForces();
+    bullet.applyCentralForce(to_bullet(body->memory.force));
+    bullet.applyTorque(to_bullet(body->memory.torque));
+    if (!bullet.isActive()) continue;
+    const float kept = btPow(1 - bullet.getAngularDamping(), dt);  // Bullet damps first
+    bullet.applyTorque(gyroscopic_torque(bullet, kept * bullet.getAngularVelocity(), dt));
   }
 }
 
@@ -177,7 +186,7 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
       resting_steps * h * length(world.def.gravity);
   for (int i = 1; i <= substeps; ++i) {
     if (i > 1) world.dynamics.detect(h);
-    world.apply_forces();
+    world.apply_forces(h);
     world.dynamics.advance(h);
     world.advance_kinematics(i < substeps ? static_cast<float>(i) / static_cast<float>(substeps) : 1);
   }
