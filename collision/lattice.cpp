@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
 namespace meniscus::collision {
@@ -28,11 +30,11 @@ void check_count(const std::array<double, 3>& points, const Aabb& box, float spa
   const double count = points[0] * points[1] * points[2];
   if (count <= max_lattice_points) return;
   const std::array<double, 3> e = extent_of(box);
-  throw Error(ErrorCode::invalid_argument,
-              std::string(name) + " is " + std::to_string(spacing) + " m, which divides a mesh of " +
-                  std::to_string(e[0]) + " x " + std::to_string(e[1]) + " x " + std::to_string(e[2]) +
-                  " m into " + std::to_string(std::llround(count * 1e-6)) + " million points: at most " +
-                  std::to_string(max_lattice_points / 1000000) + " million are allowed");
+  std::ostringstream text;
+  text << name << " is " << spacing << " m, which divides a mesh of " << e[0] << " x " << e[1] << " x "
+       << e[2] << " m into " << std::setprecision(3) << count * 1e-6 << " million points: at most "
+       << max_lattice_points / 1000000 << " million are allowed";
+  throw Error(ErrorCode::invalid_argument, text.str());
 }
 
 Lattice centred(const std::array<double, 3>& points, const Aabb& box, float spacing) {

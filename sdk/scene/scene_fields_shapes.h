@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "pbd/math/vec.h"
+#include "pbd/math/direction.h"
 #include "sdk/scene/scene_field_rule.h"
 
 namespace meniscus {
@@ -44,7 +44,7 @@ void fields(V& v, AxisAngle& d) {
   v("axis", d.axis, required(any_value), "",
     "direction to turn about, by the right hand; of any length but 0");
   v("degrees", d.degrees, required(any_value), "degrees", "how far to turn");
-  v.check(length(d.axis) > 1e-6f, "axis must not be zero");
+  v.check(pbd::is_direction(d.axis), "axis must be of a length from 1e-6 to 1e18");
 }
 
 template <class V>
@@ -64,7 +64,7 @@ template <class V>
 void fields(V& v, PlaneGeometry& d) {
   v("normal", d.normal, any_value, "", "points out of the solid; of any length but 0");
   v("offset", d.offset, any_value, "m", "distance of the plane from the origin, along the normal");
-  v.check(length(d.normal) > 1e-6f, "normal must not be zero");
+  v.check(pbd::is_direction(d.normal), "normal must be of a length from 1e-6 to 1e18");
 }
 
 template <class V>

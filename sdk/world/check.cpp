@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "pbd/math/vec.h"
+#include "pbd/math/direction.h"
 
 namespace meniscus::check {
 
@@ -45,6 +45,11 @@ void finite(const char* name, float value) {
 
 void finite(const char* name, Vec3 value) {
   if (!is_finite(value)) refuse(name, text_of(value), "finite");
+}
+
+void direction(const char* name, Vec3 value) {
+  if (!pbd::is_direction(value))
+    refuse(name, text_of(value), "of a length " + range(pbd::least_direction, pbd::longest_direction));
 }
 
 void positive(const char* name, float value) {

@@ -18,6 +18,7 @@ std::string text_of(Vec3 v);
 
 void finite(const char* name, float value);
 void finite(const char* name, Vec3 value);
+void direction(const char* name, Vec3 value);  ///< see pbd::is_direction
 void positive(const char* name, float value);
 void not_negative(const char* name, float value);
 void between(const char* name, float value, float lower, float upper);

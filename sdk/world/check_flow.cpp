@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "pbd/math/vec.h"
 #include "sdk/world/check.h"
 
 namespace meniscus::check {
@@ -11,10 +10,8 @@ struct CheckRegion {
   void operator()(const BoxRegion& r) const { box("SinkDef::region", {r.lower, r.upper}); }
   void operator()(const BallRegion& r) const { positive("BallRegion::radius", r.radius); }
   void operator()(const HalfSpaceRegion& r) const {
-    finite("HalfSpaceRegion::normal", r.normal);
+    direction("HalfSpaceRegion::normal", r.normal);
     finite("HalfSpaceRegion::offset", r.offset);
-    if (length(r.normal) < 1e-6f)
-      refuse("HalfSpaceRegion::normal", text_of(r.normal), "a direction, not zero");
   }
 };
 

@@ -12,9 +12,8 @@ namespace {
 
 struct CheckGeometry {
   void operator()(const PlaneGeometry& g) const {
-    finite("PlaneGeometry::normal", g.normal);
+    direction("PlaneGeometry::normal", g.normal);
     finite("PlaneGeometry::offset", g.offset);
-    if (length(g.normal) < 1e-6f) refuse("PlaneGeometry::normal", text_of(g.normal), "a direction, not zero");
   }
   void operator()(const BoxGeometry& g) const { extents("BoxGeometry::half_extents", g.half_extents); }
   void operator()(const ContainerGeometry& g) const {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "collision/hull.h"
+#include "collision/lattice.h"
 #include "collision/mesh.h"
 #include "sdk/world/container_walls.h"
 
@@ -72,7 +73,10 @@ class SolidBuilder {
   }
   void operator()(const HullGeometry& g) {
     const auto mesh = std::make_shared<const TriangleMesh>(collision::hull_mesh(g.points));
-    add_field(*mesh, 0.5f * context_.spacing, 0);
+    const float cell_size = 0.5f * context_.spacing;
+    collision::lattice_around(collision::bounds(*mesh), cell_size, context_.reach,
+                              "half of WorldDef::particle_spacing");  // a field's, which may be too large
+    add_field(*mesh, cell_size, 0);
     add_part(mesh, RigidPart::Kind::hull);
     weigh([&](double d) { return collision::mesh_mass(*mesh, d); });
   }

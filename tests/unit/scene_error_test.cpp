@@ -168,10 +168,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "Normal",
             R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane", "normal": [0, 0, 0]}}]})",
-            "shapes[0].geometry: normal must not be zero"},
+            "shapes[0].geometry: normal must be of a length from 1e-6 to 1e18"},
         Mistake{"Axis", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"},
                         "pose": {"rotation": {"axis": [0, 0, 0], "degrees": 1}}}]})",
-                "shapes[0].pose.rotation: axis must not be zero"},
+                "shapes[0].pose.rotation: axis must be of a length from 1e-6 to 1e18"},
         Mistake{"Quaternion", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"},
                               "pose": {"rotation": [0, 0, 0, 1e-9]}}]})",
                 "shapes[0].pose.rotation: a quaternion near zero is no rotation; its length must be greater "

@@ -120,7 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "sinks[0].region: missing, and needed: particles inside are removed at the end of a frame"},
         Mistake{"SinkBody", "/sinks/0/body", R"("car")",
                 R"(sinks[0].body: there is no body named "car"; did you mean "cart"?)"},
-        Mistake{"Normal", "/sinks/1/region/normal", "[0, 0, 0]", "sinks[1].region: normal must not be zero"}),
+        Mistake{"Normal", "/sinks/1/region/normal", "[0, 0, 0]",
+                "sinks[1].region: normal must be of a length from 1e-6 to 1e18"}),
     [](const testing::TestParamInfo<Mistake>& p) { return std::string(p.param.name); });
 
 }  // namespace

@@ -104,6 +104,7 @@ TEST_P(DefErrorTest, Fluids) {
 TEST_P(DefErrorTest, Shapes) {
   expect_bad_shape("normal", PlaneGeometry{{0, 0, 0}, 0});
   expect_bad_shape("normal", PlaneGeometry{{0, nan, 0}, 0});
+  expect_bad_shape("normal", PlaneGeometry{{0, 1e19f, 0}, 0});
   expect_bad_shape("offset", PlaneGeometry{{0, 1, 0}, inf});
   expect_bad_shape("half_extents", BoxGeometry{{1, 0, 1}});
   expect_bad_shape("half_extents", ContainerGeometry{{1, -1, 1}, {}});
@@ -124,6 +125,8 @@ TEST_P(DefErrorTest, Shapes) {
   expect_bad_shape("cell_size", HeightFieldGeometry{2, 2, 0, {0, 0, 0, 0}});
   expect_bad_shape("heights", HeightFieldGeometry{2, 2, 1, {0, 0, 0}});
   expect_bad_shape("heights", HeightFieldGeometry{2, 2, 1, {0, 0, 0, nan}});
+  expect_bad_shape("particle_spacing is",
+                   HullGeometry{{{0, 0, 0}, {1e9f, 0, 0}, {0, 1e9f, 0}, {0, 0, 1e9f}}});
 }
 
 TEST_P(DefErrorTest, WhatAllShapesShare) {
