@@ -35,6 +35,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
 
   /// The bodies of the world have changed, or what they carry. The view must stay valid until it is set anew.
   void set_shapes(std::span<const CarriedShape> carried, pbd::View<Shape> shapes);
+  /// Of one that is destroyed: what comes to its place had none.
+  void forget_forces(uint32_t body);
   /// Brings the shapes to where the bodies are now.
   void place();
 

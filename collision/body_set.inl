@@ -25,11 +25,7 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
   for (uint32_t b = 0; b < bodies_; ++b) mass[b] = world_.mass(b);
   any_moved_ = std::any_of(mass.begin(), mass.end(), [](const RigidMass& m) { return m.inverse_mass > 0; });
   sums_.assign(bodies_, {});
-  std::vector<RigidImpulse> forces(bodies_);  // of a place that is used again, none
-  for (const CarriedShape& c : carried) {
-    if (c.body < mean_forces_.size()) forces[c.body] = mean_forces_[c.body];
-  }
-  mean_forces_ = std::move(forces);
+  mean_forces_.resize(bodies_);
 
   device_.wait();
   motion_.resize_discard(bodies_);
@@ -43,6 +39,11 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
   partial_.resize_discard(bodies_ * lanes());
   contact_motion_.reserve(bodies_, 0);
   place();
+}
+
+template <class D>
+void BodySet<D>::forget_forces(uint32_t body) {
+  if (body < mean_forces_.size()) mean_forces_[body] = {};
 }
 
 template <class D>

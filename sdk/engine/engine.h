@@ -153,7 +153,7 @@ class Engine {
   virtual std::span<const collision::RigidImpulse> body_forces() const = 0;
   /// Of the last substep, in the order of the slots; those that did something.
   virtual std::vector<ContactReadout> read_contacts() = 0;
-  /// Takes those of a solid that is destroyed out of them.
+  /// Takes those of a solid that is destroyed out of them, and their force out of body_forces().
   virtual void forget_contacts(uint32_t solid, TouchedKind kind) = 0;
   virtual void set_sinks(std::span<const Sink> sinks) = 0;
   /// Removes what the sinks take: by slot as it was before, who is gone; empty when nobody is. Counts by

@@ -130,6 +130,7 @@ void DeviceEngine<D>::forget_contacts(uint32_t solid, TouchedKind kind) {
   fetch_contacts();
   std::erase_if(fetched_contacts_,
                 [&](const ContactReadout& c) { return c.solid == solid && c.kind == kind; });
+  if (kind == TouchedKind::body) bodies_.forget_forces(solid);
 }
 
 template <class D>

@@ -55,14 +55,8 @@ ShapeId World::create_shape(const ShapeDef& def) {
     release_fields(entry.solid, *impl_->engine);
     throw;
   }
-  const ShapeId id = impl_->shapes.insert(std::move(entry));
-  try {
-    impl_->solids_changed();
-  } catch (...) {
-    destroy_shape(id);
-    throw;
-  }
-  return id;
+  impl_->solids_changed();
+  return impl_->shapes.insert(std::move(entry));
 }
 
 void World::destroy_shape(ShapeId id) {
@@ -117,8 +111,9 @@ size_t World::add_fluid(const FluidVolumeDef& def) {
   const float spacing = impl_->def.particle_spacing;
   const ParticleMaterial& material = impl_->fluids.get(def.fluid);
   std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
-  if (material.grain.is_grain) points = shaken(std::move(points), *impl_->engine, spacing, material.filter);
-  std::vector<Vec3> safe = safe_points(points, positions(), *impl_->engine, spacing, material.filter);
+  if (material.grain.is_grain)
+    points = shaken(std::move(points), impl_->with_solids(), spacing, material.filter);
+  std::vector<Vec3> safe = safe_points(points, positions(), impl_->with_solids(), spacing, material.filter);
   impl_->keep_off_cloth(safe, material.filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
   impl_->add(def.fluid, safe, {}, def.velocity);
@@ -159,8 +154,7 @@ void World::remove_particles(std::span<const ParticleId> gone) {
 
 void World::relax(int iterations) {
   check::between("relax's iterations", iterations, 0, 100000);
-  impl_->upload_cloth();
-  impl_->engine->relax(0.001f, iterations);
+  impl_->uploaded().relax(0.001f, iterations);
   impl_->state_changed();
   impl_->cloth_is_on_host = impl_->vertex_count == 0;
 }
@@ -172,10 +166,10 @@ StepReport World::step(float dt) {
   const auto start = std::chrono::steady_clock::now();
   impl_->plan_dripping();
   impl_->plan_emission(dt);
-  impl_->upload_cloth();
+  Engine& engine = impl_->uploaded();
   impl_->state_changed();
   impl_->forget_reactions();  // should the step fail, there are none
-  EngineStep done = impl_->engine->step(dt);
+  EngineStep done = engine.step(dt);
   if (const pbd::ParticleSummary& summary = done.result.summary; summary.non_finite) {
     throw Error(ErrorCode::non_finite,
                 std::to_string(summary.non_finite) + " particles became non-finite, the first of them " +
@@ -200,8 +194,8 @@ StepReport World::step(float dt) {
   report.contacts = done.result.contacts;
   report.max_neighbours = done.result.max_neighbours;
   report.max_speed = std::sqrt(done.result.summary.max_speed2);
-  report.diffuse = impl_->engine->diffuse_count();
-  report.diffuse_refused = impl_->engine->diffuse_refused();
+  report.diffuse = engine.diffuse_count();
+  report.diffuse_refused = engine.diffuse_refused();
   return report;
 }
 

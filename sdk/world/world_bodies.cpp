@@ -81,14 +81,8 @@ BodyId World::create_body(const BodyDef& def) {
     release_fields(solid, *impl_->engine);
     throw;
   }
-  const BodyId id = impl_->bodies.insert(std::move(entry));
-  try {
-    impl_->solids_changed();
-  } catch (...) {
-    destroy_body(id);
-    throw;
-  }
-  return id;
+  impl_->solids_changed();
+  return impl_->bodies.insert(std::move(entry));
 }
 
 void World::destroy_body(BodyId id) {
@@ -127,7 +121,9 @@ void World::destroy_joint(JointId id) {
 BodyState World::body_state(BodyId id) const {
   impl_->bodies.get(id);
   const collision::RigidWorld& rigid = impl_->rigid;
-  const collision::RigidImpulse force = impl_->engine->body_forces()[id.index];
+  const std::span<const collision::RigidImpulse> forces = impl_->engine->body_forces();
+  const collision::RigidImpulse force =
+      id.index < forces.size() ? forces[id.index] : collision::RigidImpulse{};  // it has come since the step
   return {rigid.pose(id.index),
           rigid.centre_of_mass(id.index),
           rigid.velocity(id.index),
@@ -151,7 +147,7 @@ void World::set_body_pose(BodyId id, const Pose& pose) {
   impl_->bodies.get(id);
   check::pose("set_body_pose's pose", pose);
   impl_->rigid.set_pose(id.index, pose);
-  impl_->engine->place_bodies();
+  impl_->with_solids().place_bodies();
   impl_->state_changed();
 }
 

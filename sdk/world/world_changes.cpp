@@ -96,10 +96,10 @@ void World::Impl::push_vertices(const Strand& strand, const char* kind, std::spa
                       " has " + std::to_string(strand.count()) + ", counted from 0");
   }
   if (vertices.empty()) return;
-  upload_cloth();
+  Engine& with_cloth = uploaded();
   std::vector<uint32_t> numbers(vertices.begin(), vertices.end());
   for (uint32_t& v : numbers) v += strand.first;
-  engine->push_vertices(numbers, impulses);
+  with_cloth.push_vertices(numbers, impulses);
   cloth_is_on_host = false;
 }
 
@@ -120,7 +120,7 @@ std::vector<float> World::solid_distances(std::span<const Vec3> points, float re
   check::positive("solid_distances's reach", reach);
   for (const Vec3 p : points) check::finite("a point of solid_distances", p);
   if (points.empty()) return {};
-  return impl_->engine->solid_distances(points, reach, filter);
+  return impl_->with_solids().solid_distances(points, reach, filter);
 }
 
 }  // namespace meniscus

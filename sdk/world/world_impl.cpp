@@ -116,6 +116,12 @@ void World::Impl::append(const ParticleBatch& batch) {
 }
 
 void World::Impl::solids_changed() {
+  solids_are_on_device = false;
+  state_changed();
+}
+
+void World::Impl::upload_solids() {
+  if (solids_are_on_device) return;
   SolidShapes all;
   const auto add = [&](uint32_t owner, const SolidPieces& solid, const auto& finish) {
     const auto first_wall = static_cast<uint32_t>(all.shapes.size());
@@ -146,7 +152,7 @@ void World::Impl::solids_changed() {
     });
   });
   engine->set_shapes(all);
-  state_changed();
+  solids_are_on_device = true;
 }
 
 void World::Impl::probes_changed() {

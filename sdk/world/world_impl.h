@@ -58,6 +58,11 @@ struct World::Impl {
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
   void append(const ParticleBatch& batch);
   void solids_changed();
+  void upload_solids();  // where any has come or gone: with all of them at once, as each costs as much as all
+  /// To be asked of solids.
+  Engine& with_solids() { return upload_solids(), *engine; }
+  /// To be asked of contacts: those with solids that have just come, and with cloth.
+  Engine& uploaded() { return upload_solids(), upload_cloth(), *engine; }
   SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
@@ -115,6 +120,7 @@ struct World::Impl {
   IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
   IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
   IdTable<JointId, JointDef> joints{"joint", first_generation};
+  bool solids_are_on_device = true;            // shapes and bodies
   std::vector<collision::RigidTouch> touches;  // after the last step
   std::vector<ContactEvent> events;            // of the last step
   IdTable<EmitterId, EmitterEntry> emitters{"emitter", first_generation};

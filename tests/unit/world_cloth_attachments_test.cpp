@@ -167,8 +167,9 @@ TEST_P(ClothAttachmentTest, ForcesOfAttachmentsMadeSinceTheLastStepReadZero) {
   run(world_, 3, 1 / 60.0f);
   EXPECT_NE(world_.attachment_force(second), (Vec3{0, 0, 0}));
   EXPECT_NE(world_.attachment_force(third), (Vec3{0, 0, 0}));
+  const Vec3 last = world_.attachment_force(third);
   world_.destroy_body(bar);
-  EXPECT_EQ(world_.attachment_force(third), (Vec3{0, 0, 0}));
+  EXPECT_EQ(world_.attachment_force(third), last);
 }
 
 // ---- seams ----
