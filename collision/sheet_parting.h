@@ -11,8 +11,8 @@ namespace meniscus::collision::sheet_kernels {
 
 /// Takes those out of the near particles' lists that are on the other side of a triangle, at the substep's
 /// start, when nothing had passed through anything. Both ends of a pair see the same segment, computed in the
-/// same way, and part from one another. A warp works on a particle: each thread has a neighbour, and all look
-/// for triangles together.
+/// same way, and part from one another. A warp works on a particle: its threads share out 32 neighbours, and
+/// all look for triangles together.
 struct PartNeighbours {
   Surface surface;
   NearList near;
@@ -23,26 +23,50 @@ struct PartNeighbours {
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= near.count()) return;
     const uint32_t i = near.particle[k], count = neighbours.count[i];
-    for (uint32_t first = 0; first < count; first += SearchTeam::count()) {
-      const uint32_t n = first + SearchTeam::rank(), j = n < count ? neighbours.entry(i, n) : sentinel;
-      if (are_parted(i, j)) neighbours.entry(i, n) = sentinel;
+    for (uint32_t first = 0; first < count; first += SearchTeam::most) part(i, first, count);
+  }
+
+ private:
+  static constexpr uint32_t own_count = SearchTeam::most / SearchTeam::count();
+
+  struct Neighbour {
+    uint32_t j;  // or the sentinel
+    Aabb box;    // of the segment to it
+  };
+
+  /// From those from the first on. What passes through the piece stays a neighbour of both sides.
+  MENISCUS_HD void part(uint32_t i, uint32_t first, uint32_t count) const {
+    Neighbour own[own_count];
+    for (uint32_t k = 0; k < own_count; ++k) own[k] = neighbour(i, place(first, k), count);
+    Aabb all = own[0].box;
+    for (uint32_t k = 1; k < own_count; ++k) all = pbd::joined(all, own[k].box);
+    all = {SearchTeam::least(all.lower), -SearchTeam::least(-all.upper)};
+    pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
+    for (uint32_t above, boxes; walk.next_group(above, boxes);) {
+      for (uint32_t k = 0; k < own_count; ++k) {
+        if (own[k].j == sentinel || !are_parted_by(above, boxes, i, own[k])) continue;
+        own[k].j = neighbours.entry(i, place(first, k)) = sentinel;
+      }
     }
   }
 
-  /// What passes through the piece stays a neighbour of both sides.
-  MENISCUS_HD bool are_parted(uint32_t i, uint32_t j) const {
+  MENISCUS_HD static uint32_t place(uint32_t first, uint32_t k) {
+    return first + SearchTeam::rank() + k * SearchTeam::count();
+  }
+
+  MENISCUS_HD Neighbour neighbour(uint32_t i, uint32_t n, uint32_t count) const {
+    const uint32_t j = n < count ? neighbours.entry(i, n) : sentinel;
     const Vec3 p = load(surface.previous, i).xyz(), q = j == sentinel ? p : load(surface.previous, j).xyz();
     constexpr float slack = 1e-4f;  // more than that of what goes through an edge
-    const Aabb own = way_box(p, q, slack * h);
-    const Aabb all{SearchTeam::least(own.lower), -SearchTeam::least(-own.upper)};
-    bool parted = false;
-    pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
-    for (uint32_t above, boxes; walk.next_group(above, boxes);) {
-      boxes &= pbd::overlap_mask(surface.tree.group(1, above), own);
-      for (; boxes && j != sentinel && !parted; boxes &= boxes - 1)
-        parted = are_parted_by(8 * above + pbd::lowest_bit(boxes), own, i, j);
-    }
-    return parted;
+    return {j, way_box(p, q, slack * h)};
+  }
+
+  /// By a triangle of some of eight groups.
+  MENISCUS_HD bool are_parted_by(uint32_t above, uint32_t boxes, uint32_t i, const Neighbour& own) const {
+    boxes &= pbd::overlap_mask(surface.tree.group(1, above), own.box);
+    for (; boxes; boxes &= boxes - 1)
+      if (are_parted_by(8 * above + pbd::lowest_bit(boxes), own.box, i, own.j)) return true;
+    return false;
   }
 
   /// By one of eight triangles.

@@ -56,10 +56,9 @@ struct alignas(64) BoxGroup {
 
 /// Bit k is set where box k overlaps.
 MENISCUS_HD inline uint32_t overlap_mask(const BoxGroup& group, const Aabb& box) {
-  const uint32_t x = at_most_mask(group.lower[0], box.upper.x) & at_least_mask(group.upper[0], box.lower.x);
-  const uint32_t y = at_most_mask(group.lower[1], box.upper.y) & at_least_mask(group.upper[1], box.lower.y);
-  const uint32_t z = at_most_mask(group.lower[2], box.upper.z) & at_least_mask(group.upper[2], box.lower.z);
-  return x & y & z;
+  const float least[3] = {box.lower.x, box.lower.y, box.lower.z};
+  const float most[3] = {box.upper.x, box.upper.y, box.upper.z};
+  return overlap_mask(group.lower, group.upper, least, most);
 }
 
 /// Eight threads look at a group, and a whole warp works on one query: there are few, with many triangles
@@ -192,7 +191,8 @@ MENISCUS_HD uint32_t boxes_where(uint32_t boxes, const So& so) {
     return SearchTeam::ballot((boxes >> k & 1) && so(k)) & 0xff;
   }
   uint32_t left = 0;
-  for (uint32_t k = 0; k < BoxGroup::size; ++k) left |= static_cast<uint32_t>((boxes >> k & 1) && so(k)) << k;
+  for (; boxes; boxes &= boxes - 1)
+    if (so(lowest_bit(boxes))) left |= boxes & -boxes;
   return left;
 }
 
@@ -204,19 +204,24 @@ MENISCUS_HD inline uint32_t boxes_behind(uint32_t boxes, uint32_t n) {
 
 /// Calls visit(place, overlaps) for the triangles near a box, of those groups of eight for which
 /// wanted(group) holds. A GPU's warp shares them out, a group to eight threads, who all come together, also
-/// those whose own triangle does not overlap.
+/// those whose own triangle does not overlap; a thread alone comes for none but those that do.
 template <class Wanted, class Visit>
 MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Wanted& wanted,
                                         const Visit& visit) {
-  constexpr uint32_t threads = SearchTeam::count(), teams = threads == 1 ? 1 : threads / BoxGroup::size;
+  constexpr uint32_t teams = SearchTeam::count() / GroupTeam::count();
   OverlapWalk<TestTogether> walk(tree, box, 1);
   for (uint32_t above, boxes; walk.next_group(above, boxes);) {
     boxes = boxes_where(boxes, [&](uint32_t k) { return wanted(8 * above + k); });
     uint32_t own = boxes_behind(boxes, SearchTeam::rank() / BoxGroup::size);
     for (; boxes; boxes = boxes_behind(boxes, teams), own = boxes_behind(own, teams)) {
       const uint32_t group = 8 * above + (own ? lowest_bit(own) : 0);
-      for (uint32_t k = GroupTeam::rank(); k < BoxGroup::size; k += GroupTeam::count())
-        visit(8 * group + k, own != 0 && overlap(tree.box(0, 8 * group + k), box));
+      if constexpr (GroupTeam::count() == 1) {
+        for (uint32_t left = overlap_mask(tree.group(0, group), box); left; left &= left - 1)
+          visit(8 * group + lowest_bit(left), true);
+      } else {
+        const uint32_t place = 8 * group + GroupTeam::rank();
+        visit(place, own != 0 && overlap(tree.box(0, place), box));
+      }
     }
   }
 }
