@@ -27,22 +27,29 @@ Vec3 limited_turn(Vec3 angular_velocity, float dt) {
   return speed * dt > most_turn ? most_turn / (speed * dt) * angular_velocity : angular_velocity;
 }
 
-/// What changes a free body's angular velocity as its axes turn: one step of Newton's method for Euler's
-/// equation, implicit, in the body's frame (Catto, "Numerical Methods", GDC 2015). Bullet's own leaves out
-/// small bodies, whose moments of inertia multiply to less than it would divide by.
-btVector3 gyroscopic_torque(const btRigidBody& body, const btVector3& angular, float dt) {
+/// The angular velocity of a free body after dt, as its axes turn: Euler's equation by the implicit midpoint
+/// rule, which keeps energy and momentum, in the body's frame. Bullet's own takes the tumbling out of fast
+/// bodies, and leaves out small ones, whose moments of inertia multiply to less than it would divide by.
+btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
   const btMatrix3x3& axes = body.getWorldTransform().getBasis();
   const btVector3 inertia = body.getLocalInertia(), inverse = body.getInvInertiaDiagLocal();
-  const btVector3 w = angular * axes, momentum = inertia * w;
   const btMatrix3x3 over_inertia(inverse.x(), 0, 0, 0, inverse.y(), 0, 0, 0, inverse.z());
-  btMatrix3x3 turn, spin;
-  w.getSkewSymmetricMatrix(&turn[0], &turn[1], &turn[2]);
-  momentum.getSkewSymmetricMatrix(&spin[0], &spin[1], &spin[2]);
-  const float turning = btMin(dt, most_turn / btMax(w.length(), FLT_MIN));
-  const btMatrix3x3 slope =
-      btMatrix3x3::getIdentity() + over_inertia * (turn.scaled(inertia) - spin) * turning;
-  const btVector3 change = -slope.solve33(turning * inverse * w.cross(momentum));
-  return axes * (inertia * change / dt);
+  const btVector3 before = angular * axes;
+  const float speed = before.length(), turning = btMin(dt, most_turn / btMax(speed, FLT_MIN));
+  btVector3 after = before;
+  constexpr int newton_steps = 3;
+  for (int i = 0; i < newton_steps; ++i) {
+    const btVector3 w = 0.5f * (before + after), momentum = inertia * w;
+    const btVector3 error = after - before + turning * inverse * w.cross(momentum);
+    if (error.length() <= FLT_EPSILON * speed) break;
+    btMatrix3x3 turn, spin;
+    w.getSkewSymmetricMatrix(&turn[0], &turn[1], &turn[2]);
+    momentum.getSkewSymmetricMatrix(&spin[0], &spin[1], &spin[2]);
+    const btMatrix3x3 slope =
+        btMatrix3x3::getIdentity() + over_inertia * (turn.scaled(inertia) - spin) * (0.5f * turning);
+    after -= slope.solve33(error);
+  }
+  return axes * after;
 }
 
 /// What Bullet's steps make of a body's velocity where nothing is in its way; the mean over the steps. The
@@ -50,15 +57,14 @@ btVector3 gyroscopic_torque(const btRigidBody& body, const btVector3& angular, f
 RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
   const float share = 1 / static_cast<float>(substeps), h = share * dt;
   const btVector3 gain = h * (body.getGravity() + body.getInvMass() * to_bullet(memory.force));
-  const btMatrix3x3& over_inertia = body.getInvInertiaTensorWorld();
+  const btVector3 spin = h * (body.getInvInertiaTensorWorld() * to_bullet(memory.torque));
   const float kept = btPow(1 - body.getLinearDamping(), h);
   const float angular_kept = btPow(1 - body.getAngularDamping(), h);
   btVector3 linear = body.getLinearVelocity(), angular = body.getAngularVelocity();
   RigidMotion mean{from_bullet(body.getWorldTransform()), {0, 0, 0}, {0, 0, 0}};
   for (int i = 0; i < substeps; ++i) {
     linear = kept * linear + gain;
-    angular *= angular_kept;
-    angular += h * (over_inertia * (gyroscopic_torque(body, angular, h) + to_bullet(memory.torque)));
+    angular = angular_kept * tumbled(body, angular, h) + spin;
     mean.velocity += share * from_bullet(linear);
     mean.angular_velocity += share * limited_turn(from_bullet(angular), h);
   }
@@ -163,9 +169,7 @@ void RigidWorld::Impl::apply_forces(float dt) {
     bullet.clearForces();
     bullet.applyCentralForce(to_bullet(body->memory.force));
     bullet.applyTorque(to_bullet(body->memory.torque));
-    if (!bullet.isActive()) continue;
-    const float kept = btPow(1 - bullet.getAngularDamping(), dt);  // Bullet damps first
-    bullet.applyTorque(gyroscopic_torque(bullet, kept * bullet.getAngularVelocity(), dt));
+    if (bullet.isActive()) bullet.setAngularVelocity(tumbled(bullet, bullet.getAngularVelocity(), dt));
   }
 }
 

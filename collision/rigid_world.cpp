@@ -184,7 +184,7 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
     impl_->place_kinematic(*made, impl_->kinematic_pose(*made, impl_->time));
   } else {
     set_speed(bullet, def.velocity, def.angular_velocity);
-    bullet.setFlags(bullet.getFlags() & ~BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);  // see gyroscopic_torque
+    bullet.setFlags(bullet.getFlags() & ~BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);  // see tumbled()
   }
   scale_to_size(bullet, made->shape, impl_->acceleration_scale());
   if (!def.can_sleep) bullet.setActivationState(DISABLE_DEACTIVATION);
