@@ -53,7 +53,7 @@ void fields(V& v, SceneEmitter& e) {
 
 template <class V>
 void fields(V& v, HalfSpaceRegion& d) {
-  v("normal", d.normal, any_value, "", "points out of the region; of any length but 0");
+  v("normal", d.normal, any_value, "", "points out of the region; of a length from 1e-6 to 1e18");
   v("offset", d.offset, any_value, "m", "what is inside is nearer to the origin than this along the normal");
   v.check(pbd::is_direction(d.normal), "normal must be of a length from 1e-6 to 1e18");
 }

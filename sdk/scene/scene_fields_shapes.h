@@ -42,7 +42,7 @@ struct AxisAngle {
 template <class V>
 void fields(V& v, AxisAngle& d) {
   v("axis", d.axis, required(any_value), "",
-    "direction to turn about, by the right hand; of any length but 0");
+    "direction to turn about, by the right hand; of a length from 1e-6 to 1e18");
   v("degrees", d.degrees, required(any_value), "degrees", "how far to turn");
   v.check(pbd::is_direction(d.axis), "axis must be of a length from 1e-6 to 1e18");
 }
@@ -62,7 +62,7 @@ void fields(V& v, Aabb& d) {
 
 template <class V>
 void fields(V& v, PlaneGeometry& d) {
-  v("normal", d.normal, any_value, "", "points out of the solid; of any length but 0");
+  v("normal", d.normal, any_value, "", "points out of the solid; of a length from 1e-6 to 1e18");
   v("offset", d.offset, any_value, "m", "distance of the plane from the origin, along the normal");
   v.check(pbd::is_direction(d.normal), "normal must be of a length from 1e-6 to 1e18");
 }

@@ -173,8 +173,8 @@ struct SurfaceMeshDef {
 
 /// Everything with normal · x < offset is solid.
 struct PlaneGeometry {
-  Vec3 normal{0, 1, 0};
-  float offset = 0;  ///< m
+  Vec3 normal{0, 1, 0};  ///< of a length from 1e-6 to 1e18
+  float offset = 0;      ///< m
 };
 
 struct BoxGeometry {

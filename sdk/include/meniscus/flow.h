@@ -61,7 +61,7 @@ struct EmitterDef {
 
 /// Everything with normal · x < offset.
 struct HalfSpaceRegion {
-  Vec3 normal{0, 1, 0};  ///< of any length but 0
+  Vec3 normal{0, 1, 0};  ///< of a length from 1e-6 to 1e18
   float offset = 0;      ///< m
 };
 
