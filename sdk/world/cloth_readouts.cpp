@@ -156,35 +156,32 @@ std::vector<uint32_t> World::attachment_vertices(AttachmentId id) const {
 }
 
 Vec3 World::attachment_force(AttachmentId id) const {
-  const AttachmentEntry& entry = impl_->attachments.get(id);
-  const Strand& strand = impl_->strand_of(entry.def);
-  if (!entry.seams.empty() || entry.first_tie == pbd::no_index) return {0, 0, 0};
+  impl_->attachments.get(id);
   impl_->read_reactions();
-  if (impl_->reactions.empty() && impl_->tie_forces.empty()) return {0, 0, 0};
-  Vec3 sum{0, 0, 0};
-  for (size_t k = 0; k < entry.anchors.size(); ++k) sum -= impl_->tie_forces[entry.first_tie + k];
-  for (uint32_t v : entry.vertices) {
-    const auto at = std::lower_bound(impl_->held.begin(), impl_->held.end(), strand.first + v);
-    if (at == impl_->held.end() || *at != strand.first + v) continue;
-    // What nothing moves bears its own share of the cloth as well.
-    sum += impl_->reactions[static_cast<size_t>(at - impl_->held.begin())] +
-           strand.masses[v] * impl_->def.gravity;
-  }
-  return sum;
+  return impl_->attachments.get(id).force;
 }
 
 void World::Impl::read_reactions() {
   if (reactions_known) return;
-  reactions = engine->read_reactions();
-  tie_forces = engine->read_tie_impulses();
-  for (Vec3& r : reactions) r = r / last_step;
-  for (Vec3& t : tie_forces) t = t / last_step;
+  const std::vector<Vec3> on_held = engine->read_reactions(), on_ties = engine->read_tie_impulses();
+  attachments.for_each([&](uint32_t, AttachmentEntry& entry) {
+    entry.force = {0, 0, 0};
+    if (!entry.seams.empty() || entry.first_tie == pbd::no_index) return;
+    const Strand& strand = strand_of(entry.def);
+    for (size_t k = 0; k < entry.anchors.size(); ++k) entry.force -= on_ties[entry.first_tie + k] / last_step;
+    for (uint32_t v : entry.vertices) {
+      const auto at = std::lower_bound(held.begin(), held.end(), strand.first + v);
+      if (at == held.end() || *at != strand.first + v) continue;
+      // What nothing moves bears its own share of the cloth as well.
+      entry.force +=
+          on_held[static_cast<size_t>(at - held.begin())] / last_step + strand.masses[v] * def.gravity;
+    }
+  });
   reactions_known = true;
 }
 
 void World::Impl::forget_reactions() {
-  reactions.clear();
-  tie_forces.clear();
+  attachments.for_each([](uint32_t, AttachmentEntry& entry) { entry.force = {0, 0, 0}; });
   reactions_known = true;
 }
 

@@ -82,6 +82,7 @@ struct AttachmentEntry {
   uint32_t first_tie = pbd::no_index;        ///< since the last upload; none yet: no_index
   std::vector<cloth::EdgeConstraint> seams;  ///< from its vertex to the other's, each numbered on its own
   std::vector<uint32_t> clamped;             ///< segments of a rod
+  Vec3 force{0, 0, 0};                       ///< N, in the last step, as far as it was read
 };
 
 /// m, at rest.

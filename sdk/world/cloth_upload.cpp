@@ -190,6 +190,7 @@ void World::Impl::fetch_cloth() {
 
 void World::Impl::upload_cloth() {
   if (cloth_is_on_device) return;
+  read_reactions();
   fetch_cloth();
   std::vector<CollisionFilter> filters;
   fluids.for_each([&](uint32_t, const ParticleMaterial& m) { filters.push_back(m.filter); });
@@ -223,16 +224,10 @@ void World::Impl::upload_cloth() {
   pieces = all.pieces;
   vertex_count = all.vertices();
   held = all.cloth.model.held;
-  const auto note = [](uint32_t, auto& entry) {
-    entry.strand.uploaded = true;
-    entry.strand.placed = false;
-  };
+  const auto note = [](uint32_t, auto& entry) { entry.strand.uploaded = true; };
   cloths.for_each(note);
   ropes.for_each(note);
   cloth_is_on_device = true;
-  reactions_known = true;  // none yet
-  reactions.clear();
-  tie_forces.clear();
 }
 
 void World::Impl::note_cloth_step(float dt) {
@@ -241,11 +236,15 @@ void World::Impl::note_cloth_step(float dt) {
   last_step = dt;
   cloth_is_on_host = false;
   reactions_known = false;
+  const auto note = [](uint32_t, auto& entry) { entry.strand.placed = false; };
+  cloths.for_each(note);
+  ropes.for_each(note);
   if (engine->found_tears()) tear_cloth();
 }
 
 void World::Impl::tear_cloth() {
   constexpr uint32_t most_splits = 64;  // of a piece in a step
+  read_reactions();
   fetch_cloth();
   cloths.for_each([&](uint32_t index, ClothEntry& entry) {
     const float limit = entry.def.fabric.tear_strain;

@@ -60,11 +60,12 @@ ShapeId World::create_shape(const ShapeDef& def) {
 }
 
 void World::destroy_shape(ShapeId id) {
-  release_fields(impl_->shapes.get(id).solid, *impl_->engine);
+  const SolidPieces& solid = impl_->shapes.get(id).solid;
+  impl_->forget_touches(false, id.index);  // asks the device, and may fail
+  impl_->solids_changed();
+  release_fields(solid, *impl_->engine);
   impl_->rigid.remove_fixed(id.index);
   impl_->shapes.erase(id);
-  impl_->forget_touches(false, id.index);
-  impl_->solids_changed();
   impl_->probes_changed();
 }
 
@@ -154,7 +155,7 @@ void World::remove_particles(std::span<const ParticleId> gone) {
 
 void World::relax(int iterations) {
   check::between("relax's iterations", iterations, 0, 100000);
-  impl_->uploaded().relax(0.001f, iterations);
+  impl_->with_all().relax(0.001f, iterations);
   impl_->state_changed();
   impl_->cloth_is_on_host = impl_->vertex_count == 0;
 }
@@ -166,7 +167,7 @@ StepReport World::step(float dt) {
   const auto start = std::chrono::steady_clock::now();
   impl_->plan_dripping();
   impl_->plan_emission(dt);
-  Engine& engine = impl_->uploaded();
+  Engine& engine = impl_->with_all();
   impl_->state_changed();
   impl_->forget_reactions();  // should the step fail, there are none
   EngineStep done = engine.step(dt);
@@ -178,6 +179,7 @@ StepReport World::step(float dt) {
   }
   impl_->time += dt;
   impl_->last_substep = dt / static_cast<float>(done.result.substeps);
+  impl_->touched_pieces = impl_->pieces;
   impl_->read_probes();
   impl_->note_events();
   impl_->note_cloth_step(dt);

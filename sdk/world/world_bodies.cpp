@@ -86,18 +86,20 @@ BodyId World::create_body(const BodyDef& def) {
 }
 
 void World::destroy_body(BodyId id) {
-  release_fields(impl_->bodies.get(id).solid, *impl_->engine);
+  const SolidPieces& solid = impl_->bodies.get(id).solid;
+  // What asks the device comes first: it may fail.
+  impl_->drop_attachments_of(id);
+  impl_->drop_flow_of(id);
+  impl_->forget_touches(true, id.index);
+  impl_->solids_changed();
+  release_fields(solid, *impl_->engine);
   impl_->rigid.remove_body(id.index);
   std::vector<uint32_t> gone;
   impl_->joints.for_each([&](uint32_t number, const JointDef&) {
     if (!impl_->rigid.has_joint(number)) gone.push_back(number);
   });
   for (uint32_t number : gone) impl_->joints.erase(impl_->joints.id(number));
-  impl_->drop_attachments_of(id);
-  impl_->drop_flow_of(id);
   impl_->bodies.erase(id);
-  impl_->forget_touches(true, id.index);
-  impl_->solids_changed();
 }
 
 JointId World::create_joint(const JointDef& def) {
@@ -146,8 +148,9 @@ double World::hinge_angle(JointId id) const {
 void World::set_body_pose(BodyId id, const Pose& pose) {
   impl_->bodies.get(id);
   check::pose("set_body_pose's pose", pose);
+  Engine& engine = impl_->with_solids();
   impl_->rigid.set_pose(id.index, pose);
-  impl_->with_solids().place_bodies();
+  engine.place_bodies();
   impl_->state_changed();
 }
 

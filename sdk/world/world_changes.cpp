@@ -96,7 +96,7 @@ void World::Impl::push_vertices(const Strand& strand, const char* kind, std::spa
                       " has " + std::to_string(strand.count()) + ", counted from 0");
   }
   if (vertices.empty()) return;
-  Engine& with_cloth = uploaded();
+  Engine& with_cloth = with_all();
   std::vector<uint32_t> numbers(vertices.begin(), vertices.end());
   for (uint32_t& v : numbers) v += strand.first;
   with_cloth.push_vertices(numbers, impulses);

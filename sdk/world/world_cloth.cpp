@@ -153,7 +153,9 @@ void World::Impl::drop_attachments_of(BodyId body) {
     any |= a.body == body;
     return a.body == body;
   });
-  if (any) cloth_changed();
+  if (!any) return;
+  cloth_changed();
+  upload_cloth();  // now: whatever looks for contacts must not meet ties to a body that is gone
 }
 
 namespace {

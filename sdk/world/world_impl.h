@@ -59,10 +59,10 @@ struct World::Impl {
   void append(const ParticleBatch& batch);
   void solids_changed();
   void upload_solids();  // where any has come or gone: with all of them at once, as each costs as much as all
-  /// To be asked of solids.
+  /// To be asked of solids, or of contacts, which it would else look for among solids that are gone.
   Engine& with_solids() { return upload_solids(), *engine; }
-  /// To be asked of contacts: those with solids that have just come, and with cloth.
-  Engine& uploaded() { return upload_solids(), upload_cloth(), *engine; }
+  /// With what cloth has changed by hand, too.
+  Engine& with_all() { return upload_solids(), upload_cloth(), *engine; }
   SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
@@ -95,7 +95,7 @@ struct World::Impl {
   uint32_t take_up(std::span<const collision::WettingTouch> touches, std::vector<WetPiece>& wet);
   uint32_t drip(Vec3 down, std::vector<WetPiece>& wet);
   void weigh(const Strand& strand);
-  void read_reactions();
+  void read_reactions();    // of the last step, to the attachments, while these fit what the device has
   void forget_reactions();  // after a step that failed
   std::string name_particle(uint32_t slot) const;
   std::vector<bool> held_vertices(ClothId cloth) const;
@@ -135,14 +135,13 @@ struct World::Impl {
   IdTable<ClothId, ClothEntry> cloths{"cloth", first_generation};
   IdTable<RopeId, RopeEntry> ropes{"rope", first_generation};
   IdTable<AttachmentId, AttachmentEntry> attachments{"attachment", first_generation};
-  bool cloth_is_on_device = true;  // all of it, as it is
-  bool cloth_is_on_host = true;    // its latest state
-  uint32_t vertex_count = 0;       // on the device
-  std::vector<ClothId> pieces;     // on the device, by number; those that are ropes have no id
-  std::vector<uint32_t> held;      // vertices on the device, ascending
-  std::vector<Vec3> reactions;     // N, of those, in the last step
-  std::vector<Vec3> tie_forces;    // N, by tie, on the vertex, in the last step
-  bool reactions_known = false;
+  bool cloth_is_on_device = true;       // all of it, as it is
+  bool cloth_is_on_host = true;         // its latest state
+  uint32_t vertex_count = 0;            // on the device
+  std::vector<ClothId> pieces;          // on the device, by number; those that are ropes have no id
+  std::vector<uint32_t> held;           // vertices on the device, ascending
+  std::vector<ClothId> touched_pieces;  // what they were in the last step
+  bool reactions_known = true;
   uint32_t planned_drips = 0;    // that there is room for in this step
   float last_step = 0;           // s
   std::vector<TearEvent> tears;  // of the last step

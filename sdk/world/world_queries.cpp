@@ -63,8 +63,8 @@ void World::Impl::note_events() {
 
 void World::Impl::forget_touches(bool is_body, uint32_t number) {
   const auto is_it = [&](const RigidRef& r) { return r.is_body == is_body && r.number == number; };
-  std::erase_if(touches, [&](const RigidTouch& t) { return is_it(t.a) || is_it(t.b); });
   engine->forget_contacts(number, is_body ? TouchedKind::body : TouchedKind::shape);
+  std::erase_if(touches, [&](const RigidTouch& t) { return is_it(t.a) || is_it(t.b); });
 }
 
 const std::vector<ContactEvent>& World::contact_events() const {
@@ -75,14 +75,14 @@ std::vector<ParticleContact> World::particle_contacts() const {
   std::vector<ParticleContact> contacts;
   for (const ContactReadout& c : impl_->engine->read_contacts()) {
     if (c.slot >= impl_->ids.size()) continue;
-    if (c.kind == TouchedKind::cloth && !impl_->cloths.find(impl_->pieces[c.solid])) continue;
+    if (c.kind == TouchedKind::cloth && !impl_->cloths.find(impl_->touched_pieces[c.solid])) continue;
     ParticleContact contact{impl_->ids[c.slot], {}, {}, {}, c.point, c.normal, c.impulse};
     switch (c.kind) {
       case TouchedKind::body:
         contact.body = impl_->body_id(c.solid);
         break;
       case TouchedKind::cloth:
-        contact.cloth = impl_->pieces[c.solid];
+        contact.cloth = impl_->touched_pieces[c.solid];
         break;
       case TouchedKind::shape:
         contact.shape = impl_->shape_id(c.solid);

@@ -36,7 +36,7 @@ std::span<const float> World::density_errors() const {
   return impl_->density_errors.get(particle_count(), [&](auto error) {
     impl_->full_support.valid = false;
     impl_->full_support.get(particle_count(), [&](auto full) {
-      impl_->measured = impl_->uploaded().read_density_errors(error, full);
+      impl_->measured = impl_->with_solids().read_density_errors(error, full);
     });
   });
 }
@@ -47,7 +47,8 @@ std::span<const float> World::pressures() const {
 }
 
 std::span<const Ellipsoid> World::ellipsoids() const {
-  return impl_->ellipsoids.get(particle_count(), [&](auto out) { impl_->uploaded().read_ellipsoids(out); });
+  return impl_->ellipsoids.get(particle_count(),
+                               [&](auto out) { impl_->with_solids().read_ellipsoids(out); });
 }
 
 std::span<const DiffuseParticle> World::diffuse() const {
@@ -69,11 +70,11 @@ SurfaceMesh World::surface_mesh(const SurfaceMeshDef& def) const {
   fluid::SurfaceField field = *impl_->surface;
   field.cell = def.cell_size * impl_->def.particle_spacing;
   field.iso *= def.level;
-  return impl_->uploaded().read_surface(field, group);
+  return impl_->with_solids().read_surface(field, group);
 }
 
 Diagnostics World::diagnostics() const {
-  Diagnostics d = impl_->uploaded().measure(impl_->def.gravity);
+  Diagnostics d = impl_->with_all().measure(impl_->def.gravity);
   const std::span<const float> error = density_errors();
   const std::vector<float>& full = impl_->full_support.values;
   double over = 0, interior = 0, interior_count = 0;

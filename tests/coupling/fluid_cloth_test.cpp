@@ -236,6 +236,24 @@ TEST_P(FluidAndCloth, ContactsNameTheCloth) {
   EXPECT_LT(mean_height(water.world), -0.1) << "the water falls when the sheet is gone";
 }
 
+// Not after its number, which another sheet has when one before it is gone.
+TEST_P(FluidAndCloth, ContactsNameTheClothThatTheyWereWith) {
+  World world(world_def(GetParam(), 0.05f));
+  const ClothId gone = world.create_cloth(sheet(0.5f, 0.5f, 9, 9, {3, 0, 0}));
+  const ClothId wet = world.create_cloth(sheet(0.5f, 0.5f, 9, 9));
+  world.create_cloth(sheet(0.5f, 0.5f, 9, 9, {-3, 0, 0}));
+  world.create_attachment(attach(wet, vertices_from(0, 81)));
+  world.add_fluid(block(world.create_fluid({}), {-0.15f, 0.03f, -0.15f}, {0.15f, 0.13f, 0.15f}));
+  run(world, 10, 1 / 60.0f);
+  const size_t contacts = world.particle_contacts().size();
+  ASSERT_GT(contacts, 10u);
+  world.destroy_cloth(gone);
+  world.diagnostics();  // for which cloth is uploaded
+  const std::vector<ParticleContact> found = world.particle_contacts();
+  EXPECT_EQ(found.size(), contacts);
+  for (const ParticleContact& c : found) EXPECT_EQ(c.cloth, wet);
+}
+
 TEST_P(FluidAndCloth, AreTheSameEachTime) {
   const auto hash = [&](int threads) {
     WorldDef def = world_def(GetParam(), 0.05f);

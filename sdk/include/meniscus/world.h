@@ -22,7 +22,8 @@ namespace meniscus {
 class GlParticles;
 
 /// One simulated world on one device. Worlds share nothing; a world is used by one thread at a time.
-/// Every call may throw Error, and has then changed nothing.
+/// Every call may throw Error, and has then changed nothing. Where there is no memory for the tables of
+/// shapes, bodies or cloth, the call that next needs them throws, until some are destroyed.
 class World {
  public:
   explicit World(const WorldDef& def = {});
