@@ -148,9 +148,8 @@ double World::hinge_angle(JointId id) const {
 void World::set_body_pose(BodyId id, const Pose& pose) {
   impl_->bodies.get(id);
   check::pose("set_body_pose's pose", pose);
-  Engine& engine = impl_->with_solids();
   impl_->rigid.set_pose(id.index, pose);
-  engine.place_bodies();
+  if (impl_->solids_are_on_device) impl_->engine->place_bodies();  // else when they get there
   impl_->state_changed();
 }
 
