@@ -24,6 +24,18 @@ inline btTransform to_bullet(const Pose& pose) {
   return btTransform(to_bullet(pose.rotation), to_bullet(pose.position));
 }
 
+/// Bullet's unit of mass, kg. It takes inverse masses and inertias below its epsilon for none: in kilograms a
+/// body of 1.4e7 would fall through others. A power of two leaves the bits as they are.
+inline constexpr float mass_unit = 0x1p20f;
+
+/// Of a moment of inertia, a force, a torque or an impulse.
+inline btVector3 in_mass_units(const btVector3& v) {
+  return v / mass_unit;
+}
+inline btVector3 in_mass_units(Vec3 v) {
+  return in_mass_units(to_bullet(v));
+}
+
 inline Vec3 from_bullet(const btVector3& v) {
   return {v.x(), v.y(), v.z()};
 }

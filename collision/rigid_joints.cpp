@@ -45,7 +45,7 @@ Constraint make_slider(const Frames& f, const SliderJoint& slider) {
   if (slider.motor_force > 0) {
     made->enableMotor(0, true);
     made->setTargetVelocity(0, -slider.motor_speed);  // Bullet's is of a along b
-    made->setMaxMotorForce(0, slider.motor_force);
+    made->setMaxMotorForce(0, slider.motor_force / mass_unit);
   }
   return made;
 }
@@ -60,8 +60,8 @@ Constraint make_springs(const Frames& f, const SpringJoint& spring) {
     made->setLimit(axis, 1, -1);
     if (stiffness[axis % 3] <= 0) continue;
     made->enableSpring(axis, true);
-    made->setStiffness(axis, stiffness[axis % 3]);
-    made->setDamping(axis, damping[axis % 3]);
+    made->setStiffness(axis, stiffness[axis % 3] / mass_unit);
+    made->setDamping(axis, damping[axis % 3] / mass_unit);
     made->setEquilibriumPoint(axis, 0);
   }
   return made;
@@ -137,7 +137,7 @@ float RigidWorld::hinge_angle(uint32_t number) const {
 /// Bullet bounds a hinge's motor by an impulse, so that the bound depends on the step.
 void RigidWorld::Impl::limit_motors(float dt) {
   for (const auto& joint : joints.slots) {
-    if (joint && joint->hinge) joint->hinge->setMaxMotorImpulse(joint->motor_torque * dt);
+    if (joint && joint->hinge) joint->hinge->setMaxMotorImpulse(joint->motor_torque / mass_unit * dt);
   }
 }
 

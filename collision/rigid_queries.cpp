@@ -41,7 +41,7 @@ bool touch_at_any_point(const btPersistentManifold& manifold) {
 /// A contact as seen from the solid that comes first.
 RigidContact contact_of(const btManifoldPoint& point, RigidRef a, RigidRef b) {
   const Vec3 normal = from_bullet(point.m_normalWorldOnB);
-  const float distance = point.getDistance(), impulse = point.m_appliedImpulse;
+  const float distance = point.getDistance(), impulse = mass_unit * point.m_appliedImpulse;
   if (rank(b) < rank(a)) {
     return {b, a, from_bullet(point.getPositionWorldOnA()), -normal, distance, impulse};
   }

@@ -56,8 +56,8 @@ btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
 /// inertia's axes are taken as they are at the start.
 RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
   const float share = 1 / static_cast<float>(substeps), h = share * dt;
-  const btVector3 gain = h * (body.getGravity() + body.getInvMass() * to_bullet(memory.force));
-  const btVector3 spin = h * (body.getInvInertiaTensorWorld() * to_bullet(memory.torque));
+  const btVector3 gain = h * (body.getGravity() + body.getInvMass() * in_mass_units(memory.force));
+  const btVector3 spin = h * (body.getInvInertiaTensorWorld() * in_mass_units(memory.torque));
   const float kept = btPow(1 - body.getLinearDamping(), h);
   const float angular_kept = btPow(1 - body.getAngularDamping(), h);
   btVector3 linear = body.getLinearVelocity(), angular = body.getAngularVelocity();
@@ -75,7 +75,7 @@ RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, floa
 void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, float gravity) {
   RigidMemory& memory = body.memory;
   const Vec3 force = impulse.linear / dt, torque = impulse.angular / dt;
-  const float weight = gravity / body.bullet->getInvMass();
+  const float weight = gravity * mass_unit / body.bullet->getInvMass();
   if (!body.bullet->isActive()) {
     const bool as_usual = length(force - memory.usual_force) <= waking_share * weight &&
                           length(torque - memory.usual_torque) <= waking_share * weight * body.shape.radius;
@@ -85,8 +85,8 @@ void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, 
   const float share = dt / (smoothing_time + dt);
   memory.usual_force += share * (force - memory.usual_force);
   memory.usual_torque += share * (torque - memory.usual_torque);
-  body.bullet->applyCentralImpulse(to_bullet(impulse.linear));
-  body.bullet->applyTorqueImpulse(to_bullet(impulse.angular));
+  body.bullet->applyCentralImpulse(in_mass_units(impulse.linear));
+  body.bullet->applyTorqueImpulse(in_mass_units(impulse.angular));
 }
 
 }  // namespace
@@ -167,8 +167,8 @@ void RigidWorld::Impl::apply_forces(float dt) {
     if (!body || body->kinematic) continue;
     btRigidBody& bullet = *body->bullet;
     bullet.clearForces();
-    bullet.applyCentralForce(to_bullet(body->memory.force));
-    bullet.applyTorque(to_bullet(body->memory.torque));
+    bullet.applyCentralForce(in_mass_units(body->memory.force));
+    bullet.applyTorque(in_mass_units(body->memory.torque));
     if (bullet.isActive()) bullet.setAngularVelocity(tumbled(bullet, bullet.getAngularVelocity(), dt));
   }
 }

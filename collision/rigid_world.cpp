@@ -19,7 +19,8 @@ constexpr float sleep_share = 0.01f;
 
 btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const RigidShape& shape,
                                                  float mass) {
-  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape.root, shape.inertia);
+  btRigidBody::btRigidBodyConstructionInfo info(mass / mass_unit, nullptr, shape.root,
+                                                in_mass_units(shape.inertia));
   info.m_startWorldTransform = to_bullet(solid.pose) * to_bullet(shape.frame);
   // Bullet multiplies the values of two solids.
   info.m_friction = std::sqrt(solid.friction);
@@ -225,7 +226,8 @@ uint32_t RigidWorld::body_count() const {
 RigidMass RigidWorld::mass(uint32_t number) const {
   if (!impl_->bodies.has(number)) return {0, {0, 0, 0}, {}};
   const RigidBodyRecord& body = impl_->body(number);
-  return {body.bullet->getInvMass(), from_bullet(body.bullet->getInvInertiaDiagLocal()), body.shape.frame};
+  return {body.bullet->getInvMass() / mass_unit,
+          from_bullet(body.bullet->getInvInertiaDiagLocal()) / mass_unit, body.shape.frame};
 }
 
 Pose RigidWorld::pose(uint32_t number) const {
@@ -288,7 +290,7 @@ void RigidWorld::apply_torque(uint32_t number, Vec3 torque) {
 
 void RigidWorld::apply_impulse(uint32_t number, Vec3 impulse, Vec3 point) {
   btRigidBody& bullet = *impl_->body(number).bullet;
-  bullet.applyImpulse(to_bullet(impulse), to_bullet(point) - bullet.getCenterOfMassPosition());
+  bullet.applyImpulse(in_mass_units(impulse), to_bullet(point) - bullet.getCenterOfMassPosition());
   wake(number);
 }
 

@@ -121,6 +121,25 @@ TEST_P(RigidRest, IsQuietAtAnySize) {
 
 INSTANTIATE_TEST_SUITE_P(Halves, RigidRest, testing::Values(0.01f, 0.05f, 0.5f, 5.0f));
 
+class RigidWeight : public testing::TestWithParam<double> {};
+
+TEST_P(RigidWeight, OneBoxRestsOnAnother) {
+  RigidWorld world({});
+  world.add_fixed(fixed_solid(plane_part()));
+  const uint32_t below = world.add_body(body_def(box_part({0.5f, 0.5f, 0.5f}), {0, 0.5f, 0}, GetParam()));
+  const uint32_t above = world.add_body(body_def(box_part({0.5f, 0.5f, 0.5f}), {0.1f, 1.52f, 0}, GetParam()));
+  run(world, dt, 500);
+  EXPECT_NEAR(world.pose(below).position.y, 0.5f, 0.005f);
+  EXPECT_NEAR(world.pose(above).position.y, 1.5f, 0.01f);
+  float borne = 0;
+  for (const RigidContact& contact : world.contacts()) {
+    if (contact.a.is_body && contact.b.is_body) borne += contact.impulse / dt;
+  }
+  EXPECT_NEAR(borne, 9.81 * GetParam(), 0.05 * 9.81 * GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Densities, RigidWeight, testing::Values(1e-15, 1e-6, 1e3, 1e9, 1e13));
+
 TEST(RigidContact, CarriesAThousandTimesItsWeight) {
   RigidWorld world({.iterations = 100});
   world.add_fixed(fixed_solid(plane_part()));

@@ -21,7 +21,7 @@ struct Keyframe {
 };
 
 /// Mass and density are > 0, and the mass of a dynamic body is from 1e-20 to 1e20 kg. What Bullet cannot do:
-/// bodies of more than 1.4e7 kg fall through other solids, and joints of more than 8e6 kg or kg·m² do not
+/// bodies of more than 1.4e13 kg fall through other solids, and joints of more than 8e12 kg or kg·m² do not
 /// hold; a body turns by 45° at most in one of Bullet's steps, however fast it is said to spin; and further
 /// than 10 km from the origin bodies collide with planes alone.
 struct BodyDef {
