@@ -215,6 +215,7 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   push_sums_.resize_discard(3 * size_t{vertices_});
   push_sums_.fill(0);
   counters_.resize_discard(self_contact_kernels::counter_count);
+  counters_.fill(0);
   if (found_.host().empty()) {
     found_.resize_discard(self_contact_kernels::counter_count);
     std::fill(found_.host().begin(), found_.host().end(), 0u);  // a step starts with a look at the last one's

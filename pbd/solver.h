@@ -94,6 +94,7 @@ class Solver {
   void sort(float dt, Vec3 gravity);
   void find(Substep<D>& s);
   Substep<D> find_at_rest(float dt);
+  void relax_once(float dt);
   StepResult run(float dt);
   bool had_room();
   void make_room();

@@ -98,17 +98,32 @@ StepResult Solver<D>::run(float dt) {
 
 template <class D>
 void Solver<D>::relax(float dt, int times) {
-  for (int k = 0; k < times; ++k) {
-    Substep<D> s = find_at_rest(dt);
-    for (ConstraintSet<D>* set : sets_) set->begin(s);
-    for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
-      for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
+  for (int k = 0; k < times;) {
+    save_state();
+    for (ConstraintSet<D>* set : sets_) set->start_step();
+    relax_once(dt);
+    device_.wait();  // sets find what they have no room for while they work
+    if (had_room()) {
+      for (ConstraintSet<D>* set : sets_) set->undo_step();  // no time has passed
+      particles_changed(0, particles_.sorted());
+      ++k;
+    } else {
+      undo_step();
+      make_room();
     }
-    contacts_.limit_motion(motion_of(s), true);
-    for (ConstraintSet<D>* set : sets_) set->settle(s);
-    device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
-    particles_changed(0, particles_.sorted());
   }
+}
+
+template <class D>
+void Solver<D>::relax_once(float dt) {
+  Substep<D> s = find_at_rest(dt);
+  for (ConstraintSet<D>* set : sets_) set->begin(s);
+  for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
+    for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
+  }
+  contacts_.limit_motion(motion_of(s), true);
+  for (ConstraintSet<D>* set : sets_) set->settle(s);
+  device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
 }
 
 template <class D>
