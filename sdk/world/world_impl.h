@@ -61,7 +61,7 @@ struct World::Impl {
   void upload_solids();  // where any has come or gone: with all of them at once, as each costs as much as all
   /// To be asked of solids, or of contacts, which it would else look for among solids that are gone.
   Engine& with_solids() { return upload_solids(), *engine; }
-  /// With what cloth has changed by hand, too.
+  /// With what has been changed of cloth, too.
   Engine& with_all() { return upload_solids(), upload_cloth(), *engine; }
   SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }

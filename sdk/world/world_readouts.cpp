@@ -36,7 +36,7 @@ std::span<const float> World::density_errors() const {
   return impl_->density_errors.get(particle_count(), [&](auto error) {
     impl_->full_support.valid = false;
     impl_->full_support.get(particle_count(), [&](auto full) {
-      impl_->measured = impl_->with_solids().read_density_errors(error, full);
+      impl_->measured = impl_->with_all().read_density_errors(error, full);
     });
   });
 }
@@ -47,8 +47,7 @@ std::span<const float> World::pressures() const {
 }
 
 std::span<const Ellipsoid> World::ellipsoids() const {
-  return impl_->ellipsoids.get(particle_count(),
-                               [&](auto out) { impl_->with_solids().read_ellipsoids(out); });
+  return impl_->ellipsoids.get(particle_count(), [&](auto out) { impl_->with_all().read_ellipsoids(out); });
 }
 
 std::span<const DiffuseParticle> World::diffuse() const {
@@ -70,7 +69,7 @@ SurfaceMesh World::surface_mesh(const SurfaceMeshDef& def) const {
   fluid::SurfaceField field = *impl_->surface;
   field.cell = def.cell_size * impl_->def.particle_spacing;
   field.iso *= def.level;
-  return impl_->with_solids().read_surface(field, group);
+  return impl_->with_all().read_surface(field, group);
 }
 
 Diagnostics World::diagnostics() const {

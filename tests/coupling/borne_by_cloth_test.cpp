@@ -108,13 +108,16 @@ TEST_P(BorneByCloth, AParachuteInRain) {
   }
   std::mt19937 random(1);
   std::vector<Vec3> drops;
-  for (int k = 0; k < 120; ++k) drops.push_back(random_vector(random, 0.6f) + Vec3{0, 0.8f + 0.02f * static_cast<float>(k), 0});
+  for (int k = 0; k < 120; ++k)
+    drops.push_back(random_vector(random, 0.6f) + Vec3{0, 0.8f + 0.02f * static_cast<float>(k), 0});
   const FluidId water = world.create_fluid({});
   world.add_particles(water, drops, std::vector<Vec3>(drops.size(), Vec3{0, -3, 0}));
   EXPECT_EQ(crossings(world, cloth, 90), 0u);
   EXPECT_TRUE(touches(world, cloth));
   const float fabric_mass = world.cloth_state(cloth).mass, area = size * size;
-  const auto terminal = [&](float m) { return std::sqrt(2 * m * gravity / (1.2f * canopy.fabric.drag * area)); };
+  const auto terminal = [&](float m) {
+    return std::sqrt(2 * m * gravity / (1.2f * canopy.fabric.drag * area));
+  };
   const float speed = -world.body_state(frame).velocity.y;
   const float rain = 120 * static_cast<float>(world.particle_mass(water));
   EXPECT_GT(speed, 0.8f * terminal(mass + fabric_mass));
