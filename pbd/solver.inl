@@ -100,9 +100,14 @@ template <class D>
 void Solver<D>::relax(float dt, int times) {
   for (int k = 0; k < times;) {
     save_state();
-    for (ConstraintSet<D>* set : sets_) set->start_step();
-    relax_once(dt);
-    device_.wait();  // sets find what they have no room for while they work
+    try {
+      for (ConstraintSet<D>* set : sets_) set->start_step();
+      relax_once(dt);
+      device_.wait();  // sets find what they have no room for while they work
+    } catch (...) {
+      undo_step();
+      throw;
+    }
     if (had_room()) {
       for (ConstraintSet<D>* set : sets_) set->undo_step();  // no time has passed
       particles_changed(0, particles_.sorted());

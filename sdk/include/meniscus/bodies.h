@@ -66,7 +66,7 @@ struct SliderJoint {
 struct BallJoint {};
 
 /// Springs towards the placement at creation, one an axis of the frame. Stiffness is ≥ 0: an axis with none
-/// is free, and one with infinite stiffness is held. Damping is finite and ≥ 0; a free axis has none.
+/// is free, and one with infinite stiffness is held. Damping is finite and ≥ 0; a free axis is not damped.
 struct SpringJoint {
   Vec3 stiffness{0, 0, 0};          ///< N/m
   Vec3 damping{0, 0, 0};            ///< N·s/m

@@ -134,6 +134,8 @@ struct FluidDef {
   float xsph = 5.0f;  ///< 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h²
   float vorticity_confinement = 0.0f;  ///< ε, no unit; the force is ε · h · (N × ω)
   /// σ, N/m: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀ s³/(2πσ)).
+  /// What would pull fluid off a solid or cloth is left out, and not given to bodies or cloth either: where
+  /// they are free, momentum drifts. The same goes for cohesion.
   float surface_tension = 0.0f;
   float cohesion = 0.0f;     ///< N/m, on top: attraction alone, which holds threads and sheets together
   CollisionFilter filter{};  ///< which solids it collides with
