@@ -109,7 +109,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> neighbours_{device_, "cloth neighbourhoods"};
   pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
   pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"};
-  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};
+  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // then: see TakenBack
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
   pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},
       zone_anchor_{device_, "cloth zones"};

@@ -106,10 +106,15 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
   const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
   const View<Vec4> moved = vertices_of(p.moved, p.sorted, vertices_);
-  device_.parallel_for(
-      "self contacts/contain", vertices_,
-      Contain{
-          previous, foreseen_.view(), {kept_.view()}, position, moved, strayed_.view(), counters_.view()});
+  device_.parallel_for("self contacts/contain", vertices_,
+                       Contain{previous,
+                               vertex_part_.view(),
+                               {kept_.view()},
+                               foreseen_.view(),
+                               position,
+                               moved,
+                               strayed_.view(),
+                               counters_.view()});
   const uint32_t most = std::max({launched(candidates, candidates_.size()), vertices_, tree_.places()});
   const uint32_t blocks = std::min(most, most_threads) / CrossingScratch::chunk + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
@@ -125,8 +130,17 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
     device_.parallel_for("self contacts/zones", vertices_,
                          GatherZones{previous, position, zones(), counters_.view(), round});
     device_.parallel_for("self contacts/move zones", vertices_,
-                         MoveZones{cloth(substep), position, moved, zones(), counters_.view(), round});
+                         MoveZones{cloth(substep),
+                                   position,
+                                   moved,
+                                   zones(),
+                                   {foreseen_.view(), counters_.view()},
+                                   counters_.view(),
+                                   round});
   }
+  constexpr uint32_t together = HandOnScratch::groups;
+  device_.parallel_for_groups("self contacts/hand on", (groups_ + together - 1) / together,
+                              HandOn{cloth(substep), foreseen_.view(), moved, counters_.view()});
   device_.parallel_for("self contacts/found", counter_count, NoteCounters{counters_.view(), found_.view()});
 }
 

@@ -9,26 +9,99 @@
 namespace meniscus::cloth::self_contact_kernels {
 
 /// Keeps each vertex near its way, and where pairs were looked for, and notes how far it strays from its way:
-/// the next substep allows for that. Momentum is lost where a vertex is taken back.
+/// the next substep allows for that.
 struct Contain {
-  View<const Vec4> previous, foreseen;  // by vertex
+  View<const Vec4> previous;  // by vertex
+  View<const uint32_t> vertex_part;
   KeptPlaces kept;
+  View<Vec4> foreseen;  // afterwards: see TakenBack
   View<Vec4> position, moved;
   View<float> strayed;
   View<uint32_t> counters;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v == 0) counters[expired] = 0;  // what has expired was listed anew
-    const Vec4 x = position[v];
-    const Vec3 from = previous[v].xyz(), to = foreseen[v].xyz();
+    if (vertex_part[v] == no_index) return;
+    const Vec4 x = position[v], ahead = foreseen[v];
+    const Vec3 from = previous[v].xyz(), to = ahead.xyz();
     const Vec3 lower = min(from, to), upper = max(from, to);
     strayed[v] = pbd::max(0, max_component(max(x.xyz() - upper, lower - x.xyz())));
+    const TakenBack taken{foreseen, counters};
+    taken.begin(v);
     if (x.w == 0) return;
-    const Aabb box = pbd::inflated({lower, upper}, foreseen[v].w);
+    const Aabb box = pbd::inflated({lower, upper}, ahead.w);
     const Vec3 inside = kept.inside(v, max(box.lower, min(box.upper, x.xyz())));
     if (inside == x.xyz()) return;
+    taken.add(v, x.xyz() - inside);
     position[v] = pbd::with_w(inside, x.w);
     moved[v] = pbd::with_w(moved[v].xyz() + (inside - x.xyz()), moved[v].w);
+  }
+};
+
+/// What groups of triangles have lost; see HandOn.
+struct HandOnScratch {
+  static constexpr uint32_t groups = 64;
+
+  Vec3 impulse[groups];  // kg·m
+  float mass[groups];    // kg
+  uint32_t part[groups];
+};
+
+/// Gives the momentum of vertices that were taken back to those around them, which stay where they are: the
+/// vertices of up to 512 triangles, as many of them as are of one part, share it. The fewer do, the more
+/// energy it makes.
+struct HandOn {
+  using Scratch = HandOnScratch;
+
+  ClothState cloth;
+  View<const Vec4> taken;  // by vertex, m: see TakenBack
+  View<Vec4> moved;        // by vertex
+  View<const uint32_t> counters;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (counters[lost] == 0) return;
+    const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
+    const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
+    group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
+    group.for_each(count, [&](uint32_t k) {
+      Vec3 impulse{0, 0, 0};
+      float mass = 0;
+      for (uint32_t other = 0; other < count; ++other) {
+        if (scratch.part[other] != scratch.part[k]) continue;
+        impulse += scratch.impulse[other];
+        mass += scratch.mass[other];
+      }
+      if (impulse == Vec3{0, 0, 0}) return;
+      for_each_vertex(first + k, [&](uint32_t v, float) {
+        moved[v] = pbd::with_w(moved[v].xyz() + impulse / mass, moved[v].w);
+      });
+    });
+  }
+
+ private:
+  MENISCUS_HD void sum(Scratch& scratch, uint32_t k, uint32_t g) const {
+    Vec3 impulse{0, 0, 0};
+    float mass = 0;
+    for_each_vertex(g, [&](uint32_t v, float m) {
+      impulse += m * taken[v].xyz();
+      mass += m;
+    });
+    scratch.impulse[k] = impulse;
+    scratch.mass[k] = mass;
+    scratch.part[k] = cloth.tree.triangles[8 * g].part;
+  }
+  /// Those that belong to a group's triangles, and that something may move.
+  template <class Visit>
+  MENISCUS_HD void for_each_vertex(uint32_t g, const Visit& visit) const {
+    for (uint32_t place = 8 * g; place < 8 * g + 8; ++place) {
+      const SurfaceTriangle t = load(cloth.tree.triangles, place);
+      for (uint32_t k = 0; k < 3; ++k) {
+        if (!(cloth.features[place] & owns_vertex << k)) continue;
+        const uint32_t v = corner_of(t, k);
+        if (cloth.position[v].w > 0) visit(v, 1 / cloth.position[v].w);
+      }
+    }
   }
 };
 

@@ -33,12 +33,7 @@ struct Foresee {
   bool anew;  // whatever there is
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
-    const float thickness = parts[vertex_part[v]].thickness;
-    const float room = 0.55f * thickness + 0.25f * length(way) + 1.5f * strayed[v];
-    foreseen[v] = pbd::with_w(x, room);
-    if (anew || length(x - kept.balls[v].xyz()) + room > kept.balls[v].w)
-      pbd::atomic_max(counters[expired], 1);
+    if (vertex_part[v] != no_index) foresee(v);
     zones.begin(v);
     entries[v] = 0;
     if (v != 0) return;
@@ -46,8 +41,17 @@ struct Foresee {
       counters[listings] = counters[doomed] = 0;
     else if (!room_for.sufficed(counters))
       counters[doomed] = 1;
-    counters[contacts] = 0;
+    counters[contacts] = counters[lost] = 0;
     for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
+  }
+
+  MENISCUS_HD void foresee(uint32_t v) const {
+    const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
+    const float thickness = parts[vertex_part[v]].thickness;
+    const float room = 0.55f * thickness + 0.25f * length(way) + 1.5f * strayed[v];
+    foreseen[v] = pbd::with_w(x, room);
+    if (anew || length(x - kept.balls[v].xyz()) + room > kept.balls[v].w)
+      pbd::atomic_max(counters[expired], 1);
   }
 };
 
@@ -76,14 +80,18 @@ struct Keep {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
+    if (vertex_part[v] != no_index) keep(v);
+    if (v != 0) return;
+    counters[group_pairs] = counters[candidates] = 0;
+    ++counters[listings];
+  }
+
+  MENISCUS_HD void keep(uint32_t v) const {
     const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
     const float thickness = parts[vertex_part[v]].thickness, far = length(way);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     const float radius = 0.5f * substeps * far + foreseen[v].w + leeway * thickness;
     kept[v] = pbd::with_w(from + 0.5f * substeps * way, radius < pbd::most_finite ? radius : NAN);
-    if (v != 0) return;
-    counters[group_pairs] = counters[candidates] = 0;
-    ++counters[listings];
   }
 };
 

@@ -104,7 +104,7 @@ SelfContactTables build_tables(std::span<const SurfaceTriangle> triangles, std::
   SelfContactTables tables;
   tables.features.assign(triangles.size(), 0);
   tables.fineness.assign(parts, 1e30f);
-  tables.vertex_part.assign(positions.size(), 0);
+  tables.vertex_part.assign(positions.size(), pbd::no_index);
   own_vertices(triangles, tables);
   own_edges(triangles, tables);
   find_neighbours(triangles, tables);

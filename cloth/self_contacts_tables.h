@@ -20,8 +20,8 @@ struct SelfContactTables {
   std::vector<uint16_t> features;  ///< by place in the tree
   /// By group of eight places, ascending: the groups that share a vertex with it, itself among them.
   std::vector<uint32_t> neighbour_start, neighbours;
-  std::vector<float> fineness;  ///< m, by part: the least height of a triangle
-  std::vector<uint32_t> vertex_part;
+  std::vector<float> fineness;        ///< m, by part: the least height of a triangle
+  std::vector<uint32_t> vertex_part;  ///< no_index for what is of no triangle, as ropes are
 };
 
 /// `triangles` in the tree's order, a = no_index where nothing stands.

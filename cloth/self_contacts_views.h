@@ -42,6 +42,7 @@ enum Counter : uint32_t {
   expired,   // not 0: the lists of pairs hold no longer
   listings,  // since the step's start
   doomed,    // not 0: a list had no room, and the step will be done again
+  lost,      // not 0: a vertex was taken back, and its momentum lost
   crossings,
   counter_count = crossings + most_rounds
 };

@@ -89,6 +89,19 @@ struct GatherZones {
   }
 };
 
+/// What was taken from vertices that would have gone where pairs were not looked for: their momentum is
+/// handed on once all is done.
+struct TakenBack {
+  View<Vec4> ways;  // by vertex, m
+  View<uint32_t> counters;
+
+  MENISCUS_HD void begin(uint32_t v) const { ways[v] = {0, 0, 0, 0}; }
+  MENISCUS_HD void add(uint32_t v, Vec3 way) const {
+    ways[v] = pbd::with_w(ways[v].xyz() + way, 0);
+    pbd::atomic_max(counters[lost], 1);
+  }
+};
+
 /// Gives vertices the motion of their zones. Nothing leaves the place that its pairs were looked for in: a
 /// zone that would have to, stops in the next round. Where the last round there is still finds something, all
 /// stay where they were.
@@ -96,6 +109,7 @@ struct MoveZones {
   ClothState cloth;
   View<Vec4> position, moved;  // by vertex
   Zones zones;
+  TakenBack taken;
   View<uint32_t> counters;
   uint32_t round;
 
@@ -108,9 +122,13 @@ struct MoveZones {
     if (!last && !Zones::is_needed(of_name, round) && !Zones::is_stopped(of_name)) return;
     const Vec4 x = position[v];
     if (x.w == 0) return;
-    const Vec3 from = cloth.previous[v].xyz(), to = last ? from : from + motion_of(name);
+    const bool stays = last || zones.anchor[name] == Zones::the_start;
+    const Vec3 from = cloth.previous[v].xyz(), to = stays ? from : from + motion_of(name);
     const Vec3 inside = cloth.kept.inside(v, to);
     const bool stops = inside != to;
+    // Of a zone that stays each loses its share of the whole, as if the zone had gone on.
+    const Vec3 due = !stays ? to : mark == 0 ? x.xyz() : from + mean_motion(name);
+    if (due != inside) taken.add(v, due - inside);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
     pbd::atomic_store(zones.mark[v], (round + 1) << Zones::moved_shift | (round + 1) |
                                          (stops ? Zones::stopped : mark & Zones::stopped));
@@ -120,8 +138,10 @@ struct MoveZones {
 
   MENISCUS_HD Vec3 motion_of(uint32_t name) const {
     const uint32_t anchor = zones.anchor[name];
-    if (anchor == Zones::the_start) return {0, 0, 0};
     if (anchor != Zones::itself) return position[anchor - 1].xyz() - cloth.previous[anchor - 1].xyz();
+    return mean_motion(name);
+  }
+  MENISCUS_HD Vec3 mean_motion(uint32_t name) const {
     return 1 / (zones.mass_unit * static_cast<float>(zones.mass[name])) * zones.momentum.of(name);
   }
 };

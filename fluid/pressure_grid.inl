@@ -115,15 +115,17 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
                         width2(),     grid_tuning::share, grid_tuning::farthest * std::cbrt(kernel_.volume)};
   const PressureOf from_least = vessels_.pressure(space_.nodes, pressure);
   const uint32_t nodes = space_.nodes.count();
-  device_.reduce("grid/lost", nodes, Lost{}, FindLost{moves}, AddLost{}, lost_.view());
+  device_.reduce("grid/lost", nodes, Lost{}, FindLost{moves, flags_.view(), from_least}, AddLost{},
+                 lost_.view());
   device_.parallel_for("grid/move faces", nodes, MoveFaces{moves, lost_.view(), motion_.view()});
   device_.parallel_for(
       "grid/push solids", contacts.contacts.count,
-      PushSolids{space_, p.position, contacts, load_.view(), from_least, grid_tuning::share});
-  device_.parallel_for("grid/move particles", p.sorted,
-                       MoveParticles{space_, substep.neighbours.count, scale_.view(), motion_.view(),
-                                     flags_.view(), from_least, grid_tuning::share * kernel_.volume,
-                                     p.position, p.moved, multiplier_.view()});
+      PushSolids{space_, found_.view(), p.position, contacts, load_.view(), from_least, grid_tuning::share});
+  device_.parallel_for(
+      "grid/move particles", p.sorted,
+      MoveParticles{space_, found_.view(), substep.neighbours.count, scale_.view(), motion_.view(),
+                    flags_.view(), from_least, grid_tuning::share * kernel_.volume, p.position, p.moved,
+                    multiplier_.view()});
 }
 
 }  // namespace meniscus::fluid

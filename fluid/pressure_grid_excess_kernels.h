@@ -40,7 +40,7 @@ struct Excess {
     const float value = density_kernels::density_constraint<D>(kernel, position, neighbours, i).value;
     if (!D::leads()) return;
     const float excess = pbd::is_grain(phase[i]) ? 0.0f : excess_of(i, value);
-    found[i] = pbd::with_w(space.part(position[i].xyz()), excess);
+    found[i] = pbd::with_w(space.part(position[i].xyz(), i), excess);
   }
 };
 
@@ -63,7 +63,7 @@ struct ExcessAtWalls {
             .value;
     if (!D::leads()) return;
     const float excess = pbd::is_grain(phase[i]) ? 0.0f : excess_of(i, value);
-    found[i] = pbd::with_w(space.part(position[i].xyz()), excess);
+    found[i] = pbd::with_w(space.part(position[i].xyz(), i), excess);
   }
 };
 

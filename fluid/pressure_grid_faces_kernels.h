@@ -34,7 +34,7 @@ struct Normalize {
       return;
     }
     const Vec4 p = position[i];
-    const Place place = space.place(p.xyz());
+    const Place place = space.place(p.xyz(), found[i].xyz());
     uint32_t all = node_fluid;
     for_each_node(space.nodes, place, [&](uint32_t node, float) { all &= inside[node]; });
     if (all) {
@@ -109,10 +109,12 @@ struct GatherFaces {
     const NodeCoordinates c = space.nodes.coordinates(node);
     Sums sums;
     for (int k = 0; k < 12; ++k) gather_cell(c, axis, {k % 3 - 1, k / 3 % 2 - 1, k / 6 - 1}, sums);
-    const uint32_t around = map.flags[node] | map.flags[space.nodes.beside(c, axis, 1)];
+    // Where solids are near one of both nodes alone, they are too far from the face to close any of it; and
+    // what the other's pressure would leave over, no contact could take.
+    const uint32_t both = map.flags[node] & map.flags[space.nodes.beside(c, axis, 1)];
     const float inverse_width = space.cells.inverse_reach;
     const float share = sums.filled * volume * inverse_width * inverse_width * inverse_width;
-    return {around & node_touched ? pbd::min(1.0f, share) : 1.0f, sums.mass,
+    return {both & node_touched ? pbd::min(1.0f, share) : 1.0f, sums.mass,
             sums.mass > 0 ? 1 / pbd::max(sums.mass, 0.5f * sums.heaviest) : 0.0f};
   }
 

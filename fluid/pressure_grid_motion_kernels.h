@@ -28,7 +28,8 @@ struct FaceMoves {
   }
 };
 
-/// What faces do not hand on, as they move too little or their motion is bounded, and the mass that all move.
+/// What faces do not hand on, as they move too little or nothing or their motion is bounded, and the mass
+/// that all move.
 struct Lost {
   double impulse[3] = {0, 0, 0}, mass[3] = {0, 0, 0};
 };
@@ -45,18 +46,29 @@ struct AddLost {
 
 struct FindLost {
   FaceMoves moves;
+  View<const uint32_t> flags;
+  PressureOf pressure;
 
   MENISCUS_HD Lost operator()(uint32_t node) const {
     const NodeCoordinates c = moves.nodes.coordinates(node);
     Lost lost;
     for (int axis = 0; axis < 3; ++axis) {
-      const float mass = moves.faces[node].face[axis].mass;
-      if (!(mass > 0)) continue;
-      lost.mass[axis] = double{mass};
-      lost.impulse[axis] =
-          double{moves.impulse(c, node, axis)} - double{mass} * double{moves.way(c, node, axis)};
+      const FaceState face = moves.faces[node].face[axis];
+      if (face.mass > 0) {
+        lost.mass[axis] = double{face.mass};
+        lost.impulse[axis] =
+            double{moves.impulse(c, node, axis)} - double{face.mass} * double{moves.way(c, node, axis)};
+      } else if (face.area > 0) {
+        const float fall = in_the_open(node) - in_the_open(moves.nodes.beside(c, axis, 1));
+        lost.impulse[axis] = double{moves.share * face.area * moves.width2 * fall};
+      }
     }
     return lost;
+  }
+
+  /// What a face that moves nothing takes up of a node's pressure; near solids these do: see WallAreas.
+  MENISCUS_HD float in_the_open(uint32_t node) const {
+    return flags[node] & node_touched ? 0.0f : pressure(node);
   }
 };
 
@@ -80,6 +92,7 @@ struct MoveFaces {
 
 struct MoveParticles {
   Space space;
+  View<const Found> found;
   View<const uint32_t> neighbour_count;
   View<const Vec4> scale;
   View<const Vec4> motion;
@@ -95,7 +108,7 @@ struct MoveParticles {
       return;
     }
     const Vec4 p = position[i];
-    const Place place = space.place(p.xyz());
+    const Place place = space.place(p.xyz(), found[i].xyz());
     const Vec3 way = way_of(place, scale[i]);
     multiplier[i] = to_multiplier * pressure_at(place);
     position[i] = pbd::with_w(p.xyz() + way, p.w);

@@ -28,16 +28,27 @@ struct Space {
   pbd::GridView cells;
   NodeTable nodes;
 
-  /// Where in its cell a point is.
-  MENISCUS_HD Vec3 part(Vec3 p) const { return place(p).t; }
-  MENISCUS_HD Place place(Vec3 p) const {
+  /// Where particle i is in the cell that it was sorted into. Moved out of it since, it counts at the cell's
+  /// border: what nodes and faces gather by cells must be what particles get from them.
+  MENISCUS_HD Vec3 part(Vec3 p, uint32_t i) const {
     pbd::CellCoordinates c = cells.coordinates(p);
-    c.x = c.x >> 2;  // floor of a quarter
+    NodeCoordinates cell{{c.x >> 2, c.y, c.z}};  // floor of a quarter
+    for (int k = 0; k < 27 && !holds(cell, i); ++k)
+      cell = {{(c.x >> 2) + k % 3 - 1, c.y + k / 3 % 3 - 1, c.z + k / 9 - 1}};
     const Vec3 x = cells.inverse_reach * p;
     const auto part = [](float v, int32_t cell) {
       return pbd::clamp(v - static_cast<float>(cell), 0.0f, 1.0f);
     };
-    return {{{c.x, c.y, c.z}}, {part(x.x, c.x), part(x.y, c.y), part(x.z, c.z)}};
+    return {part(x.x, cell.at[0]), part(x.y, cell.at[1]), part(x.z, cell.at[2])};
+  }
+  /// Of a particle that is there in its cell.
+  MENISCUS_HD Place place(Vec3 p, Vec3 part) const {
+    const Vec3 x = cells.inverse_reach * p - part;
+    const auto nearest = [](float v) {
+      constexpr float limit = 1e9f;  // keeps the conversion defined for any float, NaN included
+      return static_cast<int32_t>(rintf(pbd::clamp(v, -limit, limit)));
+    };
+    return {{{nearest(x.x), nearest(x.y), nearest(x.z)}}, part};
   }
   MENISCUS_HD float width() const { return 1 / cells.inverse_reach; }
   /// Of the cell behind a node: its slices lie side by side.
@@ -47,6 +58,12 @@ struct Space {
 
   static constexpr uint32_t slices = pbd::GridView::slices;
   static_assert(slices == 4);
+
+ private:
+  MENISCUS_HD bool holds(const NodeCoordinates& cell, uint32_t i) const {
+    const pbd::Run run = particles_behind(nodes.index(cell));
+    return run.begin <= i && i < run.end;
+  }
 };
 
 MENISCUS_HD inline float component(Vec3 v, int axis) {

@@ -89,6 +89,7 @@ struct WeighContacts {
 /// Notes the push in the contacts: the solids take it as they do the density constraint's.
 struct PushSolids {
   Space space;
+  View<const Found> found;
   View<const Vec4> position;
   ContactView contacts;
   View<const NodeLoad> load;
@@ -100,7 +101,7 @@ struct PushSolids {
     if (i == pbd::no_index) return;
     const Vec3 p = position[i].xyz();
     const float width = space.width();
-    for_each_node(space.nodes, space.place(p), [&](uint32_t node, float weight) {
+    for_each_node(space.nodes, space.place(p, found[i].xyz()), [&](uint32_t node, float weight) {
       const NodeLoad at = load[node];
       if (dot(at.area, at.area) == 0) return;
       const Vec3 each = share * pressure(node) * product(at.area, at.inverse);

@@ -25,8 +25,8 @@ struct alignas(16) Contact {
   Vec3 tangent_multiplier;  ///< kg·m, friction so far in this substep; over the substep's length it is the
                             ///< impulse
   float normal_multiplier;  ///< kg·m, non-penetration and bounce so far
-  Vec3 density_push;    ///< kg·m, on the particle, so far: what the density constraint pushes through this
-                        ///< surface, and what a sheet carries it by
+  Vec3 density_push;    ///< kg·m, on the particle, so far: what fluid pushes and pulls through this surface,
+                        ///< by the density constraint and surface tension, and what a sheet carries it by
   float friction;       ///< Coulomb's μ
   Vec3 surface_motion;  ///< m, of the surface here, from the substep's start to now
   float body_inverse_mass;  ///< 1/kg: how the body gives way along the normal, split among its contacts; 0:

@@ -36,6 +36,7 @@ void Solver<D>::substep(float dt, bool is_last) {
   find(s);
 
   timer_.enter(StageId::solve);
+  for (ConstraintSet<D>* set : sets_) set->accelerate(s);
   for (ConstraintSet<D>* set : sets_) set->begin(s);
   for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
     for (ConstraintSet<D>* set : sets_) set->project(s, iteration);

@@ -54,7 +54,10 @@ class ConstraintSet : public ParticleState {
   virtual uint32_t extra_particles() const { return 0; }
   /// Positions are predicted, and contacts not found yet: adds such particles to substep.particles.owned.
   virtual void arrange(Substep<D>&) {}
-  /// Neighbours and contacts are known; nothing is solved yet.
+  /// Neighbours and contacts are known: forces change velocities, and what was predicted with them. Not while
+  /// overlaps are relaxed.
+  virtual void accelerate(Substep<D>&) {}
+  /// Nothing is solved yet.
   virtual void begin(Substep<D>&) {}
   /// One iteration: moves particles.position towards C(p) = 0.
   virtual void project(Substep<D>&, int iteration) = 0;

@@ -18,7 +18,7 @@
 #include "collision/shape_contacts.h"
 #include "collision/sheet_set.h"
 #include "fluid/anisotropy.h"
-#include "fluid/surface_tension_pass.h"
+#include "fluid/surface_tension_set.h"
 #include "fluid/viscosity_pass.h"
 #include "pbd/removal.h"
 #include "sdk/engine/diffuse_walls.h"
@@ -64,6 +64,7 @@ class DeviceEngine final : public Engine {
     solver_.add(static_cast<pbd::ContactSource<D>&>(ties_));
     solver_.add(static_cast<pbd::ContactSource<D>&>(sheet_contacts_));
     solver_.add(contacts_);
+    solver_.add(tension_);
     solver_.add(density_);
     solver_.add(sheets_.loading());
     solver_.add(static_cast<pbd::ConstraintSet<D>&>(ties_));
@@ -79,7 +80,6 @@ class DeviceEngine final : public Engine {
     solver_.add(sheets_);
     solver_.add(bodies_);
     solver_.add(jets_);
-    solver_.add(tension_);
     solver_.add(viscosity_);
     solver_.add(probes_);
     solver_.add(static_cast<pbd::Observer<D>&>(ties_));
@@ -194,7 +194,7 @@ class DeviceEngine final : public Engine {
   collision::FacePoints<D> face_points_;
   collision::SheetContacts<D> sheet_contacts_;
   collision::SheetSet<D> sheets_;
-  fluid::SurfaceTensionPass<D> tension_;
+  fluid::SurfaceTensionSet<D> tension_;
   fluid::ViscosityPass<D> viscosity_;
   fluid::Probes<D> probes_;
   fluid::SurfaceMesher<D> mesher_;

@@ -132,10 +132,10 @@ struct FluidDef {
   /// that no more than h²/(22 hₜ) acts, however much is asked for: shorter substeps bear more.
   float viscosity = 0.0f;
   float xsph = 5.0f;  ///< 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h²
-  float vorticity_confinement = 0.0f;  ///< ε, no unit; the force is ε · h · (N × ω)
+  /// ε, no unit; the force is ε · h · (N × ω). It is no force between pairs: momentum drifts with it.
+  float vorticity_confinement = 0.0f;
   /// σ, N/m: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀ s³/(2πσ)).
-  /// What would pull fluid off a solid or cloth is left out, and not given to bodies or cloth either: where
-  /// they are free, momentum drifts. The same goes for cohesion.
+  /// What would pull fluid off a solid or cloth, these hold, and are pulled as much. So it is with cohesion.
   float surface_tension = 0.0f;
   float cohesion = 0.0f;     ///< N/m, on top: attraction alone, which holds threads and sheets together
   CollisionFilter filter{};  ///< which solids it collides with

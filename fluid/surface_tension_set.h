@@ -10,20 +10,26 @@
 namespace meniscus::fluid {
 
 /// The forces of fluid/surface_tension.h. They are opposite and equal, and explicit: a substep must be
-/// shorter than about √(ρ₀ s³/(2πσ)), for the shortest capillary wave (Brackbill, Kothe & Zemach 1992). A
-/// wall completes a surface like a mirror: what would pull away from it is left out, so that fluid meets it
-/// at a right angle.
+/// shorter than about √(ρ₀ s³/(2πσ)), for the shortest capillary wave (Brackbill, Kothe & Zemach 1992). They
+/// act before the solve, as the pressure that they make belongs to the same substep: a sheet that was pulled
+/// first and pressed later would be thrown to and fro.
+///
+/// A wall completes a surface like a mirror, so that fluid meets it at a right angle: its images take back
+/// what would pull away from it, and its contacts note that, so that the solid is pulled as much.
 template <class D>
-class SurfaceTensionPass final : public pbd::VelocityPass<D> {
+class SurfaceTensionSet final : public pbd::ConstraintSet<D> {
  public:
-  SurfaceTensionPass(D& device, const Kernel& kernel, double spacing)
+  SurfaceTensionSet(D& device, const Kernel& kernel, double spacing)
       : device_(device), kernel_(kernel), tension_(calibrate_tension(kernel, spacing)) {}
 
   void set_materials(std::span<const Material> materials);
-  void apply(pbd::Substep<D>& substep, pbd::Particles& particles) override;
-  void reserve(uint32_t capacity) override;
+  void project(pbd::Substep<D>&, int) override {}
+  void accelerate(pbd::Substep<D>& substep) override;
+  void reserve(uint32_t capacity, uint32_t kept) override;
 
  private:
+  void make_room();
+
   D& device_;
   Kernel kernel_;
   TensionKernel tension_;

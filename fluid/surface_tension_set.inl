@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fluid/surface_tension_pass.h"
+#include "fluid/surface_tension_set.h"
 #include "pbd/contacts.h"
 #include "pbd/neighbours.h"
 
@@ -18,11 +18,15 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
-/// v without what points away from the walls near particle i.
-MENISCUS_HD inline Vec3 held_by_walls(const ContactView& contacts, uint32_t i, Vec3 v) {
+/// v without what points away from the walls near particle i; hold(contact, what was taken from v).
+template <class Hold>
+MENISCUS_HD Vec3 held_by_walls(const ContactView& contacts, uint32_t i, Vec3 v, const Hold& hold) {
   for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c) {
-    const pbd::Contact& contact = contacts.contacts[c];
-    v -= (contact.fraction * pbd::max(dot(v, contact.normal), 0.0f)) * contact.normal;
+    pbd::Contact& contact = contacts.contacts[c];
+    const float away = contact.fraction * dot(v, contact.normal);
+    if (!(away > 0)) continue;
+    v -= away * contact.normal;
+    hold(contact, away * contact.normal);
   }
   return v;
 }
@@ -58,7 +62,7 @@ struct SurfaceNormal {
       const Vec3Of<Real> d = self.xyz() - gather(position, j).xyz();
       n += (gather(curvature, j) * kernel.weight_slope(dot(d, d))) * d;
     });
-    const Vec3 inwards = held_by_walls(contacts, i, kernel.h * sum(n));
+    const Vec3 inwards = held_by_walls(contacts, i, kernel.h * sum(n), [](pbd::Contact&, Vec3) {});
     if (D::leads()) normal[i] = pbd::with_w(inwards, curvature[i]);
   }
 };
@@ -90,15 +94,29 @@ struct Pull {
         force += (scale * (Real(n.w) + other.w) * kernel.weight(r2)) * (other.xyz() - n.xyz());
       }
     });
-    const Vec3 f = held_by_walls(contacts, i, sum(force));
+    const Vec3 f = held_by_walls(contacts, i, sum(force), [&](pbd::Contact& contact, Vec3 taken) {
+      if (D::leads()) contact.density_push -= (dt * dt) * taken;
+    });
     if (D::leads()) velocity[i] = pbd::with_w(velocity[i].xyz() + (dt * self.w) * f, 0);
+  }
+};
+
+/// p = x + h·v with the velocities that particles have now, less what cut their motion short.
+struct PredictAnew {
+  View<const Vec4> previous, velocity, moved;
+  View<Vec4> position;
+  float dt;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 x = previous[i].xyz() + dt * velocity[i].xyz();
+    position[i] = pbd::with_w(x + moved[i].xyz(), position[i].w);
   }
 };
 
 }  // namespace surface_tension_kernels
 
 template <class D>
-void SurfaceTensionPass<D>::set_materials(std::span<const Material> materials) {
+void SurfaceTensionSet<D>::set_materials(std::span<const Material> materials) {
   std::vector<Affinity> affinities;
   pulls_ = bends_ = false;
   for (const Material& m : materials) {
@@ -108,32 +126,39 @@ void SurfaceTensionPass<D>::set_materials(std::span<const Material> materials) {
   }
   table_.resize_discard(static_cast<uint32_t>(affinities.size()));
   table_.write(affinities);
-  reserve(capacity_);
+  make_room();
 }
 
 template <class D>
-void SurfaceTensionPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles&) {
+void SurfaceTensionSet<D>::accelerate(pbd::Substep<D>& substep) {
   using namespace surface_tension_kernels;
   if (!pulls_ || substep.particles.sorted == 0) return;
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("velocity/affinities", p.sorted,
+  device_.parallel_for("tension/affinities", p.sorted,
                        Spread{p.phase, table_.view(), cohesion_.view(), curvature_.view()});
   if (bends_) {
-    device_.parallel_for_neighbours("velocity/normals", p.sorted,
+    device_.parallel_for_neighbours("tension/normals", p.sorted,
                                     SurfaceNormal{kernel_, p.position, curvature_.view(), substep.neighbours,
                                                   substep.contacts, normal_.view()});
   }
   device_.parallel_for_neighbours(
-      "velocity/tension", p.sorted,
+      "tension/pull", p.sorted,
       Pull{kernel_, tension_, bends_, p.position, normal_.view(), cohesion_.view(), substep.neighbours,
            substep.contacts, p.velocity, substep.dt});
+  device_.parallel_for("tension/predict", p.sorted,
+                       PredictAnew{p.previous, p.velocity, p.moved, p.position, substep.dt});
+}
+
+template <class D>
+void SurfaceTensionSet<D>::reserve(uint32_t capacity, uint32_t) {
+  capacity_ = capacity;
+  make_room();
 }
 
 /// Takes memory only where a fluid has a use for it.
 template <class D>
-void SurfaceTensionPass<D>::reserve(uint32_t capacity) {
-  capacity_ = capacity;
-  const uint32_t size = capacity + pbd::Particles::padding;
+void SurfaceTensionSet<D>::make_room() {
+  const uint32_t size = capacity_ + pbd::Particles::padding;
   if (!pulls_ || cohesion_.size() >= size) return;
   cohesion_.resize_discard(size);
   curvature_.resize_discard(size);
