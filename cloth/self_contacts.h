@@ -90,6 +90,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::SheetViews sheets();
   self_contact_kernels::Zones zones();
+  self_contact_kernels::PartSums part_sums();
   self_contact_kernels::ContactList list();
   uint32_t launched(uint32_t counter, size_t capacity);
 
@@ -114,6 +115,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},
       zone_anchor_{device_, "cloth zones"};
   pbd::Buffer<int64_t> zone_mass_{device_, "cloth zones"};
+  pbd::Buffer<int64_t> part_sums_{device_, "momentum of cloth taken back"};
   pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"};
   pbd::Buffer<self_contact_kernels::GroupPair> group_pairs_{device_, "cloth group pairs"};
   pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};

@@ -68,6 +68,7 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
               {kept_.view()},
               foreseen_.view(),
               zones(),
+              part_sums(),
               entries_.view(),
               counters_.view(),
               {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
@@ -138,9 +139,11 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                    counters_.view(),
                                    round});
   }
-  constexpr uint32_t together = HandOnScratch::groups;
-  device_.parallel_for_groups("self contacts/hand on", (groups_ + together - 1) / together,
-                              HandOn{cloth(substep), foreseen_.view(), moved, counters_.view()});
+  constexpr uint32_t together = LostScratch::groups;
+  device_.parallel_for_groups("self contacts/lost", (groups_ + together - 1) / together,
+                              SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
+  device_.parallel_for("self contacts/hand on", vertices_,
+                       HandOn{vertex_part_.view(), position, moved, part_sums(), counters_.view()});
   device_.parallel_for("self contacts/found", counter_count, NoteCounters{counters_.view(), found_.view()});
 }
 
@@ -267,6 +270,7 @@ void SelfContacts<D>::set_parts(std::span<const ContactPart> parts, std::span<co
   }
   parts_.resize_discard(rows.size());
   parts_.write(rows);
+  part_sums_.resize_discard(4 * rows.size());
 }
 
 template <class D>
@@ -312,6 +316,12 @@ self_contact_kernels::Zones SelfContacts<D>::zones() {
           zone_mass_.view(),
           {push_sums_.view(), coarser * unit_},
           coarser * unit_};
+}
+
+template <class D>
+self_contact_kernels::PartSums SelfContacts<D>::part_sums() {
+  constexpr float coarser = 1 << 9, coarse = 1 << 29;  // a part may be a million vertices, under water
+  return {part_sums_.view(), coarser * unit_, coarse * unit_};
 }
 
 template <class D>

@@ -38,8 +38,8 @@ struct Contain {
   }
 };
 
-/// What groups of triangles have lost; see HandOn.
-struct HandOnScratch {
+/// While a group of threads sums up what groups of triangles have lost.
+struct LostScratch {
   static constexpr uint32_t groups = 64;
 
   Vec3 impulse[groups];  // kg·m
@@ -47,15 +47,13 @@ struct HandOnScratch {
   uint32_t part[groups];
 };
 
-/// Gives the momentum of vertices that were taken back to those around them, which stay where they are: the
-/// vertices of up to 512 triangles, as many of them as are of one part, share it. The fewer do, the more
-/// energy it makes.
-struct HandOn {
-  using Scratch = HandOnScratch;
+/// Sums up the momentum of vertices that were taken back, and what all of their part weigh.
+struct SumLost {
+  using Scratch = LostScratch;
 
   ClothState cloth;
   View<const Vec4> taken;  // by vertex, m: see TakenBack
-  View<Vec4> moved;        // by vertex
+  PartSums sums;
   View<const uint32_t> counters;
 
   template <class Group>
@@ -64,44 +62,54 @@ struct HandOn {
     const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
     const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
     group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
+    // The first group of each part adds up those that follow it.
     group.for_each(count, [&](uint32_t k) {
+      const uint32_t part = scratch.part[k];
+      if (k > 0 && scratch.part[k - 1] == part) return;
       Vec3 impulse{0, 0, 0};
       float mass = 0;
-      for (uint32_t other = 0; other < count; ++other) {
-        if (scratch.part[other] != scratch.part[k]) continue;
+      for (uint32_t other = k; other < count && scratch.part[other] == part; ++other) {
         impulse += scratch.impulse[other];
         mass += scratch.mass[other];
       }
-      if (impulse == Vec3{0, 0, 0}) return;
-      for_each_vertex(first + k, [&](uint32_t v, float) {
-        moved[v] = pbd::with_w(moved[v].xyz() + impulse / mass, moved[v].w);
-      });
+      sums.add(part, impulse, mass);
     });
   }
 
  private:
+  /// Each vertex belongs to one of its triangles.
   MENISCUS_HD void sum(Scratch& scratch, uint32_t k, uint32_t g) const {
     Vec3 impulse{0, 0, 0};
     float mass = 0;
-    for_each_vertex(g, [&](uint32_t v, float m) {
-      impulse += m * taken[v].xyz();
-      mass += m;
-    });
+    for (uint32_t place = 8 * g; place < 8 * g + 8; ++place) {
+      const SurfaceTriangle t = load(cloth.tree.triangles, place);
+      for (uint32_t corner = 0; corner < 3; ++corner) {
+        if (!(cloth.features[place] & owns_vertex << corner)) continue;
+        const uint32_t v = corner_of(t, corner);
+        const float w = cloth.position[v].w, m = w > 0 ? 1 / w : 0.0f;
+        impulse += m * taken[v].xyz();
+        mass += m;
+      }
+    }
     scratch.impulse[k] = impulse;
     scratch.mass[k] = mass;
     scratch.part[k] = cloth.tree.triangles[8 * g].part;
   }
-  /// Those that belong to a group's triangles, and that something may move.
-  template <class Visit>
-  MENISCUS_HD void for_each_vertex(uint32_t g, const Visit& visit) const {
-    for (uint32_t place = 8 * g; place < 8 * g + 8; ++place) {
-      const SurfaceTriangle t = load(cloth.tree.triangles, place);
-      for (uint32_t k = 0; k < 3; ++k) {
-        if (!(cloth.features[place] & owns_vertex << k)) continue;
-        const uint32_t v = corner_of(t, k);
-        if (cloth.position[v].w > 0) visit(v, 1 / cloth.position[v].w);
-      }
-    }
+};
+
+/// Gives the momentum of vertices that were taken back to all of their part, which stay where they are.
+/// Nothing moves against anything else in it by that; given to those around them it kept crumpled cloth
+/// stretched.
+struct HandOn {
+  View<const uint32_t> vertex_part;
+  View<const Vec4> position;  // by vertex
+  View<Vec4> moved;           // by vertex
+  PartSums sums;
+  View<const uint32_t> counters;
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (counters[lost] == 0 || vertex_part[v] == no_index || position[v].w == 0) return;
+    moved[v] = pbd::with_w(moved[v].xyz() + sums.way(vertex_part[v]), moved[v].w);
   }
 };
 

@@ -28,6 +28,7 @@ struct Foresee {
   KeptPlaces kept;
   View<Vec4> foreseen;  // w: the room, m
   Zones zones;
+  PartSums sums;
   View<uint32_t> entries, counters;
   Room room_for;
   bool anew;  // whatever there is
@@ -35,6 +36,7 @@ struct Foresee {
   MENISCUS_HD void operator()(uint32_t v) const {
     if (vertex_part[v] != no_index) foresee(v);
     zones.begin(v);
+    for (uint32_t part = v; part < parts.count; part += vertex_part.count) sums.begin(part);
     entries[v] = 0;
     if (v != 0) return;
     if (anew)

@@ -102,6 +102,30 @@ struct TakenBack {
   }
 };
 
+/// By part: three numbers of momentum and one of mass, which add up to the same in any order.
+struct PartSums {
+  View<int64_t> sums;
+  float unit;       // kg·m, of the momentum; a power of 2
+  float mass_unit;  // kg, coarse: fluid that cloth carries is in it
+
+  MENISCUS_HD void begin(uint32_t part) const {
+    for (uint32_t k = 0; k < 4; ++k) sums[4 * part + k] = 0;
+  }
+  MENISCUS_HD void add(uint32_t part, Vec3 impulse, float mass) const {
+    pbd::atomic_add(sums[4 * part], llrintf(impulse.x / unit));
+    pbd::atomic_add(sums[4 * part + 1], llrintf(impulse.y / unit));
+    pbd::atomic_add(sums[4 * part + 2], llrintf(impulse.z / unit));
+    pbd::atomic_add(sums[4 * part + 3], llrintf(mass / mass_unit));
+  }
+  /// Of the whole, m.
+  MENISCUS_HD Vec3 way(uint32_t part) const {
+    const int64_t* sum = &sums[4 * part];
+    if (sum[3] == 0) return {0, 0, 0};
+    const float scale = unit / (mass_unit * static_cast<float>(sum[3]));
+    return scale * Vec3{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
+  }
+};
+
 /// Gives vertices the motion of their zones. Nothing leaves the place that its pairs were looked for in: a
 /// zone that would have to, stops in the next round. Where the last round there is still finds something, all
 /// stay where they were.
