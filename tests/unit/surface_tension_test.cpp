@@ -161,6 +161,30 @@ TEST_P(SurfaceTensionTest, APoolStaysOnItsFloor) {
   EXPECT_LT(world.diagnostics().density_error_mean, 0.01);
 }
 
+// The surface pulls the floor up where it would leave it: what presses is the weight, and not what attraction
+// presses the fluid together with.
+TEST_P(SurfaceTensionTest, TheFloorBearsTheWeight) {
+  World world(world_def(GetParam(), 0.08f));
+  const FluidId water = world.create_fluid(with_tension(30, 10, 50));
+  const ShapeId box = world.create_shape(tank({-0.4f, 0, -0.4f}, {0.4f, 2, 0.4f}));
+  world.add_fluid(block(water, {-0.4f, 0, -0.4f}, {0.4f, 0.4f, 0.4f}));
+  ProbeDef floor;
+  floor.kind = ProbeKind::wall_force;
+  floor.shape = box;
+  floor.patch = Aabb{{-1, -0.01f, -1}, {1, 0.01f, 1}};
+  const ProbeId probe = world.create_probe(floor);
+  run(world, 120, frame);
+  double force = 0;
+  for (int k = 0; k < 30; ++k) {
+    world.step(frame);
+    force += double{world.probe(probe)} / 30;
+  }
+  const double weight =
+      9.81 * double{world.particle_mass(water)} * static_cast<double>(world.particle_count());
+  RecordProperty("force_over_weight", std::to_string(force / weight));
+  EXPECT_NEAR(force / weight, 1, 0.02);
+}
+
 MENISCUS_ON_EACH_DEVICE(SurfaceTensionTest);
 
 TEST(TensionKernel, AttractsFarAndRepelsNear) {
