@@ -81,6 +81,27 @@ TEST_P(ClothMomentum, ABodyTiedToASheetExchangesIt) {
   EXPECT_LT(cloth_momentum(world_, id).linear.y, -0.005) << "it does not follow";
 }
 
+// The guard of cloth against cloth has no say over ropes, which pass through it.
+TEST_P(ClothMomentum, ARopeThatABallHitsExchangesItBesideCloth) {
+  world_.create_cloth(sheet(0.1f, 0.1f, 21, 21, {0, 3, 0}));
+  RopeDef line = rope({{-0.5f, 0, 0}, {0.5f, 0, 0}}, 20);
+  line.radius = 0.02f;
+  const RopeId id = world_.create_rope(line);
+  BodyDef def = body(SphereGeometry{0.1f}, {0.02f, 0.2f, 0.01f}, 500);
+  def.velocity = {0, -8, 0};
+  const BodyId ball = world_.create_body(def);
+  const auto rope_momentum = [&] {
+    Momentum sum;
+    const auto x = world_.rope_positions(id), v = world_.rope_velocities(id);
+    const double segment = 3.14159265358979 * 0.02 * 0.02 * 1000 / 20;
+    for (size_t k = 0; k < x.size(); ++k)
+      add(sum, segment * (k == 0 || k + 1 == x.size() ? 0.5 : 1), x[k], v[k]);
+    return sum;
+  };
+  expect_kept(60, 1e-5, 0.005, [&] { return rope_momentum() + body_momentum(world_, ball); });
+  EXPECT_LT(rope_momentum().linear.y, -0.1) << "they did not meet";
+}
+
 MENISCUS_ON_EACH_DEVICE(ClothMomentum);
 
 }  // namespace
