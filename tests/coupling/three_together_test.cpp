@@ -93,7 +93,7 @@ TEST_P(ThreeTogether, KeepTheirMomentum) {
   expect_kept("without_self_collision", weightless(0.05f), {}, false);
 }
 
-TEST_P(ThreeTogether, KeepTheirMomentumWithAllThatAFluidMayHave) {
+TEST_P(ThreeTogether, KeepTheirMomentumWithForcesBetweenParticles) {
   FluidDef tense, sticky, thick;
   tense.surface_tension = 50;
   sticky.cohesion = 50;
