@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "cloth/self_contacts_zones.h"
+#include "cloth/self_contacts_folds.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
 #include "pbd/surface_tree.h"
@@ -73,9 +73,15 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
 
   static constexpr uint32_t first_rounds = 2;
   static constexpr uint32_t most_threads = 1u << 19;  // of a launch over a list: they fill a GPU
+  static constexpr uint32_t threads_together = 128;   // in a group of them
   static constexpr int sweeps = 2;  // an iteration: contacts need more than what they hold apart
 
   uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
+  /// Groups of threads for all groups of triangles, of which each takes so many.
+  template <class Scratch>
+  uint32_t blocks_of() const {
+    return (groups_ + Scratch::groups - 1) / Scratch::groups;
+  }
   uint32_t used_rounds() const;
   bool ran_short() const { return used_rounds() == rounds_; }
   uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
@@ -91,6 +97,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::SheetViews sheets();
   self_contact_kernels::Zones zones();
   self_contact_kernels::PartSums part_sums();
+  self_contact_kernels::Folds folds();
   self_contact_kernels::ContactList list();
   uint32_t launched(uint32_t counter, size_t capacity);
 
@@ -117,6 +124,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<int64_t> zone_mass_{device_, "cloth zones"};
   pbd::Buffer<int64_t> part_sums_{device_, "momentum of cloth taken back"};
   pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"};
+  pbd::Buffer<uint32_t> fold_state_{device_, "cloth folds"}, fold_noted_{device_, "cloth folds"},
+      fold_list_{device_, "cloth folds"};
   pbd::Buffer<self_contact_kernels::GroupPair> group_pairs_{device_, "cloth group pairs"};
   pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};
   pbd::Buffer<self_contact_kernels::Corners> corners_{device_, "cloth contact vertices"};

@@ -41,9 +41,8 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
                             kept_.view(), counters_.view()});
   tree_.refit(KeptBoxes{listing, {kept_.view()}});
   const pbd::SurfaceTreeView tree = tree_.view();
-  constexpr uint32_t together = ConeScratch::groups;
   device_.parallel_for_groups(
-      "self contacts/cones", (groups_ + together - 1) / together,
+      "self contacts/cones", blocks_of<ConeScratch>(),
       FitCones{listing, tree, parts_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
   device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
                               FindGroups{listing, tree, parts_.view(), sheets(), pairs()});
@@ -69,16 +68,17 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
               foreseen_.view(),
               zones(),
               part_sums(),
+              folds(),
               entries_.view(),
               counters_.view(),
               {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
                static_cast<uint32_t>(corners_.size())},
               std::exchange(anew_, false)});
   list_pairs(substep);
-  const uint32_t threads = launched(candidates, candidates_.size());
-  device_.parallel_for("self contacts/contacts", threads,
-                       MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entries_.view(),
-                                    substep.dt / separation_time, threads});
+  const uint32_t blocks = launched(candidates, candidates_.size()) / threads_together + 1;
+  device_.parallel_for_groups("self contacts/contacts", blocks,
+                              MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entries_.view(),
+                                           substep.dt / separation_time, blocks});
 }
 
 template <class D>
@@ -116,15 +116,17 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                moved,
                                strayed_.view(),
                                counters_.view()});
-  const uint32_t most = std::max({launched(candidates, candidates_.size()), vertices_, tree_.places()});
-  const uint32_t blocks = std::min(most, most_threads) / CrossingScratch::chunk + 1;
+  const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_);
+  const uint32_t blocks = std::min(most, most_threads) / threads_together + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
+    device_.parallel_for_groups("self contacts/folds", blocks_of<FoldScratch>(),
+                                FindFolds{cloth(substep), sheets(), zones(), folds(), round});
     device_.parallel_for_groups("self contacts/crossings", blocks,
                                 FindCrossings{{cloth(substep)},
                                               candidates_.view(),
                                               sheets(),
                                               zones(),
-                                              counters_.view(),
+                                              folds(),
                                               round,
                                               blocks,
                                               least_distance_});
@@ -139,8 +141,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                    counters_.view(),
                                    round});
   }
-  constexpr uint32_t together = LostScratch::groups;
-  device_.parallel_for_groups("self contacts/lost", (groups_ + together - 1) / together,
+  device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
                               SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
   device_.parallel_for("self contacts/hand on", vertices_,
                        HandOn{vertex_part_.view(), position, moved, part_sums(), counters_.view()});
@@ -217,8 +218,8 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   unit_ = std::ldexp(1.0f, std::ilogb(heaviest > 0 ? heaviest : 1.0f) - 49);
 
   cones_.resize_discard(groups_);
-  rough_.resize_discard(groups_);
-  smooth_.resize_discard(groups_);
+  for (pbd::Buffer<uint32_t>* buffer : {&rough_, &smooth_, &fold_state_, &fold_noted_, &fold_list_})
+    buffer->resize_discard(groups_);
   kept_.resize_discard(vertices_);
   foreseen_.resize_discard(vertices_);
   for (pbd::Buffer<uint32_t>* buffer : {&zone_label_, &zone_mark_, &zone_anchor_})
@@ -322,6 +323,11 @@ template <class D>
 self_contact_kernels::PartSums SelfContacts<D>::part_sums() {
   constexpr float coarser = 1 << 9, coarse = 1 << 29;  // a part may be a million vertices, under water
   return {part_sums_.view(), coarser * unit_, coarse * unit_};
+}
+
+template <class D>
+self_contact_kernels::Folds SelfContacts<D>::folds() {
+  return {fold_state_.view(), fold_noted_.view(), fold_list_.view(), counters_.view()};
 }
 
 template <class D>

@@ -8,6 +8,27 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
+/// Pairs of features of two triangles, by number: six of a vertex and a face, then nine of edges.
+struct PairsOfTwo {
+  static constexpr uint32_t most = 15;
+
+  uint32_t place, other;  ///< of the triangles
+  uint32_t mask = 0;      ///< of those that there are
+  uint32_t guards = 0;    ///< and that become no contacts
+
+  MENISCUS_HD FeatureCode code(uint32_t k) const {
+    if (k < 3) return {feature(place, k), feature(other, face)};
+    if (k < 6) return {feature(other, k - 3), feature(place, face)};
+    const uint32_t e = (k - 6) / 3, f = (k - 6) % 3;
+    return {feature(place, 3 + e) | (guards >> k & 1 ? FeatureCode::guard_bit : 0), feature(other, 3 + f)};
+  }
+  /// Calls visit(code) for each.
+  template <class Visit>
+  MENISCUS_HD void for_each(const Visit& visit) const {
+    for (uint32_t left = mask; left != 0; left &= left - 1) visit(code(pbd::lowest_bit(left)));
+  }
+};
+
 /// Pairs of features, of which each triangle shows those that it owns.
 struct FeaturePairs {
   ClothState cloth;
@@ -18,78 +39,66 @@ struct FeaturePairs {
     const uint32_t mask = overlap_mask(cloth.tree.group(0, other), cloth.tree.box(0, place));
     return other == place / 8 ? mask & ~((2u << place % 8) - 1) : mask;
   }
-  /// Calls visit(code) for each whose boxes overlap. Edges that are neither on a border nor in a rough group
-  /// are the guard's alone.
-  template <class Visit>
-  MENISCUS_HD void of_two(uint32_t place, uint32_t other, const Visit& visit) const {
-    const Own own(*this, place), of_other(*this, other);
-    vertices(own, of_other, visit);
-    vertices(of_other, own, visit);
-    edges(own, of_other, visit);
+
+  /// All that share no vertex. Edges that are neither on a border nor in a rough group are the guard's alone.
+  MENISCUS_HD PairsOfTwo of_two(uint32_t place, uint32_t other) const {
+    PairsOfTwo pairs{place, other};
+    const Own a(*this, place), b(*this, other);
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (a.has_vertex(k) && !has_vertex(b.triangle, corner_of(a.triangle, k))) pairs.mask |= 1u << k;
+      if (b.has_vertex(k) && !has_vertex(a.triangle, corner_of(b.triangle, k))) pairs.mask |= 8u << k;
+    }
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < 9; ++k) {
+      const uint32_t e = k / 3, f = k % 3;
+      if (!a.has_edge(e) || !b.has_edge(f) || a.shares_end(e, b, f)) continue;
+      pairs.mask |= 64u << k;
+      if (!(a.shows_edge(e) && b.shows_edge(f))) pairs.guards |= 64u << k;
+    }
+    return pairs;
+  }
+
+  /// Whether the boxes of both overlap.
+  MENISCUS_HD bool have_boxes_in_touch(FeatureCode code) const {
+    const Corners corners = cloth.corners_of(code);
+    const Aabb first = cloth.kept.box(corners.vertex(0)), second = cloth.kept.box(corners.vertex(1)),
+               third = cloth.kept.box(corners.vertex(2)), fourth = cloth.kept.box(corners.vertex(3));
+    const Aabb last = joined(third, fourth);
+    return corners.edges() ? overlap(joined(first, second), last) : overlap(first, joined(second, last));
   }
 
  private:
-  MENISCUS_HD uint32_t shown(uint32_t place, uint32_t features) const {
-    if (cloth.rough[place / 8]) return features;
-    return (features & ~(7u * owns_edge)) | features / is_border * owns_edge;
-  }
-
-  /// A triangle with the boxes of its vertices.
+  /// A triangle with the features that it owns, and those edges that are not the guard's alone.
   struct Own {
-    uint32_t place, features, shown;
+    uint32_t features, shown;
     SurfaceTriangle triangle;
-    Aabb whole, vertex[3];
 
-    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place_)
-        : place(place_),
-          features(pairs.cloth.features[place_]),
-          shown(pairs.shown(place_, features)),
-          triangle(load(pairs.cloth.tree.triangles, place_)),
-          whole(pairs.cloth.tree.box(0, place_)) {
-      for (uint32_t k = 0; k < 3; ++k) vertex[k] = pairs.cloth.kept.box(corner_of(triangle, k));
-    }
-    MENISCUS_HD Aabb edge(uint32_t k) const { return joined(vertex[k], vertex[next(k)]); }
+    MENISCUS_HD Own(const FeaturePairs& pairs, uint32_t place)
+        : features(pairs.cloth.features[place]),
+          shown(pairs.cloth.rough[place / 8] ? features : features / is_border * owns_edge),
+          triangle(load(pairs.cloth.tree.triangles, place)) {}
+
+    MENISCUS_HD bool has_vertex(uint32_t k) const { return (features & uint32_t{owns_vertex} << k) != 0; }
     MENISCUS_HD bool has_edge(uint32_t k) const { return (features & uint32_t{owns_edge} << k) != 0; }
     MENISCUS_HD bool shows_edge(uint32_t k) const { return (shown & uint32_t{owns_edge} << k) != 0; }
+    MENISCUS_HD bool shares_end(uint32_t e, const Own& other, uint32_t f) const {
+      const uint32_t v = corner_of(triangle, e), w = corner_of(triangle, e < 2 ? e + 1 : 0),
+                     s = corner_of(other.triangle, f), t = corner_of(other.triangle, f < 2 ? f + 1 : 0);
+      return s == v || s == w || t == v || t == w;
+    }
   };
-
-  MENISCUS_HD static uint32_t next(uint32_t k) { return k < 2 ? k + 1 : 0; }
-
-  template <class Visit>
-  MENISCUS_HD static void vertices(const Own& own, const Own& other, const Visit& visit) {
-    for (uint32_t k = 0; k < 3; ++k) {
-      if (!(own.features & uint32_t{owns_vertex} << k) || !overlap(own.vertex[k], other.whole)) continue;
-      if (!has_vertex(other.triangle, corner_of(own.triangle, k)))
-        visit(FeatureCode{feature(own.place, k), feature(other.place, face)});
-    }
-  }
-
-  template <class Visit>
-  MENISCUS_HD static void edges(const Own& own, const Own& other, const Visit& visit) {
-    for (uint32_t f = 0; f < 3; ++f) {
-      if (!other.has_edge(f)) continue;
-      const uint32_t s = corner_of(other.triangle, f), t = corner_of(other.triangle, next(f));
-      const Aabb box = other.edge(f);
-      for (uint32_t e = 0; e < 3; ++e) {
-        if (!own.has_edge(e)) continue;
-        const uint32_t v = corner_of(own.triangle, e), w = corner_of(own.triangle, next(e));
-        if (s == v || s == w || t == v || t == w || !overlap(own.edge(e), box)) continue;
-        const bool guards = !(own.shows_edge(e) && other.shows_edge(f));
-        visit(FeatureCode{feature(own.place, 3 + e) | (guards ? FeatureCode::guard_bit : 0),
-                          feature(other.place, 3 + f)});
-      }
-    }
-  }
 };
 
 /// Pairs of groups while a group of threads looks through them: pairs of triangles whose boxes overlap, by
-/// number; those of them that no plane parts; and pairs of features of some of these.
+/// number; those of them that no plane parts; pairs of features of some of these; and, by number, those whose
+/// boxes overlap.
 struct CandidateScratch {
   static constexpr uint32_t pairs = 16, at_once = 128, most_codes = 1024;
 
-  uint16_t hits[64 * pairs], near[64 * pairs];
+  uint16_t hits[64 * pairs], near[64 * pairs], touching[most_codes];
   FeatureCode codes[most_codes];
-  uint32_t hit_count, near_count, code_count;
+  uint32_t hit_count, near_count, code_count, touching_count;
 };
 
 /// Lists the pairs of features that may come near one another while their vertices stay where they are to, of
@@ -119,12 +128,15 @@ struct FindCandidates {
       const uint32_t near = scratch.near_count;
       for (uint32_t done = 0; done < near; done += Scratch::at_once) {
         const uint32_t now = near - done < Scratch::at_once ? near - done : Scratch::at_once;
-        group.for_each(1, [&](uint32_t) { scratch.code_count = 0; });
+        group.for_each(1, [&](uint32_t) { scratch.code_count = scratch.touching_count = 0; });
         group.for_each(now,
                        [&](uint32_t k) { find_features(scratch, places(first, scratch.near[done + k])); });
         const uint32_t found = scratch.code_count;
-        group.for_each(found < Scratch::most_codes ? found : Scratch::most_codes,
-                       [&](uint32_t k) { list(scratch.codes[k]); });
+        group.for_each(found < Scratch::most_codes ? found : Scratch::most_codes, [&](uint32_t k) {
+          if (features.have_boxes_in_touch(scratch.codes[k]))
+            scratch.touching[pbd::append(scratch.touching_count, 1)] = static_cast<uint16_t>(k);
+        });
+        group.for_each(scratch.touching_count, [&](uint32_t k) { list(scratch.codes[scratch.touching[k]]); });
       }
     }
   }
@@ -140,11 +152,12 @@ struct FindCandidates {
           static_cast<uint16_t>(8 * k + pbd::lowest_bit(mask));
   }
   MENISCUS_HD void find_features(Scratch& scratch, GroupPair two) const {
-    features.of_two(two.first, two.second, [&](FeatureCode code) {
-      const uint32_t place = pbd::atomic_add(scratch.code_count, 1);
+    const PairsOfTwo found = features.of_two(two.first, two.second);
+    uint32_t place = pbd::append(scratch.code_count, pbd::bit_count(found.mask));
+    found.for_each([&](FeatureCode code) {
       if (place < Scratch::most_codes)
-        scratch.codes[place] = code;
-      else
+        scratch.codes[place++] = code;
+      else if (features.have_boxes_in_touch(code))
         list(code);
     });
   }
@@ -199,13 +212,14 @@ struct FindCandidates {
     const uint32_t first = corners.edges() ? 2 : 1;
     FeaturePair pair{};
     pair.edges = corners.edges();
-    float radius[2] = {0, 0};
+    float radius = 0, other_radius = 0;
+    MENISCUS_UNROLL
     for (uint32_t k = 0; k < 4; ++k) {
       const Vec4 b = ball(corners.vertex(k));
       pair.start[k] = b.xyz() - origin;
-      radius[k < first ? 0 : 1] = pbd::max(radius[k < first ? 0 : 1], b.w);
+      (k < first ? radius : other_radius) = pbd::max(k < first ? radius : other_radius, b.w);
     }
-    return nearest(pair, 0).distance <= radius[0] + radius[1];
+    return nearest(pair, 0).distance <= radius + other_radius;
   }
 };
 

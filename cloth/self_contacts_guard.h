@@ -5,6 +5,8 @@
 #pragma once
 
 #include "cloth/self_contacts_find.h"
+#include "cloth/self_contacts_folds.h"
+#include "cloth/self_contacts_sieve.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -113,18 +115,19 @@ struct HandOn {
   }
 };
 
-/// While a group of threads looks for crossings: sixteen groups of triangles, or sixteen around one, of which
-/// some have folded; and pairs of triangles, by number.
+/// Two groups of triangles while their pairs are looked at: those of triangles, by number, and of features.
 struct CrossingScratch {
-  static constexpr uint32_t chunk = 128, groups = chunk / 8, most_hits = 1024;
+  static constexpr uint32_t hits_of_two = 64;
 
-  uint32_t bent[groups], folded[groups], hits[most_hits];
-  uint32_t hit_count;
+  SieveScratch sieve;
+  uint32_t hits[hits_of_two];
+  FeatureCode codes[PairsOfTwo::most * hits_of_two];
+  uint32_t hit_count, code_count;
 };
 
 /// Looks for pairs that would pass through one another, and has them go on together. If that makes others
 /// meet, these join them in the next round. Nothing leaves the place that pairs were looked for in, so that
-/// no others need be looked for, but in sheets that are smooth no longer.
+/// no others need be looked for, but in sheets that are smooth no longer (FindFolds).
 struct FindCrossings {
   using Scratch = CrossingScratch;
 
@@ -132,7 +135,7 @@ struct FindCrossings {
   View<const FeatureCode> candidate_list;
   SheetViews sheets;
   Zones zones;
-  View<uint32_t> counters;
+  Folds folds;
   uint32_t round, stride;
   /// m: what is nearer hardly comes nearer still, and what is nearer than a tenth of it does not at all, as
   /// it would soon be lost in rounding.
@@ -140,97 +143,70 @@ struct FindCrossings {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (counters[doomed] != 0 || (round > 0 && counters[crossings + round - 1] == 0)) return;
-    by_chunks(n, zones.mark.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
-      group.for_each(count, [&](uint32_t k) { zones.forget_sums(first + k); });
-    });
-    by_chunks(
-        n, listed(candidate_list, counters[candidates]), Scratch::chunk, [&](uint32_t first, uint32_t count) {
-          group.for_each(
-              count, [&](uint32_t k) { check(features.cloth.corners_of(load(candidate_list, first + k))); });
-        });
-    by_chunks(n, features.cloth.tree.triangles.count, Scratch::chunk, [&](uint32_t first, uint32_t count) {
-      group.for_each(Scratch::groups, [&](uint32_t k) { scratch.bent[k] = 0; });
-      group.for_each(count, [&](uint32_t k) {
-        if (is_bent(first + k)) pbd::atomic_max(scratch.bent[k / 8], 1);
-      });
-      for (uint32_t k = 0; 8 * k < count; ++k)
-        if (scratch.bent[k]) check_around(group, scratch, first / 8 + k);
-      group.for_each(0, [](uint32_t) {});  // all have read it
-    });
+    if (!is_round_needed(folds.counters, round)) return;
+    forget_sums(group, n);
+    Sieve(listed(candidate_list, folds.counters[candidates]), n, stride)
+        .run(
+            group, scratch.sieve, [&](uint32_t k) { return may_cross(load(candidate_list, k)); },
+            [&](uint32_t k) { check(features.cloth.corners_of(load(candidate_list, k))); });
+    check_folds(group, scratch, n);
   }
 
  private:
-  /// Of `count` things each group of threads takes every so many-th chunk.
-  template <class Visit>
-  MENISCUS_HD void by_chunks(uint32_t n, uint32_t count, uint32_t chunk, const Visit& visit) const {
-    for (uint32_t first = chunk * n; first < count; first += chunk * stride)
-      visit(first, count - first < chunk ? count - first : chunk);
-  }
-
-  MENISCUS_HD Vec3 normal(const SurfaceTriangle& t) const {
-    const View<const Vec4> x = features.cloth.position;
-    const Vec3 a = x[t.a].xyz();
-    return cross(x[t.b].xyz() - a, x[t.c].xyz() - a);
-  }
-  /// Whether a triangle's normal has left its group's cone.
-  MENISCUS_HD bool is_bent(uint32_t place) const {
-    const SurfaceTriangle t = load(features.cloth.tree.triangles, place);
-    return t.a != no_index && !sheets.is_in_cone(place / 8, normal(t));
-  }
-  MENISCUS_HD bool ends_smoothness(uint32_t place, uint32_t g) const {
-    const SurfaceTriangle t = load(features.cloth.tree.triangles, place);
-    return t.a != no_index && sheets.ends_smoothness(g, normal(t));
-  }
-
-  /// Looks into the sheets around a group that it may have folded; pairs are then listed anew.
   template <class Group>
-  MENISCUS_HD void check_around(const Group& group, Scratch& scratch, uint32_t g) const {
-    const uint32_t end = sheets.neighbour_start[g + 1];
-    for (uint32_t first = sheets.neighbour_start[g]; first < end; first += Scratch::groups) {
-      const uint32_t left = end - first < Scratch::groups ? end - first : Scratch::groups;
-      group.for_each(left, [&](uint32_t k) { scratch.folded[k] = 0; });
-      group.for_each(8 * left, [&](uint32_t k) {
-        if (ends_smoothness(8 * g + k % 8, sheets.neighbours[first + k / 8]))
-          pbd::atomic_max(scratch.folded[k / 8], 1);
-      });
-      for (uint32_t k = 0; k < left; ++k) {
-        if (!scratch.folded[k]) continue;
-        pbd::atomic_max(counters[expired], 1);
-        check_sheet(group, scratch, sheets.neighbours[first + k]);
-      }
-      group.for_each(0, [](uint32_t) {});  // all have read it
+  MENISCUS_HD void forget_sums(const Group& group, uint32_t n) const {
+    constexpr uint32_t together = 128;
+    const uint32_t all = zones.mark.count;
+    for (uint32_t first = together * n; first < all; first += together * stride)
+      group.for_each(all - first < together ? all - first : together,
+                     [&](uint32_t k) { zones.forget_sums(first + k); });
+  }
+
+  /// What was left out as sheets were smooth. There are few, which many threads share: each group of them
+  /// takes one in so many of the neighbours of a sheet's middle.
+  template <class Group>
+  MENISCUS_HD void check_folds(const Group& group, Scratch& scratch, uint32_t n) const {
+    constexpr uint32_t shares = 32;
+    for (uint32_t item = n; item < shares * folds.counters[folded_sheets]; item += stride) {
+      const uint32_t g = folds.list[item / shares], end = sheets.neighbour_start[g + 1];
+      for (uint32_t k = sheets.neighbour_start[g] + item % shares; k < end; k += shares)
+        check_two(group, scratch, g, sheets.neighbours[k]);
     }
   }
 
-  /// Around a group: what was left out as the sheet was smooth.
   template <class Group>
-  MENISCUS_HD void check_sheet(const Group& group, Scratch& scratch, uint32_t g) const {
-    constexpr uint32_t at_once = Scratch::most_hits / 64;
-    const uint32_t end = sheets.neighbour_start[g + 1];
-    for (uint32_t first = sheets.neighbour_start[g]; first < end; first += at_once) {
-      const uint32_t left = end - first < at_once ? end - first : at_once;
-      group.for_each(1, [&](uint32_t) { scratch.hit_count = 0; });
-      group.for_each(8 * left, [&](uint32_t k) {
-        const uint32_t other = sheets.neighbours[first + k / 8];
-        if (other < g) return;
-        uint32_t mask = features.overlapping(8 * g + k % 8, other);
-        for (; mask != 0; mask &= mask - 1)
-          scratch.hits[pbd::append(scratch.hit_count, 1)] = 8 * k + pbd::lowest_bit(mask);
-      });
-      group.for_each(scratch.hit_count, [&](uint32_t n) {
-        const uint32_t hit = scratch.hits[n];
-        const GroupPair two = places_of({g, sheets.neighbours[first + hit / 64]}, hit % 64);
-        features.of_two(two.first, two.second,
-                        [&](FeatureCode code) { check(features.cloth.corners_of(code)); });
-      });
-    }
+  MENISCUS_HD void check_two(const Group& group, Scratch& scratch, uint32_t g, uint32_t other) const {
+    if (other < g || !(folds.has_changed(g, round) || folds.has_changed(other, round))) return;
+    group.for_each(1, [&](uint32_t) { scratch.hit_count = scratch.code_count = 0; });
+    group.for_each(8, [&](uint32_t k) {
+      uint32_t mask = features.overlapping(8 * g + k, other);
+      for (; mask != 0; mask &= mask - 1)
+        scratch.hits[pbd::append(scratch.hit_count, 1)] = 8 * k + pbd::lowest_bit(mask);
+    });
+    group.for_each(scratch.hit_count, [&](uint32_t n) {
+      const GroupPair two = places_of({g, other}, scratch.hits[n]);
+      const PairsOfTwo found = features.of_two(two.first, two.second);
+      uint32_t place = pbd::append(scratch.code_count, pbd::bit_count(found.mask));
+      found.for_each([&](FeatureCode code) { scratch.codes[place++] = code; });
+    });
+    group.for_each(scratch.code_count, [&](uint32_t n) {
+      if (may_cross(scratch.codes[n])) check(features.cloth.corners_of(scratch.codes[n]));
+    });
   }
 
+  /// A quick look. In later rounds, what is unchanged has been looked at before; most is told by its groups.
+  MENISCUS_HD bool may_cross(FeatureCode code) const {
+    if (!folds.has_changed(code.first_place() / 8, round) &&
+        !folds.has_changed(code.second_place() / 8, round))
+      return false;
+    const Corners corners = features.cloth.corners_of(code);
+    return (round == 0 || has_changed(corners)) && !(pbd::least_gap(pair_of(corners)) > least);
+  }
+  MENISCUS_HD FeaturePair pair_of(const Corners& corners) const {
+    return self_contact_kernels::pair_of(corners, features.cloth.previous, features.cloth.position);
+  }
   MENISCUS_HD void check(const Corners& corners) const {
-    if (round > 0 && !has_changed(corners)) return;
-    const FeaturePair pair = pair_of(corners, features.cloth.previous, features.cloth.position);
-    if (pbd::least_gap(pair) > least) return;
+    const FeaturePair pair = pair_of(corners);
     const float motion = relative_motion(pair), distance = nearest(pair, 0).distance;
     if (motion == 0 || distance <= 0) return;
     const bool nearly_lost = distance < 0.1f * least;
@@ -238,11 +214,11 @@ struct FindCrossings {
     const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
     if (nothing_moves(corners)) return;
-    pbd::atomic_add(counters[crossings + round], 1);
+    pbd::atomic_add(folds.counters[crossings + round], 1);
     zones.unite(corners, round, nearly_lost || motion < rounding(corners));
   }
 
-  /// In the last round. What is unchanged since then has been looked at before.
+  /// In the last round.
   MENISCUS_HD bool has_changed(const Corners& corners) const {
     for (uint32_t k = 0; k < 4; ++k)
       if (zones.has_moved(corners.vertex(k), round)) return true;

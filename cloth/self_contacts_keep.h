@@ -4,7 +4,7 @@
 // How long lists of pairs are kept, and where vertices are to stay meanwhile.
 #pragma once
 
-#include "cloth/self_contacts_zones.h"
+#include "cloth/self_contacts_folds.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -29,6 +29,7 @@ struct Foresee {
   View<Vec4> foreseen;  // w: the room, m
   Zones zones;
   PartSums sums;
+  Folds folds;
   View<uint32_t> entries, counters;
   Room room_for;
   bool anew;  // whatever there is
@@ -36,6 +37,7 @@ struct Foresee {
   MENISCUS_HD void operator()(uint32_t v) const {
     if (vertex_part[v] != no_index) foresee(v);
     zones.begin(v);
+    folds.begin(v, vertex_part.count);
     for (uint32_t part = v; part < parts.count; part += vertex_part.count) sums.begin(part);
     entries[v] = 0;
     if (v != 0) return;

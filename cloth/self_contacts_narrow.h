@@ -4,6 +4,7 @@
 // From a pair of features to a contact, if it is one.
 #pragma once
 
+#include "cloth/self_contacts_sieve.h"
 #include "cloth/self_contacts_views.h"
 
 namespace meniscus::cloth::self_contact_kernels {
@@ -19,45 +20,67 @@ struct MakeContacts {
   float separation;        // of a thickness: how much further apart overlaps are pushed in the substep
   uint32_t stride;
 
-  MENISCUS_HD void operator()(uint32_t thread) const {
+  using Scratch = SieveScratch;
+  static constexpr uint32_t resident_blocks = 6;  ///< see CudaDevice
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     if (list.counters[doomed] != 0) return;
-    const uint32_t count = listed(candidate_list, list.counters[candidates]);
-    for (uint32_t n = thread; n < count; n += stride) {
-      const FeatureCode code = load(candidate_list, n);
-      if (!code.is_guards()) make(code);
-    }
+    Sieve(listed(candidate_list, list.counters[candidates]), n, stride)
+        .run(
+            group, scratch, [&](uint32_t k) { return may_be_contact(load(candidate_list, k)); },
+            [&](uint32_t k) { make(load(candidate_list, k)); });
+  }
+
+ private:
+  /// A quick look, which few pass.
+  MENISCUS_HD bool may_be_contact(FeatureCode code) const {
+    if (code.is_guards()) return false;
+    const Corners corners = cloth.corners_of(code);
+    const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
+    const float reach = reach_of(code);
+    if (pbd::least_gap(pair) > reach) return false;
+    const Nearest end = nearest(pair, 1);
+    return relative_motion(pair) >= 0.3f * end.distance || end.distance <= nearness_of(code) ||
+           (end.distance <= reach && !is_another_pairs(code, corners, end));
   }
 
   MENISCUS_HD void make(FeatureCode code) const {
     const Corners corners = cloth.corners_of(code);
-    const Part a = part_of(code.first_place()), b = part_of(code.second_place());
-    const float thickness = 0.5f * (a.thickness + b.thickness), reach = 1.1f * thickness;
-
+    const float thickness = thickness_of(code), reach = reach_of(code), near = nearness_of(code);
     const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
-    if (pbd::least_gap(pair) > reach) return;
-    const float motion = relative_motion(pair);
-    const Nearest end = nearest(pair, 1);
-    // Whatever comes nearer than this on its way is a contact in any case.
-    const float near = a.nearness + b.nearness;
-    if (motion < 0.3f * end.distance && end.distance > near &&
-        (end.distance > reach || is_another_pairs(code, corners, end)))
-      return;
-    const float start = nearest(pair, 0).distance;
+    const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
     if (start - motion > reach || start < 1e-5f * thickness) return;
     const bool fast = motion >= 0.5f * start;
     const float t = fast ? time_of_nearness(pair, 0.5f * pbd::min(start, thickness)) : 2;
     const bool met = t <= 1;
-    const Nearest now = met ? nearest(pair, t) : end;
+    const Nearest now = nearest(pair, met ? t : 1);
     const bool is_near = met || pbd::min(start, now.distance) < near || (fast && start < 1.8f * near);
     if (!is_near && (now.distance > reach || is_another_pairs(code, corners, now))) return;
     const float apart = distance_to_keep(code, corners, thickness);
     if (apart <= 0 || now.distance <= 0) return;
     if (!is_near && now.distance > apart + 0.1f * thickness) return;
     const float target = pbd::min(apart, start + separation * thickness);
-    add(corners, now, target, sqrtf(a.friction * b.friction));
+    add(corners, now, target, friction_of(code));
   }
 
-  MENISCUS_HD Part part_of(uint32_t place) const { return cloth.parts[cloth.tree.triangles[place].part]; }
+  MENISCUS_HD const Part& first_part(FeatureCode code) const { return part_at(code.first_place()); }
+  MENISCUS_HD const Part& second_part(FeatureCode code) const { return part_at(code.second_place()); }
+  MENISCUS_HD const Part& part_at(uint32_t place) const {
+    return cloth.parts[cloth.tree.triangles[place].part];
+  }
+  MENISCUS_HD float thickness_of(FeatureCode code) const {
+    return 0.5f * (first_part(code).thickness + second_part(code).thickness);
+  }
+  /// From where on two features count as apart.
+  MENISCUS_HD float reach_of(FeatureCode code) const { return 1.1f * thickness_of(code); }
+  /// Whatever comes nearer than this on its way is a contact in any case.
+  MENISCUS_HD float nearness_of(FeatureCode code) const {
+    return first_part(code).nearness + second_part(code).nearness;
+  }
+  MENISCUS_HD float friction_of(FeatureCode code) const {
+    return sqrtf(first_part(code).friction * second_part(code).friction);
+  }
 
   /// Whether the nearest place is one that another pair of features has as well: of two edges an end, of a
   /// triangle an edge or a corner that is not its own.

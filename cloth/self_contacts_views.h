@@ -39,13 +39,19 @@ enum Counter : uint32_t {
   candidates,
   contacts,
   group_pairs,
-  expired,   // not 0: the lists of pairs hold no longer
-  listings,  // since the step's start
-  doomed,    // not 0: a list had no room, and the step will be done again
-  lost,      // not 0: a vertex was taken back, and its momentum lost
+  expired,        // not 0: the lists of pairs hold no longer
+  listings,       // since the step's start
+  doomed,         // not 0: a list had no room, and the step will be done again
+  lost,           // not 0: a vertex was taken back, and its momentum lost
+  folded_sheets,  // groups whose sheets have folded, in this round of the guard
   crossings,
   counter_count = crossings + most_rounds
 };
+
+/// Whether a round of the guard has anything to do: whether the one before it has found anything.
+MENISCUS_HD inline bool is_round_needed(View<const uint32_t> found, uint32_t round) {
+  return found[doomed] == 0 && (round == 0 || found[crossings + round - 1] != 0);
+}
 
 /// A feature of the triangle at a place: 0 to 2 a vertex, 3 to 5 an edge, 6 the face.
 using Feature = uint32_t;
@@ -233,6 +239,7 @@ MENISCUS_HD inline FeaturePair pair_of(const Corners& corners, View<const Vec4> 
   FeaturePair pair;
   pair.edges = corners.edges();
   const Vec3 origin = load(from, corners.vertex(0)).xyz();
+  MENISCUS_UNROLL
   for (uint32_t k = 0; k < 4; ++k) {
     const uint32_t v = corners.vertex(k);
     const Vec3 x = load(from, v).xyz();

@@ -69,10 +69,11 @@ struct Zones {
 struct GatherZones {
   View<const Vec4> previous, position;  // by vertex
   Zones zones;
-  View<const uint32_t> counters;
+  View<uint32_t> counters;
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t v) const {
+    if (v == 0) counters[folded_sheets] = 0;  // these have been looked at
     const uint32_t mark = zones.mark_of(v);
     if (counters[crossings + round] == 0 || mark == 0) return;
     const uint32_t name = zones.name(v);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "pbd/device/qualifiers.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::pbd {
@@ -74,6 +75,7 @@ MENISCUS_HD inline Nearest nearest_on_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2
   const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
   const float nn = dot(n, n);
   bool past[3], inside = nn > 0;
+  MENISCUS_UNROLL
   for (uint32_t k = 0; k < 3; ++k) {
     const Vec3 a = corner[k], b = corner[k < 2 ? k + 1 : 0];
     past[k] = dot(cross(b - a, n), a) < 0;
@@ -87,10 +89,13 @@ MENISCUS_HD inline Nearest nearest_on_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2
   } else {
     // It lies on an edge that the point is past; of a triangle without area all three are tried.
     float best2 = 3e38f;
+    MENISCUS_UNROLL
     for (uint32_t k = 0; k < 3; ++k)
       if (past[k] || !(nn > 0)) nearest_detail::try_edge(corner, k, best, best2);
-    if (best2 > 1e38f)
+    if (best2 > 1e38f) {
+      MENISCUS_UNROLL
       for (uint32_t k = 0; k < 3; ++k) nearest_detail::try_edge(corner, k, best, best2);
+    }
   }
   best.distance = length(best.r);
   return best;
@@ -135,31 +140,41 @@ MENISCUS_HD inline bool is_over_triangle(const FeaturePair& p, float t) {
   return is_over_triangle(p.at(0, t), p.at(1, t), p.at(2, t), p.at(3, t));
 }
 
+/// Calls visit(a, b) for each corner a of the one with each corner b of the other.
+template <class Visit>
+MENISCUS_HD void for_each_across(const FeaturePair& p, const Visit& visit) {
+  visit(0, 2);
+  visit(0, 3);
+  if (!p.edges) return visit(0, 1);
+  visit(1, 2);
+  visit(1, 3);
+}
+
 /// m: no two points of the two features move further than this against one another.
 MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
-  const int first = p.edges ? 2 : 1;
   float most2 = 0;
-  for (int a = 0; a < first; ++a) {
-    for (int b = first; b < 4; ++b) {
-      const Vec3 d = p.motion[a] - p.motion[b];
-      most2 = pbd::max(most2, dot(d, d));
-    }
-  }
+  for_each_across(p, [&](int a, int b) {
+    const Vec3 d = p.motion[a] - p.motion[b];
+    most2 = pbd::max(most2, dot(d, d));
+  });
   return sqrtf(most2);
 }
 
 /// m, or less: along some axis the two stay this far apart all the way.
 MENISCUS_HD inline float least_gap(const FeaturePair& p) {
-  const int first = p.edges ? 2 : 1;
-  Vec3 lower[2], upper[2];
+  Vec3 low[4], high[4];
+  MENISCUS_UNROLL
   for (int k = 0; k < 4; ++k) {
-    const Vec3 end = p.at(k, 1), low = min(p.start[k], end), high = max(p.start[k], end);
-    const int side = k < first ? 0 : 1;
-    const bool begins = k == 0 || k == first;
-    lower[side] = begins ? low : min(lower[side], low);
-    upper[side] = begins ? high : max(upper[side], high);
+    const Vec3 end = p.at(k, 1);
+    low[k] = min(p.start[k], end);
+    high[k] = max(p.start[k], end);
   }
-  return max_component(max(lower[0] - upper[1], lower[1] - upper[0]));
+  const Vec3 last_low = min(low[2], low[3]), last_high = max(high[2], high[3]);
+  const auto gap = [](Vec3 low_a, Vec3 high_a, Vec3 low_b, Vec3 high_b) {
+    return max_component(max(low_a - high_b, low_b - high_a));
+  };
+  return p.edges ? gap(min(low[0], low[1]), max(high[0], high[1]), last_low, last_high)
+                 : gap(low[0], high[0], min(low[1], last_low), max(high[1], last_high));
 }
 
 namespace nearest_detail {
@@ -169,16 +184,13 @@ namespace nearest_detail {
 /// a speed that does not change.
 MENISCUS_HD inline float time_apart(const FeaturePair& p, const Nearest& now, float t, float gap) {
   const Vec3 away = now.r / now.distance;
-  const int first = p.edges ? 2 : 1;
   float time = 2;
-  for (int a = 0; a < first; ++a) {
-    for (int b = first; b < 4; ++b) {
-      const float approach = dot(away, p.motion[b] - p.motion[a]);
-      if (!(approach > 0)) continue;
-      const float apart = pbd::max(now.distance, dot(away, p.at(a, t) - p.at(b, t)));
-      time = pbd::min(time, (apart - gap) / approach);
-    }
-  }
+  for_each_across(p, [&](int a, int b) {
+    const float approach = dot(away, p.motion[b] - p.motion[a]);
+    if (!(approach > 0)) return;
+    const float apart = pbd::max(now.distance, dot(away, p.at(a, t) - p.at(b, t)));
+    time = pbd::min(time, (apart - gap) / approach);
+  });
   return time;
 }
 

@@ -72,13 +72,20 @@ struct Block {
     for (uint32_t i = threadIdx.x; i < count; i += threads) f(i);
     __syncthreads();
   }
+  /// The same; whether f() is true of any.
+  template <class F>
+  __device__ bool any(uint32_t count, const F& f) const {
+    bool found = false;
+    for (uint32_t i = threadIdx.x; i < count; i += threads) found = f(i) || found;
+    return __syncthreads_or(found);
+  }
 };
 
 template <class Kernel>
 using BlockOf = Block<group_size<Kernel>()>;
 
 template <class Kernel>
-__global__ void __launch_bounds__(group_size<Kernel>())
+__global__ void __launch_bounds__(group_size<Kernel>(), resident_blocks<Kernel>())
     for_each_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
   wait_for_previous(mark);
   __shared__ typename Kernel::Scratch scratch;
