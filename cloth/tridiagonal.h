@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "pbd/device/scalar.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::cloth {
@@ -31,39 +32,97 @@ MENISCUS_HD void eliminate(TridiagonalRow<R, X>* rows, uint32_t count) {
   for (uint32_t i = count; i-- > 0;) rows[i].right = x = rows[i].right - rows[i].upper * x;
 }
 
-/// Cyclic reduction of all rows at once by a group of threads (Hockney & Jesshope 1981): each turn couples
-/// rows that are twice as far apart. Returns which of the two has the solution in `right`.
-template <class Group, class R, class X>
-MENISCUS_HD TridiagonalRow<R, X>* reduce_cyclically(const Group& group, TridiagonalRow<R, X>* rows,
-                                                    TridiagonalRow<R, X>* other, uint32_t count) {
+/// What row i becomes when those `apart` before and behind it are eliminated from it.
+template <class R, class X>
+MENISCUS_HD TridiagonalRow<R, X> reduced(const TridiagonalRow<R, X>* rows, uint32_t count, uint32_t i,
+                                         uint32_t apart) {
   using Row = TridiagonalRow<R, X>;
-  for (uint32_t apart = 1; apart < count; apart *= 2) {
-    group.for_each(count, [=](uint32_t i) {
-      constexpr Row beyond{0, 1, 0, X{}};
-      const Row r = rows[i];
-      const Row before = i >= apart ? rows[i - apart] : beyond;
-      const Row after = i + apart < count ? rows[i + apart] : beyond;
-      const R a = -r.lower / before.diagonal, b = -r.upper / after.diagonal;
-      other[i] = {a * before.lower, r.diagonal + a * before.upper + b * after.lower, b * after.upper,
-                  r.right + a * before.right + b * after.right};
-    });
-    Row* const done = other;
-    other = rows;
-    rows = done;
-  }
-  group.for_each(count, [=](uint32_t i) { rows[i].right = rows[i].right / rows[i].diagonal; });
-  return rows;
+  constexpr Row beyond{0, 1, 0, X{}};
+  const Row r = rows[i];
+  const Row before = i >= apart ? rows[i - apart] : beyond;
+  const Row after = i + apart < count ? rows[i + apart] : beyond;
+  const R a = -pbd::quick_quotient(r.lower, before.diagonal),
+          b = -pbd::quick_quotient(r.upper, after.diagonal);
+  return {a * before.lower, r.diagonal + a * before.upper + b * after.lower, b * after.upper,
+          r.right + a * before.right + b * after.right};
 }
 
-/// Either. Returns where the solution is; one thread needs no `other`.
-template <class Group, class R, class X>
-MENISCUS_HD TridiagonalRow<R, X>* solve_tridiagonal(const Group& group, TridiagonalRow<R, X>* rows,
-                                                    TridiagonalRow<R, X>* other, uint32_t count) {
+/// How strongly rows depend on one another. Loosely: there are diagonals well above the sum of what is beside
+/// them, and what is far away hardly counts.
+enum class Coupling { tight, loose };
+
+/// Cyclic reduction of all rows at once by a group of threads (Hockney & Jesshope 1981): each turn couples
+/// rows that are twice as far apart; where they are loosely coupled, until none counts for another. `other`
+/// has room for as many. Afterwards `right` is the solution.
+template <Coupling coupling, class Group, class R, class X>
+MENISCUS_HD void reduce_all(const Group& group, TridiagonalRow<R, X>* rows, TridiagonalRow<R, X>* other,
+                            uint32_t count) {
+  using Row = TridiagonalRow<R, X>;
+  Row *from = rows, *to = other;
+  bool coupled = true;
+  for (uint32_t apart = 1; apart < count && coupled; apart *= 2) {
+    if constexpr (coupling == Coupling::tight) {
+      group.for_each(count, [=](uint32_t i) { to[i] = reduced(from, count, i, apart); });
+    } else {
+      coupled = group.any(count, [=](uint32_t i) {
+        constexpr float rounding = 3e-8f;
+        const Row r = to[i] = reduced(from, count, i, apart);
+        return rounding * fabsf(r.diagonal) < pbd::max(fabsf(r.lower), fabsf(r.upper));
+      });
+    }
+    Row* const done = to;
+    to = from;
+    from = done;
+  }
+  group.for_each(count, [=](uint32_t i) { rows[i].right = from[i].right / from[i].diagonal; });
+}
+
+/// The solution of row i, where `coarse` has that of every other row.
+template <class R, class X>
+MENISCUS_HD void substitute(const TridiagonalRow<R, X>* coarse, TridiagonalRow<R, X>* rows, uint32_t count,
+                            uint32_t i) {
+  X x = i / 2 < count / 2 ? coarse[i / 2].right : X{};
+  if (i % 2 == 0) {
+    const TridiagonalRow<R, X> r = rows[i];
+    const X before = i > 0 ? coarse[i / 2 - 1].right : X{};
+    x = (r.right - r.lower * before - r.upper * x) / r.diagonal;
+  }
+  rows[i].right = x;
+}
+
+/// Cyclic reduction by a group of threads: every other row is eliminated, again and again, until there are
+/// few enough to be reduced all at once, which takes fewer turns but more work. `other` has room for as many.
+/// Afterwards `right` is the solution.
+template <Coupling coupling, class Group, class R, class X>
+MENISCUS_HD void reduce_cyclically(const Group& group, TridiagonalRow<R, X>* rows,
+                                   TridiagonalRow<R, X>* other, uint32_t count) {
+  using Row = TridiagonalRow<R, X>;
+  constexpr uint32_t few = 256;
+  Row *level = rows, *next = other;
+  uint32_t halvings = 0;
+  for (; count >> halvings > few; ++halvings) {
+    const uint32_t above = count >> halvings, half = above / 2;
+    group.for_each(half, [=](uint32_t k) { next[k] = reduced(level, above, 2 * k + 1, 1); });
+    level = next;
+    next += half;
+  }
+  reduce_all<coupling>(group, level, next, count >> halvings);
+  while (halvings > 0) {
+    const uint32_t above = count >> --halvings;
+    const Row* const coarse = level;
+    level = halvings ? level - above : rows;
+    group.for_each(above, [=](uint32_t i) { substitute(coarse, level, above, i); });
+  }
+}
+
+/// Solves a system. `other` is for groups of several threads: room for as many rows.
+template <Coupling coupling, class Group, class R, class X>
+MENISCUS_HD void solve_tridiagonal(const Group& group, TridiagonalRow<R, X>* rows,
+                                   TridiagonalRow<R, X>* other, uint32_t count) {
   if constexpr (Group::is_one_thread) {
     eliminate(rows, count);
-    return rows;
   } else {
-    return reduce_cyclically(group, rows, other, count);
+    reduce_cyclically<coupling>(group, rows, other, count);
   }
 }
 

@@ -84,19 +84,19 @@ class SolveYarnsAtOnce {
     Length* lengths = scratch_.template first_rows<Length>();
     group.for_each(edges + 2, [&](uint32_t k) { linearize(lengths, k); });
     group.for_each(edges, [&](uint32_t k) { couple(lengths[k], k); });
-    const Length* steps = solve_tridiagonal(group, lengths, scratch_.template other_rows<Length>(), edges);
-    group.for_each(edges, [&](uint32_t k) { take(steps[k].right, k); });
+    solve_tridiagonal<Coupling::tight>(group, lengths, scratch_.template other_rows<Length>(), edges);
+    group.for_each(edges, [&](uint32_t k) { take(lengths[k].right, k); });
     if (puts_aside()) {
       group.for_each(vertices, [&](uint32_t k) { put_aside(k); });
       return group.for_each(edges, [&](uint32_t k) { note_aside(k); });
     }
 
-    Sideways* sideways = scratch_.template first_rows<Sideways>();
-    group.for_each(vertices, [&](uint32_t k) { sideways[k] = turn(k); });
-    const Sideways* ways =
-        solve_tridiagonal(group, sideways, scratch_.template other_rows<Sideways>(), vertices);
-    group.for_each(vertices, [&](uint32_t k) { scratch_.reach[k] = reach(ways, k); });
-    const Real share = Real(1) / max(Real(1), greatest(group, scratch_.reach, vertices));
+    Sideways* ways = scratch_.template first_rows<Sideways>();
+    group.for_each(vertices, [&](uint32_t k) { ways[k] = turn(k); });
+    solve_tridiagonal<Coupling::loose>(group, ways, scratch_.template other_rows<Sideways>(), vertices);
+    const Real furthest = greatest_from_one(group, scratch_.template other_rows<Real>(), vertices,
+                                            [&](uint32_t k) { return reach(ways, k); });
+    const Real share = Real(1) / furthest;
     group.for_each(vertices, [&](uint32_t k) { move(k, share); });
     group.for_each(edges, [&](uint32_t k) { note(ways, k, share); });
   }

@@ -53,8 +53,8 @@ struct YarnsAtOnce {
 };
 
 /// Yarns while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
-/// there; of each vertex w, what pushes it, and how far that would move it over l; and the rows of a system,
-/// and of the one that a group of threads makes of it.
+/// there; of each vertex w, and what pushes it; and the rows of a system, and of those that a group of
+/// threads makes of it.
 template <class Group>
 struct YarnScratch {
   using Real = typename Group::Device::Real;
@@ -68,7 +68,7 @@ struct YarnScratch {
 
   Edge edges[Yarn::most_edges + 2];
   Real stiffness[Yarn::most_edges + 2], rest_length[Yarn::most_edges + 2];
-  Real weight[Yarn::most_edges + 1], reach[Yarn::most_edges + 1];
+  Real weight[Yarn::most_edges + 1];
   pbd::Vec3Of<Real> push[Yarn::most_edges + 1];
   alignas(64) unsigned char rows[Group::is_one_thread ? 1 : 2][(Yarn::most_edges + 1) * sizeof(Sideways)];
 
@@ -82,16 +82,26 @@ struct YarnScratch {
   }
 };
 
-/// The greatest of so many values, by a group of threads, which overwrite them.
-template <class Group, class Real>
-MENISCUS_HD Real greatest(const Group& group, Real* values, uint32_t count) {
+/// The greatest of value(k), k < count, or 1 if that is greater. `kept` is for groups of several threads:
+/// room for as many.
+template <class Group, class Real, class Value>
+MENISCUS_HD Real greatest_from_one(const Group& group, Real* kept, uint32_t count, const Value& value) {
   using pbd::max;
-  while (count > 1) {
-    const uint32_t half = (count + 1) / 2;
-    group.for_each(count - half, [=](uint32_t k) { values[k] = max(values[k], values[half + k]); });
-    count = half;
+  Real most(1);
+  if constexpr (Group::is_one_thread) {
+    for (uint32_t k = 0; k < count; ++k) most = max(most, value(k));
+  } else {
+    // Hardly ever is any.
+    const bool found = group.any(count, [&](uint32_t k) { return most < (kept[k] = value(k)); });
+    if (!found) return most;
+    while (count > 1) {
+      const uint32_t half = (count + 1) / 2;
+      group.for_each(count - half, [=](uint32_t k) { kept[k] = max(kept[k], kept[half + k]); });
+      count = half;
+    }
+    most = max(most, kept[0]);
   }
-  return values[0];
+  return most;
 }
 
 }  // namespace meniscus::cloth

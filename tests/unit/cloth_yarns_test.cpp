@@ -134,24 +134,32 @@ TEST(Yarns, ASeamIsPartOfNone) {
   EXPECT_TRUE(std::any_of(left.begin(), left.end(), [](const EdgeConstraint& e) { return e.b == 132; }));
 }
 
-/// What the solution leaves of the right-hand side, over the largest term.
-template <class Group>
-double tridiagonal_residual(uint32_t n) {
+using Row = TridiagonalRow<float>;
+
+/// As yarns have them; `own` is what each row has on its diagonal beyond what is beside it.
+std::vector<Row> make_rows(uint32_t n, float own) {
   std::mt19937 bits(n);
   std::uniform_real_distribution<float> mass(0.5f, 2), turn(-1, 1);
   std::vector<float> w(n + 1);
   for (float& x : w) x = mass(bits);
-  std::vector<TridiagonalRow<float>> rows(n), other(n);
+  std::vector<Row> rows(n);
   for (uint32_t i = 0; i < n; ++i) {
     const float before = i ? -w[i] * (1 - 0.1f * std::fabs(turn(bits))) : 0;
-    rows[i] = {before, 1.003f * (w[i] + w[i + 1]), i + 1 < n ? -w[i + 1] : 0, turn(bits)};
+    rows[i] = {before, 1.003f * (w[i] + w[i + 1]) + own, i + 1 < n ? -w[i + 1] : 0, turn(bits)};
   }
-  const std::vector<TridiagonalRow<float>> given = rows;
-  const TridiagonalRow<float>* solved = solve_tridiagonal(Group{}, rows.data(), other.data(), n);
-  const auto x = [&](uint32_t i) { return i < n ? double{solved[i].right} : 0; };
+  return rows;
+}
+
+/// What the solution leaves of the right-hand side, over the largest term.
+template <class Group, Coupling coupling>
+double residual(const std::vector<Row>& given) {
+  const auto n = static_cast<uint32_t>(given.size());
+  std::vector<Row> rows = given, other(n);
+  solve_tridiagonal<coupling>(Group{}, rows.data(), other.data(), n);
+  const auto x = [&](uint32_t i) { return i < n ? double{rows[i].right} : 0; };
   double most = 0, largest = 0;
   for (uint32_t i = 0; i < n; ++i) {
-    const TridiagonalRow<float>& r = given[i];
+    const Row& r = given[i];
     most = std::max(most, std::fabs(r.lower * x(i - 1) + r.diagonal * x(i) + r.upper * x(i + 1) - r.right));
     largest = std::max(largest, std::fabs(r.diagonal * x(i)));
   }
@@ -159,9 +167,13 @@ double tridiagonal_residual(uint32_t n) {
 }
 
 TEST(Tridiagonal, IsSolvedByOneThreadAndByMany) {
-  for (uint32_t n : {1u, 2u, 3u, 4u, 5u, 7u, 13u, 64u, 65u, 100u, 250u, 499u, 512u, 513u}) {
-    EXPECT_LT(tridiagonal_residual<OneThread>(n), 1e-6) << n;
-    EXPECT_LT(tridiagonal_residual<ManyThreads>(n), 1e-6) << n;
+  for (uint32_t n : {1u, 2u, 3u, 4u, 5u, 7u, 13u, 64u, 65u, 100u, 250u, 255u, 256u, 257u, 499u, 512u, 513u}) {
+    for (float own : {0.0f, 0.3f, 3.0f, 300.0f}) {
+      const std::vector<Row> rows = make_rows(n, own);
+      EXPECT_LT((residual<OneThread, Coupling::tight>(rows)), 1e-6) << n << ' ' << own;
+      EXPECT_LT((residual<ManyThreads, Coupling::tight>(rows)), 1e-6) << n << ' ' << own;
+      EXPECT_LT((residual<ManyThreads, Coupling::loose>(rows)), 1e-6) << n << ' ' << own;
+    }
   }
 }
 

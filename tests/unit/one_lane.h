@@ -21,6 +21,12 @@ struct ManyThreads {
   void for_each(uint32_t count, const F& f) const {
     for (uint32_t i = 0; i < count; ++i) f(i);
   }
+  template <class F>
+  bool any(uint32_t count, const F& f) const {
+    bool found = false;
+    for (uint32_t i = 0; i < count; ++i) found = f(i) || found;
+    return found;
+  }
 };
 
 struct OneThread : ManyThreads {
