@@ -19,7 +19,8 @@ namespace meniscus::fluid {
 ///
 ///   too much volume  b_c = Σ_i V φ_c(x_i) C_i, where C_i ≥ −.1: less is a surface's
 ///   faces            M_f = Σ_i m_i ψ_f(x_i); a_f is the share of the face that solids leave open
-///   equation         Σ_f a_f² H⁴/M_f (P_c − P_nb) = b_c, P = 0 in the air, faces towards solids closed
+///   equation         Σ_f a_f² H⁴/M_f (P_c − P_nb) = b_c, P = 0 in the air, faces towards solids closed,
+///                    and towards the dry side of a sheet
 ///   motion           u_f = −a_f H² (P_nb − P_c)/M_f, Δx_i = ω Σ_f ψ_f(x_i) u_f
 ///
 /// So a face hands its particles the impulse a_f H² ΔP whatever they weigh: fluids of different density need

@@ -60,11 +60,35 @@ struct GatherNodes {
   View<uint32_t> flags;
   View<float> filled;  ///< share of the node's space that particles fill
 
-  /// What is seen from a node: solids as whoever touches most of them sees them.
-  struct Sight {
-    float weight = 0, open = 1, distance = 1;
+  /// Surfaces around a node, as whoever touches most of them sees them. Lengths are in widths of a cell.
+  struct Walls {
+    float open = 1, distance = 1;
     float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the nodes beside
     bool touched = false;
+
+    MENISCUS_HD void add(float share_open, float plane, Vec3 normal) {
+      touched = true;
+      open = pbd::min(open, share_open);
+      distance = pbd::min(distance, plane);
+      MENISCUS_UNROLL
+      for (int b = 0; b < 6; ++b) {
+        const float step = component(normal, b / 2);
+        beside[b] = pbd::min(beside[b], plane + (b % 2 ? step : -step));
+      }
+    }
+    MENISCUS_HD void add(const Walls& other) {
+      touched = touched || other.touched;
+      open *= other.open;
+      distance = pbd::min(distance, other.distance);
+      MENISCUS_UNROLL
+      for (int b = 0; b < 6; ++b) beside[b] = pbd::min(beside[b], other.beside[b]);
+    }
+  };
+  /// What is seen from a node.
+  struct Sight {
+    float weight = 0;  ///< of all particles
+    float hidden = 0;  ///< of those that a sheet hides
+    Walls solids, sheets;
   };
 
   MENISCUS_HD void operator()(uint32_t node) const {
@@ -80,32 +104,37 @@ struct GatherNodes {
   }
 
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
-    float open = 1;
+    float open = 1, open_by_sheets = 1;
+    bool hidden = false;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const Contact& c = contacts.contacts[k];
-      if (c.body == pbd::on_sheet || pbd::is_tie(c) || c.fraction < 0.5f) continue;
+      if (pbd::is_tie(c) || c.fraction < 0.5f) continue;
       const float distance =
           space.cells.inverse_reach * plane_distance(c, position[i].xyz()) + dot(c.normal, away);
-      open *= 1 - share_behind(distance);
-      sight.touched = true;
-      sight.distance = pbd::min(sight.distance, distance);
-      MENISCUS_UNROLL
-      for (int b = 0; b < 6; ++b) {
-        const float step = component(c.normal, b / 2);
-        sight.beside[b] = pbd::min(sight.beside[b], distance + (b % 2 ? step : -step));
+      const float share = 1 - share_behind(distance);
+      if (c.body == pbd::on_sheet) {
+        sight.sheets.add(open_by_sheets *= share, distance, c.normal);
+        hidden = hidden || distance < 0;
+      } else {
+        sight.solids.add(open *= share, distance, c.normal);
       }
     }
-    sight.open = pbd::min(sight.open, open);
+    if (hidden) sight.hidden += node_weight(away);
   }
 
+  /// A sheet is a wall where there is fluid on one of its sides.
   MENISCUS_HD static uint32_t flags_of(const Sight& sight, float share) {
-    uint32_t flags = sight.touched ? node_touched : 0u;
-    if (sight.distance < deepest)
+    constexpr float few = 0.05f;
+    Walls walls = sight.solids;
+    const float seen = sight.weight - sight.hidden;
+    if (pbd::min(seen, sight.hidden) <= few * sight.weight) walls.add(sight.sheets);
+    uint32_t flags = walls.touched ? node_touched : 0u;
+    if (walls.distance < deepest)
       flags |= node_solid;
-    else if (share > (sight.open < 0.5f ? 0.3f : 0.5f) * sight.open)
+    else if (share > (walls.open < 0.5f ? 0.3f : 0.5f) * walls.open)
       flags |= node_fluid;
     for (int b = 0; b < 6; ++b) {
-      if (sight.beside[b] < deepest) flags |= wall_flag(b / 2, b % 2);
+      if (walls.beside[b] < deepest) flags |= wall_flag(b / 2, b % 2);
     }
     return flags;
   }

@@ -17,7 +17,7 @@ struct FloatingHull {
   ClothId hull;
   double volume = 0;  ///< m³, of the water
 
-  explicit FloatingHull(pbd::DeviceKind device) : world(settings(device)) {
+  FloatingHull(pbd::DeviceKind device, DensitySolver solver) : world(settings(device, solver)) {
     const Vec3 centre{0, depth + 0.3f * radius, 0};
     world.set_wind({});
     world.create_shape(tank({-tank_half, 0, -tank_half}, {tank_half, 1, tank_half}));
@@ -39,9 +39,10 @@ struct FloatingHull {
     volume = std::pow(double{spacing}, 3) * static_cast<double>(world.particle_count());
   }
 
-  static WorldDef settings(pbd::DeviceKind device) {
+  static WorldDef settings(pbd::DeviceKind device, DensitySolver solver) {
     WorldDef def = world_def(device, spacing);
     def.substeps = 16;
+    def.density.solver = solver;
     return def;
   }
 
@@ -71,21 +72,30 @@ struct FloatingHull {
   }
 };
 
-class ClothHull : public OnDevice {};
+class ClothHull : public OnDevice {
+ protected:
+  void expect_archimedes(DensitySolver solver) const {
+    FloatingHull boat(GetParam(), solver);
+    const double weight = gravity * double{boat.world.cloth_state(boat.hull).mass};
+    run(boat.world, 60, frame);
+    constexpr int frames = 60;
+    double uplift = 0;
+    for (int k = 0; k < frames; ++k) {
+      boat.world.step(frame);
+      uplift += density * gravity * boat.displaced(boat.level()) / frames;
+    }
+    RecordProperty("archimedes_over_weight", std::to_string(uplift / weight));
+    EXPECT_NEAR(uplift / weight, 1, 0.05);
+    EXPECT_EQ(boat.leaked(), 0u);
+  }
+};
 
 TEST_P(ClothHull, FloatsAsDeepAsArchimedesSays) {
-  FloatingHull boat(GetParam());
-  const double weight = gravity * double{boat.world.cloth_state(boat.hull).mass};
-  run(boat.world, 60, frame);
-  constexpr int frames = 60;
-  double uplift = 0;
-  for (int k = 0; k < frames; ++k) {
-    boat.world.step(frame);
-    uplift += density * gravity * boat.displaced(boat.level()) / frames;
-  }
-  RecordProperty("archimedes_over_weight", std::to_string(uplift / weight));
-  EXPECT_NEAR(uplift / weight, 1, 0.05);
-  EXPECT_EQ(boat.leaked(), 0u);
+  expect_archimedes(DensitySolver::chebyshev);
+}
+
+TEST_P(ClothHull, FloatsAsDeepByThePressureGrid) {
+  expect_archimedes(DensitySolver::grid);
 }
 
 MENISCUS_ON_EACH_DEVICE(ClothHull);
