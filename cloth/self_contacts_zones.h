@@ -148,17 +148,20 @@ struct MoveZones {
     const Vec4 x = position[v];
     if (x.w == 0) return;
     const bool stays = last || zones.anchor[name] == Zones::the_start;
-    const Vec3 from = cloth.previous[v].xyz(), to = stays ? from : from + motion_of(name);
+    // Ways, not places: what rounding takes of places would be lost momentum.
+    const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
+    const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
     const Vec3 inside = cloth.kept.inside(v, to);
     const bool stops = inside != to;
+    const Vec3 way = stops ? inside - from : wanted;
     // Of a zone that stays each loses its share of the whole, as if the zone had gone on.
-    const Vec3 due = !stays ? to : mark == 0 ? x.xyz() : from + mean_motion(name);
-    if (due != inside) taken.add(v, due - inside);
+    const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
+    if (due != way) taken.add(v, due - way);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
     pbd::atomic_store(zones.mark[v], (round + 1) << Zones::moved_shift | (round + 1) |
                                          (stops ? Zones::stopped : mark & Zones::stopped));
     position[v] = pbd::with_w(inside, x.w);
-    moved[v] = pbd::with_w(moved[v].xyz() + (inside - x.xyz()), moved[v].w);
+    moved[v] = pbd::with_w(moved[v].xyz() + (way - now), moved[v].w);
   }
 
   MENISCUS_HD Vec3 motion_of(uint32_t name) const {
