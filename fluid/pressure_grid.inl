@@ -78,9 +78,10 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
   const ContactView contacts = substep.contacts.of_first(p.sorted);
   const uint32_t nodes = space_.nodes.count();
   const multigrid_kernels::Level finest = multigrid_.finest();
-  device_.parallel_for("grid/nodes", nodes,
-                       GatherNodes{space_, found_.view(), p.position, contacts, kernel_.volume, flags_.view(),
-                                   filled_.view()});
+  const auto gather_nodes = [&](auto kernel) { device_.parallel_for("grid/nodes", nodes, kernel); };
+  const NodeSources sources{space_, found_.view(), p.position, contacts, kernel_.volume};
+  contacts.any_moving ? gather_nodes(GatherNodes<true>{sources, flags_.view(), filled_.view()})
+                      : gather_nodes(GatherNodes<false>{sources, flags_.view(), filled_.view()});
   device_.parallel_for("grid/inside", nodes, MarkInside{space_.nodes, flags_.view(), inside_.view()});
   device_.parallel_for("grid/normalize", p.sorted,
                        Normalize{space_, map(), inside_.view(), p.position, substep.neighbours.count,

@@ -50,13 +50,20 @@ MENISCUS_HD inline float share_behind(float distance) {
 /// reaches there are no faces that move any.
 inline constexpr float deepest = -0.45f;
 
-/// What a node is: fluid where particles fill half of what solids leave.
-struct GatherNodes {
+/// What nodes are told by.
+struct NodeSources {
   Space space;
   View<const Found> found;
   View<const Vec4> position;
   ContactView contacts;
   float volume;  ///< m³, of a particle
+};
+
+/// What a node is: fluid where particles fill half of what solids leave. Without `any_moving` there are no
+/// sheets.
+template <bool any_moving>
+struct GatherNodes {
+  NodeSources from;
   View<uint32_t> flags;
   View<float> filled;  ///< share of the node's space that particles fill
 
@@ -93,12 +100,12 @@ struct GatherNodes {
 
   MENISCUS_HD void operator()(uint32_t node) const {
     Sight sight;
-    for_each_around(space, node, found, AllCells{},
+    for_each_around(from.space, node, from.found, AllCells{},
                     [&](uint32_t, Vec3 away) { sight.weight += node_weight(away); });
-    for_each_around(space, node, found, TouchingCells{contacts.start},
+    for_each_around(from.space, node, from.found, TouchingCells{from.contacts.start},
                     [&](uint32_t i, Vec3 away) { add(sight, i, away); });
-    const float inverse_width = space.cells.inverse_reach;
-    const float share = volume * inverse_width * inverse_width * inverse_width * sight.weight;
+    const float inverse_width = from.space.cells.inverse_reach;
+    const float share = from.volume * inverse_width * inverse_width * inverse_width * sight.weight;
     flags[node] = flags_of(sight, share);
     filled[node] = share;
   }
@@ -106,13 +113,13 @@ struct GatherNodes {
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
     float open = 1, open_by_sheets = 1;
     bool hidden = false;
-    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
-      const Contact& c = contacts.contacts[k];
+    for (uint32_t k = from.contacts.start[i]; k < from.contacts.start[i + 1]; ++k) {
+      const Contact& c = from.contacts.contacts[k];
       if (pbd::is_tie(c) || c.fraction < 0.5f) continue;
       const float distance =
-          space.cells.inverse_reach * plane_distance(c, position[i].xyz()) + dot(c.normal, away);
+          from.space.cells.inverse_reach * plane_distance(c, from.position[i].xyz()) + dot(c.normal, away);
       const float share = 1 - share_behind(distance);
-      if (c.body == pbd::on_sheet) {
+      if (any_moving && c.body == pbd::on_sheet) {
         sight.sheets.add(open_by_sheets *= share, distance, c.normal);
         hidden = hidden || distance < 0;
       } else {
@@ -127,7 +134,7 @@ struct GatherNodes {
     constexpr float few = 0.05f;
     Walls walls = sight.solids;
     const float seen = sight.weight - sight.hidden;
-    if (pbd::min(seen, sight.hidden) <= few * sight.weight) walls.add(sight.sheets);
+    if (any_moving && pbd::min(seen, sight.hidden) <= few * sight.weight) walls.add(sight.sheets);
     uint32_t flags = walls.touched ? node_touched : 0u;
     if (walls.distance < deepest)
       flags |= node_solid;
