@@ -50,6 +50,10 @@ MENISCUS_HD inline float share_behind(float distance) {
 /// reaches there are no faces that move any.
 inline constexpr float deepest = -0.45f;
 
+/// Of a particle on a node: with less it has no say there. Where one that touches a solid has none, as at its
+/// cell's border, its contacts could not take what the node would leave to the solid.
+inline constexpr float least_weight = 1e-6f;
+
 /// What nodes are told by.
 struct NodeSources {
   Space space;
@@ -111,6 +115,8 @@ struct GatherNodes {
   }
 
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
+    const float weight = node_weight(away);
+    if (weight < least_weight) return;
     float open = 1, open_by_sheets = 1;
     bool hidden = false;
     for (uint32_t k = from.contacts.start[i]; k < from.contacts.start[i + 1]; ++k) {
@@ -126,7 +132,7 @@ struct GatherNodes {
         sight.solids.add(open *= share, distance, c.normal);
       }
     }
-    if (hidden) sight.hidden += node_weight(away);
+    if (hidden) sight.hidden += weight;
   }
 
   /// A sheet is a wall where there is fluid on one of its sides.
