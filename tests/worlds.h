@@ -72,6 +72,22 @@ inline void run(World& world, int steps, float dt) {
   for (int k = 0; k < steps; ++k) world.step(dt);
 }
 
+/// N, on average over `steps` steps: what presses on a tank's floor, which is at y = 0.
+inline double mean_force_on_floor(World& world, ShapeId box, int settle, int steps, float dt) {
+  ProbeDef floor;
+  floor.kind = ProbeKind::wall_force;
+  floor.shape = box;
+  floor.patch = Aabb{{-10, -0.01f, -10}, {10, 0.01f, 10}};
+  const ProbeId probe = world.create_probe(floor);
+  run(world, settle, dt);
+  double force = 0;
+  for (int k = 0; k < steps; ++k) {
+    world.step(dt);
+    force += double{world.probe(probe)} / steps;
+  }
+  return force;
+}
+
 inline double mean_height(const World& world) {
   double sum = 0;
   for (Vec3 p : world.positions()) sum += p.y;

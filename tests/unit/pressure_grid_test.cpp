@@ -85,17 +85,7 @@ TEST_P(PressureGridTest, TheFloorBearsTheWeight) {
   const float side = 10 * spacing, depth = 16 * spacing;
   const ShapeId box = world.create_shape(tank({0, 0, 0}, {side, 2 * depth, side}));
   world.add_particles(world.create_fluid({}), lattice(10, 16, 10, spacing, {0, 0, 0}), {});
-  ProbeDef floor;
-  floor.kind = ProbeKind::wall_force;
-  floor.shape = box;
-  floor.patch = Aabb{{-1, -0.01f, -1}, {2, 0.01f, 2}};
-  const ProbeId probe = world.create_probe(floor);
-  run(world, 60, frame);
-  double force = 0;
-  for (int k = 0; k < 30; ++k) {
-    world.step(frame);
-    force += double{world.probe(probe)} / 30;
-  }
+  const double force = mean_force_on_floor(world, box, 60, 30, frame);
   const double weight = 9.81 * 1000 * double{side} * double{side} * double{depth};
   EXPECT_NEAR(force / weight, 1, 0.02);
   double error = 0;

@@ -168,17 +168,7 @@ TEST_P(SurfaceTensionTest, TheFloorBearsTheWeight) {
   const FluidId water = world.create_fluid(with_tension(30, 10, 50));
   const ShapeId box = world.create_shape(tank({-0.4f, 0, -0.4f}, {0.4f, 2, 0.4f}));
   world.add_fluid(block(water, {-0.4f, 0, -0.4f}, {0.4f, 0.4f, 0.4f}));
-  ProbeDef floor;
-  floor.kind = ProbeKind::wall_force;
-  floor.shape = box;
-  floor.patch = Aabb{{-1, -0.01f, -1}, {1, 0.01f, 1}};
-  const ProbeId probe = world.create_probe(floor);
-  run(world, 120, frame);
-  double force = 0;
-  for (int k = 0; k < 30; ++k) {
-    world.step(frame);
-    force += double{world.probe(probe)} / 30;
-  }
+  const double force = mean_force_on_floor(world, box, 120, 30, frame);
   const double weight =
       9.81 * double{world.particle_mass(water)} * static_cast<double>(world.particle_count());
   RecordProperty("force_over_weight", std::to_string(force / weight));

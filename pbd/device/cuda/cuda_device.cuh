@@ -72,7 +72,7 @@ struct Block {
     for (uint32_t i = threadIdx.x; i < count; i += threads) f(i);
     __syncthreads();
   }
-  /// The same; whether f() is true of any.
+  /// The same; whether f() is true of any. For groups of several threads alone.
   template <class F>
   __device__ bool any(uint32_t count, const F& f) const {
     bool found = false;
