@@ -25,18 +25,33 @@ struct SolveIsometric {
     if (!starts) pbd::prefetch(multiplier, k);
   }
 
-  template <class D, class Vertices>
-  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together) const {
-    using Real = typename D::Real;
-    using Vector = pbd::Vec3Of<Real>;
-    const auto at = together.index();
+  /// What is constant of hinges side by side.
+  template <class D>
+  struct Items {
     pbd::Places<D> number[4];
-    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
-      const PackedHinge h = hinges[together.items.at[lane]];
+    pbd::Vec4Of<typename D::Real> coefficients;
+
+    MENISCUS_HD void set(uint32_t lane, const PackedHinge& h) {
       MENISCUS_UNROLL
       for (uint32_t i = 0; i < 4; ++i) number[i].at[lane] = h.vertex(i);
     }
-    const pbd::Vec4Of<Real> h = gather(coefficients, at);
+  };
+  template <class D>
+  MENISCUS_HD Items<D> items(const pbd::SideBySide<D>& together) const {
+    Items<D> all;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) all.set(lane, hinges[together.items.at[lane]]);
+    all.coefficients = gather(coefficients, together.index());
+    return all;
+  }
+
+  template <class D, class Vertices>
+  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together,
+                       const Items<D>& items) const {
+    using Real = typename D::Real;
+    using Vector = pbd::Vec3Of<Real>;
+    const auto at = together.index();
+    const auto& number = items.number;
+    const pbd::Vec4Of<Real>& h = items.coefficients;
     const Real zero(0), k_of[4] = {-(h.x + h.y + h.z), h.x, h.y, h.z};
     const Vector before = starts ? Vector{zero, zero, zero} : gather(multiplier, at).xyz();
     const Real damping = vertices.template bending_damping<D>(number[0]);

@@ -82,6 +82,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   struct Turn {
     bool starts = false;     ///< the substep's multipliers
     bool backwards = false;  ///< through passes, colours and layers
+    bool goes_on = false;    ///< from the round before
     bool ends = false;       ///< what the substep does to edges
   };
   void bend(pbd::Substep<D>& substep, const Turn& turn);

@@ -184,6 +184,7 @@ void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn
     const int left = rounds - 1 - round;
     const Turn edges{.starts = turn.starts && round == 0,
                      .backwards = (turn.backwards ? round + 1 : left) % 2 != 0,
+                     .goes_on = round > 0,
                      .ends = turn.ends && left == 0};
     const Turn yarns{.starts = edges.starts && !starts_from_last(), .backwards = edges.backwards};
     if (turn.backwards) solve_yarns(substep, yarns);
@@ -203,9 +204,16 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
                                     isometric_multiplier_.view(), turn.starts},
                       .hinge = {hinges_.view(), hinge_multiplier_.view(), turn.starts},
                       .strain = {strains_.view(), strain_multiplier_.view(), relaxation, turn.starts},
-                      .edge = {edges_.view(), edge_multiplier_.view(), relaxation, turn.starts ? share_ : 1,
-                               starts_from_last(), turn.ends, parameters_.warm_start},
+                      .edge = {.edges = edges_.view(),
+                               .multiplier = edge_multiplier_.view(),
+                               .relaxation = relaxation,
+                               .share = turn.starts ? share_ : 1,
+                               .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
+                               .lets_go = starts_from_last(),
+                               .ends = turn.ends,
+                               .next_share = parameters_.warm_start},
                       .first = 0,
+                      .bends = first_pass < bending_passes_,
                       .backwards = turn.backwards};
   for (size_t k = first_pass; k < end_pass; ++k) {
     const size_t pass = turn.backwards ? first_pass + end_pass - 1 - k : k;

@@ -206,6 +206,17 @@ void list_vertices(Clusters& all) {
   }
 }
 
+void note_items(Clusters& all) {
+  for (Cluster& cluster : all.clusters) {
+    for (uint32_t b = cluster.first_batch; b < cluster.end_batch; ++b) {
+      const Batch& batch = all.batches[b];
+      if (batch.kind != ConstraintKind::isometric && batch.kind != ConstraintKind::edge) continue;
+      if (cluster.end_item == 0) cluster.first_item = batch.first;
+      cluster.end_item = batch.first + batch.count;
+    }
+  }
+}
+
 }  // namespace
 
 Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec3> rest) {
@@ -229,7 +240,7 @@ Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec
     if (new_cluster || before->kind != c.kind || before->colour != c.colour)
       out.batches.push_back({c.kind, next[static_cast<size_t>(c.kind)], 0});
     const auto end = static_cast<uint32_t>(out.batches.size());
-    if (new_cluster) out.clusters.push_back({end - 1, end, 0, 0});
+    if (new_cluster) out.clusters.push_back({end - 1, end, 0, 0, 0, 0});
     out.clusters.back().end_batch = end;
     ++out.batches.back().count;
     ++next[static_cast<size_t>(c.kind)];
@@ -240,6 +251,7 @@ Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec
     before = &c;
   }
   list_vertices(out);
+  note_items(out);
   return out;
 }
 

@@ -20,10 +20,12 @@ struct Batch {
   uint32_t first, count;
 };
 
-/// Its vertices: vertices[first_vertex] to vertices[end_vertex − 1].
+/// Its vertices: vertices[first_vertex] to vertices[end_vertex − 1]; and of its constraints, isometric hinges
+/// or edges, whichever it has.
 struct Cluster {
   uint32_t first_batch, end_batch;
   uint32_t first_vertex, end_vertex;
+  uint32_t first_item = 0, end_item = 0;
 
   static constexpr uint32_t most_vertices = 256;
 };

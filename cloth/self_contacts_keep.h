@@ -21,6 +21,8 @@ struct Room {
 /// Notes where each vertex is predicted to be, and whether the lists of pairs still hold for it: it must stay
 /// where it was to stay, with room for what the solve may move it by, and for the thickness.
 struct Foresee {
+  static constexpr float room_for_thickness = 0.55f;
+
   View<const Vec4> previous, position;  // by vertex
   View<const uint32_t> vertex_part;
   View<const Part> parts;
@@ -52,7 +54,7 @@ struct Foresee {
   MENISCUS_HD void foresee(uint32_t v) const {
     const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
     const float thickness = parts[vertex_part[v]].thickness;
-    const float room = 0.55f * thickness + 0.25f * length(way) + 1.5f * strayed[v];
+    const float room = room_for_thickness * thickness + 0.25f * length(way) + 1.5f * strayed[v];
     foreseen[v] = pbd::with_w(x, room);
     if (anew || length(x - kept.balls[v].xyz()) + room > kept.balls[v].w)
       pbd::atomic_max(counters[expired], 1);
@@ -81,6 +83,7 @@ struct Keep {
   static constexpr float longest = 16;     // substeps
   static constexpr float furthest = 0.5f;  // of the thickness, if that takes more than this substep
   static constexpr float leeway = 0.25f;   // of the thickness, to go otherwise
+  static constexpr float restless = 4;     // times the room for what the solve moves, to go there and back
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
@@ -94,7 +97,9 @@ struct Keep {
     const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
     const float thickness = parts[vertex_part[v]].thickness, far = length(way);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
-    const float radius = 0.5f * substeps * far + foreseen[v].w + leeway * thickness;
+    const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
+    const float radius =
+        0.5f * substeps * far + foreseen[v].w + leeway * thickness + restless * pbd::max(0, solve);
     kept[v] = pbd::with_w(from + 0.5f * substeps * way, radius < pbd::most_finite ? radius : NAN);
   }
 };

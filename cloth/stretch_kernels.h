@@ -19,39 +19,63 @@ using pbd::square_root;
 /// pressed together somewhere; lengthened in full each substep it buckles to and fro, and does not rest.
 inline constexpr float compressed_relaxation = 0.2f;
 
+/// Heavy-ball momentum (Polyak 1964) of what pulls, from round to round. Yarns take back most of what a
+/// diagonal's step does, so that its multiplier would take w/α̃ rounds to come to what shear's stiffness asks
+/// for; with momentum about the square root of that.
+inline constexpr float round_momentum = 0.85f;
+
 struct SolveEdge {
   View<const EdgeConstraint> edges;  ///< of vertices as numbered in their cluster
-  View<Vec4> multiplier;             ///< kg·m: λ n, and λ
-  float relaxation;                  ///< ω of successive over-relaxation
-  float share;                       ///< of the multiplier that there is
-  bool lets_go;                      ///< what still pulls, when it is pressed: it started with a pull
-  bool ends;                         ///< the substep: what is left is for the next one
-  float next_share;                  ///< for that, of what pulls (λ < 0); of what pushes less, as it buckles
+  /// kg·m: λ n, and λ. Until the substep's end the last round's step stands in place of the first.
+  View<Vec4> multiplier;
+  float relaxation;  ///< ω of successive over-relaxation
+  float share;       ///< of the multiplier that there is
+  float momentum;    ///< how much of the last round's step is made once more, where an edge pulls
+  bool lets_go;      ///< what still pulls, when it is pressed: it started with a pull
+  bool ends;         ///< the substep: what is left is for the next one
+  float next_share;  ///< for that, of what pulls (λ < 0); of what pushes less, as it buckles
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(edges, k);
     pbd::prefetch(multiplier, k);
   }
 
-  template <class D, class Vertices>
-  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together) const {
-    using Real = typename D::Real;
-    using Vector = pbd::Vec3Of<Real>;
-    const auto at = together.index();
+  /// Edges side by side, with what they last did.
+  template <class D>
+  struct Items {
     pbd::Places<D> from, to;
-    for (uint32_t lane = 0; lane < D::lane_count; ++lane) {
-      const EdgeConstraint& e = edges[together.items.at[lane]];
+    pbd::Vec4Of<typename D::Real> constants;
+    typename D::Real multiplier, last_step;
+
+    MENISCUS_HD void set(uint32_t lane, const EdgeConstraint& e) {
       from.at[lane] = e.a;
       to.at[lane] = e.b;
     }
-    const pbd::Vec4Of<Real> e = gather_words(edges, at);
-    const Real zero(0), rest = e.z, before = Real(share) * gather(multiplier, at).w;
+  };
+  template <class D>
+  MENISCUS_HD Items<D> items(const pbd::SideBySide<D>& together) const {
+    Items<D> all;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) all.set(lane, edges[together.items.at[lane]]);
+    all.constants = gather_words(edges, together.index());
+    const pbd::Vec4Of<typename D::Real> last = gather(multiplier, together.index());
+    all.multiplier = last.w;
+    all.last_step = last.x;
+    return all;
+  }
+
+  template <class D, class Vertices>
+  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together,
+                       const Items<D>& items) const {
+    using Real = typename D::Real;
+    using Vector = pbd::Vec3Of<Real>;
+    const pbd::Places<D>&from = items.from, &to = items.to;
+    const Real zero(0), rest = items.constants.z, before = Real(share) * items.multiplier;
     const LaneVertex<D> a = vertices.at(from), b = vertices.at(to);
     const Real weight = a.x.w + b.x.w;
     const Vector d = b.x.xyz() - a.x.xyz();
     const auto was = [&] { return vertices.previous(to) - vertices.previous(from); };
     const Real l = square_root(dot(d, d)), c = l - rest;
-    const Real compliance = edge_compliance(e.w, rest, c, weight, vertices.inverse_dt(), [&] {
+    const Real compliance = edge_compliance(items.constants.w, rest, c, weight, vertices.inverse_dt(), [&] {
       const Vector then = was();
       return square_root(dot(then, then));
     });
@@ -60,14 +84,21 @@ struct SolveEdge {
     Real rate = zero;
     if (less_mask(zero, damping) != 0) rate = inverse_l * dot(d, d - was());
     const Real whole = xpbd_step(c, rate, weight, before, compliance, damping);
-    const Real wanted = select_less(c, zero, of_pressed(whole, before), Real(relaxation) * whole);
+    const Real pulling = Real(relaxation) * whole + Real(momentum) * items.last_step;
+    const Real wanted = select_less(c, zero, of_pressed(whole, before), pulling);
     // What has no direction, or cannot give way at all, is left alone.
     const Real yielding = together.if_any(weight + compliance);
-    const Real step = select_less(zero, yielding, wanted, zero);
-    const Real push = inverse_l * step,
-               left = select_less(l, nearly_none, zero, kept(before + step, weight, rest)),
-               scale = inverse_l * left;
-    scatter(multiplier, at, {scale * d.x, scale * d.y, scale * d.z, left}, less_mask(zero, yielding));
+    const Real step = select_less(zero, yielding, wanted, zero), push = inverse_l * step, now = before + step;
+    const auto note = [&](const Vector& to_go_on_with, const Real& lambda) {
+      scatter(multiplier, together.index(), {to_go_on_with.x, to_go_on_with.y, to_go_on_with.z, lambda},
+              less_mask(zero, yielding));
+    };
+    if (ends) {
+      const Real left = select_less(l, nearly_none, zero, kept(now, weight, rest));
+      note((inverse_l * left) * d, left);
+    } else {
+      note({select_less(c, zero, zero, step), zero, zero}, select_less(l, nearly_none, zero, now));
+    }
     vertices.push(from, a, -push, d);
     vertices.push(to, b, push, d);
   }
@@ -88,7 +119,6 @@ struct SolveEdge {
   /// weigh thousands of times what they do.
   template <class Real>
   MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest) const {
-    if (!ends) return lambda;
     const Real most = rest / weight,
                part = select_less(lambda, Real(0), Real(next_share), Real(pushing_share * next_share));
     return max(-most, -max(-most, -part * lambda));

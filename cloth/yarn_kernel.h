@@ -52,6 +52,21 @@ struct SolveYarns {
   bool starts;          ///< from none of the last substep's multipliers
   uint32_t first, end;  ///< yarns of the layer
 
+  /// Brings constants near: of edges the lengths at rest, and as diagonals their compliances.
+  template <class Group>
+  MENISCUS_HD void prepare(const Group& group, Scratch<Group>& scratch, uint32_t number) const {
+    if constexpr (!Group::is_one_thread) {
+      const Yarn yarn = yarns[first + number];
+      auto* const rows = scratch.template first_rows<typename Scratch<Group>::Length>();
+      group.for_each(yarn.count, [&](uint32_t k) {
+        const EdgeConstraint e = load(edges, yarn.first + k);
+        if (k == 0) scratch.vertex[0] = e.a;
+        scratch.vertex[k + 1] = e.b;
+        scratch.rest_length[k] = e.rest_length;
+        rows[k].diagonal = e.compliance;
+      });
+    }
+  }
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch<Group>& scratch, uint32_t number) const;
 };
@@ -149,15 +164,28 @@ class SolveYarnsAtOnce {
   MENISCUS_HD auto positions() const { return s_.all.particles.position.from(s_.all.particles.sorted); }
   MENISCUS_HD auto moves() const { return s_.all.particles.moved.from(s_.all.particles.sorted); }
   MENISCUS_HD auto previous() const { return s_.all.particles.previous.from(s_.all.particles.sorted); }
-  MENISCUS_HD Places starts_of(const Places& edges) const {
-    Places vertices;
-    for (uint32_t lane = 0; lane < D::lane_count; ++lane) vertices.at[lane] = s_.edges[edges.at[lane]].a;
+  MENISCUS_HD Places start_of(uint32_t k) const {
+    Places vertices, at = yarns_.edge(k);
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane)
+      vertices.at[lane] = Group::is_one_thread ? s_.edges[at.at[lane]].a : scratch_.vertex[k];
     return vertices;
   }
-  MENISCUS_HD Places ends_of(const Places& edges) const {
-    Places vertices;
-    for (uint32_t lane = 0; lane < D::lane_count; ++lane) vertices.at[lane] = s_.edges[edges.at[lane]].b;
+  MENISCUS_HD Places end_of(uint32_t k) const {
+    Places vertices, at = yarns_.edge(k);
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane)
+      vertices.at[lane] = Group::is_one_thread ? s_.edges[at.at[lane]].b : scratch_.vertex[k + 1];
     return vertices;
+  }
+  struct Constants {
+    Real rest_length, compliance;
+  };
+  MENISCUS_HD Constants constants(const Length* rows, uint32_t k) const {
+    if constexpr (Group::is_one_thread) {
+      const Vec4Of<Real> e = gather_words(s_.edges, yarns_.edge(k).index());
+      return {e.z, e.w};
+    } else {
+      return {scratch_.rest_length[k], rows[k].diagonal};
+    }
   }
 
   /// Of edge slot − 1 its row, but for what comes from the mobilities of the ends, whose weights stand beside
@@ -170,10 +198,10 @@ class SolveYarnsAtOnce {
       stiffness(k) = zero;
       return;
     }
-    const Places at = yarns_.edge(k), from = starts_of(at), to = ends_of(at);
-    const Vec4Of<Real> e = gather_words(s_.edges, at.index());
+    const Places at = yarns_.edge(k), from = start_of(k), to = end_of(k);
     const Vec4Of<Real> a = gather(positions(), from.index()), b = gather(positions(), to.index());
-    const Real rest = e.z, last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
+    const auto [rest, soft] = constants(rows, k);
+    const Real last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
     const Real before = s_.starts ? zero : last;
     const Vector d = b.xyz() - a.xyz();
     const Real l = square_root(dot(d, d)), weight = a.w + b.w;
@@ -182,7 +210,7 @@ class SolveYarnsAtOnce {
       const Vector then = was_along(from, to);
       return square_root(dot(then, then));
     };
-    const Real compliance = edge_compliance(e.w, rest, error, weight, s_.all.inverse_dt, was);
+    const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt, was);
     const Vector n = (Real(1) / l) * d;
     if (puts_aside()) error += dot(n, b.w * pending(to) - a.w * pending(from));
     const Real damping = damping_of(from);
@@ -304,9 +332,7 @@ class SolveYarnsAtOnce {
     vertex.x.w = scratch_.weight[k];
     push_side_by_side(positions(), moves(), at, vertex, Real(1), share * scratch_.push[k]);
   }
-  MENISCUS_HD Places vertex(uint32_t k) const {
-    return k == 0 ? starts_of(yarns_.edge(0)) : ends_of(yarns_.edge(k - 1));
-  }
+  MENISCUS_HD Places vertex(uint32_t k) const { return k == 0 ? start_of(0) : end_of(k - 1); }
   MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {
     const Edge e = edge(k);
     const Vec4Of<Real> last = s_.starts ? Vec4Of<Real>{Real(0), Real(0), Real(0), Real(0)} : given(k);

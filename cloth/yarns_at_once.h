@@ -69,6 +69,7 @@ struct YarnScratch {
   Edge edges[Yarn::most_edges + 2];
   Real stiffness[Yarn::most_edges + 2], rest_length[Yarn::most_edges + 2];
   Real weight[Yarn::most_edges + 1];
+  uint32_t vertex[Group::is_one_thread ? 1 : Yarn::most_edges + 1];  ///< of a yarn that is alone
   pbd::Vec3Of<Real> push[Yarn::most_edges + 1];
   alignas(64) unsigned char rows[Group::is_one_thread ? 1 : 2][(Yarn::most_edges + 1) * sizeof(Sideways)];
 

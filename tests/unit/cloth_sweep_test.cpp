@@ -101,9 +101,16 @@ struct Crumpled {
                           view(hinge_multiplier), starts},
             .hinge = {},
             .strain = {},
-            .edge = {view(std::as_const(clusters.edges)), view(edge_multiplier), 1.2f, starts ? 0.9f : 1,
-                     starts, !starts, 0.7f},
+            .edge = {.edges = view(std::as_const(clusters.edges)),
+                     .multiplier = view(edge_multiplier),
+                     .relaxation = 1.2f,
+                     .share = starts ? 0.9f : 1,
+                     .momentum = starts ? 0 : stretch_kernels::round_momentum,
+                     .lets_go = starts,
+                     .ends = !starts,
+                     .next_share = 0.7f},
             .first = clusters.pass_starts[pass],
+            .bends = pass < clusters.bending_passes,
             .backwards = !starts};
   }
 
@@ -134,7 +141,10 @@ TEST(Clusters, ConstraintsSideBySideAreSolvedAsEachAlone) {
   for (bool common_damping : {true, false}) {
     const std::vector<float> alone = swept(common_damping, [](const SolveClusters& solve, uint32_t count) {
       const auto scratch = std::make_unique<ClusterScratch>();
-      for (uint32_t n = 0; n < count; ++n) solve(tests::OneThread{}, *scratch, n);
+      for (uint32_t n = 0; n < count; ++n) {
+        solve.prepare(tests::OneThread{}, *scratch, n);
+        solve(tests::OneThread{}, *scratch, n);
+      }
     });
     for (const auto registers : {pbd::CpuDevice::Registers::widest, pbd::CpuDevice::Registers::baseline}) {
       pbd::CpuDevice device(2, registers);

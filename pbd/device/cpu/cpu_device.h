@@ -87,7 +87,8 @@ class CpuDevice final : public Device {
   /// Kernel::Scratch between them: the kernel calls group.for_each(m, f), which runs f(i) for each i below m
   /// and waits for all of them. Here a group is one thread, on a GPU a block, with its scratch in the
   /// multiprocessor's own memory. A thread has the lanes of D = Group::Device, which is as in
-  /// parallel_for_long, but never a team.
+  /// parallel_for_long, but never a team. A kernel may have prepare(group, scratch, n), which comes first, on
+  /// a GPU before earlier launches are done: it may only read what none of them writes.
   template <class Kernel>
   void parallel_for_groups(const char* /*name*/, uint32_t count, const Kernel& kernel) {
     run_in_one_thread(InOneThread<Kernel>{kernel}, count);
@@ -174,7 +175,9 @@ class CpuDevice final : public Device {
     template <class D>
     void run(uint32_t n) const {
       typename Kernel::Scratch scratch;
-      kernel(OneThread<D>{}, scratch, n);
+      const OneThread<D> group;
+      if constexpr (requires { kernel.prepare(group, scratch, n); }) kernel.prepare(group, scratch, n);
+      kernel(group, scratch, n);
     }
   };
 
@@ -185,7 +188,9 @@ class CpuDevice final : public Device {
     template <class D>
     void run(uint32_t n) const {
       typename Kernel::template Scratch<OneThread<D>> scratch;
-      kernel(OneThread<D>{}, scratch, n);
+      const OneThread<D> group;
+      if constexpr (requires { kernel.prepare(group, scratch, n); }) kernel.prepare(group, scratch, n);
+      kernel(group, scratch, n);
     }
   };
 

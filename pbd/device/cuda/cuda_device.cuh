@@ -84,20 +84,30 @@ struct Block {
 template <class Kernel>
 using BlockOf = Block<group_size<Kernel>()>;
 
+/// A kernel's part of a block, with what it prepares while the launch before still runs.
+template <class Kernel, class Scratch>
+__device__ void run_group(TimeMark mark, const Kernel& kernel, Scratch& scratch) {
+  const BlockOf<Kernel> block;
+  if constexpr (requires { kernel.prepare(block, scratch, blockIdx.x); }) {
+    let_next_begin();
+    kernel.prepare(block, scratch, blockIdx.x);
+  }
+  wait_for_previous(mark);
+  kernel(block, scratch, blockIdx.x);
+}
+
 template <class Kernel>
 __global__ void __launch_bounds__(group_size<Kernel>(), resident_blocks<Kernel>())
     for_each_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
-  wait_for_previous(mark);
   __shared__ typename Kernel::Scratch scratch;
-  kernel(BlockOf<Kernel>{}, scratch, blockIdx.x);
+  run_group(mark, kernel, scratch);
 }
 
 template <class Kernel>
 __global__ void __launch_bounds__(group_size<Kernel>())
     for_each_lane_group(TimeMark mark, const __grid_constant__ Kernel kernel) {
-  wait_for_previous(mark);
   __shared__ typename Kernel::template Scratch<BlockOf<Kernel>> scratch;
-  kernel(BlockOf<Kernel>{}, scratch, blockIdx.x);
+  run_group(mark, kernel, scratch);
 }
 
 template <class D, class Kernel>

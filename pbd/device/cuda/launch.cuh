@@ -12,10 +12,17 @@ struct TimeMark {
 };
 
 /// A launch overlaps the end of the one before (programmatic dependent launch, from compute capability 9.0
-/// on): blocks are made ready while that one still runs, and wait here for what it wrote.
-__device__ __forceinline__ void wait_for_previous(TimeMark mark) {
+/// on): blocks are made ready while that one still runs.
+__device__ __forceinline__ void let_next_begin() {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
+#endif
+}
+
+/// For what all launches before wrote.
+__device__ __forceinline__ void wait_for_previous(TimeMark mark) {
+  let_next_begin();
+#if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
 #endif
   if (mark.at && blockIdx.x == 0 && threadIdx.x == 0) {
