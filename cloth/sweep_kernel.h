@@ -198,7 +198,7 @@ struct SolveClusters {
                                          uint32_t near_from) {
     using D = typename Group::Device;
     constexpr uint32_t lanes = D::lane_count;
-    const uint32_t ahead = next.kind == batch.kind && near_from == none_near ? next.count : 0;
+    const uint32_t ahead = near_from == none_near && next.kind == batch.kind ? next.count : 0;
     group.for_each((batch.count + lanes - 1) / lanes, [&](uint32_t k) {
       const uint32_t i = lanes * k;
       if (i < ahead) solver.prefetch(next.first + i);

@@ -61,7 +61,7 @@ struct YarnScratch {
   using Length = TridiagonalRow<Real>;
   using Sideways = TridiagonalRow<Real, pbd::Vec3Of<Real>>;
 
-  struct alignas(16) alignas(Real) Edge {
+  struct alignas(alignof(Real) > 16 ? alignof(Real) : 16) Edge {
     pbd::Vec3Of<Real> n;
     Real lambda;
   };
@@ -71,15 +71,17 @@ struct YarnScratch {
   Real weight[Yarn::most_edges + 1];
   uint32_t vertex[Group::is_one_thread ? 1 : Yarn::most_edges + 1];  ///< of a yarn that is alone
   pbd::Vec3Of<Real> push[Yarn::most_edges + 1];
-  alignas(64) unsigned char rows[Group::is_one_thread ? 1 : 2][(Yarn::most_edges + 1) * sizeof(Sideways)];
+  struct alignas(64) {
+    unsigned char bytes[(Yarn::most_edges + 1) * sizeof(Sideways)];
+  } rows[Group::is_one_thread ? 1 : 2];
 
   template <class Row>
   MENISCUS_HD Row* first_rows() {
-    return reinterpret_cast<Row*>(rows[0]);
+    return reinterpret_cast<Row*>(rows[0].bytes);
   }
   template <class Row>
   MENISCUS_HD Row* other_rows() {
-    return reinterpret_cast<Row*>(rows[Group::is_one_thread ? 0 : 1]);
+    return reinterpret_cast<Row*>(rows[Group::is_one_thread ? 0 : 1].bytes);
   }
 };
 
