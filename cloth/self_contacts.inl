@@ -116,14 +116,11 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                moved,
                                strayed_.view(),
                                counters_.view()});
-  // Rounds that find nothing are over sooner with few blocks.
-  constexpr uint32_t most_blocks = 1024;
-  const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_),
-                 blocks = std::min(most / threads_together + 1, most_blocks),
-                 fold_blocks = std::min(blocks_of<FoldScratch>(), most_blocks);
+  const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_);
+  const uint32_t blocks = std::min(most, most_threads) / threads_together + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
-    device_.parallel_for_groups("self contacts/folds", fold_blocks,
-                                FindFolds{cloth(substep), sheets(), zones(), folds(), round, fold_blocks});
+    device_.parallel_for_groups("self contacts/folds", blocks_of<FoldScratch>(),
+                                FindFolds{cloth(substep), sheets(), zones(), folds(), round});
     device_.parallel_for_groups("self contacts/crossings", blocks,
                                 FindCrossings{{cloth(substep)},
                                               candidates_.view(),

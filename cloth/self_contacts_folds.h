@@ -49,19 +49,13 @@ struct FindFolds {
   SheetViews sheets;
   Zones zones;
   Folds folds;
-  uint32_t round, stride;
+  uint32_t round;
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     if (!is_round_needed(folds.counters, round)) return;
-    for (uint32_t first = Scratch::groups * n; first < folds.state.count; first += Scratch::groups * stride)
-      find(group, scratch, first);
-  }
-
- private:
-  template <class Group>
-  MENISCUS_HD void find(const Group& group, Scratch& scratch, uint32_t first) const {
-    const uint32_t left = folds.state.count - first, count = left < Scratch::groups ? left : Scratch::groups;
+    const uint32_t first = Scratch::groups * n, left = folds.state.count - first,
+                   count = left < Scratch::groups ? left : Scratch::groups;
     group.for_each(count, [&](uint32_t k) {
       scratch.changed[k] = round == 0;
       scratch.bent[k] = 0;
@@ -79,6 +73,7 @@ struct FindFolds {
       if (scratch.bent[k]) look_around(group, first + k);
   }
 
+ private:
   MENISCUS_HD bool has_moved(uint32_t place) const {
     const SurfaceTriangle t = load(cloth.tree.triangles, place);
     if (t.a == no_index) return false;

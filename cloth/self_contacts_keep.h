@@ -83,7 +83,7 @@ struct Keep {
   static constexpr float longest = 16;     // substeps
   static constexpr float furthest = 0.5f;  // of the thickness, if that takes more than this substep
   static constexpr float leeway = 0.25f;   // of the thickness, to go otherwise
-  static constexpr float restless = 4;     // times the room for what the solve moves, to go there and back
+  static constexpr float restless = 1.5f;  // times the room for what the solve moves, to go there and back
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;

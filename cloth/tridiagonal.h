@@ -68,7 +68,8 @@ MENISCUS_HD void eliminate(TridiagonalRow<R, X>* rows, uint32_t count) {
   for (uint32_t i = count; i-- > 0;) rows[i].right = x = rows[i].right - rows[i].upper * x;
 }
 
-/// What row i becomes when those `apart` before and behind it are eliminated from it.
+/// What row i becomes when those `apart` before and behind it are eliminated from it. A division that is off
+/// by units in the last place would do harm: a strip that starts pressed together then hangs 1.3 % too flat.
 template <class R, class X>
 MENISCUS_HD TridiagonalRow<R, X> reduced(const TridiagonalRow<R, X>* rows, uint32_t count, uint32_t i,
                                          uint32_t apart) {
@@ -77,8 +78,7 @@ MENISCUS_HD TridiagonalRow<R, X> reduced(const TridiagonalRow<R, X>* rows, uint3
   const Row r = read(rows, i);
   const Row before = i >= apart ? read(rows, i - apart) : beyond;
   const Row after = i + apart < count ? read(rows, i + apart) : beyond;
-  const R a = -pbd::quick_quotient(r.lower, before.diagonal),
-          b = -pbd::quick_quotient(r.upper, after.diagonal);
+  const R a = -r.lower / before.diagonal, b = -r.upper / after.diagonal;
   return {a * before.lower, r.diagonal + a * before.upper + b * after.lower, b * after.upper,
           r.right + a * before.right + b * after.right};
 }

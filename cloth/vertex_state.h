@@ -68,10 +68,8 @@ struct VertexState {
 template <class V, class R>
 MENISCUS_HD V xpbd_step(const V& c, const V& rate, const R& weight, const V& multiplier, const R& compliance,
                         const R& damping) {
-  using pbd::quick_quotient;
-  const R gamma = select_less(R(0), damping, quick_quotient(damping * compliance, compliance + weight), R(0));
-  return quick_quotient(R(-1), (R(1) + gamma) * weight + compliance) *
-         (c + compliance * multiplier + gamma * rate);
+  const R gamma = select_less(R(0), damping, damping * compliance / (compliance + weight), R(0));
+  return R(-1) / ((R(1) + gamma) * weight + compliance) * (c + compliance * multiplier + gamma * rate);
 }
 
 }  // namespace meniscus::cloth

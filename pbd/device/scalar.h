@@ -64,20 +64,6 @@ MENISCUS_HD inline float quick_root(float a) {
 #endif
 }
 
-/// a/b, to a few units in the last place on a GPU; 0 there where b is 2¹²⁶ or more.
-MENISCUS_HD inline float quick_quotient(float a, float b) {
-#ifdef __CUDA_ARCH__
-  return __fdividef(a, b);
-#else
-  return a / b;
-#endif
-}
-
-template <class R>
-MENISCUS_HD R quick_quotient(const R& a, const R& b) {
-  return a / b;
-}
-
 /// max(a, 0) of what is at most 1; 0 where it is not a number. On a GPU part of the instruction before.
 MENISCUS_HD inline float unit_part(float a) {
 #ifdef __CUDA_ARCH__
