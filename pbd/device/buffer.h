@@ -92,7 +92,7 @@ class Buffer {
   static size_t bytes(size_t count) { return count * sizeof(T); }
   uint32_t viewed() const { return static_cast<uint32_t>(size_ < 0xffffffff ? size_ : 0xffffffff); }
   void free_memory() noexcept {
-    if (data_) device_->release(data_, bytes(size_));
+    if (data_) device_->release(data_, bytes(size_), what_);
     data_ = nullptr;
     size_ = 0;
   }

@@ -8,8 +8,10 @@
 namespace meniscus::pbd {
 
 void* Device::allocate(size_t bytes, const char* what) {
+  size_t& held = held_[what];
   void* memory = do_allocate(bytes);
   if (!memory) refuse(bytes, what);
+  held += bytes;
   memory_.bytes += bytes;
   memory_.peak_bytes = std::max(memory_.peak_bytes, memory_.bytes);
   ++memory_.allocations;
@@ -33,9 +35,10 @@ void Device::refuse(size_t bytes, const char* what) const {
                   name() + ", which holds " + std::to_string(memory_.bytes >> 20) + " MiB for this world");
 }
 
-void Device::release(void* memory, size_t bytes) noexcept {
+void Device::release(void* memory, size_t bytes, const char* what) noexcept {
   do_release(memory);
   memory_.bytes -= bytes;
+  held_.find(what)->second -= bytes;
 }
 
 }  // namespace meniscus::pbd

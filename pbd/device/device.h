@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 
 namespace meniscus::pbd {
@@ -30,8 +32,10 @@ class Device {
 
   /// Uninitialised memory, aligned to 64 bytes. Throws Error(out_of_memory), naming `what`.
   void* allocate(size_t bytes, const char* what);
-  void release(void* memory, size_t bytes) noexcept;
+  void release(void* memory, size_t bytes, const char* what) noexcept;
   const MemoryUse& memory() const { return memory_; }
+  /// Bytes held now, by what they are for.
+  const std::map<std::string, size_t, std::less<>>& held() const { return held_; }
 
   /// Memory of the host that kernels can use as well. Throws Error(out_of_memory), naming `what`.
   void* allocate_shared(size_t bytes, const char* what);
@@ -62,6 +66,7 @@ class Device {
   virtual void do_release_shared(void* memory) noexcept = 0;
 
   MemoryUse memory_;
+  std::map<std::string, size_t, std::less<>> held_;
 };
 
 }  // namespace meniscus::pbd

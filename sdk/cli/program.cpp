@@ -21,20 +21,30 @@ namespace {
 
 using Command = std::function<int()>;
 
-void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
-  app.add_option("scene", scene, "A scene file, or the name of a sample")->required()->type_name("SCENE");
-  app.add_option("--set", overrides, "Change a value of the scene, as in fluids[0].viscosity=0.1; repeatable")
+CLI::Option* add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
+  return app
+      .add_option("--set", overrides,
+                  "Change a value of the scene, as in fluids[0].viscosity=0.1; repeatable")
       ->type_name("PATH=VALUE")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_scene(CLI::App& app, SceneChoice& choice) {
-  add_scene(app, choice.scene, choice.overrides);
-  app.add_option("--device", choice.device, "Where to run; by default what the scene says")
+CLI::Option* add_device(CLI::App& app, std::string& device) {
+  return app.add_option("--device", device, "Where to run; by default what the scene says")
       ->type_name("auto|cpu|cuda")
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""));
+}
+
+void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
+  app.add_option("scene", scene, "A scene file, or the name of a sample")->required()->type_name("SCENE");
+  add_overrides(app, overrides);
+}
+
+void add_scene(CLI::App& app, SceneChoice& choice) {
+  add_scene(app, choice.scene, choice.overrides);
+  add_device(app, choice.device);
   app.add_option("--threads", choice.threads, "Threads of the CPU device; 0 is one a core")
       ->type_name("N")
       ->check(CLI::Range(0, 1024).description(""));
@@ -104,6 +114,19 @@ void add_check(CLI::App& app, CheckOptions& options, Command& command) {
   check.callback([&options, &command] { command = [&options] { return check_scene(options); }; });
 }
 
+void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
+  CLI::App& devices = *app.add_subcommand(
+      "devices", "List the devices, and which one auto takes; or what memory a scene takes there");
+  CLI::Option* memory =
+      devices.add_option("--memory", choice.scene, "Say what memory the scene takes, array by array")
+          ->type_name("SCENE");
+  add_overrides(devices, choice.overrides)->needs(memory);
+  add_device(devices, choice.device)->needs(memory);
+  devices.callback([&choice, &command] {
+    command = [&choice] { return choice.scene.empty() ? show_devices() : show_memory(choice); };
+  });
+}
+
 /// Errors and progress go to stderr as `meniscus: ...`; stdout is for results.
 void start_log() {
   // Not one of spdlog's named loggers: a program that runs twice in one process would have it there already.
@@ -142,6 +165,7 @@ int run_program(int argc, char** argv) {
   RunOptions run;
   ViewOptions view;
   CheckOptions check;
+  SceneChoice budget;
   Command command;
   CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
   app.set_version_flag("--version", "meniscus " MENISCUS_VERSION);
@@ -149,9 +173,7 @@ int run_program(int argc, char** argv) {
   add_run(app, run, command);
   add_view(app, view, command);
   add_check(app, check, command);
-  app.add_subcommand("devices", "List the devices, and which one auto takes")->callback([&] {
-    command = show_devices;
-  });
+  add_devices(app, budget, command);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([&] {
     command = print_schema;
   });

@@ -131,4 +131,14 @@ size_t World::device_bytes() const {
   return impl_->engine->device().memory().bytes;
 }
 
+std::vector<MemoryShare> World::memory_shares() const {
+  std::vector<MemoryShare> shares;
+  for (const auto& [what, bytes] : impl_->with_all().device().held()) {
+    if (bytes > 0) shares.push_back({what, bytes});
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const MemoryShare& a, const MemoryShare& b) { return a.bytes > b.bytes; });
+  return shares;
+}
+
 }  // namespace meniscus

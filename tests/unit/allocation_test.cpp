@@ -4,11 +4,15 @@
 // Once warm, a step allocates nothing: neither on the host nor on the device.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "sdk/engine/engine.h"
+#include "tests/cloth_worlds.h"
 #include "tests/worlds.h"
 
 namespace {
@@ -97,6 +101,27 @@ TEST_P(AllocationTest, AWarmStepHoldsTheSameMemoryOnTheDevice) {
   const size_t held = world.device_bytes();
   run(world, 40, 0.016f);
   EXPECT_EQ(world.device_bytes(), held);
+}
+
+/// What is taken before the first step is nearly all that this one needs, cloth and solids as well.
+TEST_P(AllocationTest, AWorldKnowsBeforeItsFirstStepWhatItTakes) {
+  World world = pool();
+  world.create_cloth(sheet(0.4f, 0.4f, 30, 30, {0.25f, 0.8f, 0.25f}));
+  world.create_shape(shape(HeightFieldGeometry{64, 64, 0.1f, std::vector<float>(64 * 64, -5.0f)}));
+  const std::vector<MemoryShare> shares = world.memory_shares();
+  size_t sum = 0;
+  std::vector<std::string> names;
+  for (size_t k = 0; k < shares.size(); ++k) {
+    sum += shares[k].bytes;
+    names.push_back(shares[k].what);
+    EXPECT_GT(shares[k].bytes, 0u) << shares[k].what;
+    if (k > 0) EXPECT_LE(shares[k].bytes, shares[k - 1].bytes) << shares[k].what;
+  }
+  EXPECT_EQ(sum, world.device_bytes());
+  for (const char* name : {"neighbour lists", "particle positions", "cloth edges", "height fields"})
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  world.step(0.016f);
+  EXPECT_LT(static_cast<double>(world.device_bytes()), 1.1 * static_cast<double>(sum));
 }
 
 TEST_P(AllocationTest, LookingAtAWorldTwiceTakesNoMoreMemory) {

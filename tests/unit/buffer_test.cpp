@@ -67,6 +67,25 @@ TEST_P(BufferTest, TheDeviceCountsWhatItHolds) {
   EXPECT_EQ(device_.memory().peak_bytes, std::max(before.peak_bytes, before.bytes + 8080));
 }
 
+TEST_P(BufferTest, TheDeviceKnowsWhatItHoldsItFor) {
+  const auto held = [&](const char* what) {
+    const auto found = device_.held().find(what);
+    return found == device_.held().end() ? 0 : found->second;
+  };
+  Buffer<double> a(device_, "numbers"), b(device_, "numbers"), c(device_, "others");
+  a.resize_discard(100);
+  b.resize_discard(10);
+  c.resize_discard(1);
+  EXPECT_EQ(held("numbers"), 880u);
+  EXPECT_EQ(held("others"), 8u);
+  a.swap(c);
+  c.resize_discard(0);
+  EXPECT_EQ(held("numbers"), 80u);
+  EXPECT_EQ(held("others"), 8u);
+  a.resize_keep(2, 1);
+  EXPECT_EQ(held("others"), 16u);
+}
+
 TEST_P(BufferTest, MemoryIsAlignedToACacheLine) {
   Buffer<char> a(device_, "a"), b(device_, "b");
   a.resize_discard(1);
@@ -88,6 +107,7 @@ TEST_P(BufferTest, TooMuchIsAnErrorThatNamesTheArray) {
     EXPECT_EQ(error.code(), ErrorCode::out_of_memory);
     EXPECT_NE(std::string(error.what()).find("the absurd array"), std::string::npos) << error.what();
   }
+  EXPECT_EQ(device_.held().at("the absurd array"), 0u);
   EXPECT_EQ(buffer.size(), 0u);
   EXPECT_EQ(device_.memory().bytes, held);
   Buffer<int> after(device_, "an ordinary array");

@@ -67,6 +67,16 @@ class ProgramTest : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
+  /// What a command line that succeeds prints.
+  static std::string printed(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "meniscus");
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(run_program(static_cast<int>(argv.size()), argv.data()), success);
+    return testing::internal::GetCapturedStdout();
+  }
+
   [[noreturn]] void run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "meniscus");
     std::vector<char*> argv;
@@ -222,15 +232,22 @@ TEST_F(ProgramTest, ClothIsMovedMeasuredAndExported) {
 }
 
 TEST_F(ProgramTest, CheckCountsCloth) {
-  testing::internal::CaptureStdout();
-  std::vector<std::string> arguments{"meniscus", "check", "flag"};
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  EXPECT_EQ(run_program(static_cast<int>(argv.size()), argv.data()), success);
-  const std::string text = testing::internal::GetCapturedStdout();
+  const std::string text = printed({"check", "flag"});
   EXPECT_NE(text.find("cloths 1 of 20 vertices and 24 triangles, ropes 1 of 11 vertices, attachments 1"),
             std::string::npos)
       << text;
+}
+
+TEST_F(ProgramTest, DevicesSayWhatMemoryASceneTakes) {
+  const std::string water = printed({"devices", "--memory", "drop", "--device", "cpu"}),
+                    cloth = printed({"devices", "--memory", "flag", "--set", "world.device=cpu"});
+  EXPECT_NE(water.find("drop on cpu"), std::string::npos) << water;
+  EXPECT_NE(water.find("64 particles, 0 vertices"), std::string::npos) << water;
+  EXPECT_NE(water.find("neighbour lists"), std::string::npos) << water;
+  EXPECT_NE(cloth.find("0 particles, 31 vertices"), std::string::npos) << cloth;
+  EXPECT_NE(cloth.find("cloth edges"), std::string::npos) << cloth;
+  EXPECT_EXIT(run({"devices", "--memory", "sea"}), testing::ExitedWithCode(bad_input), "called 'sea'");
+  EXPECT_EXIT(run({"devices", "--device", "cpu"}), testing::ExitedWithCode(bad_input), "--memory");
 }
 
 TEST_F(ProgramTest, BodiesAreMovedMeasuredAndExported) {

@@ -24,6 +24,36 @@ std::string choice_text(const std::vector<DeviceInfo>& devices) {
   return "auto takes cpu: cuda cannot be used, " + cuda->reason;
 }
 
+std::size_t vertices_of(const BuiltScene& built) {
+  std::size_t vertices = 0;
+  for (const ClothId id : built.cloths) vertices += built.world.cloth_positions(id).size();
+  for (const RopeId id : built.ropes) vertices += built.world.rope_positions(id).size();
+  return vertices;
+}
+
+/// The largest, line by line, and those below a thousandth of the whole in one.
+void print_shares(const std::vector<MemoryShare>& shares, std::size_t elements) {
+  std::size_t all = 0, small = 0, width = 0;
+  for (const MemoryShare& share : shares) {
+    all += share.bytes;
+    width = std::max(width, share.what.size());
+  }
+  const auto row = [&](const std::string& what, std::size_t bytes) {
+    fmt::print("{:<{}}  {:>10.2f} MiB", what, width, static_cast<double>(bytes) / (1u << 20));
+    if (elements > 0)
+      fmt::print("  {:>8.1f} B each", static_cast<double>(bytes) / static_cast<double>(elements));
+    fmt::print("\n");
+  };
+  for (const MemoryShare& share : shares) {
+    if (share.bytes < all / 1000)
+      small += share.bytes;
+    else
+      row(share.what, share.bytes);
+  }
+  row("smaller ones", small);
+  row("all", all);
+}
+
 }  // namespace
 
 int show_devices() {
@@ -40,6 +70,20 @@ int show_devices() {
         device.usable ? memory_text(device.memory_bytes) : device.reason);
   }
   fmt::print("{}\n", choice_text(devices));
+  return success;
+}
+
+int show_memory(const SceneChoice& choice) {
+  Scene scene = chosen_scene(choice);
+  scene.relax_iterations = 0;
+  const BuiltScene built = build_scene(scene);
+  const DeviceInfo device = built.world.device();
+  const std::size_t particles = built.world.particle_count(), vertices = vertices_of(built);
+  fmt::print("{} on {} ({}): {} particles, {} vertices of cloth and ropes\n", scene.name, device.kind,
+             device.name, particles, vertices);
+  print_shares(built.world.memory_shares(), particles + vertices);
+  fmt::print("as the first step starts; lists of neighbours and contacts grow where there are more{}\n",
+             scene.emitters.empty() ? "" : ", and all with what is emitted");
   return success;
 }
 

@@ -96,4 +96,10 @@ struct DeviceInfo {
 
 std::vector<DeviceInfo> list_devices();
 
+/// Arrays of a world on its device, by what they are for.
+struct MemoryShare {
+  std::string what;
+  std::size_t bytes = 0;
+};
+
 }  // namespace meniscus

@@ -192,6 +192,10 @@ class World {
   /// for equal bits.
   uint64_t state_hash() const;
   std::size_t device_bytes() const;  ///< held on the device
+  /// The same, by what it is for, the largest first: once all that has changed is on the device, so that it
+  /// is what the next step starts with. A step takes more where it finds more neighbours and contacts than
+  /// there is room for. Throws Error(out_of_memory) where there is not enough for that.
+  std::vector<MemoryShare> memory_shares() const;
 
  private:
   struct Impl;
