@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "pbd/device/scalar.h"
+#include "pbd/device/whole.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::cloth {
+
+using pbd::read_whole;
+using pbd::write_whole;
 
 /// lower x(i − 1) + diagonal x(i) + upper x(i + 1) = right, with 0 for what is beyond the ends; x are numbers
 /// R or vectors of them.
@@ -19,37 +22,6 @@ struct alignas(alignof(R) > 16          ? alignof(R)
   R lower, diagonal, upper;
   X right;
 };
-
-/// A row as a whole: read or written number by number, rows side by side would wait for the same banks of a
-/// GPU's shared memory.
-template <class Row>
-MENISCUS_HD Row read(const Row* rows, uint32_t i) {
-#ifdef __CUDA_ARCH__
-  using Word = std::conditional_t<alignof(Row) == sizeof(uint4), uint4, uint2>;
-  constexpr uint32_t count = sizeof(Row) / sizeof(Word);
-  Word words[count];
-  MENISCUS_UNROLL
-  for (uint32_t k = 0; k < count; ++k) words[k] = reinterpret_cast<const Word*>(rows + i)[k];
-  Row row;
-  __builtin_memcpy(&row, words, sizeof row);
-  return row;
-#else
-  return rows[i];
-#endif
-}
-template <class Row>
-MENISCUS_HD void write(Row* rows, uint32_t i, const std::type_identity_t<Row>& row) {
-#ifdef __CUDA_ARCH__
-  using Word = std::conditional_t<alignof(Row) == sizeof(uint4), uint4, uint2>;
-  constexpr uint32_t count = sizeof(Row) / sizeof(Word);
-  Word words[count];
-  __builtin_memcpy(words, &row, sizeof row);
-  MENISCUS_UNROLL
-  for (uint32_t k = 0; k < count; ++k) reinterpret_cast<Word*>(rows + i)[k] = words[k];
-#else
-  rows[i] = row;
-#endif
-}
 
 /// Elimination and substitution by one thread (Thomas). Afterwards `right` is the solution.
 template <class R, class X>
@@ -75,9 +47,9 @@ MENISCUS_HD TridiagonalRow<R, X> reduced(const TridiagonalRow<R, X>* rows, uint3
                                          uint32_t apart) {
   using Row = TridiagonalRow<R, X>;
   constexpr Row beyond{0, 1, 0, X{}};
-  const Row r = read(rows, i);
-  const Row before = i >= apart ? read(rows, i - apart) : beyond;
-  const Row after = i + apart < count ? read(rows, i + apart) : beyond;
+  const Row r = read_whole(rows, i);
+  const Row before = i >= apart ? read_whole(rows, i - apart) : beyond;
+  const Row after = i + apart < count ? read_whole(rows, i + apart) : beyond;
   const R a = -r.lower / before.diagonal, b = -r.upper / after.diagonal;
   return {a * before.lower, r.diagonal + a * before.upper + b * after.lower, b * after.upper,
           r.right + a * before.right + b * after.right};
@@ -98,12 +70,12 @@ MENISCUS_HD void reduce_all(const Group& group, TridiagonalRow<R, X>* rows, Trid
   bool coupled = true;
   for (uint32_t apart = 1; apart < count && coupled; apart *= 2) {
     if constexpr (coupling == Coupling::tight) {
-      group.for_each(count, [=](uint32_t i) { write(to, i, reduced(from, count, i, apart)); });
+      group.for_each(count, [=](uint32_t i) { write_whole(to, i, reduced(from, count, i, apart)); });
     } else {
       coupled = group.any(count, [=](uint32_t i) {
         constexpr float rounding = 3e-8f;
         const Row r = reduced(from, count, i, apart);
-        write(to, i, r);
+        write_whole(to, i, r);
         return rounding * fabsf(r.diagonal) < pbd::max(fabsf(r.lower), fabsf(r.upper));
       });
     }
@@ -112,7 +84,7 @@ MENISCUS_HD void reduce_all(const Group& group, TridiagonalRow<R, X>* rows, Trid
     from = done;
   }
   group.for_each(count, [=](uint32_t i) {
-    const Row r = read(from, i);
+    const Row r = read_whole(from, i);
     rows[i].right = r.right / r.diagonal;
   });
 }
@@ -123,7 +95,7 @@ MENISCUS_HD void substitute(const TridiagonalRow<R, X>* coarse, TridiagonalRow<R
                             uint32_t i) {
   X x = i / 2 < count / 2 ? coarse[i / 2].right : X{};
   if (i % 2 == 0) {
-    const TridiagonalRow<R, X> r = read(rows, i);
+    const TridiagonalRow<R, X> r = read_whole(rows, i);
     const X before = i > 0 ? coarse[i / 2 - 1].right : X{};
     x = (r.right - r.lower * before - r.upper * x) / r.diagonal;
   }
@@ -142,7 +114,7 @@ MENISCUS_HD void reduce_cyclically(const Group& group, TridiagonalRow<R, X>* row
   uint32_t halvings = 0;
   for (; count >> halvings > few; ++halvings) {
     const uint32_t above = count >> halvings, half = above / 2;
-    group.for_each(half, [=](uint32_t k) { write(next, k, reduced(level, above, 2 * k + 1, 1)); });
+    group.for_each(half, [=](uint32_t k) { write_whole(next, k, reduced(level, above, 2 * k + 1, 1)); });
     level = next;
     next += half;
   }

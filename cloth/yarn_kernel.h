@@ -107,7 +107,7 @@ class SolveYarnsAtOnce {
     }
 
     Sideways* ways = scratch_.template first_rows<Sideways>();
-    group.for_each(vertices, [&](uint32_t k) { write(ways, k, turn(k)); });
+    group.for_each(vertices, [&](uint32_t k) { write_whole(ways, k, turn(k)); });
     solve_tridiagonal<Coupling::loose>(group, ways, scratch_.template other_rows<Sideways>(), vertices);
     const Real furthest = greatest_from_one(group, scratch_.template other_rows<Real>(), vertices,
                                             [&](uint32_t k) { return reach(ways, k); });
@@ -154,7 +154,7 @@ class SolveYarnsAtOnce {
   MENISCUS_HD Vector pending(const Places& v) const { return gather(s_.pending, v.index()).xyz(); }
 
   /// Edge k stands behind one that is not there.
-  MENISCUS_HD Edge edge(uint32_t k) const { return read(scratch_.edges, k + 1); }
+  MENISCUS_HD Edge edge(uint32_t k) const { return read_whole(scratch_.edges, k + 1); }
   MENISCUS_HD Real& stiffness(uint32_t k) const { return scratch_.stiffness[k + 1]; }
 
   /// kg, of an edge with a multiplier: how much it resists being turned.
@@ -194,7 +194,7 @@ class SolveYarnsAtOnce {
     const Real zero(0);
     const uint32_t k = slot - 1;
     if (slot == 0 || slot > yarns_.most) {
-      write(scratch_.edges, slot, {{zero, zero, zero}, zero});
+      write_whole(scratch_.edges, slot, {{zero, zero, zero}, zero});
       stiffness(k) = zero;
       return;
     }
@@ -224,8 +224,8 @@ class SolveYarnsAtOnce {
     const auto if_live = [&](const Real& x, const Real& otherwise) {
       return select_less(zero, live, x, otherwise);
     };
-    write(scratch_.edges, slot, {{if_live(n.x, zero), if_live(n.y, zero), if_live(n.z, zero)}, before});
-    write(
+    write_whole(scratch_.edges, slot, {{if_live(n.x, zero), if_live(n.y, zero), if_live(n.z, zero)}, before});
+    write_whole(
         rows, k,
         {if_live((Real(1) + gamma) * a.w, zero), if_live(compliance + Real(guard) * weight, Real(1)),
          if_live((Real(1) + gamma) * b.w, zero), if_live(-error - compliance * before - gamma * rate, zero)});
@@ -243,13 +243,13 @@ class SolveYarnsAtOnce {
 
   MENISCUS_HD void couple(Length* rows, uint32_t k) const {
     const Vector before = edge(k - 1).n, n = edge(k).n, after = edge(k + 1).n;
-    Length row = read(rows, k);
+    Length row = read_whole(rows, k);
     const Mobility a(before, n, row.lower, stiffness(k - 1) + stiffness(k));
     const Mobility b(n, after, row.upper, stiffness(k) + stiffness(k + 1));
     row.diagonal += a(n, n) + b(n, n);
     row.lower = -a(before, n);
     row.upper = -b(n, after);
-    write(rows, k, row);
+    write_whole(rows, k, row);
   }
   MENISCUS_HD void take(const Real& step, uint32_t k) const {
     const Real lambda = scratch_.edges[k + 1].lambda = yarns_.if_edge(k, edge(k).lambda + step);
