@@ -209,7 +209,7 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
                                .relaxation = relaxation,
                                .share = turn.starts ? share_ : 1,
                                .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
-                               .lets_go = starts_from_last(),
+                               .shears = starts_from_last(),
                                .ends = turn.ends,
                                .next_share = parameters_.warm_start},
                       .first = 0,

@@ -31,9 +31,11 @@ struct SolveEdge {
   float relaxation;  ///< ω of successive over-relaxation
   float share;       ///< of the multiplier that there is
   float momentum;    ///< how much of the last round's step is made once more, where an edge pulls
-  bool lets_go;      ///< what still pulls, when it is pressed: it started with a pull
+  /// Yarns hold the lengths around, and it starts with what it last did: what is left of it is shear, which
+  /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals.
+  bool shears;
   bool ends;         ///< the substep: what is left is for the next one
-  float next_share;  ///< for that, of what pulls (λ < 0); of what pushes less, as it buckles
+  float next_share;  ///< for that, of what pulls (λ < 0) or shears; of what else pushes less, as it buckles
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(edges, k);
@@ -75,10 +77,12 @@ struct SolveEdge {
     const Vector d = b.x.xyz() - a.x.xyz();
     const auto was = [&] { return vertices.previous(to) - vertices.previous(from); };
     const Real l = square_root(dot(d, d)), c = l - rest;
-    const Real compliance = edge_compliance(items.constants.w, rest, c, weight, vertices.inverse_dt(), [&] {
-      const Vector then = was();
-      return square_root(dot(then, then));
-    });
+    const float opens = shears ? shear_opening_rate : opening_rate;
+    const Real compliance =
+        edge_compliance(items.constants.w, rest, c, weight, vertices.inverse_dt(), opens, [&] {
+          const Vector then = was();
+          return square_root(dot(then, then));
+        });
     const Real damping = vertices.template stretch_damping<D>(from), nearly_none(1e-12f);
     const Real inverse_l = select_less(l, nearly_none, zero, Real(1) / l);
     Real rate = zero;
@@ -110,7 +114,7 @@ struct SolveEdge {
   template <class Real>
   MENISCUS_HD Real of_pressed(const Real& step, const Real& before) const {
     const Real least(compressed_relaxation);
-    if (!lets_go) return least * step;
+    if (!shears) return least * step;
     const Real pull = max(Real(0), -before);
     return select_less(pull, step, pull + least * (step - pull), step);
   }
@@ -119,8 +123,8 @@ struct SolveEdge {
   /// weigh thousands of times what they do.
   template <class Real>
   MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest) const {
-    const Real most = rest / weight,
-               part = select_less(lambda, Real(0), Real(next_share), Real(pushing_share * next_share));
+    const float of_push = shears ? next_share : pushing_share * next_share;
+    const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_share), Real(of_push));
     return max(-most, -max(-most, -part * lambda));
   }
 };

@@ -210,7 +210,7 @@ class SolveYarnsAtOnce {
       const Vector then = was_along(from, to);
       return square_root(dot(then, then));
     };
-    const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt, was);
+    const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt, opening_rate, was);
     const Vector n = (Real(1) / l) * d;
     if (puts_aside()) error += dot(n, b.w * pending(to) - a.w * pending(from));
     const Real damping = damping_of(from);

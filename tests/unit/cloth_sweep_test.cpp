@@ -106,7 +106,7 @@ struct Crumpled {
                      .relaxation = 1.2f,
                      .share = starts ? 0.9f : 1,
                      .momentum = starts ? 0 : stretch_kernels::round_momentum,
-                     .lets_go = starts,
+                     .shears = starts,
                      .ends = !starts,
                      .next_share = 0.7f},
             .first = clusters.pass_starts[pass],
