@@ -13,7 +13,7 @@ namespace meniscus::cloth {
 inline constexpr float opening_rate = 10;
 
 /// 1/s: the same for an edge that shears (SolveEdge), which buckling does not shorten before it has sheared.
-inline constexpr float shear_opening_rate = 50;
+inline constexpr float shear_opening_rate = 40;
 
 /// 1/kg: what an edge with this compliance (m/N) yields with that is `error` (m) longer than at rest. What
 /// was pressed together as the substep began, when it had the length that was() returns, becomes as soft as
