@@ -115,7 +115,9 @@ TEST_P(AllocationTest, AWorldKnowsBeforeItsFirstStepWhatItTakes) {
     sum += shares[k].bytes;
     names.push_back(shares[k].what);
     EXPECT_GT(shares[k].bytes, 0u) << shares[k].what;
-    if (k > 0) EXPECT_LE(shares[k].bytes, shares[k - 1].bytes) << shares[k].what;
+    if (k > 0) {
+      EXPECT_LE(shares[k].bytes, shares[k - 1].bytes) << shares[k].what;
+    }
   }
   EXPECT_EQ(sum, world.device_bytes());
   for (const char* name : {"neighbour lists", "particle positions", "cloth edges", "height fields"})
