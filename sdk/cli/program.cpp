@@ -122,8 +122,10 @@ void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
           ->type_name("SCENE");
   add_overrides(devices, choice.overrides)->needs(memory);
   add_device(devices, choice.device)->needs(memory);
-  devices.callback([&choice, &command] {
-    command = [&choice] { return choice.scene.empty() ? show_devices() : show_memory(choice); };
+  devices.callback([&choice, &command, memory] {
+    command = [&choice, of_scene = memory->count() > 0] {
+      return of_scene ? show_memory(choice) : show_devices();
+    };
   });
 }
 

@@ -19,7 +19,9 @@ TEST_P(SwungClothTest, HoldsItsWater) {
   vessel.swing(0.9);
   EXPECT_EQ(vessel.crossed(), 0u);
   EXPECT_GT(vessel.fastest(), 4.9);
-  if (kind != ClothVessel::sling) EXPECT_EQ(vessel.lost(), 0u);
+  if (kind != ClothVessel::sling) {
+    EXPECT_EQ(vessel.lost(), 0u);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(On, SwungClothTest,

@@ -247,6 +247,7 @@ TEST_F(ProgramTest, DevicesSayWhatMemoryASceneTakes) {
   EXPECT_NE(cloth.find("0 particles, 31 vertices"), std::string::npos) << cloth;
   EXPECT_NE(cloth.find("cloth edges"), std::string::npos) << cloth;
   EXPECT_EXIT(run({"devices", "--memory", "sea"}), testing::ExitedWithCode(bad_input), "called 'sea'");
+  EXPECT_EXIT(run({"devices", "--memory", ""}), testing::ExitedWithCode(bad_input), "called ''");
   EXPECT_EXIT(run({"devices", "--device", "cpu"}), testing::ExitedWithCode(bad_input), "--memory");
 }
 
