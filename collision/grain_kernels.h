@@ -45,8 +45,9 @@ struct FindTouching {
     next_origin[i] = i;
     uint32_t found = 0, near = 0;
     if (pbd::is_grain(phase[i])) {
-      for (uint32_t k = 0; k < neighbours.count[i]; ++k) {
-        const uint32_t j = neighbours.entry(i, k);
+      const uint32_t count = neighbours.size(i);
+      for (uint32_t k = 0; k < count; ++k) {
+        const uint32_t j = neighbours.at(i, k);
         if (!pbd::is_grain(phase[j])) continue;
         const Vec3 d = position[i].xyz() - position[j].xyz();
         const float distance2 = dot(d, d);

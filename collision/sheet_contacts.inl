@@ -72,7 +72,7 @@ void SheetContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
   if (!any()) return;
   pbd::parallel_for_teams<SearchTeam>(
       device_, "sheets/part", near_count(),
-      PartNeighbours{surface(substep), near(), substep.neighbours, substep.sentinel, support_radius_});
+      PartNeighbours{surface(substep), near(), substep.neighbours, support_radius_});
 }
 
 template <class D>

@@ -17,12 +17,11 @@ struct PartNeighbours {
   Surface surface;
   NearList near;
   pbd::NeighbourView neighbours;
-  uint32_t sentinel;
   float h;
 
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= near.count()) return;
-    const uint32_t i = near.particle[k], count = neighbours.count[i];
+    const uint32_t i = near.particle[k], count = neighbours.size(i);
     for (uint32_t first = 0; first < count; first += SearchTeam::most) part(i, first, count);
   }
 
@@ -44,8 +43,9 @@ struct PartNeighbours {
     pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
     for (uint32_t above, boxes; walk.next_group(above, boxes);) {
       for (uint32_t k = 0; k < own_count; ++k) {
-        if (own[k].j == sentinel || !are_parted_by(above, boxes, i, own[k])) continue;
-        own[k].j = neighbours.entry(i, place(first, k)) = sentinel;
+        if (own[k].j == neighbours.sentinel || !are_parted_by(above, boxes, i, own[k])) continue;
+        neighbours.drop(i, place(first, k));
+        own[k].j = neighbours.sentinel;
       }
     }
   }
@@ -55,7 +55,7 @@ struct PartNeighbours {
   }
 
   MENISCUS_HD Neighbour neighbour(uint32_t i, uint32_t n, uint32_t count) const {
-    const uint32_t j = n < count ? neighbours.entry(i, n) : sentinel;
+    const uint32_t sentinel = neighbours.sentinel, j = n < count ? neighbours.at(i, n) : sentinel;
     const Vec3 p = load(surface.previous, i).xyz(), q = j == sentinel ? p : load(surface.previous, j).xyz();
     constexpr float slack = 1e-4f;  // more than that of what goes through an edge
     return {j, way_box(p, q, slack * h)};

@@ -54,7 +54,7 @@ void Diffuse<D>::make(const pbd::Substep<D>& s) {
   using namespace diffuse_kernels;
   const pbd::ParticleView& p = s.particles;
   const uint32_t fluid = p.sorted;
-  reserve(s.sentinel + 1);
+  reserve(s.neighbours.sentinel + 1);
   device_.parallel_for("diffuse/surface", fluid,
                        FindSurface<D>{parameters_, p.position, p.velocity, s.neighbours, normal_.view()});
   const pbd::View<uint32_t> born = born_.view().first(fluid);

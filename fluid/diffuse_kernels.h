@@ -138,7 +138,7 @@ struct Move {
     Surroundings sum;
     const float h = parameters.support;
     if (fluid == 0) return sum;
-    for_each_run(grid, at, [&](uint32_t begin, uint32_t end) {
+    pbd::RunsAround(grid, at).for_each([&](uint32_t begin, uint32_t end) {
       for (uint32_t j = begin; j < end; ++j) {
         const Vec3 d = position[j].xyz() - at;
         const float r2 = dot(d, d);

@@ -83,9 +83,9 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
   contacts.any_moving ? gather_nodes(GatherNodes<true>{sources, flags_.view(), filled_.view()})
                       : gather_nodes(GatherNodes<false>{sources, flags_.view(), filled_.view()});
   device_.parallel_for("grid/inside", nodes, MarkInside{space_.nodes, flags_.view(), inside_.view()});
-  device_.parallel_for("grid/normalize", p.sorted,
-                       Normalize{space_, map(), inside_.view(), p.position, substep.neighbours.count,
-                                 scale_.view(), found_.view()});
+  device_.parallel_for(
+      "grid/normalize", p.sorted,
+      Normalize{space_, map(), inside_.view(), p.position, substep.neighbours, scale_.view(), found_.view()});
   device_.parallel_for("grid/sums", nodes,
                        GatherExcess{space_, flags_.view(), found_.view(), kernel_.volume,
                                     -grid_tuning::most_lacking * space_.width() * width2(), finest.right});
@@ -122,11 +122,10 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   device_.parallel_for(
       "grid/push solids", contacts.contacts.count,
       PushSolids{space_, found_.view(), p.position, contacts, load_.view(), from_least, grid_tuning::share});
-  device_.parallel_for(
-      "grid/move particles", p.sorted,
-      MoveParticles{space_, found_.view(), substep.neighbours.count, scale_.view(), motion_.view(),
-                    flags_.view(), from_least, grid_tuning::share * kernel_.volume, p.position, p.moved,
-                    multiplier_.view()});
+  device_.parallel_for("grid/move particles", p.sorted,
+                       MoveParticles{space_, found_.view(), substep.neighbours, scale_.view(), motion_.view(),
+                                     flags_.view(), from_least, grid_tuning::share * kernel_.volume,
+                                     p.position, p.moved, multiplier_.view()});
 }
 
 }  // namespace meniscus::fluid

@@ -23,12 +23,12 @@ struct Normalize {
   NodeMap map;
   View<const uint32_t> inside;
   View<const Vec4> position;
-  View<const uint32_t> neighbour_count;
+  pbd::NeighbourView neighbours;
   View<Vec4> scale;   ///< w: mass, kg; 0 for who takes no part
   View<Found> found;  ///< what would count at nodes in solids counts at the others
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (neighbour_count[i] < least_neighbours) {
+    if (neighbours.size(i) < least_neighbours) {
       scale[i] = {0, 0, 0, 0};
       found[i].w = 0;
       return;

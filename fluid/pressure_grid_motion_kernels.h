@@ -93,7 +93,7 @@ struct MoveFaces {
 struct MoveParticles {
   Space space;
   View<const Found> found;
-  View<const uint32_t> neighbour_count;
+  pbd::NeighbourView neighbours;
   View<const Vec4> scale;
   View<const Vec4> motion;
   View<const uint32_t> flags;
@@ -103,7 +103,7 @@ struct MoveParticles {
   View<float> multiplier;  ///< kg·m², as the density constraint would have it
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (neighbour_count[i] < least_neighbours) {
+    if (neighbours.size(i) < least_neighbours) {
       multiplier[i] = 0;
       return;
     }

@@ -29,7 +29,8 @@ struct GridView {
   float inverse_reach = 1;  ///< 1/m
   uint32_t bits_x = least_bits_x, bits_y = least_bits,
            bits_z = least_bits;  ///< the table is 2^bits cells wide
-  View<const uint32_t> start;    ///< of each cell's sorted particles, which end where the next one's start
+  uint32_t strip_bits = 0;  ///< rows lie in strips of 2^strip_bits along y, one strip's layers after another
+  View<const uint32_t> start;  ///< of each cell's sorted particles, which end where the next one's start
 
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
   MENISCUS_HD uint32_t cell_count() const { return 1u << key_bits(); }
@@ -48,7 +49,9 @@ struct GridView {
   }
   /// The key of a row's first cell.
   MENISCUS_HD uint32_t row(uint32_t y, uint32_t z) const {
-    return ((y & ((1u << bits_y) - 1)) << bits_x) + ((z & ((1u << bits_z) - 1)) << (bits_x + bits_y));
+    const uint32_t strip = (y & ((1u << bits_y) - 1)) >> strip_bits, in_strip = y & ((1u << strip_bits) - 1);
+    const uint32_t layer = (strip << bits_z) + (z & ((1u << bits_z) - 1));
+    return ((layer << strip_bits) + in_strip) << bits_x;
   }
 };
 
@@ -124,20 +127,43 @@ class Surroundings {
   bool wraps_;  // the table wraps around within reach
 };
 
-/// Calls visit(begin, end) for runs of sorted particles that together hold every particle within reach of p.
-template <class Visit>
-MENISCUS_HD void for_each_run(const GridView& grid, Vec3 p, const Visit& visit) {
-  const Surroundings around(grid, p);
+/// The runs of sorted particles that together hold every particle within reach of a point.
+class RunsAround {
+ public:
   // All bounds are on their way at once; and found one after the other, a GPU's compiler would find what they
   // have in common anew each time.
-  Run runs[Surroundings::most_runs];
-  MENISCUS_UNROLL
-  for (uint32_t row = 0; row < Surroundings::rows; ++row) runs[row] = around.run(row, false);
-  if (around.runs() > Surroundings::rows) {
-    for (uint32_t row = 0; row < Surroundings::rows; ++row)
-      runs[Surroundings::rows + row] = around.run(row, true);
+  MENISCUS_HD RunsAround(const GridView& grid, Vec3 p) {
+    const Surroundings around(grid, p);
+    count_ = around.runs();
+    MENISCUS_UNROLL
+    for (uint32_t row = 0; row < Surroundings::rows; ++row) runs_[row] = around.run(row, false);
+    if (count_ > Surroundings::rows) {
+      for (uint32_t row = 0; row < Surroundings::rows; ++row)
+        runs_[Surroundings::rows + row] = around.run(row, true);
+    }
   }
-  for (uint32_t n = 0; n < around.runs(); ++n) visit(runs[n].begin, runs[n].end);
-}
+
+  /// Whether no index in them is further than `most` from i.
+  MENISCUS_HD bool are_within(uint32_t most, uint32_t i) const {
+    bool within = true;
+    const auto look = [&](Run run) {
+      within = within && (run.begin >= run.end || (run.begin + most >= i && run.end <= i + most));
+    };
+    MENISCUS_UNROLL
+    for (uint32_t row = 0; row < Surroundings::rows; ++row) look(runs_[row]);
+    for (uint32_t n = Surroundings::rows; n < count_; ++n) look(runs_[n]);
+    return within;
+  }
+
+  /// Calls visit(begin, end) for each.
+  template <class Visit>
+  MENISCUS_HD void for_each(const Visit& visit) const {
+    for (uint32_t n = 0; n < count_; ++n) visit(runs_[n].begin, runs_[n].end);
+  }
+
+ private:
+  Run runs_[Surroundings::most_runs];
+  uint32_t count_;
+};
 
 }  // namespace meniscus::pbd

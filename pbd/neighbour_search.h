@@ -19,9 +19,9 @@ class NeighbourSearch {
   /// Room for `capacity` particles.
   void reserve(uint32_t capacity);
 
-  /// Chooses the table's shape for particles inside `extent`. Particles elsewhere are found as well, more
-  /// slowly.
-  void fit(const Aabb& extent);
+  /// Chooses the table's shape for so many particles inside `extent`. Particles elsewhere are found as well,
+  /// more slowly.
+  void fit(const Aabb& extent, uint32_t count);
 
   /// The order of the points by grid cell: order()[i] is the present index of the one that belongs at i.
   /// Points in one cell keep their order.
@@ -36,7 +36,7 @@ class NeighbourSearch {
   /// Room for lists of this length; list() must run again.
   void grow_rows(uint32_t needed);
 
-  NeighbourView view();
+  NeighbourView view(uint32_t sentinel);
   const GridView& grid() const { return grid_; }
 
  private:

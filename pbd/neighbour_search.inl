@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "pbd/device/atomics.h"
+#include "pbd/list_writers.h"
 #include "pbd/neighbour_search.h"
 
 namespace meniscus::pbd {
@@ -59,34 +60,54 @@ struct ListNeighbours {
   View<const Vec4> position;
   GridView grid;
   float reach2;
-  View<uint32_t> index, counts, longest;
-  uint32_t row_capacity, stride, sentinel;
+  NeighbourView lists;
+  View<uint32_t> longest;
 
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
+    const Vec3 self = position[i].xyz();
     if constexpr (std::is_same_v<D, CudaTeam>) {
-      TeamWriter writer(index.data, row_capacity, stride, i);
-      if (is_finite(position[i].xyz())) list_by_team(i, writer);
-      note(i, writer.finish(sentinel), D::leads());
+      TeamWriter writer(lists, i);
+      if (is_finite(self)) list_by_team(i, self, writer);
+      note(i, writer.finish(lists.sentinel), false, D::leads());
+    } else if constexpr (D::interleaves_lists) {
+      const RunsAround runs(grid, self);
+      if (lists.row_capacity <= NarrowWriter::most && runs.are_within(NeighbourView::narrow_reach, i)) {
+        NarrowWriter writer(lists, i);
+        if (is_finite(self)) list_narrow<D>(i, self, runs, writer);
+        note(i, writer.finish(), true, true);
+      } else {
+        WideWriter writer(lists, i);
+        if (is_finite(self)) list<D>(i, self, runs, writer);
+        note(i, writer.finish(lists.sentinel), false, true);
+      }
     } else {
-      ListWriter<D> writer(index.data, row_capacity, stride, i);
-      if (is_finite(position[i].xyz())) list<D>(i, writer);
-      note(i, writer.finish(sentinel), true);
+      RowWriter writer(lists, i);
+      if (is_finite(self)) list<D>(i, self, RunsAround(grid, self), writer);
+      note(i, writer.finish(lists.sentinel), false, true);
     }
   }
 
  private:
-  template <class D>
-  MENISCUS_HD void list(uint32_t i, ListWriter<D>& writer) const {
-    const Vec3 self = position[i].xyz();
-    for_each_run(grid, self, [&](uint32_t begin, uint32_t end) {
+  template <class D, class Writer>
+  MENISCUS_HD void list(uint32_t i, Vec3 self, const RunsAround& runs, Writer& writer) const {
+    runs.for_each([&](uint32_t begin, uint32_t end) {
       for (uint32_t j = begin; j < end; j += 32) writer.append(j, near_ones<D>(self, i, j, end));
     });
   }
 
+  template <class D>
+  MENISCUS_HD void list_narrow(uint32_t i, Vec3 self, const RunsAround& runs, NarrowWriter& writer) const {
+    runs.for_each([&](uint32_t begin, uint32_t end) {
+      D::Lister::for_each(position, begin, end, [&](uint32_t j, Vec3 other) {
+        const Vec3 d = self - other;
+        writer.add_if(dot(d, d) < reach2 && j < end && j != i, j);
+      });
+    });
+  }
+
   /// Each thread has runs of its own.
-  MENISCUS_HD void list_by_team(uint32_t i, TeamWriter& writer) const {
-    const Vec3 self = position[i].xyz();
+  MENISCUS_HD void list_by_team(uint32_t i, Vec3 self, TeamWriter& writer) const {
     const Surroundings around(grid, self);
     for (uint32_t n = CudaTeam::rank(); any_in_team(n < around.runs()); n += CudaTeam::lane_count) {
       const Run run = n < around.runs() ? around.run(n) : Run{0, 0};
@@ -96,9 +117,10 @@ struct ListNeighbours {
     }
   }
 
-  MENISCUS_HD void note(uint32_t i, uint32_t found, bool leads) const {
+  MENISCUS_HD void note(uint32_t i, uint32_t found, bool is_narrow, bool leads) const {
     if (!leads) return;
-    counts[i] = found < row_capacity ? found : row_capacity;
+    const uint32_t size = found < lists.row_capacity ? found : lists.row_capacity;
+    lists.count[i] = is_narrow ? size | NeighbourView::narrow_bit : size;
     atomic_max(longest[0], found);
   }
 
@@ -115,6 +137,15 @@ inline uint32_t bits_for(float cells, uint32_t least) {
   uint32_t bits = least;
   while (bits < 30 && static_cast<float>(1u << bits) < cells) ++bits;
   return bits;
+}
+
+/// As many rows as leave neighbours' indices close to one another: all, where a layer's particles are few;
+/// else as many as can be full, at h = 2 s.
+inline uint32_t strip_bits_for(Vec3 reaches, uint32_t count) {
+  constexpr float close = NeighbourView::narrow_reach, in_cube = 8, unevenness = 1.5f;
+  if (unevenness * static_cast<float>(count) < close * reaches.z) return 31;
+  const float rows = close / (in_cube * reaches.x) - 1;
+  return static_cast<uint32_t>(std::bit_width(static_cast<uint32_t>(std::fmax(rows, 1.0f)))) - 1;
 }
 
 }  // namespace neighbour_kernels
@@ -142,8 +173,8 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
 }
 
 template <class D>
-void NeighbourSearch<D>::fit(const Aabb& extent) {
-  using neighbour_kernels::bits_for;
+void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
+  using namespace neighbour_kernels;
   const Vec3 reaches = grid_.inverse_reach * (extent.upper - extent.lower) + Vec3{2, 2, 2};
   uint32_t bits[3] = {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
                       bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
@@ -152,6 +183,7 @@ void NeighbourSearch<D>::fit(const Aabb& extent) {
   grid_.bits_x = bits[0];
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];
+  grid_.strip_bits = std::min(strip_bits_for(reaches, count), bits[1]);
   grid_.start = cell_start_.view().first(grid_.cell_count() + 1);
 }
 
@@ -177,10 +209,9 @@ void NeighbourSearch<D>::sort(View<const Vec4> points, uint32_t count) {
 template <class D>
 void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel) {
   using namespace neighbour_kernels;
-  device_.parallel_for_long(
-      "neighbours/list", particles.sorted,
-      ListNeighbours{particles.position, grid_, support_radius_ * support_radius_, index_.view(),
-                     counts_.view(), longest_.view(), row_capacity_, stride(), sentinel});
+  device_.parallel_for_long("neighbours/list", particles.sorted,
+                            ListNeighbours{particles.position, grid_, support_radius_ * support_radius_,
+                                           view(sentinel), longest_.view()});
 }
 
 template <class D>
@@ -191,8 +222,8 @@ void NeighbourSearch<D>::grow_rows(uint32_t needed) {
 }
 
 template <class D>
-NeighbourView NeighbourSearch<D>::view() {
-  return {index_.view(), counts_.view(), row_capacity_, stride()};
+NeighbourView NeighbourSearch<D>::view(uint32_t sentinel) {
+  return {index_.view(), counts_.view(), row_capacity_, stride(), sentinel};
 }
 
 }  // namespace meniscus::pbd

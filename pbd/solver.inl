@@ -149,7 +149,7 @@ template <class D>
 bool Solver<D>::look(const std::function<void(Substep<D>&)>& look) {
   if (!has_found_) return false;
   Substep<D> s = make_substep(0);
-  s.neighbours = search_.view();
+  s.neighbours = search_.view(particles_.sentinel());
   s.grid = search_.grid();
   s.contacts = contacts_.view();
   look(s);
@@ -172,7 +172,7 @@ template <class D>
 void Solver<D>::sort(float dt, Vec3 gravity) {
   Particles& p = particles_;
   if (p.sorted()) {
-    search_.fit({summary().lower, summary().upper});
+    search_.fit({summary().lower, summary().upper}, p.sorted());
     search_.sort(p.predicted.view(), p.sorted());
   }
   const ParticleView from = p.source();
@@ -190,8 +190,8 @@ template <class D>
 void Solver<D>::find(Substep<D>& s) {
   has_found_ = false;
   timer_.enter(StageId::neighbours);
-  if (s.particles.sorted) search_.list(s.particles, s.sentinel);
-  s.neighbours = search_.view();
+  if (s.particles.sorted) search_.list(s.particles, particles_.sentinel());
+  s.neighbours = search_.view(particles_.sentinel());
   s.grid = search_.grid();
   timer_.enter(StageId::contacts);
   contacts_.find(s);
@@ -346,7 +346,7 @@ void Solver<D>::summarize() {
 
 template <class D>
 Substep<D> Solver<D>::make_substep(float dt) {
-  return {device_, particles_.view(), {}, {}, particles_.sentinel(), dt, parameters_.iterations};
+  return {device_, particles_.view(), {}, {}, dt, parameters_.iterations};
 }
 
 template <class D>

@@ -18,8 +18,7 @@ struct Substep {
   ParticleView particles;
   NeighbourView neighbours;
   ContactView contacts;
-  uint32_t sentinel = 0;  ///< the particle that fills up neighbour rows
-  float dt = 0;           ///< s
+  float dt = 0;  ///< s
   int iterations = 0;
   Vec3 gravity{0, 0, 0};  ///< m/s²
   GridView grid{};        ///< the cells that particles of fluids are sorted by, as they were predicted

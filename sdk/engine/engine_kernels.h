@@ -179,9 +179,9 @@ struct AddStates {
 };
 
 struct CountNeighbours {
-  View<const uint32_t> counts;
+  pbd::NeighbourView neighbours;
 
-  MENISCUS_HD uint64_t operator()(uint32_t i) const { return counts[i]; }
+  MENISCUS_HD uint64_t operator()(uint32_t i) const { return neighbours.size(i); }
 };
 
 struct AddCounts {

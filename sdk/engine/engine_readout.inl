@@ -39,7 +39,7 @@ EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::
     contacts = found.contacts;
     density_.measure(substep, scalar_out_.view(), full_out_.view());
     device_.reduce("measure/neighbours", particles_.sorted(), uint64_t{0},
-                   CountNeighbours{substep.neighbours.count}, AddCounts{}, count_out_.view());
+                   CountNeighbours{substep.neighbours}, AddCounts{}, count_out_.view());
   });
   scalar_out_.read(error);
   full_out_.read(full);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -13,12 +14,13 @@
 namespace meniscus::pbd {
 namespace {
 
-GridView grid(float reach, uint32_t bits_x, uint32_t bits_y, uint32_t bits_z) {
+GridView grid(float reach, uint32_t bits_x, uint32_t bits_y, uint32_t bits_z, uint32_t strip_bits = 0) {
   GridView g;
   g.inverse_reach = 1 / reach;
   g.bits_x = bits_x;
   g.bits_y = bits_y;
   g.bits_z = bits_z;
+  g.strip_bits = strip_bits;
   return g;
 }
 
@@ -39,17 +41,26 @@ TEST(Grid, AnyFloatHasACell) {
 }
 
 TEST(Grid, KeysStayInTheTableAndDifferAcrossOneTable) {
-  const GridView g = grid(1, 3, 2, 4);
-  for (int offset : {0, -5, -1000000, 99999999}) {
-    std::set<uint32_t> keys;
-    for (int x = 0; x < 8; ++x) {
-      for (int y = 0; y < 4; ++y) {
-        for (int z = 0; z < 16; ++z) keys.insert(g.key({x + offset, y - offset, z + offset}));
+  for (uint32_t strip_bits : {0, 1, 2}) {
+    const GridView g = grid(1, 3, 2, 4, strip_bits);
+    for (int offset : {0, -5, -1000000, 99999999}) {
+      std::set<uint32_t> keys;
+      for (int x = 0; x < 8; ++x) {
+        for (int y = 0; y < 4; ++y) {
+          for (int z = 0; z < 16; ++z) keys.insert(g.key({x + offset, y - offset, z + offset}));
+        }
       }
+      EXPECT_EQ(keys.size(), 512u);
+      EXPECT_LT(*keys.rbegin(), 512u);
     }
-    EXPECT_EQ(keys.size(), 512u);
-    EXPECT_LT(*keys.rbegin(), 512u);
   }
+}
+
+TEST(Grid, RowsAndLayersOfAStripFollowOneAnother) {
+  const GridView g = grid(1, 3, 4, 4, 2);
+  EXPECT_EQ(g.row(5, 7), g.row(4, 7) + (1u << 3));
+  EXPECT_EQ(g.row(4, 8), g.row(4, 7) + (1u << (3 + 2)));
+  EXPECT_EQ(g.row(8, 7), g.row(4, 7) + (1u << (3 + 2 + 4)));
 }
 
 TEST(Grid, CellsThatShareAnEntryAreAWholeTableApart) {
@@ -65,10 +76,26 @@ std::multiset<uint32_t> visited(GridView g, Vec3 p) {
   std::iota(start.begin(), start.end(), 0u);
   g.start = {start.data(), static_cast<uint32_t>(start.size())};
   std::multiset<uint32_t> cells;
-  for_each_run(g, p, [&](uint32_t begin, uint32_t end) {
+  RunsAround(g, p).for_each([&](uint32_t begin, uint32_t end) {
     for (uint32_t i = begin; i < end; ++i) cells.insert(i);
   });
   return cells;
+}
+
+TEST(Grid, RunsKnowHowFarTheirIndicesAre) {
+  GridView g = grid(1, 6, 4, 4, 4);
+  std::vector<uint32_t> start(g.cell_count() + 1);
+  std::iota(start.begin(), start.end(), 0u);
+  g.start = {start.data(), static_cast<uint32_t>(start.size())};
+  const Vec3 p{8.5f, 8.5f, 8.5f};
+  const uint32_t i = g.key(g.coordinates(p));
+  const RunsAround runs(g, p);
+  uint32_t furthest = 0;
+  runs.for_each([&](uint32_t begin, uint32_t end) {
+    if (begin < end) furthest = std::max({furthest, i > begin ? i - begin : 0, end > i ? end - i : 0});
+  });
+  EXPECT_TRUE(runs.are_within(furthest, i));
+  EXPECT_FALSE(runs.are_within(furthest - 1, i));
 }
 
 class GridAround : public testing::Test {
@@ -88,7 +115,7 @@ class GridAround : public testing::Test {
 };
 
 TEST_F(GridAround, RunsHoldTheCellsOfAllThatIsWithinReachOnce) {
-  for (const GridView& g : {grid(0.1f, 4, 2, 2), grid(0.1f, 4, 3, 2), grid(0.1f, 6, 4, 5)}) {
+  for (const GridView& g : {grid(0.1f, 4, 2, 2), grid(0.1f, 4, 3, 2, 1), grid(0.1f, 6, 4, 5, 2)}) {
     for (float far : {1.0f, 100.0f, 1e4f, 3e5f}) {
       for (int n = 0; n < 50; ++n) {
         const Vec3 p = in_cube(far);

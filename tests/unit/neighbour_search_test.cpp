@@ -41,6 +41,43 @@ class NeighbourTest : public OnDevice {
     for (uint32_t i = 0; i < points.size(); ++i) check_list(points, h, i, lists);
   }
 
+  /// h / 2 apart at h = 0.1 m, and moved from there by up to a third of that.
+  std::vector<Vec3> shaken_lattice(int along_x, int along_y, int along_z) {
+    constexpr float spacing = 0.05f;
+    std::vector<Vec3> points;
+    for (int n = 0; n < along_x * along_y * along_z; ++n) {
+      const Vec3 corner{float(n % along_x), float(n / along_x % along_y), float(n / along_x / along_y)};
+      points.push_back(spacing * (corner + in_box({0, 0, 0}, {0.33f, 0.33f, 0.33f})));
+    }
+    return points;
+  }
+
+  /// Of many particles at h = 0.1 m: against the lists of the few at one end along x.
+  void expect_those_of_a_slab(const std::vector<Vec3>& points) {
+    const NeighbourLists all = bench_->neighbours(points, 0.1f);
+    std::vector<Vec3> slab;
+    std::vector<uint32_t> number;
+    for (uint32_t i = 0; i < points.size(); ++i) {
+      if (points[i].x > 0.3f) continue;
+      slab.push_back(points[i]);
+      number.push_back(i);
+    }
+    const NeighbourLists few = bench_->neighbours(slab, 0.1f);
+    for (uint32_t n = 0; n < slab.size(); ++n) {
+      if (slab[n].x > 0.2f) continue;  // what is beyond the slab is missing there
+      std::vector<uint32_t> whole, part;
+      for (uint32_t j : all.of[number[n]]) {
+        if (j < points.size()) whole.push_back(j);
+      }
+      for (uint32_t j : few.of[n]) {
+        if (j < slab.size()) part.push_back(number[j]);
+      }
+      std::sort(whole.begin(), whole.end());
+      std::sort(part.begin(), part.end());
+      ASSERT_EQ(whole, part) << "particle " << n;
+    }
+  }
+
  private:
   static void check_list(const std::vector<Vec3>& points, float h, uint32_t i, const NeighbourLists& lists) {
     std::vector<uint32_t> list = lists.of[i];
@@ -124,29 +161,15 @@ TEST_P(NeighbourTest, OfAClumpThatOverflowsTheLists) {
 
 // More than teams of threads work on: the lists of each particle are then one thread's.
 TEST_P(NeighbourTest, OfSeventyThousandParticlesAreThoseOfASlab) {
-  const std::vector<Vec3> points = cloud(70000, {0, 0, 0}, {6, 1.2f, 1.2f});
-  const NeighbourLists all = bench_->neighbours(points, 0.1f);
-  std::vector<Vec3> slab;
-  std::vector<uint32_t> number;
-  for (uint32_t i = 0; i < points.size(); ++i) {
-    if (points[i].x > 0.3f) continue;
-    slab.push_back(points[i]);
-    number.push_back(i);
-  }
-  const NeighbourLists few = bench_->neighbours(slab, 0.1f);
-  for (uint32_t n = 0; n < slab.size(); ++n) {
-    if (slab[n].x > 0.2f) continue;  // what is beyond the slab is missing there
-    std::vector<uint32_t> whole, part;
-    for (uint32_t j : all.of[number[n]]) {
-      if (j < points.size()) whole.push_back(j);
-    }
-    for (uint32_t j : few.of[n]) {
-      if (j < slab.size()) part.push_back(number[j]);
-    }
-    std::sort(whole.begin(), whole.end());
-    std::sort(part.begin(), part.end());
-    ASSERT_EQ(whole, part) << "particle " << n;
-  }
+  expect_those_of_a_slab(cloud(70000, {0, 0, 0}, {6, 1.2f, 1.2f}));
+}
+
+TEST_P(NeighbourTest, WhoseIndicesAreCloseAreThoseOfASlab) {
+  expect_those_of_a_slab(shaken_lattice(100, 40, 40));
+}
+
+TEST_P(NeighbourTest, WhoseIndicesAreFarApartInParticlesOfLargeLayersAreThoseOfASlab) {
+  expect_those_of_a_slab(shaken_lattice(400, 100, 4));
 }
 
 TEST_P(NeighbourTest, ListsComeInTheSameOrderEachTime) {

@@ -20,7 +20,7 @@ template <class D>
 struct ExportLists {
   pbd::NeighbourView list;
   pbd::View<const uint32_t> slot;
-  uint32_t owned, sentinel, width;
+  uint32_t owned, width;
   pbd::View<uint32_t> entries, counts;
 
   MENISCUS_HD void operator()(uint32_t i) const {
@@ -37,7 +37,7 @@ struct ExportLists {
   }
 
   MENISCUS_HD uint32_t name_of(uint32_t j) const {
-    return j < owned ? slot[j] : j == sentinel ? NeighbourLists::padding : NeighbourLists::broken;
+    return j < owned ? slot[j] : j == list.sentinel ? NeighbourLists::padding : NeighbourLists::broken;
   }
 };
 
@@ -210,8 +210,8 @@ class SolverBenchOn final : public SolverBench {
     entries.resize_discard(owned * width);
     counts.resize_discard(owned);
     s.device.parallel_for("export", owned,
-                          bench_kernels::ExportLists<D>{s.neighbours, s.particles.slot, owned, s.sentinel,
-                                                        width, entries.view(), counts.view()});
+                          bench_kernels::ExportLists<D>{s.neighbours, s.particles.slot, owned, width,
+                                                        entries.view(), counts.view()});
     const std::vector<uint32_t> all = entries.read(owned * width), count = counts.read(owned);
     std::vector<std::vector<uint32_t>> lists(owned);
     for (uint32_t i = 0; i < owned; ++i) {

@@ -14,6 +14,22 @@ namespace meniscus::pbd {
 
 template <uint32_t batch>
 struct CudaLister {
+  /// Calls visit(j, position) for particles from `begin` to `end`, and for up to batch − 1 beyond: the array
+  /// must reach as far.
+  template <class Visit>
+  MENISCUS_HD static void for_each(View<const Vec4> position, uint32_t begin, uint32_t end,
+                                   const Visit& visit) {
+    View<const Vec4> at{position.data + begin, batch};
+    MENISCUS_NO_UNROLL
+    for (uint32_t j = begin; j < end; j += batch, at.data += batch) {
+      Vec4 candidate[batch];
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) candidate[k] = load(at, k);
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) visit(j + k, candidate[k].xyz());
+    }
+  }
+
   /// Bit k is set where particle first + k is nearer to `self` than the root of reach2; count ≤ 32. The array
   /// must reach batch − 1 elements further.
   MENISCUS_HD static uint32_t near(View<const Vec4> position, Vec3 self, float reach2, uint32_t first,

@@ -10,6 +10,7 @@
 #include "pbd/device/cuda/batch.h"
 #include "pbd/device/cuda/cuda_check.cuh"
 #include "pbd/device/cuda/launch.cuh"
+#include "pbd/device/cuda/own_row.h"
 #include "pbd/device/cuda/team.h"
 #include "pbd/device/side_by_side.h"
 
@@ -19,7 +20,7 @@ class CudaDevice;
 
 namespace cuda_kernels {
 
-constexpr uint32_t block_size = 128;
+constexpr uint32_t block_size = cuda_block_size;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
 constexpr uint32_t most_teams = 1u << 16;       // they fill a large GPU

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What writes a particle's list while it is built, in each of the forms that neighbours.h reads.
+#pragma once
+
+#include "pbd/device/cuda/own_row.h"
+#include "pbd/neighbours.h"
+
+namespace meniscus::pbd {
+
+/// Form::add(j) stores one, if it fits.
+template <class Form>
+class ListBuilder {
+ public:
+  /// Adds first + k for each bit k of `chosen`. All are counted; those that fit are stored.
+  MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
+    for (; chosen; chosen &= chosen - 1) form().add(first + lowest_bit(chosen));
+  }
+
+  /// Fills up with `sentinel` to a multiple of eight; returns the number found, which may be more than
+  /// fitted.
+  MENISCUS_HD uint32_t finish(uint32_t sentinel) {
+    const uint32_t found = count_;
+    while (count_ % 8) form().add(sentinel);
+    return found;
+  }
+
+ protected:
+  uint32_t count_ = 0;
+
+ private:
+  MENISCUS_HD Form& form() { return static_cast<Form&>(*this); }
+};
+
+/// To a row of its own.
+class RowWriter : public ListBuilder<RowWriter> {
+ public:
+  MENISCUS_HD RowWriter(const NeighbourView& list, uint32_t i)
+      : row_(list.index.data + size_t{i} * list.row_capacity), capacity_(list.row_capacity) {}
+
+  MENISCUS_HD void add(uint32_t j) {
+    if (count_ < capacity_) row_[count_] = j;
+    ++count_;
+  }
+
+ private:
+  uint32_t* row_;
+  uint32_t capacity_;
+};
+
+/// To a wide list, a group at a time.
+class WideWriter : public ListBuilder<WideWriter> {
+ public:
+  MENISCUS_HD WideWriter(const NeighbourView& list, uint32_t i)
+      : at_(reinterpret_cast<IndexGroup*>(list.index.data) + i),
+        capacity_(list.row_capacity),
+        stride_(list.stride) {}
+
+  MENISCUS_HD void add(uint32_t j) {
+    group_ = {group_.b, group_.c, group_.d, j};
+    if (++count_ % 4 || count_ > capacity_) return;
+    *at_ = group_;
+    at_ += stride_;
+  }
+
+ private:
+  IndexGroup* at_;
+  uint32_t capacity_, stride_;
+  IndexGroup group_{};
+};
+
+/// To a narrow list. A thread puts the offsets side by side first: its warp's other threads find theirs at
+/// other times, and each would wait for all that the others do to write a group.
+class NarrowWriter {
+ public:
+  static constexpr uint32_t most = 64;  ///< entries
+
+  MENISCUS_HD NarrowWriter(const NeighbourView& list, uint32_t i)
+      : list_(list), i_(i), place_(row_.first()), end_(place_ + list.row_capacity * Row::step) {}
+
+  MENISCUS_HD void add_if(bool wanted, uint32_t j) {
+    if (wanted && place_ < end_) row_.put(place_, j - i_);
+    if (wanted) place_ += Row::step;
+  }
+
+  MENISCUS_HD uint32_t finish() {
+    const uint32_t found = (place_ - row_.first()) / Row::step;
+    const uint32_t stored = found < list_.row_capacity ? found : list_.row_capacity;
+    const auto both = [&](uint32_t k) {
+      const auto one = [&](uint32_t n) { return n < stored ? row_.at(row_.first() + n * Row::step) : 0; };
+      return one(k) | one(k + 1) << 16;
+    };
+    IndexGroup* group = reinterpret_cast<IndexGroup*>(list_.index.data) + i_;
+    for (uint32_t k = 0; k < stored; k += 8, group += list_.stride)
+      *group = {both(k), both(k + 2), both(k + 4), both(k + 6)};
+    return found;
+  }
+
+ private:
+  using Row = OwnRow<most>;
+
+  const NeighbourView& list_;
+  uint32_t i_;
+  Row row_;
+  uint32_t place_, end_;
+};
+
+/// To a wide list, by a team: append() takes what each of its threads has found, one after the other.
+class TeamWriter {
+ public:
+  MENISCUS_HD TeamWriter(const NeighbourView& list, uint32_t i) : list_(list), i_(i) {}
+
+  MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
+    const TeamPlace place = place_in_team(bit_count(chosen));
+    uint32_t k = count_ + place.before;
+    for (; chosen; chosen &= chosen - 1) write(k++, first + lowest_bit(chosen));
+    count_ += place.total;
+  }
+  MENISCUS_HD uint32_t finish(uint32_t sentinel) {
+    const uint32_t k = count_ + CudaTeam::rank();
+    if (k < (count_ + 7) / 8 * 8) write(k, sentinel);
+    return count_;
+  }
+
+ private:
+  MENISCUS_HD void write(uint32_t k, uint32_t j) {
+    if (k < list_.row_capacity) list_.entry(i_, k) = j;
+  }
+
+  const NeighbourView& list_;
+  uint32_t i_;
+  uint32_t count_ = 0;
+};
+
+}  // namespace meniscus::pbd
