@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <utility>
+
 #include "collision/contact_set.h"
+#include "pbd/contact_projection.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::collision {
@@ -15,66 +18,11 @@ using pbd::Vec4;
 using pbd::View;
 
 struct Project {
-  View<Vec4> position, moved;
-  View<const Vec4> previous;
-  View<const uint32_t> slot;
-  ContactView contacts;
+  pbd::ContactProjection projection;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t i = contacts.touching_particle(n);
-    if (i == pbd::no_index) return;
-    const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
-    Vec4 p = position[i];
-    if (p.w == 0) return;
-    const float tighter = pbd::share_of_radius(slot[i]);
-    const Vec3 x = p.xyz(), start = previous[i].xyz();
-    Vec3 step{0, 0, 0};
-    // All of a contact is loaded at once, and the next one before what this one does is written.
-    Contact next = contacts.contacts[begin];
-    for (uint32_t k = begin; k < end; ++k) {
-      Contact c = next;
-      next = contacts.contacts[k + 1 < end ? k + 1 : k];
-      if (is_tie(c)) {
-        step += p.w * hold(c, x + step, p.w);
-      } else {
-        step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
-        if (c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
-      }
-      Contact& to = contacts.contacts[k];
-      to.normal_multiplier = c.normal_multiplier;
-      to.tangent_multiplier = c.tangent_multiplier;
-    }
-    position[i] = pbd::with_w(x + step, p.w);
-    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
-  }
-
-  /// What a tie pulls, kg·m.
-  MENISCUS_HD static Vec3 hold(Contact& c, Vec3 x, float w) {
-    const Vec3 pull = (c.point - x) / (w + c.body_inverse_mass);
-    c.tangent_multiplier += pull;
-    return pull;
-  }
-
-  /// What the contact adds to its normal push, kg·m.
-  MENISCUS_HD static Vec3 push_out(Contact& c, Vec3 x, float w, float radius) {
-    const float old = c.normal_multiplier, distance = plane_distance(c, x);
-    // Adhesion reaches as far again as the contact.
-    const float least = distance < 2 * radius ? -c.adhesion : 0.0f;
-    c.normal_multiplier = pbd::max(least, old + (radius - distance) / (w + c.body_inverse_mass));
-    return (c.normal_multiplier - old) * c.normal;
-  }
-
-  /// What it adds to its friction, kg·m.
-  MENISCUS_HD static Vec3 hold_back(Contact& c, Vec3 way, float w) {
-    const Vec3 on_surface = way - c.surface_motion;
-    const Vec3 slip = on_surface - dot(on_surface, c.normal) * c.normal;
-    Vec3 wanted = c.tangent_multiplier - slip / (w + c.body_inverse_mass);
-    const float load = c.normal_multiplier + pbd::max(0.0f, dot(c.density_push, c.normal));
-    const float most = c.friction * pbd::max(0.0f, load), size = length(wanted);
-    if (size > most) wanted = (most / size) * wanted;
-    const Vec3 old = c.tangent_multiplier;
-    c.tangent_multiplier = wanted;
-    return wanted - old;
+    const uint32_t i = projection.contacts.touching_particle(n);
+    if (i != pbd::no_index) projection.project(i);
   }
 };
 
@@ -116,9 +64,9 @@ struct Bounce {
 
 template <class D>
 void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
-  const pbd::ParticleView& p = substep.particles;
+  if (std::exchange(substep.are_contacts_projected, false)) return;
   device_.parallel_for("contacts/project", substep.contacts.contacts.count,
-                       contact_kernels::Project{p.position, p.moved, p.previous, p.slot, substep.contacts});
+                       contact_kernels::Project{contact_projection(substep)});
 }
 
 template <class D>

@@ -70,7 +70,11 @@ struct Finder {
       if (found.found) visit(shape, found);
     };
     if constexpr (only_fixed_planes) {
-      for (uint32_t s = 0; s < set.shapes.count; ++s) look_at(s);
+      // Most are near none, and need no more known of it.
+      const Vec3 to = position[i].xyz();
+      for (uint32_t s = 0; s < set.shapes.count; ++s) {
+        if (plane_surface(set.shapes[s], to).distance < h - touch.radius) look_at(s);
+      }
     } else {
       candidates.for_each_near(set, i, {previous[i].xyz(), position[i].xyz()}, h, look_at);
     }

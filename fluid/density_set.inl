@@ -130,12 +130,17 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   using namespace density_kernels;
   const pbd::ParticleView& p = substep.particles;
   const pbd::ContactView contacts = substep.contacts.of_first(p.sorted);
+  pbd::ContactProjection walls = pbd::contact_projection(substep);
+  walls.contacts = contacts;
+  // Where nothing else moves fluid in an iteration, and each has all its corrections.
+  const bool projects = p.owned == p.sorted && !any_grains_ && !stop_;
   launch_both("density/correct", p.sorted,
               Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
                                           p.position, p.moved},
               contacts.contacts.count,
-              CorrectAtWalls<with_pair_pressure, any_moving>{
-                  kernel_, pair, staged_.view(), substep.neighbours, contacts, p.position, p.moved});
+              CorrectAtWalls<with_pair_pressure, any_moving>{kernel_, pair, staged_.view(),
+                                                             substep.neighbours, walls, projects});
+  substep.are_contacts_projected = projects;
 }
 
 template <class D>

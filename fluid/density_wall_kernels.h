@@ -7,6 +7,7 @@
 
 #include "fluid/density_kernels.h"
 #include "fluid/images.h"
+#include "pbd/contact_projection.h"
 
 namespace meniscus::fluid::density_kernels {
 
@@ -110,14 +111,14 @@ struct CorrectAtWalls {
   PairPressure pair;
   View<const Vec4> staged;
   NeighbourView neighbours;
-  ContactView contacts;
-  View<Vec4> position, moved;
+  pbd::ContactProjection walls;
+  bool projects;  ///< holds particles at their contacts as well
 
   template <class D>
   MENISCUS_HD void run(uint32_t k) const {
-    const uint32_t i = contacts.touching_particle(k);
+    const uint32_t i = walls.contacts.touching_particle(k);
     if (i == pbd::no_index) return;
-    const Mirrors mirrors = mirrors_at(contacts, i, staged[i].xyz(), kernel.h);
+    const Mirrors mirrors = mirrors_at(walls.contacts, i, staged[i].xyz(), kernel.h);
     mirrors.count <= 1 ? correct<D, 1>(i, mirrors) : correct<D, Mirrors::most>(i, mirrors);
   }
 
@@ -149,10 +150,11 @@ struct CorrectAtWalls {
     const auto others = pushes.in_one(mirrors);
     if (!D::leads()) return;
     note_pushes(mirrors, others, own);
-    const float w = position[i].w;
+    const float w = walls.position[i].w;
     const Vec3 step = w * (others.vector(mirrors) + own.vector(mirrors));
-    position[i] = pbd::with_w(x + step, w);
-    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+    walls.position[i] = pbd::with_w(x + step, w);
+    walls.moved[i] = pbd::with_w(walls.moved[i].xyz() + step, 0);
+    if (projects) walls.project(i);
   }
 
   /// The solids get back what their images push a particle with: each what its own mirror makes, and the
@@ -170,7 +172,7 @@ struct CorrectAtWalls {
         rest = rest - push;
         if (k == 0) push += rest;
       }
-      contacts.contacts[mirrors.contact[k]].density_push += push;
+      walls.contacts.contacts[mirrors.contact[k]].density_push += push;
     }
   }
 };

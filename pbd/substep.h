@@ -23,6 +23,8 @@ struct Substep {
   Vec3 gravity{0, 0, 0};  ///< m/s²
   GridView grid{};        ///< the cells that particles of fluids are sorted by, as they were predicted
   bool is_last = false;   ///< of its step
+  /// In an iteration: what moved particles last has held them at their contacts as well.
+  bool are_contacts_projected = false;
 };
 
 /// Arrays that belong to particles of fluids but live in a set: they follow when particles are sorted, added
