@@ -179,6 +179,18 @@ TEST_P(NeighbourTest, ListsComeInTheSameOrderEachTime) {
 
 MENISCUS_ON_EACH_DEVICE(NeighbourTest);
 
+// Rows that are full at h = 2 s have eight particles a reach.
+TEST(NeighbourStrips, AreAsWideAsKeepsIndicesClose) {
+  using pbd::neighbour_kernels::strip_bits_for;
+  EXPECT_EQ(strip_bits_for({160, 45, 56}, 1'000'000), 31u);  // layers of 18,000: one strip
+  for (float along_x : {50.0f, 260.0f, 410.0f, 1500.0f}) {
+    const uint32_t rows = 1u << strip_bits_for({along_x, 1000, 10}, 100'000'000);
+    EXPECT_LE(8 * along_x * float(rows + 1), float(pbd::NeighbourView::narrow_reach)) << along_x;
+    EXPECT_GT(8 * along_x * float(2 * rows + 1), float(pbd::NeighbourView::narrow_reach)) << along_x;
+  }
+  EXPECT_EQ(strip_bits_for({5000, 1000, 10}, 100'000'000), 0u);  // a row is more than is close
+}
+
 // A million particles, one of them with five thousand neighbours, need more entries than 32 bits count: they
 // are there, or it is said that they are not.
 TEST(NeighbourCapacity, ListsBeyondThirtyTwoBitsAreThereOrRefused) {
