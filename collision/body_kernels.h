@@ -26,7 +26,7 @@ struct Predict {
   }
   MENISCUS_HD void operator()(uint32_t b) const {
     const auto [start, pose] = ends(b);
-    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0};
+    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0, 0};
   }
 };
 
@@ -66,16 +66,33 @@ struct WithShapes {
   }
 };
 
-/// The body of each contact, as a key to sort by; what belongs to none comes last.
+/// The body of each contact, as a key to sort by: 2 b, or 2 b + 1 where the particle is pinched. What belongs
+/// to no body comes last.
 struct NoteBodies {
   ContactView contacts;
+  View<const pbd::Vec4> position;
   View<uint32_t> key, value;
   uint32_t body_count;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t body = n < contacts.total() ? contacts.contacts[n].body : pbd::no_index;
-    key[n] = body < body_count ? body : body_count;
     value[n] = n;
+    key[n] = 2 * body_count;
+    if (n >= contacts.total()) return;
+    const Contact& c = contacts.contacts[n];
+    if (c.body < body_count) key[n] = 2 * c.body + (is_pinched(n, c) ? 1 : 0);
+  }
+
+  /// Whether between the contact's surface and another there is less room than half of the particle.
+  MENISCUS_HD bool is_pinched(uint32_t n, const Contact& c) const {
+    const uint32_t i = contacts.particle[n];
+    const Vec3 x = position[i].xyz();
+    const float distance = plane_distance(c, x);
+    if (!(distance < c.radius)) return false;
+    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
+      const Contact& other = contacts.contacts[k];
+      if (dot(c.normal, other.normal) < -0.5f && distance + plane_distance(other, x) < c.radius) return true;
+    }
+    return false;
   }
 };
 
@@ -85,16 +102,22 @@ struct FindGroups {
   View<BodyProxy> bodies;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t b = sorted_key[n];
+    const uint32_t key = sorted_key[n], b = key / 2;
     if (b >= bodies.count) return;
-    if (n == 0 || sorted_key[n - 1] != b) bodies[b].first = n;
-    if (n + 1 == sorted_key.count || sorted_key[n + 1] != b) bodies[b].end = n + 1;
+    const uint32_t before = n == 0 ? pbd::no_index : sorted_key[n - 1];
+    const uint32_t after = n + 1 == sorted_key.count ? pbd::no_index : sorted_key[n + 1];
+    if (before / 2 != b) bodies[b].first = n;
+    if (key % 2 == 1 && before != key) bodies[b].pinched = n;
+    if (after / 2 == b) return;
+    bodies[b].end = n + 1;
+    if (key % 2 == 0) bodies[b].pinched = n + 1;
   }
 };
 
 /// Each contact of a body gets its lever and its share of the body: as if the body were as many as it has
 /// contacts, each of so much less mass (mass splitting, Tonge, Benevolenski & Voroshilov 2012). All of them
-/// moving at once then move the body no further than it can go.
+/// moving at once then move the body no further than it can go. Half of the body is for pinched particles, if
+/// there are any: each of these may have to hold it by itself, for there is no place to give way to.
 struct Split {
   View<const uint32_t> grouped;
   View<const BodyProxy> bodies;
@@ -108,7 +131,9 @@ struct Split {
     if (c.body >= bodies.count) return;
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
-    const float share = static_cast<float>(body.end - body.first);
+    const uint32_t free = body.pinched - body.first, pinched = body.end - body.pinched;
+    const uint32_t alike = k < body.pinched ? free : pinched;
+    const float share = static_cast<float>(free > 0 && pinched > 0 ? 2 * alike : alike);
     c.arm = c.point + pbd::max(distance, pbd::max(c.radius, 0.0f)) * c.normal - body.pose.position;
     c.body_inverse_mass +=
         share * (is_tie(c) ? largest_inverse_mass_at(body, c.arm) : inverse_mass_at(body, c.arm, c.normal));

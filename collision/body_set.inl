@@ -115,9 +115,11 @@ void BodySet<D>::begin(pbd::Substep<D>& substep) {
   const uint32_t room = contacts.contacts.count;
   contact_motion_.current.fill(0);
   for (auto* buffer : {&key_, &sorted_key_, &number_, &grouped_}) buffer->resize_discard(room);
-  device_.parallel_for("bodies/keys", room, NoteBodies{contacts, key_.view(), number_.view(), bodies_});
+  device_.parallel_for(
+      "bodies/keys", room,
+      NoteBodies{contacts, substep.particles.position, key_.view(), number_.view(), bodies_});
   device_.sort_pairs("bodies/group", key_.view(), sorted_key_.view(), number_.view(), grouped_.view(),
-                     static_cast<uint32_t>(std::bit_width(bodies_)));
+                     static_cast<uint32_t>(std::bit_width(2 * bodies_)));
   device_.parallel_for("bodies/groups", room, FindGroups{sorted_key_.view(), proxies_.view()});
   device_.parallel_for("bodies/split", room,
                        Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts});

@@ -30,14 +30,14 @@ void launch(size_t count, const Kernel& kernel) {
   for (uint32_t i = 0; i < count; ++i) kernel(i);
 }
 
-/// Bodies and one contact a particle, as the solver has them within a substep.
+/// Bodies and their contacts, as the solver has them within a substep.
 struct Bench {
   static constexpr uint32_t lanes = 16;
   static constexpr float radius = 0.025f;
 
   std::vector<BodyProxy> bodies;
   std::vector<Contact> contacts;
-  std::vector<uint32_t> touching_counts, start{0}, particle, key, sorted_key, number, grouped, slot;
+  std::vector<uint32_t> touching, touching_counts, start{0}, particle, key, sorted_key, number, grouped, slot;
   std::vector<Vec4> position, previous, moved;
   std::vector<ContactSum> partial;
   std::vector<ContactMotion> motion, next_motion;  // of the bodies
@@ -52,6 +52,16 @@ struct Bench {
 
   /// A particle that is `depth` too near to a surface of the body with this normal.
   void add_contact(uint32_t body, Vec3 point, Vec3 normal, float particle_mass, float depth) {
+    touching.push_back(static_cast<uint32_t>(position.size()));
+    position.push_back(pbd::with_w(point + (radius - depth) * normal, 1 / particle_mass));
+    slot.push_back(0);
+    previous = moved = position;
+    start.push_back(start.back());
+    add_contact_of_last(body, point, normal);
+  }
+
+  /// One more of the last particle.
+  void add_contact_of_last(uint32_t body, Vec3 point, Vec3 normal) {
     Contact c{};
     c.point = point;
     c.normal = normal;
@@ -59,24 +69,20 @@ struct Bench {
     c.fraction = 1;
     c.radius = radius;
     contacts.push_back(c);
-    particle.push_back(static_cast<uint32_t>(position.size()));
-    position.push_back(pbd::with_w(point + (radius - depth) * normal, 1 / particle_mass));
-    slot.push_back(0);
-    previous = moved = position;
-    start.push_back(static_cast<uint32_t>(contacts.size()));
+    particle.push_back(touching.back());
+    ++start.back();
   }
 
-  /// Each particle has one contact.
   ContactView contact_view() {
-    touching_counts = {static_cast<uint32_t>(particle.size()), 0};
-    return {view(start), view(contacts), view(particle), view(particle), view(touching_counts)};
+    touching_counts = {static_cast<uint32_t>(touching.size()), 0};
+    return {view(start), view(contacts), view(particle), view(touching), view(touching_counts)};
   }
 
   void group() {
     const size_t n = contacts.size();
     for (auto* values : {&key, &sorted_key, &number, &grouped}) values->resize(n);
     const auto count = static_cast<uint32_t>(bodies.size());
-    launch(n, NoteBodies{contact_view(), view(key), view(number), count});
+    launch(n, NoteBodies{contact_view(), view(position), view(key), view(number), count});
     grouped = number;
     std::stable_sort(grouped.begin(), grouped.end(), [&](uint32_t a, uint32_t b) { return key[a] < key[b]; });
     std::transform(grouped.begin(), grouped.end(), sorted_key.begin(), [&](uint32_t k) { return key[k]; });
@@ -92,7 +98,7 @@ struct Bench {
   }
 
   void iterate() {
-    launch(contacts.size(),
+    launch(touching.size(),
            contact_kernels::Project{view(position), view(moved), view(previous), view(slot), contact_view()});
     sum();
     launch(contacts.size(), Follow{view(grouped), view(bodies), view(partial), view(motion),
@@ -100,7 +106,7 @@ struct Bench {
     motion.swap(next_motion);
   }
 
-  float depth(size_t n) const { return radius - plane_distance(contacts[n], position[n].xyz()); }
+  float depth(size_t n) const { return radius - plane_distance(contacts[n], position[particle[n]].xyz()); }
   /// Σ m Δx of particles and bodies, kg·m.
   Vec3 momentum() const {
     Vec3 total{0, 0, 0};
@@ -165,6 +171,31 @@ TEST(BodyKernels, ManyContactsMoveABodyNoFurtherThanNeeded) {
     const float share = 100 * particle_mass / (100 * particle_mass + 1);
     EXPECT_NEAR(before, share * depth, 0.05f * share * depth) << particle_mass;
   }
+}
+
+// Two bodies that are pressed together in water, with a particle between them that cannot give way: what it
+// is pushed with must not wait for the many that can.
+TEST(BodyKernels, AParticleBetweenTwoBodiesHoldsThemApart) {
+  constexpr int around = 60;
+  constexpr float gap = 0.8f * Bench::radius, wanted = 2 * Bench::radius;
+  Bench bench;
+  for (float side : {-1.0f, 1.0f}) {
+    const auto body = static_cast<uint32_t>(bench.bodies.size());
+    bench.add_body(1, {1, 1, 1}, {0, side * (0.1f + gap / 2), 0});
+    for (int n = 0; n < around; ++n)  // near, and not touched
+      bench.add_contact(body, {0, side * (0.2f + gap / 2), 0}, {0, side, 0}, 0.1f, -0.5f * Bench::radius);
+  }
+  bench.add_contact(0, {0, -gap / 2, 0}, {0, 1, 0}, 0.1f, Bench::radius - gap / 2);
+  bench.add_contact_of_last(1, {0, gap / 2, 0}, {0, -1, 0});
+  bench.group();
+  EXPECT_NEAR(bench.contacts[2 * around].body_inverse_mass, 2, 1e-5f);
+  EXPECT_NEAR(bench.contacts[0].body_inverse_mass, 2 * around, 1e-3f);
+  for (int k = 0; k < 4; ++k) bench.iterate();
+  const float opened = bench.motion[1].shift.y - bench.motion[0].shift.y;
+  EXPECT_GT(opened, 0.25f * (wanted - gap));
+  EXPECT_LE(opened, 1.001f * (wanted - gap));
+  for (int k = 0; k < 100; ++k) bench.iterate();
+  EXPECT_NEAR(bench.motion[1].shift.y - bench.motion[0].shift.y, wanted - gap, 0.02f * wanted);
 }
 
 TEST(BodyKernels, MomentumIsKeptToRounding) {
