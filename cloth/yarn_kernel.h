@@ -42,7 +42,8 @@ using pbd::Vec4Of;
 struct SolveYarns {
   template <class Group>
   using Scratch = YarnScratch<Group>;
-  static constexpr uint32_t group_threads = 512;  ///< see CudaDevice: many short steps, one after the other
+  // See CudaDevice: many short steps, one after the other.
+  static constexpr uint32_t group_threads = 256, resident_blocks = 4;
 
   View<const Yarn> yarns;
   View<const EdgeConstraint> edges;
@@ -60,7 +61,10 @@ struct SolveYarns {
       auto* const rows = scratch.template first_rows<typename Scratch<Group>::Length>();
       group.for_each(yarn.count, [&](uint32_t k) {
         const EdgeConstraint e = load(edges, yarn.first + k);
-        if (k == 0) scratch.vertex[0] = e.a;
+        if (k == 0) {
+          scratch.yarn = yarn;
+          scratch.vertex[0] = e.a;
+        }
         scratch.vertex[k + 1] = e.b;
         scratch.rest_length[k] = e.rest_length;
         rows[k].diagonal = e.compliance;
@@ -88,11 +92,13 @@ struct RestoreMultipliers {
 /// The same for as many yarns as the group's threads have lanes.
 template <class Group>
 class SolveYarnsAtOnce {
+  using D = typename Group::Device;
+
  public:
   using Scratch = YarnScratch<Group>;
 
-  MENISCUS_HD SolveYarnsAtOnce(const SolveYarns& solve, Scratch& scratch, uint32_t begin)
-      : s_(solve), scratch_(scratch), yarns_(solve.yarns, begin, solve.end) {}
+  MENISCUS_HD SolveYarnsAtOnce(const SolveYarns& solve, Scratch& scratch, const YarnsAtOnce<D>& yarns)
+      : s_(solve), scratch_(scratch), yarns_(yarns) {}
 
   MENISCUS_HD void run(const Group& group) const {
     const uint32_t edges = yarns_.most, vertices = edges + 1;
@@ -117,7 +123,6 @@ class SolveYarnsAtOnce {
   }
 
  private:
-  using D = typename Group::Device;
   using Real = typename D::Real;
   using Vector = Vec3Of<Real>;
   using Places = pbd::Places<D>;
@@ -204,21 +209,14 @@ class SolveYarnsAtOnce {
     const Real last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
     const Real before = s_.starts ? zero : last;
     const Vector d = b.xyz() - a.xyz();
+    const Vector then = gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
     const Real l = square_root(dot(d, d)), weight = a.w + b.w;
     Real error = l - rest;
-    const auto was = [&] {
-      const Vector then = was_along(from, to);
-      return square_root(dot(then, then));
-    };
+    const auto was = [&] { return square_root(dot(then, then)); };
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt, opening_rate, was);
     const Vector n = (Real(1) / l) * d;
     if (puts_aside()) error += dot(n, b.w * pending(to) - a.w * pending(from));
-    const Real damping = damping_of(from);
-    Real rate = zero, gamma = zero;
-    if (less_mask(zero, damping) != 0) {
-      rate = dot(n, d - was_along(from, to));
-      gamma = damping * compliance / (compliance + weight);
-    }
+    const Real rate = dot(n, d - then), gamma = damping_of(from) * compliance / (compliance + weight);
     // What has no direction, or cannot give way at all, is left alone.
     const Real live = yarns_.if_edge(k, select_less(l, Real(1e-12f), zero, weight + compliance));
     const auto if_live = [&](const Real& x, const Real& otherwise) {
@@ -233,9 +231,6 @@ class SolveYarnsAtOnce {
     scratch_.rest_length[k] = rest;
     scratch_.weight[k + 1] = b.w;
     if (k == 0) scratch_.weight[0] = a.w;
-  }
-  MENISCUS_HD Vector was_along(const Places& from, const Places& to) const {
-    return gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
   }
   MENISCUS_HD Real damping_of(const Places& vertices) const {
     return s_.all.stretch_damping_by_lane<D>([&](uint32_t lane) { return vertices.at[lane]; });
@@ -352,7 +347,12 @@ class SolveYarnsAtOnce {
 
 template <class Group>
 MENISCUS_HD void SolveYarns::operator()(const Group& group, Scratch<Group>& scratch, uint32_t number) const {
-  SolveYarnsAtOnce<Group>(*this, scratch, first + number * Group::Device::lane_count).run(group);
+  using D = typename Group::Device;
+  const uint32_t begin = first + number * D::lane_count;
+  const bool is_near = !Group::is_one_thread;
+  const YarnsAtOnce<D> together(is_near ? View<const Yarn>{&scratch.yarn, 1} : yarns, is_near ? 0 : begin,
+                                is_near ? 1 : end);
+  SolveYarnsAtOnce<Group>(*this, scratch, together).run(group);
 }
 
 }  // namespace meniscus::cloth

@@ -69,7 +69,8 @@ struct YarnScratch {
   Edge edges[Yarn::most_edges + 2];
   Real stiffness[Yarn::most_edges + 2], rest_length[Yarn::most_edges + 2];
   Real weight[Yarn::most_edges + 1];
-  uint32_t vertex[Group::is_one_thread ? 1 : Yarn::most_edges + 1];  ///< of a yarn that is alone
+  Yarn yarn;                                                         ///< that is alone
+  uint32_t vertex[Group::is_one_thread ? 1 : Yarn::most_edges + 1];  ///< of it
   pbd::Vec3Of<Real> push[Yarn::most_edges + 1];
   struct alignas(64) {
     unsigned char bytes[(Yarn::most_edges + 1) * sizeof(Sideways)];

@@ -12,8 +12,9 @@ namespace {
 
 class BoxesInDamTest : public OnDevice {};
 
-// 100,000 particles carry a thousand boxes into the far end of the tank, and pile them up there. What is caught
-// between boxes, a wall and the floor has nowhere to go: it must hold the pile apart, and not end in a box.
+// 100,000 particles carry a thousand boxes into the far end of the tank, and pile them up there. What is
+// caught between boxes, a wall and the floor has nowhere to go: it must hold the pile apart, and not end in a
+// box.
 TEST_P(BoxesInDamTest, NothingEndsInABox) {
   constexpr float s = 0.05f, edge = 3 * s, pitch = 4 * s;
   constexpr int steps = 420, boxes = 1000, along = 25, across = 12;

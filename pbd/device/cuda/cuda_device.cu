@@ -35,6 +35,8 @@ CudaDevice::CudaDevice() {
   check_cuda(cudaGetDeviceProperties(&properties, 0), "reading the device's properties");
   name_ = properties.name;
   overlaps_launches_ = properties.major >= 9;
+  multiprocessors_ = static_cast<uint32_t>(properties.multiProcessorCount);
+  multiprocessor_bytes_ = properties.sharedMemPerMultiprocessor;
   check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
   // What runs on the side is short of threads and long: it goes first.
   int least = 0, most = 0;
@@ -95,6 +97,14 @@ void* CudaDevice::scratch(size_t bytes) {
     scratch_.resize_discard(std::max(words, scratch_.size() + scratch_.size() / 2));
   }
   return scratch_.view().data;
+}
+
+/// Of a multiprocessor's memory the share, in percent, that so many blocks use at once.
+int CudaDevice::carveout_for(uint32_t blocks, size_t scratch_bytes) const {
+  constexpr size_t of_system = 1024;  // bytes a block
+  const size_t bytes = (blocks + multiprocessors_ - 1) / multiprocessors_ * (scratch_bytes + of_system);
+  if (bytes >= multiprocessor_bytes_) return cudaSharedmemCarveoutDefault;
+  return static_cast<int>((100 * bytes + multiprocessor_bytes_ - 1) / multiprocessor_bytes_);
 }
 
 void CudaDevice::copy_in(void* device_memory, const void* host, size_t bytes) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <cub/block/block_reduce.cuh>
 #include <utility>
 #include <vector>
@@ -234,13 +235,14 @@ class CudaDevice final : public Device {
   template <class Kernel>
   void parallel_for_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
-    if (count) launch(name, count, group_size<Kernel>(), for_each_group<Kernel>, kernel);
+    run_groups<typename Kernel::Scratch>(name, count, for_each_group<Kernel>, kernel);
   }
 
   template <class Kernel>
   void parallel_for_lane_groups(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
-    if (count) launch(name, count, group_size<Kernel>(), for_each_lane_group<Kernel>, kernel);
+    run_groups<typename Kernel::template Scratch<BlockOf<Kernel>>>(name, count, for_each_lane_group<Kernel>,
+                                                                   kernel);
   }
 
   template <class Kernel>
@@ -290,6 +292,7 @@ class CudaDevice final : public Device {
   void* do_allocate_shared(size_t bytes) override;
   void do_release_shared(void* memory) noexcept override;
   void* scratch(size_t bytes);
+  int carveout_for(uint32_t blocks, size_t scratch_bytes) const;
   void flush_mark();
   void fork();  // what is launched on the side stream from here on follows what came before
   void join();  // what is launched from here on follows the side stream
@@ -302,6 +305,18 @@ class CudaDevice final : public Device {
   void run_teams(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
     if (count) launch(name, blocks_of<Team>(count), block_size, for_each_team<Team, Kernel>, count, kernel);
+  }
+  /// Left alone the driver takes as much of the first-level cache for scratches as blocks could use if there
+  /// were more of them; what few leave is worth more to their gathers.
+  template <class Scratch, class Kernel>
+  void run_groups(const char* name, uint32_t count, void (*run)(cuda_kernels::TimeMark, Kernel),
+                  const Kernel& kernel) {
+    if (count == 0) return;
+    static std::atomic<int> last = cudaSharedmemCarveoutDefault;  // of all worlds' launches
+    const int carveout = carveout_for(count, sizeof(Scratch));
+    if (last.exchange(carveout) != carveout)
+      check_cuda(cudaFuncSetAttribute(run, cudaFuncAttributePreferredSharedMemoryCarveout, carveout), name);
+    launch(name, count, cuda_kernels::group_size<Kernel>(), run, kernel);
   }
   template <class Team, class Kernel, class TeamKernel>
   void run_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t team_count,
@@ -334,6 +349,8 @@ class CudaDevice final : public Device {
   cudaEvent_t forked_ = nullptr, joined_ = nullptr, fence_ = nullptr;
   std::string name_;
   bool overlaps_launches_ = false;
+  uint32_t multiprocessors_ = 1;
+  size_t multiprocessor_bytes_ = 0;        // for scratches
   cuda_kernels::TimeMark pending_mark_{};  // for the next launch
   uint64_t* times_ = nullptr;              // pinned, written by kernels
   uint32_t times_capacity_ = 0;
