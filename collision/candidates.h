@@ -31,19 +31,20 @@ struct CandidateView {
   MENISCUS_HD void for_each_near(const ShapeSet& set, uint32_t particle, const Motion& motion, float reach,
                                  const Visit& visit) const {
     constexpr uint32_t batch = 4, room = 32;
+    const Aabb box{min(motion.from, motion.to), max(motion.from, motion.to)};
     uint32_t aside[room], count = 0;
     Walk walk = walk_from(particle);
     for (bool more = true; more;) {
       uint32_t shapes[batch];
-      bool near[batch];
+      Bounds bounds[batch];
       MENISCUS_UNROLL
       for (uint32_t k = 0; k < batch; ++k) shapes[k] = walk.next();
       more = shapes[batch - 1] != pbd::no_index;
       MENISCUS_UNROLL
-      for (uint32_t k = 0; k < batch; ++k) near[k] = is_near(set, shapes[k], motion, reach);
+      for (uint32_t k = 0; k < batch; ++k) bounds[k] = Bounds::of(set, shapes[k]);
       MENISCUS_UNROLL
       for (uint32_t k = 0; k < batch; ++k) {
-        if (near[k]) aside[count++] = shapes[k];
+        if (bounds[k].are_near(box, reach)) aside[count++] = shapes[k];
       }
       if (more && count <= room - batch) continue;
       for (uint32_t k = 0; k < count; ++k) visit(aside[k]);
@@ -73,11 +74,20 @@ struct CandidateView {
     const uint32_t* word = masks.data + particle / cluster_size * words;
     return {word, word + words, 0, 0u - 32};
   }
-  MENISCUS_HD static bool is_near(const ShapeSet& set, uint32_t number, const Motion& motion, float reach) {
-    const Shape& shape = set.shapes[number == pbd::no_index ? 0 : number];
-    const bool near = shape.kind == ShapeKind::plane || !out_of_reach(shape, motion.from, motion.to, reach);
-    return near && number != pbd::no_index;
-  }
+  /// Of a shape all that the test needs, which comes at once: no load waits for what another has told.
+  struct Bounds {
+    Aabb box;
+    bool everywhere, nowhere;
+
+    MENISCUS_HD static Bounds of(const ShapeSet& set, uint32_t number) {
+      const bool nowhere = number == pbd::no_index;
+      const Shape& shape = set.shapes[nowhere ? 0 : number];
+      return {shape.bounds, shape.kind == ShapeKind::plane, nowhere};
+    }
+    MENISCUS_HD bool are_near(const Aabb& other, float reach) const {
+      return (everywhere | !are_apart(other, box, reach)) & !nowhere;
+    }
+  };
 };
 
 namespace candidate_kernels {
