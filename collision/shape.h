@@ -8,6 +8,7 @@
 #include "collision/sdf.h"
 #include "collision/surface_sample.h"
 #include "pbd/contacts.h"
+#include "pbd/device/any.h"
 #include "pbd/device/scalar.h"
 #include "pbd/device/view.h"
 #include "pbd/filter.h"
@@ -150,16 +151,12 @@ MENISCUS_HD inline SurfaceSample plane_surface(const Shape& plane, Vec3 p) {
   return {dot(plane.size, p) - plane.offset, plane.size};
 }
 
-/// Whether two boxes are further than `reach` from one another. On a GPU all of it is compared: branches
-/// would make each load wait for the one before. A CPU is through with most at the first.
+/// Whether two boxes are further than `reach` from one another.
 MENISCUS_HD inline bool are_apart(const Aabb& a, const Aabb& b, float reach) {
-#ifdef __CUDA_ARCH__
-  return (a.lower.x > b.upper.x + reach) | (a.lower.y > b.upper.y + reach) | (a.lower.z > b.upper.z + reach) |
-         (a.upper.x < b.lower.x - reach) | (a.upper.y < b.lower.y - reach) | (a.upper.z < b.lower.z - reach);
-#else
-  return a.lower.x > b.upper.x + reach || a.lower.y > b.upper.y + reach || a.lower.z > b.upper.z + reach ||
-         a.upper.x < b.lower.x - reach || a.upper.y < b.lower.y - reach || a.upper.z < b.lower.z - reach;
-#endif
+  return pbd::any_is_true(
+      [&] { return a.lower.x > b.upper.x + reach; }, [&] { return a.lower.y > b.upper.y + reach; },
+      [&] { return a.lower.z > b.upper.z + reach; }, [&] { return a.upper.x < b.lower.x - reach; },
+      [&] { return a.upper.y < b.lower.y - reach; }, [&] { return a.upper.z < b.lower.z - reach; });
 }
 
 /// Whether the box of a motion is further than `reach` from the solid, which is not a plane.
