@@ -258,10 +258,10 @@ class CudaDevice final : public Device {
     using namespace cuda_kernels;
     if (count > most_for_one_launch) {
       // Two launches side by side: in one, the first kernel would have to make do with the second one's
-      // registers.
+      // registers. Beside it a thread each is the least work, however few they are.
       fork();
       std::swap(stream_, side_stream_);
-      parallel_for_long(name, long_count, long_kernel);
+      parallel_for(name, long_count, RunLong<CudaDevice, LongKernel>{long_kernel});
       std::swap(stream_, side_stream_);
       parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
       join();
