@@ -38,8 +38,8 @@ struct Bounce {
     if (i == pbd::no_index) return;
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     const float w = position[i].w;
-    const Vec3 before = velocity[i].xyz();
-    Vec3 v = before;
+    const Vec4 before = velocity[i];
+    Vec3 v = before.xyz();
     Contact next = contacts.contacts[begin];
     for (uint32_t k = begin; k < end; ++k) {
       const Contact c = next;
@@ -49,7 +49,7 @@ struct Bounce {
       v += w * impulse * c.normal;
       contacts.contacts[k].normal_multiplier = c.normal_multiplier + dt * impulse;
     }
-    if (!(v == before)) velocity[i] = pbd::with_w(v, 0);
+    if (!(v == before.xyz())) velocity[i] = pbd::with_w(v, before.w);
   }
 
   /// kg·m/s, that the contact lacks for parting as it should.

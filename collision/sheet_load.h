@@ -324,7 +324,7 @@ struct LoadVelocities {
     const Vec3 step = (loaded[v] * inverse_dt) * vertices.pending(v);
     if (!VertexTeam::leads()) return;
     change[v] = pbd::with_w(step, 0);
-    velocity[v] = pbd::with_w(velocity[v].xyz() + step, 0);
+    velocity[v] = pbd::with_w(velocity[v].xyz() + step, velocity[v].w);
   }
 };
 
@@ -347,7 +347,7 @@ struct CarryVelocities {
       step += t.share * t.mean([&](uint32_t v) { return change[v].xyz(); });
     }
     if (!TouchTeam::leads()) return;
-    velocity[i] = pbd::with_w(velocity[i].xyz() + step, 0);
+    velocity[i] = pbd::with_w(velocity[i].xyz() + step, velocity[i].w);
     phase[i] = presses ? phase[i] | pbd::phase_pressing : phase[i] & ~pbd::phase_pressing;
   }
 };

@@ -97,7 +97,7 @@ struct Pull {
     const Vec3 f = held_by_walls(contacts, i, sum(force), [&](pbd::Contact& contact, Vec3 taken) {
       if (D::leads()) contact.density_push -= (dt * dt) * taken;
     });
-    if (D::leads()) velocity[i] = pbd::with_w(velocity[i].xyz() + (dt * self.w) * f, 0);
+    if (D::leads()) velocity[i] = pbd::with_w(velocity[i].xyz() + (dt * self.w) * f, velocity[i].w);
   }
 };
 

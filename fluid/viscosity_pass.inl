@@ -28,77 +28,56 @@ struct SpreadSmoothing {
   }
 };
 
-template <bool uniform, bool with_curl>
+template <bool uniform, bool confines>
 struct Smooth {
-  static constexpr uint32_t resident_blocks = 10;  // see CudaDevice
+  static constexpr uint32_t resident_blocks = 8;  // see CudaDevice
 
   Kernel kernel;
-  View<const Vec4> position, velocity;
+  View<const Vec4> position;
+  View<const Vec4> velocity;  ///< w: |ω| of the last substep
   NeighbourView neighbours;
+  View<const pbd::Phase> phase;
+  View<const ViscosityCoefficients> table;
   View<const float> smoothing;
-  float common_smoothing;
-  View<Vec4> smoothed, vorticity;
-  View<Vec4> swirl;  ///< position and |ω| side by side, for Confine
+  float common_smoothing, dt;
+  View<Vec4> smoothed;
 
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
     using Real = typename D::Real;
     const Vec4 p = position[i], v = velocity[i];
     const float own = uniform ? common_smoothing : smoothing[i];
-    Vec3Of<Real> change{Real(0.0f), Real(0.0f), Real(0.0f)}, curl = change;
+    Vec3Of<Real> change{Real(0.0f), Real(0.0f), Real(0.0f)}, curl = change, rise = change;
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(position, j);
       const Vec3Of<Real> d = p.xyz() - other.xyz();
       const Real t = kernel.distance_ratio2(d);
-      const Vec3Of<Real> relative = gather(velocity, j).xyz() - v.xyz();
+      const auto its = gather(velocity, j);
+      const Vec3Of<Real> relative = its.xyz() - v.xyz();
       Real factor = Kernel::weight_shape(t);
       if constexpr (!uniform) {
         factor = factor * (Real(own) + gather(smoothing, j)) * Real(p.w) / (Real(p.w) + other.w);
       }
       change += factor * relative;
-      if constexpr (with_curl) {
+      if constexpr (confines) {
         const Real inverse_root = inverse_sqrt(t);
-        curl += cross(relative, (Kernel::slope_shape(t, inverse_root) * inverse_root) * d);
+        const Vec3Of<Real> slope = (Kernel::slope_shape(t, inverse_root) * inverse_root) * d;
+        curl += cross(relative, slope);
+        rise += (Real(v.w) - its.w) * slope;
       }
     });
     const float share = uniform ? kernel.peak_weight * own : kernel.peak_weight;
-    const Vec3 all_changes = sum(change), all_curls = sum(curl);
+    const Vec3 all_changes = sum(change), all_curls = sum(curl), all_rises = sum(rise);
     if (!D::leads()) return;
-    smoothed[i] = pbd::with_w(v.xyz() + share * all_changes, 0);
-    if constexpr (with_curl) {
+    const Vec3 smooth = v.xyz() + share * all_changes;
+    if constexpr (confines) {
       const Vec3 w = kernel.peak_pull * all_curls;
-      vorticity[i] = pbd::with_w(w, 0);
-      swirl[i] = pbd::with_w(p.xyz(), length(w));
+      const Vec3 direction = normalized_or(all_rises, {0, 0, 0});  // whatever the kernel's factor
+      const float strength = table[pbd::phase_group(phase[i])].confinement * kernel.h * dt;
+      smoothed[i] = pbd::with_w(smooth + strength * cross(direction, w), length(w));
+    } else {
+      smoothed[i] = pbd::with_w(smooth, 0);
     }
-  }
-};
-
-struct Confine {
-  static constexpr uint32_t resident_blocks = 10;
-
-  Kernel kernel;
-  View<const Vec4> swirl, vorticity;
-  View<Vec4> velocity;
-  NeighbourView neighbours;
-  View<const pbd::Phase> phase;
-  View<const ViscosityCoefficients> table;
-  float dt;
-
-  template <class D>
-  MENISCUS_HD void run(uint32_t i) const {
-    using Real = typename D::Real;
-    const Vec4 own = swirl[i];
-    const float strength = table[pbd::phase_group(phase[i])].confinement * kernel.h * dt;
-    Vec3Of<Real> eta{Real(0.0f), Real(0.0f), Real(0.0f)};
-    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
-      const auto other = gather(swirl, j);
-      const Vec3Of<Real> d = own.xyz() - other.xyz();
-      const Real t = kernel.distance_ratio2(d), inverse_root = inverse_sqrt(t);
-      eta += ((Real(own.w) - other.w) * Kernel::slope_shape(t, inverse_root) * inverse_root) * d;
-    });
-    const Vec3 direction = normalized_or(sum(eta), {0, 0, 0});  // whatever the kernel's factor
-    if (!D::leads()) return;
-    velocity[i] = pbd::with_w(velocity[i].xyz() + strength * cross(direction, vorticity[i].xyz()), 0);
   }
 };
 
@@ -137,19 +116,10 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
   } else {
     confines_ ? smooth<false, true>(substep, particles) : smooth<false, false>(substep, particles);
   }
-  if (confines_) {
-    using namespace viscosity_kernels;
-    device_.parallel_for_neighbours(
-        "velocity/confine", substep.particles.sorted,
-        Confine{kernel_, particles.predicted.view(), particles.moved.view(), substep.particles.velocity,
-                substep.neighbours, substep.particles.phase, table_.view(), substep.dt});
-  }
 }
 
-/// Velocities are known: what moved the fluid is no longer needed, nor what was predicted, and their arrays
-/// take the vorticity and its size.
 template <class D>
-template <bool uniform, bool with_curl>
+template <bool uniform, bool confines>
 void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particles) {
   using namespace viscosity_kernels;
   const pbd::ParticleView& p = substep.particles;
@@ -159,9 +129,9 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
   }
   device_.parallel_for_neighbours(
       "velocity/smooth", p.sorted,
-      Smooth<uniform, with_curl>{kernel_, p.position, p.velocity, substep.neighbours, smoothing_.view(),
-                                 host_table_.front().smoothing, particles.velocity.next.view(),
-                                 particles.moved.view(), particles.predicted.view()});
+      Smooth<uniform, confines>{kernel_, p.position, p.velocity, substep.neighbours, p.phase, table_.view(),
+                                smoothing_.view(), host_table_.front().smoothing, substep.dt,
+                                particles.velocity.next.view()});
   particles.keep_vertex_velocities();
   particles.velocity.flip();
   substep.particles = particles.view();

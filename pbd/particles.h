@@ -59,7 +59,8 @@ struct ParticleView {
   View<const Vec4> previous;  ///< m, at the substep's start
   View<Vec4> moved;     ///< m, by constraints in this substep: kept beside the position, which rounds it; of
                         ///< what nothing moves the impulse that it took, kg·m
-  View<Vec4> velocity;  ///< m/s
+  View<Vec4> velocity;  ///< m/s; w: of fluids the size of the curl that the last substep left, 1/s, where
+                        ///< vorticity is confined
   View<const Phase> phase;
   View<const uint32_t> slot;
   uint32_t owned = 0;

@@ -48,12 +48,13 @@ struct Reorder {
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t from = i < order.count ? load(order, i) : i;
     const Vec4 x = load(position, from);
-    const Vec3 v = drawn(x, load(velocity, from), gravity, dt);
+    const Vec4 before = load(velocity, from);
+    const Vec3 v = drawn(x, before, gravity, dt);
     const Vec4 p = load(predicted, from);
     sorted_predicted[i] = p;
     previous[i] = x;
     moved[i] = with_w(p.xyz() - advanced(x, v, dt), 0);  // by what cut its motion short, if anything
-    sorted_velocity[i] = with_w(v, 0);
+    sorted_velocity[i] = with_w(v, before.w);
     sorted_phase[i] = load(phase, from);
     sorted_slot[i] = load(slot, from);
   }
@@ -67,7 +68,8 @@ struct UpdateVelocity {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (position[i].w == 0) return;
-    velocity[i] = with_w(velocity[i].xyz() + inverse_dt * moved[i].xyz(), 0);
+    const Vec4 v = velocity[i];
+    velocity[i] = with_w(v.xyz() + inverse_dt * moved[i].xyz(), v.w);
   }
 };
 

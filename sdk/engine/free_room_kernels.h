@@ -34,7 +34,7 @@ struct BlockByParticles {
       if (arrivals[k].waits && k < driver) driver = k;
     });
     if (driver == pbd::no_index || i >= sorted) return;
-    velocity[i] = pbd::with_w(arrivals[driver].velocity, 0);
+    velocity[i] = pbd::with_w(arrivals[driver].velocity, velocity[i].w);
     if (pbd::held_steps(phase[i]) == 0) phase[i] += pbd::held_for(1);
   }
 };

@@ -22,7 +22,7 @@ struct Hold {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (pbd::held_steps(phase[i]) == 0) return;
-    velocity[i] = pbd::with_w(velocity[i].xyz() - inverse_dt * moved[i].xyz(), 0);
+    velocity[i] = pbd::with_w(velocity[i].xyz() - inverse_dt * moved[i].xyz(), velocity[i].w);
   }
 };
 

@@ -4,6 +4,7 @@
 // The viscosity pass over particles that stand on their lattice.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr float spacing = 0.05f, support = 0.1f;
 constexpr float pi = 3.14159265f;
+
+using Double3 = std::array<double, 3>;
 
 class ViscosityTest : public OnDevice {
  protected:
@@ -145,6 +148,109 @@ TEST_P(ViscosityTest, TwoFluidsKeepTheirMomentum) {
     energy += dot(c.velocities[i], c.velocities[i]) / c.particles[i].w;
   }
   EXPECT_LT(after, 0.5 * energy);
+}
+
+/// Passes written down from their formulas: in double, over all pairs of one fluid.
+class SmoothingReference {
+ public:
+  explicit SmoothingReference(const SmoothingCase& setup)
+      : setup_(setup), curl_size_(setup.particles.size()) {
+    for (Vec3 v : setup.velocities) velocities.push_back({v.x, v.y, v.z});
+  }
+
+  void pass() {
+    const fluid::Material& m = setup_.materials[0];
+    const double rate = m.xsph + 22 * double{m.viscosity} / setup_.kernel.h2;
+    const double smoothing = -std::expm1(-rate * setup_.dt);
+    std::vector<Double3> next = velocities;
+    std::vector<double> next_size(curl_size_.size());
+    for (size_t i = 0; i < velocities.size(); ++i) {
+      Double3 curl{}, uphill{};
+      for (size_t j = 0; j < velocities.size(); ++j) {
+        const Vec3 d = setup_.particles[i].xyz() - setup_.particles[j].xyz();
+        const double r = std::sqrt(double{d.x} * d.x + double{d.y} * d.y + double{d.z} * d.z);
+        if (j == i || r >= setup_.kernel.h) continue;
+        const Double3 relative = {velocities[j][0] - velocities[i][0], velocities[j][1] - velocities[i][1],
+                                  velocities[j][2] - velocities[i][2]};
+        const double apart = setup_.kernel.h - r, u = double{setup_.kernel.h2} - r * r;
+        const double slope = std::fabs(setup_.kernel.spiky_gradient) * apart * apart / r;
+        const Double3 along = {slope * d.x, slope * d.y, slope * d.z};
+        const Double3 turn = cross(relative, along);
+        for (int k = 0; k < 3; ++k) {
+          next[i][k] += smoothing * setup_.kernel.poly6 * u * u * u * relative[k];
+          curl[k] += turn[k];
+          uphill[k] += (curl_size_[i] - curl_size_[j]) * along[k];
+        }
+      }
+      next_size[i] = norm(curl);
+      if (norm(uphill) == 0) continue;
+      const Double3 push = cross(uphill, curl);
+      for (int k = 0; k < 3; ++k)
+        next[i][k] += setup_.dt * m.vorticity_confinement * setup_.kernel.h * push[k] / norm(uphill);
+    }
+    velocities = next;
+    curl_size_ = next_size;
+  }
+
+  std::vector<Double3> velocities;
+
+ private:
+  static Double3 cross(const Double3& a, const Double3& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  static double norm(const Double3& a) { return std::hypot(a[0], a[1], a[2]); }
+
+  const SmoothingCase& setup_;
+  std::vector<double> curl_size_;  // at the last pass
+};
+
+TEST_P(ViscosityTest, VorticityIsConfinedByItsFormulas) {
+  SmoothingCase c = lattice(9, 8, 7);
+  c.materials[0].xsph = 5;
+  c.materials[0].vorticity_confinement = 0.5f;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> noise(-1, 1);
+  for (size_t i = 0; i < c.particles.size(); ++i) {
+    const Vec3 shift{noise(random), noise(random), noise(random)};
+    c.particles[i] = pbd::with_w(c.particles[i].xyz() + 0.2f * spacing * shift, c.particles[i].w);
+    c.velocities[i] = {noise(random), noise(random), noise(random)};
+  }
+  SmoothingReference reference(c);
+  for (int passes = 1; passes <= 3; ++passes) {
+    c.passes = passes;
+    reference.pass();
+    const std::vector<Vec3> v = bench_->smooth(c);
+    for (size_t i = 0; i < v.size(); ++i) {
+      const Double3& wanted = reference.velocities[i];
+      EXPECT_NEAR(v[i].x, wanted[0], 1e-4) << "particle " << i << ", pass " << passes;
+      EXPECT_NEAR(v[i].y, wanted[1], 1e-4) << "particle " << i << ", pass " << passes;
+      EXPECT_NEAR(v[i].z, wanted[2], 1e-4) << "particle " << i << ", pass " << passes;
+    }
+  }
+}
+
+/// A vortex turns on with confinement, where viscosity slows it without.
+TEST_P(ViscosityTest, ConfinementKeepsAVortexTurning) {
+  const auto energy_left = [&](float confinement) {
+    SmoothingCase c = lattice(16, 16, 8);
+    c.materials[0].xsph = 5;
+    c.materials[0].vorticity_confinement = confinement;
+    c.dt = 0.004f;
+    double before = 0, after = 0;
+    for (size_t i = 0; i < c.particles.size(); ++i) {
+      const Vec3 x = c.particles[i].xyz();
+      const float fall_off = std::exp(-(x.x * x.x + x.y * x.y) / (16 * spacing * spacing));
+      c.velocities[i] = 5 * fall_off * Vec3{-x.y, x.x, 0};
+      before += dot(c.velocities[i], c.velocities[i]);
+    }
+    c.passes = 100;
+    for (Vec3 v : bench_->smooth(c)) after += dot(v, v);
+    return after / before;
+  };
+  const double without = energy_left(0), with = energy_left(0.5f);
+  EXPECT_LT(without, 0.9);
+  EXPECT_GT(with, 1.1 * without);
+  EXPECT_LT(with, 2);
 }
 
 TEST_P(ViscosityTest, AVeryStiffFluidDoesNotExplode) {
