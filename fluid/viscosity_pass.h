@@ -25,8 +25,8 @@ struct ViscosityCoefficients {
 ///                c = 1 − exp(−(xsph + 22 ν/h²) h_t)
 ///   confinement  v_i += h_t ε h N × ω, N = ∇|ω|/|∇|ω||
 ///
-/// |ω| in N is the last substep's, which particles have taken along: so all is found in one pass over the
-/// neighbours, and only where the vortex is is a substep old. What is new to the fluid has none yet.
+/// N comes of the |ω| of the last substep, which particles have taken along: so one pass over the neighbours
+/// finds all. What is new to the fluid has none yet.
 ///
 /// The second moment of poly6 is 3h²/11, so that c diffuses velocity with ν = c h²/(22 h_t). The mean of the
 /// masses keeps momentum between fluids of different density. The factor h makes confinement vanish with
