@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Vorticity confinement in whole worlds: what it needs to know of the last substep is still there in the next.
+// Vorticity confinement in whole worlds: what it needs of the last substep is still there in the next.
 #include <gtest/gtest.h>
 
 #include <cmath>
