@@ -118,12 +118,15 @@ GrainRows GrainSet<D>::next_rows() {
 }
 
 template <class D>
-void GrainSet<D>::reserve(uint32_t capacity, uint32_t kept) {
+void GrainSet<D>::reserve(uint32_t capacity, uint32_t) {
+  // Rows stand where particles stood in the last substep. Of those that stay some may have stood behind as
+  // many as there are now.
+  const uint32_t rows = std::min(capacity_, capacity);
   capacity_ = capacity;
-  if (any_) reserve_arrays(kept);
+  if (any_) reserve_arrays(rows);
 }
 
-/// Takes memory only where there may be grains. The contacts of the first `kept` particles stay.
+/// Takes memory only where there may be grains. The first `kept` rows stay.
 template <class D>
 void GrainSet<D>::reserve_arrays(uint32_t kept) {
   const size_t elements = row_elements(capacity_, row_capacity_, block);
@@ -141,15 +144,15 @@ void GrainSet<D>::reserve_arrays(uint32_t kept) {
     found_.resize_discard(1);
     found_.host()[0] = 0;
   }
-  clear(kept, capacity_ - kept);
+  const uint32_t more = capacity_ - kept;
+  if (more > 0) device_.fill(count_.current().data + kept, 0, more * sizeof(uint32_t));
+  clear(kept, more);
 }
 
-/// They have not touched anything.
+/// They have not touched anything, and have no rows. Those at their places may be others'.
 template <class D>
 void GrainSet<D>::clear(uint32_t first, uint32_t count) {
-  if (!any_ || count == 0) return;
-  device_.fill(count_.current().data + first, 0, count * sizeof(uint32_t));
-  device_.fill(origin_.current().data + first, 0xff, count * sizeof(uint32_t));
+  if (any_ && count > 0) device_.fill(origin_.current().data + first, 0xff, count * sizeof(uint32_t));
 }
 
 template <class D>
