@@ -215,6 +215,13 @@ void release_fields(const SolidPieces& solid, Engine& engine) {
 collision::Shape placed(const SolidPieces::Piece& piece, const Pose& pose) {
   collision::Shape shape = piece.shape;
   carry(piece.place, {pose, pose}, shape);
+  if (shape.kind == collision::ShapeKind::height_field) {
+    // Its box is so deep that floats, at the middle of it, miss the top by centimetres.
+    Aabb near_top = piece.place.bounds;
+    near_top.lower.y = near_top.upper.y - (near_top.upper.x + near_top.upper.z);
+    const Aabb box = collision::world_box(shape.pose, near_top);
+    shape.bounds = {min(shape.bounds.lower, box.lower), max(shape.bounds.upper, box.upper)};
+  }
   return shape;
 }
 

@@ -149,6 +149,23 @@ TEST_P(WorldChangesTest, DistancesToSolidsAreThoseOfTheirShapes) {
   EXPECT_EQ(world.solid_distances(points, 2, {1, 0})[0], 2);  // which collides with nothing
 }
 
+// The box of a height field is deep, and floats are coarse in the middle of it.
+TEST_P(WorldChangesTest, SmallParticlesAreNearTheTopOfAHeightField) {
+  World world(world_def(GetParam(), 0.005f));
+  for (const float top : {0.34f, 0.3f, 1.77f, -2.13f}) {
+    ShapeDef ground = shape(HeightFieldGeometry{11, 11, 0.05f, std::vector<float>(121, top)});
+    ground.pose.rotation = about_z(30);
+    const ShapeId id = world.create_shape(ground);
+    const Vec3 out = rotate(ground.pose.rotation, {0, 1, 0});
+    const Vec3 points[] = {(top + 0.002f) * out, (top - 0.002f) * out, (top - 40) * out};
+    const std::vector<float> found = world.solid_distances(points, 0.01f);
+    EXPECT_NEAR(found[0], 0.002f, 1e-5f) << top;
+    EXPECT_NEAR(found[1], -0.002f, 1e-5f) << top;
+    EXPECT_LT(found[2], 0) << top;
+    world.destroy_shape(id);
+  }
+}
+
 TEST_P(WorldChangesTest, WhatCannotChangeIsRefused) {
   World world(def());
   const FluidId water = world.create_fluid({});
