@@ -39,6 +39,8 @@ class RodSet final : public pbd::ConstraintSet<D> {
 
   std::vector<SegmentState> states(uint32_t first, uint32_t count) const;
   void set_states(uint32_t first, std::span<const SegmentState> states);
+  /// Takes the spins away.
+  void stop();
 
   /// N·m, of each segment: the torque of its joints on it, and its ends' forces, in the last substep, in the
   /// world's axes. What a held segment must be held against.

@@ -60,6 +60,13 @@ void RodSet<D>::set_states(uint32_t first, std::span<const SegmentState> states)
 }
 
 template <class D>
+void RodSet<D>::stop() {
+  std::vector<SegmentState> all = states(0, segments_);
+  for (SegmentState& s : all) s.spin = {0, 0, 0};
+  set_states(0, all);
+}
+
+template <class D>
 std::vector<Vec3> RodSet<D>::torques(uint32_t first, uint32_t count) const {
   std::vector<pbd::Vec4> turned(count);
   torque_.read(std::span(turned), first);

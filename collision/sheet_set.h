@@ -31,7 +31,7 @@ class SheetSet final : public pbd::ConstraintSet<D> {
   void set_vertices(std::span<const float> inverse_masses, float heaviest);
   /// Those of the vertices from `first` on are different now.
   void weigh(uint32_t first, std::span<const float> inverse_masses) {
-    own_weight_.write(inverse_masses, first);
+    if (own_weight_.size() > 0) own_weight_.write(inverse_masses, first);  // else nothing bears fluid
   }
 
   void start_step() override {

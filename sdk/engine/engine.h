@@ -92,6 +92,7 @@ struct ParticleBatch {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
   std::vector<pbd::Phase> phase;
+  bool by_hand = false;  ///< where nobody has looked for room: they may be in solids
 
   void clear() {
     position.clear();

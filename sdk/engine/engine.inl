@@ -133,6 +133,7 @@ class DeviceEngine final : public Engine {
   void relax(float dt, int iterations) override {
     fetch_contacts();
     solver_.relax(dt, iterations);
+    if (iterations > 0) rods_.stop();
   }
 
   void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) override;
@@ -208,7 +209,8 @@ class DeviceEngine final : public Engine {
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   bool contacts_fetched_ = true;
-  bool any_placed_ = true;       // since the last step began: see note_placed()
+  std::vector<CollisionFilter> filters_;  // of materials
+  bool any_placed_ = true;                // since the last step began: see note_placed()
   uint32_t sorted_in_step_ = 0;  // particles of fluids in the last step: who was added since has no contacts
   collision::ShapeSet shape_set_;
   collision::MeshFields<D> mesh_fields_;

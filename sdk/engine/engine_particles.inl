@@ -46,6 +46,8 @@ void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials)
     (m.grain.is_grain ? any_grains : any_fluid) = true;
   }
   contacts_.set_filters(filters);
+  any_placed_ |= filters != filters_;  // what particles were free to go through may be solid to them now
+  filters_ = filters;
   density_.set_kinds(any_fluid, any_grains);
   grains_.set_materials(grains);
   tension_.set_materials(fluids);
@@ -86,6 +88,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   std::iota(slot.begin(), slot.end(), first);
   particles_.append(batch.position, batch.velocity, batch.phase, slot);
   for (pbd::Phase phase : batch.phase) jets_.hold_for(pbd::held_steps(phase));
+  any_placed_ |= batch.by_hand;
   solver_.particles_changed(first, added);
 }
 

@@ -55,7 +55,7 @@ void DeviceEngine<D>::place_bodies() {
   any_placed_ = true;
 }
 
-/// Where solids or cloth have been put into one another, or into fluid.
+/// Where solids, cloth or particles have been put into one another.
 template <class D>
 void DeviceEngine<D>::note_placed() {
   if (!any_placed_ || shape_set_.shapes.count == 0) return;

@@ -157,6 +157,7 @@ class Assembly {
 void World::Impl::cloth_changed() {
   fetch_cloth();
   cloth_is_on_device = false;
+  state_changed();
 }
 
 void World::Impl::fetch_cloth() {
@@ -239,11 +240,11 @@ void World::Impl::note_cloth_step(float dt) {
   const auto note = [](uint32_t, auto& entry) { entry.strand.placed = false; };
   cloths.for_each(note);
   ropes.for_each(note);
-  if (engine->found_tears()) tear_cloth();
 }
 
 void World::Impl::tear_cloth() {
   constexpr uint32_t most_splits = 64;  // of a piece in a step
+  if (vertex_count == 0 || !engine->found_tears()) return;
   read_reactions();
   fetch_cloth();
   cloths.for_each([&](uint32_t index, ClothEntry& entry) {

@@ -155,6 +155,7 @@ void World::remove_particles(std::span<const ParticleId> gone) {
 
 void World::relax(int iterations) {
   check::between("relax's iterations", iterations, 0, 100000);
+  impl_->read_reactions();  // of the last step
   impl_->with_all().relax(0.001f, iterations);
   impl_->state_changed();
   impl_->cloth_is_on_host = impl_->vertex_count == 0;
@@ -185,6 +186,7 @@ StepReport World::step(float dt) {
   impl_->note_cloth_step(dt);
   StepReport report;
   impl_->wet_cloth(dt, report);
+  impl_->tear_cloth();  // last: what touched cloth goes by the numbers that its vertices had
   report.removed = impl_->take_sinks();
   report.emitted = impl_->emit(dt);
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

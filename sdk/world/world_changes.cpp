@@ -56,6 +56,7 @@ void World::set_def(const WorldDef& def) {
   expect_same("support_ratio", now.support_ratio, def.support_ratio);
   expect_same("contact_radius", now.contact_radius, def.contact_radius);
   expect_same("diffuse", now.diffuse, def.diffuse);
+  impl_->read_reactions();  // of the last step: with the gravity of then
   if (now.cloth != def.cloth) impl_->cloth_changed();
   impl_->def = def;
   impl_->rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});
@@ -113,6 +114,7 @@ void World::set_fluid(FluidId id, const FluidDef& def) {
   if (now.filter != def.filter) impl_->cloth_changed();  // what it has to bear may be another
   impl_->fluids.edit(id) = material_of(def);
   impl_->set_materials();
+  impl_->state_changed();
 }
 
 std::vector<float> World::solid_distances(std::span<const Vec3> points, float reach,

@@ -95,6 +95,7 @@ void World::Impl::set_materials() {
 void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
                       std::span<const Vec3> new_velocities, Vec3 velocity) {
   ParticleBatch batch;
+  batch.by_hand = true;
   for (size_t i = 0; i < new_positions.size(); ++i)
     add_to(batch, fluid, new_positions[i], new_velocities.empty() ? velocity : new_velocities[i]);
   append(batch);

@@ -31,10 +31,13 @@ bool before(const RigidTouch& x, const RigidTouch& y) {
 /// Where a ray first meets a ball, as a share of the ray; nothing where it starts inside.
 std::optional<float> meet_ball(Vec3 from, Vec3 ray, Vec3 centre, float radius) {
   const Vec3 to_start = from - centre;
-  const float a = dot(ray, ray), b = dot(to_start, ray), c = dot(to_start, to_start) - radius * radius;
-  const float discriminant = b * b - a * c;
-  if (c < 0 || b >= 0 || discriminant < 0) return {};
-  const float t = (-b - std::sqrt(discriminant)) / a;
+  const float radius2 = radius * radius, a = dot(ray, ray), b = dot(to_start, ray);
+  if (dot(to_start, to_start) < radius2 || b >= 0) return {};
+  // By how far the ray misses the centre: b² − ac would be the difference of numbers far larger than itself.
+  const Vec3 miss = to_start - (b / a) * ray;
+  const float inside2 = radius2 - dot(miss, miss);
+  if (inside2 < 0) return {};
+  const float t = -b / a - std::sqrt(inside2 / a);
   return t <= 1 ? std::optional(t) : std::nullopt;
 }
 

@@ -83,9 +83,11 @@ Diagnostics World::diagnostics() const {
     interior += full[i] > 0 ? std::fabs(error[i]) : 0;
     interior_count += full[i];
   }
-  if (!error.empty()) d.density_error_mean = over / static_cast<double>(error.size());
-  d.neighbours_mean = impl_->measured.neighbours_mean;
-  d.contacts = impl_->measured.contacts;
+  if (!error.empty()) {
+    d.density_error_mean = over / static_cast<double>(error.size());
+    d.neighbours_mean = impl_->measured.neighbours_mean;
+    d.contacts = impl_->measured.contacts;
+  }
   if (interior_count > 0) d.density_error_interior = interior / interior_count;
   return d;
 }

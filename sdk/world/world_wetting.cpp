@@ -56,6 +56,7 @@ void World::Impl::wet_cloth(float dt, StepReport& report) {
   if (!any) return;
   const std::vector<collision::WettingTouch> wetting = engine->read_wetting();
   if (wetting.empty() && !wet) return;
+  read_reactions();  // while the cloth weighs what it did
   fetch_cloth();
   std::vector<WetPiece> wet_pieces;
   report.absorbed = take_up(wetting, wet_pieces);

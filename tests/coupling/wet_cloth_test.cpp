@@ -200,6 +200,48 @@ TEST_P(WetCloth, TornItLosesNone) {
   EXPECT_EQ(world.cloth_wetness(cloth).size(), world.cloth_positions(cloth).size());
 }
 
+TEST_P(WetCloth, TornItTakesUpOnlyWhatTouchesIt) {
+  World world(world_def(GetParam(), spacing));
+  const FluidId water = world.create_fluid({});
+  ClothDef rag = towel({5, 0, 0});
+  rag.stretch = {1.8f, 1, 1};
+  rag.fabric.tear_strain = 0.5f;
+  const ClothId torn = world.create_cloth(rag), wet = world.create_cloth(towel({0, 0, 0}));
+  for (const ClothId cloth : {torn, wet}) world.create_attachment(attach(cloth, border()));
+  world.add_fluid(block(water, {-0.1f, 0, -0.1f}, {0.1f, 0.02f, 0.1f}));
+  size_t tears = 0;
+  for (int k = 0; k < 6; ++k) {
+    world.step(1 / 120.0f);
+    tears += world.tear_events().size();
+  }
+  EXPECT_GT(tears, 0u);
+  EXPECT_EQ(world.cloth_state(torn).fluid_mass, 0);
+  EXPECT_GT(world.cloth_state(wet).fluid_mass, 0);
+}
+
+TEST_P(WetCloth, WaterRunsDownWhereNoFluidMeetsIt) {
+  World world(world_def(GetParam(), spacing));
+  FluidDef def;
+  const FluidId water = world.create_fluid(def);
+  ClothDef rag = towel({0, 0, 0});
+  rag.fabric.retention = 0;
+  rag.pose.rotation = about_z(30);
+  const ClothId cloth = world.create_cloth(rag);
+  world.create_attachment(attach(cloth, border()));
+  world.add_fluid(block(water, {-0.1f, 0, -0.1f}, {0.1f, 0.02f, 0.1f}));
+  run(world, 6, 1 / 120.0f);
+  EXPECT_GT(world.cloth_state(cloth).fluid_mass, 0);
+  const auto wetness = [&] {
+    const auto now = world.cloth_wetness(cloth);
+    return std::vector<float>(now.begin(), now.end());
+  };
+  const std::vector<float> before = wetness();
+  def.filter.mask = 0;
+  world.set_fluid(water, def);
+  run(world, 10, 1 / 60.0f);
+  EXPECT_NE(wetness(), before);
+}
+
 TEST_P(WetCloth, WrongValuesAreNamed) {
   World world(world_def(GetParam(), spacing));
   const auto refused = [&](const char* name, auto member, float value) {

@@ -70,5 +70,39 @@ TEST_P(PlacedSolids, ABodyThatIsMovedThere) {
   expect_calm("a body that is moved there", true);
 }
 
+/// The fastest that blocks of water in a box become.
+class PlacedWater : public OnDevice {
+ protected:
+  static float fastest(World& world) {
+    float speed = 0;
+    for (int k = 0; k < 5; ++k) speed = std::max(speed, world.step(1 / 60.0f).max_speed);
+    return speed;
+  }
+  World world_{world_def(GetParam(), 0.05f)};
+  FluidDef water_;
+  std::vector<Vec3> block_ = lattice(4, 4, 4, 0.05f, {-0.1f, 0.25f, -0.1f});
+};
+MENISCUS_ON_EACH_DEVICE(PlacedWater);
+
+TEST_P(PlacedWater, IsNotThrownOutOfASolid) {
+  world_.create_shape(shape(BoxGeometry{}));
+  world_.step(0.001f);
+  world_.add_particles(world_.create_fluid(water_), block_);
+  EXPECT_LT(fastest(world_), 12);
+}
+
+TEST_P(PlacedWater, IsNotThrownOutOfWhatBecomesSolidToIt) {
+  water_.filter.mask = 1;
+  const FluidId id = world_.create_fluid(water_);
+  ShapeDef box = shape(BoxGeometry{});
+  box.filter.groups = 2;
+  world_.create_shape(box);
+  world_.add_particles(id, block_);
+  world_.step(0.001f);
+  water_.filter.mask = 3;
+  world_.set_fluid(id, water_);
+  EXPECT_LT(fastest(world_), 12);
+}
+
 }  // namespace
 }  // namespace meniscus::tests

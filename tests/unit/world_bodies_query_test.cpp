@@ -48,6 +48,17 @@ class BodyQueryTest : public OnDevice {
   }
 };
 
+TEST_P(BodyQueryTest, ARayFromAfarMeetsWhatLiesOnIt) {
+  const float beside = 3 * s;
+  for (int k = 0; k < 100; ++k) {
+    const float a = 0.06f * static_cast<float>(k);
+    const Vec3 centre{3, 0, 0}, away{0, 300 * std::cos(a), 300 * std::sin(a)};
+    const Vec3 side{beside, 0, 0};
+    expect_drop(hit(centre + away, centre - away));
+    EXPECT_FALSE(world_.cast_ray(centre + side + away, centre + side - away).has_value()) << k;
+  }
+}
+
 TEST_P(BodyQueryTest, ARayFindsTheNearestOfAllKinds) {
   const RayHit from_left = hit({-5, 0.2f, 0.1f}, {5, 0.2f, 0.1f});
   expect_wall(from_left);

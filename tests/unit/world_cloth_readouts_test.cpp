@@ -209,6 +209,46 @@ TEST_P(ClothReadoutTest, TheHashSeesClothAndRopes) {
   EXPECT_NE(hash(0, 0, 4.001f), first);
 }
 
+TEST_P(ClothReadoutTest, ForcesOfTheLastStepOutliveChanges) {
+  const auto force_after = [&](const auto& change) {
+    World world(world_def(GetParam(), 0.1f));
+    const ClothId id = world.create_cloth(sheet(1, 1, 9, 9));
+    const AttachmentId held = world.create_attachment(attach(id, {0, 8}));
+    run(world, 30, 1 / 60.0f);
+    change(world);
+    return world.attachment_force(held);
+  };
+  const Vec3 force = force_after([](World&) {});
+  EXPECT_LT(force.y, -0.1f);
+  EXPECT_EQ(force_after([](World& world) { world.relax(5); }), force);
+  EXPECT_EQ(force_after([](World& world) {
+              WorldDef def = world.def();
+              def.gravity = {0, 100, 0};
+              world.set_def(def);
+            }),
+            force);
+}
+
+// Those that lie along the axis that a crank turns about.
+TEST_P(ClothReadoutTest, RelaxingTakesTheSpinFromRods) {
+  RopeDef crank = rope({{0, 0, 0}, {0.5f, 0, 0}, {0.5f, 0.5f, 0}}, 10);
+  crank.bends_and_twists = true;
+  const RopeId id = world_.create_rope(crank);
+  const uint32_t end[] = {10};
+  const Vec3 impulse[] = {{0, 0, 0.1f}};
+  world_.apply_impulses(id, end, impulse);
+  run(world_, 10, 1 / 240.0f);
+  const auto spin_in = [&](float dt) {
+    const Quat before = world_.rope_frames(id)[2];
+    world_.step(dt);
+    return 2 * std::fabs((world_.rope_frames(id)[2] * conjugate(before)).x) / dt;
+  };
+  const float spin = spin_in(1e-4f);
+  world_.relax(1);
+  EXPECT_GT(spin, 10);
+  EXPECT_LT(spin_in(1e-4f), 0.05f * spin);
+}
+
 // What is read of cloth must be what the device has, or the next upload brings back what was.
 TEST_P(ClothReadoutTest, RelaxingLeavesNothingOutOfDate) {
   World unseen(weightless(GetParam()));

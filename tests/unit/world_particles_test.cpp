@@ -85,6 +85,31 @@ TEST_P(ParticlesTest, RemovalClosesUpAndKeepsTheRest) {
   EXPECT_EQ(world.diagnostics().outside, 0u);
 }
 
+TEST_P(ParticlesTest, WithoutAnyNothingIsMeasured) {
+  World world = dam_break(def_);
+  world.step(0.01f);
+  EXPECT_GT(world.diagnostics().neighbours_mean, 0);
+  world.remove_particles(ids(world));
+  EXPECT_EQ(world.diagnostics().neighbours_mean, 0);
+  EXPECT_EQ(world.diagnostics().contacts, 0u);
+}
+
+TEST_P(ParticlesTest, ErrorsOfDensityAreMeasuredAnewWithoutTheClothThatWasThere) {
+  World world(def_);
+  world.add_particles(world.create_fluid({}), lattice(8, 4, 8, s, {-0.2f, 0.01f, -0.2f}));
+  const auto errors = [&] {
+    return std::vector<float>(world.density_errors().begin(), world.density_errors().end());
+  };
+  const std::vector<float> before = errors();
+  ClothDef def;
+  def.geometry = SheetGeometry{1, 1, 11, 11};
+  const ClothId cloth = world.create_cloth(def);
+  const std::vector<float> above_cloth = errors();
+  EXPECT_NE(above_cloth, before);
+  world.destroy_cloth(cloth);
+  EXPECT_EQ(errors(), before);
+}
+
 TEST_P(ParticlesTest, AnIdIsNeverUsedAgain) {
   World world(def_);
   const FluidId water = world.create_fluid({});
