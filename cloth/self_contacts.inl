@@ -187,6 +187,7 @@ void SelfContacts<D>::make_room() {
 
 template <class D>
 void SelfContacts<D>::reserve_contacts(uint32_t capacity) {
+  corners_.resize_discard(0);
   plane_.resize_discard(capacity);
   multiplier_.resize_discard(capacity);
   weights_.resize_discard(capacity);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "collision/face_points.h"
@@ -21,8 +22,8 @@ void FacePoints<D>::set_surface(const pbd::SurfaceView& surface) {
 
 template <class D>
 void FacePoints<D>::set_room(uint32_t points) {
-  room_ = points;
-  active_ = active_ && points > 0;
+  const bool active = std::exchange(active_, false) && points > 0;
+  room_ = 0;
   const uint32_t faces = points ? surface_.triangles.count : 0;
   needed_.resize_discard(faces);
   number_.resize_discard(points ? faces + 1 : 0);
@@ -31,6 +32,8 @@ void FacePoints<D>::set_room(uint32_t points) {
   pushed_.resize_discard(points);
   demand_.resize_discard(points);
   at_vertex_.resize_discard(points ? vertices_ : 0);
+  room_ = points;  // last: where there was no memory, there is no room
+  active_ = active;
 }
 
 /// Where none were needed for long, none are kept ready: a step that needs some after all is done again, with

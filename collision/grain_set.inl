@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "collision/grain_kernels.h"
@@ -40,8 +41,8 @@ void GrainSet<D>::set_materials(std::span<const GrainMaterial> materials) {
   roughness_.resize_discard(roughness.size());
   roughness_.write(roughness);
   if (any_ || std::none_of(materials.begin(), materials.end(), [](auto& m) { return m.is_grain; })) return;
-  any_ = true;
   reserve_arrays(0);
+  any_ = true;
 }
 
 template <class D>
@@ -145,8 +146,9 @@ void GrainSet<D>::reserve_arrays(uint32_t kept) {
     found_.host()[0] = 0;
   }
   const uint32_t more = capacity_ - kept;
-  if (more > 0) device_.fill(count_.current().data + kept, 0, more * sizeof(uint32_t));
-  clear(kept, more);
+  if (more == 0) return;
+  device_.fill(count_.current().data + kept, 0, more * sizeof(uint32_t));
+  device_.fill(origin_.current().data + kept, 0xff, more * sizeof(uint32_t));
 }
 
 /// They have not touched anything, and have no rows. Those at their places may be others'.
@@ -166,8 +168,14 @@ void GrainSet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
 /// Longer rows start empty: the next solve starts from nothing.
 template <class D>
 void GrainSet<D>::make_room() {
-  row_capacity_ = (longest_row() + 3) / 4 * 4;
-  reserve_arrays(0);
+  const uint32_t before = std::exchange(row_capacity_, (longest_row() + 3) / 4 * 4);
+  try {
+    reserve_arrays(0);
+  } catch (...) {
+    row_capacity_ = before;
+    reserve_arrays(0);
+    throw;
+  }
 }
 
 template <class D>

@@ -126,6 +126,7 @@ void SheetContacts<D>::start_step() {
 template <class D>
 void SheetContacts<D>::reserve_near(uint32_t capacity) {
   using namespace sheet_kernels;
+  near_.resize_discard(0);
   touches_.resize_discard(most_touches * size_t{capacity});
   entries_.resize_discard(SheetTouch::most_vertices * most_touches * size_t{capacity});
   near_.resize_discard(capacity);  // last: its length is what counts

@@ -22,13 +22,14 @@ void Multigrid<D>::fit(const NodeTable& table) {
   // Halved down to one node: the sum is at most twice the first.
   const size_t most = 2 * size_t{table.count()};
   if (coefficients_.size() < most) {
-    coefficients_.resize_discard(most);
+    coefficients_.resize_discard(0);
     pressure_.resize_discard(most);
     right_.resize_discard(most);
     solution_.resize_discard(table.count());
     direction_.resize_discard(table.count());
     image_.resize_discard(table.count());
     products_.resize_discard(3);
+    coefficients_.resize_discard(most);  // last: its length is what counts
   }
   levels_.clear();
   NodeTable present = table;

@@ -45,7 +45,7 @@ void PressureGrid<D>::fit(const pbd::GridView& cells) {
   multigrid_.fit(space_.nodes);
   const uint32_t count = space_.nodes.count();
   if (flags_.size() >= count) return;
-  flags_.resize_discard(count);
+  flags_.resize_discard(0);
   inside_.resize_discard(count);
   filled_.resize_discard(count);
   give_.resize_discard(count);
@@ -54,6 +54,7 @@ void PressureGrid<D>::fit(const pbd::GridView& cells) {
   motion_.resize_discard(count);
   vessels_.reserve(count);
   lost_.resize_discard(1);
+  flags_.resize_discard(count);  // last: its length is what counts
 }
 
 template <class D>

@@ -160,9 +160,10 @@ template <class D>
 void SurfaceTensionSet<D>::make_room() {
   const uint32_t size = capacity_ + pbd::Particles::padding;
   if (!pulls_ || cohesion_.size() >= size) return;
-  cohesion_.resize_discard(size);
+  cohesion_.resize_discard(0);
   curvature_.resize_discard(size);
   normal_.resize_discard(size);
+  cohesion_.resize_discard(size);  // last: its length is what counts
   cohesion_.fill(0);
   curvature_.fill(0);
   normal_.fill(0);

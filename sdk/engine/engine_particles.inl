@@ -13,15 +13,15 @@ void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
   const uint32_t capacity = fluid + vertices;
   fetch_contacts();
   solver_.reserve(fluid, vertices);
-  fluid_capacity_ = fluid;
-  vertex_capacity_ = vertices;
+  vector_out_.resize_or_stay(fluid);
+  scalar_out_.resize_or_stay(fluid);
+  full_out_.resize_or_stay(fluid);
+  index_out_.resize_or_stay(fluid);
+  state_sum_.resize_or_stay(1);
+  count_out_.resize_or_stay(1);
   removal_.reserve(capacity);
-  vector_out_.resize_discard(fluid);
-  scalar_out_.resize_discard(fluid);
-  full_out_.resize_discard(fluid);
-  index_out_.resize_discard(fluid);
-  state_sum_.resize_discard(1);
-  count_out_.resize_discard(1);
+  fluid_capacity_ = fluid;  // last: where there was no memory, there is room for as many as before
+  vertex_capacity_ = vertices;
 }
 
 template <class D>

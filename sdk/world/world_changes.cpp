@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "sdk/world/check.h"
 #include "sdk/world/world_impl.h"
@@ -112,8 +113,14 @@ void World::set_fluid(FluidId id, const FluidDef& def) {
     throw Error(ErrorCode::invalid_argument,
                 "set_fluid cannot change FluidDef::rest_density: particles keep their mass");
   if (now.filter != def.filter) impl_->cloth_changed();  // what it has to bear may be another
-  impl_->fluids.edit(id) = material_of(def);
-  impl_->set_materials();
+  const ParticleMaterial before = std::exchange(impl_->fluids.edit(id), material_of(def));
+  try {
+    impl_->set_materials();
+  } catch (...) {
+    impl_->fluids.edit(id) = before;
+    impl_->set_materials();
+    throw;
+  }
   impl_->state_changed();
 }
 

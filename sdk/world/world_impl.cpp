@@ -81,7 +81,13 @@ FluidId World::Impl::create_material(const ParticleMaterial& material) {
     fluids.erase(id);
     throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
   }
-  set_materials();
+  try {
+    set_materials();
+  } catch (...) {
+    fluids.erase(id);
+    set_materials();
+    throw;
+  }
   cloth_changed();  // it may have to bear this one
   return id;
 }
