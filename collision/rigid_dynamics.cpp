@@ -127,12 +127,16 @@ void aim_friction(btManifoldPoint& point, const btVector3& velocity) {
   point.m_contactPointFlags |= BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
 }
 
-/// Bullet takes what would close a gap in one step off the speed of a bounce. What bounces does so here as if
-/// the gap were closed.
+/// Bullet takes what would close a gap in one step off the speed of a bounce, so that it brakes what has not
+/// arrived, or stops what has. What arrives in this step bounces here as if the gap were closed; what does
+/// not has nothing to bounce off yet.
 void close_gap(btManifoldPoint& point, const btVector3& velocity, float dt, float resting_speed) {
-  const float approach = -point.m_normalWorldOnB.dot(velocity);
-  const bool bounces = point.m_combinedRestitution > 0 && approach > resting_speed;
-  if (bounces && point.getDistance() > 0 && point.getDistance() < approach * dt) point.setDistance(0);
+  const float approach = -point.m_normalWorldOnB.dot(velocity), gap = point.getDistance();
+  if (point.m_combinedRestitution == 0 || approach <= resting_speed || gap <= 0) return;
+  if (gap < approach * dt)
+    point.setDistance(0);
+  else
+    point.m_combinedRestitution = 0;
 }
 
 }  // namespace
@@ -142,8 +146,10 @@ void RigidDynamics::prepare_contacts() {
   for_each_touching([&](btPersistentManifold& manifold) {
     const btRigidBody& a = *btRigidBody::upcast(manifold.getBody0());
     const btRigidBody& b = *btRigidBody::upcast(manifold.getBody1());
+    const float restitution = btManifoldResult::calculateCombinedRestitution(&a, &b);
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
       btManifoldPoint& point = manifold.getContactPoint(p);
+      point.m_combinedRestitution = restitution;
       const btVector3 velocity = free_velocity(a, point.getPositionWorldOnA(), dt) -
                                  free_velocity(b, point.getPositionWorldOnB(), dt);
       aim_friction(point, velocity);

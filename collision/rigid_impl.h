@@ -17,6 +17,9 @@
 
 namespace meniscus::collision {
 
+/// Bullet's user type of joints with springs.
+inline constexpr int spring_constraint = 1;
+
 enum class KinematicDrive { still, keyframes, move };
 
 /// What a body remembers beside what Bullet does: plain data, so that it can be saved.
@@ -35,7 +38,8 @@ struct RigidBodyRecord {
   std::vector<Keyframe> keyframes;
   bool loop = false;
   RigidMemory memory;
-  Pose from, to;  ///< kinematic bodies: of the step that is under way
+  Pose from, to;                             ///< kinematic bodies: of the step that is under way
+  Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the step under way, where sprung
 };
 
 struct RigidFixedRecord {
@@ -108,12 +112,14 @@ struct RigidWorld::Impl {
 
   /// To be called before something is changed that others may rest on.
   void wake_around(const btRigidBody& body);
+  void drop_pairs();
 
   Pose kinematic_pose(const RigidBodyRecord& body, double at) const;
   void place_kinematic(RigidBodyRecord& body, const Pose& pose);
 
   void take_impulses(float dt, std::span<const RigidImpulse> impulses);
   void drive_kinematics(float dt);
+  void wake_driven();
   void advance_kinematics(float share);
   void apply_forces(float dt);
   void limit_motors(float dt);

@@ -63,6 +63,7 @@ Constraint make_springs(const Frames& f, const SpringJoint& spring) {
     made->setStiffness(axis, stiffness[axis % 3] / mass_unit);
     made->setDamping(axis, damping[axis % 3] / mass_unit);
     made->setEquilibriumPoint(axis, 0);
+    made->setUserConstraintType(spring_constraint);
   }
   return made;
 }

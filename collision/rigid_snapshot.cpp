@@ -109,13 +109,6 @@ void RigidWorld::save_contacts(Snapshot& to) const {
 
 namespace {
 
-void drop_pairs(btHashedOverlappingPairCache& pairs, btDispatcher& dispatcher) {
-  while (pairs.getNumOverlappingPairs() > 0) {
-    const btBroadphasePair last = pairs.getOverlappingPairArray()[pairs.getNumOverlappingPairs() - 1];
-    pairs.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
-  }
-}
-
 /// The pairs in the order that they had, with algorithms for those that had one, and their manifolds.
 void remake_pairs(const std::vector<SavedPair>& saved, btHashedOverlappingPairCache& pairs,
                   RigidBroadphase& broadphase, RigidDispatcher& dispatcher, const btDispatcherInfo& info) {
@@ -155,7 +148,7 @@ void refill_all(RigidDispatcher& dispatcher, const std::vector<SavedManifold>& s
 void RigidWorld::restore(const Snapshot& from) {
   RigidDynamics& dynamics = impl_->dynamics;
   dynamics.release_predictive();
-  drop_pairs(impl_->pairs, impl_->dispatcher);
+  impl_->drop_pairs();
   impl_->broadphase.restore(from.broadphase);
   auto saved_body = from.bodies.begin();
   for (size_t n = 0; n < impl_->bodies.slots.size(); ++n) {

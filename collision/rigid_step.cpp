@@ -71,6 +71,13 @@ RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, floa
   return mean;
 }
 
+bool is_sprung(btRigidBody& body) {
+  for (int i = 0; i < body.getNumConstraintRefs(); ++i) {
+    if (body.getConstraintRef(i)->getUserConstraintType() == spring_constraint) return true;
+  }
+  return false;
+}
+
 /// Takes a particles' push in, unless the body sleeps through it.
 void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, float gravity) {
   RigidMemory& memory = body.memory;
@@ -85,8 +92,14 @@ void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, 
   const float share = dt / (smoothing_time + dt);
   memory.usual_force += share * (force - memory.usual_force);
   memory.usual_torque += share * (torque - memory.usual_torque);
-  body.bullet->applyCentralImpulse(in_mass_units(impulse.linear));
-  body.bullet->applyTorqueImpulse(in_mass_units(impulse.angular));
+  if (is_sprung(*body.bullet)) {
+    // What had become motion before joints are solved for, a damper would resist for ever.
+    body.push = force;
+    body.push_torque = torque;
+  } else {
+    body.bullet->applyCentralImpulse(in_mass_units(impulse.linear));
+    body.bullet->applyTorqueImpulse(in_mass_units(impulse.angular));
+  }
 }
 
 }  // namespace
@@ -135,9 +148,10 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
 
 void RigidWorld::Impl::take_impulses(float dt, std::span<const RigidImpulse> impulses) {
   assert(impulses.empty() || impulses.size() >= bodies.slots.size());
-  for (uint32_t n = 0; n < bodies.slots.size() && !impulses.empty(); ++n) {
+  for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
     if (!bodies.has(n) || bodies.slots[n]->kinematic) continue;
-    take_impulse(*bodies.slots[n], impulses[n], dt, acceleration_scale());
+    bodies.slots[n]->push = bodies.slots[n]->push_torque = {0, 0, 0};
+    if (!impulses.empty()) take_impulse(*bodies.slots[n], impulses[n], dt, acceleration_scale());
   }
 }
 
@@ -155,6 +169,20 @@ void RigidWorld::Impl::drive_kinematics(float dt) {
   }
 }
 
+/// Contacts wake what lies on a body that moves. What hangs from it by a joint is woken here.
+void RigidWorld::Impl::wake_driven() {
+  const auto moves = [&](uint32_t n) {
+    if (!bodies.has(n) || !bodies.slots[n]->kinematic) return false;
+    const btRigidBody& body = *bodies.slots[n]->bullet;
+    return !body.getLinearVelocity().isZero() || !body.getAngularVelocity().isZero();
+  };
+  for (const auto& joint : joints.slots) {
+    if (!joint) continue;
+    if (moves(joint->a) && bodies.has(joint->b)) wake_up(*bodies.slots[joint->b]->bullet);
+    if (moves(joint->b) && bodies.has(joint->a)) wake_up(*bodies.slots[joint->a]->bullet);
+  }
+}
+
 void RigidWorld::Impl::advance_kinematics(float share) {
   for (const auto& body : bodies.slots) {
     if (!body || !body->kinematic) continue;
@@ -167,8 +195,8 @@ void RigidWorld::Impl::apply_forces(float dt) {
     if (!body || body->kinematic) continue;
     btRigidBody& bullet = *body->bullet;
     bullet.clearForces();
-    bullet.applyCentralForce(in_mass_units(body->memory.force));
-    bullet.applyTorque(in_mass_units(body->memory.torque));
+    bullet.applyCentralForce(in_mass_units(body->memory.force + body->push));
+    bullet.applyTorque(in_mass_units(body->memory.torque + body->push_torque));
     if (bullet.isActive()) bullet.setAngularVelocity(tumbled(bullet, bullet.getAngularVelocity(), dt));
   }
 }
@@ -176,6 +204,7 @@ void RigidWorld::Impl::apply_forces(float dt) {
 void RigidWorld::begin_step(float dt) {
   impl_->knows_touches = false;
   impl_->drive_kinematics(dt);
+  impl_->wake_driven();
   impl_->dynamics.detect(dt / static_cast<float>(impl_->def.substeps));
 }
 

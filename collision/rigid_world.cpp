@@ -80,7 +80,16 @@ RigidWorld::Impl::Impl(const RigidWorldDef& definition)
   info.m_splitImpulsePenetrationThreshold = 0;
 }
 
+/// From the last to the first, which moves none to another's place.
+void RigidWorld::Impl::drop_pairs() {
+  while (pairs.getNumOverlappingPairs() > 0) {
+    const btBroadphasePair last = pairs.getOverlappingPairArray()[pairs.getNumOverlappingPairs() - 1];
+    pairs.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
+  }
+}
+
 RigidWorld::Impl::~Impl() {
+  drop_pairs();  // else each body would look through all of them for its own
   for (auto& joint : joints.slots) {
     if (joint) dynamics.removeConstraint(joint->bullet.get());
   }

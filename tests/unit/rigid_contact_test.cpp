@@ -92,6 +92,24 @@ TEST(RigidContact, BouncesWithItsRestitution) {
   EXPECT_NEAR(top, 0.8f * 0.8f * 0.5f, 0.02f);
 }
 
+// A step that ends in the air just before an impact must leave the bounce to the next one.
+TEST(RigidContact, BouncesTheSameFromAnyHeight) {
+  for (const RigidPart& part : {round_part(Kind::sphere, 0.1f), box_part({0.1f, 0.1f, 0.1f})}) {
+    for (int k = 0; k < 40; ++k) {
+      RigidWorld world({.gravity = {0, 0, 0}});
+      RigidSolid ground = fixed_solid(plane_part());
+      ground.restitution = 0.7f;
+      world.add_fixed(ground);
+      RigidBodyDef def = body_def(part, {0, 0.15f + 0.0001f * static_cast<float>(k), 0});
+      def.solid.restitution = 0.7f;
+      def.velocity = {0, -2, 0};
+      const uint32_t body = world.add_body(def);
+      run(world, 0.001f, 60);
+      EXPECT_NEAR(world.velocity(body).y, 1.4f, 0.03f) << k;
+    }
+  }
+}
+
 class RigidRest : public testing::TestWithParam<float> {};
 
 TEST_P(RigidRest, IsQuietAtAnySize) {

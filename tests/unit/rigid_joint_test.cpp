@@ -182,6 +182,17 @@ TEST(RigidJoint, DampedSpringsSettleUnderTheLoad) {
   EXPECT_LT(length(world.velocity(box)), 1e-3f);
 }
 
+TEST(RigidJoint, DampedSpringsBearWhatParticlesPushWith) {
+  RigidWorld world({.gravity = {0, 0, 0}});
+  const uint32_t box = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0, 0}));
+  const float inf = std::numeric_limits<float>::infinity();
+  world.add_joint(to_world_joint(box, SpringJoint{{inf, 800, inf}, {0, 600, 0}, {inf, inf, inf}, {}}, {}));
+  std::vector<RigidImpulse> impulses(world.body_slots());
+  impulses[box] = {{0, -80 * dt, 0}, {0, 0, 0}};
+  for (int i = 0; i < 2000; ++i) world.step(dt, impulses);
+  EXPECT_NEAR(world.pose(box).position.y, -80.0f / 800, 0.002f);
+}
+
 TEST(RigidJoint, JoinedBodiesCollideOnlyIfTold) {
   for (const bool collide : {false, true}) {
     RigidWorld world({.gravity = {0, 0, 0}});

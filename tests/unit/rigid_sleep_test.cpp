@@ -115,6 +115,23 @@ TEST(RigidSleep, AMovingFloorWakesWhatLiesOnIt) {
   EXPECT_NEAR(world.pose(box).position.y, 0.6f, 0.01f);
 }
 
+TEST(RigidSleep, AMovingCarrierWakesWhatHangsFromIt) {
+  RigidWorld world({});
+  const uint32_t crane = world.add_body(kinematic_def({box_part({0.1f, 0.1f, 0.1f})}, {{0, 2, 0}, no_turn}));
+  const uint32_t load = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 1, 0}));
+  RigidJointDef rope;
+  rope.a = crane;
+  rope.b = load;
+  rope.frame = {{0, 2, 0}, no_turn};
+  rope.kind = BallJoint{};
+  world.add_joint(rope);
+  run(world, dt, 1500);
+  EXPECT_FALSE(world.awake(load));
+  world.move(crane, {{0, 3, 0}, no_turn}, 2);
+  run(world, dt, 600);
+  EXPECT_NEAR(world.pose(load).position.y, 2, 0.02f);
+}
+
 TEST(RigidSleep, SomeNeverDo) {
   RigidWorld world({});
   world.add_fixed(fixed_solid(plane_part()));
