@@ -8,7 +8,9 @@
 #include <meniscus/error.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <functional>
+#include <iostream>
 
 #include "sdk/cli/commands/check.h"
 #include "sdk/cli/commands/devices.h"
@@ -160,10 +162,7 @@ ExitCode exit_code_of(ErrorCode code) {
   return run_failed;
 }
 
-}  // namespace
-
-int run_program(int argc, char** argv) {
-  start_log();
+int parse_and_run(int argc, char** argv) {
   RunOptions run;
   ViewOptions view;
   CheckOptions check;
@@ -191,6 +190,16 @@ int run_program(int argc, char** argv) {
   } catch (const std::exception& error) {
     return report(error.what(), run_failed);
   }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  start_log();
+  const int code = parse_and_run(argc, argv);
+  const bool written = std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush();
+  if (written || code != success) return code;
+  return report("cannot write to standard output", run_failed);
 }
 
 }  // namespace meniscus::cli

@@ -42,7 +42,7 @@ std::vector<std::string> sample_names() {
 
 std::string scene_path(const std::string& scene) {
   std::error_code refused;  // a name too long, say, is no file
-  if (fs::is_regular_file(scene, refused)) return scene;
+  if (fs::exists(scene, refused) && !fs::is_directory(scene, refused)) return scene;  // a pipe will do
   const fs::path sample = samples_folder() / (scene + ".json");
   if (scene.find('/') == std::string::npos && fs::is_regular_file(sample, refused)) return sample.string();
   if (fs::is_directory(scene, refused))

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <new>
 
 #include "sdk/scene/scene.h"
 
@@ -67,11 +68,16 @@ const std::string& name_of(const SceneVolume& volume) {
 template <class Item, class Make>
 void for_each_item(const char* key, const std::vector<Item>& items, const Make& make) {
   for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto fail = [&](ErrorCode code, const char* why) {
+      throw Error(code,
+                  std::string(key) + "[" + std::to_string(i) + "] (\"" + name_of(items[i]) + "\"): " + why);
+    };
     try {
       make(items[i]);
     } catch (const Error& error) {
-      throw Error(error.code(), std::string(key) + "[" + std::to_string(i) + "] (\"" + name_of(items[i]) +
-                                    "\"): " + error.what());
+      fail(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+      fail(ErrorCode::out_of_memory, "there is not enough memory for it");
     }
   }
 }

@@ -189,7 +189,7 @@ void fields(V& v, Scene& d) {
   v("$schema", schema, any_value, "", "address of this schema, for editors; not read");
   v("name", d.name, required(not_empty), "", "short name of the scene");
   v("description", d.description, any_value, "", "what there is to see");
-  v("frame_time", d.frame_time, positive, "s", "length of a frame");
+  v("frame_time", d.frame_time, at_least(1e-12), "s", "length of a frame");
   v("frames", d.frames, at_least(1), "", "how many frames to run, unless told otherwise");
   v("relax_iterations", d.relax_iterations, between(0, 100000), "",
     "rounds of settling the particles before the first frame");

@@ -55,6 +55,9 @@ void fields(V& v, SceneCopies& d) {
   double all = 1;
   for (const int count : d.count) all *= count;
   v.check(all <= most, "there must be at most 100000 copies");
+  const float steps[] = {d.step.x, d.step.y, d.step.z};
+  for (size_t axis = 0; axis < std::min<size_t>(d.count.size(), 3); ++axis)
+    v.check(d.count[axis] <= 1 || steps[axis] != 0, "step must not be 0 along an axis with several");
 }
 
 template <class V>

@@ -56,6 +56,11 @@ void positive(const char* name, float value) {
   if (!std::isfinite(value) || value <= 0) refuse(name, value, "finite and > 0");
 }
 
+void at_least(const char* name, float value, float lower) {
+  if (!std::isfinite(value) || value < lower)
+    refuse(name, value, (std::ostringstream() << "finite and at least " << lower).str());
+}
+
 void not_negative(const char* name, float value) {
   if (!std::isfinite(value) || value < 0) refuse(name, value, "finite and ≥ 0");
 }

@@ -21,6 +21,7 @@ void finite(const char* name, Vec3 value);
 void direction(const char* name, Vec3 value);  ///< see pbd::is_direction
 void positive(const char* name, float value);
 void not_negative(const char* name, float value);
+void at_least(const char* name, float value, float lower);
 void between(const char* name, float value, float lower, float upper);
 void between(const char* name, int value, int lower, int upper);
 void box(const char* name, const Aabb& value);  ///< finite, lower ≤ upper on each axis

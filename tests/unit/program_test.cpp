@@ -329,6 +329,14 @@ TEST_F(ProgramTest, WhatIsNoSceneIsCalledByItsName) {
               "^meniscus: [^\n]*list.json: an array of 2 is not allowed; must be an object[^\n]*\n$");
 }
 
+TEST_F(ProgramTest, ResultsThatCannotBeWrittenAreAnError) {
+  const auto print_to_a_full_disk = [&] {
+    if (std::freopen("/dev/full", "w", stdout)) run({"devices"});
+  };
+  EXPECT_EXIT(print_to_a_full_disk(), testing::ExitedWithCode(run_failed),
+              "^meniscus: cannot write to standard output\n$");
+}
+
 TEST_F(ProgramTest, WhatTheWorldRefusesIsNamedByItsPlaceInTheScene) {
   write("torn.json", R"({ "name": "torn", "cloths": [
     { "name": "sheet", "geometry": { "type": "sheet" } },

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* text = R"({
   "name": "x",
   "world": {"cloth": {"over_relaxation": 1.2, "warm_start": 0.1, "stretch_rounds": 3}},
-  "bodies": [{"name": "bar", "motion": "kinematic", "geometry": {"type": "box"}, "copies": {"count": [2, 1, 1]}}],
+  "bodies": [{"name": "bar", "motion": "kinematic", "geometry": {"type": "box"}, "copies": {"count": [2, 1, 1], "step": [2, 0, 0]}}],
   "cloths": [
     {"name": "flag", "geometry": {"type": "sheet", "width": 3, "depth": 2, "columns": 7, "rows": 5},
      "pose": {"position": [1, 2, 3]}, "stretch": [1.5, 1, 0.5], "velocity": [4, 5, 6],

@@ -88,6 +88,9 @@ TEST_P(CallErrorTest, AStepTakesAPositiveTime) {
   for (float dt : {0.0f, -0.01f, nan, std::numeric_limits<float>::infinity()}) {
     expect_refused(invalid, "dt", [&] { world_.step(dt); });
   }
+  // Half of the smallest float is none.
+  expect_refused(invalid, "at least 1e-12", [&] { world_.step(std::numeric_limits<float>::denorm_min()); });
+  world_.step(1e-12f);
 }
 
 TEST_P(CallErrorTest, RelaxTakesNoNegativeNumber) {

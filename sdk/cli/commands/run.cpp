@@ -188,6 +188,7 @@ int run_scene(const RunOptions& options) {
   if (options.quiet) spdlog::set_level(spdlog::level::err);
   Run run(options);
   run.step_through(options.quiet);
+  if (!run.end().error.empty()) spdlog::error("{}", run.end().error);  // first: what follows may come of it
   bool broken = false;
   try {
     const nlohmann::ordered_json figures = run.write_results();
@@ -198,10 +199,7 @@ int run_scene(const RunOptions& options) {
     spdlog::error("{}", error.what());
     return run_failed;
   }
-  if (!run.end().error.empty()) {
-    spdlog::error("{}", run.end().error);
-    return run_failed;
-  }
+  if (!run.end().error.empty()) return run_failed;
   if (run.end().interrupted) return interrupted;
   return broken ? check_broken : success;
 }

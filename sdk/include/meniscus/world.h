@@ -97,8 +97,8 @@ class World {
   /// 100,000 iterations.
   void relax(int iterations = 50);
 
-  /// Advances by dt seconds; then cloth takes up particles and drips, sinks take some, and emitters make
-  /// some. On Error(non_finite) the state is the one before the call.
+  /// Advances by dt seconds, 1e-12 or more; then cloth takes up particles and drips, sinks take some, and
+  /// emitters make some. On Error(non_finite) the state is the one before the call.
   StepReport step(float dt);
   double time() const;  ///< s
 
