@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -115,6 +116,24 @@ TEST_F(ProgramTest, ARunLeavesItsFiles) {
   EXPECT_EQ(figures["particles"], 64);
   EXPECT_EQ(figures["frames"], 2);
   EXPECT_EQ(figures["device"]["kind"], "cpu");
+}
+
+TEST_F(ProgramTest, ARunTakesTheFilesOfTheOneBeforeAway) {
+  printed(
+      {"run", "raft", "--device", "cpu", "--frames", "2", "--export", "ply,vtp", "--quiet", "--out", out()});
+  EXPECT_TRUE(fs::exists(folder_ / "out/bodies.csv"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/frames/frame_00002.ply"));
+  std::ofstream(folder_ / "out/frames/notes.ply") << "mine";
+  std::ofstream(folder_ / "out/notes.csv") << "mine";
+  printed({"run", "drop", "--device", "cpu", "--frames", "1", "--export", "ply", "--quiet", "--out", out()});
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out")) {
+    if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder_ / "out").string());
+  }
+  std::sort(files.begin(), files.end());
+  EXPECT_EQ(files,
+            (std::vector<std::string>{"density.svg", "frames.csv", "frames/frame_00001.ply",
+                                      "frames/notes.ply", "notes.csv", "preview.png", "summary.json"}));
 }
 
 TEST_F(ProgramTest, SurfacesAreWrittenWhereTheyAreAskedFor) {

@@ -11,6 +11,7 @@
 #include "sdk/cli/frame_exporter.h"
 #include "sdk/cli/frame_pictures.h"
 #include "sdk/cli/interrupt.h"
+#include "sdk/cli/old_results.h"
 #include "sdk/cli/program.h"
 #include "sdk/cli/progress.h"
 #include "sdk/cli/run_recorder.h"
@@ -32,8 +33,9 @@ std::filesystem::path folder_of(const RunOptions& options, const Scene& scene) {
   return options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out);
 }
 
-const std::filesystem::path& made(const std::filesystem::path& folder) {
-  make_folder(folder);
+const std::filesystem::path& cleared(const std::filesystem::path& folder, const RunOptions& options) {
+  make_folder(options.formats.empty() ? folder : folder / "frames");
+  remove_old_results(folder);  // after what may fail: a run that cannot start leaves all as it was
   return folder;
 }
 
@@ -48,7 +50,7 @@ class Run {
         rope_mass_(mass_of_ropes()),
         first_(sample(0, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
-        exporter_(made(folder_), options.formats, options.surface, scene_),
+        exporter_(cleared(folder_, options), options.formats, options.surface, scene_),
         recorder_(folder_, scene_) {
     warn_of_oddities(built_);
   }
@@ -166,7 +168,7 @@ class Run {
   double rope_mass_;
   FrameSample first_;       // the state before the first frame
   FramePictures pictures_;  // before the folder is made: a run that cannot start leaves it as it was
-  FrameExporter exporter_;  // before the recorder, which writes over the tables of the run before
+  FrameExporter exporter_;  // takes the files of the run before away first
   RunRecorder recorder_;
   RunEnd end_;
 };

@@ -163,7 +163,9 @@ class World {
   std::span<const Vec3> velocities() const;       ///< m/s
   std::span<const uint32_t> fluids() const;       ///< FluidId::index
   std::span<const float> density_errors() const;  ///< C = ρ/ρ₀ − 1, measured afresh
-  std::span<const float> pressures() const;       ///< Pa, of the last substep
+  /// Pa, of the last substep. With surface tension σ, what holds attracted particles apart is in it: some 1.3
+  /// σ over a spacing, everywhere.
+  std::span<const float> pressures() const;
   /// The surface of the fluid is around them: flat along it, a ball where a particle is on its own or inside.
   /// Their centres are smoothed. Grains are balls one spacing across.
   std::span<const Ellipsoid> ellipsoids() const;
