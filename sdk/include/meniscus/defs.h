@@ -129,9 +129,13 @@ struct FluidDef {
   std::string name = "water";
   float rest_density = 1000.0f;  ///< ρ₀, kg/m³
   /// Kinematic, m²/s, ≥ 0. In a substep of length hₜ velocities are evened out by 1 − exp(−22 ν hₜ/h²), so
-  /// that no more than h²/(22 hₜ) acts, however much is asked for: shorter substeps bear more.
+  /// that no more than h²/(22 hₜ) acts, however much is asked for: shorter substeps bear more. It is the
+  /// plain Laplacian of velocity: where a surface is free it brakes what turns as a whole, a drop of radius R
+  /// at some 4 ν/R².
   float viscosity = 0.0f;
-  float xsph = 5.0f;  ///< 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h²
+  /// 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h². It brakes as
+  /// `viscosity`.
+  float xsph = 5.0f;
   /// ε, no unit; the force is ε · h · (N × ω). It is no force between pairs: momentum drifts with it.
   float vorticity_confinement = 0.0f;
   /// σ, N/m: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀ s³/(2πσ)).
