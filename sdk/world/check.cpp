@@ -52,6 +52,15 @@ void direction(const char* name, Vec3 value) {
     refuse(name, text_of(value), "of a length " + range(pbd::least_direction, pbd::longest_direction));
 }
 
+void impulse(const char* name, Vec3 value, float mass) {
+  finite(name, value);
+  constexpr float most = 1e9f;  // m/s: the squares of what steps make of it are still finite
+  if (length(value) <= most * mass) return;
+  std::ostringstream allowed;
+  allowed << "at most " << most * mass << " N·s, which gives 1e9 m/s";
+  refuse(name, text_of(value), allowed.str());
+}
+
 void positive(const char* name, float value) {
   if (!std::isfinite(value) || value <= 0) refuse(name, value, "finite and > 0");
 }

@@ -24,7 +24,8 @@ void not_negative(const char* name, float value);
 void at_least(const char* name, float value, float lower);
 void between(const char* name, float value, float lower, float upper);
 void between(const char* name, int value, int lower, int upper);
-void box(const char* name, const Aabb& value);  ///< finite, lower ≤ upper on each axis
+void impulse(const char* name, Vec3 value, float mass);  ///< finite, and no more than gives `mass` 1e9 m/s
+void box(const char* name, const Aabb& value);           ///< finite, lower ≤ upper on each axis
 void pose(const char* name, const Pose& value);
 void color(const char* name, Vec3 value);  ///< each from 0 to 1
 

@@ -175,7 +175,7 @@ void World::apply_torque(BodyId id, Vec3 torque) {
 
 void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_impulse", "dynamic");
-  check::finite("apply_impulse's impulse", impulse);
+  check::impulse("apply_impulse's impulse", impulse, impl_->bodies.get(id).mass.mass);
   check::finite("apply_impulse's point", point);
   impl_->rigid.apply_impulse(id.index, impulse, point);
 }

@@ -6,6 +6,7 @@
 #include <meniscus/world.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -22,8 +23,9 @@ void check_impulses(std::size_t targets, std::span<const Vec3> impulses) {
                                                  " impulses for " + std::to_string(targets) +
                                                  "; it takes one for each");
   }
-  for (const Vec3 impulse : impulses) check::finite("an impulse of apply_impulses", impulse);
 }
+
+constexpr const char* each_impulse = "an impulse of apply_impulses";
 
 /// The places of `values` in ascending order. Throws where two are equal.
 template <class T>
@@ -59,13 +61,24 @@ void World::set_def(const WorldDef& def) {
   expect_same("diffuse", now.diffuse, def.diffuse);
   impl_->read_reactions();  // of the last step: with the gravity of then
   if (now.cloth != def.cloth) impl_->cloth_changed();
-  impl_->def = def;
+  const WorldDef before = std::exchange(impl_->def, def);
+  try {
+    impl_->engine->set_solvers(impl_->engine_def());
+  } catch (...) {
+    impl_->def = before;
+    impl_->engine->set_solvers(impl_->engine_def());
+    throw;
+  }
   impl_->rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});
-  impl_->engine->set_solvers(impl_->engine_def());
 }
 
 void World::apply_impulses(std::span<const ParticleId> targets, std::span<const Vec3> impulses) {
   check_impulses(targets.size(), impulses);
+  float lightest = std::numeric_limits<float>::max();
+  impl_->fluids.for_each([&](uint32_t index, const ParticleMaterial&) {
+    lightest = std::min(lightest, particle_mass(impl_->fluids.id(index)));
+  });
+  for (const Vec3 impulse : impulses) check::impulse(each_impulse, impulse, lightest);
   std::vector<uint32_t> slots;
   std::vector<Vec3> pushes;
   for (const uint32_t k : ascending(targets, "particle")) {
@@ -96,6 +109,7 @@ void World::Impl::push_vertices(const Strand& strand, const char* kind, std::spa
       throw Error(ErrorCode::invalid_argument,
                   "apply_impulses got the vertex " + std::to_string(vertices[k]) + ", but the " + kind +
                       " has " + std::to_string(strand.count()) + ", counted from 0");
+    check::impulse(each_impulse, impulses[k], strand.masses[vertices[k]]);
   }
   if (vertices.empty()) return;
   Engine& with_cloth = with_all();

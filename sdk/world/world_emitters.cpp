@@ -78,7 +78,7 @@ void World::Impl::plan_emission(float dt) {
     emitters.for_each([](uint32_t, EmitterEntry& e) { e.departures.clear(); });
     return;
   }
-  check_room(ids.size(), expected);
+  check_room(ids.size() + planned_drips, expected);
   size_t due = 0;
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
     e.departures.clear();
@@ -87,7 +87,7 @@ void World::Impl::plan_emission(float dt) {
     if (e.def.body) e.body_before = rigid.pose(e.def.body->index);
     due += e.departures.size();
   });
-  if (due > 0) engine->make_room(static_cast<uint32_t>(due));
+  if (due > 0) engine->make_room(static_cast<uint32_t>(due) + planned_drips);
 }
 
 /// Where the departures have got to by the end of the step.

@@ -26,7 +26,7 @@ GlParticles& GlParticles::operator=(GlParticles&&) noexcept = default;
 void World::write_particles(const ParticleArrays& arrays) const {
   if (!arrays.ellipsoids) check::refuse("ParticleArrays::ellipsoids", "null", "an array on the device");
   if (!arrays.fluids) check::refuse("ParticleArrays::fluids", "null", "an array on the device");
-  impl_->with_solids().write_particles(arrays);
+  impl_->with_all().write_particles(arrays);
   impl_->engine->device().wait();
 }
 
@@ -44,7 +44,7 @@ void World::write_particles(GlParticles& particles) const {
     check::refuse("GlParticles", "buffers for " + std::to_string(room) + " particles",
                   "room for all " + std::to_string(particle_count()));
   }
-  impl_->with_solids().write_particles(
+  impl_->with_all().write_particles(
       {static_cast<Ellipsoid*>(lent[0].data), static_cast<uint32_t*>(lent[1].data)});
 }
 

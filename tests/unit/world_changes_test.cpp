@@ -185,6 +185,23 @@ TEST_P(WorldChangesTest, WhatCannotChangeIsRefused) {
   expect_error(ErrorCode::invalid_argument, "fluids alone", [&] { world.set_fluid(sand, {}); });
 }
 
+TEST_P(WorldChangesTest, ImpulsesBeyondAnySpeedAreRefused) {
+  World world(def());
+  const ParticleId drop = world.add_particles(world.create_fluid({}), std::vector<Vec3>{{9, 0, 0}});
+  const ClothId cloth = world.create_cloth(sheet(1, 1, 3, 3));
+  BodyDef box;
+  box.pose.position = {0, 9, 0};
+  const BodyId body = world.create_body(box);
+  const Vec3 huge[] = {{3e38f, 0, 0}};
+  const ParticleId drops[] = {drop};
+  const uint32_t vertices[] = {0};
+  expect_error(ErrorCode::invalid_argument, "1e9 m/s", [&] { world.apply_impulses(drops, huge); });
+  expect_error(ErrorCode::invalid_argument, "1e9 m/s", [&] { world.apply_impulses(cloth, vertices, huge); });
+  expect_error(ErrorCode::invalid_argument, "1e9 m/s", [&] { world.apply_impulse(body, huge[0], {}); });
+  EXPECT_EQ(world.diagnostics().non_finite, 0u);
+  world.step(0.01f);
+}
+
 TEST_P(WorldChangesTest, ImpulsesThatMakeNoSenseAreRefused) {
   World world(def());
   const FluidId water = world.create_fluid({});
