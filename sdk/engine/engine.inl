@@ -209,8 +209,7 @@ class DeviceEngine final : public Engine {
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   bool contacts_fetched_ = true;
-  std::vector<CollisionFilter> filters_;  // of materials
-  bool any_placed_ = true;                // since the last step began: see note_placed()
+  bool any_placed_ = true;       // since the last step began: see note_placed()
   uint32_t sorted_in_step_ = 0;  // particles of fluids in the last step: who was added since has no contacts
   collision::ShapeSet shape_set_;
   collision::MeshFields<D> mesh_fields_;

@@ -46,8 +46,6 @@ void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials)
     (m.grain.is_grain ? any_grains : any_fluid) = true;
   }
   contacts_.set_filters(filters);
-  any_placed_ |= filters != filters_;  // what particles were free to go through may be solid to them now
-  filters_ = filters;
   density_.set_kinds(any_fluid, any_grains);
   grains_.set_materials(grains);
   tension_.set_materials(fluids);

@@ -6,7 +6,6 @@
 #include <meniscus/world.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -74,18 +73,15 @@ void World::set_def(const WorldDef& def) {
 
 void World::apply_impulses(std::span<const ParticleId> targets, std::span<const Vec3> impulses) {
   check_impulses(targets.size(), impulses);
-  float lightest = std::numeric_limits<float>::max();
-  impl_->fluids.for_each([&](uint32_t index, const ParticleMaterial&) {
-    lightest = std::min(lightest, particle_mass(impl_->fluids.id(index)));
-  });
-  for (const Vec3 impulse : impulses) check::impulse(each_impulse, impulse, lightest);
   std::vector<uint32_t> slots;
   std::vector<Vec3> pushes;
   for (const uint32_t k : ascending(targets, "particle")) {
     const auto at = std::lower_bound(impl_->ids.begin(), impl_->ids.end(), targets[k]);
     if (at == impl_->ids.end() || *at != targets[k])
       throw Error(ErrorCode::not_found, "no particle has the id " + std::to_string(targets[k]));
-    slots.push_back(static_cast<uint32_t>(at - impl_->ids.begin()));
+    const auto slot = static_cast<uint32_t>(at - impl_->ids.begin());
+    check::impulse(each_impulse, impulses[k], particle_mass(impl_->fluids.id(fluids()[slot])));
+    slots.push_back(slot);
     pushes.push_back(impulses[k]);
   }
   if (slots.empty()) return;

@@ -49,11 +49,12 @@ class BodyQueryTest : public OnDevice {
 };
 
 TEST_P(BodyQueryTest, ARayFromAfarMeetsWhatLiesOnIt) {
-  const float beside = 3 * s;
   for (int k = 0; k < 100; ++k) {
-    const float a = 0.06f * static_cast<float>(k);
-    const Vec3 centre{3, 0, 0}, away{0, 300 * std::cos(a), 300 * std::sin(a)};
-    const Vec3 side{beside, 0, 0};
+    const float a = 0.06f * static_cast<float>(k), slope = 0.3f + 0.002f * static_cast<float>(k);
+    const Vec3 centre{3, 0, 0};
+    const Vec3 away =
+        300.0f * Vec3{std::sin(slope), std::cos(slope) * std::cos(a), std::cos(slope) * std::sin(a)};
+    const Vec3 side{0, -1.5f * s * std::sin(a), 1.5f * s * std::cos(a)};  // three radii
     expect_drop(hit(centre + away, centre - away));
     EXPECT_FALSE(world_.cast_ray(centre + side + away, centre + side - away).has_value()) << k;
   }
