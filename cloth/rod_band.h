@@ -5,7 +5,7 @@
 #pragma once
 
 #include "cloth/rod_elements.h"
-#include "cloth/rod_matrix.h"
+#include "pbd/math/matrix.h"
 
 namespace meniscus::cloth {
 

@@ -6,8 +6,8 @@
 
 #include "cloth/push_vertex.h"
 #include "cloth/rod_elements.h"
-#include "cloth/rod_matrix.h"
 #include "pbd/contacts.h"
+#include "pbd/math/matrix.h"
 #include "pbd/particles.h"
 
 namespace meniscus::cloth::rope_kernels {

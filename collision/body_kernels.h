@@ -26,7 +26,7 @@ struct Predict {
   }
   MENISCUS_HD void operator()(uint32_t b) const {
     const auto [start, pose] = ends(b);
-    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0, 0};
+    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0, 0, 0};
   }
 };
 
@@ -66,8 +66,10 @@ struct WithShapes {
   }
 };
 
-/// The body of each contact, as a key to sort by: 2 b, or 2 b + 1 where the particle is pinched. What belongs
-/// to no body comes last.
+/// What sorts a body's contacts, in this order. A key is so many times the body's number, and one of these.
+enum ContactKind : uint32_t { is_free, is_pinched, is_tied, contact_kinds };
+
+/// The body and the kind of each contact, as a key. What belongs to no body comes last.
 struct NoteBodies {
   ContactView contacts;
   View<const pbd::Vec4> position;
@@ -76,14 +78,15 @@ struct NoteBodies {
 
   MENISCUS_HD void operator()(uint32_t n) const {
     value[n] = n;
-    key[n] = 2 * body_count;
+    key[n] = contact_kinds * body_count;
     if (n >= contacts.total()) return;
     const Contact& c = contacts.contacts[n];
-    if (c.body < body_count) key[n] = 2 * c.body + (is_pinched(n, c) ? 1 : 0);
+    if (c.body >= body_count) return;
+    key[n] = contact_kinds * c.body + (is_tie(c) ? is_tied : has_no_room(n, c) ? is_pinched : is_free);
   }
 
   /// Whether between the contact's surface and another there is less room than half of the particle.
-  MENISCUS_HD bool is_pinched(uint32_t n, const Contact& c) const {
+  MENISCUS_HD bool has_no_room(uint32_t n, const Contact& c) const {
     const uint32_t i = contacts.particle[n];
     const Vec3 x = position[i].xyz();
     const float distance = plane_distance(c, x);
@@ -102,22 +105,26 @@ struct FindGroups {
   View<BodyProxy> bodies;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t key = sorted_key[n], b = key / 2;
+    const uint32_t key = sorted_key[n], b = key / contact_kinds;
     if (b >= bodies.count) return;
-    const uint32_t before = n == 0 ? pbd::no_index : sorted_key[n - 1];
-    const uint32_t after = n + 1 == sorted_key.count ? pbd::no_index : sorted_key[n + 1];
-    if (before / 2 != b) bodies[b].first = n;
-    if (key % 2 == 1 && before != key) bodies[b].pinched = n;
-    if (after / 2 == b) return;
-    bodies[b].end = n + 1;
-    if (key % 2 == 0) bodies[b].pinched = n + 1;
+    BodyProxy& body = bodies[b];
+    const uint32_t none = contact_kinds * b;  // less than the kind that follows
+    const uint32_t before = n == 0 || sorted_key[n - 1] < none ? none : sorted_key[n - 1];
+    if (n == 0 || sorted_key[n - 1] < none) body.first = n;
+    if (key >= none + is_pinched && before < none + is_pinched) body.pinched = n;
+    if (key == none + is_tied && before != key) body.tied = n;
+    if (n + 1 < sorted_key.count && sorted_key[n + 1] / contact_kinds == b) return;
+    body.end = n + 1;
+    if (key == none + is_free) body.pinched = n + 1;
+    if (key != none + is_tied) body.tied = n + 1;
   }
 };
 
 /// Each contact of a body gets its lever and its share of the body: as if the body were as many as it has
 /// contacts, each of so much less mass (mass splitting, Tonge, Benevolenski & Voroshilov 2012). All of them
 /// moving at once then move the body no further than it can go. Half of the body is for pinched particles, if
-/// there are any: each of these may have to hold it by itself, for there is no place to give way to.
+/// there are any: each of these may have to hold it by itself, for there is no place to give way to. And half
+/// is for its ties, which know their share (BodyTies).
 struct Split {
   View<const uint32_t> grouped;
   View<const BodyProxy> bodies;
@@ -128,15 +135,14 @@ struct Split {
     if (k >= contacts.total()) return;
     const uint32_t n = grouped[k];
     Contact& c = contacts.contacts[n];
-    if (c.body >= bodies.count) return;
+    if (c.body >= bodies.count || is_tie(c)) return;
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
-    const uint32_t free = body.pinched - body.first, pinched = body.end - body.pinched;
-    const uint32_t alike = k < body.pinched ? free : pinched;
-    const float share = static_cast<float>(free > 0 && pinched > 0 ? 2 * alike : alike);
-    c.arm = c.point + pbd::max(distance, pbd::max(c.radius, 0.0f)) * c.normal - body.pose.position;
-    c.body_inverse_mass +=
-        share * (is_tie(c) ? largest_inverse_mass_at(body, c.arm) : inverse_mass_at(body, c.arm, c.normal));
+    const uint32_t free = body.pinched - body.first, pinched = body.tied - body.pinched;
+    const uint32_t alike = k < body.pinched ? free : pinched, kinds = free > 0 && pinched > 0 ? 2 : 1;
+    const float share = static_cast<float>(alike * kinds * (body.tied < body.end ? 2 : 1));
+    c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
+    c.body_inverse_mass += share * inverse_mass_at(body, c.arm, c.normal);
   }
 };
 

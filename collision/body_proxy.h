@@ -8,6 +8,7 @@
 #include "collision/rigid_motion.h"
 #include "collision/shape.h"
 #include "pbd/contacts.h"
+#include "pbd/math/matrix.h"
 
 namespace meniscus::collision {
 
@@ -17,6 +18,7 @@ struct BodyProxy {
   Vec3 inverse_inertia;  ///< principal
   uint32_t first, end;   ///< of its contacts, among those that are grouped by body
   uint32_t pinched;      ///< the first of those with particles that something holds on the other side
+  uint32_t tied;         ///< the first of its ties, which come last
 };
 
 /// I⁻¹ t in world axes.
@@ -31,10 +33,21 @@ MENISCUS_HD inline float inverse_mass_at(const BodyProxy& body, Vec3 r, Vec3 n) 
   return body.inverse_mass + dot(lever, inverse_inertia_times(body, lever));
 }
 
-/// No less than inverse_mass_at along any direction.
+/// 1/M + [r]ᵀ I⁻¹ [r]: how an impulse at r moves the point there, 1/kg.
+MENISCUS_HD inline Sym3 inverse_mass_matrix(const BodyProxy& body, Vec3 r) {
+  const Mat3 lever = cross_matrix(rotate(conjugate(body.pose.rotation), r), 0);
+  const Sym3 local = symmetric_product(times_diagonal(lever, body.inverse_inertia), lever);
+  return turned(rotation_matrix(body.pose.rotation), local) + diagonal(body.inverse_mass);
+}
+
+/// The most of inverse_mass_at along any direction. [r]ᵀ I⁻¹ [r] has the eigenvalue 0 along r; the two others
+/// have its trace for their sum, and |r|² rᵀ adj(I⁻¹) r for their product.
 MENISCUS_HD inline float largest_inverse_mass_at(const BodyProxy& body, Vec3 r) {
-  const Vec3 i = body.inverse_inertia;
-  return body.inverse_mass + dot(r, r) * pbd::max(i.x, pbd::max(i.y, i.z));
+  const Vec3 local = rotate(conjugate(body.pose.rotation), r), i = body.inverse_inertia;
+  const Vec3 s{local.x * local.x, local.y * local.y, local.z * local.z};
+  const float mean = 0.5f * (i.x * (s.y + s.z) + i.y * (s.x + s.z) + i.z * (s.x + s.y));
+  const float product = (s.x + s.y + s.z) * (s.x * i.y * i.z + s.y * i.x * i.z + s.z * i.x * i.y);
+  return body.inverse_mass + mean + sqrtf(pbd::max(0.0f, mean * mean - product));
 }
 
 /// Where a body gets to: the same map as Bullet's (btTransformUtil::integrateTransform).

@@ -119,7 +119,7 @@ void BodySet<D>::begin(pbd::Substep<D>& substep) {
       "bodies/keys", room,
       NoteBodies{contacts, substep.particles.position, key_.view(), number_.view(), bodies_});
   device_.sort_pairs("bodies/group", key_.view(), sorted_key_.view(), number_.view(), grouped_.view(),
-                     static_cast<uint32_t>(std::bit_width(2 * bodies_)));
+                     static_cast<uint32_t>(std::bit_width(contact_kinds * bodies_)));
   device_.parallel_for("bodies/groups", room, FindGroups{sorted_key_.view(), proxies_.view()});
   device_.parallel_for("bodies/split", room,
                        Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts});

@@ -16,10 +16,25 @@ struct BodyTie {
   Vec3 anchor;    ///< m, in the body's principal frame: that of RigidMotion::start
 };
 
-/// Ties vertices to bodies. A tie is a contact that holds in all directions (pbd::is_tie): the vertex is
-/// drawn to its anchor, C = x − anchor = 0, and the body to the vertex, each as its mass allows. What moves a
-/// body by its contacts (BodySet) moves it by its ties as well. Where nothing moves the body, the vertex is
-/// put in its place at once, and has w = 0 for all constraints: what pulls on it knows that it will not come.
+namespace tie_kernels {
+struct JoinedTies;
+}
+
+/// Ties vertices to bodies. A tie is a contact that holds in all directions (pbd::is_tie), C = x − anchor =
+/// 0, and half of a body is split among its ties (mass splitting, as for contacts: BodySet). While
+/// constraints are solved, a tied vertex weighs as much as it and its share of the body together,
+///
+///   1/w = 1/w_v + 1/w_b,  w_b = 2 n k,
+///
+/// with n ties of the body, which give way by k, 1/kg, in the softest direction of K = 1/M + [r]ᵀ I⁻¹ [r]. So
+/// a constraint that pulls on the vertex pulls on the body, whose mass may be thousands of times the vertex's
+/// own: by its own w it would come along freely, and pull the body by next to nothing in each iteration. What
+/// the vertex has been moved by, d, its share of the body was as well: λ = d/w_b. All that the body gets
+/// moves it, and the anchors with it (BodySet). Where they did not follow their vertices, the next iteration
+/// starts with C = 0, which brings both together, each by its own mass: Δλ = −(w_v + 2 n K)⁻¹ C. Constraints
+/// must see what comes of that: if both corrected the same error at once, light vertices would overshoot.
+///
+/// Where nothing moves the body, the vertex is put in its place at once, and has w = 0.
 ///
 /// Must be the first source of contacts, so that a vertex's ties come before its touches, and of the sets
 /// before those that move vertices.
@@ -28,7 +43,8 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D
  public:
   BodyTies(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies), release_(*this) {}
 
-  /// Comes after what settles where vertices are: until then those on bodies that nothing moves have w = 0.
+  /// Comes after what moves vertices, and settles where they are: until then they weigh what they are tied
+  /// to.
   pbd::ConstraintSet<D>& release() { return release_; }
 
   /// All there are. Bodies that are gone must have no ties.
@@ -44,17 +60,19 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
   void start_step() override { impulse_.fill(0); }
   void begin(pbd::Substep<D>& substep) override;
-  void project(pbd::Substep<D>&, int) override {}
+  void project(pbd::Substep<D>& substep, int iteration) override;
   void observe(const pbd::Substep<D>& substep) override;
 
  private:
   struct Release final : pbd::ConstraintSet<D> {
     explicit Release(BodyTies& owner) : ties(owner) {}
-    void project(pbd::Substep<D>&, int) override {}
+    void project(pbd::Substep<D>& substep, int) override { ties.hand_on(substep); }
     void settle(pbd::Substep<D>& substep) override { ties.let_go(substep); }
     BodyTies& ties;
   };
+  void hand_on(pbd::Substep<D>& substep);
   void let_go(pbd::Substep<D>& substep);
+  tie_kernels::JoinedTies joined(const pbd::Substep<D>& substep);
 
   D& device_;
   const BodySet<D>& bodies_;
@@ -62,7 +80,8 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D
   std::vector<uint32_t> place_;  // of each tie among those in the order of their vertices
   pbd::Buffer<BodyTie> ties_{device_, "ties"};
   pbd::Buffer<pbd::Vec4> impulse_{device_, "tie impulses"};
-  pbd::Buffer<pbd::Vec4> held_{device_, "held ties"};  // by tie, m: the way of its vertex; w: its own
+  pbd::Buffer<pbd::Vec4> joined_{device_, "tied vertices"};  // see tie_kernels::JoinedTies
+  pbd::Buffer<uint32_t> ties_of_body_{device_, "ties of bodies"};
   pbd::Buffer<uint32_t> tied_body_{device_, "tied bodies"};
 };
 

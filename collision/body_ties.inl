@@ -39,8 +39,14 @@ struct Count {
   }
 };
 
+/// In how many parts a body is: half of it is for what touches it.
+MENISCUS_HD inline float splits(View<const uint32_t> ties_of_body, uint32_t body) {
+  return 2 * static_cast<float>(ties_of_body[body]);
+}
+
 struct Fill {
   Ties ties;
+  View<const uint32_t> ties_of_body;
   View<const BodyProxy> bodies;
   pbd::ContactWriter writer;
 
@@ -52,69 +58,143 @@ struct Fill {
 
   /// Where the body will be. There is no normal: nothing is pushed out.
   MENISCUS_HD pbd::Contact make_contact(const BodyTie& tie) const {
+    const BodyProxy& body = bodies[tie.body];
     pbd::Contact c{};
-    c.point = to_world(bodies[tie.body].pose, tie.anchor);
+    c.point = to_world(body.pose, tie.anchor);
     c.solid = c.body = tie.body;
     c.radius = -1;
+    c.arm = c.point - body.pose.position;
+    c.body_inverse_mass = splits(ties_of_body, tie.body) * largest_inverse_mass_at(body, c.arm);
     return c;
   }
 };
 
-/// Puts vertices where bodies that nothing moves have them, and holds them there.
-struct Hold {
-  Ties ties;
-  View<const BodyProxy> bodies;
-  View<Vec4> position, moved;
-  View<Vec4> held;
-
-  MENISCUS_HD void operator()(uint32_t n) const {
-    held[n] = {0, 0, 0, 0};
-    const BodyProxy& body = bodies[ties.ties[n].body];
-    const uint32_t i = ties.particle_of(n);
-    const Vec4 x = position[i];
-    if (!ties.leads(n) || body.inverse_mass > 0 || x.w == 0) return;
-    const Vec3 anchor = to_world(body.pose, ties.ties[n].anchor);
-    held[n] = pbd::with_w(moved[i].xyz() + anchor - x.xyz(), x.w);
-    position[i] = pbd::with_w(anchor, 0);
-    moved[i] = {0, 0, 0, 0};  // from now on, what it withstands
-  }
-};
-
-/// Gives held vertices back, and their ties what they have withstood.
-struct LetGo {
+/// Ties with their vertices and contacts, while these are solved. A vertex's ties are its first contacts.
+struct JoinedTies {
   Ties ties;
   View<const uint32_t> start;
   View<pbd::Contact> contacts;
-  View<const Vec4> held;
   View<Vec4> position, moved;
+  /// By tie that leads; w: the vertex's own, and `moved` when its bodies had last got their share of that. Of
+  /// a vertex that a body holds which nothing moves: the way that it makes, m.
+  View<Vec4> joined;
 
-  MENISCUS_HD void operator()(uint32_t n) const {
-    const Vec4 way = held[n];
-    if (way.w == 0) return;
-    const uint32_t i = ties.particle_of(n), at = start[i];
-    // Without room for it the step is done again.
-    if (at < contacts.count) contacts[at].tangent_multiplier += 1 / way.w * way.xyz() - moved[i].xyz();
-    position[i].w = way.w;
-    moved[i] = pbd::with_w(way.xyz(), 0);
+  /// Without room for all contacts the step is done again.
+  template <class Visit>
+  MENISCUS_HD void for_each_contact(uint32_t n, const Visit& visit) const {
+    const uint32_t first = start[ties.particle_of(n)];
+    ties.for_each_beside(n, [&](uint32_t k) {
+      if (first + k - n < contacts.count) visit(contacts[first + k - n]);
+    });
   }
 };
 
-/// A vertex's ties are its first contacts.
+/// Vertices get the weight of what they are tied to. What nothing moves holds them in their places.
+struct Join {
+  JoinedTies of;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.ties.leads(n)) return;
+    const uint32_t i = of.ties.particle_of(n);
+    const Vec4 x = of.position[i];
+    const Vec3 way = of.moved[i].xyz();
+    of.joined[n] = pbd::with_w(way, x.w);
+    if (x.w == 0) return;
+    float mass = 1 / x.w;
+    bool is_held = false;
+    Vec3 anchor{0, 0, 0};
+    of.for_each_contact(n, [&](const pbd::Contact& c) {
+      if (c.body_inverse_mass > 0) mass += 1 / c.body_inverse_mass;
+      if (c.body_inverse_mass == 0 && !is_held) {
+        is_held = true;
+        anchor = c.point;
+      }
+    });
+    of.position[i].w = is_held ? 0 : 1 / mass;
+    if (!is_held) return;
+    of.joined[n] = pbd::with_w(way + anchor - x.xyz(), x.w);
+    of.position[i] = pbd::with_w(anchor, 0);
+    of.moved[i] = {0, 0, 0, 0};  // from now on, what it withstands
+  }
+};
+
+/// Vertices and anchors are drawn to one another.
+struct Pull {
+  JoinedTies of;
+  View<const uint32_t> ties_of_body;
+  View<const BodyProxy> bodies;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.ties.leads(n)) return;
+    const uint32_t i = of.ties.particle_of(n);
+    const Vec4 x = of.position[i], joined = of.joined[n];
+    const Vec3 moved = of.moved[i].xyz();
+    const bool moves = x.w > 0;
+    const float w = moves ? joined.w : 0;
+    // What it was moved by before the first iteration, its share of the body was as well.
+    const Vec3 together = moves ? x.xyz() - (moved - joined.xyz()) : x.xyz();
+    Vec3 pulled{0, 0, 0};  // kg·m
+    of.for_each_contact(n, [&](pbd::Contact& c) {
+      if (c.body_inverse_mass == 0) return;
+      const Sym3 mobility =
+          diagonal(w) + splits(ties_of_body, c.body) * inverse_mass_matrix(bodies[c.body], c.arm);
+      const Vec3 pull = inverse(mobility) * (c.point - (together + w * pulled));
+      c.tangent_multiplier += pull;
+      pulled += pull;
+    });
+    of.moved[i] = pbd::with_w(moved + (moves ? w : 1) * pulled, 0);
+    if (!moves) return;
+    of.position[i] = pbd::with_w(x.xyz() + w * pulled, x.w);
+    of.joined[n] = pbd::with_w(joined.xyz() + w * pulled, w);
+  }
+};
+
+/// Bodies get what their vertices were moved by.
+struct HandOn {
+  JoinedTies of;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.ties.leads(n)) return;
+    const uint32_t i = of.ties.particle_of(n);
+    if (of.position[i].w == 0) return;
+    const Vec3 moved = of.moved[i].xyz(), way = moved - of.joined[n].xyz();
+    of.for_each_contact(n, [&](pbd::Contact& c) { c.tangent_multiplier -= way / c.body_inverse_mass; });
+    of.joined[n] = pbd::with_w(moved, of.joined[n].w);
+  }
+};
+
+/// Gives vertices their own weight back; and ties by which they were held, what these have withstood.
+struct LetGo {
+  JoinedTies of;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.ties.leads(n)) return;
+    const Vec4 joined = of.joined[n];
+    const uint32_t i = of.ties.particle_of(n);
+    const bool is_held = of.position[i].w == 0;
+    of.position[i].w = joined.w;
+    if (!is_held || joined.w == 0) return;
+    Vec3 withstood = 1 / joined.w * joined.xyz() - of.moved[i].xyz();
+    of.for_each_contact(n, [&](pbd::Contact& c) {
+      if (c.body_inverse_mass > 0) return;
+      c.tangent_multiplier += withstood;
+      withstood = {0, 0, 0};  // by the first of several
+    });
+    of.moved[i] = pbd::with_w(joined.xyz(), 0);
+  }
+};
+
 struct AddImpulses {
-  Ties ties;
-  View<const uint32_t> start;
-  View<const pbd::Contact> contacts;
+  JoinedTies of;
   View<pbd::Vec4> impulse;
   float inverse_dt;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    if (!ties.leads(n)) return;
-    uint32_t at = start[ties.particle_of(n)];
-    ties.for_each_beside(n, [&](uint32_t k) {
-      // Without room for it the step is done again.
-      if (at < contacts.count)
-        impulse[k] = pbd::with_w(impulse[k].xyz() + inverse_dt * contacts[at].tangent_multiplier, 0);
-      ++at;
+    if (!of.ties.leads(n)) return;
+    uint32_t k = n;
+    of.for_each_contact(n, [&](const pbd::Contact& c) {
+      impulse[k] = pbd::with_w(impulse[k].xyz() + inverse_dt * c.tangent_multiplier, 0);
+      ++k;
     });
   }
 };
@@ -133,14 +213,21 @@ void BodyTies<D>::set_ties(std::span<const BodyTie> ties) {
     by_vertex.push_back(ties[k]);
   }
   std::vector<uint32_t> tied(ties.empty() ? 0 : by_vertex.back().vertex + 1, pbd::no_index);
-  for (const BodyTie& tie : by_vertex) tied[tie.vertex] = tie.body;
+  std::vector<uint32_t> ties_of_body;
+  for (const BodyTie& tie : by_vertex) {
+    tied[tie.vertex] = tie.body;
+    if (ties_of_body.size() <= tie.body) ties_of_body.resize(tie.body + 1);
+    ++ties_of_body[tie.body];
+  }
 
   device_.wait();
   ties_.resize_discard(by_vertex.size());
   ties_.write(by_vertex);
   impulse_.resize_discard(by_vertex.size());
   impulse_.fill(0);
-  held_.resize_discard(by_vertex.size());
+  joined_.resize_discard(by_vertex.size());
+  ties_of_body_.resize_discard(ties_of_body.size());
+  ties_of_body_.write(ties_of_body);
   tied_body_.resize_discard(tied.size());
   tied_body_.write(tied);
 }
@@ -154,6 +241,17 @@ std::vector<Vec3> BodyTies<D>::read_impulses() const {
 }
 
 template <class D>
+tie_kernels::JoinedTies BodyTies<D>::joined(const pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  return {{ties_.view(), p.sorted},
+          substep.contacts.start,
+          substep.contacts.contacts,
+          p.position,
+          p.moved,
+          joined_.view()};
+}
+
+template <class D>
 void BodyTies<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
   device_.parallel_for("ties/count", ties_.view().count,
                        tie_kernels::Count{{ties_.view(), substep.particles.sorted}, counts});
@@ -163,37 +261,35 @@ template <class D>
 void BodyTies<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
   device_.parallel_for(
       "ties/fill", ties_.view().count,
-      tie_kernels::Fill{{ties_.view(), substep.particles.sorted}, bodies_.proxies(), writer});
+      tie_kernels::Fill{
+          {ties_.view(), substep.particles.sorted}, ties_of_body_.view(), bodies_.proxies(), writer});
 }
 
 template <class D>
 void BodyTies<D>::begin(pbd::Substep<D>& substep) {
-  const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for(
-      "ties/hold", ties_.view().count,
-      tie_kernels::Hold{{ties_.view(), p.sorted}, bodies_.proxies(), p.position, p.moved, held_.view()});
+  device_.parallel_for("ties/join", ties_.view().count, tie_kernels::Join{joined(substep)});
+}
+
+template <class D>
+void BodyTies<D>::project(pbd::Substep<D>& substep, int) {
+  device_.parallel_for("ties/pull", ties_.view().count,
+                       tie_kernels::Pull{joined(substep), ties_of_body_.view(), bodies_.proxies()});
+}
+
+template <class D>
+void BodyTies<D>::hand_on(pbd::Substep<D>& substep) {
+  device_.parallel_for("ties/hand on", ties_.view().count, tie_kernels::HandOn{joined(substep)});
 }
 
 template <class D>
 void BodyTies<D>::let_go(pbd::Substep<D>& substep) {
-  const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("ties/let go", ties_.view().count,
-                       tie_kernels::LetGo{{ties_.view(), p.sorted},
-                                          substep.contacts.start,
-                                          substep.contacts.contacts,
-                                          held_.view(),
-                                          p.position,
-                                          p.moved});
+  device_.parallel_for("ties/let go", ties_.view().count, tie_kernels::LetGo{joined(substep)});
 }
 
 template <class D>
 void BodyTies<D>::observe(const pbd::Substep<D>& substep) {
   device_.parallel_for("ties/impulses", ties_.view().count,
-                       tie_kernels::AddImpulses{{ties_.view(), substep.particles.sorted},
-                                                substep.contacts.start,
-                                                substep.contacts.contacts,
-                                                impulse_.view(),
-                                                1 / substep.dt});
+                       tie_kernels::AddImpulses{joined(substep), impulse_.view(), 1 / substep.dt});
 }
 
 }  // namespace meniscus::collision

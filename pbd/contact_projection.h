@@ -30,12 +30,9 @@ struct ContactProjection {
     for (uint32_t k = begin; k < end; ++k) {
       Contact c = next;
       next = contacts.contacts[k + 1 < end ? k + 1 : k];
-      if (is_tie(c)) {
-        step += p.w * hold(c, x + step, p.w);
-      } else {
-        step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
-        if (c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
-      }
+      if (is_tie(c)) continue;
+      step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
+      if (c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
       Contact& to = contacts.contacts[k];
       to.normal_multiplier = c.normal_multiplier;
       to.tangent_multiplier = c.tangent_multiplier;
@@ -45,13 +42,6 @@ struct ContactProjection {
   }
 
  private:
-  /// What a tie pulls, kg·m.
-  MENISCUS_HD static Vec3 hold(Contact& c, Vec3 x, float w) {
-    const Vec3 pull = (c.point - x) / (w + c.body_inverse_mass);
-    c.tangent_multiplier += pull;
-    return pull;
-  }
-
   /// What the contact adds to its normal push, kg·m.
   MENISCUS_HD static Vec3 push_out(Contact& c, Vec3 x, float w, float radius) {
     const float old = c.normal_multiplier, distance = plane_distance(c, x);

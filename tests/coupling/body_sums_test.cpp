@@ -71,7 +71,7 @@ TEST(BodySums, TheImpulseIsTheOppositeOfAllPushesAtTheirLevers) {
   for (uint32_t b = 0; b <= bodies; ++b) {
     for (uint32_t n = 0; n < contacts.size(); ++n) {
       if (std::min(contacts[n].body, bodies) != b) continue;
-      key.push_back(2 * b);
+      key.push_back(contact_kinds * b);
       grouped.push_back(n);
     }
   }

@@ -198,6 +198,50 @@ TEST(BodyKernels, AParticleBetweenTwoBodiesHoldsThemApart) {
   EXPECT_NEAR(bench.motion[1].shift.y - bench.motion[0].shift.y, wanted - gap, 0.02f * wanted);
 }
 
+// Ties come last among a body's contacts, and leave half of it to what touches it.
+TEST(BodyKernels, TiesStandApartAndLeaveHalfOfTheBody) {
+  Bench bench;
+  bench.add_body(1, {1, 1, 1}, {0, 0, 0});
+  bench.add_body(1, {1, 1, 1}, {9, 0, 0});
+  for (bool is_tie : {true, false, true, false}) {
+    bench.add_contact(0, {0, 0.2f, 0}, {0, 1, 0}, 1, 0);
+    if (!is_tie) continue;
+    bench.contacts.back().radius = -1;
+    bench.contacts.back().body_inverse_mass = 7;
+  }
+  bench.add_contact(1, {9, 0.2f, 0}, {0, 1, 0}, 1, 0);
+  bench.group();
+  EXPECT_EQ(bench.grouped, (std::vector<uint32_t>{1, 3, 0, 2, 4}));
+  const uint32_t expected[2][4] = {{0, 2, 2, 4}, {4, 5, 5, 5}};
+  for (int b = 0; b < 2; ++b) {
+    const BodyProxy& body = bench.bodies[b];
+    const uint32_t found[] = {body.first, body.pinched, body.tied, body.end};
+    EXPECT_TRUE(std::equal(found, found + 4, expected[b])) << b;
+  }
+  EXPECT_EQ(bench.contacts[0].body_inverse_mass, 7);
+  EXPECT_EQ(bench.contacts[1].body_inverse_mass, 4);
+  EXPECT_EQ(bench.contacts[4].body_inverse_mass, 1);
+}
+
+TEST(BodyKernels, APointGivesWayMostInItsSoftestDirection) {
+  Noise noise(7);
+  for (int n = 0; n < 20; ++n) {
+    BodyProxy body{};
+    body.pose.rotation = rotation_by(noise.in_cube(3));
+    body.inverse_mass = noise.next();
+    const Vec3 i = noise.in_cube(10);
+    body.inverse_inertia = {i.x * i.x, i.y * i.y, i.z * i.z};
+    const Vec3 r = noise.in_cube(1);
+    float most = 0;
+    for (int k = 0; k < 20000; ++k)
+      most = std::max(most, inverse_mass_at(body, r, normalized_or(noise.in_cube(1), {0, 1, 0})));
+    EXPECT_LE(most, 1.0001f * largest_inverse_mass_at(body, r)) << n;
+    EXPECT_GE(most, 0.99f * largest_inverse_mass_at(body, r)) << n;
+    const Vec3 u = normalized_or(noise.in_cube(1), {0, 1, 0});
+    EXPECT_NEAR(dot(u, inverse_mass_matrix(body, r) * u), inverse_mass_at(body, r, u), 1e-4f * most) << n;
+  }
+}
+
 TEST(BodyKernels, MomentumIsKeptToRounding) {
   Bench bench;
   Noise noise(4);

@@ -154,5 +154,24 @@ TEST_P(BodyTies, OfOneVertexToTwoBodiesAreBothThere) {
   EXPECT_LT(length(bench->positions()[40] - v), 0.01f);
 }
 
+TEST_P(BodyTies, OfAHeldVertexHoldAFreeBody) {
+  for (bool by_a_body : {true, false}) {
+    ClothSolidSetup setup = hanging_sheet(GetParam());
+    if (by_a_body) setup.held.clear();
+    setup.solids = {ball(0.5f, {0, -1, 0}), ball(1, {1, 0, 0})};
+    setup.solids[0].can_sleep = false;
+    setup.solids[1].motion = SolidSetup::Motion::kinematic;
+    const Vec3 v = setup.mesh.vertices[4];
+    setup.ties = {{4, 0, v - Vec3{0, -1, 0}}};
+    if (by_a_body) setup.ties.push_back({4, 1, v - Vec3{1, 0, 0}});
+    const auto bench = make_cloth_solid_bench(setup);
+    for (int k = 0; k < 30; ++k) bench->step(dt);
+    EXPECT_LT(length(bench->rigid().pose(0).position - Vec3{0, -1, 0}), 2e-3f) << by_a_body;
+    EXPECT_NEAR(bench->tie_impulses()[0].y / dt, -0.5f * 9.81f, 0.05f * 0.5f * 9.81f) << by_a_body;
+    // Here `moved` is all that a vertex withstands which the world holds; else its body gets it.
+    if (by_a_body) EXPECT_GT(bench->tie_impulses()[1].y / dt, 0.5f * 9.81f);
+  }
+}
+
 }  // namespace
 }  // namespace meniscus::tests

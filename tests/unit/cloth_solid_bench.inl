@@ -21,11 +21,13 @@ class ClothSolidBenchOn final : public ClothSolidBench {
       : device_(args...), rigid_({setup.gravity, 1, 10}), solver_(device_, particles_, parameters(setup)) {
     solver_.add(static_cast<pbd::ContactSource<D>&>(ties_));
     solver_.add(shapes_);
+    solver_.add(static_cast<pbd::ConstraintSet<D>&>(ties_));
     solver_.add(cloth_);
     if (setup.face_points)
       solver_.add(faces_);
     else
       solver_.add(contacts_);
+    solver_.add(ties_.release());
     solver_.add(bodies_);
     solver_.add(static_cast<pbd::Observer<D>&>(ties_));
     add_cloth(setup);

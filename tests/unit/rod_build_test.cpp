@@ -22,7 +22,6 @@ namespace {
 
 using cloth::BandRow;
 using cloth::build_rod;
-using cloth::Mat3;
 using cloth::RodModel;
 using cloth::RodParameters;
 using cloth::RodSegment;

@@ -135,6 +135,43 @@ TEST_P(ClothAttachmentTest, ARopeBearsABucketAndFeelsItsWeight) {
   EXPECT_NEAR(length(world_.rope_positions(id)[10] - world_.rope_positions(id)[0]), 1, 3e-3f);
 }
 
+/// How far a ball of 34 kg falls at most that hangs still from a rope which gives way by 34 mm under it, and
+/// may so fall twice as far.
+float deepest_fall(pbd::DeviceKind device, int substeps, int iterations) {
+  WorldDef def = world_def(device, 0.05f);
+  def.substeps = substeps;
+  def.iterations = iterations;
+  World world(def);
+  BodyDef ball = body(SphereGeometry{0.16f}, {0, 0.45f, 0});
+  ball.density = 2000;
+  const BodyId load = world.create_body(ball);
+  RopeDef line = rope({{0, 1.4f, 0}, {0, 0.61f, 0}}, 20);
+  line.youngs_modulus = 1e8f;
+  line.damping = 0;
+  const RopeId id = world.create_rope(line);
+  world.create_attachment(attach(id, {0}));
+  AttachmentDef tie = attach(id, {20});
+  tie.body = load;
+  world.create_attachment(tie);
+  float deepest = 0;
+  for (int k = 0; k < 60; ++k) {
+    world.step(1 / 60.0f);
+    deepest = std::max(deepest, 0.45f - world.body_state(load).centre_of_mass.y);
+  }
+  return deepest;
+}
+
+TEST_P(ClothAttachmentTest, AHeavyBodyFallsAsFarAsItsRopeGivesWay) {
+  const float mass = 2000 * 4.0f / 3 * pi * 0.16f * 0.16f * 0.16f, area = pi * 25e-6f;
+  const float at_rest = mass * g * 0.79f / (1e8f * area);
+  const std::pair<int, int> settings[] = {{4, 1}, {4, 10}, {20, 4}};
+  for (const auto& [substeps, iterations] : settings) {
+    const float deepest = deepest_fall(GetParam(), substeps, iterations);
+    EXPECT_GT(deepest, 1.7f * at_rest) << substeps << " x " << iterations;
+    EXPECT_LT(deepest, 2.05f * at_rest) << substeps << " x " << iterations;
+  }
+}
+
 TEST_P(ClothAttachmentTest, AKinematicBodyTakesItsClothAlong) {
   const ClothId id = world_.create_cloth(sheet(0.5f, 0.5f, 5, 5, {0, 2, 0}));
   const BodyId bar = world_.create_body(kinematic(BoxGeometry{{0.3f, 0.02f, 0.02f}}, {0, 2.05f, -0.25f}));

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The 3×3 matrices that the equations of rods are made of.
+// 3×3 matrices for kernels.
 #pragma once
 
 #include "pbd/math/vec.h"
 
-namespace meniscus::cloth {
+namespace meniscus {
 
 /// By rows.
 struct Mat3 {
@@ -95,7 +95,8 @@ MENISCUS_HD constexpr Sym3 turned(const Mat3& r, const Sym3& s) {
   return symmetric_product(r * s, r);
 }
 
-/// The inverse of a positive definite matrix, scaled on the way: light frames have cubes beyond a float.
+/// The inverse of a positive definite matrix, scaled on the way: those of light things have cubes beyond a
+/// float.
 MENISCUS_HD constexpr Sym3 inverse(const Sym3& a) {
   const float scale = 1 / (a.xx + a.yy + a.zz);
   const Sym3 m{scale * a.xx, scale * a.yy, scale * a.zz, scale * a.xy, scale * a.xz, scale * a.yz};
@@ -105,4 +106,4 @@ MENISCUS_HD constexpr Sym3 inverse(const Sym3& a) {
   return {s * adjoint.xx, s * adjoint.yy, s * adjoint.zz, s * adjoint.xy, s * adjoint.xz, s * adjoint.yz};
 }
 
-}  // namespace meniscus::cloth
+}  // namespace meniscus
