@@ -122,8 +122,9 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   if (vertex_count_ == 0) return;
   reserve_bending_multipliers(substep.iterations);
   // A multiplier grows with the square of the substep. It fits the masses that it was found with: where
-  // vertices carry fluid for a while, starting from it would throw them about.
-  const float ratio = last_dt_ > 0 && !any_bears_fluid_ ? substep.dt / last_dt_ : 0;
+  // vertices bear fluid for a while, or may bear bodies, starting from it would throw them about.
+  const bool may_bear = any_bears_fluid_ || substep.pressed.count > 0;
+  const float ratio = last_dt_ > 0 && !may_bear ? substep.dt / last_dt_ : 0;
   share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
   if (any_air_ && wind_.density > 0) {
@@ -165,9 +166,9 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   stretch(substep, rounds, turn);
   if (turn.backwards) bend(substep, turn);
   if (any_gas_ && turn.backwards) blow_up(substep, turn.starts);
-  device_.parallel_for_lanes(
-      "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
-      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), turn.starts});
+  device_.parallel_for_lanes("cloth/tethers", static_cast<uint32_t>(tethers_.size()),
+                             tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(),
+                                                            substep.pressed, vertices(substep), turn.starts});
 }
 
 template <class D>
@@ -229,6 +230,7 @@ void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<V
                    .multiplier = yarn_multiplier(),
                    .all = vertices(substep),
                    .pending = pending,
+                   .pressed = substep.pressed,
                    .starts = turn.starts,
                    .first = 0,
                    .end = 0};

@@ -12,9 +12,11 @@ using pbd::gather;
 using pbd::scatter;
 using pbd::square_root;
 
+/// Where a mass stands behind a vertex, yarns hold it: tethers would drag it from under that by its own mass.
 struct ProjectTethers {
   View<const Tether> tethers;
-  View<Vec4> pull;  ///< kg·m, on each anchor so far in the substep
+  View<Vec4> pull;           ///< kg·m, on each anchor so far in the substep
+  View<const Vec4> pressed;  ///< see Substep::pressed
   VertexState vertices;
   bool starts;
 
@@ -36,12 +38,14 @@ struct ProjectTethers {
     const pbd::Vec4Of<Real> end = gather(x, vertex.index());
     const Vector d = end.xyz() - gather(x, anchor.index()).xyz();
     const Real l = square_root(dot(d, d));
-    const uint32_t taut = less_mask(longest, l) & less_mask(zero, end.w) & together.mask();
+    const Real behind = pressed.count > 0 ? gather(pressed, vertex.index()).w : zero;
+    const Real w = select_less(zero, behind, zero, end.w);
+    const uint32_t taut = less_mask(longest, l) & less_mask(zero, w) & together.mask();
     if (taut == 0 && !starts) return;
     const auto if_taut = [&](const Real& s) {
-      return select_less(longest, l, select_less(zero, end.w, s, zero), zero);
+      return select_less(longest, l, select_less(zero, w, s, zero), zero);
     };
-    const Real pulls = if_taut((Real(1) - longest / l) / end.w);
+    const Real pulls = if_taut((Real(1) - longest / l) / w);
     const Vector impulse = pulls * d;
     pbd::Vec4Of<Real> all{impulse.x, impulse.y, impulse.z, zero};
     if (!starts) {
@@ -51,8 +55,7 @@ struct ProjectTethers {
     scatter(pull, at, all, together.mask());
     if (taut == 0) return;
     const auto moved_by = [&](const pbd::Vec4Of<Real>& v) {
-      return pbd::Vec4Of<Real>{v.x - end.w * impulse.x, v.y - end.w * impulse.y, v.z - end.w * impulse.z,
-                               v.w};
+      return pbd::Vec4Of<Real>{v.x - w * impulse.x, v.y - w * impulse.y, v.z - w * impulse.z, v.w};
     };
     scatter(x, vertex.index(), moved_by(end), taut);
     scatter(moved, vertex.index(), moved_by(gather(moved, vertex.index())), taut);

@@ -30,6 +30,8 @@ using pbd::Vec4Of;
 /// 2. Ways to the sides, y: (1 + w G) y = w f, with f the part of the vertices' pushes across the yarn, what
 ///    comes of λ having turned, and G the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy: in pairs,
 ///    so that momentum is kept.
+///    Where a mass m stands behind a vertex (Substep::pressed), it resists as well: s has it beside Σ|λ|/l,
+///    the row of y is (1 + w G + w m) y = w f, and the mass gets m y.
 ///
 /// 3. Both hold as long as edges hardly turn. Where a vertex would move further than its edge is long, as a
 ///    light one between heavy ones may, the whole yarn takes the share of its step with which it just does.
@@ -50,6 +52,7 @@ struct SolveYarns {
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
   VertexState all;
   View<Vec4> pending;   ///< kg·m, by vertex, where any is
+  View<Vec4> pressed;   ///< see Substep::pressed
   bool starts;          ///< from none of the last substep's multipliers
   uint32_t first, end;  ///< yarns of the layer
 
@@ -119,6 +122,7 @@ class SolveYarnsAtOnce {
                                             [&](uint32_t k) { return reach(ways, k); });
     const Real share = Real(1) / furthest;
     group.for_each(vertices, [&](uint32_t k) { move(k, share); });
+    if (has_pressed()) group.for_each(vertices, [&](uint32_t k) { press(ways, k, share); });
     group.for_each(edges, [&](uint32_t k) { note(ways, k, share); });
   }
 
@@ -155,6 +159,11 @@ class SolveYarnsAtOnce {
     }
   };
 
+  /// kg
+  MENISCUS_HD Real mass_behind(uint32_t k) const {
+    return has_pressed() ? gather(s_.pressed, vertex(k).index()).w : Real(0);
+  }
+  MENISCUS_HD bool has_pressed() const { return s_.pressed.count > 0; }
   MENISCUS_HD bool puts_aside() const { return s_.pending.count > 0; }
   MENISCUS_HD Vector pending(const Places& v) const { return gather(s_.pending, v.index()).xyz(); }
 
@@ -239,8 +248,8 @@ class SolveYarnsAtOnce {
   MENISCUS_HD void couple(Length* rows, uint32_t k) const {
     const Vector before = edge(k - 1).n, n = edge(k).n, after = edge(k + 1).n;
     Length row = read_whole(rows, k);
-    const Mobility a(before, n, row.lower, stiffness(k - 1) + stiffness(k));
-    const Mobility b(n, after, row.upper, stiffness(k) + stiffness(k + 1));
+    const Mobility a(before, n, row.lower, stiffness(k - 1) + stiffness(k) + mass_behind(k));
+    const Mobility b(n, after, row.upper, stiffness(k) + stiffness(k + 1) + mass_behind(k + 1));
     row.diagonal += a(n, n) + b(n, n);
     row.lower = -a(before, n);
     row.upper = -b(n, after);
@@ -291,7 +300,8 @@ class SolveYarnsAtOnce {
     const Vector along = direction(edge(k - 1).n, edge(k).n);
     const Change on_it = changes_on(k);
     scratch_.push[k] = on_it.whole;
-    return {-lower, Real(1) + lower + upper, -upper, w * (on_it.whole - dot(on_it.straight, along) * along)};
+    return {-lower, Real(1) + lower + upper + w * mass_behind(k), -upper,
+            w * (on_it.whole - dot(on_it.straight, along) * along)};
   }
 
   /// kg·m: what edge k takes back, as it turns.
@@ -303,7 +313,7 @@ class SolveYarnsAtOnce {
     Vector push = scratch_.push[k];
     if (k > 0) push = push - taken_back(ways, k - 1);
     if (k < yarns_.most) push += taken_back(ways, k);
-    return push;
+    return has_pressed() ? push - mass_behind(k) * ways[k].right : push;
   }
   /// How far that would move it, in lengths of an edge; keeps it.
   MENISCUS_HD Real reach(const Sideways* ways, uint32_t k) const {
@@ -329,6 +339,12 @@ class SolveYarnsAtOnce {
     LaneVertex<D> vertex{gather(positions(), at.index()), gather(moves(), at.index())};
     vertex.x.w = scratch_.weight[k];
     push_side_by_side(positions(), moves(), at, vertex, Real(1), share * scratch_.push[k]);
+  }
+  MENISCUS_HD void press(const Sideways* ways, uint32_t k, const Real& share) const {
+    const Places at = vertex(k);
+    const Vec4Of<Real> before = gather(s_.pressed, at.index());
+    const Vector now = before.xyz() + share * before.w * ways[k].right;
+    scatter(s_.pressed, at.index(), {now.x, now.y, now.z, before.w}, yarns_.have_edge(k == 0 ? 0 : k - 1));
   }
   MENISCUS_HD Places vertex(uint32_t k) const { return k == 0 ? start_of(0) : end_of(k - 1); }
   MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {

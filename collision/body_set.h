@@ -57,6 +57,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::View<const body_kernels::ContactMotion> contact_motions() const {
     return contact_motion_.current.view();
   }
+  /// Whether there are bodies that particles can move.
+  bool any_moved() const { return any_moved_; }
   /// What Bullet took of the host's time in the last step, ms.
   double step_ms() const { return step_ms_; }
   /// By body: what the particles gave it in the last step, over the step's length. N and N·m.

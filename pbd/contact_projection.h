@@ -16,6 +16,22 @@ struct ContactProjection {
   View<const Vec4> previous;
   View<const uint32_t> slot;
   ContactView contacts;
+  View<const Vec4> pressed;  ///< see Substep::pressed
+  uint32_t sorted;           ///< see ParticleView
+
+  /// Friction alone, of a particle that has contacts.
+  MENISCUS_HD void hold_back(uint32_t i) const {
+    const Vec4 p = position[i];
+    if (p.w == 0) return;
+    const Vec3 x = p.xyz(), start = previous[i].xyz();
+    Vec3 step{0, 0, 0};
+    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
+      Contact& c = contacts.contacts[k];
+      if (!is_tie(c) && c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
+    }
+    position[i] = pbd::with_w(x + step, p.w);
+    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+  }
 
   /// Of particle i, which has contacts.
   MENISCUS_HD void project(uint32_t i) const {
@@ -23,6 +39,7 @@ struct ContactProjection {
     Vec4 p = position[i];
     if (p.w == 0) return;
     const float tighter = pbd::share_of_radius(slot[i]);
+    const bool is_held_back = i - sorted < pressed.count && pressed[i - sorted].w > 0;
     const Vec3 x = p.xyz(), start = previous[i].xyz();
     Vec3 step{0, 0, 0};
     // All of a contact is loaded at once, and the next one before what this one does is written.
@@ -32,7 +49,7 @@ struct ContactProjection {
       next = contacts.contacts[k + 1 < end ? k + 1 : k];
       if (is_tie(c)) continue;
       step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
-      if (c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
+      if (c.friction > 0 && !is_held_back) step += p.w * hold_back(c, x + step - start, p.w);
       Contact& to = contacts.contacts[k];
       to.normal_multiplier = c.normal_multiplier;
       to.tangent_multiplier = c.tangent_multiplier;
@@ -68,7 +85,7 @@ struct ContactProjection {
 template <class D>
 ContactProjection contact_projection(const Substep<D>& substep) {
   const ParticleView& p = substep.particles;
-  return {p.position, p.moved, p.previous, p.slot, substep.contacts};
+  return {p.position, p.moved, p.previous, p.slot, substep.contacts, substep.pressed, p.sorted};
 }
 
 }  // namespace meniscus::pbd

@@ -23,6 +23,9 @@ struct Substep {
   Vec3 gravity{0, 0, 0};  ///< m/s²
   GridView grid{};        ///< the cells that particles of fluids are sorted by, as they were predicted
   bool is_last = false;   ///< of its step
+  /// By vertex of cloth, where bodies may be carried, in an iteration; w: the mass that stands behind it, kg;
+  /// and what yarns have pressed that with, kg·m. See collision::PressedVertices.
+  View<Vec4> pressed{};
   /// In an iteration: what moved particles last has held them at their contacts as well.
   bool are_contacts_projected = false;
 };

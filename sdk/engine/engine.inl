@@ -15,6 +15,7 @@
 #include "collision/grain_set.h"
 #include "collision/mesh_fields.h"
 #include "collision/mesh_sampling.h"
+#include "collision/pressed_vertices.h"
 #include "collision/shape_contacts.h"
 #include "collision/sheet_set.h"
 #include "fluid/anisotropy.h"
@@ -42,6 +43,7 @@ class DeviceEngine final : public Engine {
         contacts_(device_, particles_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
         ties_(device_, bodies_),
+        pressed_(device_, bodies_),
         density_(device_, def.kernel, def.density),
         cloth_(device_, def.cloth),
         rods_(device_),
@@ -68,7 +70,9 @@ class DeviceEngine final : public Engine {
     solver_.add(density_);
     solver_.add(sheets_.loading());
     solver_.add(static_cast<pbd::ConstraintSet<D>&>(ties_));
+    solver_.add(pressed_);
     solver_.add(cloth_);
+    solver_.add(pressed_.handing_on());
     solver_.add(rods_);
     solver_.add(ropes_);
     solver_.add(self_contacts_);
@@ -184,6 +188,7 @@ class DeviceEngine final : public Engine {
   collision::ShapeContacts<D> contacts_;
   collision::BodySet<D> bodies_;
   collision::BodyTies<D> ties_;
+  collision::PressedVertices<D> pressed_;
   fluid::DensitySet<D> density_;
   cloth::ClothSet<D> cloth_;
   cloth::RodSet<D> rods_;

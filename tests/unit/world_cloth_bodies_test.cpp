@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Cloth that bears bodies many times its weight.
+#include <gtest/gtest.h>
+
+#include "tests/cloth_worlds.h"
+#include "tests/unit/body_worlds.h"
+
+namespace meniscus::tests {
+namespace {
+
+class ClothBearingTest : public OnDevice {};
+MENISCUS_ON_EACH_DEVICE(ClothBearingTest);
+
+struct Borne {
+  float stretch = 0;    ///< the most of any edge, ever
+  float mean_push = 0;  ///< of the weight, over the last second
+  float height = 0;     ///< m, in the end
+};
+
+/// A ball that falls onto a square metre of cloth, .2 kg, whose border is held.
+Borne fall_on_trampoline(pbd::DeviceKind device, float mass, int iterations) {
+  WorldDef def = world_def(device, 0.05f);
+  def.substeps = 4;
+  def.iterations = iterations;
+  World world(def);
+  const ClothId id = world.create_cloth(sheet(1, 1, 33, 33));
+  AttachmentDef border = attach(id, {});
+  for (uint32_t v = 0; v < 33 * 33; ++v) {
+    if (v / 33 % 32 == 0 || v % 33 % 32 == 0) border.vertices.push_back(v);
+  }
+  world.create_attachment(border);
+  BodyDef ball = body(SphereGeometry{0.15f}, {0, 0.16f, 0});
+  ball.mass = mass;
+  ball.can_sleep = false;
+  const BodyId load = world.create_body(ball);
+  Borne borne;
+  for (int k = 0; k < 180; ++k) {
+    world.step(1 / 60.0f);
+    borne.stretch = std::max(borne.stretch, world.cloth_state(id).max_stretch);
+    if (k >= 120) borne.mean_push += world.body_state(load).fluid_force.y / (60 * mass * 9.81f);
+  }
+  borne.height = world.body_state(load).centre_of_mass.y;
+  return borne;
+}
+
+TEST_P(ClothBearingTest, AHeavyBallLiesInATrampoline) {
+  for (float mass : {0.3f, 3.0f}) {
+    const Borne borne = fall_on_trampoline(GetParam(), mass, 10);
+    EXPECT_LT(borne.stretch, 1.5f) << mass;
+    EXPECT_NEAR(borne.mean_push, 1, 0.1f) << mass;
+    EXPECT_GT(borne.height, 0.05f) << mass;
+  }
+}
+
+TEST_P(ClothBearingTest, FewIterationsBearItToo) {
+  const Borne borne = fall_on_trampoline(GetParam(), 3, 4);
+  EXPECT_LT(borne.stretch, 1.8f);
+  EXPECT_NEAR(borne.mean_push, 1, 0.1f);
+  EXPECT_GT(borne.height, 0.05f);
+}
+
+}  // namespace
+}  // namespace meniscus::tests
