@@ -12,9 +12,6 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector3d;
 
-// What the float of a kernel can still square and divide by a substep's length.
-constexpr double most_compliance = 1e20;
-
 float compliance_of(double stiffness) {
   return static_cast<float>(std::min(1 / stiffness, most_compliance));
 }
@@ -22,12 +19,6 @@ float compliance_of(double stiffness) {
 // share/k, where a share that is but rounding counts as none, whatever k is.
 double yield(double share, double stiffness) {
   return share < 1e-9 ? 0 : share / stiffness;
-}
-
-double yield_along(double cos2, const FabricParameters& fabric) {
-  const double sin2 = std::max(0.0, 1 - cos2);
-  return yield(cos2 * cos2, fabric.warp_stiffness) + yield(sin2 * sin2, fabric.weft_stiffness) +
-         yield(cos2 * sin2, fabric.shear_stiffness);
 }
 
 // Of an edge with its triangles.
@@ -49,6 +40,12 @@ Surroundings around(std::span<const EdgeUse> edge, const Vector3d& direction,
 }
 
 }  // namespace
+
+double yield_along(double cos2, const FabricParameters& fabric) {
+  const double sin2 = std::max(0.0, 1 - cos2);
+  return yield(cos2 * cos2, fabric.warp_stiffness) + yield(sin2 * sin2, fabric.weft_stiffness) +
+         yield(cos2 * sin2, fabric.shear_stiffness);
+}
 
 std::vector<EdgeConstraint> stretch_of_edges(const ClothMesh& mesh, std::span<const EdgeUse> uses,
                                              const std::vector<TriangleAtRest>& triangles,

@@ -23,6 +23,13 @@ std::vector<EdgeConstraint> stretch_of_edges(const ClothMesh& mesh, std::span<co
                                              const std::vector<TriangleAtRest>& triangles,
                                              const FabricParameters& fabric);
 
+/// 1/k(φ) of the above, m/N, from cos² φ: what a strip of the fabric in that direction yields under the force
+/// on its width, for its length. 0 where the fabric is unyielding, infinity where it does not resist.
+double yield_along(double cos2, const FabricParameters& fabric);
+
+/// What the float of a kernel can still square and divide by a substep's length.
+inline constexpr double most_compliance = 1e20;
+
 /// The energy of a triangle is ½ A (k_warp C_u² + k_weft C_v² + k_shear C_uv²).
 std::vector<StrainConstraint> strain_of_triangles(const ClothMesh& mesh,
                                                   const std::vector<TriangleAtRest>& triangles,

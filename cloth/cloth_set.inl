@@ -166,9 +166,9 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   stretch(substep, rounds, turn);
   if (turn.backwards) bend(substep, turn);
   if (any_gas_ && turn.backwards) blow_up(substep, turn.starts);
-  device_.parallel_for_lanes("cloth/tethers", static_cast<uint32_t>(tethers_.size()),
-                             tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(),
-                                                            substep.pressed, vertices(substep), turn.starts});
+  device_.parallel_for_lanes(
+      "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
+      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), turn.starts});
 }
 
 template <class D>

@@ -57,7 +57,8 @@ struct PackedHinge {
 /// C = |x_vertex − x_anchor| − length ≤ 0, and the anchor is held fast (Kim, Chentanez & Müller 2012).
 struct Tether {
   uint32_t vertex, anchor;
-  float length;  ///< m
+  float length;      ///< m
+  float compliance;  ///< m/N
 };
 
 }  // namespace meniscus::cloth

@@ -12,11 +12,10 @@ using pbd::gather;
 using pbd::scatter;
 using pbd::square_root;
 
-/// Where a mass stands behind a vertex, yarns hold it: tethers would drag it from under that by its own mass.
+/// XPBD, but for what has pulled already in the substep: that is not taken back.
 struct ProjectTethers {
   View<const Tether> tethers;
-  View<Vec4> pull;           ///< kg·m, on each anchor so far in the substep
-  View<const Vec4> pressed;  ///< see Substep::pressed
+  View<Vec4> pull;  ///< kg·m, on each anchor so far in the substep; w: λ
   VertexState vertices;
   bool starts;
 
@@ -31,28 +30,24 @@ struct ProjectTethers {
       vertex.at[lane] = t.vertex;
       anchor.at[lane] = t.anchor;
     }
-    const Real zero(0),
-        longest = pbd::by_lane<D>([&](uint32_t lane) { return tethers[together.items.at[lane]].length; });
+    const auto of_each = [&](float Tether::*what) {
+      return pbd::by_lane<D>([&](uint32_t lane) { return tethers[together.items.at[lane]].*what; });
+    };
+    const Real zero(0), square(vertices.inverse_dt * vertices.inverse_dt);
+    const Real longest = of_each(&Tether::length), soft = square * of_each(&Tether::compliance);
     const View<Vec4> x = vertices.particles.position.from(vertices.particles.sorted),
                      moved = vertices.particles.moved.from(vertices.particles.sorted);
     const pbd::Vec4Of<Real> end = gather(x, vertex.index());
     const Vector d = end.xyz() - gather(x, anchor.index()).xyz();
-    const Real l = square_root(dot(d, d));
-    const Real behind = pressed.count > 0 ? gather(pressed, vertex.index()).w : zero;
-    const Real w = select_less(zero, behind, zero, end.w);
-    const uint32_t taut = less_mask(longest, l) & less_mask(zero, w) & together.mask();
+    const Real l = square_root(dot(d, d)), w = end.w;
+    const pbd::Vec4Of<Real> before = starts ? pbd::Vec4Of<Real>{zero, zero, zero, zero} : gather(pull, at);
+    const Real lacks = l - longest - soft * before.w;
+    const uint32_t taut = less_mask(zero, lacks) & less_mask(zero, w) & together.mask();
     if (taut == 0 && !starts) return;
-    const auto if_taut = [&](const Real& s) {
-      return select_less(longest, l, select_less(zero, w, s, zero), zero);
-    };
-    const Real pulls = if_taut((Real(1) - longest / l) / w);
-    const Vector impulse = pulls * d;
-    pbd::Vec4Of<Real> all{impulse.x, impulse.y, impulse.z, zero};
-    if (!starts) {
-      const pbd::Vec4Of<Real> before = gather(pull, at);
-      all = {before.x + impulse.x, before.y + impulse.y, before.z + impulse.z, zero};
-    }
-    scatter(pull, at, all, together.mask());
+    const Real step = select_less(zero, lacks, select_less(zero, w, lacks / (w + soft), zero), zero);
+    const Vector impulse = select_less(zero, step, step / l, zero) * d;
+    scatter(pull, at, {before.x + impulse.x, before.y + impulse.y, before.z + impulse.z, before.w + step},
+            together.mask());
     if (taut == 0) return;
     const auto moved_by = [&](const pbd::Vec4Of<Real>& v) {
       return pbd::Vec4Of<Real>{v.x - w * impulse.x, v.y - w * impulse.y, v.z - w * impulse.z, v.w};

@@ -12,6 +12,7 @@
 #include <string>
 #include <tuple>
 
+#include "cloth/build_stretch.h"
 #include "cloth/rest_geometry.h"
 #include "cloth/topology.h"
 
@@ -123,9 +124,37 @@ class Marching {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front_;
 };
 
+// What strips of fabric give way by.
+class Strips {
+ public:
+  Strips(const ClothMesh& mesh, const FabricParameters& fabric)
+      : mesh_(mesh), fabric_(fabric), around_(mesh), triangles_(triangles_at_rest(mesh)) {}
+
+  /// m/N, from `anchor` to v, with the area that v stands for. The direction is the straight one.
+  float compliance(uint32_t anchor, uint32_t v, double length) const {
+    const Vector3d way = to_double(mesh_.vertices[v]) - to_double(mesh_.vertices[anchor]);
+    double area = 0, cos2 = 0;
+    for (uint32_t k : around_.of(v)) {
+      const TriangleAtRest& t = triangles_[k];
+      const double cosine = (way - way.dot(t.normal) * t.normal).normalized().dot(t.warp);
+      area += t.area / 3;
+      cos2 += cosine * cosine / static_cast<double>(around_.of(v).size());
+    }
+    const double compliance = length * length / area * yield_along(cos2, fabric_);
+    return static_cast<float>(std::min(compliance, most_compliance));
+  }
+
+ private:
+  const ClothMesh& mesh_;
+  const FabricParameters& fabric_;
+  VertexTriangles around_;
+  std::vector<TriangleAtRest> triangles_;
+};
+
 }  // namespace
 
-std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_t> held) {
+std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_t> held,
+                                  const FabricParameters& fabric) {
   for (uint32_t v : held) {
     if (v < mesh.vertices.size()) continue;
     throw Error(ErrorCode::invalid_argument, "vertex " + std::to_string(v) +
@@ -133,11 +162,13 @@ std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_
                                                  std::to_string(mesh.vertices.size()));
   }
   const std::vector<Arrival> arrivals = Marching(mesh).from(held);
+  const Strips strips(mesh, fabric);
   std::vector<Tether> tethers;
   for (uint32_t v = 0; v < arrivals.size(); ++v) {
     const Arrival& a = arrivals[v];
     if (a.source == none || a.source == v) continue;
-    tethers.push_back({v, a.source, static_cast<float>(a.distance)});
+    tethers.push_back(
+        {v, a.source, static_cast<float>(a.distance), strips.compliance(a.source, v, a.distance)});
   }
   std::stable_sort(tethers.begin(), tethers.end(),
                    [](const Tether& a, const Tether& b) { return a.anchor < b.anchor; });

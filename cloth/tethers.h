@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "cloth/build_constraints.h"
 #include "cloth/cloth_mesh.h"
-#include "cloth/constraints.h"
 
 namespace meniscus::cloth {
 
@@ -15,8 +15,13 @@ namespace meniscus::cloth {
 /// nothing holds get none. In the order of anchors, then of vertices. Throws Error(invalid_argument) where a
 /// number in `held` is no vertex.
 ///
+/// A tether gives way as a strip of the fabric would that leads there, with the area A that its vertex stands
+/// for: by L²/(A k(φ)), see yield_along. All together are then no stiffer than the fabric. Unyielding, they
+/// held a ball on a sheet with three times the force that its stretch takes, and drew it to the nearest pins.
+///
 /// Distances by fast marching over the triangles (Kimmel & Sethian 1998), so that they are not those of paths
 /// along edges, and never shorter than the straight line. Where the code departs from the paper: tethers.cpp.
-std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_t> held);
+std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_t> held,
+                                  const FabricParameters& fabric);
 
 }  // namespace meniscus::cloth

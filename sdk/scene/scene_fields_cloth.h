@@ -157,7 +157,7 @@ void fields(V& v, ClothDef& d) {
   filter_fields(v, d.filter);
   v("self_collision", d.self_collision, any_value, "", "whether it collides with itself");
   v("tethers", d.tethers, any_value, "",
-    "whether vertices stay within reach, along the cloth, of the nearest one that is held fast");
+    "whether strips of the fabric pull vertices to the nearest one that is held fast");
   v("inflation", d.inflation, any_value, "", "gas inside a closed piece; left out, there is none");
   v("color", d.color, between(0, 1), "", "linear red, green and blue");
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/tethers.h"
 #include "collision/mesh.h"
 #include "sdk/world/check.h"
 #include "sdk/world/cloth_shapes.h"
@@ -91,6 +92,12 @@ void build_constraints(ClothEntry& entry) {
   if (entry.def.fabric.absorbency > 0) entry.graph = make_graph(entry.mesh);
   entry.closed = cloth::is_closed(entry.mesh);
   entry.tethers.clear();
+}
+
+void tie_to_held(ClothEntry& entry, const std::vector<uint32_t>& held) {
+  if (entry.held != held || entry.tethers.empty())
+    entry.tethers = cloth::build_tethers(entry.mesh, held, parameters(entry.def.fabric));
+  entry.held = held;
 }
 
 float mean_edge(const cloth::ClothMesh& mesh) {

@@ -92,6 +92,8 @@ RopeEntry make_rope(const RopeDef& def);
 
 /// From the mesh, which has changed.
 void build_constraints(ClothEntry& entry);
+/// Finds its tethers, once for the vertices that are held.
+void tie_to_held(ClothEntry& entry, const std::vector<uint32_t>& held);
 
 /// Of a closed mesh, m³.
 float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positions);

@@ -9,7 +9,6 @@
 
 #include "cloth/merge.h"
 #include "cloth/tearing.h"
-#include "cloth/tethers.h"
 #include "pbd/filter.h"
 #include "sdk/world/world_impl.h"
 
@@ -60,7 +59,11 @@ class Assembly {
     model.pieces.push_back(piece_of(entry));
     cloth.contact_parts.push_back(
         {entry.thickness, entry.def.fabric.friction, entry.def.filter, entry.def.self_collision});
-    if (entry.def.tethers) add_tethers(entry, numbers_of(held));
+    if (entry.def.tethers) {
+      tie_to_held(entry, numbers_of(held));
+      for (const cloth::Tether& t : entry.tethers)
+        model.tethers.push_back({first + t.vertex, first + t.anchor, t.length, t.compliance});
+    }
   }
 
   void add(RopeEntry& entry, const std::vector<bool>& held, const std::vector<bool>& clamped) {
@@ -134,15 +137,6 @@ class Assembly {
       piece.inside_compliance = entry.rest_volume / gas.air_pressure;
     }
     return piece;
-  }
-
-  /// Found once for the vertices that are held.
-  void add_tethers(ClothEntry& entry, const std::vector<uint32_t>& held) {
-    if (entry.held != held || entry.tethers.empty()) entry.tethers = cloth::build_tethers(entry.mesh, held);
-    entry.held = held;
-    const uint32_t first = entry.strand.first;
-    for (const cloth::Tether& t : entry.tethers)
-      cloth.model.tethers.push_back({first + t.vertex, first + t.anchor, t.length});
   }
 
   std::vector<cloth::ClothConstraints> constraints_;

@@ -87,9 +87,9 @@ INSTANTIATE_TEST_SUITE_P(On, FluidOnCloth,
                                                           LeakCase{"LongSubsteps", 0.2f, 16, 1, 0.03f, 0.12f},
                                                           LeakCase{"FineUnderThePressureGrid", 0.2f, 31, 4,
                                                                    0.03f, 0.05f, DensitySolver::grid})),
-                         [](const auto& info) {
-                           return std::string(std::get<1>(info.param).name) + "_" +
-                                  testing::PrintToString(std::get<0>(info.param));
+                         [](const auto& instance) {
+                           return std::string(std::get<1>(instance.param).name) + "_" +
+                                  testing::PrintToString(std::get<0>(instance.param));
                          });
 
 class FluidAndCloth : public OnDevice {};

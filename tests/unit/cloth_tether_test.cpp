@@ -13,6 +13,10 @@
 namespace meniscus::cloth {
 namespace {
 
+std::vector<Tether> unyielding_tethers(const ClothMesh& mesh, std::span<const uint32_t> held) {
+  return build_tethers(mesh, held, {});
+}
+
 struct Range {
   double least = 1e30, most = 0;
 };
@@ -20,7 +24,7 @@ struct Range {
 // Of the tethers' lengths over what they should be.
 Range ratios(const ClothMesh& mesh, const std::vector<uint32_t>& held,
              const std::function<double(uint32_t vertex)>& expected) {
-  const std::vector<Tether> tethers = build_tethers(mesh, held);
+  const std::vector<Tether> tethers = unyielding_tethers(mesh, held);
   EXPECT_EQ(tethers.size(), mesh.vertices.size() - held.size());
   Range range;
   for (const Tether& t : tethers) {
@@ -130,7 +134,7 @@ TEST(Tethers, GoAroundTheCornerOfAnL) {
   });
   const uint32_t held = 40, far_end = 41 * 40;  // at (1, −1) and (−1, 1)
   const uint32_t end_of_leg = far_end + 20;     // at (0, 1), out of sight
-  for (const Tether& t : build_tethers(mesh, std::vector{held})) {
+  for (const Tether& t : unyielding_tethers(mesh, std::vector{held})) {
     if (t.vertex == end_of_leg) {
       EXPECT_NEAR(t.length / (std::sqrt(2) + 1), 1, 0.01);
     }
@@ -142,7 +146,7 @@ TEST(Tethers, GoAroundTheCornerOfAnL) {
 
 TEST(Tethers, BelongToTheNearestHeldVertexAndAreSortedByIt) {
   const ClothMesh sheet = make_sheet(1, 1, 21, 5);
-  const std::vector<Tether> tethers = build_tethers(sheet, std::vector<uint32_t>{20, 0});
+  const std::vector<Tether> tethers = unyielding_tethers(sheet, std::vector<uint32_t>{20, 0});
   ASSERT_EQ(tethers.size(), sheet.vertices.size() - 2);
   for (size_t k = 0; k < tethers.size(); ++k) {
     const Tether& t = tethers[k];
@@ -161,15 +165,42 @@ TEST(Tethers, PartsThatNothingHoldsGetNone) {
   for (Vec3 v : other.vertices) mesh.vertices.push_back(v + Vec3{5, 0, 0});
   for (auto t : other.triangles) mesh.triangles.push_back({t[0] + 9, t[1] + 9, t[2] + 9});
   mesh.material.clear();
-  const std::vector<Tether> tethers = build_tethers(mesh, std::vector<uint32_t>{4});
+  const std::vector<Tether> tethers = unyielding_tethers(mesh, std::vector<uint32_t>{4});
   EXPECT_EQ(tethers.size(), 8u);
   for (const Tether& t : tethers) EXPECT_LT(t.vertex, 9u);
-  EXPECT_TRUE(build_tethers(mesh, {}).empty());
+  EXPECT_TRUE(unyielding_tethers(mesh, {}).empty());
+}
+
+// With the area that its vertex stands for: a hundredth of a square metre, and half of that at a border.
+TEST(Tethers, YieldAsStripsOfTheFabricDo) {
+  const ClothMesh sheet = make_sheet(1, 1, 11, 11);  // the warp runs along x
+  const FabricParameters fabric{.warp_stiffness = 2000, .weft_stiffness = 500, .shear_stiffness = 100};
+  const auto compliance = [&](uint32_t held, uint32_t vertex) {
+    for (const Tether& t : build_tethers(sheet, std::vector{held}, fabric)) {
+      if (t.vertex == vertex) return double{t.compliance};
+    }
+    return -1.0;
+  };
+  EXPECT_NEAR(compliance(5 * 11, 5 * 11 + 4), 0.4 * 0.4 / 0.01 / 2000, 1e-6);
+  EXPECT_NEAR(compliance(5, 4 * 11 + 5), 0.4 * 0.4 / 0.01 / 500, 1e-5);
+  EXPECT_NEAR(compliance(0, 6), 0.6 * 0.6 / 0.005 / 2000, 1e-4);
+  EXPECT_NEAR(compliance(2 * 11 + 2, 6 * 11 + 6), 0.32 / 0.01 * (0.25 / 2000 + 0.25 / 500 + 0.25 / 100),
+              1e-3);
+}
+
+TEST(Tethers, OfWhatDoesNotResistPullAtNothing) {
+  const FabricParameters fabric{.warp_stiffness = 0, .weft_stiffness = 500, .shear_stiffness = 100};
+  for (const Tether& t : build_tethers(make_sheet(1, 1, 5, 5), std::vector{0u}, fabric)) {
+    EXPECT_TRUE(std::isfinite(t.compliance));
+    if (t.vertex < 5) {
+      EXPECT_GT(t.compliance, 1e19f);
+    }
+  }
 }
 
 TEST(Tethers, RefuseWhatIsNoVertex) {
   tests::expect_error(ErrorCode::invalid_argument, "vertex 9", [] {
-    build_tethers(make_sheet(1, 1, 3, 3), std::vector<uint32_t>{0, 9});
+    unyielding_tethers(make_sheet(1, 1, 3, 3), std::vector<uint32_t>{0, 9});
   });
 }
 

@@ -211,6 +211,7 @@ struct Layer {
                      .multiplier = view(multiplier),
                      .all = {},
                      .pending = puts_aside ? view(pending) : pbd::View<pbd::Vec4>{},
+                     .pressed = {},
                      .starts = starts,
                      .first = 0,
                      .end = static_cast<uint32_t>(yarns.size())};

@@ -68,9 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
                         PressedCase{"ToAThirdAndFree", 0.33f, false, 8, 2, 0.06f, 1.2f},
                         PressedCase{"Held", 0.66f, true, 8, 4, 0.04f, 1.05f},
                         PressedCase{"ToAThirdAndHeld", 0.33f, true, 8, 4, 0.06f, 1.05f})),
-    [](const auto& info) {
-      return std::string(std::get<1>(info.param).name) + '_' +
-             testing::PrintToString(std::get<0>(info.param));
+    [](const auto& instance) {
+      return std::string(std::get<1>(instance.param).name) + '_' +
+             testing::PrintToString(std::get<0>(instance.param));
     });
 
 }  // namespace

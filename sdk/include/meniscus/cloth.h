@@ -115,8 +115,10 @@ struct ClothDef {
   FabricDef fabric{};
   CollisionFilter filter{};  ///< with solids, and with other cloth
   bool self_collision = true;
-  /// Vertices stay within the distance along the cloth, at rest, of the nearest vertex that is held fast
-  /// (Kim, Chentanez & Müller 2012): cloth then hangs with hardly any stretch at few substeps.
+  /// Whether each vertex is pulled, where it is further from the nearest vertex that is held fast than along
+  /// the cloth at rest (Kim, Chentanez & Müller 2012): cloth that is no grid then hangs with hardly more
+  /// stretch at few substeps than at many. All that pulls so is together as stiff as the fabric, so that
+  /// soft cloth hangs with half its stretch.
   bool tethers = true;
   std::optional<InflationDef> inflation{};  ///< closed pieces alone
   Vec3 color{0.75f, 0.2f, 0.2f};            ///< linear RGB, 0 to 1
