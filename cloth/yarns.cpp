@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numeric>
 
 #include "cloth/incidence.h"
 #include "pbd/device/scalar.h"
@@ -19,6 +20,7 @@ constexpr uint32_t most_layers = 3;
 constexpr float least_cosine = 0.7f;  // of the turn from an edge to the next
 constexpr float much_softer = 8;      // than the stiffest edge around
 constexpr float stiff = 5e-5f;        // m/N, of an edge
+constexpr float share_of_grain = 0.5f;
 
 using Ends = std::array<uint32_t, 2>;
 
@@ -31,16 +33,12 @@ class Drawing {
         ends_(ends_of(edges)),
         around_(std::span<const Ends>(ends_), static_cast<uint32_t>(rest.size())),
         left_(edges.size()) {
-    std::vector<float> least(rest.size(), pbd::most_finite);
-    for (const EdgeConstraint& e : edges) {
-      for (uint32_t v : {e.a, e.b}) least[v] = std::min(least[v], e.compliance);
-    }
+    const std::vector<bool> is_stiff = stiff_edges(), in_grain = vertices_in_grain(is_stiff, pieces);
     for (uint32_t k = 0; k < edges.size(); ++k) {
       const EdgeConstraint& e = edges[k];
-      const float limit = much_softer * std::max(stiff, std::min(least[e.a], least[e.b]));
       // A seam is no edge of a mesh at rest.
       const float length_at_rest = length(rest[e.b] - rest[e.a]);
-      left_[k] = e.compliance <= limit &&
+      left_[k] = (is_stiff[k] || !in_grain[e.a]) &&
                  std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length && !has_none(e.a, pieces);
     }
   }
@@ -67,6 +65,36 @@ class Drawing {
     std::vector<Ends> ends;
     for (const EdgeConstraint& e : edges) ends.push_back({e.a, e.b});
     return ends;
+  }
+
+  std::vector<bool> stiff_edges() const {
+    std::vector<float> least(rest_.size(), pbd::most_finite);
+    for (const EdgeConstraint& e : edges_) {
+      for (uint32_t v : {e.a, e.b}) least[v] = std::min(least[v], e.compliance);
+    }
+    std::vector<bool> is_stiff;
+    for (const EdgeConstraint& e : edges_)
+      is_stiff.push_back(e.compliance <= much_softer * std::max(stiff, std::min(least[e.a], least[e.b])));
+    return is_stiff;
+  }
+
+  /// Those of pieces with a grain, whose stiff edges are the warp and the weft: two of three.
+  std::vector<bool> vertices_in_grain(const std::vector<bool>& is_stiff,
+                                      std::span<const Piece> pieces) const {
+    std::vector<uint32_t> edges_from(rest_.size()), stiff_from(rest_.size());
+    for (uint32_t k = 0; k < edges_.size(); ++k) {
+      ++edges_from[edges_[k].a];
+      stiff_from[edges_[k].a] += is_stiff[k];
+    }
+    std::vector<bool> in_grain(rest_.size(), true);
+    for (const Piece& p : pieces) {
+      const auto sum = [&](const std::vector<uint32_t>& each) {
+        return std::accumulate(each.begin() + p.first_vertex, each.begin() + p.end_vertex, 0u);
+      };
+      std::fill(in_grain.begin() + p.first_vertex, in_grain.begin() + p.end_vertex,
+                sum(stiff_from) > share_of_grain * static_cast<float>(sum(edges_from)));
+    }
+    return in_grain;
   }
 
   /// See Yarns.

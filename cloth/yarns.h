@@ -31,11 +31,11 @@ struct Yarns {
 };
 
 /// Draws yarns along the stiff edges, and takes those out of the constraints. Of a sheet all warp and all
-/// weft become yarns, in two layers; a mesh without a grain has them in three directions, and leaves some
-/// edges over. What is blown up has none: gas pushes out what yarns pull in, and each would undo all that the
-/// other has done, where a sweep gives way. Nor has
-/// what may tear: whole yarns would pull at the few vertices that bound a tear. `rest`: m, where vertices are
-/// at rest.
+/// weft become yarns, in two layers. In a mesh without a grain, most of whose edges are softer by shear, none
+/// is left to hold what lies across the stiff ones: yarns run along any edge there, in three directions, and
+/// leave some over. What is blown up has none: gas pushes out what yarns pull in, and each would undo all
+/// that the other has done, where a sweep gives way. Nor has what may tear: whole yarns would pull at the few
+/// vertices that bound a tear. `rest`: m, where vertices are at rest.
 Yarns draw_yarns(ClothConstraints& constraints, std::span<const Vec3> rest, std::span<const Piece> pieces);
 
 }  // namespace meniscus::cloth
