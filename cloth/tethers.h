@@ -17,7 +17,8 @@ namespace meniscus::cloth {
 ///
 /// A tether gives way as a strip of the fabric would that leads there, with the area A that its vertex stands
 /// for: by L²/(A k(φ)), see yield_along. All together are then no stiffer than the fabric. Unyielding, they
-/// held a ball on a sheet with three times the force that its stretch takes, and drew it to the nearest pins.
+/// push at what lies on held cloth with several times the force that its stretch takes, and draw it to the
+/// nearest pins.
 ///
 /// Distances by fast marching over the triangles (Kimmel & Sethian 1998), so that they are not those of paths
 /// along edges, and never shorter than the straight line. Where the code departs from the paper: tethers.cpp.
