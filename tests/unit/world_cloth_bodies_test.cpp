@@ -64,6 +64,13 @@ TEST_P(ClothBearingTest, AHeavyBallLiesInATrampoline) {
   }
 }
 
+TEST_P(ClothBearingTest, OneOfFiftyTimesItsWeightAsWell) {
+  const Borne borne = fall_on_sheet(GetParam(), border(), 10, 10);
+  EXPECT_LT(borne.stretch, 2.2f);
+  EXPECT_NEAR(borne.mean_push, 1, 0.2f);
+  EXPECT_GT(borne.centre.y, 0);
+}
+
 TEST_P(ClothBearingTest, FewIterationsBearItToo) {
   const Borne borne = fall_on_sheet(GetParam(), border(), 3, 4);
   EXPECT_LT(borne.stretch, 1.8f);
