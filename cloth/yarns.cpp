@@ -17,10 +17,10 @@ namespace {
 
 constexpr uint32_t none = 0xffffffff;
 constexpr uint32_t most_layers = 3;
-constexpr float least_cosine = 0.7f;  // of the turn from an edge to the next
-constexpr float much_softer = 8;      // than the stiffest edge around
-constexpr float stiff = 5e-5f;        // m/N, of an edge
-constexpr float share_of_grain = 0.5f;
+constexpr float least_cosine = 0.7f;    // of the turn from an edge to the next
+constexpr float much_softer = 8;        // than the stiffest edge around
+constexpr float stiff = 5e-5f;          // m/N, of an edge
+constexpr float share_of_grain = 0.5f;  // of a piece's edges, that are stiff
 
 using Ends = std::array<uint32_t, 2>;
 

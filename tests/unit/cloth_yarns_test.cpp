@@ -121,6 +121,14 @@ TEST(Yarns, OfAPatchWithoutAGrainAreSoftEdgesAsWell) {
   EXPECT_GT(d.yarns.edges.size(), 0.9 * static_cast<double>(d.before.edges.items.size()));
 }
 
+TEST(Yarns, OfASheetWithASoftWeftRunAlongThatAsWell) {
+  const Drawn d = draw(make_sheet(1, 1, 12, 12), {.weft_stiffness = 10, .shear_stiffness = 10});
+  const auto of_weft = std::count_if(d.yarns.edges.begin(), d.yarns.edges.end(), [](const EdgeConstraint& e) {
+    return std::max(e.a, e.b) - std::min(e.a, e.b) == 12;
+  });
+  EXPECT_GT(of_weft, 12 * 11 * 3 / 4);
+}
+
 TEST(Yarns, PiecesHaveAGrainOrNoneEachOnItsOwn) {
   ClothMesh both = make_sheet(1, 1, 12, 12);
   both.material.clear();

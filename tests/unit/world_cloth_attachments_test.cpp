@@ -286,7 +286,7 @@ TEST_P(ClothAttachmentTest, AClampedRodKeepsItsDirection) {
 // ---- tethers ----
 
 /// m, of a metre of cloth that has hung for a second and a half.
-float hanging_length(WorldDef settings, StretchModel model, float stiffness, bool tethers) {
+float hanging_length(const WorldDef& settings, StretchModel model, float stiffness, bool tethers) {
   World world(settings);
   ClothDef def = sheet(1, 1, 25, 25);
   def.fabric.stretch_model = model;
