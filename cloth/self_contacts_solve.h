@@ -80,9 +80,7 @@ struct PushApart {
     const Vec3 n = plane.xyz();
     const float normal = pbd::max(0, old.w - (dot(n, r) - plane.w) / give);
     if (normal == 0 && old.w == 0) return {0, 0, 0};
-    Vec3 tangent = old.xyz() - (slip - dot(slip, n) * n) / give;
-    const float most = friction * normal, size = length(tangent);
-    if (size > most) tangent = (most / size) * tangent;
+    const Vec3 tangent = shortened_to(old.xyz() - (slip - dot(slip, n) * n) / give, friction * normal);
     list.multiplier[c] = pbd::with_w(tangent, normal);
     return (normal - old.w) * n + (tangent - old.xyz());
   }

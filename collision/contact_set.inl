@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "collision/contact_set.h"
-#include "pbd/contact_projection.h"
+#include "collision/pinched_vertex.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::collision {
@@ -18,11 +18,11 @@ using pbd::Vec4;
 using pbd::View;
 
 struct Project {
-  pbd::ContactProjection projection;
+  PinchedContacts contacts;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    const uint32_t i = projection.contacts.touching_particle(n);
-    if (i != pbd::no_index) projection.project(i);
+    const uint32_t i = contacts.all.contacts.touching_particle(n);
+    if (i != pbd::no_index) contacts.project(i);
   }
 };
 
@@ -66,7 +66,7 @@ template <class D>
 void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
   if (std::exchange(substep.are_contacts_projected, false)) return;
   device_.parallel_for("contacts/project", substep.contacts.contacts.count,
-                       contact_kernels::Project{contact_projection(substep)});
+                       contact_kernels::Project{pinched_contacts(substep)});
 }
 
 template <class D>

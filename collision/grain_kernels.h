@@ -166,10 +166,7 @@ struct Project {
   MENISCUS_HD static Vec3 within_cone(Vec3 impulse, Vec3 normal, float friction) {
     const float load = dot(impulse, normal);
     if (!(load > 0)) return {0, 0, 0};
-    Vec3 along = impulse - load * normal;
-    const float size = length(along), most = friction * load;
-    if (size > most) along = (most / size) * along;
-    return load * normal + along;
+    return load * normal + shortened_to(impulse - load * normal, friction * load);
   }
 };
 

@@ -18,7 +18,8 @@ struct BodyContacts;
 /// well, 1/w_b (Substep::pressed): its share of the body, as for contacts (BodySet). What it has pressed that
 /// with, the contact hands on to the body; along its yarn it slides as it did. Friction comes before the
 /// yarns, not after them: with the load of a heavy body it holds a light vertex wherever it is, and what
-/// comes last must leave yarns at their lengths.
+/// comes last must leave yarns at their lengths. What lies between a body and something behind it is pinched
+/// (collision/pinched_vertex.h).
 ///
 /// Must come before the cloth; handing_on() after it, and before the contacts.
 template <class D>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "collision/pinched_vertex.h"
 #include "collision/pressed_vertices.h"
-#include "pbd/contact_projection.h"
 
 namespace meniscus::collision {
 
@@ -28,19 +28,13 @@ struct BodyContacts {
   MENISCUS_HD static bool gives_way(const Contact& c) {
     return c.body < pbd::on_sheet && c.body_inverse_mass > 0 && !is_tie(c);
   }
-  MENISCUS_HD static float load(const Contact& c) {
-    return c.normal_multiplier + dot(c.density_push, c.normal);
-  }
-  MENISCUS_HD bool presses(const Contact& c, Vec3 x) const {
-    return gives_way(c) && (load(c) > 0 || plane_distance(c, x) < c.radius);
-  }
   MENISCUS_HD static float mass(const Contact& c) { return 1 / c.body_inverse_mass; }
 };
 
 /// What stands behind each vertex; and friction.
 struct Weigh {
   BodyContacts of;
-  pbd::ContactProjection projection;
+  PinchedContacts pinched;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = of.vertex(n);
@@ -49,10 +43,10 @@ struct Weigh {
     float mass = 0;
     for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
       const Contact& c = of.contacts.contacts[k];
-      if (of.presses(c, x)) mass += BodyContacts::mass(c);
+      if (BodyContacts::gives_way(c) && contact_presses(c, x)) mass += BodyContacts::mass(c);
     }
     of.pressed[i - of.sorted] = {0, 0, 0, mass};
-    if (mass > 0) projection.hold_back(i);
+    if (mass > 0) pinched.hold_back(i);
   }
 };
 
@@ -101,7 +95,7 @@ template <class D>
 void PressedVertices<D>::project(pbd::Substep<D>& substep, int) {
   if (substep.pressed.count == 0) return;
   device_.parallel_for("pressed/weigh", substep.contacts.contacts.count,
-                       pressed_kernels::Weigh{contacts(substep), contact_projection(substep)});
+                       pressed_kernels::Weigh{contacts(substep), pinched_contacts(substep)});
 }
 
 template <class D>

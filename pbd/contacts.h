@@ -121,4 +121,21 @@ MENISCUS_HD inline float plane_distance(const Contact& contact, Vec3 p) {
   return dot(contact.normal, p - contact.point);
 }
 
+/// kg·m: the normal multiplier is no less, at this distance. Adhesion reaches as far again as the contact.
+MENISCUS_HD inline float least_push(const Contact& contact, float distance) {
+  return distance < 2 * contact.radius ? -contact.adhesion : 0.0f;
+}
+
+/// m: how far a particle that has gone this way has slipped along the surface.
+MENISCUS_HD inline Vec3 slip(const Contact& contact, Vec3 way) {
+  const Vec3 on_surface = way - contact.surface_motion;
+  return on_surface - dot(on_surface, contact.normal) * contact.normal;
+}
+
+/// kg·m, by Coulomb's law.
+MENISCUS_HD inline float most_friction(const Contact& contact) {
+  const float load = contact.normal_multiplier + max(0.0f, dot(contact.density_push, contact.normal));
+  return contact.friction * max(0.0f, load);
+}
+
 }  // namespace meniscus::pbd

@@ -88,6 +88,12 @@ MENISCUS_HD inline Vec3 normalized_or(Vec3 a, Vec3 fallback) {
   return l > 1e-20f ? a / l : fallback;
 }
 
+/// a, or as much of it as has the length `most`.
+MENISCUS_HD inline Vec3 shortened_to(Vec3 a, float most) {
+  const float size = length(a);
+  return size > most ? (most / size) * a : a;
+}
+
 MENISCUS_HD inline bool is_finite(Vec3 a) {
   // NaN and infinity both fail: x − x is 0 for finite x alone.
   return (a.x - a.x) == 0 && (a.y - a.y) == 0 && (a.z - a.z) == 0;

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// A vertex of cloth between a body and what bears the body through it: a crate on a carpet. One contact after
+// the other gets nothing across, as a light vertex seems to give way to either. Both are solved at once.
+#pragma once
+
+#include "pbd/contact_projection.h"
+
+namespace meniscus::collision {
+
+/// Two contacts of a vertex that press on it from opposite sides.
+struct PinchingPair {
+  uint32_t a = pbd::no_index, b = pbd::no_index;
+
+  MENISCUS_HD bool is_there() const { return a != pbd::no_index; }
+  MENISCUS_HD bool has(uint32_t k) const { return k == a || k == b; }
+};
+
+/// Whether the contact acts on a vertex at x, or is about to.
+MENISCUS_HD inline bool contact_presses(const pbd::Contact& c, Vec3 x) {
+  if (is_tie(c) || c.solid == pbd::no_index) return false;
+  const float load = c.normal_multiplier + dot(c.density_push, c.normal);
+  return load > 0 || !(c.tangent_multiplier == Vec3{0, 0, 0}) || plane_distance(c, x) < c.radius;
+}
+
+/// Of contacts first to end − 1 the two that press most straight against one another, one of which gives way.
+MENISCUS_HD inline PinchingPair find_pinching(pbd::View<const pbd::Contact> contacts, uint32_t first,
+                                              uint32_t end, Vec3 x) {
+  PinchingPair pair;
+  float least = -0.9f;
+  for (uint32_t a = first; a + 1 < end; ++a) {
+    if (!contact_presses(contacts[a], x)) continue;
+    for (uint32_t b = a + 1; b < end; ++b) {
+      const float facing = dot(contacts[a].normal, contacts[b].normal);
+      const float give = contacts[a].body_inverse_mass + contacts[b].body_inverse_mass;
+      if (!(facing < least) || !(give > 0) || !contact_presses(contacts[b], x)) continue;
+      least = facing;
+      pair = {a, b};
+    }
+  }
+  return pair;
+}
+
+/// Both contacts, taken as parallel planes: where they are not quite, what presses on them would squeeze a
+/// light vertex out as far as planes go on, and no real one slips before friction lets it.
+struct Pinch {
+  pbd::Contact &a, &b;
+  float w;    ///< 1/kg, of the vertex
+  Vec3 axis;  ///< unit, from b's surface to the vertex, and on to a's
+
+  /// Solves both normal constraints for a vertex at x; what moves it, kg·m.
+  MENISCUS_HD Vec3 push_apart(Vec3 x, float tighter) const {
+    const float lack_a = tighter * a.radius - plane_distance(a, x);
+    const float lack_b = tighter * b.radius - plane_distance(b, x);
+    const float least_a = least_push(a, plane_distance(a, x)) - a.normal_multiplier;
+    const float least_b = least_push(b, plane_distance(b, x)) - b.normal_multiplier;
+    float more_a = ((w + give_b()) * lack_a + w * lack_b) / determinant();
+    float more_b = ((w + give_a()) * lack_b + w * lack_a) / determinant();
+    const auto solve_a = [&] { more_a = pbd::max(least_a, (lack_a + w * more_b) / (w + give_a())); };
+    const auto solve_b = [&] { more_b = pbd::max(least_b, (lack_b + w * more_a) / (w + give_b())); };
+    if (more_a < least_a) {
+      more_a = least_a;
+      solve_b();
+      solve_a();
+    } else if (more_b < least_b) {
+      more_b = least_b;
+      solve_a();
+      solve_b();
+    }
+    add(a, more_a, -1.0f * axis);
+    add(b, more_b, axis);
+    return (more_b - more_a) * axis;
+  }
+
+  /// Solves friction on both, where the vertex has gone this way; what moves it, kg·m. The one that can bear
+  /// less slips, and the vertex goes with the other.
+  MENISCUS_HD Vec3 hold_back(Vec3 way) const {
+    const Vec3 old_a = a.tangent_multiplier, old_b = b.tangent_multiplier;
+    const Vec3 slip_a = slip(a, way), slip_b = slip(b, way);
+    const Vec3 wanted_a = old_a - (1 / determinant()) * ((w + give_b()) * slip_a - w * slip_b);
+    const Vec3 wanted_b = old_b - (1 / determinant()) * ((w + give_a()) * slip_b - w * slip_a);
+    const float most_a = most_friction(a), most_b = most_friction(b);
+    const bool holds_a = length(wanted_a) <= most_a, holds_b = length(wanted_b) <= most_b;
+    const auto moved = [&] { return w * (a.tangent_multiplier - old_a + b.tangent_multiplier - old_b); };
+    if (holds_a && holds_b) {
+      a.tangent_multiplier = wanted_a;
+      b.tangent_multiplier = wanted_b;
+    } else {
+      const bool is_a = !holds_a && (holds_b || most_a <= most_b);
+      pbd::Contact &slipping = is_a ? a : b, &holding = is_a ? b : a;
+      slipping.tangent_multiplier = shortened_to(is_a ? wanted_a : wanted_b, is_a ? most_a : most_b);
+      hold_back(holding, way + moved());
+      hold_back(slipping, way + moved());
+    }
+    return moved() / w;
+  }
+
+  /// Friction between the two surfaces by way of a vertex that sticks to one of them, and is not moved: what
+  /// each adds, the other takes back.
+  MENISCUS_HD void hand_through(Vec3 way) const {
+    const Vec3 slip_a = slip(a, way), slip_b = slip(b, way);
+    const Vec3 more = (1 / (give_a() + give_b())) * (slip_b - slip_a);
+    const float share = pbd::min(share_within(a.tangent_multiplier, more, most_friction(a)),
+                                 share_within(b.tangent_multiplier, -1.0f * more, most_friction(b)));
+    const float least = pbd::min(length(slip_a), length(slip_b)),
+                most = pbd::max(length(slip_a), length(slip_b));
+    if (share < 1 && least > sticking * most) return;
+    a.tangent_multiplier += share * more;
+    b.tangent_multiplier -= share * more;
+  }
+
+ private:
+  /// What sticks to one surface slips on it by no more than this, of what it does on the other.
+  static constexpr float sticking = 0.1f;
+
+  MENISCUS_HD float give_a() const { return a.body_inverse_mass; }
+  MENISCUS_HD float give_b() const { return b.body_inverse_mass; }
+  /// Of the matrix {w + give_a, −w; −w, w + give_b}.
+  MENISCUS_HD float determinant() const { return w * (give_a() + give_b()) + give_a() * give_b(); }
+
+  /// The largest share, up to 1, with |old + share · more| ≤ most; 0 where there is none.
+  MENISCUS_HD static float share_within(Vec3 old, Vec3 more, float most) {
+    if (length(old + more) <= most) return 1;
+    const float room2 = most * most - dot(old, old);
+    if (!(room2 > 0)) return 0;
+    const float along = dot(old, more), size2 = dot(more, more);
+    return (sqrtf(along * along + size2 * room2) - along) / size2;
+  }
+
+  MENISCUS_HD static void add(pbd::Contact& c, float push, Vec3 along) {
+    const float normal = push * dot(along, c.normal);
+    c.normal_multiplier += normal;
+    c.density_push += push * along - normal * c.normal;
+  }
+  MENISCUS_HD Vec3 slip(const pbd::Contact& c, Vec3 way) const {
+    const Vec3 on_surface = way - c.surface_motion;
+    return on_surface - dot(on_surface, axis) * axis;
+  }
+  /// The one alone.
+  MENISCUS_HD void hold_back(pbd::Contact& c, Vec3 way) const {
+    const Vec3 wanted = c.tangent_multiplier - slip(c, way) / (w + c.body_inverse_mass);
+    c.tangent_multiplier = shortened_to(wanted, most_friction(c));
+  }
+};
+
+MENISCUS_HD inline Pinch pinch_between(pbd::Contact& a, pbd::Contact& b, float w) {
+  const Vec3 across = b.normal - a.normal;
+  return {a, b, w, across / length(across)};
+}
+
+/// Contacts where bodies may press on cloth, ropes and points of faces.
+struct PinchedContacts {
+  pbd::ContactProjection all;
+  pbd::View<const pbd::Vec4> pressed;  ///< see Substep::pressed
+  uint32_t sorted;                     ///< see ParticleView
+
+  /// Of particle i, which has contacts. Vertices that are pressed against bodies have had their friction
+  /// before yarns.
+  MENISCUS_HD void project(uint32_t i) const {
+    const uint32_t n = i - sorted;
+    if (i < sorted || pressed.count == 0)
+      all.project(i);
+    else if (n < pressed.count && pressed[n].w > 0)
+      push_out(i);
+    else
+      push_and_hold(i);
+  }
+
+  /// Friction alone.
+  MENISCUS_HD void hold_back(uint32_t i) const {
+    const Vec3 start = all.previous[i].xyz();
+    solve(
+        i, [&](Contact& c, Vec3 x, float w) { return pbd::hold_back(c, x - start, w); },
+        [&](const Pinch& pinch, Vec3 x) { return pinch.hold_back(x - start); });
+  }
+
+ private:
+  using Contact = pbd::Contact;
+
+  MENISCUS_HD void push_out(uint32_t i) const {
+    const float tighter = pbd::share_of_radius(all.slot[i]);
+    const Vec3 start = all.previous[i].xyz();
+    solve(
+        i, [&](Contact& c, Vec3 x, float w) { return pbd::push_out(c, x, w, tighter * c.radius); },
+        [&](const Pinch& pinch, Vec3 x) {
+          const Vec3 push = pinch.push_apart(x, tighter);
+          pinch.hand_through(x + pinch.w * push - start);
+          return push;
+        });
+  }
+  MENISCUS_HD void push_and_hold(uint32_t i) const {
+    const float tighter = pbd::share_of_radius(all.slot[i]);
+    const Vec3 start = all.previous[i].xyz();
+    solve(
+        i,
+        [&](Contact& c, Vec3 x, float w) {
+          const Vec3 push = pbd::push_out(c, x, w, tighter * c.radius);
+          return push + pbd::hold_back(c, x + w * push - start, w);
+        },
+        [&](const Pinch& pinch, Vec3 x) {
+          const Vec3 push = pinch.push_apart(x, tighter);
+          return push + pinch.hold_back(x + pinch.w * push - start);
+        });
+  }
+
+  /// The pair that pinches it last, as it has to give way to all others.
+  template <class One, class Pair>
+  MENISCUS_HD void solve(uint32_t i, const One& one, const Pair& both) const {
+    const pbd::Vec4 p = all.position[i];
+    if (p.w == 0) return;
+    const uint32_t begin = all.contacts.start[i], end = all.contacts.start[i + 1];
+    const pbd::View<Contact> contacts = all.contacts.contacts;
+    const Vec3 x = p.xyz();
+    const PinchingPair pair = find_pinching(contacts, begin, end, x);
+    Vec3 step{0, 0, 0};
+    for (uint32_t k = begin; k < end; ++k) {
+      if (!pair.has(k) && !is_tie(contacts[k])) step += p.w * one(contacts[k], x + step, p.w);
+    }
+    if (pair.is_there()) step += p.w * both(pinch_between(contacts[pair.a], contacts[pair.b], p.w), x + step);
+    all.position[i] = pbd::with_w(x + step, p.w);
+    all.moved[i] = pbd::with_w(all.moved[i].xyz() + step, 0);
+  }
+};
+
+template <class D>
+PinchedContacts pinched_contacts(const pbd::Substep<D>& substep) {
+  return {contact_projection(substep), substep.pressed, substep.particles.sorted};
+}
+
+}  // namespace meniscus::collision
