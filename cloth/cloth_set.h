@@ -23,12 +23,13 @@ struct ClothSolverParameters {
 /// Cloth: stretch, shear, bending, gas and tethers as XPBD constraints (Macklin, Müller & Chentanez 2016),
 /// solved in the manner of Gauss and Seidel; and the air's force on it.
 ///
-///   begin     adds the wind, and starts from a share of what edges outside yarns last pulled with, which
-///             yarns take up before anything moves;
-///   project   sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the lengths of
-///             whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds in
+///   begin     adds the wind;
+///   project   starts from a share of what edges outside yarns last pulled with, which yarns take up before
+///             cloth moves; sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the
+///             lengths of whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds in
 ///             the last iteration; in the next iteration all of it backwards; gas; tethers last;
-///   settle    notes what pulled at vertices that nothing moves.
+///   settle    notes what pulled at vertices that nothing moves. Pieces that bear bodies forget what their
+///             edges pulled with.
 ///
 /// Small steps converge better than many iterations (Macklin et al. 2019). There and back again makes the
 /// whole a symmetric map, whose eigenvalues are real: a sweep in one direction alone turns some modes, and
@@ -90,6 +91,8 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
   bool starts_from_last() const { return share_ > 0 && first_yarn_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
+  void note_bearing(pbd::Substep<D>& substep);
+  void forget_pulls(pbd::Substep<D>& substep);
   void solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
   void blow_up(pbd::Substep<D>& substep, bool starts);
 
@@ -124,6 +127,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
   pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
+  pbd::Buffer<uint32_t> bearing_{device_, "pieces that bear bodies"};
   pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};
   pbd::Buffer<Tether> tethers_{device_, "tethers"};
   pbd::Buffer<Vec4> tether_pull_{device_, "tether pulls"};

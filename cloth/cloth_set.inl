@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cloth/bearing_kernels.h"
 #include "cloth/cloth_set.h"
 #include "cloth/sweep_kernel.h"
 #include "cloth/tear_kernels.h"
@@ -40,6 +41,7 @@ void ClothSet<D>::set_model(const ClothModel& model) {
   reaction_.fill(0);
 
   upload(pieces_, model.pieces);
+  bearing_.resize_discard(model.pieces.size());
   upload(triangles_, model.triangles);
   upload(rest_, model.rest);
   volume_gradient_.resize_discard(any_gas_ ? vertex_count_ : 0);
@@ -122,9 +124,8 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   if (vertex_count_ == 0) return;
   reserve_bending_multipliers(substep.iterations);
   // A multiplier grows with the square of the substep. It fits the masses that it was found with: where
-  // vertices bear fluid for a while, or may bear bodies, starting from it would throw them about.
-  const bool may_bear = any_bears_fluid_ || substep.pressed.count > 0;
-  const float ratio = last_dt_ > 0 && !may_bear ? substep.dt / last_dt_ : 0;
+  // vertices bear fluid for a while, starting from it would throw them about.
+  const float ratio = last_dt_ > 0 && !any_bears_fluid_ ? substep.dt / last_dt_ : 0;
   share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
   if (any_air_ && wind_.density > 0) {
@@ -137,14 +138,15 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
         Blow{fan_start_.view(), fan_.view(), wind_force_.view(), vertices(substep), substep.dt});
   }
   time_ += substep.dt;
-  if (starts_from_last()) start_from_last(substep);
 }
 
-/// Yarns take up what the other edges start to push with, before anything moves: by far the most of it is
-/// what they hold.
+/// Yarns take up what the other edges start to push with, before cloth moves: by far the most of it is what
+/// they hold.
 template <class D>
 void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   using namespace stretch_kernels;
+  note_bearing(substep);
+  forget_pulls(substep);
   device_.parallel_for("cloth/start", vertex_count_,
                        StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
                                    pending_.view()});
@@ -152,9 +154,28 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
 
+/// In the next substep multipliers do not fit either.
+template <class D>
+void ClothSet<D>::note_bearing(pbd::Substep<D>& substep) {
+  if (substep.pressed.count == 0) return;
+  bearing_.fill(0);
+  device_.parallel_for(
+      "cloth/bearing", substep.contacts.contacts.count,
+      bearing_kernels::NoteBearing{substep.contacts, vertices(substep), vertex_count_, bearing_.view()});
+}
+
+template <class D>
+void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
+  if (substep.pressed.count == 0) return;
+  device_.parallel_for("cloth/forget", vertex_count_,
+                       bearing_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), bearing_.view(),
+                                               vertices(substep), edge_multiplier_.view()});
+}
+
 template <class D>
 void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (vertex_count_ == 0) return;
+  if (iteration == 0 && starts_from_last()) start_from_last(substep);
   // What comes last holds best: lengths, or where there is gas its volume.
   const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
   const Turn turn{
@@ -265,6 +286,7 @@ void ClothSet<D>::settle(pbd::Substep<D>& substep) {
   device_.parallel_for("cloth/reactions", static_cast<uint32_t>(held_.size()),
                        tether_kernels::NoteReactions{held_.view(), tether_start_.view(), tether_pull_.view(),
                                                      vertices(substep), reaction_.view()});
+  if (starts_from_last()) forget_pulls(substep);
 }
 
 template <class D>

@@ -26,9 +26,10 @@ struct VertexState {
   MENISCUS_HD Vec4 previous(uint32_t v) const { return particles.previous[particles.sorted + v]; }
   /// m, of the present position x of v since the substep began.
   MENISCUS_HD Vec3 way(uint32_t v, const Vec4& x) const { return x.xyz() - previous(v).xyz(); }
-  MENISCUS_HD const Piece& piece_of(uint32_t v) const {
-    return pieces[pbd::phase_group(particles.phase[particles.sorted + v])];
+  MENISCUS_HD uint32_t piece_number(uint32_t v) const {
+    return pbd::phase_group(particles.phase[particles.sorted + v]);
   }
+  MENISCUS_HD const Piece& piece_of(uint32_t v) const { return pieces[piece_number(v)]; }
   /// τ/h, with Rayleigh's β = τ/α.
   MENISCUS_HD float stretch_damping(uint32_t v) const {
     return inverse_dt * (damping.stretch >= 0 ? damping.stretch : piece_of(v).stretch_damping);

@@ -36,8 +36,10 @@ using pbd::Vec4Of;
 /// 3. Both hold as long as edges hardly turn. Where a vertex would move further than its edge is long, as a
 ///    light one between heavy ones may, the whole yarn takes the share of its step with which it just does.
 ///
-/// Where pushes are pending (ClothSet::start_from_last), lengths are solved for as they will be by these, the
-/// yarn's own are added to them, and nothing moves.
+/// Where pushes are pending (ClothSet::start_from_last), the yarn takes up what these would do to its
+/// lengths, and no more: its own pushes are added to them, and nothing moves. What lengths lack besides is
+/// left to the next solve, which turns edges as well: without that a taut yarn under a heavy body flies to
+/// the sides.
 ///
 /// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
 /// fro, either alone would be left.
@@ -224,8 +226,12 @@ class SolveYarnsAtOnce {
     const auto was = [&] { return square_root(dot(then, then)); };
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt, opening_rate, was);
     const Vector n = (Real(1) / l) * d;
-    if (puts_aside()) error += dot(n, b.w * pending(to) - a.w * pending(from));
-    const Real rate = dot(n, d - then), gamma = damping_of(from) * compliance / (compliance + weight);
+    Real rate = dot(n, d - then);
+    if (puts_aside()) {
+      error = dot(n, b.w * pending(to) - a.w * pending(from));
+      rate = zero;
+    }
+    const Real gamma = damping_of(from) * compliance / (compliance + weight);
     // What has no direction, or cannot give way at all, is left alone.
     const Real live = yarns_.if_edge(k, select_less(l, Real(1e-12f), zero, weight + compliance));
     const auto if_live = [&](const Real& x, const Real& otherwise) {
