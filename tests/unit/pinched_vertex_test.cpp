@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace meniscus::collision {
 namespace {
@@ -85,7 +87,7 @@ TEST(PinchedVertex, IsLetGoOf) {
     p.x += p.w * pinch_between(p.floor, p.body, p.w).push_apart(p.x, 1);
     EXPECT_GE(p.floor.normal_multiplier, 0);
     EXPECT_EQ(p.body.normal_multiplier, 0);
-    EXPECT_GT(plane_distance(p.floor, p.x), 0.99f * radius - 1.0f * radius);
+    if (p.floor.body_inverse_mass == 0) EXPECT_GT(plane_distance(p.floor, p.x), 0.99f * radius);
   }
 }
 
