@@ -10,8 +10,8 @@
 
 namespace meniscus::cloth::bearing_kernels {
 
-/// Of each vertex that is near a body that gives way, or tied to one, the piece. Where only touches counted,
-/// one that a heavy body has left for a substep would start from what it pulled with before.
+/// Of each vertex that is near a body that gives way, or tied to such a one, the piece. Where only touches
+/// counted, one that a heavy body has left for a substep would start from what it pulled with before.
 struct NoteBearing {
   pbd::ContactView contacts;
   VertexState vertices;
@@ -26,7 +26,7 @@ struct NoteBearing {
     }
   }
   MENISCUS_HD static bool is_of_body(const pbd::Contact& c) {
-    return is_tie(c) || (c.body < pbd::on_sheet && c.body_inverse_mass > 0);
+    return c.body < pbd::on_sheet && c.body_inverse_mass > 0;
   }
 };
 

@@ -65,6 +65,7 @@ TEST_P(PinchedCloth, HoldsACrateWithTwoIterations) {
   const BodyId box = crate(world, 10, 0.5f);
   run(world, 60, dt);
   EXPECT_LT(world.body_state(box).pose.position.x, 0.03f);
+  EXPECT_NEAR(world.body_state(box).pose.position.y, half_height + thickness(), 0.1f * thickness());
   EXPECT_LT(world.cloth_state(cloth).max_stretch, 1.02f);
 }
 
