@@ -12,10 +12,11 @@ namespace meniscus {
 struct FieldRule {
   double low = -std::numeric_limits<double>::infinity();  ///< of a number, and of each number in a list
   double high = std::numeric_limits<double>::infinity();
-  bool above_low = false;     ///< low itself is not allowed
-  bool below_high = false;    ///< high itself is not allowed
-  bool needed = false;        ///< the key must be there
-  std::size_t min_items = 0;  ///< of a list, or characters of a text
+  bool above_low = false;                                           ///< low itself is not allowed
+  bool below_high = false;                                          ///< high itself is not allowed
+  bool needed = false;                                              ///< the key must be there
+  std::size_t min_items = 0;                                        ///< of a list, or characters of a text
+  std::size_t max_items = std::numeric_limits<std::size_t>::max();  ///< of a list
 };
 
 constexpr FieldRule at_least(double low) {
@@ -42,6 +43,17 @@ constexpr FieldRule inside(double low, double high) {
 constexpr FieldRule with_items(std::size_t count) {
   FieldRule rule;
   rule.min_items = count;
+  return rule;
+}
+/// A list of so many, each as the rule says.
+constexpr FieldRule exactly(std::size_t count, FieldRule rule) {
+  rule.min_items = rule.max_items = count;
+  return rule;
+}
+/// What a list's rule says of each item.
+constexpr FieldRule of_item(FieldRule rule) {
+  rule.min_items = FieldRule{}.min_items;
+  rule.max_items = FieldRule{}.max_items;
   return rule;
 }
 constexpr FieldRule required(FieldRule rule) {

@@ -47,16 +47,13 @@ void choices(V& v, BodyGeometry& g) {
 template <class V>
 void fields(V& v, SceneCopies& d) {
   constexpr double most = 100'000;
-  FieldRule three = between(1, most);
-  three.min_items = 3;
-  v("count", d.count, three, "", "how many along x, y and z");
+  v("count", d.count, exactly(3, between(1, most)), "", "how many along x, y and z");
   v("step", d.step, any_value, "m", "from one to the next along x, y and z");
-  v.check(d.count.size() == 3, "count must hold 3 numbers, not " + std::to_string(d.count.size()));
   double all = 1;
   for (const int count : d.count) all *= count;
   v.check(all <= most, "there must be at most 100000 copies");
   const float steps[] = {d.step.x, d.step.y, d.step.z};
-  for (size_t axis = 0; axis < std::min<size_t>(d.count.size(), 3); ++axis)
+  for (size_t axis = 0; axis < 3; ++axis)
     v.check(d.count[axis] <= 1 || steps[axis] != 0, "step must not be 0 along an axis with several");
 }
 

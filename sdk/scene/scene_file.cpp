@@ -61,6 +61,37 @@ std::string position_of(std::size_t byte, const std::string& text) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
+/// Notes at which byte the parser stops: not all of the library's errors say.
+class StopFinder : public nlohmann::json_sax<Json> {
+ public:
+  std::size_t byte = 0;
+
+  bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
+    byte = position;
+    return false;
+  }
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+};
+
+std::size_t stop_in(const std::string& text) {
+  constexpr bool to_the_end = true, comments_allowed = true;
+  StopFinder finder;
+  Json::sax_parse(text, &finder, Json::input_format_t::json, to_the_end, comments_allowed);
+  return finder.byte;
+}
+
 /// What comes after the last of the library's own headings: "[json.exception.…] parse error at …: what is
 /// wrong".
 std::string plain_message(const Json::exception& error, const std::string& heading_end) {
@@ -76,8 +107,8 @@ Json parse_text(const std::string& text, const std::string& source) {
     return Json::parse(text, RepeatedKeyCheck(source), throws, comments_allowed);
   } catch (const Json::parse_error& error) {
     place.fail(position_of(error.byte, text) + ": " + plain_message(error, ": "));
-  } catch (const Json::exception& error) {
-    place.fail(plain_message(error, "] "));
+  } catch (const Json::exception& error) {  // of a number that no double holds
+    place.fail(position_of(stop_in(text), text) + ": " + plain_message(error, "] "));
   }
 }
 

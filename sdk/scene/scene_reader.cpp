@@ -114,15 +114,15 @@ void read_choice(const Json& json, const ScenePlace& place, T& value) {
 }
 
 template <class T>
-void read_list(const Json& json, const ScenePlace& place, FieldRule rule, std::vector<T>& values) {
+void read_list(const Json& json, const ScenePlace& place, const FieldRule& rule, std::vector<T>& values) {
   if (!json.is_array()) place.fail(shown(json) + " is not allowed; must be an array [...]");
-  if (json.size() < rule.min_items) {
-    place.fail(shown(json) + " is not allowed; must have at least " + std::to_string(rule.min_items) +
-               " items");
-  }
-  rule.min_items = 0;
+  const auto refuse = [&](const char* bound, std::size_t items) {
+    place.fail(shown(json) + " is not allowed; must have " + bound + std::to_string(items) + " items");
+  };
+  if (json.size() < rule.min_items) refuse("at least ", rule.min_items);
+  if (json.size() > rule.max_items) refuse("at most ", rule.max_items);
   values.assign(json.size(), T{});
-  for (std::size_t i = 0; i < json.size(); ++i) read_value(json[i], place.item(i), rule, values[i]);
+  for (std::size_t i = 0; i < json.size(); ++i) read_value(json[i], place.item(i), of_item(rule), values[i]);
 }
 
 template <class E>

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes the JSON Schema of scene files by the fields of scene_fields.h. Defaults are those of the structs.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "sdk/scene/scene_file.h"
@@ -42,14 +44,22 @@ Json array_schema(const FieldRule& rule, int count) {
       {"type", "array"}, {"items", number_schema("number", rule)}, {"minItems", count}, {"maxItems", count}};
 }
 
+/// Whole numbers have bounds where the rule has none: those of their type.
+template <class T>
+Json whole_schema(FieldRule rule) {
+  rule.low = std::max<double>(rule.low, std::numeric_limits<T>::min());
+  rule.high = std::min<double>(rule.high, std::numeric_limits<T>::max());
+  return number_schema("integer", rule);
+}
+
 Json plain_schema(float, const FieldRule& rule) {
   return number_schema("number", rule);
 }
 Json plain_schema(int, const FieldRule& rule) {
-  return number_schema("integer", rule);
+  return whole_schema<int>(rule);
 }
 Json plain_schema(uint32_t, const FieldRule& rule) {
-  return number_schema("integer", rule);
+  return whole_schema<uint32_t>(rule);
 }
 Json plain_schema(bool, const FieldRule&) {
   return {{"type", "boolean"}};
@@ -154,12 +164,12 @@ Json names_schema(E value) {
 }
 
 template <class T>
-Json list_schema(const std::vector<T>&, FieldRule rule) {
+Json list_schema(const std::vector<T>&, const FieldRule& rule) {
   Json schema{{"type", "array"}};
   if (rule.min_items > 0) schema["minItems"] = rule.min_items;
-  rule.min_items = 0;
+  if (rule.max_items < any_value.max_items) schema["maxItems"] = rule.max_items;
   T item{};
-  schema["items"] = schema_of(item, rule);
+  schema["items"] = schema_of(item, of_item(rule));
   return schema;
 }
 

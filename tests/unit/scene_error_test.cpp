@@ -287,7 +287,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"CopiesInAPlane", BODY(BOX R"(, "copies": {"count": [2, 3]})"),
                 "bodies[0].copies.count: an array of 2 is not allowed; must have at least 3 items"},
         Mistake{"CopiesInTime", BODY(BOX R"(, "copies": {"count": [2, 3, 1, 1]})"),
-                "bodies[0].copies: count must hold 3 numbers, not 4"},
+                "bodies[0].copies.count: an array of 4 is not allowed; must have at most 3 items"},
         Mistake{"CopiesAtOnePlace", BODY(BOX R"(, "copies": {"count": [2, 2, 1], "step": [1, 0, 1]})"),
                 "bodies[0].copies: step must not be 0 along an axis with several"},
         Mistake{"TooManyCopies", BODY(BOX R"(, "copies": {"count": [100, 100, 11]})"),

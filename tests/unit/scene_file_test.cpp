@@ -146,6 +146,15 @@ TEST_F(SceneFile, SyntaxErrorGivesLineAndColumn) {
   EXPECT_TRUE(message.starts_with(file + ": line 3, column 15: syntax error")) << message;
 }
 
+TEST_F(SceneFile, NumberBeyondDoubleGivesLineAndColumn) {
+  // 1e999 stands in a text and in a comment first: neither is meant.
+  const std::string file =
+      write("huge.json", "{\n  \"name\": \"1e999\",\n  // 1e999\n  \"frame_time\": 1e999\n}");
+  const auto [code, message] = error_of([&] { read_scene(file); });
+  EXPECT_EQ(code, ErrorCode::parse);
+  EXPECT_EQ(message, file + ": line 4, column 21: number overflow parsing '1e999'");
+}
+
 TEST_F(SceneFile, RefusesWhatIsNoDocument) {
   for (const char* text : {"", "[", "{\"name\": \"x\",}", "{\"name\": 1e999}", "{\"name\": \"\xff\"}"}) {
     const std::string file = write("broken.json", text);

@@ -182,5 +182,16 @@ TEST(SceneSchema, CarriesUnitsRangesAndDefaults) {
   EXPECT_FALSE(body["mass"].contains("default")) << "left out, the density gives it";
 }
 
+TEST(SceneSchema, BoundsWhatTheReaderBounds) {
+  const Json scene = Json::parse(scene_schema())["properties"];
+  EXPECT_EQ(scene["frames"]["maximum"], 2147483647);
+  const Json& most = scene["emitters"]["items"]["properties"]["most_particles"];
+  EXPECT_EQ(most["minimum"], 0);
+  EXPECT_EQ(most["maximum"], 4294967295u);
+  const Json& count = scene["bodies"]["items"]["properties"]["copies"]["properties"]["count"];
+  EXPECT_EQ(count["minItems"], 3);
+  EXPECT_EQ(count["maxItems"], 3);
+}
+
 }  // namespace
 }  // namespace meniscus
