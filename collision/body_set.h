@@ -74,7 +74,6 @@ class BodySet final : public pbd::ConstraintSet<D> {
   template <class F>
   void time_rigid(const F& step);
   float furthest_motion() const;
-  void check_finite() const;
   uint32_t lanes() const;
 
   D& device_;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <meniscus/error.h>
-
 #include <algorithm>
 #include <bit>
 #include <chrono>
@@ -169,7 +167,7 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
   time_rigid([&] { world_.finish_step(substep.dt, impulses); });
   if (substep.is_last) side_.run([this] { world_.touches(); });
   world_.predict(0, arrived_.host());
-  check_finite();
+  world_.check_finite();
   place_bodies("bodies/arrive", body_kernels::Arrive{arrived_.view(), proxies_.view()});
   const pbd::ParticleView& p = substep.particles;
   contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, furthest_motion());
@@ -181,15 +179,6 @@ void BodySet<D>::time_rigid(const F& step) {
   const auto start = std::chrono::steady_clock::now();
   step();
   step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-template <class D>
-void BodySet<D>::check_finite() const {
-  const uint32_t body = world_.first_non_finite();
-  if (body == pbd::no_index) return;
-  throw Error(ErrorCode::non_finite, "the rigid body with the index " + std::to_string(body) +
-                                         " became non-finite; the state is the one before the step. More of "
-                                         "RigidSolverDef::substeps may help");
 }
 
 /// The way of the outermost point of any body in the present substep, or more.

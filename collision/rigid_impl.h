@@ -32,6 +32,7 @@ struct RigidMemory {
 };
 
 struct RigidBodyRecord {
+  std::string name;
   RigidShape shape;
   std::unique_ptr<btRigidBody> bullet;
   bool kinematic = false;

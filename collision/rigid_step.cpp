@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // How a rigid world moves: what it predicts, what impulses do, and its steps.
+#include <meniscus/error.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -226,16 +228,20 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
   world.time += dt;
 }
 
-uint32_t RigidWorld::first_non_finite() const {
+void RigidWorld::check_finite() const {
   for (uint32_t n = 0; n < body_slots(); ++n) {
     if (!impl_->bodies.has(n)) continue;
     const btRigidBody& body = *impl_->body(n).bullet;
     const btTransform& at = body.getWorldTransform();
     btVector3 all = at.getOrigin() + body.getLinearVelocity() + body.getAngularVelocity();
     for (int row = 0; row < 3; ++row) all += at.getBasis().getRow(row);
-    if (!is_finite(from_bullet(all))) return n;
+    if (is_finite(from_bullet(all))) continue;
+    const std::string& name = impl_->body(n).name;
+    const std::string which = name.empty() ? "with the index " + std::to_string(n) : "\"" + name + "\"";
+    throw Error(ErrorCode::non_finite, "the rigid body " + which +
+                                           " became non-finite; the state is the one before the step. More "
+                                           "of RigidSolverDef::substeps may help");
   }
-  return pbd::no_index;
 }
 
 void RigidWorld::set_time(double time) {

@@ -176,6 +176,7 @@ void RigidWorld::remove_fixed(uint32_t number) {
 
 uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
   auto made = std::make_unique<RigidBodyRecord>();
+  made->name = def.name;
   made->kinematic = def.motion == BodyMotion::kinematic;
   made->shape = make_rigid_shape(def.solid.parts, made->kinematic ? nullptr : &def.mass);
   const float mass = made->kinematic ? 0 : static_cast<float>(def.mass.mass);

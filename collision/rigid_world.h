@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "collision/mass_properties.h"
@@ -47,6 +48,7 @@ struct RigidBodyDef {
   bool can_sleep = true;
   std::vector<Keyframe> keyframes;  ///< kinematic: where there are any, they say where it is from the start
   bool loop = false;                ///< the last keyframe should be where the first is
+  std::string name{};               ///< for errors
 };
 
 struct RigidJointDef {
@@ -145,8 +147,8 @@ class RigidWorld {
   }
   /// Sets the time, in place of a step, where there are no bodies.
   void set_time(double time);
-  /// The first body whose pose or velocity is not finite; no_index where all are.
-  uint32_t first_non_finite() const;
+  /// Throws Error(non_finite) that names the first body whose pose or velocity is not finite.
+  void check_finite() const;
   /// At the end of a series of steps: forgets forces that were applied.
   void end_step();
   double time() const;  ///< s

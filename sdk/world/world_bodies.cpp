@@ -53,6 +53,7 @@ collision::RigidBodyDef rigid_def(const BodyDef& def, const SolidPieces& solid,
   rigid.can_sleep = def.can_sleep;
   rigid.keyframes = def.keyframes;
   rigid.loop = def.loop;
+  rigid.name = def.name;
   return rigid;
 }
 

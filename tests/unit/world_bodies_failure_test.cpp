@@ -29,6 +29,7 @@ class BodyFailureTest : public OnDevice {
       world.create_shape(shape(cube()));
       BodyDef def;
       def.geometry = BoxGeometry{{0.2f, 0.1f, 0.2f}};
+      def.name = "raft";
       def.pose.position = {0, 1, 0};
       box = world.create_body(def);
       world.add_fluid(block(water, {-0.6f, -0.3f, -0.6f}, {0.6f, 0.8f, 0.6f}));
@@ -68,7 +69,7 @@ TEST_P(BodyFailureTest, ATorqueBeyondAllMeasureStopsTheStep) {
   run(pool.world, 2, 0.01f);
   const uint64_t hash = pool.world.state_hash();
   pool.world.apply_torque(pool.box, {1e38f, 3e38f, -2e38f});
-  expect_error(ErrorCode::non_finite, "rigid body", [&] { pool.world.step(0.01f); });
+  expect_error(ErrorCode::non_finite, "the rigid body \"raft\" became", [&] { pool.world.step(0.01f); });
   EXPECT_EQ(pool.world.state_hash(), hash);
 }
 
