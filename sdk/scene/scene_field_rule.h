@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace meniscus {
@@ -12,11 +13,11 @@ namespace meniscus {
 struct FieldRule {
   double low = -std::numeric_limits<double>::infinity();  ///< of a number, and of each number in a list
   double high = std::numeric_limits<double>::infinity();
-  bool above_low = false;                                           ///< low itself is not allowed
-  bool below_high = false;                                          ///< high itself is not allowed
-  bool needed = false;                                              ///< the key must be there
-  std::size_t min_items = 0;                                        ///< of a list, or characters of a text
-  std::size_t max_items = std::numeric_limits<std::size_t>::max();  ///< of a list
+  bool above_low = false;            ///< low itself is not allowed
+  bool below_high = false;           ///< high itself is not allowed
+  bool needed = false;               ///< the key must be there
+  std::size_t min_items = 0;         ///< of a list, or characters of a text
+  std::size_t max_items = SIZE_MAX;  ///< of a list
 };
 
 constexpr FieldRule at_least(double low) {
