@@ -91,6 +91,10 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
   bool starts_from_last() const { return share_ > 0 && first_yarn_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
+  /// Whether any piece may bear something, so that what it pulls with has to be forgotten.
+  static bool may_bear(const pbd::Substep<D>& substep) {
+    return substep.pressed.count > 0 || substep.fluid_near.count > 0;
+  }
   void note_bearing(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
   void solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
@@ -102,7 +106,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   double time_ = 0, start_time_ = 0;  // s
   uint32_t vertex_count_ = 0;
   CommonDamping damping_;
-  bool any_air_ = false, any_gas_ = false, any_tears_ = false, any_bears_fluid_ = false;
+  bool any_air_ = false, any_gas_ = false, any_tears_ = false;
   float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
   float share_ = 0;                        // of what they left for this one
 

@@ -21,7 +21,6 @@ void ClothSet<D>::set_model(const ClothModel& model) {
   any_air_ = any([](const Piece& p) { return p.drag > 0 || p.lift > 0; });
   any_gas_ = any([](const Piece& p) { return p.inside > 0; });
   any_tears_ = any([](const Piece& p) { return p.tear_strain > 0; });
-  any_bears_fluid_ = any([](const Piece& p) { return p.bears_fluid; });
   damping_ = common_damping(model.pieces);
   vertex_count_ = static_cast<uint32_t>(model.rest.size());
   last_dt_ = 0;
@@ -123,9 +122,8 @@ template <class D>
 void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   if (vertex_count_ == 0) return;
   reserve_bending_multipliers(substep.iterations);
-  // A multiplier grows with the square of the substep. It fits the masses that it was found with: where
-  // vertices bear fluid for a while, starting from it would throw them about.
-  const float ratio = last_dt_ > 0 && !any_bears_fluid_ ? substep.dt / last_dt_ : 0;
+  // A multiplier grows with the square of the substep.
+  const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
   if (any_air_ && wind_.density > 0) {
@@ -157,16 +155,22 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
 /// In the next substep multipliers do not fit either.
 template <class D>
 void ClothSet<D>::note_bearing(pbd::Substep<D>& substep) {
-  if (substep.pressed.count == 0) return;
+  using namespace bearing_kernels;
+  if (!may_bear(substep)) return;
   bearing_.fill(0);
-  device_.parallel_for(
-      "cloth/bearing", substep.contacts.contacts.count,
-      bearing_kernels::NoteBearing{substep.contacts, vertices(substep), vertex_count_, bearing_.view()});
+  if (substep.pressed.count > 0) {
+    device_.parallel_for("cloth/bearing", substep.contacts.contacts.count,
+                         NoteBearing{substep.contacts, vertices(substep), vertex_count_, bearing_.view()});
+  }
+  if (substep.fluid_near.count > 0) {
+    device_.parallel_for("cloth/bearing fluid", vertex_count_,
+                         NoteFluid{substep.fluid_near, vertices(substep), bearing_.view()});
+  }
 }
 
 template <class D>
 void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
-  if (substep.pressed.count == 0) return;
+  if (!may_bear(substep)) return;
   device_.parallel_for("cloth/forget", vertex_count_,
                        bearing_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), bearing_.view(),
                                                vertices(substep), edge_multiplier_.view()});
@@ -208,7 +212,8 @@ void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn
                      .backwards = (turn.backwards ? round + 1 : left) % 2 != 0,
                      .goes_on = round > 0,
                      .ends = turn.ends && left == 0};
-    const Turn yarns{.starts = edges.starts && !starts_from_last(), .backwards = edges.backwards};
+    const bool any_starts = !starts_from_last() || may_bear(substep);
+    const Turn yarns{.starts = edges.starts && any_starts, .backwards = edges.backwards};
     if (turn.backwards) solve_yarns(substep, yarns);
     sweep(substep, bending_passes_, stretch_end, edges);
     if (!turn.backwards) solve_yarns(substep, yarns);
@@ -232,6 +237,7 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
                                .share = turn.starts ? share_ : 1,
                                .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
                                .shears = starts_from_last(),
+                               .bearing = substep.fluid_near.count > 0 ? bearing_.view() : View<uint32_t>{},
                                .ends = turn.ends,
                                .next_share = parameters_.warm_start},
                       .first = 0,
@@ -252,6 +258,7 @@ void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<V
                    .all = vertices(substep),
                    .pending = pending,
                    .pressed = substep.pressed,
+                   .bearing = starts_from_last() && may_bear(substep) ? bearing_.view() : View<uint32_t>{},
                    .starts = turn.starts,
                    .first = 0,
                    .end = 0};

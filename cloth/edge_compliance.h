@@ -17,15 +17,16 @@ inline constexpr float shear_opening_rate = 40;
 
 /// 1/kg: what an edge with this compliance (m/N) yields with that is `error` (m) longer than at rest. What
 /// was pressed together as the substep began, when it had the length that was() returns, becomes as soft as
-/// lets it open at `rate`; it still pushes, and pulls on nothing. R has a lane for each of several edges.
+/// lets it open by the share `opens` of its length at rest; it still pushes, and pulls on nothing. R has a
+/// lane for each of several edges.
 template <class R, class Was>
-MENISCUS_HD R edge_compliance(R compliance, R rest_length, R error, R weight, float inverse_dt, float rate,
+MENISCUS_HD R edge_compliance(R compliance, R rest_length, R error, R weight, float inverse_dt, R opens,
                               const Was& was) {
   using pbd::less_mask;
   using pbd::max;
   using pbd::select_less;
   const R given = compliance * R(inverse_dt) * R(inverse_dt);
-  const R opening = R(rate / inverse_dt) * rest_length;
+  const R opening = opens * rest_length;
   if (less_mask(error, -opening) == 0) return given;
   const R softened = weight * ((rest_length - was()) / opening - R(1));
   return select_less(error, -opening, max(softened, given), given);

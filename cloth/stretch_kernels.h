@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cloth/bearing_kernels.h"
 #include "cloth/constraints.h"
 #include "cloth/edge_compliance.h"
 #include "cloth/vertex_state.h"
@@ -32,9 +33,11 @@ struct SolveEdge {
   float share;       ///< of the multiplier that there is
   float momentum;    ///< how much of the last round's step is made once more, where an edge pulls
   /// Yarns hold the lengths around, and it starts with what it last did: what is left of it is shear, which
-  /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals.
+  /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals. Not in
+  /// pieces that bear fluid, if `bearing` tells which do: these bulge, and must buckle.
   bool shears;
-  bool ends;         ///< the substep: what is left is for the next one
+  View<const uint32_t> bearing;  ///< by piece, see bearing_kernels::Bearing
+  bool ends;                     ///< the substep: what is left is for the next one
   float next_share;  ///< for that, of what pulls (λ < 0) or shears; of what else pushes less, as it buckles
 
   MENISCUS_HD void prefetch(uint32_t k) const {
@@ -77,7 +80,9 @@ struct SolveEdge {
     const Vector d = b.x.xyz() - a.x.xyz();
     const auto was = [&] { return vertices.previous(to) - vertices.previous(from); };
     const Real l = square_root(dot(d, d)), c = l - rest;
-    const float opens = shears ? shear_opening_rate : opening_rate;
+    const Real shearing = shearing_by_lane<D>(vertices, from);
+    const Real opens = select_less(zero, shearing, Real(shear_opening_rate / vertices.inverse_dt()),
+                                   Real(opening_rate / vertices.inverse_dt()));
     const Real compliance =
         edge_compliance(items.constants.w, rest, c, weight, vertices.inverse_dt(), opens, [&] {
           const Vector then = was();
@@ -89,7 +94,7 @@ struct SolveEdge {
     if (less_mask(zero, damping) != 0) rate = inverse_l * dot(d, d - was());
     const Real whole = xpbd_step(c, rate, weight, before, compliance, damping);
     const Real pulling = Real(relaxation) * whole + Real(momentum) * items.last_step;
-    const Real wanted = select_less(c, zero, of_pressed(whole, before), pulling);
+    const Real wanted = select_less(c, zero, of_pressed(whole, before, shearing), pulling);
     // What has no direction, or cannot give way at all, is left alone.
     const Real yielding = together.if_any(weight + compliance);
     const Real step = select_less(zero, yielding, wanted, zero), push = inverse_l * step, now = before + step;
@@ -98,7 +103,7 @@ struct SolveEdge {
               less_mask(zero, yielding));
     };
     if (ends) {
-      const Real left = select_less(l, nearly_none, zero, kept(now, weight, rest));
+      const Real left = select_less(l, nearly_none, zero, kept(now, weight, rest, shearing));
       note((inverse_l * left) * d, left);
     } else {
       note({select_less(c, zero, zero, step), zero, zero}, select_less(l, nearly_none, zero, now));
@@ -112,19 +117,29 @@ struct SolveEdge {
 
   /// Of a step that would lengthen what is pressed: all that only takes a pull back, and a part of the rest.
   template <class Real>
-  MENISCUS_HD Real of_pressed(const Real& step, const Real& before) const {
-    const Real least(compressed_relaxation);
-    if (!shears) return least * step;
-    const Real pull = max(Real(0), -before);
-    return select_less(pull, step, pull + least * (step - pull), step);
+  MENISCUS_HD Real of_pressed(const Real& step, const Real& before, const Real& shearing) const {
+    const Real least(compressed_relaxation), pull = max(Real(0), -before);
+    const Real sheared = select_less(pull, step, pull + least * (step - pull), step);
+    return select_less(Real(0), shearing, sheared, least * step);
+  }
+
+  /// 1 in lanes whose edges shear, else 0.
+  template <class D, class Vertices>
+  MENISCUS_HD typename D::Real shearing_by_lane(const Vertices& vertices, const pbd::Places<D>& v) const {
+    using Real = typename D::Real;
+    if (!shears || bearing.count == 0) return Real(shears ? 1.0f : 0.0f);
+    return pbd::by_lane<D>([&](uint32_t lane) {
+      return bearing[vertices.piece_number(v.at[lane])] == bearing_kernels::fluid ? 0.0f : 1.0f;
+    });
   }
 
   /// No more for the next substep than would move the ends by the edge's length: what hangs from an edge may
   /// weigh thousands of times what they do.
   template <class Real>
-  MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest) const {
-    const float of_push = shears ? next_share : pushing_share * next_share;
-    const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_share), Real(of_push));
+  MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest,
+                        const Real& shearing) const {
+    const Real of_push = select_less(Real(0), shearing, Real(next_share), Real(pushing_share * next_share));
+    const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_share), of_push);
     return max(-most, -max(-most, -part * lambda));
   }
 };

@@ -52,6 +52,7 @@ struct ClusterVertices {
 
   MENISCUS_HD Vertex at(uint32_t v) const { return {scratch.x[v], scratch.moved[v]}; }
   MENISCUS_HD Vec4 previous(uint32_t v) const { return scratch.previous[v]; }
+  MENISCUS_HD uint32_t piece_number(uint32_t v) const { return all.piece_number(scratch.number[v]); }
   MENISCUS_HD float stretch_damping(uint32_t v) const { return all.stretch_damping(scratch.number[v]); }
   MENISCUS_HD float bending_damping(uint32_t v) const { return all.bending_damping(scratch.number[v]); }
   MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 impulse) const {

@@ -53,9 +53,12 @@ struct SolveYarns {
   View<const EdgeConstraint> edges;
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
   VertexState all;
-  View<Vec4> pending;   ///< kg·m, by vertex, where any is
-  View<Vec4> pressed;   ///< see Substep::pressed
-  bool starts;          ///< from none of the last substep's multipliers
+  View<Vec4> pending;  ///< kg·m, by vertex, where any is
+  View<Vec4> pressed;  ///< see Substep::pressed
+  /// By piece, see bearing_kernels::Bearing, if any may bear something: those yarns take up nothing that is
+  /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
+  View<const uint32_t> bearing;
+  bool starts;
   uint32_t first, end;  ///< yarns of the layer
 
   /// Brings constants near: of edges the lengths at rest, and as diagonals their compliances.
@@ -103,7 +106,11 @@ class SolveYarnsAtOnce {
   using Scratch = YarnScratch<Group>;
 
   MENISCUS_HD SolveYarnsAtOnce(const SolveYarns& solve, Scratch& scratch, const YarnsAtOnce<D>& yarns)
-      : s_(solve), scratch_(scratch), yarns_(yarns) {}
+      : s_(solve),
+        scratch_(scratch),
+        yarns_(yarns),
+        bears_(solve.starts && any_bears() ? bears() : Real(0)),
+        kept_(kept()) {}
 
   MENISCUS_HD void run(const Group& group) const {
     const uint32_t edges = yarns_.most, vertices = edges + 1;
@@ -167,6 +174,16 @@ class SolveYarnsAtOnce {
   }
   MENISCUS_HD bool has_pressed() const { return s_.pressed.count > 0; }
   MENISCUS_HD bool puts_aside() const { return s_.pending.count > 0; }
+  MENISCUS_HD bool any_bears() const { return s_.bearing.count > 0; }
+  MENISCUS_HD Real bears() const {
+    const Places starts = start_of(0);
+    return pbd::by_lane<D>(
+        [&](uint32_t lane) { return s_.bearing[s_.all.piece_number(starts.at[lane])] == 0 ? 0.0f : 1.0f; });
+  }
+  MENISCUS_HD Real kept() const {
+    if (!s_.starts) return Real(1);
+    return any_bears() && !puts_aside() ? Real(1) - bears_ : Real(0);
+  }
   MENISCUS_HD Vector pending(const Places& v) const { return gather(s_.pending, v.index()).xyz(); }
 
   /// Edge k stands behind one that is not there.
@@ -218,13 +235,14 @@ class SolveYarnsAtOnce {
     const Vec4Of<Real> a = gather(positions(), from.index()), b = gather(positions(), to.index());
     const auto [rest, soft] = constants(rows, k);
     const Real last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
-    const Real before = s_.starts ? zero : last;
+    const Real before = kept_ * last;
     const Vector d = b.xyz() - a.xyz();
     const Vector then = gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
     const Real l = square_root(dot(d, d)), weight = a.w + b.w;
     Real error = l - rest;
     const auto was = [&] { return square_root(dot(then, then)); };
-    const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt, opening_rate, was);
+    const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
+                                            Real(opening_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
     Real rate = dot(n, d - then);
     if (puts_aside()) {
@@ -266,10 +284,12 @@ class SolveYarnsAtOnce {
     stiffness(k) = resistance(lambda, scratch_.rest_length[k]);
   }
 
-  /// kg·m, and λ: what edge k has pushed its end with.
+  /// kg·m, and λ: what edge k has pushed its end with in this substep.
   MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
+    if (s_.starts && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
     const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
-    return {yarns_.if_edge(k, v.x), yarns_.if_edge(k, v.y), yarns_.if_edge(k, v.z), yarns_.if_edge(k, v.w)};
+    const Real kept = yarns_.if_edge(k, kept_);
+    return {kept * v.x, kept * v.y, kept * v.z, kept * v.w};
   }
   /// What an edge is to do beyond what it has given, kg·m.
   struct Change {
@@ -287,12 +307,7 @@ class SolveYarnsAtOnce {
     const auto either = [&](const Real& x, const Real& y) { return select_less(Real(0), e.lambda, x, y); };
     return {{either(straight.x, taut.x), either(straight.y, taut.y), either(straight.z, taut.z)}, straight};
   }
-  MENISCUS_HD Change change(uint32_t k) const {
-    const Edge e = edge(k);
-    if (!s_.starts) return change(e, given(k));
-    const Vector whole = e.lambda * e.n;
-    return {whole, whole};
-  }
+  MENISCUS_HD Change change(uint32_t k) const { return change(edge(k), given(k)); }
   /// What both edges on vertex k do to it.
   MENISCUS_HD Change changes_on(uint32_t k) const {
     if (k == 0) return -change(0);
@@ -337,7 +352,7 @@ class SolveYarnsAtOnce {
   MENISCUS_HD void note_aside(uint32_t k) const {
     const Vector push = change(k).whole;
     scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, edge(k).lambda},
-            yarns_.have_edge(k));
+            yarns_.have_edge(k) & ~less_mask(Real(0), bears_));
   }
   /// What is not there is pushed by nothing.
   MENISCUS_HD void move(uint32_t k, const Real& share) const {
@@ -355,9 +370,8 @@ class SolveYarnsAtOnce {
   MENISCUS_HD Places vertex(uint32_t k) const { return k == 0 ? start_of(0) : end_of(k - 1); }
   MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {
     const Edge e = edge(k);
-    const Vec4Of<Real> last = s_.starts ? Vec4Of<Real>{Real(0), Real(0), Real(0), Real(0)} : given(k);
-    const Vector step = s_.starts ? e.lambda * e.n : change(e, last).whole;
-    const Vector push = last.xyz() + share * (step - taken_back(ways, k));
+    const Vec4Of<Real> last = given(k);
+    const Vector push = last.xyz() + share * (change(e, last).whole - taken_back(ways, k));
     scatter(s_.multiplier, yarns_.edge(k).index(),
             {push.x, push.y, push.z, last.w + share * (e.lambda - last.w)}, yarns_.have_edge(k));
   }
@@ -365,6 +379,8 @@ class SolveYarnsAtOnce {
   const SolveYarns& s_;
   Scratch& scratch_;
   const YarnsAtOnce<D> yarns_;
+  const Real bears_;  ///< 1 in lanes whose yarns bear something, where that counts; else 0
+  const Real kept_;   ///< 1 in lanes that go on from what they have pushed with, else 0
 };
 
 template <class Group>

@@ -14,6 +14,7 @@ template <class D>
 void SheetSet<D>::start(pbd::Substep<D>& substep) {
   using namespace sheet_kernels;
   if (!contacts_.any()) return;
+  substep.fluid_near = contacts_.entry_start();
   const pbd::ParticleView& p = substep.particles;
   const pbd::View<pbd::Vec4> position = p.position.from(p.sorted);
   at_particles("sheets/start", StartTouches{at_touches(substep)});

@@ -26,6 +26,8 @@ struct Substep {
   /// By vertex of cloth, where bodies may be carried, in an iteration; w: the mass that stands behind it, kg;
   /// and what yarns have pressed that with, kg·m. See collision::PressedVertices.
   View<Vec4> pressed{};
+  /// Where fluid may lie on cloth: at v and v + 1 the same number, if none is near vertex v.
+  View<const uint32_t> fluid_near{};
   /// In an iteration: what moved particles last has held them at their contacts as well.
   bool are_contacts_projected = false;
 };

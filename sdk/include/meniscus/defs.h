@@ -65,8 +65,7 @@ struct ClothSolverDef {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear, 1 to 1.3
   /// Share of what edges outside yarns, such as diagonals, last pushed or pulled with, to start from; 0 to
   /// 0.95. With more of it, shear is as stiff as it should be in fewer substeps, and fine sheets take longer
-  /// to come to rest. Cloth in a world where some of it bears fluid, and pieces near dynamic bodies,
-  /// start from nothing, whatever this is.
+  /// to come to rest. Pieces near fluid or dynamic bodies start from nothing, whatever this is.
   float warm_start = 0.7f;
   /// How many times a substep's last iteration goes over stretch and shear, 1 to 32. Where cloth drapes over
   /// solids, several do for lengths what as many times the substeps would, and cost less. Long substeps bear
