@@ -38,12 +38,6 @@ CudaDevice::CudaDevice() {
   multiprocessors_ = static_cast<uint32_t>(properties.multiProcessorCount);
   multiprocessor_bytes_ = properties.sharedMemPerMultiprocessor;
   check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
-  // What runs on the side is short of threads and long: it goes first.
-  int least = 0, most = 0;
-  check_cuda(cudaDeviceGetStreamPriorityRange(&least, &most), "reading the stream priorities");
-  check_cuda(cudaStreamCreateWithPriority(&side_stream_, cudaStreamNonBlocking, most), "creating a stream");
-  check_cuda(cudaEventCreateWithFlags(&forked_, cudaEventDisableTiming), "creating an event");
-  check_cuda(cudaEventCreateWithFlags(&joined_, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaEventCreateWithFlags(&fence_, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
   blocks_done_.resize_discard(1);
@@ -55,12 +49,9 @@ CudaDevice::~CudaDevice() {
   scratch_.resize_discard(0);
   tile_sums_.resize_discard(0);
   blocks_done_.resize_discard(0);
-  cudaEventDestroy(forked_);
-  cudaEventDestroy(joined_);
   cudaEventDestroy(fence_);
   cudaFreeHost(pinned_);
   cudaFreeHost(times_);
-  cudaStreamDestroy(side_stream_);
   cudaStreamDestroy(stream_);
 }
 
@@ -158,14 +149,12 @@ void CudaDevice::wait_for_fence() {
   check_cuda(cudaEventSynchronize(fence_), "running the kernels launched before");
 }
 
-void CudaDevice::fork() {
-  check_cuda(cudaEventRecord(forked_, stream_), "recording an event");
-  check_cuda(cudaStreamWaitEvent(side_stream_, forked_), "forking the stream");
-}
-
-void CudaDevice::join() {
-  check_cuda(cudaEventRecord(joined_, side_stream_), "recording an event");
-  check_cuda(cudaStreamWaitEvent(stream_, joined_), "joining the streams");
+/// Blocks for long items beside `count` others: so many that they take about half as long as those.
+uint32_t CudaDevice::blocks_beside(uint32_t count, uint32_t long_count) const {
+  using cuda_kernels::block_size;
+  constexpr uint32_t resident = 10;  // blocks of the others on a multiprocessor, if they run alone
+  const uint32_t waves = count / (multiprocessors_ * resident * block_size);
+  return (long_count + block_size - 1) / block_size / std::max(1u, waves / 2) + 1;
 }
 
 void CudaDevice::mark_time(uint32_t mark) {
@@ -185,7 +174,7 @@ void CudaDevice::mark_time(uint32_t mark) {
 
 /// For a mark that no launch took along.
 void CudaDevice::flush_mark() {
-  if (pending_mark_.at) launch("note time", 1, 1, cuda_kernels::note_time);
+  if (pending_mark_.at) launch("note time", 1, 1, cuda_kernels::note_time_alone);
 }
 
 double CudaDevice::elapsed_ms(uint32_t from, uint32_t to) const {

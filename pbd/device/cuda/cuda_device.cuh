@@ -24,13 +24,12 @@ namespace cuda_kernels {
 constexpr uint32_t block_size = cuda_block_size;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
-constexpr uint32_t most_teams = 1u << 16;       // they fill a large GPU
-constexpr uint32_t most_half_teams = 1u << 17;  // likewise
-constexpr uint32_t most_for_one_launch =
-    1u << 18;  // items; beyond, occupancy counts more than a fork and a join
+constexpr uint32_t most_teams = 1u << 16;           // they fill a large GPU
+constexpr uint32_t most_half_teams = 1u << 17;      // likewise
+constexpr uint32_t most_for_one_launch = 7u << 15;  // items; beyond, occupancy counts more than a launch
 
 /// Does nothing but note the time.
-static __global__ void note_time(TimeMark mark) {
+static __global__ void note_time_alone(TimeMark mark) {
   wait_for_previous(mark);
 }
 
@@ -136,6 +135,28 @@ __global__ void __launch_bounds__(block_size)
   wait_for_previous(mark);
   const uint32_t i = blockIdx.x * teams<Team> + threadIdx.x / Team::lane_count;
   if (i < count) kernel.template run<Team>(i);
+}
+
+// Two launches side by side in one stream, as neither needs what the other does. Only the first waits for
+// what came before; the second begins when all blocks of the first have. So these are few, and each takes
+// item after item, while those of the second come and go beside them.
+
+template <class Kernel>
+__global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
+    for_each_beside_next(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel) {
+  wait_for_launch_before();
+  let_next_begin();
+  note_time(mark);
+  for (uint32_t i = blockIdx.x * block_size + threadIdx.x; i < count; i += gridDim.x * block_size) kernel(i);
+}
+
+template <class Kernel>
+__global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
+    for_each_beside_previous(TimeMark, uint32_t count, const __grid_constant__ Kernel kernel) {
+  let_next_begin();
+  const uint32_t i = blockIdx.x * block_size + threadIdx.x;
+  if (i < count) kernel(i);
+  if (blockIdx.x == gridDim.x - 1) wait_for_launch_before();  // so that this one is not done before that one
 }
 
 // The teams come first: their work is the longer. Few of them need as many registers as would keep others
@@ -256,15 +277,15 @@ class CudaDevice final : public Device {
   void parallel_for_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
                          const LongKernel& long_kernel) {
     using namespace cuda_kernels;
-    if (count > most_for_one_launch) {
-      // Two launches side by side: in one, the first kernel would have to make do with the second one's
-      // registers. Beside it a thread each is the least work, however few they are.
-      fork();
-      std::swap(stream_, side_stream_);
-      parallel_for(name, long_count, RunLong<CudaDevice, LongKernel>{long_kernel});
-      std::swap(stream_, side_stream_);
-      parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
-      join();
+    if (overlaps_launches_ && count > most_for_one_launch && long_count > 0) {
+      // In one launch the first kernel would have to make do with the second one's registers. Beside it a
+      // thread each is the least work, however few they are.
+      launch(name, blocks_beside(count, long_count), block_size,
+             for_each_beside_next<RunLong<CudaDevice, LongKernel>>, long_count,
+             RunLong<CudaDevice, LongKernel>{long_kernel});
+      launch(name, (count + block_size - 1) / block_size, block_size,
+             for_each_beside_previous<RunLong<CudaDevice, Kernel>>, count,
+             RunLong<CudaDevice, Kernel>{kernel});
       return;
     }
     // Beside work that fills the GPU by itself, what takes the least in all.
@@ -294,8 +315,7 @@ class CudaDevice final : public Device {
   void* scratch(size_t bytes);
   int carveout_for(uint32_t blocks, size_t scratch_bytes) const;
   void flush_mark();
-  void fork();  // what is launched on the side stream from here on follows what came before
-  void join();  // what is launched from here on follows the side stream
+  uint32_t blocks_beside(uint32_t count, uint32_t long_count) const;
 
   template <class Team>
   static uint32_t blocks_of(uint32_t count) {
@@ -345,8 +365,7 @@ class CudaDevice final : public Device {
   }
 
   cudaStream_t stream_ = nullptr;
-  cudaStream_t side_stream_ = nullptr;
-  cudaEvent_t forked_ = nullptr, joined_ = nullptr, fence_ = nullptr;
+  cudaEvent_t fence_ = nullptr;
   std::string name_;
   bool overlaps_launches_ = false;
   uint32_t multiprocessors_ = 1;

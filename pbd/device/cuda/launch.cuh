@@ -19,15 +19,24 @@ __device__ __forceinline__ void let_next_begin() {
 #endif
 }
 
-/// For what all launches before wrote.
-__device__ __forceinline__ void wait_for_previous(TimeMark mark) {
-  let_next_begin();
+/// For the launch before, and so for all that this one waited for.
+__device__ __forceinline__ void wait_for_launch_before() {
 #if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
 #endif
+}
+
+__device__ __forceinline__ void note_time(TimeMark mark) {
   if (mark.at && blockIdx.x == 0 && threadIdx.x == 0) {
     asm volatile("mov.u64 %0, %%globaltimer;" : "=l"(*mark.at));
   }
+}
+
+/// For what all launches before wrote.
+__device__ __forceinline__ void wait_for_previous(TimeMark mark) {
+  let_next_begin();
+  wait_for_launch_before();
+  note_time(mark);
 }
 
 }  // namespace meniscus::pbd::cuda_kernels
