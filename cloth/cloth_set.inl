@@ -152,7 +152,6 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
 
-/// In the next substep multipliers do not fit either.
 template <class D>
 void ClothSet<D>::note_bearing(pbd::Substep<D>& substep) {
   using namespace bearing_kernels;
@@ -168,6 +167,7 @@ void ClothSet<D>::note_bearing(pbd::Substep<D>& substep) {
   }
 }
 
+/// And in the next substep, too: these multipliers will not fit then either.
 template <class D>
 void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
   if (!may_bear(substep)) return;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cloth/bearing_kernels.h"
 #include "cloth/edge_compliance.h"
 #include "cloth/vertex_state.h"
 #include "cloth/yarns_at_once.h"
@@ -177,8 +178,9 @@ class SolveYarnsAtOnce {
   MENISCUS_HD bool any_bears() const { return s_.bearing.count > 0; }
   MENISCUS_HD Real bears() const {
     const Places starts = start_of(0);
-    return pbd::by_lane<D>(
-        [&](uint32_t lane) { return s_.bearing[s_.all.piece_number(starts.at[lane])] == 0 ? 0.0f : 1.0f; });
+    return pbd::by_lane<D>([&](uint32_t lane) {
+      return s_.bearing[s_.all.piece_number(starts.at[lane])] == bearing_kernels::nothing ? 0.0f : 1.0f;
+    });
   }
   MENISCUS_HD Real kept() const {
     if (!s_.starts) return Real(1);

@@ -115,6 +115,28 @@ double stretch_on_ball(pbd::DeviceKind device, Elsewhere elsewhere) {
   return percentile(edge_stretches(world, id, rest), 0.99);
 }
 
+/// What it pulled with in the last substep does not fit the masses of this one.
+TEST_P(ClothBearingTest, UnderWaterItStartsFromNothing) {
+  constexpr int fine = 41;
+  WorldDef def = world_def(GetParam(), 0.04f);
+  def.substeps = 4;
+  def.iterations = 4;
+  World world(def);
+  const ClothId id = world.create_cloth(sheet(1, 1, fine, fine));
+  std::vector<uint32_t> held;
+  for (uint32_t v = 0; v < fine * fine; ++v) {
+    if (v / fine % (fine - 1) == 0 || v % fine % (fine - 1) == 0) held.push_back(v);
+  }
+  world.create_attachment(attach(id, held));
+  world.add_fluid(block(world.create_fluid({}), {-0.4f, 0.02f, -0.4f}, {0.4f, 0.3f, 0.4f}));
+  float most = 0;
+  for (int k = 0; k < 20 && most < 2; ++k) {
+    world.step(1 / 60.0f);
+    most = std::max(most, world.cloth_state(id).max_stretch);
+  }
+  EXPECT_LT(most, 1.4f);
+}
+
 TEST_P(ClothBearingTest, WhatLiesElsewhereIsNothingToIt) {
   const double alone = stretch_on_ball(GetParam(), Elsewhere::nothing) - 1;
   EXPECT_LT(alone, 0.05);
