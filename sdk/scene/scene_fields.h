@@ -29,7 +29,8 @@ constexpr auto names_of(DensitySolver) {
 
 template <class V>
 void fields(V& v, ArtificialPressureDef& d) {
-  v("strength", d.strength, not_negative, "", "k of Macklin & Müller 2013, eq. 13; about 0.1 for their look");
+  v("strength", d.strength, between(0, 1e6), "",
+    "k of Macklin & Müller 2013, eq. 13; about 0.1 for their look");
   v("exponent", d.exponent, between(1, 16), "", "n");
   v("distance", d.distance, between(0, 0.9), "", "Δq, as a fraction of the support radius");
 }
@@ -103,13 +104,13 @@ void fields(V& v, WorldDef& d) {
 template <class V>
 void fields(V& v, FluidDef& d) {
   v("name", d.name, not_empty, "", "what volumes call this fluid");
-  v("rest_density", d.rest_density, positive, "kg/m³", "density at rest");
+  v("rest_density", d.rest_density, between(1e-3, 1e6), "kg/m³", "density at rest");
   v("viscosity", d.viscosity, not_negative, "m²/s", "kinematic viscosity");
   v("xsph", d.xsph, not_negative, "1/s", "rate at which a particle takes its neighbours' mean velocity");
-  v("vorticity_confinement", d.vorticity_confinement, not_negative, "",
+  v("vorticity_confinement", d.vorticity_confinement, between(0, 1e6), "",
     "strength ε of the force that keeps swirls");
-  v("cohesion", d.cohesion, not_negative, "N/m", "attraction on top of the surface tension");
-  v("surface_tension", d.surface_tension, not_negative, "N/m", "by attraction and curvature");
+  v("cohesion", d.cohesion, between(0, 1e6), "N/m", "attraction on top of the surface tension");
+  v("surface_tension", d.surface_tension, between(0, 1e6), "N/m", "by attraction and curvature");
   filter_fields(v, d.filter);
   v("color", d.color, between(0, 1), "", "linear red, green and blue");
 }
@@ -117,7 +118,7 @@ void fields(V& v, FluidDef& d) {
 template <class V>
 void fields(V& v, GranularDef& d) {
   v("name", d.name, not_empty, "", "what volumes call this material");
-  v("density", d.density, positive, "kg/m³", "a grain's mass over a spacing cubed");
+  v("density", d.density, between(1e-3, 1e6), "kg/m³", "a grain's mass over a spacing cubed");
   v("friction", d.friction, not_negative, "", "tangent of the angle at which a heap stands");
   filter_fields(v, d.filter);
   v("color", d.color, between(0, 1), "", "linear red, green and blue");

@@ -53,7 +53,7 @@ inline void make_unyielding(const std::vector<FabricStiffness>& names, FabricDef
 template <class V>
 void fields(V& v, FabricDef& d) {
   std::vector<FabricStiffness> unyielding;
-  v("density", d.density, positive, "kg/m²", "mass of an area");
+  v("density", d.density, between(1e-6, 1e4), "kg/m²", "mass of an area");
   v("stretch_model", d.stretch_model, any_value, "",
     "what stretch and shear act on: the lengths of edges, or the strain of triangles");
   v("warp_stiffness", d.warp_stiffness, not_negative, "N/m", "tension over strain, along the warp");
@@ -63,10 +63,10 @@ void fields(V& v, FabricDef& d) {
     "how bending is measured; isometric is for cloth that is flat at rest, and dihedral where it is not");
   v("bending_stiffness", d.bending_stiffness, not_negative, "N·m", "moment over curvature");
   v("unyielding", unyielding, any_value, "", "what does not give way, whatever its stiffness");
-  v("stretch_damping", d.stretch_damping, not_negative, "s",
+  v("stretch_damping", d.stretch_damping, between(0, 1e6), "s",
     "Rayleigh's, of stretch and shear: viscous forces are so many times the elastic ones' rate");
-  v("bending_damping", d.bending_damping, not_negative, "s", "likewise of bending");
-  v("thickness", d.thickness, not_negative, "m",
+  v("bending_damping", d.bending_damping, between(0, 1e6), "s", "likewise of bending");
+  v("thickness", d.thickness, between(0, 1e3), "m",
     "distance that two layers keep; 0 is a quarter of the mean edge");
   v("friction", d.friction, not_negative, "",
     "Coulomb's coefficient between cloth and cloth; on a solid, the solid's counts");
@@ -173,12 +173,12 @@ void fields(V& v, RopeDef& d) {
     "when above 0, the way along the points is divided into so many");
   v("pose", d.pose, any_value, "", "placement of the points");
   v("velocity", d.velocity, any_value, "m/s", "at the start");
-  v("radius", d.radius, positive, "m", "of its cross-section");
-  v("density", d.density, positive, "kg/m³", "of its material");
+  v("radius", d.radius, between(1e-6, 1e3), "m", "of its cross-section");
+  v("density", d.density, between(1e-3, 1e6), "kg/m³", "of its material");
   v("bends_and_twists", d.bends_and_twists, any_value, "",
     "whether it is a rod, which resists bending and twist; a rope has a length alone");
-  v("youngs_modulus", d.youngs_modulus, positive, "Pa", "against stretch, and bending of a rod");
-  v("shear_modulus", d.shear_modulus, positive, "Pa", "against twist of a rod");
+  v("youngs_modulus", d.youngs_modulus, at_least(1e-6), "Pa", "against stretch, and bending of a rod");
+  v("shear_modulus", d.shear_modulus, at_least(1e-6), "Pa", "against twist of a rod");
   v("unyielding", unyielding, any_value, "", "whether youngs_modulus is infinite, whatever it says");
   v("damping", d.damping, not_negative, "s",
     "Rayleigh's: viscous forces are so many times the elastic ones' rate");
@@ -222,7 +222,7 @@ template <class V>
 void fields(V& v, WindDef& d) {
   v("velocity", d.velocity, any_value, "m/s", "mean velocity of the air");
   v("air_density", d.air_density, not_negative, "kg/m³", "0 is no air at all, and no drag");
-  v("gust_speed", d.gust_speed, not_negative, "m/s", "standard deviation of the gusts");
+  v("gust_speed", d.gust_speed, between(0, 1e6), "m/s", "standard deviation of the gusts");
   v("gust_size", d.gust_size, positive, "m", "of the gusts");
   v("seed", d.seed, between(0, std::numeric_limits<uint32_t>::max()), "", "equal seeds give equal gusts");
 }

@@ -65,6 +65,10 @@ void positive(const char* name, float value) {
   if (!std::isfinite(value) || value <= 0) refuse(name, value, "finite and > 0");
 }
 
+void density(const char* name, float value) {
+  between(name, value, 1e-3f, 1e6f);
+}
+
 void at_least(const char* name, float value, float lower) {
   if (!std::isfinite(value) || value < lower)
     refuse(name, value, (std::ostringstream() << "finite and at least " << lower).str());
@@ -104,6 +108,9 @@ void color(const char* name, Vec3 value) {
 }
 
 namespace {
+
+// Of what acts on fluid, in its unit: beyond, floats do not hold what steps make of it.
+constexpr float most_factor = 1e6f;
 
 void range(const char* name, const Range& value) {
   if (!std::isfinite(value.low) || value.low < 0 || !std::isfinite(value.high) || value.high <= value.low) {
@@ -156,24 +163,24 @@ void world(const WorldDef& def) {
   positive("DensitySolverDef::correction_limit", d.correction_limit);
   between("RigidSolverDef::substeps", def.rigid.substeps, 1, 1000);
   between("RigidSolverDef::iterations", def.rigid.iterations, 1, 10000);
-  not_negative("ArtificialPressureDef::strength", d.artificial_pressure.strength);
+  between("ArtificialPressureDef::strength", d.artificial_pressure.strength, 0.0f, most_factor);
   between("ArtificialPressureDef::exponent", d.artificial_pressure.exponent, 1, 16);
   between("ArtificialPressureDef::distance", d.artificial_pressure.distance, 0.0f, 0.9f);
   if (def.diffuse) diffuse(*def.diffuse);
 }
 
 void fluid(const FluidDef& def) {
-  positive("FluidDef::rest_density", def.rest_density);
+  density("FluidDef::rest_density", def.rest_density);
   not_negative("FluidDef::viscosity", def.viscosity);
   not_negative("FluidDef::xsph", def.xsph);
-  not_negative("FluidDef::vorticity_confinement", def.vorticity_confinement);
-  not_negative("FluidDef::cohesion", def.cohesion);
-  not_negative("FluidDef::surface_tension", def.surface_tension);
+  between("FluidDef::vorticity_confinement", def.vorticity_confinement, 0.0f, most_factor);
+  between("FluidDef::cohesion", def.cohesion, 0.0f, most_factor);
+  between("FluidDef::surface_tension", def.surface_tension, 0.0f, most_factor);
   color("FluidDef::color", def.color);
 }
 
 void granular(const GranularDef& def) {
-  positive("GranularDef::density", def.density);
+  density("GranularDef::density", def.density);
   not_negative("GranularDef::friction", def.friction);
   color("GranularDef::color", def.color);
 }

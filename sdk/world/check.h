@@ -21,6 +21,7 @@ void finite(const char* name, Vec3 value);
 void direction(const char* name, Vec3 value);  ///< see pbd::is_direction
 void positive(const char* name, float value);
 void not_negative(const char* name, float value);
+void density(const char* name, float value);  ///< kg/m³, of what is made of particles: 0.001 to 1e6
 void at_least(const char* name, float value, float lower);
 void between(const char* name, float value, float lower, float upper);
 void between(const char* name, int value, int lower, int upper);

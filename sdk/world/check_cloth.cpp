@@ -4,6 +4,7 @@
 #include <meniscus/error.h>
 
 #include <cmath>
+#include <limits>
 
 #include "sdk/world/check.h"
 
@@ -11,22 +12,24 @@ namespace meniscus::check {
 
 namespace {
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
 /// ≥ 0, or infinite.
 void stiffness(const char* name, float value) {
   if (!(value >= 0)) refuse(name, std::to_string(value), "≥ 0, or infinity");
 }
 
 void fabric(const FabricDef& f) {
-  positive("FabricDef::density", f.density);
+  between("FabricDef::density", f.density, 1e-6f, 1e4f);
   one_of("FabricDef::stretch_model", f.stretch_model, StretchModel::triangles);
   one_of("FabricDef::bending_model", f.bending_model, BendingModel::dihedral);
   stiffness("FabricDef::warp_stiffness", f.warp_stiffness);
   stiffness("FabricDef::weft_stiffness", f.weft_stiffness);
   stiffness("FabricDef::shear_stiffness", f.shear_stiffness);
   stiffness("FabricDef::bending_stiffness", f.bending_stiffness);
-  not_negative("FabricDef::stretch_damping", f.stretch_damping);
-  not_negative("FabricDef::bending_damping", f.bending_damping);
-  not_negative("FabricDef::thickness", f.thickness);
+  between("FabricDef::stretch_damping", f.stretch_damping, 0.0f, 1e6f);
+  between("FabricDef::bending_damping", f.bending_damping, 0.0f, 1e6f);
+  between("FabricDef::thickness", f.thickness, 0.0f, 1e3f);
   not_negative("FabricDef::friction", f.friction);
   not_negative("FabricDef::fluid_friction", f.fluid_friction);
   not_negative("FabricDef::fluid_adhesion", f.fluid_adhesion);
@@ -92,10 +95,10 @@ void rope(const RopeDef& def) {
   between("RopeDef::segments", def.segments, 0, 1000000);
   pose("RopeDef::pose", def.pose);
   finite("RopeDef::velocity", def.velocity);
-  positive("RopeDef::radius", def.radius);
-  positive("RopeDef::density", def.density);
-  if (!(def.youngs_modulus > 0)) refuse("RopeDef::youngs_modulus", std::to_string(def.youngs_modulus), "> 0");
-  if (!(def.shear_modulus > 0)) refuse("RopeDef::shear_modulus", std::to_string(def.shear_modulus), "> 0");
+  between("RopeDef::radius", def.radius, 1e-6f, 1e3f);
+  density("RopeDef::density", def.density);
+  between("RopeDef::youngs_modulus", def.youngs_modulus, 1e-6f, infinity);
+  between("RopeDef::shear_modulus", def.shear_modulus, 1e-6f, infinity);
   not_negative("RopeDef::damping", def.damping);
   color("RopeDef::color", def.color);
 }
@@ -116,7 +119,7 @@ void attachment(const AttachmentDef& def) {
 void wind(const WindDef& def) {
   finite("WindDef::velocity", def.velocity);
   not_negative("WindDef::air_density", def.air_density);
-  not_negative("WindDef::gust_speed", def.gust_speed);
+  between("WindDef::gust_speed", def.gust_speed, 0.0f, 1e6f);
   positive("WindDef::gust_size", def.gust_size);
 }
 

@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Misspelt", "/cloths/0/fabric/warp_stifness", "1",
                 R"(cloths[0].fabric.warp_stifness: unknown key; did you mean "warp_stiffness"?)"},
         Mistake{"NoWeight", "/cloths/0/fabric/density", "0",
-                "cloths[0].fabric.density: 0 is not allowed; must be greater than 0"},
+                "cloths[0].fabric.density: 0 is not allowed; must be at least 1e-06 and at most 10000"},
         Mistake{"NegativeStiffness", "/cloths/0/fabric/shear_stiffness", "-1",
                 "cloths[0].fabric.shear_stiffness: -1 is not allowed; must be at least 0"},
         Mistake{
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"ClosedOnTwoPoints", "/ropes/0/closed", "true",
                             "ropes[0]: a closed rope needs at least 3 points"},
                     Mistake{"NoRadius", "/ropes/0/radius", "0",
-                            "ropes[0].radius: 0 is not allowed; must be greater than 0"}),
+                            "ropes[0].radius: 0 is not allowed; must be at least 1e-06 and at most 1000"}),
     mistake_name);
 
 INSTANTIATE_TEST_SUITE_P(

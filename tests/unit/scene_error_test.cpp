@@ -125,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Range, SceneMistake,
     testing::Values(
-        Mistake{"Positive", R"({"name": "x", "fluids": [{"rest_density": 0}]})",
-                "fluids[0].rest_density: 0 is not allowed; must be greater than 0"},
+        Mistake{"Positive", R"({"name": "x", "wind": {"gust_size": 0}})",
+                "wind.gust_size: 0 is not allowed; must be greater than 0"},
         Mistake{"AtLeast", R"({"name": "x", "frames": 0})", "frames: 0 is not allowed; must be at least 1"},
         Mistake{"BetweenFractions", R"({"name": "x", "world": {"density": {"relaxation": 0.45}}})",
                 "world.density.relaxation: 0.45 is not allowed; must be at least 0.01 and at most 0.44"},
@@ -136,9 +136,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "camera.field_of_view: 180 is not allowed; must be greater than 0 and less than 180"},
         Mistake{"BeyondFloat", R"({"name": "x", "world": {"gravity": [0, -1e39, 0]}})",
                 "world.gravity[1]: -1e+39 is not allowed; must be a finite number of single precision"},
-        Mistake{
-            "TooSmallForFloat", R"({"name": "x", "fluids": [{"rest_density": 1e-60}]})",
-            "fluids[0].rest_density: 1e-60 is not allowed; must be far enough from 0 for single precision"},
+        Mistake{"TooSmallForFloat", R"({"name": "x", "wind": {"gust_size": 1e-60}})",
+                "wind.gust_size: 1e-60 is not allowed; must be far enough from 0 for single precision"},
         Mistake{"BeyondInt", R"({"name": "x", "frames": 3000000000})",
                 "frames: 3000000000 is not allowed; must be a whole number of 32 bits"},
         Mistake{"EmptyText", R"({"name": ""})", "name: \"\" is not allowed; must be text that is not empty"},

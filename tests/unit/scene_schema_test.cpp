@@ -167,7 +167,8 @@ TEST(SceneSchema, CarriesUnitsRangesAndDefaults) {
   const Json schema = Json::parse(scene_schema());
   const Json& density = schema["properties"]["fluids"]["items"]["properties"]["rest_density"];
   EXPECT_EQ(density["description"], "density at rest (kg/m³)");
-  EXPECT_EQ(density["exclusiveMinimum"], 0);
+  EXPECT_EQ(density["minimum"], 0.001);
+  EXPECT_EQ(density["maximum"], 1e6);
   EXPECT_EQ(density["default"], 1000);
   const Json& spacing = schema["properties"]["world"]["properties"]["particle_spacing"];
   EXPECT_EQ(spacing["default"], 0.05) << "the float's shortest text, not its digits in double precision";

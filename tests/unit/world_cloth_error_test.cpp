@@ -82,15 +82,16 @@ TEST_P(ClothErrorTest, FabricIsChecked) {
     const char* name;
     float FabricDef::*member;
     bool may_be_infinite, may_be_zero;
+    float most = infinity;
   };
-  const Case cases[] = {{"FabricDef::density", &FabricDef::density, false, false},
+  const Case cases[] = {{"FabricDef::density", &FabricDef::density, false, false, 1e4f},
                         {"FabricDef::warp_stiffness", &FabricDef::warp_stiffness, true, true},
                         {"FabricDef::weft_stiffness", &FabricDef::weft_stiffness, true, true},
                         {"FabricDef::shear_stiffness", &FabricDef::shear_stiffness, true, true},
                         {"FabricDef::bending_stiffness", &FabricDef::bending_stiffness, true, true},
-                        {"FabricDef::stretch_damping", &FabricDef::stretch_damping, false, true},
-                        {"FabricDef::bending_damping", &FabricDef::bending_damping, false, true},
-                        {"FabricDef::thickness", &FabricDef::thickness, false, true},
+                        {"FabricDef::stretch_damping", &FabricDef::stretch_damping, false, true, 1e6f},
+                        {"FabricDef::bending_damping", &FabricDef::bending_damping, false, true, 1e6f},
+                        {"FabricDef::thickness", &FabricDef::thickness, false, true, 1e3f},
                         {"FabricDef::friction", &FabricDef::friction, false, true},
                         {"FabricDef::drag", &FabricDef::drag, false, true},
                         {"FabricDef::lift", &FabricDef::lift, false, true},
@@ -105,6 +106,7 @@ TEST_P(ClothErrorTest, FabricIsChecked) {
     refused(not_a_number, "nan");
     if (!c.may_be_infinite) refused(infinity, "inf");
     if (!c.may_be_zero) refused(0, "0");
+    if (c.most < infinity) refused(1e20f, "1e+20");
   }
 }
 
@@ -223,11 +225,11 @@ TEST_P(ClothErrorTest, RopesAreChecked) {
   expect_rope_refused("RopeDef::segments is 1000001", [](RopeDef& d) { d.segments = 1000001; });
   expect_rope_refused("RopeDef::pose", [](RopeDef& d) { d.pose.rotation = {0, 0, 0, 0}; });
   expect_rope_refused("RopeDef::velocity", [](RopeDef& d) { d.velocity.y = infinity; });
-  for (float bad : {0.0f, -1.0f, infinity, not_a_number}) {
+  for (float bad : {0.0f, -1.0f, 1e-20f, 1e20f, infinity, not_a_number}) {
     expect_rope_refused("RopeDef::radius", [&](RopeDef& d) { d.radius = bad; });
     expect_rope_refused("RopeDef::density", [&](RopeDef& d) { d.density = bad; });
   }
-  for (float bad : {0.0f, -1.0f, not_a_number}) {
+  for (float bad : {0.0f, -1.0f, 1e-20f, not_a_number}) {
     expect_rope_refused("RopeDef::youngs_modulus", [&](RopeDef& d) { d.youngs_modulus = bad; });
     expect_rope_refused("RopeDef::shear_modulus", [&](RopeDef& d) { d.shear_modulus = bad; });
   }
@@ -303,6 +305,7 @@ TEST_P(ClothErrorTest, WindIsChecked) {
     refused("WindDef::air_density", {.air_density = bad});
     refused("WindDef::gust_speed", {.gust_speed = bad});
   }
+  refused("WindDef::gust_speed", {.gust_speed = 1e20f});
   for (float bad : {0.0f, -1.0f, infinity, not_a_number}) refused("WindDef::gust_size", {.gust_size = bad});
 }
 

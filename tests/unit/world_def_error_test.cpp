@@ -48,6 +48,7 @@ TEST(WorldDefError, EachFieldIsChecked) {
       {"compressibility", [](WorldDef& d) { d.density.compressibility = -1e-9f; }},
       {"correction_limit", [](WorldDef& d) { d.density.correction_limit = 0; }},
       {"strength", [](WorldDef& d) { d.density.artificial_pressure.strength = nan; }},
+      {"strength", [](WorldDef& d) { d.density.artificial_pressure.strength = 1e20f; }},
       {"exponent", [](WorldDef& d) { d.density.artificial_pressure.exponent = 0; }},
       {"distance", [](WorldDef& d) { d.density.artificial_pressure.distance = 1; }},
   };
@@ -80,12 +81,18 @@ class DefErrorTest : public OnDevice {
 
 TEST_P(DefErrorTest, Fluids) {
   const std::pair<const char*, std::function<void(FluidDef&)>> bad[] = {
-      {"rest_density", [](FluidDef& d) { d.rest_density = 0; }},
+      {"FluidDef::rest_density is 0; it must be from 0.001 to 1e+06",
+       [](FluidDef& d) { d.rest_density = 0; }},
+      {"rest_density", [](FluidDef& d) { d.rest_density = 1e-20f; }},
+      {"rest_density", [](FluidDef& d) { d.rest_density = 1e20f; }},
       {"viscosity", [](FluidDef& d) { d.viscosity = -1; }},
       {"xsph", [](FluidDef& d) { d.xsph = nan; }},
       {"vorticity_confinement", [](FluidDef& d) { d.vorticity_confinement = -1; }},
+      {"vorticity_confinement", [](FluidDef& d) { d.vorticity_confinement = 1e20f; }},
       {"cohesion", [](FluidDef& d) { d.cohesion = inf; }},
+      {"cohesion", [](FluidDef& d) { d.cohesion = 1e20f; }},
       {"surface_tension", [](FluidDef& d) { d.surface_tension = -1; }},
+      {"surface_tension", [](FluidDef& d) { d.surface_tension = 1e20f; }},
       {"color", [](FluidDef& d) { d.color.y = nan; }},
       {"color", [](FluidDef& d) { d.color.x = 1.1f; }},
       {"color", [](FluidDef& d) { d.color.z = -0.1f; }},
@@ -98,7 +105,28 @@ TEST_P(DefErrorTest, Fluids) {
   GranularDef grains;
   grains.color.y = 2;
   expect_error(invalid, "GranularDef::color is (0.53, 2, 0.17)", [&] { world_.create_granular(grains); });
+  for (float bad : {0.0f, 1e-20f, 1e20f}) {
+    GranularDef light;
+    light.density = bad;
+    expect_error(invalid, "GranularDef::density", [&] { world_.create_granular(light); });
+  }
   EXPECT_EQ(world_.create_fluid({}).index, 0u);  // the refused ones left nothing behind
+}
+
+TEST_P(DefErrorTest, FluidsAtTheirBoundsStayFinite) {
+  const std::function<void(FluidDef&)> extremes[] = {
+      [](FluidDef& d) { d.rest_density = 0.001f; },        [](FluidDef& d) { d.rest_density = 1e6f; },
+      [](FluidDef& d) { d.vorticity_confinement = 1e6f; }, [](FluidDef& d) { d.cohesion = 1e6f; },
+      [](FluidDef& d) { d.surface_tension = 1e6f; },
+  };
+  for (const auto& make_extreme : extremes) {
+    World world(world_def(GetParam(), 0.05f));
+    world.create_shape(shape(PlaneGeometry{{0, 1, 0}, 0}));
+    FluidDef def;
+    make_extreme(def);
+    world.add_fluid(block(world.create_fluid(def), {0, 0, 0}, {0.4f, 0.4f, 0.4f}));
+    for (int k = 0; k < 5; ++k) EXPECT_NO_THROW(world.step(1 / 60.0f));
+  }
 }
 
 TEST_P(DefErrorTest, Shapes) {

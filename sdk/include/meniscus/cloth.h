@@ -28,17 +28,18 @@ enum class BendingModel {
 
 /// Stiffnesses are per width of cloth, as tests of fabric give them, ≥ 0; infinity is unyielding.
 struct FabricDef {
-  float density = 0.2f;  ///< kg/m², > 0; silk .05, cotton .15, denim .4, canvas .6
+  float density = 0.2f;  ///< kg/m², 1e-6 to 1e4; silk .05, cotton .15, denim .4, canvas .6
   StretchModel stretch_model = StretchModel::edges;
   float warp_stiffness = 20000.0f;  ///< N/m, along u: tension over strain
   float weft_stiffness = 20000.0f;  ///< N/m, along v
   float shear_stiffness = 100.0f;   ///< N/m: shear force over the shear angle
   BendingModel bending_model = BendingModel::isometric;
   float bending_stiffness = 5e-5f;  ///< N·m: moment over curvature
-  float stretch_damping = 0.002f;  ///< s, Rayleigh's: viscous forces are so many times the elastic ones' rate
-  float bending_damping = 0.01f;   ///< s, likewise
-  float thickness = 0.0f;          ///< m: two layers keep this distance; 0: a quarter of the mean edge
-  float friction = 0.3f;  ///< Coulomb's μ between cloth and cloth; on solids SurfaceDef::friction counts
+  /// s, Rayleigh's, 0 to 1e6: viscous forces are so many times the elastic ones' rate.
+  float stretch_damping = 0.002f;
+  float bending_damping = 0.01f;  ///< s, likewise
+  float thickness = 0.0f;  ///< m, up to 1000: two layers keep this distance; 0: a quarter of the mean edge
+  float friction = 0.3f;   ///< Coulomb's μ between cloth and cloth; on solids SurfaceDef::friction counts
   float fluid_friction = 0.0f;  ///< Coulomb's μ between fluid and cloth
   float fluid_adhesion =
       0.0f;  ///< Pa: the pull on a wet layer of particles, per area, as SurfaceDef::adhesion
@@ -136,11 +137,11 @@ struct RopeDef {
   int segments = 0;  ///< when > 0, the way along the points is divided into so many; at most a million
   Pose pose{};
   Vec3 velocity{0, 0, 0};         ///< m/s
-  float radius = 0.005f;          ///< m, > 0
-  float density = 1000.0f;        ///< kg/m³, > 0
+  float radius = 0.005f;          ///< m, 1e-6 to 1000
+  float density = 1000.0f;        ///< kg/m³, 0.001 to 1e6
   bool bends_and_twists = false;  ///< a rod; else a rope
-  float youngs_modulus = 1e8f;    ///< Pa, > 0; infinity: unyielding
-  float shear_modulus = 3.5e7f;   ///< Pa, > 0: of rods' twist
+  float youngs_modulus = 1e8f;    ///< Pa, ≥ 1e-6; infinity: unyielding
+  float shear_modulus = 3.5e7f;   ///< Pa, ≥ 1e-6: of rods' twist
   float damping = 0.001f;         ///< s, Rayleigh's
   bool closed = false;            ///< the last vertex is joined to the first
   bool straight_at_rest = false;  ///< rods: however the points lie
@@ -175,7 +176,7 @@ struct AttachmentDef {
 struct WindDef {
   Vec3 velocity{0, 0, 0};    ///< m/s
   float air_density = 1.2f;  ///< kg/m³; 0: no air at all, and no drag
-  float gust_speed = 0.0f;   ///< m/s, standard deviation
+  float gust_speed = 0.0f;   ///< m/s, standard deviation, 0 to 1e6
   float gust_size = 2.0f;    ///< m
   uint32_t seed = 1;
 };

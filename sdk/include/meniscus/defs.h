@@ -33,7 +33,7 @@ enum class DensitySolver {
 
 /// Tensile-instability repulsion of Macklin & Müller 2013, eq. 13, as a pressure of strength · ρ₀ · |g| · h.
 struct ArtificialPressureDef {
-  float strength = 0.0f;  ///< k, no unit, ≥ 0; the paper's look comes at about 0.1
+  float strength = 0.0f;  ///< k, no unit, 0 to 1e6; the paper's look comes at about 0.1
   int exponent = 4;       ///< n, 1 to 16
   float distance = 0.2f;  ///< Δq, as a fraction of the support radius, 0 to 0.9
 };
@@ -127,7 +127,7 @@ struct WorldDef {
 
 struct FluidDef {
   std::string name = "water";
-  float rest_density = 1000.0f;  ///< ρ₀, kg/m³
+  float rest_density = 1000.0f;  ///< ρ₀, kg/m³, 0.001 to 1e6
   /// Kinematic, m²/s, ≥ 0. In a substep of length hₜ velocities are evened out by 1 − exp(−22 ν hₜ/h²), so
   /// that no more than h²/(22 hₜ) acts, however much is asked for: shorter substeps bear more. It is the
   /// plain Laplacian of velocity: where a surface is free it brakes what turns as a whole, a drop of radius R
@@ -136,13 +136,16 @@ struct FluidDef {
   /// 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h². It brakes as
   /// `viscosity`.
   float xsph = 5.0f;
-  /// ε, no unit; the force is ε · h · (N × ω). It is no force between pairs: momentum drifts with it.
+  /// ε, no unit, 0 to 1e6; the force is ε · h · (N × ω). It is no force between pairs: momentum drifts with
+  /// it.
   float vorticity_confinement = 0.0f;
-  /// σ, N/m: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀ s³/(2πσ)).
-  /// What would pull fluid off a solid or cloth, these hold, and are pulled as much. So it is with cohesion.
+  /// σ, N/m, 0 to 1e6: attraction and curvature (Akinci et al. 2013). Explicit: substeps shorter than √(ρ₀
+  /// s³/(2πσ)). What would pull fluid off a solid or cloth, these hold, and are pulled as much. So it is with
+  /// cohesion.
   float surface_tension = 0.0f;
-  float cohesion = 0.0f;     ///< N/m, on top: attraction alone, which holds threads and sheets together
-  CollisionFilter filter{};  ///< which solids it collides with
+  float cohesion =
+      0.0f;  ///< N/m, likewise, on top: attraction alone, which holds threads and sheets together
+  CollisionFilter filter{};         ///< which solids it collides with
   Vec3 color{0.10f, 0.35f, 0.75f};  ///< linear RGB, 0 to 1
 };
 
@@ -156,7 +159,7 @@ struct FluidDef {
 /// fluid's viscosity and `xsph` drag it along. Densities of a fifth to ten times the fluid's are tested.
 struct GranularDef {
   std::string name = "sand";
-  float density = 1600.0f;  ///< kg/m³, bulk: a grain's mass over a spacing cubed
+  float density = 1600.0f;  ///< kg/m³, 0.001 to 1e6, bulk: a grain's mass over a spacing cubed
   /// Tangent of the slope at which a column that collapses comes to rest, ≥ 0; below 0.18, that of grains
   /// without friction. A heap that is poured is up to 5° steeper. The contacts' own μ is less, (friction −
   /// 0.18)/1.4, as balls that do not turn interlock; of two materials that touch, the geometric mean of these
