@@ -70,15 +70,20 @@ FlowCount World::emitter_count(EmitterId id) const {
 /// Finds out what will be due, and makes room for it.
 void World::Impl::plan_emission(float dt) {
   const double until = time + double{dt};
-  double expected = 0;
+  double expected = 0, most = 0;
+  std::string_view busiest;
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
-    if (!is_done(e)) expected += e.clock.expected(until);
+    if (is_done(e)) return;
+    const double of_this = e.clock.expected(until);
+    expected += of_this;
+    if (of_this > most) busiest = e.def.name;
+    most = std::max(most, of_this);
   });
   if (expected == 0) {
     emitters.for_each([](uint32_t, EmitterEntry& e) { e.departures.clear(); });
     return;
   }
-  check_room(ids.size() + planned_drips, expected);
+  check_room(ids.size() + planned_drips, expected, busiest);
   size_t due = 0;
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
     e.departures.clear();

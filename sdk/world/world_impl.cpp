@@ -51,16 +51,16 @@ ParticleMaterial material_of(const FluidDef& def) {
           def.filter};
 }
 
-void check_room(size_t present, double added) {
+void check_room(size_t present, double added, std::string_view emitter) {
   constexpr size_t most = size_t{1} << 27;
   const double wanted = static_cast<double>(present) + added;
   if (wanted <= static_cast<double>(most)) return;
-  std::ostringstream number;
-  number.precision(4);
-  number << wanted;
-  throw Error(ErrorCode::capacity, "a world holds at most " + std::to_string(most) + " particles; " +
-                                       number.str() +
-                                       " were asked for. A wider particle_spacing needs fewer");
+  std::ostringstream why;
+  why.precision(4);
+  why << "a world holds at most " << most << " particles; " << wanted << " were asked for";
+  if (!emitter.empty()) why << ", most of them by the emitter \"" << emitter << "\"";
+  why << ". A wider particle_spacing needs fewer";
+  throw Error(ErrorCode::capacity, why.str());
 }
 
 uint32_t World::Impl::next_first_generation() {

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sdk/engine/engine.h"
@@ -160,8 +161,9 @@ struct World::Impl {
 
 ParticleMaterial material_of(const FluidDef& def);
 
-/// Throws Error(capacity) where a world with so many particles has no room for more of them.
-void check_room(size_t present, double added);
+/// Throws Error(capacity) where a world with so many particles has no room for more of them. It names the
+/// emitter that wants most of these, if one does.
+void check_room(size_t present, double added, std::string_view emitter = {});
 
 /// The engine for a choice of device, and what it runs on.
 std::unique_ptr<Engine> make_engine(const EngineDef& def, DeviceChoice choice, int threads, DeviceInfo& info);

@@ -5,6 +5,7 @@
 // chaotic drifts apart: one substep agrees closely, a settled tank in its means.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/worlds.h"
@@ -14,7 +15,8 @@ namespace {
 
 class CrossDeviceTest : public OnDevice {
  protected:
-  static World one_substep(pbd::DeviceKind kind, DensitySolver solver) {
+  /// Two layers, each of eight particles along y and so many along x and z.
+  static World one_substep(pbd::DeviceKind kind, DensitySolver solver, int wide, int deep) {
     WorldDef def = world_def(kind, 0.05f);
     def.substeps = 1;
     def.iterations = 4;
@@ -25,14 +27,15 @@ class CrossDeviceTest : public OnDevice {
     first.vorticity_confinement = 0.2f;
     second.rest_density = 500;
     const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
-    ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.5f});
+    const auto fits = [](int particles) { return std::max(0.5f, 0.05f * static_cast<float>(particles)); };
+    ShapeDef walls = tank({0, 0, 0}, {2 * fits(wide), 1, fits(deep)});
     walls.surface.friction = 0.2f;
     world.create_shape(walls);
     world.create_shape(shape(SphereGeometry{0.2f}, {0.3f, 0.1f, 0.25f}));
     std::mt19937 random(17);
     for (FluidId id : {a, b}) {
       std::vector<Vec3> positions, velocities;
-      for (Vec3 p : lattice(8, 8, 10, 0.049f, {0.001f, id == a ? 0.003f : 0.4f, 0.002f})) {
+      for (Vec3 p : lattice(wide, 8, deep, 0.049f, {0.001f, id == a ? 0.003f : 0.4f, 0.002f})) {
         positions.push_back(p + random_vector(random, 0.005f));
         velocities.push_back(random_vector(random, 0.5f));
       }
@@ -41,11 +44,10 @@ class CrossDeviceTest : public OnDevice {
     world.step(0.004f);
     return world;
   }
-};
 
-TEST_P(CrossDeviceTest, OneSubstepIsTheSameToRounding) {
-  for (DensitySolver solver : {DensitySolver::jacobi, DensitySolver::chebyshev}) {
-    const World cpu = one_substep(pbd::DeviceKind::cpu, solver), other = one_substep(GetParam(), solver);
+  void expect_the_same(DensitySolver solver, int wide, int deep) {
+    const World cpu = one_substep(pbd::DeviceKind::cpu, solver, wide, deep),
+                other = one_substep(GetParam(), solver, wide, deep);
     const float h = cpu.support_radius();
     for (size_t i = 0; i < cpu.particle_count(); ++i) {
       EXPECT_LT(length(cpu.positions()[i] - other.positions()[i]), 1e-4f * h) << "particle " << i;
@@ -54,6 +56,16 @@ TEST_P(CrossDeviceTest, OneSubstepIsTheSameToRounding) {
     }
     EXPECT_EQ(cpu.diagnostics().contacts, other.diagnostics().contacts);
   }
+};
+
+TEST_P(CrossDeviceTest, OneSubstepIsTheSameToRounding) {
+  for (DensitySolver solver : {DensitySolver::jacobi, DensitySolver::chebyshev})
+    expect_the_same(solver, 8, 10);
+}
+
+/// A GPU then runs what touches walls, and what does not, in launches side by side.
+TEST_P(CrossDeviceTest, SoIsThatOfAQuarterOfAMillionParticles) {
+  expect_the_same(DensitySolver::chebyshev, 125, 125);
 }
 
 TEST_P(CrossDeviceTest, AfterTwoSecondsTheMeansAgree) {

@@ -103,10 +103,12 @@ TEST_P(EmitterWorldTest, AStepThatFailsMakesNothingAndLeavesNoTrace) {
 TEST_P(EmitterWorldTest, MoreThanAWorldHoldsIsRefusedBeforeAnythingHappens) {
   Fountain f(def_);
   run(f.world, 5, 1.0f / 60);
-  f.world.create_emitter(emitter(f.water, DiscOpening{1}, 1e9f));
+  EmitterDef hose = emitter(f.water, DiscOpening{1}, 1e9f);
+  hose.name = "hose";
+  f.world.create_emitter(hose);
   const uint64_t hash = f.world.state_hash();
   const double time = f.world.time();
-  expect_error(ErrorCode::capacity, "particles", [&] { f.world.step(1.0f / 60); });
+  expect_error(ErrorCode::capacity, "the emitter \"hose\"", [&] { f.world.step(1.0f / 60); });
   EXPECT_EQ(f.world.state_hash(), hash);
   EXPECT_EQ(f.world.time(), time);
 }
