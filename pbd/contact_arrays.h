@@ -24,6 +24,8 @@ class ContactArrays {
   }
   /// Counts the contacts of each particle, and writes those that there is room for.
   void find(const Substep<D>& substep);
+  /// See ContactSource; when contacts and neighbours have been found.
+  void part_neighbours(const Substep<D>& substep);
   /// One element, on the device: how many there are, up to the capacity.
   View<const uint32_t> total() const { return {start_.view().data + counted_, 1}; }
   uint32_t capacity() const { return static_cast<uint32_t>(contacts_.size()); }

@@ -45,6 +45,11 @@ void ContactArrays<D>::find(const Substep<D>& substep) {
   const ContactWriter writer{start_.view(),    counts_.view(),   contacts_.view(),
                              particle_.view(), touching_.view(), touching_counts()};
   for (ContactSource<D>* source : sources_) source->fill(substep, writer);
+}
+
+template <class D>
+void ContactArrays<D>::part_neighbours(const Substep<D>& substep) {
+  if (!any_) return;
   for (ContactSource<D>* source : sources_) source->part_neighbours(substep);
 }
 

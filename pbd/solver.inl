@@ -183,18 +183,25 @@ void Solver<D>::sort(float dt, Vec3 gravity) {
                               p.moved.view(), p.velocity.next.view(), p.phase.next.view(), p.slot.next.view(),
                               gravity, dt});
   p.flip();
-  for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), p.sorted());
 }
 
+/// Neighbours are listed and contacts found at once.
 template <class D>
 void Solver<D>::find(Substep<D>& s) {
   has_found_ = false;
-  timer_.enter(StageId::neighbours);
-  if (s.particles.sorted) search_.list(s.particles, particles_.sentinel());
   s.neighbours = search_.view(particles_.sentinel());
   s.grid = search_.grid();
-  timer_.enter(StageId::contacts);
-  contacts_.find(s);
+  const bool at_once = D::runs_at_once && s.particles.sorted > 0;
+  timer_.enter(StageId::neighbours);
+  const auto list = [&] { search_.list(s.particles, particles_.sentinel()); };
+  const auto find_contacts = [&] {
+    for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), s.particles.sorted);
+    if (!at_once) timer_.enter(StageId::contacts);
+    contacts_.find(s);
+  };
+  s.particles.sorted ? device_.at_once(list, find_contacts) : find_contacts();
+  if (at_once) timer_.enter(StageId::contacts);
+  contacts_.part_neighbours(s);
   s.contacts = contacts_.view();
   device_.parallel_for(
       "found", 1, solver_kernels::NoteFound{contacts_.total(), search_.longest(), readout_buffer_.view()});

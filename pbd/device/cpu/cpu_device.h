@@ -22,6 +22,7 @@ class CpuDevice final : public Device {
   using LaneIndex = pbd::LaneIndex;
   static constexpr uint32_t lane_count = Lanes::count;
   static constexpr bool interleaves_lists = false;  ///< see NeighbourView
+  static constexpr bool runs_at_once = false;       ///< see at_once()
   using Lister = LaneLister;                        ///< who looks through candidates to list neighbours
   static bool leads() { return true; }
 
@@ -108,6 +109,14 @@ class CpuDevice final : public Device {
                          const LongKernel& long_kernel) {
     parallel_for_long(name, count, kernel);
     parallel_for_long(name, long_count, long_kernel);
+  }
+
+  /// Launches of second() need nothing of first()'s, nor these of those; a GPU runs them at once. Neither may
+  /// wait for the device.
+  template <class First, class Second>
+  void at_once(const First& first, const Second& second) {
+    first();
+    second();
   }
 
   /// out[0] = combine over map(i) for all i below count, in segments of fixed size: the same bits each time.

@@ -38,7 +38,12 @@ CudaDevice::CudaDevice() {
   multiprocessors_ = static_cast<uint32_t>(properties.multiProcessorCount);
   multiprocessor_bytes_ = properties.sharedMemPerMultiprocessor;
   check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
-  check_cuda(cudaEventCreateWithFlags(&fence_, cudaEventDisableTiming), "creating an event");
+  // What runs on the side is short of threads and long: it goes first.
+  int least = 0, most = 0;
+  check_cuda(cudaDeviceGetStreamPriorityRange(&least, &most), "reading the stream priorities");
+  check_cuda(cudaStreamCreateWithPriority(&side_stream_, cudaStreamNonBlocking, most), "creating a stream");
+  for (cudaEvent_t* event : {&forked_, &joined_, &fence_})
+    check_cuda(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
   blocks_done_.resize_discard(1);
   blocks_done_.fill(0);
@@ -49,9 +54,10 @@ CudaDevice::~CudaDevice() {
   scratch_.resize_discard(0);
   tile_sums_.resize_discard(0);
   blocks_done_.resize_discard(0);
-  cudaEventDestroy(fence_);
+  for (cudaEvent_t event : {forked_, joined_, fence_}) cudaEventDestroy(event);
   cudaFreeHost(pinned_);
   cudaFreeHost(times_);
+  cudaStreamDestroy(side_stream_);
   cudaStreamDestroy(stream_);
 }
 
@@ -147,6 +153,17 @@ void CudaDevice::set_fence() {
 void CudaDevice::wait_for_fence() {
   flush_mark();
   check_cuda(cudaEventSynchronize(fence_), "running the kernels launched before");
+}
+
+void CudaDevice::fork() {
+  check_cuda(cudaEventRecord(forked_, stream_), "recording an event");
+  check_cuda(cudaStreamWaitEvent(side_stream_, forked_), "forking the stream");
+}
+
+/// What fails here fails the next launch, too.
+void CudaDevice::join() noexcept {
+  cudaEventRecord(joined_, side_stream_);
+  cudaStreamWaitEvent(stream_, joined_);
 }
 
 /// Blocks for long items beside `count` others: so many that they take about half as long as those.

@@ -212,7 +212,7 @@ class CudaDevice final : public Device {
   /// What a neighbour loop runs on: one neighbour at a time, a particle a thread.
   using Real = float;
   static constexpr uint32_t lane_count = 1;
-  static constexpr bool interleaves_lists = true;
+  static constexpr bool interleaves_lists = true, runs_at_once = true;
   using Lister = CudaLister<4>;
   MENISCUS_HD static bool leads() { return true; }
 
@@ -293,6 +293,17 @@ class CudaDevice final : public Device {
                             : run_both<CudaTeam>(name, count, kernel, long_count, long_kernel);
   }
 
+  template <class First, class Second>
+  void at_once(const First& first, const Second& second) {
+    fork();
+    const Joining joining{*this};
+    {
+      const OnSideStream on_side(*this);
+      second();
+    }
+    first();
+  }
+
   template <class T, class Map, class Combine>
   void reduce(const char* name, uint32_t count, T identity, const Map& map, const Combine& combine,
               View<T> out) {
@@ -316,6 +327,19 @@ class CudaDevice final : public Device {
   int carveout_for(uint32_t blocks, size_t scratch_bytes) const;
   void flush_mark();
   uint32_t blocks_beside(uint32_t count, uint32_t long_count) const;
+  void fork();           // what is launched on the side stream from here on follows what came before
+  void join() noexcept;  // what is launched from here on follows the side stream
+
+  struct Joining {
+    CudaDevice& device;
+    ~Joining() { device.join(); }
+  };
+  /// While one lives, launches go to the side stream.
+  struct OnSideStream {
+    explicit OnSideStream(CudaDevice& on) : device(on) { std::swap(device.stream_, device.side_stream_); }
+    ~OnSideStream() { std::swap(device.stream_, device.side_stream_); }
+    CudaDevice& device;
+  };
 
   template <class Team>
   static uint32_t blocks_of(uint32_t count) {
@@ -365,7 +389,8 @@ class CudaDevice final : public Device {
   }
 
   cudaStream_t stream_ = nullptr;
-  cudaEvent_t fence_ = nullptr;
+  cudaStream_t side_stream_ = nullptr;
+  cudaEvent_t forked_ = nullptr, joined_ = nullptr, fence_ = nullptr;
   std::string name_;
   bool overlaps_launches_ = false;
   uint32_t multiprocessors_ = 1;

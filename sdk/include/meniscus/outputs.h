@@ -55,18 +55,20 @@ struct StepReport {
   int iterations = 0;  ///< per substep
   /// Per substep, on average: fewer where DensitySolverDef::tolerance ends them.
   double density_iterations = 0;
-  double ms = 0;                               ///< wall clock, host and device
-  std::array<double, stage_count> stage_ms{};  ///< on the device, summed over the substeps
-  double rigid_ms = 0;                         ///< of ms, what Bullet took on the host
-  uint32_t contacts = 0;                       ///< in the last substep
-  uint32_t max_neighbours = 0;                 ///< the fullest neighbour list that a particle ever needed
-  uint32_t removed = 0;                        ///< particles that sinks took
-  uint32_t emitted = 0;                        ///< particles that emitters made
-  uint32_t absorbed = 0;                       ///< particles that cloth took up
-  uint32_t dripped = 0;                        ///< particles that fell from it
-  uint32_t diffuse = 0;                        ///< spray, foam and bubbles, in all
-  uint32_t diffuse_refused = 0;                ///< that found no room: see DiffuseDef::capacity
-  float max_speed = 0;                         ///< m/s, of particles and of vertices of cloth and ropes
+  double ms = 0;  ///< wall clock, host and device
+  /// On the device, summed over the substeps. A GPU finds contacts while it lists neighbours: `contacts` is
+  /// then what comes after both.
+  std::array<double, stage_count> stage_ms{};
+  double rigid_ms = 0;           ///< of ms, what Bullet took on the host
+  uint32_t contacts = 0;         ///< in the last substep
+  uint32_t max_neighbours = 0;   ///< the fullest neighbour list that a particle ever needed
+  uint32_t removed = 0;          ///< particles that sinks took
+  uint32_t emitted = 0;          ///< particles that emitters made
+  uint32_t absorbed = 0;         ///< particles that cloth took up
+  uint32_t dripped = 0;          ///< particles that fell from it
+  uint32_t diffuse = 0;          ///< spray, foam and bubbles, in all
+  uint32_t diffuse_refused = 0;  ///< that found no room: see DiffuseDef::capacity
+  float max_speed = 0;           ///< m/s, of particles and of vertices of cloth and ropes
 };
 
 /// The state of the particles, measured afresh from their positions. Density error is C = ρ/ρ₀ − 1. What says
