@@ -41,7 +41,7 @@ class ParticleState {
   /// there are no fluids. What the first `kept` have stays.
   virtual void reserve(uint32_t /*capacity*/, uint32_t /*kept*/) {}
   virtual void clear(uint32_t /*first*/, uint32_t /*count*/) {}
-  /// Element i becomes what was at order[i].
+  /// Element i becomes what was at order[i]: after the particles, and before anything is solved.
   virtual void reorder(View<const uint32_t> /*order*/, uint32_t /*count*/) {}
   virtual void save() {}
   virtual void restore() {}

@@ -111,8 +111,8 @@ class CpuDevice final : public Device {
     parallel_for_long(name, long_count, long_kernel);
   }
 
-  /// Launches of second() need nothing of first()'s, nor these of those; a GPU runs them at once. Neither may
-  /// wait for the device.
+  /// Launches of second() need nothing of first()'s, nor these of those; a GPU runs them at once. One of the
+  /// two at most may scan, reduce or sort, which share a scratch.
   template <class First, class Second>
   void at_once(const First& first, const Second& second) {
     first();
