@@ -36,7 +36,7 @@ struct Contain {
     if (inside == x.xyz()) return;
     taken.add(v, x.xyz() - inside);
     position[v] = pbd::with_w(inside, x.w);
-    moved[v] = pbd::with_w(moved[v].xyz() + (inside - x.xyz()), moved[v].w);
+    moved[v] = pbd::shifted(moved[v], inside - x.xyz());
   }
 };
 
@@ -111,7 +111,7 @@ struct HandOn {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (counters[lost] == 0 || vertex_part[v] == no_index || position[v].w == 0) return;
-    moved[v] = pbd::with_w(moved[v].xyz() + sums.way(vertex_part[v]), moved[v].w);
+    moved[v] = pbd::shifted(moved[v], sums.way(vertex_part[v]));
   }
 };
 

@@ -99,7 +99,7 @@ struct MoveVertices {
     if (x.w == 0 || push == Vec3{0, 0, 0}) return;
     const Vec3 step = x.w * push;
     position[v] = pbd::with_w(x.xyz() + step, x.w);
-    moved[v] = pbd::with_w(moved[v].xyz() + step, moved[v].w);
+    moved[v] = pbd::shifted(moved[v], step);
   }
 };
 

@@ -161,7 +161,7 @@ struct MoveZones {
     pbd::atomic_store(zones.mark[v], (round + 1) << Zones::moved_shift | (round + 1) |
                                          (stops ? Zones::stopped : mark & Zones::stopped));
     position[v] = pbd::with_w(inside, x.w);
-    moved[v] = pbd::with_w(moved[v].xyz() + (way - now), moved[v].w);
+    moved[v] = pbd::shifted(moved[v], way - now);
   }
 
   MENISCUS_HD Vec3 motion_of(uint32_t name) const {

@@ -104,7 +104,7 @@ struct Start {
     const Vec4 p = position[i];
     const Vec3 step = p.w * push;
     position[i] = pbd::with_w(p.xyz() + step, p.w);
-    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+    moved[i] = pbd::shifted(moved[i], step);
   }
 };
 
@@ -158,7 +158,7 @@ struct Project {
     const float w = position[i].w;
     const Vec3 shift = w * push;
     position[i] = pbd::with_w(self.xyz() + shift, w);
-    moved[i] = pbd::with_w(moved[i].xyz() + shift, 0);
+    moved[i] = pbd::shifted(moved[i], shift);
     touching[i] = pbd::max(touching[i], static_cast<float>(pressing));
   }
 

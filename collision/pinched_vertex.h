@@ -219,7 +219,7 @@ struct PinchedContacts {
     }
     if (pair.is_there()) step += p.w * both(pinch_between(contacts[pair.a], contacts[pair.b], p.w), x + step);
     all.position[i] = pbd::with_w(x + step, p.w);
-    all.moved[i] = pbd::with_w(all.moved[i].xyz() + step, 0);
+    all.moved[i] = pbd::shifted(all.moved[i], step);
   }
 };
 

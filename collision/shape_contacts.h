@@ -79,6 +79,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   bool any() const override { return shapes_.shapes.count > 0; }
   bool any_moving() const override { return shapes_.fixed < shapes_.shapes.count; }
   bool any_but_fixed_planes() const { return !only_fixed_planes() && any(); }
+  bool limits_motion() const override { return shapes_.fixed > 0 && !fixed_are_planes_; }
   void limit_motion(const pbd::MotionView& motion, bool planes_too) override;
   void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;

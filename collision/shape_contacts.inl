@@ -26,7 +26,7 @@ struct LimitByFixed {
     if (!(dot(path, path) > touch.radius * touch.radius) || !is_finite(path)) return;
     const Vec3 end = limit_by_fixed(set, motion, touch.radius, planes_too, touch.filter);
     motions.to[i] = pbd::with_w(end, motions.to[i].w);
-    if (motions.moved.count) motions.moved[i] = pbd::with_w(motions.moved[i].xyz() + end - motion.to, 0);
+    if (motions.moved.count) motions.moved[i] = pbd::shifted(motions.moved[i], end - motion.to);
   }
 };
 
@@ -211,7 +211,7 @@ auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
 
 template <class D>
 void ShapeContacts<D>::limit_motion(const pbd::MotionView& motion, bool planes_too) {
-  if (shapes_.fixed == 0 || (fixed_are_planes_ && !planes_too)) return;
+  if (planes_too ? shapes_.fixed == 0 : !limits_motion()) return;
   device_.parallel_for(
       "contacts/limit motion", motion.count,
       shape_contact_kernels::LimitByFixed{shapes_, touches(motion.phase, motion.sorted), motion, planes_too});

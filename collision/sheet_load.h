@@ -119,8 +119,8 @@ struct AtTouches {
     if (TouchTeam::leads()) move(i, step);
   }
   MENISCUS_HD void move(uint32_t i, Vec3 step) const {
-    position[i] = pbd::with_w(position[i].xyz() + step, position[i].w);
-    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+    position[i] = pbd::shifted(position[i], step);
+    moved[i] = pbd::shifted(moved[i], step);
   }
 
   /// Notes what the contacts have pushed since the last time.
@@ -211,7 +211,7 @@ struct ShareMomentum {
     const Vec3 step = weight * (pending - carried * way);
     taken[v] = pbd::with_w(step / (own * carried), 0);
     position[v] = pbd::with_w(x.xyz() + step, weight);
-    moved[v] = pbd::with_w(moved[v].xyz() + step, moved[v].w);
+    moved[v] = pbd::shifted(moved[v], step);
   }
 };
 
@@ -262,7 +262,7 @@ struct PushVertices {
     if (!VertexTeam::leads()) return;
     const Vec4 x = position[v];
     position[v] = pbd::with_w(x.xyz() + x.w * push, x.w);
-    moved[v] = pbd::with_w(moved[v].xyz() + (x.w > 0 ? x.w : 1) * push, moved[v].w);
+    moved[v] = pbd::shifted(moved[v], (x.w > 0 ? x.w : 1) * push);
   }
 };
 

@@ -189,10 +189,10 @@ struct Correct {
     });
     const Vec3 total = sum(push);
     if (!D::leads()) return;
-    const float w = position[i].w;
-    const Vec3 step = (w * kernel.peak_pull) * total;
-    position[i] = pbd::with_w(self.xyz() + step, w);
-    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+    const Vec4 before = moved[i];
+    const Vec3 step = (before.w * kernel.peak_pull) * total;
+    position[i] = pbd::with_w(self.xyz() + step, before.w);
+    moved[i] = pbd::shifted(before, step);
   }
 };
 

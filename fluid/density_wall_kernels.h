@@ -150,10 +150,10 @@ struct CorrectAtWalls {
     const auto others = pushes.in_one(mirrors);
     if (!D::leads()) return;
     note_pushes(mirrors, others, own);
-    const float w = walls.position[i].w;
-    const Vec3 step = w * (others.vector(mirrors) + own.vector(mirrors));
-    walls.position[i] = pbd::with_w(x + step, w);
-    walls.moved[i] = pbd::with_w(walls.moved[i].xyz() + step, 0);
+    const Vec4 moved = walls.moved[i];
+    const Vec3 step = moved.w * (others.vector(mirrors) + own.vector(mirrors));
+    walls.position[i] = pbd::with_w(x + step, moved.w);
+    walls.moved[i] = pbd::shifted(moved, step);
     if (projects) walls.project(i);
   }
 

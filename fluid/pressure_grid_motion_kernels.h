@@ -112,7 +112,7 @@ struct MoveParticles {
     const Vec3 way = way_of(place, scale[i]);
     multiplier[i] = to_multiplier * pressure_at(place);
     position[i] = pbd::with_w(p.xyz() + way, p.w);
-    moved[i] = pbd::with_w(moved[i].xyz() + way, 0);
+    moved[i] = pbd::shifted(moved[i], way);
   }
 
   MENISCUS_HD Vec3 way_of(const Place& place, const Vec4& own) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "pbd/substep.h"
@@ -19,6 +20,9 @@ class ContactArrays {
   void reserve(uint32_t capacity);
 
   /// See ContactSource.
+  bool limits_motion() const {
+    return std::any_of(sources_.begin(), sources_.end(), [](const auto* s) { return s->limits_motion(); });
+  }
   void limit_motion(const MotionView& motion, bool planes_too) {
     for (ContactSource<D>* source : sources_) source->limit_motion(motion, planes_too);
   }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-
 #include "pbd/contact_arrays.h"
 
 namespace meniscus::pbd {

@@ -52,7 +52,7 @@ struct ContactProjection {
       to.tangent_multiplier = c.tangent_multiplier;
     }
     position[i] = pbd::with_w(x + step, p.w);
-    moved[i] = pbd::with_w(moved[i].xyz() + step, 0);
+    moved[i] = shifted(moved[i], step);
   }
 };
 

@@ -24,14 +24,14 @@ class NeighbourSearch {
   void fit(const Aabb& extent, uint32_t count);
 
   /// The order of the points by grid cell: order()[i] is the present index of the one that belongs at i.
-  /// Points in one cell keep their order.
-  void sort(View<const Vec4> points, uint32_t count);
+  /// Points in one cell keep their order. Point i is points(i), a Vec4.
+  template <class Points>
+  void sort(const Points& points, uint32_t count);
   View<const uint32_t> order() const { return order_.view(); }
 
-  /// Lists the neighbours of particles that are in order() already.
-  void list(const ParticleView& particles, uint32_t sentinel);
-  /// One element, on the device: the longest list that a particle ever needed.
-  View<uint32_t> longest() { return longest_.view(); }
+  /// Lists the neighbours of particles that are in order() already. `longest` is one element, on the device:
+  /// it becomes as long as the longest list needs to be, if it is less.
+  void list(const ParticleView& particles, uint32_t sentinel, View<uint32_t> longest);
   uint32_t row_capacity() const { return row_capacity_; }
   /// Room for lists of this length; list() must run again.
   void grow_rows(uint32_t needed);
@@ -53,7 +53,6 @@ class NeighbourSearch {
   Buffer<uint32_t> cell_start_{device_, "cell starts"};
   Buffer<uint32_t> index_{device_, "neighbour lists"};  // before there are lists, what is needed to sort
   Buffer<uint32_t> counts_{device_, "neighbour counts"};
-  Buffer<uint32_t> longest_{device_, "longest neighbour list"};
 };
 
 }  // namespace meniscus::pbd

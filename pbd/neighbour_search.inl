@@ -18,13 +18,14 @@ namespace neighbour_kernels {
 // in the order of their present indices: so the result depends on nothing else.
 
 /// Notes each particle's cell, and counts the cell's particles.
+template <class Points>
 struct CountInCells {
-  View<const Vec4> points;
+  Points points;
   GridView grid;
   View<uint32_t> key, arrival, counts;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const Vec3 p = points[i].xyz();
+    const Vec3 p = points(i).xyz();
     // What is not finite is near nothing; all in one cell it would take for ever.
     const uint32_t cell = is_finite(p) ? grid.key(grid.coordinates(p)) : i & (grid.cell_count() - 1);
     key[i] = cell;
@@ -154,8 +155,6 @@ template <class D>
 NeighbourSearch<D>::NeighbourSearch(D& device, float support_radius)
     : device_(device), support_radius_(support_radius) {
   grid_.inverse_reach = 1.0f / support_radius;
-  longest_.resize_discard(1);
-  longest_.fill(0);
 }
 
 template <class D>
@@ -188,13 +187,14 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
 }
 
 template <class D>
-void NeighbourSearch<D>::sort(View<const Vec4> points, uint32_t count) {
+template <class Points>
+void NeighbourSearch<D>::sort(const Points& points, uint32_t count) {
   using namespace neighbour_kernels;
   const uint32_t cells = grid_.cell_count();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count};
-  device_.parallel_for("neighbours/cells", count, CountInCells{points, grid_, keys, arrival, counts});
+  device_.parallel_for("neighbours/cells", count, CountInCells<Points>{points, grid_, keys, arrival, counts});
   try {
     device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
   } catch (...) {
@@ -207,11 +207,11 @@ void NeighbourSearch<D>::sort(View<const Vec4> points, uint32_t count) {
 }
 
 template <class D>
-void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel) {
+void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel, View<uint32_t> longest) {
   using namespace neighbour_kernels;
-  device_.parallel_for_long("neighbours/list", particles.sorted,
-                            ListNeighbours{particles.position, grid_, support_radius_ * support_radius_,
-                                           view(sentinel), longest_.view()});
+  device_.parallel_for_long(
+      "neighbours/list", particles.sorted,
+      ListNeighbours{particles.position, grid_, support_radius_ * support_radius_, view(sentinel), longest});
 }
 
 template <class D>

@@ -58,7 +58,8 @@ struct ParticleView {
   View<Vec4> position;        ///< m; w: inverse mass, 1/kg, 0 for what nothing moves
   View<const Vec4> previous;  ///< m, at the substep's start
   View<Vec4> moved;     ///< m, by constraints in this substep: kept beside the position, which rounds it; of
-                        ///< what nothing moves the impulse that it took, kg·m
+                        ///< what nothing moves the impulse that it took, kg·m. w: of fluids the inverse mass
+                        ///< again, for those that need not know the position
   View<Vec4> velocity;  ///< m/s; w: of fluids the size of the curl that the last substep left, 1/s, where
                         ///< vorticity is confined
   View<const Phase> phase;

@@ -12,6 +12,10 @@
 
 namespace meniscus::pbd {
 
+namespace solver_kernels {
+struct Prediction;
+}
+
 struct SolverParameters {
   Vec3 gravity{0, -9.81f, 0};      ///< m/s²
   float support_radius = 0.1f;     ///< m
@@ -90,8 +94,8 @@ class Solver {
 
  private:
   void substep(float dt, bool is_last);
-  void predict(float dt, Vec3 gravity);
-  void sort(float dt, Vec3 gravity);
+  solver_kernels::Prediction predict(float dt, Vec3 gravity);
+  void sort(const solver_kernels::Prediction& prediction);
   void find(Substep<D>& s);
   Substep<D> find_at_rest(float dt);
   void relax_once(float dt);

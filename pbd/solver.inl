@@ -26,8 +26,7 @@ template <class D>
 void Solver<D>::substep(float dt, bool is_last) {
   timer_.enter(StageId::predict);
   for (ConstraintSet<D>* set : sets_) set->predict(dt);
-  predict(dt, parameters_.gravity);
-  sort(dt, parameters_.gravity);
+  sort(predict(dt, parameters_.gravity));
 
   Substep<D> s = make_substep(dt);
   s.gravity = parameters_.gravity;
@@ -159,29 +158,30 @@ bool Solver<D>::look(const std::function<void(Substep<D>&)>& look) {
 // ---- the stages ----
 
 template <class D>
-void Solver<D>::predict(float dt, Vec3 gravity) {
+solver_kernels::Prediction Solver<D>::predict(float dt, Vec3 gravity) {
   const ParticleView from = particles_.source();
+  solver_kernels::Prediction prediction{from.position, from.velocity, gravity, dt};
+  if (dt == 0 || !contacts_.limits_motion()) return prediction;
   const View<Vec4> predicted = particles_.predicted.view();
-  device_.parallel_for("predict", from.owned,
-                       solver_kernels::Predict{from.position, from.velocity, predicted, gravity, dt});
-  if (dt > 0)
-    contacts_.limit_motion({from.position, predicted, {}, from.phase, from.owned, from.sorted}, false);
+  device_.parallel_for("predict", from.owned, solver_kernels::Predict{prediction, predicted});
+  contacts_.limit_motion({from.position, predicted, {}, from.phase, from.owned, from.sorted}, false);
+  prediction.limited = predicted;
+  return prediction;
 }
 
 template <class D>
-void Solver<D>::sort(float dt, Vec3 gravity) {
+void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   Particles& p = particles_;
   if (p.sorted()) {
     search_.fit({summary().lower, summary().upper}, p.sorted());
-    search_.sort(p.predicted.view(), p.sorted());
+    search_.sort(prediction, p.sorted());
   }
   const ParticleView from = p.source();
   device_.parallel_for(
       "reorder", p.count(),
-      solver_kernels::Reorder{search_.order().first(p.sorted()), p.predicted.view(), from.position,
-                              from.velocity, from.phase, from.slot, p.position.next.view(), p.previous.view(),
-                              p.moved.view(), p.velocity.next.view(), p.phase.next.view(), p.slot.next.view(),
-                              gravity, dt});
+      solver_kernels::Reorder{search_.order().first(p.sorted()), prediction, from.phase, from.slot,
+                              p.position.next.view(), p.previous.view(), p.moved.view(),
+                              p.velocity.next.view(), p.phase.next.view(), p.slot.next.view()});
   p.flip();
 }
 
@@ -193,18 +193,20 @@ void Solver<D>::find(Substep<D>& s) {
   s.grid = search_.grid();
   const bool at_once = D::runs_at_once && s.particles.sorted > 0;
   timer_.enter(StageId::neighbours);
-  const auto list = [&] { search_.list(s.particles, particles_.sentinel()); };
+  StepReadout* const readout = readout_buffer_.view().data;
+  const auto list = [&] {
+    search_.list(s.particles, particles_.sentinel(), {&readout->found.longest_list, 1});
+  };
   const auto find_contacts = [&] {
     for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), s.particles.sorted);
     if (!at_once) timer_.enter(StageId::contacts);
     contacts_.find(s);
+    device_.parallel_for("found", 1, solver_kernels::NoteFound{contacts_.total(), readout_buffer_.view()});
   };
   s.particles.sorted ? device_.at_once(list, find_contacts) : find_contacts();
   if (at_once) timer_.enter(StageId::contacts);
   contacts_.part_neighbours(s);
   s.contacts = contacts_.view();
-  device_.parallel_for(
-      "found", 1, solver_kernels::NoteFound{contacts_.total(), search_.longest(), readout_buffer_.view()});
 }
 
 /// Finds what is near at the present positions, with room for all of it.
@@ -212,8 +214,7 @@ template <class D>
 Substep<D> Solver<D>::find_at_rest(float dt) {
   for (;;) {
     timer_.start_step();
-    predict(0, {});
-    sort(0, {});
+    sort(predict(0, {}));
     Substep<D> s = make_substep(dt);
     find(s);
     readout_buffer_.read(std::span(&readout_, 1));
@@ -244,7 +245,7 @@ template <class D>
 void Solver<D>::update_velocities(const Substep<D>& s) {
   device_.parallel_for("velocity/update", s.particles.owned,
                        solver_kernels::UpdateVelocity{s.particles.position, s.particles.moved,
-                                                      s.particles.velocity, 1.0f / s.dt});
+                                                      s.particles.velocity, 1.0f / s.dt, s.particles.sorted});
 }
 
 template <class D>

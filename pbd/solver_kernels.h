@@ -19,41 +19,49 @@ MENISCUS_HD inline Vec3 advanced(const Vec4& position, Vec3 velocity, float dt) 
   return position.xyz() + dt * velocity;
 }
 
-/// p = x + h·(v + h·g)
-struct Predict {
+/// Where particles will be if nothing moves them: p = x + h·(v + h·g).
+struct Prediction {
   View<const Vec4> position, velocity;
-  View<Vec4> predicted;
   Vec3 gravity;
   float dt;
+  View<const Vec4> limited{};  ///< the same, where motions may have been cut short
 
-  MENISCUS_HD void operator()(uint32_t i) const {
-    const Vec4 x = position[i];
-    predicted[i] = with_w(advanced(x, drawn(x, velocity[i], gravity, dt), dt), x.w);
+  MENISCUS_HD Vec3 velocity_of(const Vec4& x, const Vec4& v) const { return drawn(x, v, gravity, dt); }
+  MENISCUS_HD Vec4 unlimited(uint32_t i) const {
+    const Vec4 x = load(position, i);
+    return with_w(advanced(x, velocity_of(x, load(velocity, i)), dt), x.w);
   }
+  MENISCUS_HD Vec4 operator()(uint32_t i) const { return limited.count ? load(limited, i) : unlimited(i); }
+};
+
+struct Predict {
+  Prediction prediction;
+  View<Vec4> predicted;
+
+  MENISCUS_HD void operator()(uint32_t i) const { predicted[i] = prediction.unlimited(i); }
 };
 
 /// Brings the state into sorted order, in which everything is from here on; v += h·g on the way. What is not
 /// sorted stays where it is.
 struct Reorder {
   View<const uint32_t> order;
-  View<const Vec4> predicted, position, velocity;
+  Prediction prediction;
   View<const Phase> phase;
   View<const uint32_t> slot;
   View<Vec4> sorted_predicted, previous, moved, sorted_velocity;
   View<Phase> sorted_phase;
   View<uint32_t> sorted_slot;
-  Vec3 gravity;
-  float dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t from = i < order.count ? load(order, i) : i;
-    const Vec4 x = load(position, from);
-    const Vec4 before = load(velocity, from);
-    const Vec3 v = drawn(x, before, gravity, dt);
-    const Vec4 p = load(predicted, from);
-    sorted_predicted[i] = p;
+    const Vec4 x = load(prediction.position, from);
+    const Vec4 before = load(prediction.velocity, from);
+    const Vec3 v = prediction.velocity_of(x, before);
+    const Vec3 unlimited = advanced(x, v, prediction.dt);
+    const Vec3 p = prediction.limited.count ? load(prediction.limited, from).xyz() : unlimited;
+    sorted_predicted[i] = with_w(p, x.w);
     previous[i] = x;
-    moved[i] = with_w(p.xyz() - advanced(x, v, dt), 0);  // by what cut its motion short, if anything
+    moved[i] = with_w(p - unlimited, x.w);
     sorted_velocity[i] = with_w(v, before.w);
     sorted_phase[i] = load(phase, from);
     sorted_slot[i] = load(slot, from);
@@ -65,24 +73,24 @@ struct UpdateVelocity {
   View<const Vec4> position, moved;
   View<Vec4> velocity;
   float inverse_dt;
+  uint32_t sorted;  ///< see ParticleView
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (position[i].w == 0) return;
-    const Vec4 v = velocity[i];
-    velocity[i] = with_w(v.xyz() + inverse_dt * moved[i].xyz(), v.w);
+    const Vec4 m = load(moved, i);
+    if ((i < sorted ? m.w : position[i].w) == 0) return;
+    velocity[i] = shifted(velocity[i], inverse_dt * m.xyz());
   }
 };
 
-/// Notes what a substep found.
+/// Notes how many contacts a substep found.
 struct NoteFound {
-  View<const uint32_t> contacts, longest_list;
+  View<const uint32_t> contacts;
   View<StepReadout> readout;
 
   MENISCUS_HD void operator()(uint32_t) const {
     Found& found = readout[0].found;
     found.contacts = contacts[0];
     if (found.most_contacts < contacts[0]) found.most_contacts = contacts[0];
-    found.longest_list = longest_list[0];
   }
 };
 

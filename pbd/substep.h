@@ -129,6 +129,8 @@ class ContactSource {
   virtual bool any() const = 0;
   /// Whether its solids may move.
   virtual bool any_moving() const { return false; }
+  /// Whether anything but half-spaces may cut a motion short.
+  virtual bool limits_motion() const { return false; }
   /// Cuts short each motion that would pass through something fixed. Nothing passes through the plane of a
   /// half-space on its way to the contact search, which sees it from behind as well; `planes_too` is for
   /// after the solve.

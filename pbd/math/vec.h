@@ -162,6 +162,10 @@ struct alignas(16) Vec4 {
 MENISCUS_HD constexpr Vec4 with_w(Vec3 v, float w) {
   return {v.x, v.y, v.z, w};
 }
+/// p + way, with p's w.
+MENISCUS_HD constexpr Vec4 shifted(const Vec4& p, Vec3 way) {
+  return {p.x + way.x, p.y + way.y, p.z + way.z, p.w};
+}
 
 template <class R>
 MENISCUS_HD Vec3Of<R> operator-(Vec3 a, const Vec3Of<R>& b) {

@@ -27,6 +27,7 @@ constexpr uint32_t segment = 1024;
 constexpr uint32_t most_teams = 1u << 16;           // they fill a large GPU
 constexpr uint32_t most_half_teams = 1u << 17;      // likewise
 constexpr uint32_t most_for_one_launch = 7u << 15;  // items; beyond, occupancy counts more than a launch
+constexpr uint32_t least_blocks_to_turn = 1024;     // of fewer all data stay in the second-level cache
 
 /// Does nothing but note the time.
 static __global__ void note_time_alone(TimeMark mark) {
@@ -47,11 +48,18 @@ constexpr uint32_t resident_blocks() {
   return 0;
 }
 
+/// Launches over many items go to and fro: what one comes to last, the next finds in the second-level cache.
+/// Each block has the items of block |turn − block|, where the turn is 0 or the last block.
+__device__ __forceinline__ uint32_t item_of_thread(uint32_t turn) {
+  const int block = static_cast<int>(turn) - static_cast<int>(blockIdx.x);
+  return static_cast<uint32_t>(block < 0 ? -block : block) * block_size + threadIdx.x;
+}
+
 template <class Kernel>
 __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
-    for_each(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel) {
+    for_each(TimeMark mark, uint32_t turn, uint32_t count, const __grid_constant__ Kernel kernel) {
   wait_for_previous(mark);
-  const uint32_t i = blockIdx.x * block_size + threadIdx.x;
+  const uint32_t i = item_of_thread(turn);
   if (i < count) kernel(i);
 }
 
@@ -152,9 +160,9 @@ __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
 
 template <class Kernel>
 __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
-    for_each_beside_previous(TimeMark, uint32_t count, const __grid_constant__ Kernel kernel) {
+    for_each_beside_previous(TimeMark, uint32_t turn, uint32_t count, const __grid_constant__ Kernel kernel) {
   let_next_begin();
-  const uint32_t i = blockIdx.x * block_size + threadIdx.x;
+  const uint32_t i = item_of_thread(turn);
   if (i < count) kernel(i);
   if (blockIdx.x == gridDim.x - 1) wait_for_launch_before();  // so that this one is not done before that one
 }
@@ -238,7 +246,8 @@ class CudaDevice final : public Device {
   void parallel_for(const char* name, uint32_t count, const Kernel& kernel) {
     if (count == 0) return;
     using namespace cuda_kernels;
-    launch(name, (count + block_size - 1) / block_size, block_size, for_each<Kernel>, count, kernel);
+    const uint32_t blocks = (count + block_size - 1) / block_size;
+    launch(name, blocks, block_size, for_each<Kernel>, next_turn(blocks), count, kernel);
   }
 
   template <class Kernel>
@@ -283,9 +292,9 @@ class CudaDevice final : public Device {
       launch(name, blocks_beside(count, long_count), block_size,
              for_each_beside_next<RunLong<CudaDevice, LongKernel>>, long_count,
              RunLong<CudaDevice, LongKernel>{long_kernel});
-      launch(name, (count + block_size - 1) / block_size, block_size,
-             for_each_beside_previous<RunLong<CudaDevice, Kernel>>, count,
-             RunLong<CudaDevice, Kernel>{kernel});
+      const uint32_t blocks = (count + block_size - 1) / block_size;
+      launch(name, blocks, block_size, for_each_beside_previous<RunLong<CudaDevice, Kernel>>,
+             next_turn(blocks), count, RunLong<CudaDevice, Kernel>{kernel});
       return;
     }
     // Beside work that fills the GPU by itself, what takes the least in all.
@@ -326,6 +335,12 @@ class CudaDevice final : public Device {
   void* scratch(size_t bytes);
   int carveout_for(uint32_t blocks, size_t scratch_bytes) const;
   void flush_mark();
+  /// See item_of_thread().
+  uint32_t next_turn(uint32_t blocks) {
+    if (blocks < cuda_kernels::least_blocks_to_turn) return 0;
+    goes_back_ = !goes_back_;
+    return goes_back_ ? blocks - 1 : 0;
+  }
   uint32_t blocks_beside(uint32_t count, uint32_t long_count) const;
   void fork();           // what is launched on the side stream from here on follows what came before
   void join() noexcept;  // what is launched from here on follows the side stream
@@ -393,6 +408,7 @@ class CudaDevice final : public Device {
   cudaEvent_t forked_ = nullptr, joined_ = nullptr, fence_ = nullptr;
   std::string name_;
   bool overlaps_launches_ = false;
+  bool goes_back_ = false;  // the last launch over many items
   uint32_t multiprocessors_ = 1;
   size_t multiprocessor_bytes_ = 0;        // for scratches
   cuda_kernels::TimeMark pending_mark_{};  // for the next launch
