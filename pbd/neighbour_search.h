@@ -10,6 +10,44 @@
 
 namespace meniscus::pbd {
 
+/// Points in the order of their cells, and in each cell of their indices. They have been placed as they
+/// happened to arrive there: so the order depends on nothing else.
+struct CellOrder {
+  View<const uint32_t> key;     ///< by point: its cell
+  View<const uint32_t> start;   ///< by cell
+  View<const uint32_t> placed;  ///< by place
+  View<uint32_t> order;
+
+  /// The point that belongs at place i; notes it.
+  MENISCUS_HD uint32_t find(uint32_t i) const {
+    const uint32_t cell = load(key, load(placed, i)), begin = load(start, cell);
+    return order[i] = nth(begin, load(start, cell + 1), i - begin);
+  }
+
+ private:
+  /// Of the points placed in [begin, end) the one that n are below.
+  MENISCUS_HD uint32_t nth(uint32_t begin, uint32_t end, uint32_t n) const {
+    constexpr uint32_t few = 16;
+    if (end - begin > few) return nth_of_many(begin, end, n);
+    uint32_t k = begin;
+    while (below(load(placed, k), begin, end) != n) ++k;
+    return load(placed, k);
+  }
+  /// By halves: their number squared may take for ever.
+  MENISCUS_HD uint32_t nth_of_many(uint32_t begin, uint32_t end, uint32_t n) const {
+    uint32_t at = 0;
+    for (uint32_t bit = 1u << 31; bit > 0; bit /= 2) {
+      if (below(at + bit, begin, end) <= n) at += bit;
+    }
+    return at;
+  }
+  MENISCUS_HD uint32_t below(uint32_t point, uint32_t begin, uint32_t end) const {
+    uint32_t count = 0;
+    for (uint32_t k = begin; k < end; ++k) count += load(placed, k) < point;
+    return count;
+  }
+};
+
 /// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep.
 template <class D>
 class NeighbourSearch {
@@ -23,10 +61,10 @@ class NeighbourSearch {
   /// more slowly.
   void fit(const Aabb& extent, uint32_t count);
 
-  /// The order of the points by grid cell: order()[i] is the present index of the one that belongs at i.
-  /// Points in one cell keep their order. Point i is points(i), a Vec4.
+  /// The order of the points by grid cell, for as long as nothing is listed. Point i is points(i), a Vec4.
   template <class Points>
-  void sort(const Points& points, uint32_t count);
+  CellOrder sort(const Points& points, uint32_t count);
+  /// Of each place the point that belongs there, once the order has been asked for it.
   View<const uint32_t> order() const { return order_.view(); }
 
   /// Lists the neighbours of particles that are in order() already. `longest` is one element, on the device:

@@ -33,24 +33,14 @@ struct CountInCells {
   }
 };
 
+/// Empties the counts on the way, for the next time.
 struct PlaceByArrival {
   View<const uint32_t> key, arrival, start;
-  View<uint32_t> placed;
-
-  MENISCUS_HD void operator()(uint32_t i) const { placed[start[key[i]] + arrival[i]] = i; }
-};
-
-/// Empties the counts on the way, for the next time.
-struct PlaceInOrder {
-  View<const uint32_t> key, start, placed;
-  View<uint32_t> order, counts;
+  View<uint32_t> placed, counts;
   uint32_t particles, cells;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const uint32_t begin = start[key[i]], end = start[key[i] + 1];
-    uint32_t before = 0;
-    for (uint32_t k = begin; k < end; ++k) before += placed[k] < i;
-    order[begin + before] = i;
+    placed[start[key[i]] + arrival[i]] = i;
     for (uint32_t cell = i; cell < cells; cell += particles) counts[cell] = 0;
   }
 };
@@ -188,7 +178,7 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
 
 template <class D>
 template <class Points>
-void NeighbourSearch<D>::sort(const Points& points, uint32_t count) {
+CellOrder NeighbourSearch<D>::sort(const Points& points, uint32_t count) {
   using namespace neighbour_kernels;
   const uint32_t cells = grid_.cell_count();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
@@ -201,9 +191,9 @@ void NeighbourSearch<D>::sort(const Points& points, uint32_t count) {
     cell_counts_.fill(0);
     throw;
   }
-  device_.parallel_for("neighbours/place", count, PlaceByArrival{keys, arrival, grid_.start, placed});
-  device_.parallel_for("neighbours/order", count,
-                       PlaceInOrder{keys, grid_.start, placed, order_.view(), counts, count, cells});
+  device_.parallel_for("neighbours/place", count,
+                       PlaceByArrival{keys, arrival, grid_.start, placed, counts, count, cells});
+  return {keys, grid_.start, placed, order_.view()};
 }
 
 template <class D>

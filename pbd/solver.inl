@@ -172,16 +172,17 @@ solver_kernels::Prediction Solver<D>::predict(float dt, Vec3 gravity) {
 template <class D>
 void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   Particles& p = particles_;
+  CellOrder order{};
   if (p.sorted()) {
     search_.fit({summary().lower, summary().upper}, p.sorted());
-    search_.sort(prediction, p.sorted());
+    order = search_.sort(prediction, p.sorted());
   }
   const ParticleView from = p.source();
   device_.parallel_for(
       "reorder", p.count(),
-      solver_kernels::Reorder{search_.order().first(p.sorted()), prediction, from.phase, from.slot,
-                              p.position.next.view(), p.previous.view(), p.moved.view(),
-                              p.velocity.next.view(), p.phase.next.view(), p.slot.next.view()});
+      solver_kernels::Reorder{order, prediction, from.phase, from.slot, p.position.next.view(),
+                              p.previous.view(), p.moved.view(), p.velocity.next.view(), p.phase.next.view(),
+                              p.slot.next.view()});
   p.flip();
 }
 

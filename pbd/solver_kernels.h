@@ -4,6 +4,7 @@
 
 #include "pbd/contacts.h"
 #include "pbd/device/scalar.h"
+#include "pbd/neighbour_search.h"
 #include "pbd/particles.h"
 #include "pbd/solver.h"
 
@@ -44,7 +45,7 @@ struct Predict {
 /// Brings the state into sorted order, in which everything is from here on; v += h·g on the way. What is not
 /// sorted stays where it is.
 struct Reorder {
-  View<const uint32_t> order;
+  CellOrder order;
   Prediction prediction;
   View<const Phase> phase;
   View<const uint32_t> slot;
@@ -53,7 +54,7 @@ struct Reorder {
   View<uint32_t> sorted_slot;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const uint32_t from = i < order.count ? load(order, i) : i;
+    const uint32_t from = i < order.placed.count ? order.find(i) : i;
     const Vec4 x = load(prediction.position, from);
     const Vec4 before = load(prediction.velocity, from);
     const Vec3 v = prediction.velocity_of(x, before);
