@@ -10,7 +10,7 @@
 namespace meniscus::pbd {
 
 /// The contacts of one substep, gathered from all sources and packed particle by particle. The total stays on
-/// the device: what there is no room for is left out, and total() then says capacity().
+/// the device: what there is no room for is left out, and it is then noted as capacity().
 template <class D>
 class ContactArrays {
  public:
@@ -26,12 +26,11 @@ class ContactArrays {
   void limit_motion(const MotionView& motion, bool planes_too) {
     for (ContactSource<D>* source : sources_) source->limit_motion(motion, planes_too);
   }
-  /// Counts the contacts of each particle, and writes those that there is room for.
-  void find(const Substep<D>& substep);
+  /// Counts the contacts of each particle, and writes those that there is room for. note[0], on the device,
+  /// takes note of how many there are.
+  void find(const Substep<D>& substep, View<SumNote> note);
   /// See ContactSource; when contacts and neighbours have been found.
   void part_neighbours(const Substep<D>& substep);
-  /// One element, on the device: how many there are, up to the capacity.
-  View<const uint32_t> total() const { return {start_.view().data + counted_, 1}; }
   uint32_t capacity() const { return static_cast<uint32_t>(contacts_.size()); }
   void grow() { resize(capacity() + capacity() / 4); }
 

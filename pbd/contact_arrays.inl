@@ -32,14 +32,13 @@ void ContactArrays<D>::resize(uint32_t contacts) {
 }
 
 template <class D>
-void ContactArrays<D>::find(const Substep<D>& substep) {
+void ContactArrays<D>::find(const Substep<D>& substep, View<SumNote> note) {
   counted_ = substep.particles.owned;
   any_ = std::any_of(sources_.begin(), sources_.end(), [](const auto* source) { return source->any(); });
-  if (!any_) return device_.fill(start_.view().data, 0, (counted_ + 1) * sizeof(uint32_t));
   device_.fill(counts_.view().data, 0, (counted_ + 2) * sizeof(uint32_t));
   for (ContactSource<D>* source : sources_) source->count(substep, counts_.view());
   device_.exclusive_scan("contacts/offsets", View<const uint32_t>{counts_.view().data, counted_},
-                         start_.view(), capacity());
+                         start_.view(), capacity(), note);
   const ContactWriter writer{start_.view(),    counts_.view(),   contacts_.view(),
                              particle_.view(), touching_.view(), touching_counts()};
   for (ContactSource<D>* source : sources_) source->fill(substep, writer);

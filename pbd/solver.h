@@ -36,9 +36,8 @@ struct ParticleSummary {
 
 /// What the substeps found. The host learns of it at the end of the step.
 struct Found {
-  uint32_t contacts;       ///< of the last substep
-  uint32_t most_contacts;  ///< of any
-  uint32_t longest_list;   ///< of neighbours
+  SumNote contacts;       ///< of the last substep, and the most of any
+  uint32_t longest_list;  ///< of neighbours
 };
 
 struct StepReadout {

@@ -89,7 +89,7 @@ StepResult Solver<D>::run(float dt) {
     timer_.stop();
     for (ConstraintSet<D>* set : sets_) set->end_step();
     const ParticleSummary& after = summary();
-    return {substeps, readout_.found.contacts, readout_.found.longest_list, after};
+    return {substeps, readout_.found.contacts.last, readout_.found.longest_list, after};
   } catch (...) {
     undo_step();
     throw;
@@ -192,20 +192,18 @@ void Solver<D>::find(Substep<D>& s) {
   has_found_ = false;
   s.neighbours = search_.view(particles_.sentinel());
   s.grid = search_.grid();
-  const bool at_once = D::runs_at_once && s.particles.sorted > 0;
-  timer_.enter(StageId::neighbours);
+  const bool lists = s.particles.sorted > 0;
+  timer_.enter(lists ? StageId::neighbours : StageId::contacts);
   StepReadout* const readout = readout_buffer_.view().data;
   const auto list = [&] {
     search_.list(s.particles, particles_.sentinel(), {&readout->found.longest_list, 1});
   };
   const auto find_contacts = [&] {
     for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), s.particles.sorted);
-    if (!at_once) timer_.enter(StageId::contacts);
-    contacts_.find(s);
-    device_.parallel_for("found", 1, solver_kernels::NoteFound{contacts_.total(), readout_buffer_.view()});
+    if (lists && !D::runs_at_once) timer_.enter(StageId::contacts);
+    contacts_.find(s, {&readout->found.contacts, 1});
   };
-  s.particles.sorted ? device_.at_once(list, find_contacts) : find_contacts();
-  if (at_once) timer_.enter(StageId::contacts);
+  lists ? device_.at_once(list, find_contacts) : find_contacts();
   contacts_.part_neighbours(s);
   s.contacts = contacts_.view();
 }
@@ -228,7 +226,7 @@ Substep<D> Solver<D>::find_at_rest(float dt) {
 template <class D>
 bool Solver<D>::had_room() {
   const Found& found = readout_.found;
-  return found.longest_list <= search_.row_capacity() && found.most_contacts < contacts_.capacity() &&
+  return found.longest_list <= search_.row_capacity() && found.contacts.most < contacts_.capacity() &&
          std::all_of(sets_.begin(), sets_.end(), [](ConstraintSet<D>* set) { return set->had_room(); });
 }
 
@@ -236,7 +234,7 @@ template <class D>
 void Solver<D>::make_room() {
   const Found& found = readout_.found;
   if (found.longest_list > search_.row_capacity()) search_.grow_rows(found.longest_list);
-  if (found.most_contacts >= contacts_.capacity()) contacts_.grow();
+  if (found.contacts.most >= contacts_.capacity()) contacts_.grow();
   for (ConstraintSet<D>* set : sets_) {
     if (!set->had_room()) set->make_room();
   }

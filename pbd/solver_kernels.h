@@ -83,18 +83,6 @@ struct UpdateVelocity {
   }
 };
 
-/// Notes how many contacts a substep found.
-struct NoteFound {
-  View<const uint32_t> contacts;
-  View<StepReadout> readout;
-
-  MENISCUS_HD void operator()(uint32_t) const {
-    Found& found = readout[0].found;
-    found.contacts = contacts[0];
-    if (found.most_contacts < contacts[0]) found.most_contacts = contacts[0];
-  }
-};
-
 /// Drops the motion of a substep.
 struct StopMotion {
   View<Vec4> velocity;

@@ -35,6 +35,16 @@ struct SumUpTo {
   }
 };
 
+/// What sums came to.
+struct SumNote {
+  uint32_t last, most;
+
+  MENISCUS_HD void take(uint32_t sum) {
+    last = sum;
+    if (most < sum) most = sum;
+  }
+};
+
 MENISCUS_HD inline float square_root(float a) {
   return sqrtf(a);
 }

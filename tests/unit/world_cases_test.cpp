@@ -164,8 +164,11 @@ TEST_P(CasesTest, AStepReportsWhatItDid) {
   EXPECT_GT(report.contacts, 400u);
   EXPECT_EQ(report.removed, 0u);
   EXPECT_GT(report.ms, 0);
+  const auto is_empty = [](Stage stage) {  // a GPU's contacts count with its neighbours
+    return stage == Stage::exchange || (stage == Stage::contacts && GetParam() == pbd::DeviceKind::cuda);
+  };
   for (size_t k = 0; k < stage_count; ++k) {
-    if (Stage(k) != Stage::exchange) {
+    if (!is_empty(Stage(k))) {
       EXPECT_GT(report.stage_ms[k], 0) << stage_name(Stage(k));
     }
   }

@@ -81,8 +81,8 @@ double CpuDevice::elapsed_ms(uint32_t from, uint32_t to) const {
   return std::chrono::duration<double, std::milli>(marks_[to] - marks_[from]).count();
 }
 
-void CpuDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out,
-                               uint32_t limit) {
+void CpuDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit,
+                               View<SumNote> note) {
   const SumUpTo sum{limit};
   const uint32_t count = in.count;
   const uint32_t blocks = (count + sort_block - 1) / sort_block;
@@ -103,6 +103,7 @@ void CpuDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<u
     }
   });
   out[count] = running;
+  if (note.count) note[0].take(running);
 }
 
 void CpuDevice::sort_pairs(const char* /*name*/, View<const uint32_t> keys, View<uint32_t> sorted_keys,

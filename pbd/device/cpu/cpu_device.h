@@ -136,8 +136,10 @@ class CpuDevice final : public Device {
     out[0] = total;
   }
 
-  /// out[i] = in[0] + … + in[i − 1], of unsigned integers; out has one element more than in: the total.
-  void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit = ~0u);
+  /// out[i] = in[0] + … + in[i − 1], of unsigned integers; out has one element more than in: the total, of
+  /// which note[0] takes note, where there is one.
+  void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit = ~0u,
+                      View<SumNote> note = {});
 
   /// Sorts pairs by the low `bits` of the keys; equal keys keep their order. The inputs are left as they
   /// were.

@@ -198,8 +198,8 @@ double CudaDevice::elapsed_ms(uint32_t from, uint32_t to) const {
   return 1e-6 * static_cast<double>(times_[to] - times_[from]);
 }
 
-void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out,
-                                uint32_t limit) {
+void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit,
+                                View<SumNote> note) {
   using namespace cuda_kernels;
   const uint32_t tiles = in.count ? (in.count + scan_tile - 1) / scan_tile : 1;
   if (tile_sums_.size() < tiles || scans_ == TileSums::most_runs) {
@@ -208,7 +208,7 @@ void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<
     tile_sums_.fill(0);
     scans_ = 0;
   }
-  launch(name, tiles, scan_block, scan_tiles, in, out.data, SumUpTo{limit},
+  launch(name, tiles, scan_block, scan_tiles, in, out.data, note, SumUpTo{limit},
          TileSums{tile_sums_.view().data, ++scans_});
 }
 

@@ -323,7 +323,8 @@ class CudaDevice final : public Device {
            partial, blocks_done_.view().data, out.data);
   }
 
-  void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit = ~0u);
+  void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit = ~0u,
+                      View<SumNote> note = {});
   void sort_pairs(const char* name, View<const uint32_t> keys, View<uint32_t> sorted_keys,
                   View<const uint32_t> values, View<uint32_t> sorted_values, uint32_t bits);
 

@@ -56,7 +56,8 @@ struct TileSums {
 };
 
 static __global__ void __launch_bounds__(scan_block)
-    scan_tiles(TimeMark mark, View<const uint32_t> in, uint32_t* out, SumUpTo sum, TileSums tiles) {
+    scan_tiles(TimeMark mark, View<const uint32_t> in, uint32_t* out, View<SumNote> note, SumUpTo sum,
+               TileSums tiles) {
   wait_for_previous(mark);
   using Load = cub::BlockLoad<uint32_t, scan_block, scan_items, cub::BLOCK_LOAD_WARP_TRANSPOSE>;
   using Store = cub::BlockStore<uint32_t, scan_block, scan_items, cub::BLOCK_STORE_WARP_TRANSPOSE>;
@@ -80,7 +81,11 @@ static __global__ void __launch_bounds__(scan_block)
     if (threadIdx.x == 0) {
       tiles.publish(tile, sum(before, total), true);
       shared_before = before;
-      if (tile + 1 == gridDim.x) out[in.count] = sum(before, total);
+      if (tile + 1 == gridDim.x) {
+        const uint32_t all = sum(before, total);
+        out[in.count] = all;
+        if (note.count) note[0].take(all);
+      }
     }
   }
   __syncthreads();

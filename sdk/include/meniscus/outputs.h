@@ -56,8 +56,8 @@ struct StepReport {
   /// Per substep, on average: fewer where DensitySolverDef::tolerance ends them.
   double density_iterations = 0;
   double ms = 0;  ///< wall clock, host and device
-  /// On the device, summed over the substeps. A GPU finds contacts while it lists neighbours: `contacts` is
-  /// then what comes after both.
+  /// On the device, summed over the substeps. Where there are fluids, a GPU finds contacts while it lists
+  /// neighbours: `neighbours` is then both.
   std::array<double, stage_count> stage_ms{};
   double rigid_ms = 0;           ///< of ms, what Bullet took on the host
   uint32_t contacts = 0;         ///< in the last substep
