@@ -84,6 +84,17 @@ class NarrowWriter {
     if (wanted) place_ += Row::step;
   }
 
+  /// Whether so many more can be put aside.
+  MENISCUS_HD bool has_room_for(uint32_t more) const {
+    return place_ + more * Row::step <= row_.first() + most * Row::step;
+  }
+  /// Where there is room.
+  MENISCUS_HD void add_in_room_if(bool wanted, uint32_t j) {
+    if (!wanted) return;
+    row_.put(place_, j - i_);
+    place_ += Row::step;
+  }
+
   MENISCUS_HD uint32_t finish() {
     const uint32_t found = (place_ - row_.first()) / Row::step;
     const uint32_t stored = found < list_.row_capacity ? found : list_.row_capacity;

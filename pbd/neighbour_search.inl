@@ -90,10 +90,17 @@ struct ListNeighbours {
   template <class D>
   MENISCUS_HD void list_narrow(uint32_t i, Vec3 self, const RunsAround& runs, NarrowWriter& writer) const {
     runs.for_each([&](uint32_t begin, uint32_t end) {
-      D::Lister::for_each(position, begin, end, [&](uint32_t j, Vec3 other) {
-        const Vec3 d = self - other;
-        writer.add_if(dot(d, d) < reach2 && j < end && j != i, j);
-      });
+      const auto look = [&](const auto& add) {
+        D::Lister::for_each(position, begin, end, [&](uint32_t j, Vec3 other) {
+          const Vec3 d = self - other;
+          add(dot(d, d) < reach2 && j < end, j);
+        });
+      };
+      const bool has_self = i - begin < end - begin;
+      if (!has_self && writer.has_room_for(end - begin))
+        look([&](bool near, uint32_t j) { writer.add_in_room_if(near, j); });
+      else
+        look([&](bool near, uint32_t j) { writer.add_if(near && j != i, j); });
     });
   }
 
