@@ -47,6 +47,8 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void set_model(const ClothModel& model);
   void set_wind(const Wind& wind) { wind_ = wind; }
 
+  bool prepares() const override;
+  void prepare(pbd::Substep<D>& substep) override;
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
   void settle(pbd::Substep<D>& substep) override;
@@ -107,6 +109,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   uint32_t vertex_count_ = 0;
   CommonDamping damping_;
   bool any_air_ = false, any_gas_ = false, any_tears_ = false;
+  bool feels_wind_ = false;                // in this substep
   float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
   float share_ = 0;                        // of what they left for this one
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "cloth/bearing_kernels.h"
 #include "cloth/cloth_set.h"
@@ -126,16 +127,26 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
-  if (any_air_ && wind_.density > 0) {
-    using namespace wind_kernels;
-    device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
-                               BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
-                                               static_cast<float>(time_), wind_force_.view()});
-    device_.parallel_for(
-        "cloth/blow", vertex_count_,
-        Blow{fan_start_.view(), fan_.view(), wind_force_.view(), vertices(substep), substep.dt});
+  if (std::exchange(feels_wind_, false)) {
+    device_.parallel_for("cloth/blow", vertex_count_,
+                         wind_kernels::Blow{fan_start_.view(), fan_.view(), wind_force_.view(),
+                                            vertices(substep), substep.dt});
   }
   time_ += substep.dt;
+}
+
+template <class D>
+bool ClothSet<D>::prepares() const {
+  return vertex_count_ > 0 && any_air_ && wind_.density > 0;
+}
+
+template <class D>
+void ClothSet<D>::prepare(pbd::Substep<D>& substep) {
+  if (!prepares()) return;
+  device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
+                             wind_kernels::BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
+                                                           static_cast<float>(time_), wind_force_.view()});
+  feels_wind_ = true;
 }
 
 /// Yarns take up what the other edges start to push with, before cloth moves: by far the most of it is what

@@ -46,6 +46,8 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   void save() override;
   void start_step() override { wanted_.host()[0] = 0; }
   void arrange(pbd::Substep<D>& substep) override;
+  bool prepares() const override { return looks() && !active_; }
+  void prepare(pbd::Substep<D>& substep) override;
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
   void settle(pbd::Substep<D>& substep) override;
@@ -55,6 +57,9 @@ class FacePoints final : public pbd::ConstraintSet<D> {
 
  private:
   void set_room(uint32_t points);
+  /// Whether any face may need a point.
+  bool looks() const;
+  void decide(const pbd::Substep<D>& substep, pbd::View<uint32_t> needed);
   face_kernels::Points points(const pbd::Substep<D>& substep) const;
   /// Whether points take part: they do not where the solver only measures or relaxes.
   bool any(const pbd::Substep<D>& substep) const {

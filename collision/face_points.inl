@@ -68,13 +68,8 @@ face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const
 template <class D>
 void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
   using namespace face_kernels;
-  if (surface_.triangles.count == 0 || !shapes_.any_but_fixed_planes()) return;
-  device_.parallel_for(
-      "faces/decide", surface_.triangles.count,
-      Decide{shapes_.shapes(), shapes_.touches(substep.particles.phase, substep.particles.sorted),
-             surface_.triangles, substep.particles, active_ ? needed_.view() : pbd::View<uint32_t>{},
-             weights_.view(), wanted_.view()});
-  if (!active_) return;
+  if (!looks() || !active_) return;
+  decide(substep, needed_.view());
   device_.exclusive_scan("faces/number", needed_.view(), number_.view());
   device_.parallel_for("faces/list", surface_.triangles.count,
                        ListPoints{needed_.view(), number_.view(), triangle_of_.view(), wanted_.view()});
@@ -82,6 +77,26 @@ void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
   device_.parallel_for("faces/particles", room_,
                        MakeParticles{points(substep), substep.particles, particles_.previous.view(),
                                      particles_.phase.current.view(), particles_.slot.current.view()});
+}
+
+/// While no points are in use, whether any are wanted is asked for at the step's end.
+template <class D>
+void FacePoints<D>::prepare(pbd::Substep<D>& substep) {
+  if (prepares()) decide(substep, {});
+}
+
+template <class D>
+bool FacePoints<D>::looks() const {
+  return surface_.triangles.count > 0 && shapes_.any_but_fixed_planes();
+}
+
+template <class D>
+void FacePoints<D>::decide(const pbd::Substep<D>& substep, pbd::View<uint32_t> needed) {
+  device_.parallel_for(
+      "faces/decide", surface_.triangles.count,
+      face_kernels::Decide{shapes_.shapes(),
+                           shapes_.touches(substep.particles.phase, substep.particles.sorted),
+                           surface_.triangles, substep.particles, needed, weights_.view(), wanted_.view()});
 }
 
 template <class D>

@@ -95,7 +95,7 @@ class Solver {
   void substep(float dt, bool is_last);
   solver_kernels::Prediction predict(float dt, Vec3 gravity);
   void sort(const solver_kernels::Prediction& prediction);
-  void find(Substep<D>& s);
+  void find(Substep<D>& s, bool prepares);
   Substep<D> find_at_rest(float dt);
   void relax_once(float dt);
   StepResult run(float dt);

@@ -32,7 +32,7 @@ void Solver<D>::substep(float dt, bool is_last) {
   s.gravity = parameters_.gravity;
   s.is_last = is_last;
   for (ConstraintSet<D>* set : sets_) set->arrange(s);
-  find(s);
+  find(s, std::any_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->prepares(); }));
 
   timer_.enter(StageId::solve);
   for (ConstraintSet<D>* set : sets_) set->accelerate(s);
@@ -186,24 +186,26 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   p.flip();
 }
 
-/// Neighbours are listed and contacts found at once.
+/// Contacts are found while neighbours are listed and sets prepare.
 template <class D>
-void Solver<D>::find(Substep<D>& s) {
+void Solver<D>::find(Substep<D>& s, bool prepares) {
   has_found_ = false;
   s.neighbours = search_.view(particles_.sentinel());
   s.grid = search_.grid();
   const bool lists = s.particles.sorted > 0;
   timer_.enter(lists ? StageId::neighbours : StageId::contacts);
   StepReadout* const readout = readout_buffer_.view().data;
-  const auto list = [&] {
-    search_.list(s.particles, particles_.sentinel(), {&readout->found.longest_list, 1});
+  const auto others = [&] {
+    if (lists) search_.list(s.particles, particles_.sentinel(), {&readout->found.longest_list, 1});
+    if (!prepares) return;
+    for (ConstraintSet<D>* set : sets_) set->prepare(s);
   };
   const auto find_contacts = [&] {
     for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), s.particles.sorted);
     if (lists && !D::runs_at_once) timer_.enter(StageId::contacts);
     contacts_.find(s, {&readout->found.contacts, 1});
   };
-  lists ? device_.at_once(list, find_contacts) : find_contacts();
+  lists || prepares ? device_.at_once(others, find_contacts) : find_contacts();
   contacts_.part_neighbours(s);
   s.contacts = contacts_.view();
 }
@@ -215,7 +217,7 @@ Substep<D> Solver<D>::find_at_rest(float dt) {
     timer_.start_step();
     sort(predict(0, {}));
     Substep<D> s = make_substep(dt);
-    find(s);
+    find(s, false);
     readout_buffer_.read(std::span(&readout_, 1));
     if (had_room()) return s;
     make_room();

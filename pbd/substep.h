@@ -60,6 +60,11 @@ class ConstraintSet : public ParticleState {
   virtual uint32_t extra_particles() const { return 0; }
   /// Positions are predicted, and contacts not found yet: adds such particles to substep.particles.owned.
   virtual void arrange(Substep<D>&) {}
+  /// Whether prepare() has anything to do.
+  virtual bool prepares() const { return false; }
+  /// Likewise, for what needs no more than that, and changes nothing that contacts are found by: a GPU finds
+  /// them at the same time. Not while overlaps are relaxed.
+  virtual void prepare(Substep<D>&) {}
   /// Neighbours and contacts are known: forces change velocities, and what was predicted with them. Not while
   /// overlaps are relaxed.
   virtual void accelerate(Substep<D>&) {}
