@@ -143,9 +143,9 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   }
   device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
                               SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
-  device_.parallel_for("self contacts/hand on", vertices_,
-                       HandOn{vertex_part_.view(), position, moved, part_sums(), counters_.view()});
-  device_.parallel_for("self contacts/found", counter_count, NoteCounters{counters_.view(), found_.view()});
+  device_.parallel_for(
+      "self contacts/hand on", std::max<uint32_t>(vertices_, counter_count),
+      HandOn{vertex_part_.view(), position, moved, part_sums(), counters_.view(), found_.view()});
 }
 
 // ---- room ----

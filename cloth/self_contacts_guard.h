@@ -101,16 +101,21 @@ struct SumLost {
 
 /// Gives the momentum of vertices that were taken back to all of their part, which stay where they are.
 /// Nothing moves against anything else in it by that; given to those around them it kept crumpled cloth
-/// stretched.
+/// stretched. Notes for the host what the substep found: the most of any, up to the first whose lists had no
+/// room.
 struct HandOn {
   View<const uint32_t> vertex_part;
   View<const Vec4> position;  // by vertex
   View<Vec4> moved;           // by vertex
   PartSums sums;
   View<const uint32_t> counters;
+  View<uint32_t> found;
 
+  /// For each vertex, and each counter.
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (counters[lost] == 0 || vertex_part[v] == no_index || position[v].w == 0) return;
+    if (v < counters.count && counters[doomed] == 0 && found[v] < counters[v]) found[v] = counters[v];
+    if (v >= vertex_part.count || counters[lost] == 0) return;
+    if (vertex_part[v] == no_index || position[v].w == 0) return;
     moved[v] = pbd::shifted(moved[v], sums.way(vertex_part[v]));
   }
 };
@@ -233,16 +238,6 @@ struct FindCrossings {
   MENISCUS_HD float rounding(const Corners& corners) const {
     const Vec3 x = features.cloth.position[corners.vertex(0)].xyz();
     return 1e-6f * max_component(max(x, -x));
-  }
-};
-
-/// What the substep found, for the host; the most of any, up to the first whose lists had no room.
-struct NoteCounters {
-  View<const uint32_t> counters;
-  View<uint32_t> found;
-
-  MENISCUS_HD void operator()(uint32_t k) const {
-    if (counters[doomed] == 0 && found[k] < counters[k]) found[k] = counters[k];
   }
 };
 
