@@ -56,7 +56,7 @@ class BodyTies final : public pbd::ContactSource<D>, public pbd::ConstraintSet<D
 
   bool any() const override { return ties_.size() > 0; }
   bool any_moving() const override { return any(); }
-  void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
+  void count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
   void start_step() override { impulse_.fill(0); }
   void begin(pbd::Substep<D>& substep) override;

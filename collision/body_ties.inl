@@ -29,13 +29,13 @@ struct Ties {
 
 struct Count {
   Ties ties;
-  View<uint32_t> counts;
+  pbd::ContactCounter counter;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (!ties.leads(n)) return;
     uint32_t found = 0;
     ties.for_each_beside(n, [&](uint32_t) { ++found; });
-    counts[ties.particle_of(n)] += found;
+    counter.add(ties.particle_of(n), found);
   }
 };
 
@@ -252,9 +252,9 @@ tie_kernels::JoinedTies BodyTies<D>::joined(const pbd::Substep<D>& substep) {
 }
 
 template <class D>
-void BodyTies<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
+void BodyTies<D>::count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) {
   device_.parallel_for("ties/count", ties_.view().count,
-                       tie_kernels::Count{{ties_.view(), substep.particles.sorted}, counts});
+                       tie_kernels::Count{{ties_.view(), substep.particles.sorted}, counter});
 }
 
 template <class D>

@@ -81,7 +81,8 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   bool any_but_fixed_planes() const { return !only_fixed_planes() && any(); }
   bool limits_motion() const override { return shapes_.fixed > 0 && !fixed_are_planes_; }
   void limit_motion(const pbd::MotionView& motion, bool planes_too) override;
-  void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
+  void count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) override;
+  bool counts_all() const override { return any(); }
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
 
   /// Takes back what has passed through a moving shape since the substep began. Shapes are where they have

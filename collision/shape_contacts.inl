@@ -92,12 +92,14 @@ struct Finder {
 template <bool only_fixed_planes>
 struct Count {
   Finder<only_fixed_planes> find;
-  pbd::View<uint32_t> counts;
+  pbd::ContactCounter counter;
+  pbd::View<pbd::Phase> phase;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     uint32_t found = 0;
     find.for_each(i, [&](const Shape&, const FoundContact&) { ++found; });
-    counts[i] += found;
+    counter.add(i, found);
+    if (found == 0 && find.touches.was_placed(i)) phase[i] &= ~pbd::phase_placed;
   }
 };
 
@@ -110,17 +112,21 @@ struct Fill {
   pbd::View<const uint32_t> slot;
   pbd::View<pbd::Phase> phase;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  /// At planes all do the same, and those that touch some are taken side by side. Beside other shapes each
+  /// has something else to do: the fewer threads of a warp have any, the less they wait for one another.
+  static constexpr bool takes_touching = only_fixed_planes;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = takes_touching ? writer.touching.at(n, writer.start) : n;
+    if (i == pbd::no_index || writer.start[i] == writer.start[i + 1]) return;
     const bool placed = find.touches.was_placed(i);
     float in = 0;  // a solid, m
-    if (writer.has_any(i)) {
-      find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
-        pbd::Contact c = make_contact(i, shape, found);
-        if (placed) in = pbd::max(in, give_way(i, shape, c));
-        writer.write(i, c);
-      });
-      writer.finish(i, inert(i));
-    }
+    find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
+      pbd::Contact c = make_contact(i, shape, found);
+      if (placed) in = pbd::max(in, give_way(i, shape, c));
+      writer.write(i, c);
+    });
+    writer.finish(i, inert(i));
     if (placed && in == 0) phase[i] &= ~pbd::phase_placed;
   }
 
@@ -235,15 +241,16 @@ CandidateView ShapeContacts<D>::find_near(pbd::View<const pbd::Vec4> position, u
 }
 
 template <class D>
-void ShapeContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
+void ShapeContacts<D>::count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) {
   using namespace shape_contact_kernels;
   const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
+  const pbd::View<pbd::Phase> phase = particles_.phase.current.view();
   if (only_fixed_planes()) {
-    device_.parallel_for("contacts/count", p.owned, Count<true>{finder<true>(substep), counts});
+    device_.parallel_for("contacts/count", p.owned, Count<true>{finder<true>(substep), counter, phase});
   } else {
     candidates_.find(device_, shapes_, p.previous, p.position, p.owned, support_radius_);
-    device_.parallel_for("contacts/count", p.owned, Count<false>{finder<false>(substep), counts});
+    device_.parallel_for("contacts/count", p.owned, Count<false>{finder<false>(substep), counter, phase});
   }
 }
 
@@ -252,14 +259,13 @@ void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWr
   using namespace shape_contact_kernels;
   const pbd::ParticleView& p = substep.particles;
   if (shapes_.shapes.count == 0) return;
+  const pbd::View<pbd::Phase> phase = particles_.phase.current.view();
   if (only_fixed_planes()) {
-    device_.parallel_for("contacts/fill", p.owned,
-                         Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer, p.slot,
-                                    particles_.phase.current.view()});
+    device_.parallel_for("contacts/fill", writer.touching.list.count,
+                         Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer, p.slot, phase});
   } else {
     device_.parallel_for("contacts/fill", p.owned,
-                         Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer, p.slot,
-                                     particles_.phase.current.view()});
+                         Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer, p.slot, phase});
   }
 }
 

@@ -34,7 +34,7 @@ class SheetContacts final : public pbd::ContactSource<D> {
 
   bool any() const override { return tree_.places() > 0 && particles_.sorted() > 0; }
   bool any_moving() const override { return any(); }
-  void count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) override;
+  void count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
   void part_neighbours(const pbd::Substep<D>& substep) override;
 

@@ -32,7 +32,7 @@ struct NoteNear {
 }  // namespace sheet_kernels
 
 template <class D>
-void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t> counts) {
+void SheetContacts<D>::count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) {
   using namespace sheet_kernels;
   if (!any()) return;
   const pbd::ParticleView& p = substep.particles;
@@ -49,7 +49,7 @@ void SheetContacts<D>::count(const pbd::Substep<D>& substep, pbd::View<uint32_t>
   pbd::parallel_for_teams<pbd::GroupTeam>(device_, "sheets/shapes", static_cast<uint32_t>(shapes_.size()),
                                           FitShapes{surface(substep), shapes_.view()});
   pbd::parallel_for_teams<SearchTeam>(device_, "sheets/touches", near_count(),
-                                      FindTouches{surface(substep), near(), counts, entry_count_.view(),
+                                      FindTouches{surface(substep), near(), counter, entry_count_.view(),
                                                   shapes_.view(), support_radius_, 0.51f * largest_radius_});
   device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
   pbd::parallel_for_teams<TouchTeam>(

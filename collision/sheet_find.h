@@ -112,7 +112,7 @@ class Layers {
 struct FindTouches {
   Surface surface;
   NearList near;
-  View<uint32_t> counts;   // contacts of each particle
+  pbd::ContactCounter counter;
   View<uint32_t> entries;  // touches of each vertex
   View<const GroupShape> shapes;
   float h, largest_gap;
@@ -149,7 +149,7 @@ struct FindTouches {
       else if (SearchTeam::leads())
         touch.vertices = 0;
     }
-    if (SearchTeam::leads()) counts[i] += layers.count();
+    if (SearchTeam::leads()) counter.add(i, layers.count());
   }
 
   /// Whether the triangle is within the support radius. Of its places at the end those on its inside count.

@@ -37,18 +37,14 @@ class ContactArrays {
   ContactView view() {
     bool any_moving = false;
     for (const ContactSource<D>* source : sources_) any_moving |= source->any_moving();
-    return {start_.view().first(counted_ + 1),
-            contacts_.view().first(any_ ? capacity() : 0),
-            particle_.view(),
-            touching_.view(),
-            touching_counts(),
-            any_moving};
+    return {start_.view().first(counted_ + 1), contacts_.view().first(any_ ? capacity() : 0),
+            particle_.view(), touching(), any_moving};
   }
 
  private:
   void resize(uint32_t contacts);
   /// Behind the counts, so that they are set to 0 with them.
-  View<uint32_t> touching_counts() { return {counts_.view().data + counted_, 2}; }
+  TouchingView touching() { return {touching_.view(), {counts_.view().data + counted_, 2}}; }
 
   D& device_;
   std::vector<ContactSource<D>*> sources_;

@@ -6,6 +6,17 @@
 
 namespace meniscus::pbd {
 
+namespace contact_array_kernels {
+
+/// For what a source that counts all has not listed.
+struct ListTouching {
+  ContactCounter counter;
+
+  MENISCUS_HD void operator()(uint32_t i) const { counter.add(i, 0); }
+};
+
+}  // namespace contact_array_kernels
+
 template <class D>
 void ContactArrays<D>::reserve(uint32_t capacity) {
   counts_.resize_discard(capacity + 2);
@@ -36,11 +47,19 @@ void ContactArrays<D>::find(const Substep<D>& substep, View<SumNote> note) {
   counted_ = substep.particles.owned;
   any_ = std::any_of(sources_.begin(), sources_.end(), [](const auto* source) { return source->any(); });
   device_.fill(counts_.view().data, 0, (counted_ + 2) * sizeof(uint32_t));
-  for (ContactSource<D>* source : sources_) source->count(substep, counts_.view());
+  ContactCounter counter{counts_.view(), touching()};
+  for (ContactSource<D>* source : sources_) {
+    counter.lists = source == sources_.back() && source->counts_all();
+    source->count(substep, counter);
+  }
+  if (any_ && !counter.lists) {
+    counter.lists = true;
+    device_.parallel_for("contacts/touching", counted_, contact_array_kernels::ListTouching{counter});
+  }
   device_.exclusive_scan("contacts/offsets", View<const uint32_t>{counts_.view().data, counted_},
                          start_.view(), capacity(), note);
-  const ContactWriter writer{start_.view(),    counts_.view(),   contacts_.view(),
-                             particle_.view(), touching_.view(), touching_counts()};
+  const ContactWriter writer{start_.view().first(counted_ + 1), counts_.view(), contacts_.view(),
+                             particle_.view(), touching()};
   for (ContactSource<D>* source : sources_) source->fill(substep, writer);
 }
 

@@ -58,28 +58,53 @@ MENISCUS_HD inline Vec3 multiplier_sum(const Contact& c) {
   return c.normal_multiplier * c.normal + c.tangent_multiplier + c.density_push;
 }
 
+/// The particles that have contacts, in an order that chance makes. Those with one stand at the front, those
+/// with several at the back: threads that are side by side have as much to do.
+struct TouchingView {
+  View<uint32_t> list;    ///< as long as there is room for contacts
+  View<uint32_t> counts;  ///< of particles with one, and with several
+
+  /// Where there is no room, there will be more, and the step is done again.
+  MENISCUS_HD void add(uint32_t i, bool has_several) const {
+    // A count by itself: threads of a warp that add to it do so at once, and stay side by side.
+    const uint32_t n = has_several ? atomic_add(counts[1], 1) : atomic_add(counts[0], 1);
+    if (n < list.count) list[has_several ? list.count - 1 - n : n] = i;
+  }
+  /// For work on each by itself, which runs over as many as there may be: the k-th, or no_index.
+  MENISCUS_HD uint32_t at(uint32_t k, View<const uint32_t> start) const {
+    const uint32_t i = list[k];  // at once with the counts, whether it counts or not
+    const bool is_one = k < counts[0] || list.count - k <= counts[1];
+    return is_one && i < start.count - 1 && start[i] != start[i + 1] ? i : no_index;
+  }
+};
+
 /// Contacts of particle i: contacts[start[i]] to contacts[start[i + 1] − 1].
 struct ContactView {
-  View<const uint32_t> start;            ///< of each owned particle, and the total
-  View<Contact> contacts;                ///< as many as there is room for: the host does not know the total
-  View<const uint32_t> particle;         ///< whose each contact is
-  View<const uint32_t> touching;         ///< see touching_particle()
-  View<const uint32_t> touching_counts;  ///< of particles with one, and with several
+  View<const uint32_t> start;     ///< of each owned particle, and the total
+  View<Contact> contacts;         ///< as many as there is room for: the host does not know the total
+  View<const uint32_t> particle;  ///< whose each contact is
+  TouchingView touching;
   bool any_moving = false;  ///< whether solids may move; for the host: kernels for fixed ones are leaner
 
   /// How many there are.
   MENISCUS_HD uint32_t total() const { return start[start.count - 1]; }
   /// Those of the first `particles` alone.
   ContactView of_first(uint32_t particles) const {
-    return {start.first(particles + 1), contacts, particle, touching, touching_counts, any_moving};
+    return {start.first(particles + 1), contacts, particle, touching, any_moving};
   }
-  /// For work on particles that have contacts, each by itself, which runs over as many as there may be: the
-  /// k-th of them, or no_index. Those with one contact stand at the front, those with several at the back, in
-  /// an order that chance makes: threads that are side by side have as much to do.
-  MENISCUS_HD uint32_t touching_particle(uint32_t k) const {
-    const uint32_t i = touching[k];  // at once with the counts, whether it counts or not
-    const bool is_one = k < touching_counts[0] || touching.count - k <= touching_counts[1];
-    return is_one && i < start.count - 1 ? i : no_index;
+  MENISCUS_HD uint32_t touching_particle(uint32_t k) const { return touching.at(k, start); }
+};
+
+/// Where the sources of contacts count what they find.
+struct ContactCounter {
+  View<uint32_t> counts;  ///< of each particle
+  TouchingView touching;
+  bool lists = false;  ///< what has been counted is all there is: particles are listed
+
+  MENISCUS_HD void add(uint32_t i, uint32_t found) const {
+    const uint32_t all = counts[i] + found;
+    if (found) counts[i] = all;
+    if (lists && all) touching.add(i, all > 1);
   }
 };
 
@@ -89,30 +114,18 @@ struct ContactWriter {
   View<uint32_t> remaining;  ///< of each particle's contacts, those that are not written yet
   View<Contact> contacts;
   View<uint32_t> particle;
-  View<uint32_t> touching;
-  View<uint32_t> touching_counts;
+  TouchingView touching;
 
   /// Fills up what was counted for i and not written. Counting and writing are compiled apart, and may judge
   /// differently by a rounding.
   MENISCUS_HD void finish(uint32_t i, const Contact& inert) const {
     while (remaining[i] > 0 && remaining[i] <= start[i + 1] - start[i]) write(i, inert);
   }
-  MENISCUS_HD bool has_any(uint32_t i) const { return start[i] != start[i + 1]; }
   MENISCUS_HD void write(uint32_t i, const Contact& contact) const {
     const uint32_t n = start[i + 1] - remaining[i]--;
     if (n < start[i] || n >= start[i + 1]) return;  // no room for it: the step will be done again
     contacts[n] = contact;
     particle[n] = i;
-    if (n == start[i]) list(i, start[i + 1] - n > 1);
-  }
-
- private:
-  // A count by itself: threads of a warp that add to it do so at once, and stay side by side.
-  MENISCUS_HD void list(uint32_t i, bool has_several) const {
-    if (has_several)
-      touching[touching.count - 1 - atomic_add(touching_counts[1], 1)] = i;
-    else
-      touching[atomic_add(touching_counts[0], 1)] = i;
   }
 };
 

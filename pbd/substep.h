@@ -140,8 +140,9 @@ class ContactSource {
   /// half-space on its way to the contact search, which sees it from behind as well; `planes_too` is for
   /// after the solve.
   virtual void limit_motion(const MotionView& /*motion*/, bool /*planes_too*/) {}
-  /// Adds the number of contacts of each particle.
-  virtual void count(const Substep<D>& substep, View<uint32_t> counts) = 0;
+  /// Adds the number of contacts of each particle; of all of them, if only nothing, where it counts all.
+  virtual void count(const Substep<D>& substep, const ContactCounter& counter) = 0;
+  virtual bool counts_all() const { return false; }
   /// Writes as many contacts of each particle as it counted.
   virtual void fill(const Substep<D>& substep, const ContactWriter& writer) = 0;
   /// Takes those out of the lists of neighbours that something thin stands between.

@@ -75,7 +75,7 @@ struct Bench {
 
   ContactView contact_view() {
     touching_counts = {static_cast<uint32_t>(touching.size()), 0};
-    return {view(start), view(contacts), view(particle), view(touching), view(touching_counts)};
+    return {view(start), view(contacts), view(particle), {view(touching), view(touching_counts)}};
   }
 
   void group() {
