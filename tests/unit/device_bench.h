@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "pbd/device/device.h"
+#include "pbd/device/scalar.h"
 
 namespace meniscus::tests {
 
@@ -24,7 +25,9 @@ class DeviceBench {
 
   virtual pbd::Device& device() = 0;
   virtual SortedPairs sort(std::span<const uint32_t> keys, uint32_t bits) = 0;
-  virtual std::vector<uint32_t> scan(std::span<const uint32_t> values, uint32_t limit = ~0u) = 0;
+  /// With a note, that is taken on.
+  virtual std::vector<uint32_t> scan(std::span<const uint32_t> values, uint32_t limit = ~0u,
+                                     pbd::SumNote* note = nullptr) = 0;
   virtual float sum(std::span<const float> values) = 0;
   /// How often parallel_for ran each index below count, and one element more.
   virtual std::vector<uint32_t> visits(uint32_t count) = 0;

@@ -50,10 +50,12 @@ class DeviceBenchOn final : public DeviceBench {
     return {sorted_keys.read(count), sorted_places.read(count)};
   }
 
-  std::vector<uint32_t> scan(std::span<const uint32_t> values, uint32_t limit) override {
+  std::vector<uint32_t> scan(std::span<const uint32_t> values, uint32_t limit, pbd::SumNote* note) override {
     pbd::Buffer<uint32_t> in = filled(values), out(device_, "scanned");
     out.resize_discard(in.size() + 1);
-    device_.exclusive_scan("test", in.view(), out.view(), limit);
+    pbd::Buffer<pbd::SumNote> notes = filled(std::span<const pbd::SumNote>(note, note ? 1 : 0));
+    device_.exclusive_scan("test", in.view(), out.view(), limit, notes.view());
+    if (note) *note = notes.read(1)[0];
     return out.read(out.size());
   }
 

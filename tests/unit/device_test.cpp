@@ -101,6 +101,13 @@ TEST_P(DeviceTest, ScanStaysAtItsLimit) {
   EXPECT_EQ(bench_->scan(values, limit), expected);
 }
 
+TEST_P(DeviceTest, ScanNotesTheLastSumAndTheMost) {
+  pbd::SumNote note{0, 0};
+  for (uint32_t size : {5000u, 70000u, 0u, 3u}) bench_->scan(std::vector<uint32_t>(size, 2), 100000, &note);
+  EXPECT_EQ(note.last, 6u);
+  EXPECT_EQ(note.most, 100000u);
+}
+
 TEST_P(DeviceTest, SmallAndLargeReadsGiveWhatWasWritten) {
   for (uint32_t size : {1u, 3u, 1023u, 1024u, 1025u, 50000u}) {
     std::vector<uint32_t> expected(size);

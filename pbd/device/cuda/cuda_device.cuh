@@ -195,19 +195,8 @@ __global__ void __launch_bounds__(reduce_block)
   __shared__ typename BlockReduce::TempStorage storage;
   __shared__ bool is_last;
   const auto over = [&](uint32_t begin, uint32_t end, const auto& element) {
-    constexpr uint32_t at_once = segment / reduce_block;
     T total = identity;
-    for (uint32_t i = begin + threadIdx.x; i < end; i += at_once * reduce_block) {
-      T next[at_once];
-      MENISCUS_UNROLL
-      for (uint32_t k = 0; k < at_once; ++k) {
-        if (i + k * reduce_block < end) next[k] = element(i + k * reduce_block);
-      }
-      MENISCUS_UNROLL
-      for (uint32_t k = 0; k < at_once; ++k) {
-        if (i + k * reduce_block < end) total = combine(total, next[k]);
-      }
-    }
+    for (uint32_t i = begin + threadIdx.x; i < end; i += reduce_block) total = combine(total, element(i));
     return BlockReduce(storage).Reduce(total, combine);
   };
   const T total = over(blockIdx.x * segment, min(count, (blockIdx.x + 1) * segment), map);
