@@ -79,7 +79,7 @@ void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
                                      particles_.phase.current.view(), particles_.slot.current.view()});
 }
 
-/// While no points are in use, whether any are wanted is asked for at the step's end.
+/// While no points are in use, the host learns at the step's end whether any were wanted.
 template <class D>
 void FacePoints<D>::prepare(pbd::Substep<D>& substep) {
   if (prepares()) decide(substep, {});

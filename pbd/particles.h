@@ -205,7 +205,7 @@ class Particles {
   DoubleBuffer<Vec4> position{device_, "particle positions"};
   Buffer<Vec4> previous{device_, "previous positions"};
   Buffer<Vec4> moved{device_, "constraint displacements"};
-  Buffer<Vec4> predicted{device_, "predicted positions"};  ///< in the order before the sort; then nobody's
+  Buffer<Vec4> predicted{device_, "predicted positions"};  ///< of motions that may be cut short, unsorted
   DoubleBuffer<Vec4> velocity{device_, "particle velocities"};
   DoubleBuffer<Phase> phase{device_, "particle phases"};
   DoubleBuffer<uint32_t> slot{device_, "particle slots"};
