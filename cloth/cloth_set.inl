@@ -316,6 +316,7 @@ void ClothSet<D>::end(pbd::Substep<D>& substep) {
 
 template <class D>
 void ClothSet<D>::start_step() {
+  feels_wind_ = false;  // of a step that failed before it blew
   start_time_ = time_;
   reaction_.fill(0);
   if (tears_.host().size()) tears_.host()[0] = 0;
