@@ -145,10 +145,13 @@ template <class D>
 void FacePoints<D>::end(pbd::Substep<D>& substep) {
   using namespace face_kernels;
   if (!any(substep)) return contacts_.end(substep);
-  device_.parallel_for("faces/velocities", room_, PlaceVelocities{points(substep), substep.particles});
+  const Points all = points(substep);
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("faces/velocities", room_, PlaceVelocities{all, p, substep.contacts, pushed_.view()});
+  device_.parallel_for("faces/weigh", room_, Weigh{all, p, substep.contacts, pushed_.view()});
   contacts_.end(substep);
   device_.parallel_for("faces/hand back velocities", vertices_,
-                       HandBackVelocities{points(substep), substep.particles, at_vertex_.view()});
+                       HandBackVelocities{all, p, at_vertex_.view()});
 }
 
 }  // namespace meniscus::collision

@@ -298,15 +298,19 @@ struct HandBack {
 };
 
 /// Points take their triangles' velocities, and keep them in mind in `moved`, which nobody needs any more.
+/// They are weighed anew: vertices have put down what they bear.
 struct PlaceVelocities {
   Points points;
   ParticleView particles;
+  pbd::ContactView contacts;
+  View<uint32_t> pushed;  ///< by point, 1 or 0
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (n >= points.count()) return;
     const uint32_t i = points.first + n;
     const Vec3 v = points.mix(particles.velocity, particles.sorted, points.triangle_of[n]);
     particles.velocity[i] = particles.moved[i] = pbd::with_w(v, 0);
+    pushed[n] = is_pushed(contacts, i, particles.position[i].xyz());
   }
 };
 

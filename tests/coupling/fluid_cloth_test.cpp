@@ -4,6 +4,7 @@
 // Fluid and cloth: nothing gets through, forces balance, and neither gains what the other does not lose.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "tests/cloth_worlds.h"
@@ -126,6 +127,29 @@ TEST_P(FluidAndCloth, FineLightClothBearsDeepWater) {
     EXPECT_LT(water.world.cloth_state(water.cloth).mean_stretch, 0.08f) << "after " << k << " substeps";
   }
   EXPECT_EQ(crossed, 0u);
+}
+
+/// What a vertex bears weighs hundreds of times what it does itself, and counts where positions are solved,
+/// but not where velocities are.
+TEST_P(FluidAndCloth, AThrustBetweenVerticesThatBearWaterKicksNone) {
+  constexpr float speed = 2.5f, dt = 0.001f;
+  WorldDef def = world_def(GetParam(), 0.04f);
+  def.substeps = 1;
+  WaterOnSheet water(def, 0.2f, 31, 0.2f, 0.03f, 3000);
+  run(water.world, 240, dt);
+  const auto still = water.world.cloth_positions(water.cloth);
+  const float lowest =
+      std::min_element(still.begin(), still.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; })->y;
+  const Vec3 start{0.01f, lowest - 0.3f, 0.003f};
+  const BodyId post = water.world.create_body(kinematic(CapsuleGeometry{0.04f, 0.2f}, start));
+  water.world.move_body(post, {start + Vec3{0, 0.2f, 0}}, 0.2f / speed);
+  float fastest = 0;
+  for (float time = 0; time < 0.2f / speed; time += dt) {
+    water.world.step(dt);
+    for (Vec3 v : water.world.cloth_velocities(water.cloth)) fastest = std::max(fastest, length(v));
+  }
+  EXPECT_GT(fastest, speed);  // it has hit
+  EXPECT_LT(fastest, 1.5f * speed);
 }
 
 /// Thirty layers deep, with one iteration: what the grid does not carry down to the sheet is missing.
