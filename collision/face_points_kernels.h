@@ -232,6 +232,13 @@ MENISCUS_HD inline bool is_pushed(const pbd::ContactView& contacts, uint32_t i, 
   return false;
 }
 
+/// Whether its contacts have pushed a particle in the end: these alone make it bounce.
+MENISCUS_HD inline bool was_pushed(const pbd::ContactView& contacts, uint32_t i) {
+  for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k)
+    if (contacts.contacts[k].normal_multiplier > 0) return true;
+  return false;
+}
+
 /// Points go to where their triangles are.
 struct Place {
   Points points;
@@ -310,7 +317,7 @@ struct PlaceVelocities {
     const uint32_t i = points.first + n;
     const Vec3 v = points.mix(particles.velocity, particles.sorted, points.triangle_of[n]);
     particles.velocity[i] = particles.moved[i] = pbd::with_w(v, 0);
-    pushed[n] = is_pushed(contacts, i, particles.position[i].xyz());
+    pushed[n] = was_pushed(contacts, i);
   }
 };
 
