@@ -24,11 +24,12 @@ class StageTimer {
     device_.mark_time(static_cast<uint32_t>(marks_.size()));
     marks_.push_back(stage);
   }
-  /// Likewise, where the host turns to something else before it launches anything: the second mark sends off
-  /// the first, which would wait for a launch.
+  /// Likewise, where the host turns to something else before it launches anything: the second mark has the
+  /// first launched, which would wait for a launch.
   void enter_now(StageId stage) {
     enter(stage);
     enter(stage);
+    device_.send_off();
   }
   /// Ends the step; the device must be idle before read_ms() is called.
   void stop() { device_.mark_time(static_cast<uint32_t>(marks_.size())); }

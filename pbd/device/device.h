@@ -47,6 +47,8 @@ class Device {
   virtual void copy(void* to, const void* from, size_t bytes) = 0;
   virtual void fill(void* memory, unsigned char byte, size_t bytes) = 0;
   virtual void wait() = 0;
+  /// What was launched so far need not wait for more: the host turns to something else.
+  virtual void send_off() {}
   /// Marks a place in the device's work; wait_for_fence() returns when all before it is done.
   virtual void set_fence() = 0;
   virtual void wait_for_fence() = 0;

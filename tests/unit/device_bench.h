@@ -31,6 +31,12 @@ class DeviceBench {
   virtual float sum(std::span<const float> values) = 0;
   /// How often parallel_for ran each index below count, and one element more.
   virtual std::vector<uint32_t> visits(uint32_t count) = 0;
+  /// What rounds of the same work leave, each of which starts from nothing: launches that each count `count`
+  /// visits, on two streams, and one that counts round % period less; a copy, and a sum. Then the host waits.
+  virtual std::vector<uint32_t> rounds(uint32_t count, uint32_t launches, uint32_t rounds,
+                                       uint32_t period = 1) = 0;
+  /// How often a list of launches was sent as a graph.
+  virtual uint64_t graphs_sent() const = 0;
   /// A buffer that held 0, 1, 2, … after resize_keep(size, kept); the first `kept` elements.
   virtual std::vector<uint32_t> resized(uint32_t from, uint32_t size, uint32_t kept) = 0;
 };

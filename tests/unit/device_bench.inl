@@ -75,6 +75,38 @@ class DeviceBenchOn final : public DeviceBench {
     return buffer.read(count + 1);
   }
 
+  std::vector<uint32_t> rounds(uint32_t count, uint32_t launches, uint32_t rounds, uint32_t period) override {
+    for (pbd::Buffer<uint32_t>* b : {&visits_, &beside_, &copied_, &sums_}) {
+      if (b->size() < count + 1) b->resize_discard(count + 1);
+    }
+    const pbd::View<uint32_t> visits = visits_.view().first(count), beside = beside_.view().first(count),
+                              copied = copied_.view().first(count), sums = sums_.view().first(count + 1);
+    const auto visit = [&](pbd::View<uint32_t> what) {
+      device_.parallel_for("test", what.count, bench_kernels::CountVisit{what});
+    };
+    std::vector<uint32_t> found;
+    for (uint32_t round = 0; round < rounds; ++round) {
+      device_.fill(visits.data, 0, count * sizeof(uint32_t));
+      device_.fill(beside.data, 0, count * sizeof(uint32_t));
+      for (uint32_t k = 0; k < launches; ++k) {
+        device_.at_once([&] { visit(visits); }, [&] { visit(beside); });
+      }
+      visit(visits.first(count - round % period));
+      device_.copy(copied.data, visits.data, count * sizeof(uint32_t));
+      device_.exclusive_scan("test", copied, sums);
+      uint32_t all = 0, one = 0;
+      device_.copy_out(&all, sums.data + count, sizeof all);
+      device_.copy_out(&one, beside.data, sizeof one);
+      found.push_back(all + one);
+    }
+    return found;
+  }
+
+  uint64_t graphs_sent() const override {
+    if constexpr (requires { device_.graphs_sent(); }) return device_.graphs_sent();
+    return 0;
+  }
+
   std::vector<uint32_t> resized(uint32_t from, uint32_t size, uint32_t kept) override {
     std::vector<uint32_t> values(from);
     std::iota(values.begin(), values.end(), 0u);
@@ -93,6 +125,8 @@ class DeviceBenchOn final : public DeviceBench {
   }
 
   D device_;
+  pbd::Buffer<uint32_t> visits_{device_, "visits"}, beside_{device_, "visits beside"},
+      copied_{device_, "copied visits"}, sums_{device_, "summed visits"};
 };
 
 }  // namespace meniscus::tests

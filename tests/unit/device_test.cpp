@@ -136,6 +136,46 @@ TEST_P(DeviceTest, ReduceGivesTheSameBitsEachTime) {
   for (int run = 0; run < 5; ++run) EXPECT_EQ(bench_->sum(values), first);
 }
 
+/// Few launches, which a GPU may be sent as a graph, and many; each count is seen once, and then again.
+TEST_P(DeviceTest, WorkThatRepeatsIsTheSameEachTime) {
+  for (uint32_t launches : {3u, 100u}) {
+    for (uint32_t repeats : {1u, 4u}) {
+      for (uint32_t count = 5000; count < 5060; ++count) {
+        const uint32_t expected = (launches + 1) * count + launches;
+        EXPECT_EQ(bench_->rounds(count, launches, repeats), std::vector<uint32_t>(repeats, expected))
+            << count;
+      }
+    }
+  }
+}
+
+/// From the second time on, unless too much else was new before.
+TEST_P(DeviceTest, WorkThatRepeatsIsAGraphOnAGpu) {
+  if (GetParam() == pbd::DeviceKind::cpu) GTEST_SKIP() << "has no graphs";
+  bench_->rounds(1000, 3, 1);
+  EXPECT_EQ(bench_->graphs_sent(), 0u);
+  bench_->rounds(1000, 3, 10);
+  EXPECT_GE(bench_->graphs_sent(), 9u);
+  const uint64_t before = bench_->graphs_sent();
+  for (uint32_t count = 100; count < 200; ++count) bench_->rounds(count, 3, 1);
+  EXPECT_EQ(bench_->graphs_sent(), before);
+  bench_->rounds(1000, 3, 10);
+  EXPECT_EQ(bench_->graphs_sent(), before);  // nothing is put together for a while
+  bench_->rounds(1000, 3, 1000);
+  EXPECT_GT(bench_->graphs_sent(), before + 300);
+}
+
+/// What differs by a launch is changed in the graph that there is.
+TEST_P(DeviceTest, WorkThatNearlyRepeatsIsRight) {
+  constexpr uint32_t count = 1000, launches = 3, repeats = 40, period = 7;
+  std::vector<uint32_t> expected;
+  for (uint32_t k = 0; k < repeats; ++k) expected.push_back((launches + 1) * count - k % period + launches);
+  EXPECT_EQ(bench_->rounds(count, launches, repeats, period), expected);
+  if (GetParam() == pbd::DeviceKind::cuda) {
+    EXPECT_GE(bench_->graphs_sent(), repeats - period - 1);
+  }
+}
+
 TEST_P(DeviceTest, ParallelForVisitsEachIndexOnce) {
   for (uint32_t size : sizes) {
     std::vector<uint32_t> expected(size + 1, 1);

@@ -37,12 +37,12 @@ CudaDevice::CudaDevice() {
   overlaps_launches_ = properties.major >= 9;
   multiprocessors_ = static_cast<uint32_t>(properties.multiProcessorCount);
   multiprocessor_bytes_ = properties.sharedMemPerMultiprocessor;
-  check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
+  check_cuda(cudaStreamCreateWithFlags(&streams_.main, cudaStreamNonBlocking), "creating a stream");
   // What runs on the side is short of threads and long: it goes first.
   int least = 0, most = 0;
   check_cuda(cudaDeviceGetStreamPriorityRange(&least, &most), "reading the stream priorities");
-  check_cuda(cudaStreamCreateWithPriority(&side_stream_, cudaStreamNonBlocking, most), "creating a stream");
-  for (cudaEvent_t* event : {&forked_, &joined_, &fence_})
+  check_cuda(cudaStreamCreateWithPriority(&streams_.side, cudaStreamNonBlocking, most), "creating a stream");
+  for (cudaEvent_t* event : {&streams_.forked, &streams_.joined, &fence_})
     check_cuda(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "creating an event");
   check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
   blocks_done_.resize_discard(1);
@@ -50,15 +50,16 @@ CudaDevice::CudaDevice() {
 }
 
 CudaDevice::~CudaDevice() {
-  cudaStreamSynchronize(stream_);
+  list_.clear();
+  cudaStreamSynchronize(streams_.main);
   scratch_.resize_discard(0);
   tile_sums_.resize_discard(0);
   blocks_done_.resize_discard(0);
-  for (cudaEvent_t event : {forked_, joined_, fence_}) cudaEventDestroy(event);
+  for (cudaEvent_t event : {streams_.forked, streams_.joined, fence_}) cudaEventDestroy(event);
   cudaFreeHost(pinned_);
   cudaFreeHost(times_);
-  cudaStreamDestroy(side_stream_);
-  cudaStreamDestroy(stream_);
+  cudaStreamDestroy(streams_.side);
+  cudaStreamDestroy(streams_.main);
 }
 
 void* CudaDevice::do_allocate(size_t bytes) {
@@ -72,7 +73,13 @@ void* CudaDevice::do_allocate(size_t bytes) {
   return memory;
 }
 
+/// What was launched before may still use it: cudaFree waits for that.
 void CudaDevice::do_release(void* memory) noexcept {
+  try {
+    send_off();
+  } catch (const Error&) {
+    // Then nothing uses it.
+  }
   cudaFree(memory);
 }
 
@@ -105,7 +112,7 @@ int CudaDevice::carveout_for(uint32_t blocks, size_t scratch_bytes) const {
 }
 
 void CudaDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
-  check_cuda(cudaMemcpyAsync(device_memory, host, bytes, cudaMemcpyHostToDevice, stream_),
+  check_cuda(cudaMemcpyAsync(device_memory, host, bytes, cudaMemcpyHostToDevice, stream()),
              "copying to the GPU");
 }
 
@@ -118,7 +125,7 @@ void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
            static_cast<const uint32_t*>(device_memory), static_cast<uint32_t*>(pinned_),
            static_cast<uint32_t>(bytes / sizeof(uint32_t)));
   } else {
-    check_cuda(cudaMemcpyAsync(host, device_memory, bytes, cudaMemcpyDeviceToHost, stream_),
+    check_cuda(cudaMemcpyAsync(host, device_memory, bytes, cudaMemcpyDeviceToHost, stream()),
                "copying from the GPU");
   }
   wait();
@@ -126,7 +133,9 @@ void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
 }
 
 void CudaDevice::copy(void* to, const void* from, size_t bytes) {
-  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, stream_), "copying on the GPU");
+  if (has_list()) return list_.add_copy(to, from, bytes, on_side_);
+  check_cuda(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, streams_.of(on_side_)),
+             "copying on the GPU");
 }
 
 void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
@@ -137,33 +146,55 @@ void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
     const auto words = static_cast<uint32_t>(bytes / sizeof(uint32_t));
     parallel_for("filling memory", (words + 3) / 4, FillWords{static_cast<uint32_t*>(memory), words, word});
   } else {
-    check_cuda(cudaMemsetAsync(memory, byte, bytes, stream_), "filling memory");
+    check_cuda(cudaMemsetAsync(memory, byte, bytes, stream()), "filling memory");
   }
+}
+
+/// Whether launches are put together at present. What is long is sent as it comes.
+bool CudaDevice::has_list() {
+  if (list_.size() >= LaunchGraphs::longest) end_list();
+  return is_listing_;
+}
+
+/// Until the next send_off() launches are sent as they come.
+void CudaDevice::end_list() {
+  if (!is_listing_) return;
+  is_listing_ = false;
+  graphs_.note_unfit();
+  const Clearing clearing{list_};
+  list_.send(streams_);
+}
+
+void CudaDevice::send_off() {
+  if (!is_listing_) graphs_.note_none();
+  is_listing_ = graphs_.wants_lists();
+  goes_back_ = false;  // or half of all lists were the other half's mirror images
+  if (list_.empty()) return;
+  const Clearing clearing{list_};
+  graphs_.send(list_, streams_);
 }
 
 void CudaDevice::wait() {
   flush_mark();
-  check_cuda(cudaStreamSynchronize(stream_), "running the kernels launched before");
+  check_cuda(cudaStreamSynchronize(stream()), "running the kernels launched before");
 }
 
 void CudaDevice::set_fence() {
-  check_cuda(cudaEventRecord(fence_, stream_), "recording an event");
+  check_cuda(cudaEventRecord(fence_, stream()), "recording an event");
 }
 
 void CudaDevice::wait_for_fence() {
   flush_mark();
+  send_off();
   check_cuda(cudaEventSynchronize(fence_), "running the kernels launched before");
 }
 
 void CudaDevice::fork() {
-  check_cuda(cudaEventRecord(forked_, stream_), "recording an event");
-  check_cuda(cudaStreamWaitEvent(side_stream_, forked_), "forking the stream");
+  has_list() ? list_.add_fork() : streams_.fork();
 }
 
-/// What fails here fails the next launch, too.
 void CudaDevice::join() noexcept {
-  cudaEventRecord(joined_, side_stream_);
-  cudaStreamWaitEvent(stream_, joined_);
+  has_list() ? list_.add_join() : streams_.join();
 }
 
 /// Blocks for long items beside `count` others: so many that they take about half as long as those.
@@ -202,14 +233,15 @@ void CudaDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<
                                 View<SumNote> note) {
   using namespace cuda_kernels;
   const uint32_t tiles = in.count ? (in.count + scan_tile - 1) / scan_tile : 1;
-  if (tile_sums_.size() < tiles || scans_ == TileSums::most_runs) {
+  if (tile_sums_.size() < tiles + 1 || scans_ == TileSums::most_runs) {
     wait();
-    tile_sums_.resize_discard(std::max<size_t>(tiles + tiles / 2, tile_sums_.size()));
+    tile_sums_.resize_discard(std::max<size_t>(tiles + 1 + tiles / 2, tile_sums_.size()));
     tile_sums_.fill(0);
     scans_ = 0;
   }
-  launch(name, tiles, scan_block, scan_tiles, in, out.data, note, SumUpTo{limit},
-         TileSums{tile_sums_.view().data, ++scans_});
+  ++scans_;
+  uint64_t* const memory = tile_sums_.view().data;
+  launch(name, tiles, scan_block, scan_tiles, in, out.data, note, SumUpTo{limit}, memory, memory + 1);
 }
 
 void CudaDevice::sort_pairs(const char* name, View<const uint32_t> keys, View<uint32_t> sorted_keys,
@@ -217,7 +249,7 @@ void CudaDevice::sort_pairs(const char* name, View<const uint32_t> keys, View<ui
   const auto sort = [&](void* memory, size_t& bytes) {
     check_cuda(
         cub::DeviceRadixSort::SortPairs(memory, bytes, keys.data, sorted_keys.data, values.data,
-                                        sorted_values.data, keys.count, 0, static_cast<int>(bits), stream_),
+                                        sorted_values.data, keys.count, 0, static_cast<int>(bits), stream()),
         name);
   };
   size_t bytes = 0;

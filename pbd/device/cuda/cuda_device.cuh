@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cub/block/block_reduce.cuh>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "pbd/device/cuda/batch.h"
 #include "pbd/device/cuda/cuda_check.cuh"
 #include "pbd/device/cuda/launch.cuh"
+#include "pbd/device/cuda/launch_graphs.h"
 #include "pbd/device/cuda/own_row.h"
 #include "pbd/device/cuda/team.h"
 #include "pbd/device/side_by_side.h"
@@ -93,11 +95,17 @@ struct Block {
 template <class Kernel>
 using BlockOf = Block<group_size<Kernel>()>;
 
-/// A kernel's part of a block, with what it prepares while the launch before still runs.
+/// Whether a block may do something while the launch before still runs.
+template <class Kernel, class Scratch>
+constexpr bool prepares = requires(const Kernel& kernel, const BlockOf<Kernel>& block, Scratch& scratch) {
+  kernel.prepare(block, scratch, 0u);
+};
+
+/// A kernel's part of a block, with what it prepares.
 template <class Kernel, class Scratch>
 __device__ void run_group(TimeMark mark, const Kernel& kernel, Scratch& scratch) {
   const BlockOf<Kernel> block;
-  if constexpr (requires { kernel.prepare(block, scratch, blockIdx.x); }) {
+  if constexpr (prepares<Kernel, Scratch>) {
     let_next_begin();
     kernel.prepare(block, scratch, blockIdx.x);
   }
@@ -214,7 +222,8 @@ __global__ void __launch_bounds__(reduce_block)
 
 }  // namespace cuda_kernels
 
-/// One NVIDIA GPU and one stream on it.
+/// One NVIDIA GPU and one stream on it. What is launched is put together until the host has to wait, or does
+/// something else with the stream, and then sent: see LaunchGraphs.
 class CudaDevice final : public Device {
  public:
   /// What a neighbour loop runs on: one neighbour at a time, a particle a thread.
@@ -235,11 +244,18 @@ class CudaDevice final : public Device {
   void copy(void* to, const void* from, size_t bytes) override;
   void fill(void* memory, unsigned char byte, size_t bytes) override;
   void wait() override;
+  void send_off() override;
   void set_fence() override;
   void wait_for_fence() override;
   void mark_time(uint32_t mark) override;
   double elapsed_ms(uint32_t from, uint32_t to) const override;
-  cudaStream_t stream() const { return stream_; }
+  /// For other libraries' work: what was launched before is on it.
+  cudaStream_t stream() {
+    send_off();
+    return streams_.main;
+  }
+  /// How often a graph was launched for a list of launches.
+  uint64_t graphs_sent() const { return graphs_.sent(); }
 
   /// See CpuDevice, whose members these mirror.
   template <class Kernel>
@@ -352,8 +368,8 @@ class CudaDevice final : public Device {
   };
   /// While one lives, launches go to the side stream.
   struct OnSideStream {
-    explicit OnSideStream(CudaDevice& on) : device(on) { std::swap(device.stream_, device.side_stream_); }
-    ~OnSideStream() { std::swap(device.stream_, device.side_stream_); }
+    explicit OnSideStream(CudaDevice& on) : device(on) { device.on_side_ = true; }
+    ~OnSideStream() { device.on_side_ = false; }
     CudaDevice& device;
   };
 
@@ -376,6 +392,8 @@ class CudaDevice final : public Device {
     const int carveout = carveout_for(count, sizeof(Scratch));
     if (last.exchange(carveout) != carveout)
       check_cuda(cudaFuncSetAttribute(run, cudaFuncAttributePreferredSharedMemoryCarveout, carveout), name);
+    // In a graph, what fills the GPU has no room to prepare in.
+    if (cuda_kernels::prepares<Kernel, Scratch> && count > multiprocessors_) end_list();
     launch(name, count, cuda_kernels::group_size<Kernel>(), run, kernel);
   }
   template <class Team, class Kernel, class TeamKernel>
@@ -389,24 +407,31 @@ class CudaDevice final : public Device {
            team_blocks, team_kernel);
   }
 
-  template <class... Parameters, class... Arguments>
-  void launch(const char* name, uint32_t blocks, uint32_t threads, void (*kernel)(Parameters...),
-              Arguments... arguments) {
-    cudaLaunchAttribute attribute{};
-    attribute.id = cudaLaunchAttributeProgrammaticStreamSerialization;
-    attribute.val.programmaticStreamSerializationAllowed = 1;
-    cudaLaunchConfig_t config{};
-    config.gridDim = blocks;
-    config.blockDim = threads;
-    config.stream = stream_;
-    config.attrs = &attribute;
-    config.numAttrs = overlaps_launches_ ? 1 : 0;
-    check_cuda(cudaLaunchKernelEx(&config, kernel, std::exchange(pending_mark_, {}), arguments...), name);
+  template <class... Parameters>
+  void launch(const char* name, uint32_t blocks, uint32_t threads,
+              void (*kernel)(cuda_kernels::TimeMark, Parameters...),
+              std::type_identity_t<Parameters>... parameters) {
+    cuda_kernels::TimeMark mark = std::exchange(pending_mark_, {});
+    const CudaLaunch launch{name, reinterpret_cast<const void*>(kernel), blocks, threads, overlaps_launches_};
+    if (has_list()) return list_.add(launch, on_side_, mark, parameters...);
+    void* arguments[] = {&mark, &parameters...};
+    launch.send(streams_.of(on_side_), arguments);
   }
+  bool has_list();
+  void end_list();
 
-  cudaStream_t stream_ = nullptr;
-  cudaStream_t side_stream_ = nullptr;
-  cudaEvent_t forked_ = nullptr, joined_ = nullptr, fence_ = nullptr;
+  /// Leaves a list empty, whatever comes of sending it.
+  struct Clearing {
+    LaunchList& list;
+    ~Clearing() { list.clear(); }
+  };
+
+  CudaStreams streams_;
+  cudaEvent_t fence_ = nullptr;
+  bool on_side_ = false;    // where launches go
+  bool is_listing_ = true;  // whether launches are put together until the next send_off()
+  LaunchList list_;
+  LaunchGraphs graphs_;
   std::string name_;
   bool overlaps_launches_ = false;
   bool goes_back_ = false;  // the last launch over many items

@@ -55,9 +55,10 @@ struct TileSums {
   }
 };
 
+/// `runs`: how many there were. All tiles have read it when the last one has their sums.
 static __global__ void __launch_bounds__(scan_block)
     scan_tiles(TimeMark mark, View<const uint32_t> in, uint32_t* out, View<SumNote> note, SumUpTo sum,
-               TileSums tiles) {
+               uint64_t* runs, uint64_t* tile_words) {
   wait_for_previous(mark);
   using Load = cub::BlockLoad<uint32_t, scan_block, scan_items, cub::BLOCK_LOAD_WARP_TRANSPOSE>;
   using Store = cub::BlockStore<uint32_t, scan_block, scan_items, cub::BLOCK_STORE_WARP_TRANSPOSE>;
@@ -69,6 +70,7 @@ static __global__ void __launch_bounds__(scan_block)
   } storage;
   __shared__ uint32_t shared_before;
 
+  const TileSums tiles{tile_words, static_cast<uint32_t>(*const_cast<const volatile uint64_t*>(runs)) + 1};
   const uint32_t tile = blockIdx.x, first = tile * scan_tile;
   const int valid = static_cast<int>(min(scan_tile, in.count - first));
   uint32_t items[scan_items], total;
@@ -84,6 +86,7 @@ static __global__ void __launch_bounds__(scan_block)
       if (tile + 1 == gridDim.x) {
         const uint32_t all = sum(before, total);
         out[in.count] = all;
+        *runs = tiles.run;
         if (note.count) note[0].take(all);
       }
     }

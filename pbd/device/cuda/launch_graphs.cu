@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cuda/launch_graphs.h"
+
+#include <algorithm>
+
+namespace meniscus::pbd {
+
+namespace {
+
+/// The node of what was just launched on a stream that is captured.
+cudaGraphNode_t last_node(cudaStream_t stream) {
+  cudaStreamCaptureStatus status = cudaStreamCaptureStatusNone;
+  const cudaGraphNode_t* nodes = nullptr;
+  size_t count = 0;
+#if CUDART_VERSION >= 13000
+  const cudaGraphEdgeData* edges = nullptr;
+  cudaStreamGetCaptureInfo(stream, &status, nullptr, nullptr, &nodes, &edges, &count);
+#elif CUDART_VERSION >= 12030
+  const cudaGraphEdgeData* edges = nullptr;
+  cudaStreamGetCaptureInfo_v3(stream, &status, nullptr, nullptr, &nodes, &edges, &count);
+#else
+  cudaStreamGetCaptureInfo_v2(stream, &status, nullptr, nullptr, &nodes, &count);
+#endif
+  return status == cudaStreamCaptureStatusActive && count == 1 ? nodes[0] : nullptr;
+}
+
+}  // namespace
+
+LaunchGraphs::~LaunchGraphs() {
+  for (Graph& graph : graphs_) graph.destroy();
+}
+
+void LaunchGraphs::Graph::destroy() {
+  if (executable) cudaGraphExecDestroy(executable);
+  if (graph) cudaGraphDestroy(graph);
+}
+
+void LaunchGraphs::send(const LaunchList& list, const CudaStreams& streams) {
+  if (list.size() < shortest || !list.is_whole() || !can_capture_) return list.send(streams);
+  Graph* graph = find(list);
+  if (graph) {
+    misses_ = 0;
+  } else {
+    note_miss();
+    if (graphs_.size() == most_graphs) graph = take_oldest(list);
+    if (!graph && has_seen(list.hash())) graph = build(list, streams);
+  }
+  if (!graph) return list.send(streams);
+  graph->last_use = ++sent_;
+  const auto place = static_cast<size_t>(graph - graphs_.data());
+  graphs_[last_].next = place;
+  last_ = place;
+  check_cuda(cudaGraphLaunch(graph->executable, streams.main), "launching a graph");
+}
+
+/// Most likely it is the one that came next the last time. That alone is changed: others' turns come as well.
+LaunchGraphs::Graph* LaunchGraphs::find(const LaunchList& list) {
+  if (graphs_.empty()) return nullptr;
+  const size_t likely = graphs_[last_].next;
+  if (likely != none && list.find_changes(graphs_[likely].list, most_changes, changes_))
+    return adopt(graphs_[likely], list);
+  const auto found = std::find_if(graphs_.begin(), graphs_.end(), [&](const Graph& graph) {
+    return list.find_changes(graph.list, 0, changes_);
+  });
+  return found == graphs_.end() ? nullptr : &*found;
+}
+
+/// Has the graph do what the list says.
+LaunchGraphs::Graph* LaunchGraphs::adopt(Graph& graph, const LaunchList& list) {
+  for (size_t item : changes_) {
+    if (graph.nodes[item] && list.set_node(graph.executable, graph.nodes[item], item) == cudaSuccess)
+      continue;
+    cudaGetLastError();  // clears it
+    graph.list.clear();  // it is like no other now
+    return nullptr;
+  }
+  if (!changes_.empty()) graph.list = list;
+  return &graph;
+}
+
+/// Changes all that differs in the oldest graph of the same kernels, which takes a tenth of a new one's time.
+LaunchGraphs::Graph* LaunchGraphs::take_oldest(const LaunchList& list) {
+  Graph* oldest = nullptr;
+  for (Graph& graph : graphs_) {
+    if ((!oldest || graph.last_use < oldest->last_use) &&
+        list.find_changes(graph.list, list.size(), changes_))
+      oldest = &graph;
+  }
+  return oldest && list.find_changes(oldest->list, list.size(), changes_) ? adopt(*oldest, list) : nullptr;
+}
+
+/// In the place of the oldest, if there are many.
+LaunchGraphs::Graph* LaunchGraphs::build(const LaunchList& list, const CudaStreams& streams) {
+  Graph built{.list = list};
+  can_capture_ = capture(built, streams);
+  if (!can_capture_) {
+    built.destroy();
+    cudaGetLastError();  // clears it
+    return nullptr;
+  }
+  if (graphs_.size() < most_graphs) {
+    graphs_.push_back(std::move(built));
+    return &graphs_.back();
+  }
+  Graph& oldest = *std::min_element(graphs_.begin(), graphs_.end(),
+                                    [](const Graph& a, const Graph& b) { return a.last_use < b.last_use; });
+  oldest.destroy();
+  oldest = std::move(built);
+  return &oldest;
+}
+
+/// What the list does when it is sent. Before CUDA 12.3 launches that overlap cannot be captured.
+bool LaunchGraphs::capture(Graph& to, const CudaStreams& streams) {
+  if (cudaStreamBeginCapture(streams.main, cudaStreamCaptureModeThreadLocal) != cudaSuccess) return false;
+  bool done = true;
+  try {
+    for (size_t k = 0; k < to.list.size(); ++k) {
+      to.list.send(k, streams);
+      to.nodes.push_back(to.list.is_launch(k) ? last_node(streams.of(to.list.is_on_side(k))) : nullptr);
+    }
+  } catch (const Error&) {
+    done = false;
+  }
+  return cudaStreamEndCapture(streams.main, &to.graph) == cudaSuccess && done &&
+         cudaGraphInstantiate(&to.executable, to.graph, 0) == cudaSuccess;
+}
+
+/// Whether a list like this one was new before; notes that it was.
+bool LaunchGraphs::has_seen(uint64_t hash) {
+  if (std::find(seen_.begin(), seen_.end(), hash) != seen_.end()) return true;
+  seen_[next_seen_++ % most_seen] = hash;
+  return false;
+}
+
+void LaunchGraphs::note_miss() {
+  if (++misses_ < most_misses) return;
+  misses_ = 0;
+  pause_ = pause;
+}
+
+}  // namespace meniscus::pbd

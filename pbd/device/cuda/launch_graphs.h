@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pbd/device/cuda/launch_list.h"
+
+namespace meniscus::pbd {
+
+/// Sends lists of launches, and those that come again as a CUDA graph: that takes the host as long as one
+/// launch. Steps with nothing new in them come again after a few, when all arrays that take turns have had
+/// theirs. A list that differs from the expected one by a few launches has its graph, with these changed;
+/// when there are many graphs, a new list has the one that was of no use for the longest time.
+class LaunchGraphs {
+ public:
+  LaunchGraphs() = default;
+  LaunchGraphs(const LaunchGraphs&) = delete;
+  LaunchGraphs& operator=(const LaunchGraphs&) = delete;
+  ~LaunchGraphs();
+
+  /// Longer ones keep the GPU busy while they are launched, and need not be put together.
+  static constexpr size_t longest = 160;
+
+  /// Whether lists are worth it at present: after many that were new they are not for some time.
+  bool wants_lists() const { return pause_ == 0; }
+  void send(const LaunchList& list, const CudaStreams& streams);
+  /// In the place of a list: one that is not for a graph, or was not wanted.
+  void note_unfit() { note_miss(); }
+  void note_none() {
+    if (pause_ > 0) --pause_;
+  }
+
+  /// How often a graph was sent.
+  uint64_t sent() const { return sent_; }
+
+ private:
+  static constexpr size_t none = ~size_t{0};
+
+  struct Graph {
+    LaunchList list;
+    cudaGraph_t graph = nullptr;
+    cudaGraphExec_t executable = nullptr;
+    std::vector<cudaGraphNode_t> nodes;  // by item, of launches
+    uint64_t last_use = 0;
+    size_t next = none;  // which graph followed it the last time
+
+    void destroy();
+  };
+
+  static constexpr size_t shortest = 4, most_graphs = 12, most_seen = 64;
+  static constexpr size_t most_changes = 12;  // each costs a third of a launch
+  static constexpr uint32_t most_misses = 48, pause = 1024;
+
+  Graph* find(const LaunchList& list);
+  Graph* adopt(Graph& graph, const LaunchList& list);
+  Graph* take_oldest(const LaunchList& list);
+  Graph* build(const LaunchList& list, const CudaStreams& streams);
+  static bool capture(Graph& graph, const CudaStreams& streams);
+  bool has_seen(uint64_t hash);
+  void note_miss();
+
+  std::vector<Graph> graphs_;
+  size_t last_ = 0;  // the graph that was sent last
+  std::vector<size_t> changes_;
+  std::array<uint64_t, most_seen> seen_{};  // hashes of lists that were new
+  size_t next_seen_ = 0;
+  uint32_t misses_ = 0;  // since the last graph was of use
+  uint32_t pause_ = 0;   // lists to come that are not put together
+  uint64_t sent_ = 0;
+  bool can_capture_ = true;
+};
+
+}  // namespace meniscus::pbd

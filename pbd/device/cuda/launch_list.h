@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Launches that are put together before they are sent.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "pbd/device/cuda/cuda_check.cuh"
+
+namespace meniscus::pbd {
+
+/// A stream, another beside it, and how they wait for one another.
+struct CudaStreams {
+  cudaStream_t main = nullptr, side = nullptr;
+  cudaEvent_t forked = nullptr, joined = nullptr;
+
+  cudaStream_t of(bool on_side) const { return on_side ? side : main; }
+  void fork() const {
+    check_cuda(cudaEventRecord(forked, main), "recording an event");
+    check_cuda(cudaStreamWaitEvent(side, forked), "forking the stream");
+  }
+  /// What fails here fails the next launch, too.
+  void join() const noexcept {
+    cudaEventRecord(joined, side);
+    cudaStreamWaitEvent(main, joined);
+  }
+};
+
+/// What a launch consists of but for its arguments.
+struct CudaLaunch {
+  const char* name;
+  const void* kernel;
+  uint32_t blocks, threads;
+  bool overlaps;  ///< whether it may be made ready while the one before still runs
+
+  bool operator==(const CudaLaunch&) const = default;
+  void send(cudaStream_t stream, void** arguments) const {
+    cudaLaunchAttribute attribute{};
+    attribute.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    attribute.val.programmaticStreamSerializationAllowed = 1;
+    cudaLaunchConfig_t config{};
+    config.gridDim = blocks;
+    config.blockDim = threads;
+    config.stream = stream;
+    config.attrs = &attribute;
+    config.numAttrs = overlaps ? 1 : 0;
+    check_cuda(cudaLaunchKernelExC(&config, kernel, arguments), name);
+  }
+};
+
+/// Launches, copies, forks and joins in their order, with all that they are given.
+class LaunchList {
+ public:
+  bool empty() const { return items_.empty(); }
+  size_t size() const { return items_.size(); }
+
+  template <class... Arguments>
+  void add(const CudaLaunch& launch, bool on_side, const Arguments&... arguments) {
+    add({.kind = Kind::launch, .on_side = on_side, .launch = launch});
+    (put(arguments), ...);
+  }
+  void add_copy(void* to, const void* from, size_t bytes, bool on_side) {
+    add({.kind = Kind::copy, .on_side = on_side, .to = to, .from = from, .bytes = bytes});
+  }
+  void add_fork() {
+    add({.kind = Kind::fork});
+    ++open_forks_;
+  }
+  void add_join() {
+    add({.kind = Kind::join});
+    --open_forks_;
+  }
+  void clear() {
+    items_.clear();
+    offsets_.clear();
+    bytes_.clear();
+    open_forks_ = 0;
+  }
+
+  void send(const CudaStreams& streams) const {
+    for (size_t k = 0; k < size(); ++k) send(k, streams);
+  }
+  /// Of these items one after the other.
+  void send(size_t item, const CudaStreams& streams) const;
+  /// Whether what it forks it joins.
+  bool is_whole() const { return open_forks_ == 0; }
+  bool is_launch(size_t item) const { return items_[item].kind == Kind::launch; }
+  bool is_on_side(size_t item) const { return items_[item].on_side; }
+
+  /// Which launches run the same kernel as before with other arguments or in other numbers, if that is all
+  /// the difference and they are at most so many; else false.
+  bool find_changes(const LaunchList& before, size_t most, std::vector<size_t>& changes) const;
+  /// Gives a graph's node what launch `item` has.
+  cudaError_t set_node(cudaGraphExec_t graph, cudaGraphNode_t node, size_t item) const;
+  /// The same for lists that are alike in everything.
+  uint64_t hash() const;
+
+ private:
+  enum class Kind : uint32_t { launch, copy, fork, join };
+  struct Item {
+    Kind kind;
+    bool on_side = false;
+    CudaLaunch launch{};
+    void* to = nullptr;
+    const void* from = nullptr;
+    size_t bytes = 0;
+    size_t first = 0;  // of its arguments
+
+    bool operator==(const Item&) const = default;
+  };
+
+  void add(Item item) {
+    item.first = offsets_.size();
+    items_.push_back(item);
+  }
+
+  /// Its bytes are what it is compared by: those that mean nothing are 0. A compiler that cannot tell them
+  /// has lists differ for no reason, and fewer graphs.
+  template <class T>
+  void put(T argument) {
+#if __has_builtin(__builtin_clear_padding)
+    __builtin_clear_padding(&argument);
+#endif
+    offsets_.push_back(bytes_.size());
+    bytes_.resize(bytes_.size() + (sizeof(T) + word - 1) / word * word);
+    std::memcpy(bytes_.data() + offsets_.back(), &argument, sizeof(T));
+  }
+  std::vector<void*>& arguments_of(size_t item) const;
+  bool has_equal_arguments(size_t item, const LaunchList& other) const;
+
+  static constexpr size_t word = sizeof(uint64_t);
+
+  std::vector<Item> items_;
+  std::vector<size_t> offsets_;  // of all arguments in `bytes_`
+  std::vector<std::byte> bytes_;
+  int open_forks_ = 0;
+  mutable std::vector<void*> arguments_;  // of the launch that is sent
+};
+
+}  // namespace meniscus::pbd
