@@ -205,6 +205,7 @@ template <class D>
 void BodySet<D>::end_step() {
   if (bodies_ == 0) return world_.set_time(start_time_ + double{step_time_});
   rest();
+  device_.send_off();
   side_.wait();
   world_.end_step();
   mean_forces_before_ = mean_forces_;

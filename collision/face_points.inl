@@ -147,6 +147,7 @@ void FacePoints<D>::end(pbd::Substep<D>& substep) {
   if (!any(substep)) return contacts_.end(substep);
   const Points all = points(substep);
   const pbd::ParticleView& p = substep.particles;
+  // Weighed anew, as vertices have put down what they bear.
   device_.parallel_for("faces/velocities", room_, PlaceVelocities{all, p, substep.contacts, pushed_.view()});
   device_.parallel_for("faces/weigh", room_, Weigh{all, p, substep.contacts, pushed_.view()});
   contacts_.end(substep);

@@ -305,7 +305,6 @@ struct HandBack {
 };
 
 /// Points take their triangles' velocities, and keep them in mind in `moved`, which nobody needs any more.
-/// They are weighed anew: vertices have put down what they bear.
 struct PlaceVelocities {
   Points points;
   ParticleView particles;

@@ -46,6 +46,7 @@ void World::write_particles(GlParticles& particles) const {
   }
   impl_->with_all().write_particles(
       {static_cast<Ellipsoid*>(lent[0].data), static_cast<uint32_t*>(lent[1].data)});
+  device.send_off();
 }
 
 }  // namespace meniscus

@@ -75,11 +75,7 @@ void* CudaDevice::do_allocate(size_t bytes) {
 
 /// What was launched before may still use it: cudaFree waits for that.
 void CudaDevice::do_release(void* memory) noexcept {
-  try {
-    send_off();
-  } catch (const Error&) {
-    // Then nothing uses it.
-  }
+  send_off_or_note();
   cudaFree(memory);
 }
 
@@ -91,6 +87,7 @@ void* CudaDevice::do_allocate_shared(size_t bytes) {
 }
 
 void CudaDevice::do_release_shared(void* memory) noexcept {
+  send_off_or_note();
   cudaFreeHost(memory);
 }
 
@@ -166,12 +163,22 @@ void CudaDevice::end_list() {
 }
 
 void CudaDevice::send_off() {
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   if (!is_listing_) graphs_.note_none();
   is_listing_ = graphs_.wants_lists();
   goes_back_ = false;  // or half of all lists were the other half's mirror images
   if (list_.empty()) return;
   const Clearing clearing{list_};
   graphs_.send(list_, streams_);
+}
+
+/// Where nothing may be thrown: the next send_off() does.
+void CudaDevice::send_off_or_note() noexcept {
+  try {
+    send_off();
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
 }
 
 void CudaDevice::wait() {
@@ -194,7 +201,7 @@ void CudaDevice::fork() {
 }
 
 void CudaDevice::join() noexcept {
-  has_list() ? list_.add_join() : streams_.join();
+  is_listing_ ? list_.add_join() : streams_.join();
 }
 
 /// Blocks for long items beside `count` others: so many that they take about half as long as those.

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cub/block/block_reduce.cuh>
+#include <exception>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -252,7 +253,7 @@ class CudaDevice final : public Device {
   /// For other libraries' work: what was launched before is on it.
   cudaStream_t stream() {
     send_off();
-    return streams_.main;
+    return streams_.of(on_side_);
   }
   /// How often a graph was launched for a list of launches.
   uint64_t graphs_sent() const { return graphs_.sent(); }
@@ -392,7 +393,7 @@ class CudaDevice final : public Device {
     const int carveout = carveout_for(count, sizeof(Scratch));
     if (last.exchange(carveout) != carveout)
       check_cuda(cudaFuncSetAttribute(run, cudaFuncAttributePreferredSharedMemoryCarveout, carveout), name);
-    // In a graph, what fills the GPU has no room to prepare in.
+    // In a graph, what fills the GPU does not prepare while the launch before runs.
     if (cuda_kernels::prepares<Kernel, Scratch> && count > multiprocessors_) end_list();
     launch(name, count, cuda_kernels::group_size<Kernel>(), run, kernel);
   }
@@ -419,6 +420,7 @@ class CudaDevice final : public Device {
   }
   bool has_list();
   void end_list();
+  void send_off_or_note() noexcept;
 
   /// Leaves a list empty, whatever comes of sending it.
   struct Clearing {
@@ -432,6 +434,7 @@ class CudaDevice final : public Device {
   bool is_listing_ = true;  // whether launches are put together until the next send_off()
   LaunchList list_;
   LaunchGraphs graphs_;
+  std::exception_ptr failure_;  // of what was sent where nothing may be thrown
   std::string name_;
   bool overlaps_launches_ = false;
   bool goes_back_ = false;  // the last launch over many items

@@ -47,11 +47,14 @@ void LaunchGraphs::send(const LaunchList& list, const CudaStreams& streams) {
     if (!graph && has_seen(list.hash())) graph = build(list, streams);
   }
   if (!graph) return list.send(streams);
-  graph->last_use = ++sent_;
   const auto place = static_cast<size_t>(graph - graphs_.data());
   graphs_[last_].next = place;
   last_ = place;
-  check_cuda(cudaGraphLaunch(graph->executable, streams.main), "launching a graph");
+  if (cudaGraphLaunch(graph->executable, streams.main) != cudaSuccess) {
+    cudaGetLastError();  // clears it: the first one needs memory
+    return list.send(streams);
+  }
+  graph->last_use = ++sent_;
 }
 
 /// Most likely it is the one that came next the last time. That alone is changed: others' turns come as well.
@@ -93,8 +96,7 @@ LaunchGraphs::Graph* LaunchGraphs::take_oldest(const LaunchList& list) {
 /// In the place of the oldest, if there are many.
 LaunchGraphs::Graph* LaunchGraphs::build(const LaunchList& list, const CudaStreams& streams) {
   Graph built{.list = list};
-  can_capture_ = capture(built, streams);
-  if (!can_capture_) {
+  if (!capture(built, streams)) {
     built.destroy();
     cudaGetLastError();  // clears it
     return nullptr;
@@ -112,6 +114,7 @@ LaunchGraphs::Graph* LaunchGraphs::build(const LaunchList& list, const CudaStrea
 
 /// What the list does when it is sent. Before CUDA 12.3 launches that overlap cannot be captured.
 bool LaunchGraphs::capture(Graph& to, const CudaStreams& streams) {
+  to.nodes.reserve(to.list.size());
   if (cudaStreamBeginCapture(streams.main, cudaStreamCaptureModeThreadLocal) != cudaSuccess) return false;
   bool done = true;
   try {
@@ -119,11 +122,11 @@ bool LaunchGraphs::capture(Graph& to, const CudaStreams& streams) {
       to.list.send(k, streams);
       to.nodes.push_back(to.list.is_launch(k) ? last_node(streams.of(to.list.is_on_side(k))) : nullptr);
     }
-  } catch (const Error&) {
+  } catch (...) {
     done = false;
   }
-  return cudaStreamEndCapture(streams.main, &to.graph) == cudaSuccess && done &&
-         cudaGraphInstantiate(&to.executable, to.graph, 0) == cudaSuccess;
+  can_capture_ = cudaStreamEndCapture(streams.main, &to.graph) == cudaSuccess && done;
+  return can_capture_ && cudaGraphInstantiate(&to.executable, to.graph, 0) == cudaSuccess;
 }
 
 /// Whether a list like this one was new before; notes that it was.

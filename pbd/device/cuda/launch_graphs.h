@@ -24,7 +24,7 @@ class LaunchGraphs {
   static constexpr size_t longest = 160;
 
   /// Whether lists are worth it at present: after many that were new they are not for some time.
-  bool wants_lists() const { return pause_ == 0; }
+  bool wants_lists() const { return can_capture_ && pause_ == 0; }
   void send(const LaunchList& list, const CudaStreams& streams);
   /// In the place of a list: one that is not for a graph, or was not wanted.
   void note_unfit() { note_miss(); }
@@ -57,7 +57,7 @@ class LaunchGraphs {
   Graph* adopt(Graph& graph, const LaunchList& list);
   Graph* take_oldest(const LaunchList& list);
   Graph* build(const LaunchList& list, const CudaStreams& streams);
-  static bool capture(Graph& graph, const CudaStreams& streams);
+  bool capture(Graph& graph, const CudaStreams& streams);
   bool has_seen(uint64_t hash);
   void note_miss();
 
@@ -67,7 +67,7 @@ class LaunchGraphs {
   std::array<uint64_t, most_seen> seen_{};  // hashes of lists that were new
   size_t next_seen_ = 0;
   uint32_t misses_ = 0;  // since the last graph was of use
-  uint32_t pause_ = 0;   // lists to come that are not put together
+  uint32_t pause_ = 0;   // how many more times nothing is put together
   uint64_t sent_ = 0;
   bool can_capture_ = true;
 };

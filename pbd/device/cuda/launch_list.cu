@@ -4,6 +4,15 @@
 
 namespace meniscus::pbd {
 
+void LaunchList::send(const CudaStreams& streams) const {
+  try {
+    for (size_t k = 0; k < size(); ++k) send(k, streams);
+  } catch (...) {
+    streams.join();
+    throw;
+  }
+}
+
 void LaunchList::send(size_t k, const CudaStreams& streams) const {
   const Item& item = items_[k];
   const cudaStream_t stream = streams.of(item.on_side);

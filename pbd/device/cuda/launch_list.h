@@ -70,26 +70,26 @@ class LaunchList {
   }
   void add_fork() {
     add({.kind = Kind::fork});
-    ++open_forks_;
+    is_forked_ = true;
   }
   void add_join() {
+    is_whole_ = is_whole_ && is_forked_;
     add({.kind = Kind::join});
-    --open_forks_;
+    is_forked_ = false;
   }
   void clear() {
     items_.clear();
     offsets_.clear();
     bytes_.clear();
-    open_forks_ = 0;
+    is_forked_ = false;
+    is_whole_ = true;
   }
 
-  void send(const CudaStreams& streams) const {
-    for (size_t k = 0; k < size(); ++k) send(k, streams);
-  }
+  void send(const CudaStreams& streams) const;
   /// Of these items one after the other.
   void send(size_t item, const CudaStreams& streams) const;
-  /// Whether what it forks it joins.
-  bool is_whole() const { return open_forks_ == 0; }
+  /// Whether what it forks it joins, and nothing else is on the side.
+  bool is_whole() const { return is_whole_ && !is_forked_; }
   bool is_launch(size_t item) const { return items_[item].kind == Kind::launch; }
   bool is_on_side(size_t item) const { return items_[item].on_side; }
 
@@ -116,6 +116,7 @@ class LaunchList {
   };
 
   void add(Item item) {
+    is_whole_ = is_whole_ && (is_forked_ || !item.on_side);
     item.first = offsets_.size();
     items_.push_back(item);
   }
@@ -124,7 +125,7 @@ class LaunchList {
   /// has lists differ for no reason, and fewer graphs.
   template <class T>
   void put(T argument) {
-#if __has_builtin(__builtin_clear_padding)
+#if __has_builtin(__builtin_clear_padding) && CUDART_VERSION >= 12040
     __builtin_clear_padding(&argument);
 #endif
     offsets_.push_back(bytes_.size());
@@ -139,7 +140,7 @@ class LaunchList {
   std::vector<Item> items_;
   std::vector<size_t> offsets_;  // of all arguments in `bytes_`
   std::vector<std::byte> bytes_;
-  int open_forks_ = 0;
+  bool is_forked_ = false, is_whole_ = true;
   mutable std::vector<void*> arguments_;  // of the launch that is sent
 };
 
