@@ -143,7 +143,7 @@ bool ClothSet<D>::prepares() const {
 template <class D>
 void ClothSet<D>::prepare(pbd::Substep<D>& substep) {
   if (!prepares()) return;
-  const double time = wind_.gusty ? time_ : 0;  // else no launch were like another
+  const double time = wind_.gusty ? time_ : 0;  // else no launch would be like the last
   device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
                              wind_kernels::BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
                                                            static_cast<float>(time), wind_force_.view()});

@@ -46,7 +46,7 @@ void World::write_particles(GlParticles& particles) const {
   }
   impl_->with_all().write_particles(
       {static_cast<Ellipsoid*>(lent[0].data), static_cast<uint32_t*>(lent[1].data)});
-  device.send_off();
+  device.send_off();  // what fails is told here, and not as the buffers are given back
 }
 
 }  // namespace meniscus

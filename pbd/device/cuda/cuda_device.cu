@@ -75,7 +75,7 @@ void* CudaDevice::do_allocate(size_t bytes) {
 
 /// What was launched before may still use it: cudaFree waits for that.
 void CudaDevice::do_release(void* memory) noexcept {
-  send_off_or_note();
+  send_list_or_note();
   cudaFree(memory);
 }
 
@@ -87,7 +87,7 @@ void* CudaDevice::do_allocate_shared(size_t bytes) {
 }
 
 void CudaDevice::do_release_shared(void* memory) noexcept {
-  send_off_or_note();
+  send_list_or_note();
   cudaFreeHost(memory);
 }
 
@@ -157,13 +157,17 @@ bool CudaDevice::has_list() {
 void CudaDevice::end_list() {
   if (!is_listing_) return;
   is_listing_ = false;
-  graphs_.note_unfit();
+  graphs_.note_miss();
   const Clearing clearing{list_};
   list_.send(streams_);
 }
 
 void CudaDevice::send_off() {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  send_list();
+}
+
+void CudaDevice::send_list() {
   if (!is_listing_) graphs_.note_none();
   is_listing_ = graphs_.wants_lists();
   goes_back_ = false;  // or half of all lists were the other half's mirror images
@@ -173,9 +177,9 @@ void CudaDevice::send_off() {
 }
 
 /// Where nothing may be thrown: the next send_off() does.
-void CudaDevice::send_off_or_note() noexcept {
+void CudaDevice::send_list_or_note() noexcept {
   try {
-    send_off();
+    send_list();
   } catch (...) {
     failure_ = std::current_exception();
   }

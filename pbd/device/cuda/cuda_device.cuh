@@ -393,7 +393,7 @@ class CudaDevice final : public Device {
     const int carveout = carveout_for(count, sizeof(Scratch));
     if (last.exchange(carveout) != carveout)
       check_cuda(cudaFuncSetAttribute(run, cudaFuncAttributePreferredSharedMemoryCarveout, carveout), name);
-    // In a graph, what fills the GPU does not prepare while the launch before runs.
+    // What prepares, and fills the GPU, takes longer in a graph.
     if (cuda_kernels::prepares<Kernel, Scratch> && count > multiprocessors_) end_list();
     launch(name, count, cuda_kernels::group_size<Kernel>(), run, kernel);
   }
@@ -420,7 +420,8 @@ class CudaDevice final : public Device {
   }
   bool has_list();
   void end_list();
-  void send_off_or_note() noexcept;
+  void send_list();
+  void send_list_or_note() noexcept;
 
   /// Leaves a list empty, whatever comes of sending it.
   struct Clearing {

@@ -57,6 +57,12 @@ void LaunchGraphs::send(const LaunchList& list, const CudaStreams& streams) {
   graph->last_use = ++sent_;
 }
 
+void LaunchGraphs::note_miss() {
+  if (++misses_ < most_misses) return;
+  misses_ = 0;
+  pause_ = pause;
+}
+
 /// Most likely it is the one that came next the last time. That alone is changed: others' turns come as well.
 LaunchGraphs::Graph* LaunchGraphs::find(const LaunchList& list) {
   if (graphs_.empty()) return nullptr;
@@ -134,12 +140,6 @@ bool LaunchGraphs::has_seen(uint64_t hash) {
   if (std::find(seen_.begin(), seen_.end(), hash) != seen_.end()) return true;
   seen_[next_seen_++ % most_seen] = hash;
   return false;
-}
-
-void LaunchGraphs::note_miss() {
-  if (++misses_ < most_misses) return;
-  misses_ = 0;
-  pause_ = pause;
 }
 
 }  // namespace meniscus::pbd

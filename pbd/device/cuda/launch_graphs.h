@@ -26,8 +26,9 @@ class LaunchGraphs {
   /// Whether lists are worth it at present: after many that were new they are not for some time.
   bool wants_lists() const { return can_capture_ && pause_ == 0; }
   void send(const LaunchList& list, const CudaStreams& streams);
-  /// In the place of a list: one that is not for a graph, or was not wanted.
-  void note_unfit() { note_miss(); }
+  /// A list that is new, or not for a graph.
+  void note_miss();
+  /// In the place of a list, where none is put together.
   void note_none() {
     if (pause_ > 0) --pause_;
   }
@@ -59,7 +60,6 @@ class LaunchGraphs {
   Graph* build(const LaunchList& list, const CudaStreams& streams);
   bool capture(Graph& graph, const CudaStreams& streams);
   bool has_seen(uint64_t hash);
-  void note_miss();
 
   std::vector<Graph> graphs_;
   size_t last_ = 0;  // the graph that was sent last
