@@ -60,6 +60,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }
   /// How often pairs were looked for in the last step.
   uint32_t listings() const { return found(self_contact_kernels::listings); }
+  /// And how often of these for a substep alone.
+  uint32_t brief_listings() const { return found(self_contact_kernels::brief); }
   /// Of the last step's substeps, the most pairs that would have passed through one another.
   uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
 
@@ -109,6 +111,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   float least_distance_ = 0;  // m: see FindCrossings
   float unit_ = 0;            // kg·m, of the integers that pushes are summed in
   bool anew_ = true;          // pairs are to be looked for, whatever is kept
+  /// Whether most of the last step's lists were made for a substep alone, and before that step.
+  bool is_brief_ = false, was_brief_ = false;
 
   pbd::Buffer<self_contact_kernels::Part> parts_{device_, "cloth contact parts"};
   pbd::Buffer<uint16_t> features_{device_, "cloth features"};
@@ -116,7 +120,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> neighbour_start_{device_, "cloth neighbourhoods"};
   pbd::Buffer<uint32_t> neighbours_{device_, "cloth neighbourhoods"};
   pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
-  pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"};
+  pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"},
+      wide_{device_, "places of cloth vertices"};
   pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // then: see TakenBack
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
   pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},

@@ -38,7 +38,7 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   const Listing listing{counters_.view()};
   device_.parallel_for("self contacts/keep", vertices_,
                        Keep{listing, previous, foreseen_.view(), vertex_part_.view(), parts_.view(),
-                            kept_.view(), counters_.view()});
+                            kept_.view(), wide_.view(), counters_.view()});
   tree_.refit(KeptBoxes{listing, {kept_.view()}});
   const pbd::SurfaceTreeView tree = tree_.view();
   device_.parallel_for_groups(
@@ -49,7 +49,7 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   constexpr uint32_t each = CandidateScratch::pairs;
   const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
   device_.parallel_for_groups("self contacts/candidates", blocks,
-                              FindCandidates{listing, {cloth(substep)}, pairs(), candidates_.view(), blocks});
+                              FindCandidates{listing, cloth(substep), pairs(), candidates_.view(), blocks});
 }
 
 template <class D>
@@ -64,7 +64,8 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
               vertex_part_.view(),
               parts_.view(),
               strayed_.view(),
-              {kept_.view()},
+              kept_.view(),
+              wide_.view(),
               foreseen_.view(),
               zones(),
               part_sums(),
@@ -73,7 +74,8 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
               counters_.view(),
               {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
                static_cast<uint32_t>(corners_.size())},
-              std::exchange(anew_, false)});
+              std::exchange(anew_, false),
+              is_brief_});
   list_pairs(substep);
   const uint32_t blocks = launched(candidates, candidates_.size()) / threads_together + 1;
   device_.parallel_for_groups("self contacts/contacts", blocks,
@@ -122,14 +124,8 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
     device_.parallel_for_groups("self contacts/folds", blocks_of<FoldScratch>(),
                                 FindFolds{cloth(substep), sheets(), zones(), folds(), round});
     device_.parallel_for_groups("self contacts/crossings", blocks,
-                                FindCrossings{{cloth(substep)},
-                                              candidates_.view(),
-                                              sheets(),
-                                              zones(),
-                                              folds(),
-                                              round,
-                                              blocks,
-                                              least_distance_});
+                                FindCrossings{cloth(substep), candidates_.view(), sheets(), zones(), folds(),
+                                              round, blocks, least_distance_});
     device_.parallel_for("self contacts/zones", vertices_,
                          GatherZones{previous, position, zones(), counters_.view(), round});
     device_.parallel_for("self contacts/move zones", vertices_,
@@ -171,6 +167,7 @@ void SelfContacts<D>::start_step() {
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
+  is_brief_ = 2 * brief_listings() > listings();
   return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }
@@ -222,6 +219,7 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   for (pbd::Buffer<uint32_t>* buffer : {&rough_, &smooth_, &fold_state_, &fold_noted_, &fold_list_})
     buffer->resize_discard(groups_);
   kept_.resize_discard(vertices_);
+  wide_.resize_discard(vertices_);
   foreseen_.resize_discard(vertices_);
   for (pbd::Buffer<uint32_t>* buffer : {&zone_label_, &zone_mark_, &zone_anchor_})
     buffer->resize_discard(vertices_);
@@ -277,11 +275,13 @@ void SelfContacts<D>::set_parts(std::span<const ContactPart> parts, std::span<co
 
 template <class D>
 void SelfContacts<D>::save() {
+  was_brief_ = is_brief_;
   if (!idle()) device_.copy(saved_strayed_.view().data, strayed_.view().data, vertices_ * sizeof(float));
 }
 
 template <class D>
 void SelfContacts<D>::restore() {
+  is_brief_ = was_brief_;
   if (!idle()) device_.copy(strayed_.view().data, saved_strayed_.view().data, vertices_ * sizeof(float));
 }
 

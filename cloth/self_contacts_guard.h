@@ -4,7 +4,7 @@
 // The last resort of cloth-to-cloth contacts: nothing goes through, whatever the solve has left.
 #pragma once
 
-#include "cloth/self_contacts_find.h"
+#include "cloth/self_contacts_features.h"
 #include "cloth/self_contacts_folds.h"
 #include "cloth/self_contacts_sieve.h"
 
@@ -22,7 +22,7 @@ struct Contain {
   View<uint32_t> counters;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (v == 0) counters[expired] = 0;  // what has expired was listed anew
+    if (v == 0) grow_old();
     if (vertex_part[v] == no_index) return;
     const Vec4 x = position[v], ahead = foreseen[v];
     const Vec3 from = previous[v].xyz(), to = ahead.xyz();
@@ -37,6 +37,13 @@ struct Contain {
     taken.add(v, x.xyz() - inside);
     position[v] = pbd::with_w(inside, x.w);
     moved[v] = pbd::shifted(moved[v], inside - x.xyz());
+  }
+
+ private:
+  /// What has expired was listed anew.
+  MENISCUS_HD void grow_old() const {
+    counters[age] = counters[expired] != 0 ? 1 : counters[age] + 1;
+    counters[expired] = counters[restless] = 0;
   }
 };
 
@@ -136,7 +143,7 @@ struct CrossingScratch {
 struct FindCrossings {
   using Scratch = CrossingScratch;
 
-  FeaturePairs features;
+  ClothState cloth;
   View<const FeatureCode> candidate_list;
   SheetViews sheets;
   Zones zones;
@@ -153,7 +160,7 @@ struct FindCrossings {
     Sieve(listed(candidate_list, folds.counters[candidates]), n, stride)
         .run(
             group, scratch.sieve, [&](uint32_t k) { return may_cross(load(candidate_list, k)); },
-            [&](uint32_t k) { check(features.cloth.corners_of(load(candidate_list, k))); });
+            [&](uint32_t k) { check(cloth.corners_of(load(candidate_list, k))); });
     check_folds(group, scratch, n);
   }
 
@@ -184,18 +191,19 @@ struct FindCrossings {
     if (other < g || !(folds.has_changed(g, round) || folds.has_changed(other, round))) return;
     group.for_each(1, [&](uint32_t) { scratch.hit_count = scratch.code_count = 0; });
     group.for_each(8, [&](uint32_t k) {
-      uint32_t mask = features.overlapping(8 * g + k, other);
+      uint32_t mask = overlapping(cloth.tree, 8 * g + k, other);
       for (; mask != 0; mask &= mask - 1)
         scratch.hits[pbd::append(scratch.hit_count, 1)] = 8 * k + pbd::lowest_bit(mask);
     });
     group.for_each(scratch.hit_count, [&](uint32_t n) {
       const GroupPair two = places_of({g, other}, scratch.hits[n]);
-      const PairsOfTwo found = features.of_two(two.first, two.second);
+      const PairsOfTwo found(own_features(cloth, two.first), own_features(cloth, two.second));
       uint32_t place = pbd::append(scratch.code_count, pbd::bit_count(found.mask));
-      found.for_each([&](FeatureCode code) { scratch.codes[place++] = code; });
+      for (uint32_t left = found.mask; left != 0; left &= left - 1)
+        scratch.codes[place++] = found.code(two, pbd::lowest_bit(left));
     });
     group.for_each(scratch.code_count, [&](uint32_t n) {
-      if (may_cross(scratch.codes[n])) check(features.cloth.corners_of(scratch.codes[n]));
+      if (may_cross(scratch.codes[n])) check(cloth.corners_of(scratch.codes[n]));
     });
   }
 
@@ -204,11 +212,11 @@ struct FindCrossings {
     if (!folds.has_changed(code.first_place() / 8, round) &&
         !folds.has_changed(code.second_place() / 8, round))
       return false;
-    const Corners corners = features.cloth.corners_of(code);
+    const Corners corners = cloth.corners_of(code);
     return (round == 0 || has_changed(corners)) && !(pbd::least_gap(pair_of(corners)) > least);
   }
   MENISCUS_HD FeaturePair pair_of(const Corners& corners) const {
-    return self_contact_kernels::pair_of(corners, features.cloth.previous, features.cloth.position);
+    return self_contact_kernels::pair_of(corners, cloth.previous, cloth.position);
   }
   MENISCUS_HD void check(const Corners& corners) const {
     const FeaturePair pair = pair_of(corners);
@@ -231,12 +239,12 @@ struct FindCrossings {
   }
   MENISCUS_HD bool nothing_moves(const Corners& corners) const {
     for (uint32_t k = 0; k < 4; ++k)
-      if (features.cloth.position[corners.vertex(k)].w != 0) return false;
+      if (cloth.position[corners.vertex(k)].w != 0) return false;
     return true;
   }
   /// m: what moves by no more than this may do so by the rounding of a zone's motion.
   MENISCUS_HD float rounding(const Corners& corners) const {
-    const Vec3 x = features.cloth.position[corners.vertex(0)].xyz();
+    const Vec3 x = cloth.position[corners.vertex(0)].xyz();
     return 1e-6f * max_component(max(x, -x));
   }
 };

@@ -26,15 +26,16 @@ struct Foresee {
   View<const Vec4> previous, position;  // by vertex
   View<const uint32_t> vertex_part;
   View<const Part> parts;
-  View<const float> strayed;  // m, in the last substep
-  KeptPlaces kept;
-  View<Vec4> foreseen;  // w: the room, m
+  View<const float> strayed;    // m, in the last substep
+  View<const Vec4> kept, wide;  // balls, see Keep
+  View<Vec4> foreseen;          // w: the room, m
   Zones zones;
   PartSums sums;
   Folds folds;
   View<uint32_t> entries, counters;
   Room room_for;
-  bool anew;  // whatever there is
+  bool anew;         // whatever there is
+  bool begin_brief;  // in that case: for a substep alone, see Keep
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (vertex_part[v] != no_index) foresee(v);
@@ -43,10 +44,12 @@ struct Foresee {
     for (uint32_t part = v; part < parts.count; part += vertex_part.count) sums.begin(part);
     entries[v] = 0;
     if (v != 0) return;
-    if (anew)
-      counters[listings] = counters[doomed] = 0;
-    else if (!room_for.sufficed(counters))
+    if (anew) {
+      counters[listings] = counters[brief] = counters[doomed] = 0;
+      counters[restless] = counters[age] = begin_brief;
+    } else if (!room_for.sufficed(counters)) {
       counters[doomed] = 1;
+    }
     counters[contacts] = counters[lost] = 0;
     for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
   }
@@ -56,8 +59,13 @@ struct Foresee {
     const float thickness = parts[vertex_part[v]].thickness;
     const float room = room_for_thickness * thickness + 0.25f * length(way) + 1.5f * strayed[v];
     foreseen[v] = pbd::with_w(x, room);
-    if (anew || length(x - kept.balls[v].xyz()) + room > kept.balls[v].w)
-      pbd::atomic_max(counters[expired], 1);
+    if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
+    if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[restless], 1);
+  }
+
+ private:
+  MENISCUS_HD static bool leaves(const Vec4& ball, Vec3 x, float room) {
+    return length(x - ball.xyz()) + room > ball.w;
   }
 };
 
@@ -70,20 +78,22 @@ struct Listing {
 };
 
 /// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
-/// it goes on as it does. What has no finite way stays nowhere and meets nothing, so that the step fails.
+/// it goes on as it does. Where such places did not even hold for the next substep, they are chosen for this
+/// one alone, and with them are far fewer pairs. What has no finite way stays nowhere and meets nothing, so
+/// that the step fails.
 struct Keep {
   Listing listing;
   View<const Vec4> previous, foreseen;
   View<const uint32_t> vertex_part;
   View<const Part> parts;
-  View<Vec4> kept;
+  View<Vec4> kept, wide;  // balls: the centre and the radius, m; wide: for many substeps, whichever is kept
   View<uint32_t> counters;
 
   // The balls of what lies side by side must not meet, or all of a rough sheet is listed.
-  static constexpr float longest = 16;     // substeps
-  static constexpr float furthest = 0.5f;  // of the thickness, if that takes more than this substep
-  static constexpr float leeway = 0.25f;   // of the thickness, to go otherwise
-  static constexpr float restless = 1.5f;  // times the room for what the solve moves, to go there and back
+  static constexpr float longest = 16;       // substeps
+  static constexpr float furthest = 0.5f;    // of the thickness, if that takes more than this substep
+  static constexpr float leeway = 0.25f;     // of the thickness, to go otherwise
+  static constexpr float to_and_fro = 1.5f;  // times the room for what the solve moves
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
@@ -91,6 +101,7 @@ struct Keep {
     if (v != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];
+    if (is_brief()) ++counters[brief];
   }
 
   MENISCUS_HD void keep(uint32_t v) const {
@@ -99,8 +110,15 @@ struct Keep {
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
     const float radius =
-        0.5f * substeps * far + foreseen[v].w + leeway * thickness + restless * pbd::max(0, solve);
-    kept[v] = pbd::with_w(from + 0.5f * substeps * way, radius < pbd::most_finite ? radius : NAN);
+        0.5f * substeps * far + foreseen[v].w + leeway * thickness + to_and_fro * pbd::max(0, solve);
+    wide[v] = ball(from + 0.5f * substeps * way, radius);
+    kept[v] = is_brief() ? ball(from + 0.5f * way, 0.5f * far + foreseen[v].w) : wide[v];
+  }
+
+ private:
+  MENISCUS_HD bool is_brief() const { return counters[restless] != 0 && counters[age] == 1; }
+  MENISCUS_HD static Vec4 ball(Vec3 centre, float radius) {
+    return pbd::with_w(centre, radius < pbd::most_finite ? radius : NAN);
   }
 };
 

@@ -40,7 +40,10 @@ enum Counter : uint32_t {
   contacts,
   group_pairs,
   expired,        // not 0: the lists of pairs hold no longer
+  restless,       // not 0: nor would such as are made for many substeps
+  age,            // of the lists, substeps
   listings,       // since the step's start
+  brief,          // of these, such as are made for a substep alone
   doomed,         // not 0: a list had no room, and the step will be done again
   lost,           // not 0: a vertex was taken back, and its momentum lost
   folded_sheets,  // groups whose sheets have folded, in this round of the guard
@@ -185,6 +188,9 @@ struct SheetViews {
 MENISCUS_HD inline uint32_t corner_of(const SurfaceTriangle& t, uint32_t k) {
   return k == 0 ? t.a : k == 1 ? t.b : t.c;
 }
+MENISCUS_HD constexpr uint32_t next_corner(uint32_t k) {
+  return k < 2 ? k + 1 : 0;
+}
 MENISCUS_HD inline bool has_vertex(const SurfaceTriangle& t, uint32_t v) {
   return t.a == v || t.b == v || t.c == v;
 }
@@ -229,8 +235,8 @@ struct ClothState {
                           t = load(tree.triangles, code.second_place());
     const uint32_t a = code.first & 7, b = code.second & 7;
     if (b == face) return {corner_of(s, a), t.a, t.b, t.c};
-    return {corner_of(s, a - 3) | Corners::edges_bit, corner_of(s, a == 5 ? 0 : a - 2), corner_of(t, b - 3),
-            corner_of(t, b == 5 ? 0 : b - 2)};
+    return {corner_of(s, a - 3) | Corners::edges_bit, corner_of(s, next_corner(a - 3)), corner_of(t, b - 3),
+            corner_of(t, next_corner(b - 3))};
   }
 };
 

@@ -99,16 +99,20 @@ class Particles {
   uint32_t capacity() const { return capacity_; }
   uint32_t sentinel() const { return capacity_; }
 
-  /// Room for `capacity` particles; those that are there stay.
-  void reserve(uint32_t capacity) {
-    const uint32_t size = capacity + padding;
-    position.reserve(size, count_);
-    velocity.reserve(size, count_);
+  /// Room for `capacity` particles; those that are there stay. `sorts`: whether any may be of fluids.
+  void reserve(uint32_t capacity, bool sorts) {
+    const uint32_t size = capacity + padding, next = sorts ? size : 0;
+    const auto reserve = [&](auto& values) {
+      values.current.resize_keep(size, count_);
+      values.next.resize_discard(next);
+    };
+    reserve(position);
+    reserve(velocity);
+    reserve(phase);
+    reserve(slot);
     previous.resize_discard(size);
     moved.resize_discard(size);
     predicted.resize_discard(size);
-    phase.reserve(size, count_);
-    slot.reserve(size, count_);
     aside_position_.resize_discard(size);
     aside_velocity_.resize_discard(size);
     aside_phase_.resize_discard(size);
@@ -162,7 +166,7 @@ class Particles {
     sorted_ = aside_sorted_;
     from_aside_ = false;
   }
-  /// The state that is to be predicted, and sorted into the next buffers.
+  /// The state that is to be predicted, and sorted into target().
   ParticleView source() {
     if (!from_aside_) return view();
     return {aside_position_.view(),
@@ -181,13 +185,19 @@ class Particles {
     device_.copy(velocity.next.view().data + sorted_, velocity.current.view().data + sorted_,
                  vertices() * sizeof(Vec4));
   }
-  /// What was sorted into the next buffers is the present state.
-  void flip() {
+  /// The next buffers; where there are no fluids, and each element stays in its place, the present ones.
+  template <class T>
+  View<T> target(DoubleBuffer<T>& values) {
+    return (sorted_ ? values.next : values.current).view();
+  }
+  /// What was sorted into target() is the present state.
+  void accept_sorted() {
+    from_aside_ = false;
+    if (sorted_ == 0) return;
     position.flip();
     velocity.flip();
     phase.flip();
     slot.flip();
-    from_aside_ = false;
   }
 
   ParticleView view() {
@@ -227,13 +237,13 @@ class Particles {
   void write_sentinels() {
     const Vec4 away[] = {{far_away, far_away, far_away, 0}};
     const Vec4 still[] = {{0, 0, 0, 0}};
-    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous, &predicted, &aside_position_})
-      b->write(away, sentinel());
-    for (Buffer<Vec4>* b : {&velocity.current, &velocity.next, &aside_velocity_}) b->write(still, sentinel());
     const Phase none[] = {0};
-    phase.current.write(none, sentinel());
-    phase.next.write(none, sentinel());
-    aside_phase_.write(none, sentinel());
+    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous, &predicted, &aside_position_})
+      if (b->size()) b->write(away, sentinel());
+    for (Buffer<Vec4>* b : {&velocity.current, &velocity.next, &aside_velocity_})
+      if (b->size()) b->write(still, sentinel());
+    for (Buffer<Phase>* b : {&phase.current, &phase.next, &aside_phase_})
+      if (b->size()) b->write(none, sentinel());
   }
 
   void swap_with_aside() {

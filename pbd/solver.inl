@@ -178,12 +178,11 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
     order = search_.sort(prediction, p.sorted());
   }
   const ParticleView from = p.source();
-  device_.parallel_for(
-      "reorder", p.count(),
-      solver_kernels::Reorder{order, prediction, from.phase, from.slot, p.position.next.view(),
-                              p.previous.view(), p.moved.view(), p.velocity.next.view(), p.phase.next.view(),
-                              p.slot.next.view()});
-  p.flip();
+  device_.parallel_for("reorder", p.count(),
+                       solver_kernels::Reorder{order, prediction, from.phase, from.slot, p.target(p.position),
+                                               p.previous.view(), p.moved.view(), p.target(p.velocity),
+                                               p.target(p.phase), p.target(p.slot)});
+  p.accept_sorted();
 }
 
 /// Contacts are found while neighbours are listed and sets prepare.
@@ -307,7 +306,7 @@ void Solver<D>::reserve_all(uint32_t fluid, uint32_t vertices) {
   const uint32_t with_state = fluid ? capacity : 0;
   for (ConstraintSet<D>* set : sets_) set->reserve(with_state, particles_.sorted());
   for (VelocityPass<D>* pass : passes_) pass->reserve(with_state);
-  particles_.reserve(capacity);
+  particles_.reserve(capacity, fluid > 0);
   search_.reserve(fluid);
   contacts_.reserve(capacity);
 }

@@ -43,7 +43,7 @@ struct Predict {
 };
 
 /// Brings the state into sorted order, in which everything is from here on; v += h·g on the way. What is not
-/// sorted stays where it is.
+/// sorted stays where it is, and may be written over what it was read from.
 struct Reorder {
   CellOrder order;
   Prediction prediction;
@@ -55,8 +55,9 @@ struct Reorder {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t from = i < order.placed.count ? order.find(i) : i;
-    const Vec4 x = load(prediction.position, from);
-    const Vec4 before = load(prediction.velocity, from);
+    const Vec4 x = prediction.position[from], before = prediction.velocity[from];
+    const Phase present_phase = phase[from];
+    const uint32_t present_slot = slot[from];
     const Vec3 v = prediction.velocity_of(x, before);
     const Vec3 unlimited = advanced(x, v, prediction.dt);
     const Vec3 p = prediction.limited.count ? load(prediction.limited, from).xyz() : unlimited;
@@ -64,8 +65,8 @@ struct Reorder {
     previous[i] = x;
     moved[i] = with_w(p - unlimited, x.w);
     sorted_velocity[i] = with_w(v, before.w);
-    sorted_phase[i] = load(phase, from);
-    sorted_slot[i] = load(slot, from);
+    sorted_phase[i] = present_phase;
+    sorted_slot[i] = present_slot;
   }
 };
 

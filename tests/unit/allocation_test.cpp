@@ -126,6 +126,21 @@ TEST_P(AllocationTest, AWorldKnowsBeforeItsFirstStepWhatItTakes) {
   EXPECT_LT(static_cast<double>(world.device_bytes()), 1.1 * static_cast<double>(sum));
 }
 
+// Where nothing is sorted there is no array to sort into.
+TEST_P(AllocationTest, ClothAloneTakesHalfOfWhatItsStateTakesBesideFluid) {
+  const auto bytes = [&](bool with_fluid) {
+    World world(world_def(GetParam(), 0.05f));
+    if (with_fluid) world.add_particles(world.create_fluid({}), std::vector<Vec3>{{5, 5, 5}});
+    world.create_cloth(sheet(0.4f, 0.4f, 100, 100));
+    world.step(0.016f);
+    size_t sum = 0;
+    for (const MemoryShare& share : world.memory_shares())
+      if (share.what == "particle positions" || share.what == "particle velocities") sum += share.bytes;
+    return static_cast<double>(sum);
+  };
+  EXPECT_NEAR(bytes(false) / bytes(true), 0.5, 0.1);  // there is room for more than one drop
+}
+
 TEST_P(AllocationTest, LookingAtAWorldTwiceTakesNoMoreMemory) {
   World world = pool();
   run(world, 20, 0.016f);

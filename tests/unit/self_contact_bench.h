@@ -62,6 +62,7 @@ class SelfContactBench {
   virtual uint32_t most_contacts() = 0;
   virtual uint32_t most_crossings() = 0;
   virtual uint32_t listings() = 0;
+  virtual uint32_t brief_listings() = 0;
   /// By box: the triangles whose ways, widened by `reach`, overlap it; ascending. A thread looks for them, or
   /// a warp.
   virtual std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from,

@@ -204,10 +204,23 @@ TEST_P(SelfContactTest, PairsAreLookedForAsOftenAsClothMoves) {
   const auto b = bench(c);
   for (int k = 0; k < 40; ++k) b->step(5 * substep);
   EXPECT_EQ(b->listings(), 1u);  // of 5 substeps
+  EXPECT_EQ(b->brief_listings(), 0u);
   const ClothCase fast = two_sheets(2 * thickness, 3, 9);
   const auto other = bench(fast);
   other->step(5 * substep);
   EXPECT_GE(other->listings(), 3u);
+}
+
+// Those for many substeps that would not hold for two are not made, nor at the next step's start; once they
+// would hold they are made again.
+TEST_P(SelfContactTest, PairsOfFastClothAreLookedForForASubstepAlone) {
+  const ClothCase c = two_sheets(20 * thickness, 3, 9);
+  const auto b = bench(c);
+  b->step(5 * substep);
+  EXPECT_EQ(b->listings(), 5u);
+  EXPECT_EQ(b->brief_listings(), 4u);
+  b->step(5 * substep);
+  EXPECT_EQ(b->brief_listings(), 5u);
 }
 
 TEST_P(SelfContactTest, SameBitsForAnyNumberOfThreads) {
