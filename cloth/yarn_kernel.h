@@ -60,8 +60,8 @@ struct SolveYarns {
   /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
   View<const uint32_t> bearing;
   bool starts;
-  /// The first after what was put aside, beside which λ of the last substep stands: only that says how taut
-  /// the yarn is.
+  /// The first after what was put aside, beside which λ of the last substep stands: what was taut then
+  /// resists as it did.
   bool takes_over;
   uint32_t first, end;  ///< yarns of the layer
 
@@ -249,7 +249,8 @@ class SolveYarnsAtOnce {
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
                                             Real(opening_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
-    const Real before = kept_ * (s_.takes_over ? yarns_.if_edge(k, along(multiplier.xyz(), n)) : last);
+    const Real so_far = s_.takes_over ? yarns_.if_edge(k, along(multiplier.xyz(), n)) : last;
+    const Real before = kept_ * so_far;
     Real rate = dot(n, d - then);
     if (puts_aside()) {
       error = dot(n, b.w * pending(to) - a.w * pending(from));
@@ -266,7 +267,7 @@ class SolveYarnsAtOnce {
         rows, k,
         {if_live((Real(1) + gamma) * a.w, zero), if_live(compliance + Real(guard) * weight, Real(1)),
          if_live((Real(1) + gamma) * b.w, zero), if_live(-error - compliance * before - gamma * rate, zero)});
-    stiffness(k) = resistance(last, rest);
+    stiffness(k) = resistance(select_less(last, zero, last, so_far), rest);
     scratch_.rest_length[k] = rest;
     scratch_.weight[k + 1] = b.w;
     if (k == 0) scratch_.weight[0] = a.w;

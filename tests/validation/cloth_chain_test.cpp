@@ -51,7 +51,8 @@ TEST_P(ClothChain, ARopeHangsAsACatenary) {
   }
 }
 
-// Started straight, pressed together. Half a millisecond a substep.
+// Started straight, pressed together. Half a millisecond a substep. In air so thick that it sinks into its
+// shape: where it flies it may turn once about itself on its way, and then it hangs flatter by 1.4 %.
 TEST_P(ClothChain, AStripOfClothHangsAsACatenary) {
   for (const Catenary& c : catenaries) {
     World world(cloth_world(GetParam(), 40, 10));
@@ -62,7 +63,7 @@ TEST_P(ClothChain, AStripOfClothHangsAsACatenary) {
     def.fabric.bending_stiffness = def.fabric.stretch_damping = def.fabric.lift = 0;
     const ClothId id = world.create_cloth(def);
     world.create_attachment(attach(id, column_of(def, 0) + column_of(def, segments)));
-    settle(world, 10, 200);
+    settle(world, 20, 3000);
     std::vector<Vec3> middle;
     for (int k = 0; k <= segments; ++k)
       middle.push_back(mean_of(world.cloth_positions(id), column_of(def, k)));
