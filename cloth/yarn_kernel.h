@@ -60,9 +60,6 @@ struct SolveYarns {
   /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
   View<const uint32_t> bearing;
   bool starts;
-  /// The first after what was put aside, beside which λ of the last substep stands: what was taut then
-  /// resists as it did.
-  bool takes_over;
   uint32_t first, end;  ///< yarns of the layer
 
   /// Brings constants near: of edges the lengths at rest, and as diagonals their compliances.
@@ -239,8 +236,8 @@ class SolveYarnsAtOnce {
     const Places at = yarns_.edge(k), from = start_of(k), to = end_of(k);
     const Vec4Of<Real> a = gather(positions(), from.index()), b = gather(positions(), to.index());
     const auto [rest, soft] = constants(rows, k);
-    const Vec4Of<Real> multiplier = gather(s_.multiplier, at.index());
-    const Real last = yarns_.if_edge(k, multiplier.w);
+    const Real last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
+    const Real before = kept_ * last;
     const Vector d = b.xyz() - a.xyz();
     const Vector then = gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
     const Real l = square_root(dot(d, d)), weight = a.w + b.w;
@@ -249,8 +246,6 @@ class SolveYarnsAtOnce {
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
                                             Real(opening_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
-    const Real so_far = s_.takes_over ? yarns_.if_edge(k, along(multiplier.xyz(), n)) : last;
-    const Real before = kept_ * so_far;
     Real rate = dot(n, d - then);
     if (puts_aside()) {
       error = dot(n, b.w * pending(to) - a.w * pending(from));
@@ -267,7 +262,7 @@ class SolveYarnsAtOnce {
         rows, k,
         {if_live((Real(1) + gamma) * a.w, zero), if_live(compliance + Real(guard) * weight, Real(1)),
          if_live((Real(1) + gamma) * b.w, zero), if_live(-error - compliance * before - gamma * rate, zero)});
-    stiffness(k) = resistance(select_less(last, zero, last, so_far), rest);
+    stiffness(k) = resistance(last, rest);
     scratch_.rest_length[k] = rest;
     scratch_.weight[k + 1] = b.w;
     if (k == 0) scratch_.weight[0] = a.w;
@@ -295,13 +290,8 @@ class SolveYarnsAtOnce {
   MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
     if (s_.starts && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
     const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
-    const Real kept = yarns_.if_edge(k, kept_), lambda = s_.takes_over ? along(v.xyz(), edge(k).n) : v.w;
-    return {kept * v.x, kept * v.y, kept * v.z, kept * lambda};
-  }
-  /// λ of an edge that pushes along itself, in whichever direction.
-  MENISCUS_HD static Real along(const Vector& push, const Vector& n) {
-    const Real size = square_root(dot(push, push));
-    return select_less(dot(push, n), Real(0), -size, size);
+    const Real kept = yarns_.if_edge(k, kept_);
+    return {kept * v.x, kept * v.y, kept * v.z, kept * v.w};
   }
   /// What an edge is to do beyond what it has given, kg·m.
   struct Change {
@@ -363,8 +353,7 @@ class SolveYarnsAtOnce {
   }
   MENISCUS_HD void note_aside(uint32_t k) const {
     const Vector push = change(k).whole;
-    const Real last = gather(s_.multiplier, yarns_.edge(k).index()).w;
-    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, last},
+    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, edge(k).lambda},
             yarns_.have_edge(k) & ~less_mask(Real(0), bears_));
   }
   /// What is not there is pushed by nothing.
