@@ -167,7 +167,8 @@ void SelfContacts<D>::start_step() {
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  is_brief_ = 2 * brief_listings() > listings();
+  is_brief_ =
+      2 * brief_listings() > listings();  // known only now; where there was no room, restore() follows
   return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }

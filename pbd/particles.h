@@ -76,9 +76,10 @@ struct DoubleBuffer {
 
   DoubleBuffer(Device& device, const char* what) : current(device, what), next(device, what) {}
   void flip() { current.swap(next); }
-  void reserve(uint32_t size, uint32_t kept) {
+  /// Those that stay in their places need no next one.
+  void reserve(uint32_t size, uint32_t kept, bool flips = true) {
     current.resize_keep(size, kept);
-    next.resize_discard(size);
+    next.resize_discard(flips ? size : 0);
   }
 };
 
@@ -101,15 +102,11 @@ class Particles {
 
   /// Room for `capacity` particles; those that are there stay. `sorts`: whether any may be of fluids.
   void reserve(uint32_t capacity, bool sorts) {
-    const uint32_t size = capacity + padding, next = sorts ? size : 0;
-    const auto reserve = [&](auto& values) {
-      values.current.resize_keep(size, count_);
-      values.next.resize_discard(next);
-    };
-    reserve(position);
-    reserve(velocity);
-    reserve(phase);
-    reserve(slot);
+    const uint32_t size = capacity + padding;
+    position.reserve(size, count_, sorts);
+    velocity.reserve(size, count_, sorts);
+    phase.reserve(size, count_, sorts);
+    slot.reserve(size, count_, sorts);
     previous.resize_discard(size);
     moved.resize_discard(size);
     predicted.resize_discard(size);
