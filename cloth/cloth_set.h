@@ -83,10 +83,11 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   View<Vec4> yarn_multiplier() { return edge_multiplier_.view().from(first_yarn_edge_); }
   /// How constraints are gone over.
   struct Turn {
-    bool starts = false;     ///< the substep's multipliers
-    bool backwards = false;  ///< through passes, colours and layers
-    bool goes_on = false;    ///< from the round before
-    bool ends = false;       ///< what the substep does to edges
+    bool starts = false;      ///< the substep's multipliers
+    bool backwards = false;   ///< through passes, colours and layers
+    bool goes_on = false;     ///< from the round before
+    bool takes_over = false;  ///< what yarns were put aside
+    bool ends = false;        ///< what the substep does to edges
   };
   void bend(pbd::Substep<D>& substep, const Turn& turn);
   void stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn);

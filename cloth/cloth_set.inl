@@ -225,7 +225,9 @@ void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn
                      .goes_on = round > 0,
                      .ends = turn.ends && left == 0};
     const bool any_starts = !starts_from_last() || may_bear(substep);
-    const Turn yarns{.starts = edges.starts && any_starts, .backwards = edges.backwards};
+    const Turn yarns{.starts = edges.starts && any_starts,
+                     .backwards = edges.backwards,
+                     .takes_over = edges.starts && starts_from_last()};
     if (turn.backwards) solve_yarns(substep, yarns);
     sweep(substep, bending_passes_, stretch_end, edges);
     if (!turn.backwards) solve_yarns(substep, yarns);
@@ -272,6 +274,7 @@ void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<V
                    .pressed = substep.pressed,
                    .bearing = starts_from_last() && may_bear(substep) ? bearing_.view() : View<uint32_t>{},
                    .starts = turn.starts,
+                   .takes_over = turn.takes_over,
                    .first = 0,
                    .end = 0};
   const size_t layers = layer_starts_.size() - 1;

@@ -130,6 +130,8 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                          GatherZones{previous, position, zones(), counters_.view(), round});
     device_.parallel_for("self contacts/move zones", vertices_,
                          MoveZones{cloth(substep),
+                                   substep.contacts,
+                                   p.sorted,
                                    position,
                                    moved,
                                    zones(),

@@ -128,10 +128,15 @@ struct PartSums {
 };
 
 /// Gives vertices the motion of their zones. Nothing leaves the place that its pairs were looked for in: a
-/// zone that would have to, stops in the next round. Where the last round there is still finds something, all
-/// stay where they were.
+/// zone that would have to, stops in the next round, as does one that would go into a solid. Where the last
+/// round there is still finds something, all stay where they were.
 struct MoveZones {
+  /// Of its radius: no zone takes a vertex nearer than that to a solid that does not give way.
+  static constexpr float least_distance = 0.25f;
+
   ClothState cloth;
+  pbd::ContactView contacts;   // of all particles
+  uint32_t sorted;             // see ParticleView
   View<Vec4> position, moved;  // by vertex
   Zones zones;
   TakenBack taken;
@@ -152,8 +157,8 @@ struct MoveZones {
     const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
     const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
     const Vec3 inside = cloth.kept.inside(v, to);
-    const bool stops = inside != to;
-    const Vec3 way = stops ? inside - from : wanted;
+    const bool leaves = inside != to, stops = leaves || (!stays && enters_solid(v, from, to));
+    const Vec3 way = leaves ? inside - from : wanted;
     // Of a zone that stays each loses its share of the whole, as if the zone had gone on.
     const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
     if (due != way) taken.add(v, due - way);
@@ -164,6 +169,16 @@ struct MoveZones {
     moved[v] = pbd::shifted(moved[v], way - now);
   }
 
+  MENISCUS_HD bool enters_solid(uint32_t v, Vec3 from, Vec3 to) const {
+    for (uint32_t k = contacts.start[sorted + v]; k < contacts.start[sorted + v + 1]; ++k) {
+      const pbd::Contact& c = contacts.contacts[k];
+      const bool gives_way = c.body == pbd::on_sheet || c.body_inverse_mass > 0 || is_tie(c);
+      const float distance = plane_distance(c, to);
+      if (!gives_way && distance < least_distance * c.radius && distance < plane_distance(c, from))
+        return true;
+    }
+    return false;
+  }
   MENISCUS_HD Vec3 motion_of(uint32_t name) const {
     const uint32_t anchor = zones.anchor[name];
     if (anchor != Zones::itself) return position[anchor - 1].xyz() - cloth.previous[anchor - 1].xyz();

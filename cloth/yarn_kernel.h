@@ -60,6 +60,9 @@ struct SolveYarns {
   /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
   View<const uint32_t> bearing;
   bool starts;
+  /// The first after what was put aside, beside which λ of the last substep stands: only that says how taut
+  /// the yarn is.
+  bool takes_over;
   uint32_t first, end;  ///< yarns of the layer
 
   /// Brings constants near: of edges the lengths at rest, and as diagonals their compliances.
@@ -236,8 +239,8 @@ class SolveYarnsAtOnce {
     const Places at = yarns_.edge(k), from = start_of(k), to = end_of(k);
     const Vec4Of<Real> a = gather(positions(), from.index()), b = gather(positions(), to.index());
     const auto [rest, soft] = constants(rows, k);
-    const Real last = yarns_.if_edge(k, gather(s_.multiplier, at.index()).w);
-    const Real before = kept_ * last;
+    const Vec4Of<Real> multiplier = gather(s_.multiplier, at.index());
+    const Real last = yarns_.if_edge(k, multiplier.w);
     const Vector d = b.xyz() - a.xyz();
     const Vector then = gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
     const Real l = square_root(dot(d, d)), weight = a.w + b.w;
@@ -246,6 +249,7 @@ class SolveYarnsAtOnce {
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
                                             Real(opening_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
+    const Real before = kept_ * (s_.takes_over ? yarns_.if_edge(k, along(multiplier.xyz(), n)) : last);
     Real rate = dot(n, d - then);
     if (puts_aside()) {
       error = dot(n, b.w * pending(to) - a.w * pending(from));
@@ -290,8 +294,13 @@ class SolveYarnsAtOnce {
   MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
     if (s_.starts && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
     const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
-    const Real kept = yarns_.if_edge(k, kept_);
-    return {kept * v.x, kept * v.y, kept * v.z, kept * v.w};
+    const Real kept = yarns_.if_edge(k, kept_), lambda = s_.takes_over ? along(v.xyz(), edge(k).n) : v.w;
+    return {kept * v.x, kept * v.y, kept * v.z, kept * lambda};
+  }
+  /// λ of an edge that pushes along itself, in whichever direction.
+  MENISCUS_HD static Real along(const Vector& push, const Vector& n) {
+    const Real size = square_root(dot(push, push));
+    return select_less(dot(push, n), Real(0), -size, size);
   }
   /// What an edge is to do beyond what it has given, kg·m.
   struct Change {
@@ -353,7 +362,8 @@ class SolveYarnsAtOnce {
   }
   MENISCUS_HD void note_aside(uint32_t k) const {
     const Vector push = change(k).whole;
-    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, edge(k).lambda},
+    const Real last = gather(s_.multiplier, yarns_.edge(k).index()).w;
+    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, last},
             yarns_.have_edge(k) & ~less_mask(Real(0), bears_));
   }
   /// What is not there is pushed by nothing.

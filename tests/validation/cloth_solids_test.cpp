@@ -147,8 +147,9 @@ class ClothSolids : public OnDevice {
 TEST_P(ClothSolids, ABallThatMoves) {
   expect_kept_out(ball(), Mover::solid, {1, 5, 20}, 1);
 }
+// Cloth that folds up around it: what is joined by the last resort of self-contacts must stay out as well.
 TEST_P(ClothSolids, ABallThatIsHit) {
-  expect_kept_out(ball(), Mover::cloth, {1, 5, 20}, 1);
+  expect_kept_out(ball(), Mover::cloth, {1, 5, 14.5f, 18.75f, 19.5f, 20, 24, 25}, 1);
 }
 TEST_P(ClothSolids, ACornerThatMoves) {
   expect_kept_out(cube(), Mover::solid, {1, 5, 20}, 1);

@@ -65,8 +65,8 @@ struct ClothSolverDef {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear, 1 to 1.3
   /// Share of what edges outside yarns, such as diagonals, last pushed or pulled with, to start from; 0 to
   /// 0.95. With more of it, shear is as stiff as it should be in fewer substeps, and fine sheets take longer
-  /// to come to rest. Pieces near fluid or dynamic bodies start from nothing, whatever this is. Fine sheets
-  /// that swing without tethers fly apart with it at less than some five iterations a frame.
+  /// to come to rest. Pieces near fluid or dynamic bodies start from nothing, whatever this is, as what they
+  /// pulled with does not fit what they bear next.
   float warm_start = 0.7f;
   /// How many times a substep's last iteration goes over stretch and shear, 1 to 32. Where cloth drapes over
   /// solids, several do for lengths what as many times the substeps would, and cost less. Long substeps bear
