@@ -14,6 +14,10 @@
 
 namespace meniscus::cloth {
 
+namespace stretch_kernels {
+struct SolveEdge;
+}
+
 struct ClothSolverParameters {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear but for yarns, 1 to 1.3
   float warm_start = 0.7f;       ///< share of the last multipliers of edges outside yarns, 0 to 0.95
@@ -98,6 +102,8 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   static bool may_bear(const pbd::Substep<D>& substep) {
     return substep.pressed.count > 0 || substep.fluid_near.count > 0;
   }
+  stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const Turn& turn);
+  void sweep_colours(pbd::Substep<D>& substep, const Turn& turn);
   void note_bearing(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
   void solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
@@ -127,6 +133,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   uint32_t first_yarn_edge_ = 0;
   std::vector<uint32_t> pass_starts_{0};
   uint32_t bending_passes_ = 0;
+  std::vector<uint32_t> colour_starts_;  // of edges outside yarns, where they are solved by colours
   pbd::Buffer<Vec4> edge_multiplier_{device_, "edge multipliers"};
   pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};
   pbd::Buffer<float> saved_yarn_multiplier_{device_, "saved yarn multipliers"};

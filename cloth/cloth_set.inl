@@ -7,6 +7,7 @@
 
 #include "cloth/bearing_kernels.h"
 #include "cloth/cloth_set.h"
+#include "cloth/colour_kernel.h"
 #include "cloth/sweep_kernel.h"
 #include "cloth/tear_kernels.h"
 #include "cloth/tether_kernels.h"
@@ -68,6 +69,7 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   upload(cluster_vertices_, c.vertices);
   pass_starts_ = c.pass_starts;
   bending_passes_ = c.bending_passes;
+  colour_starts_ = c.colour_starts;
   strain_multiplier_.resize_discard(c.strains.size());
 }
 
@@ -229,34 +231,54 @@ void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn
                      .backwards = edges.backwards,
                      .takes_over = edges.starts && starts_from_last()};
     if (turn.backwards) solve_yarns(substep, yarns);
-    sweep(substep, bending_passes_, stretch_end, edges);
+    colour_starts_.empty() ? sweep(substep, bending_passes_, stretch_end, edges)
+                           : sweep_colours(substep, edges);
     if (!turn.backwards) solve_yarns(substep, yarns);
   }
 }
 
 template <class D>
+stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& substep, const Turn& turn) {
+  return {.edges = edges_.view(),
+          .multiplier = edge_multiplier_.view(),
+          .relaxation = parameters_.over_relaxation,
+          .share = turn.starts ? share_ : 1,
+          .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
+          .shears = starts_from_last(),
+          .bearing = substep.fluid_near.count > 0 ? bearing_.view() : View<uint32_t>{},
+          .ends = turn.ends,
+          .next_share = parameters_.warm_start};
+}
+
+template <class D>
+void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const Turn& turn) {
+  const SolveColour solve{edge_solver(substep, turn), vertices(substep)};
+  const size_t colours = colour_starts_.size() - 1;
+  for (size_t k = 0; k < colours; ++k) {
+    const size_t colour = turn.backwards ? colours - 1 - k : k;
+    const uint32_t first = colour_starts_[colour];
+    SolveColour one = solve;
+    one.edge.edges = solve.edge.edges.from(first);
+    one.edge.multiplier = solve.edge.multiplier.from(first);
+    device_.parallel_for_lanes("cloth/diagonals", colour_starts_[colour + 1] - first, one);
+  }
+}
+
+template <class D>
 void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn) {
-  const float relaxation = parameters_.over_relaxation;
-  SolveClusters solve{.clusters = clusters_.view(),
-                      .batches = batches_.view(),
-                      .numbers = cluster_vertices_.view(),
-                      .all = vertices(substep),
-                      .isometric = {isometric_.view(), isometric_coefficients_.view(),
-                                    isometric_multiplier_.view(), turn.starts},
-                      .hinge = {hinges_.view(), hinge_multiplier_.view(), turn.starts},
-                      .strain = {strains_.view(), strain_multiplier_.view(), relaxation, turn.starts},
-                      .edge = {.edges = edges_.view(),
-                               .multiplier = edge_multiplier_.view(),
-                               .relaxation = relaxation,
-                               .share = turn.starts ? share_ : 1,
-                               .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
-                               .shears = starts_from_last(),
-                               .bearing = substep.fluid_near.count > 0 ? bearing_.view() : View<uint32_t>{},
-                               .ends = turn.ends,
-                               .next_share = parameters_.warm_start},
-                      .first = 0,
-                      .bends = first_pass < bending_passes_,
-                      .backwards = turn.backwards};
+  SolveClusters solve{
+      .clusters = clusters_.view(),
+      .batches = batches_.view(),
+      .numbers = cluster_vertices_.view(),
+      .all = vertices(substep),
+      .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(),
+                    turn.starts},
+      .hinge = {hinges_.view(), hinge_multiplier_.view(), turn.starts},
+      .strain = {strains_.view(), strain_multiplier_.view(), parameters_.over_relaxation, turn.starts},
+      .edge = edge_solver(substep, turn),
+      .first = 0,
+      .bends = first_pass < bending_passes_,
+      .backwards = turn.backwards};
   for (size_t k = first_pass; k < end_pass; ++k) {
     const size_t pass = turn.backwards ? first_pass + end_pass - 1 - k : k;
     solve.first = pass_starts_[pass];

@@ -33,6 +33,11 @@ void list(std::vector<Any>& all, ConstraintKind kind, const Coloured<T>& from, u
   }
 }
 
+bool have_few_colours(const ClothConstraints& c) {
+  return c.strains.items.empty() && c.edges.colours() <= 2;
+}
+
+/// What is to be in clusters.
 std::vector<Any> list_all(const ClothConstraints& c) {
   std::vector<Any> all;
   const auto four = [](const auto& h) { return std::array{h.a, h.b, h.c, h.d}; };
@@ -41,7 +46,10 @@ std::vector<Any> list_all(const ClothConstraints& c) {
   list(all, ConstraintKind::strain, c.strains, 3, [](const auto& s) {
     return std::array{s.a, s.b, s.c, none};
   });
-  list(all, ConstraintKind::edge, c.edges, 2, [](const auto& e) { return std::array{e.a, e.b, none, none}; });
+  if (!have_few_colours(c))
+    list(all, ConstraintKind::edge, c.edges, 2, [](const auto& e) {
+      return std::array{e.a, e.b, none, none};
+    });
   return all;
 }
 
@@ -249,6 +257,10 @@ Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec
     take(c, ConstraintKind::strain, constraints.strains.items, out.strains);
     take(c, ConstraintKind::edge, constraints.edges.items, out.edges);
     before = &c;
+  }
+  if (have_few_colours(constraints)) {
+    out.edges = constraints.edges.items;
+    out.colour_starts = constraints.edges.colour_starts;
   }
   list_vertices(out);
   note_items(out);

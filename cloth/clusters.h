@@ -41,9 +41,14 @@ struct Clusters {
   std::vector<uint32_t> pass_starts{0};  ///< one more than passes
   uint32_t bending_passes = 0;           ///< the first ones
   std::vector<uint32_t> vertices;        ///< of each cluster, ascending
+  /// Where edges have few colours, and nothing else stretches, these are in no cluster: of each colour the
+  /// first edge, and the total. Else empty.
+  std::vector<uint32_t> colour_starts;
 };
 
-/// Passes of bending come before those of stretch and shear. `rest`: m, where vertices are at rest.
+/// Passes of bending come before those of stretch and shear, if there are any of these: two colours, as the
+/// diagonals of a sheet have, are two passes by themselves, without a stop at each cluster. `rest`: m, where
+/// vertices are at rest.
 Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec3> rest);
 /// Vertices of constraints become their places among those of the cluster.
 void number_locally(Clusters& clusters);

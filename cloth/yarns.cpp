@@ -8,6 +8,7 @@
 #include <deque>
 #include <numeric>
 
+#include "cloth/colouring.h"
 #include "cloth/incidence.h"
 #include "pbd/device/scalar.h"
 
@@ -200,16 +201,20 @@ class Drawing {
   std::deque<Visit> front_;
 };
 
-/// The constraints without those that are drawn.
-Coloured<EdgeConstraint> left_over(const Coloured<EdgeConstraint>& all, const std::vector<bool>& stays) {
-  Coloured<EdgeConstraint> left;
-  for (uint32_t c = 0; c < all.colours(); ++c) {
-    for (uint32_t k = all.colour_starts[c]; k < all.colour_starts[c + 1]; ++k) {
-      if (stays[k]) left.items.push_back(all.items[k]);
-    }
-    left.colour_starts.push_back(static_cast<uint32_t>(left.items.size()));
+/// Those that are not drawn, in the order of their vertices and coloured anew: among themselves they need
+/// fewer colours, the diagonals of a sheet two.
+Coloured<EdgeConstraint> left_over(std::span<const EdgeConstraint> edges, const std::vector<bool>& stays,
+                                   size_t vertices) {
+  std::vector<EdgeConstraint> left;
+  for (size_t k = 0; k < edges.size(); ++k) {
+    if (stays[k]) left.push_back(edges[k]);
   }
-  return left;
+  const auto ends = [](const EdgeConstraint& e) { return std::array{e.a, e.b}; };
+  std::stable_sort(left.begin(), left.end(), [&](const auto& e, const auto& f) { return ends(e) < ends(f); });
+  std::vector<std::array<uint32_t, 2>> corners;
+  for (const EdgeConstraint& e : left) corners.push_back(ends(e));
+  const std::span<const std::array<uint32_t, 2>> view(corners);
+  return sorted_by_colour<EdgeConstraint>(left, colour_constraints(view, static_cast<uint32_t>(vertices)));
 }
 
 }  // namespace
@@ -232,7 +237,7 @@ Yarns draw_yarns(ClothConstraints& constraints, std::span<const Vec3> rest, std:
     out.layer_starts.push_back(static_cast<uint32_t>(out.yarns.size()));
   }
   for (uint32_t k = 0; k < edges.size(); ++k) stays[k] = !stiff[k] || drawing.left(k);
-  constraints.edges = left_over(constraints.edges, stays);
+  constraints.edges = left_over(edges, stays, rest.size());
   return out;
 }
 
