@@ -105,9 +105,9 @@ TEST_P(DefErrorTest, Fluids) {
   GranularDef grains;
   grains.color.y = 2;
   expect_error(invalid, "GranularDef::color is (0.53, 2, 0.17)", [&] { world_.create_granular(grains); });
-  for (float bad : {0.0f, 1e-20f, 1e20f}) {
+  for (float density : {0.0f, 1e-20f, 1e20f}) {
     GranularDef light;
-    light.density = bad;
+    light.density = density;
     expect_error(invalid, "GranularDef::density", [&] { world_.create_granular(light); });
   }
   EXPECT_EQ(world_.create_fluid({}).index, 0u);  // the refused ones left nothing behind
