@@ -130,7 +130,7 @@ TEST_P(FluidAndCloth, FineLightClothBearsDeepWater) {
 }
 
 /// What a vertex bears weighs hundreds of times what it does itself, and counts where positions are solved,
-/// but not where velocities are.
+/// but not where velocities are. What is light leaves a wall at twice the wall's speed at most.
 TEST_P(FluidAndCloth, AThrustBetweenVerticesThatBearWaterKicksNone) {
   constexpr float speed = 2.5f, dt = 0.001f;
   WorldDef def = world_def(GetParam(), 0.04f);
@@ -149,7 +149,7 @@ TEST_P(FluidAndCloth, AThrustBetweenVerticesThatBearWaterKicksNone) {
     for (Vec3 v : water.world.cloth_velocities(water.cloth)) fastest = std::max(fastest, length(v));
   }
   EXPECT_GT(fastest, speed);  // it has hit
-  EXPECT_LT(fastest, 1.5f * speed);
+  EXPECT_LT(fastest, 2 * speed);
 }
 
 /// Thirty layers deep, with one iteration: what the grid does not carry down to the sheet is missing.

@@ -263,6 +263,7 @@ class CudaDevice final : public Device {
   void parallel_for(const char* name, uint32_t count, const Kernel& kernel) {
     if (count == 0) return;
     using namespace cuda_kernels;
+    if (count >= busy_without_lists) end_list();
     const uint32_t blocks = (count + block_size - 1) / block_size;
     launch(name, blocks, block_size, for_each<Kernel>, next_turn(blocks), count, kernel);
   }
@@ -407,6 +408,10 @@ class CudaDevice final : public Device {
     launch(name, blocks, block_size, for_each_of_both<Team, Kernel, TeamKernel>, count, kernel, team_count,
            team_blocks, team_kernel);
   }
+
+  /// For so many threads a launch keeps the GPU busy while others are sent; in a graph those of the pressure
+  /// grid would take longer.
+  static constexpr uint32_t busy_without_lists = 1'000'000;
 
   template <class... Parameters>
   void launch(const char* name, uint32_t blocks, uint32_t threads,
