@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <random>
 #include <set>
 #include <utility>
 
@@ -10,7 +9,7 @@
 #include "cloth/colour_kernel.h"
 #include "cloth/yarns.h"
 #include "pbd/device/cpu/cpu_device.h"
-#include "tests/unit/cloth_shapes.h"
+#include "tests/unit/crumpled_vertices.h"
 #include "tests/unit/one_lane.h"
 
 namespace meniscus::cloth {
@@ -49,58 +48,32 @@ TEST(Colours, ThatAreManyAreLeftToClusters) {
   EXPECT_GT(all.pass_starts.size(), all.bending_passes + 1);
 }
 
-/// A crumpled sheet, of two pieces with damping of their own, some of its vertices held.
 struct Crumpled {
-  Clusters all = left_of(make_sheet(1, 1, 41, 38));
-  std::vector<pbd::Vec4> position, previous, moved, multiplier;
-  std::vector<pbd::Phase> phase;
-  std::vector<Piece> pieces{{.stretch_damping = 0.002f}, {.stretch_damping = 0}};
-
-  Crumpled() {
-    std::mt19937 bits(11);
-    std::uniform_real_distribution<float> any(-1, 1);
-    const auto near = [&](Vec3 x) { return x + 0.01f * Vec3{any(bits), any(bits), any(bits)}; };
-    for (const Vec3& x : make_sheet(1, 1, 41, 38).vertices) {
-      previous.push_back(pbd::with_w(near(x), 0));
-      position.push_back(pbd::with_w(near(x), bits() % 9 ? 300 + 200 * any(bits) : 0));
-      phase.push_back(bits() % 2);
-    }
-    moved.resize(position.size(), {0, 0, 0, 0});
-    multiplier.resize(all.edges.size(), {0, 0, 0, 1e-5f});
-  }
+  ClothMesh mesh = make_sheet(1, 1, 41, 38);
+  Clusters all = left_of(mesh);
+  CrumpledVertices vertices{mesh};
+  std::vector<pbd::Vec4> multiplier{all.edges.size(), {0, 0, 0, 1e-5f}};
 
   /// Calls run(kernel, count) for each colour, from the last substep's multipliers and then from those that
   /// came of it.
   template <class Run>
   std::vector<float> swept(const Run& run) {
-    const auto view = [](auto& v) { return pbd::View{v.data(), static_cast<uint32_t>(v.size())}; };
-    VertexState state;
-    state.particles.position = view(position);
-    state.particles.previous = view(std::as_const(previous));
-    state.particles.moved = view(moved);
-    state.particles.phase = view(std::as_const(phase));
-    state.pieces = view(std::as_const(pieces));
-    state.inverse_dt = 300;
     for (bool starts : {true, false}) {
       for (size_t colour = 0; colour + 1 < all.colour_starts.size(); ++colour) {
         const uint32_t first = all.colour_starts[colour];
-        run(SolveColour{{.edges = view(std::as_const(all.edges)).from(first),
-                         .multiplier = view(multiplier).from(first),
+        run(SolveColour{{.edges = view_of(std::as_const(all.edges)).from(first),
+                         .multiplier = view_of(multiplier).from(first),
                          .relaxation = 1.2f,
                          .share = starts ? 0.9f : 1,
                          .momentum = starts ? 0 : stretch_kernels::round_momentum,
                          .shears = starts,
                          .ends = !starts,
                          .next_share = 0.7f},
-                        state},
+                        vertices.state()},
             all.colour_starts[colour + 1] - first);
       }
     }
-    std::vector<float> results;
-    for (const auto* values : {&position, &moved, &multiplier}) {
-      for (const pbd::Vec4& v : *values) results.insert(results.end(), {v.x, v.y, v.z, v.w});
-    }
-    return results;
+    return numbers_of({&vertices.position, &vertices.moved, &multiplier});
   }
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "pbd/device/cpu/cpu_device.h"
-#include "tests/unit/cloth_shapes.h"
+#include "tests/unit/crumpled_vertices.h"
 #include "tests/unit/one_lane.h"
 
 namespace meniscus::cloth {
@@ -51,58 +51,36 @@ TEST(Clusters, ThatAreSmallArePutTogether) {
   }
 }
 
-/// A crumpled sheet, of two pieces with damping of their own, some of its vertices held.
 struct Crumpled {
-  Clusters clusters;
+  ClothMesh mesh = make_sheet(1, 1, 40, 40);
+  Clusters clusters = clusters_of(mesh);
+  CrumpledVertices vertices{mesh};
   std::vector<PackedHinge> hinges;
   std::vector<pbd::Vec4> coefficients, hinge_multiplier, edge_multiplier;
-  std::vector<pbd::Vec4> position, previous, moved;
-  std::vector<pbd::Phase> phase;
-  std::vector<Piece> pieces{{.stretch_damping = 0.002f, .bending_damping = 0.01f}, {.stretch_damping = 0}};
 
   Crumpled() {
-    const ClothMesh mesh = make_sheet(1, 1, 40, 40);
-    clusters = clusters_of(mesh);
     number_locally(clusters);
     for (const IsometricConstraint& h : clusters.isometric) {
       hinges.push_back(PackedHinge::of(h));
       coefficients.push_back({h.weight[0], h.weight[1], h.weight[2], h.compliance});
     }
-    std::mt19937 bits(11);
-    std::uniform_real_distribution<float> any(-1, 1);
-    const auto near = [&](Vec3 x) { return x + 0.01f * Vec3{any(bits), any(bits), any(bits)}; };
-    for (const Vec3& x : mesh.vertices) {
-      previous.push_back(pbd::with_w(near(x), 0));
-      position.push_back(pbd::with_w(near(x), bits() % 9 ? 300 + 200 * any(bits) : 0));
-      phase.push_back(bits() % 2);
-    }
-    moved.resize(position.size(), {0, 0, 0, 0});
     hinge_multiplier.resize(hinges.size(), {0, 0, 0, 0});
     edge_multiplier.resize(clusters.edges.size(), {0, 0, 0, 1e-5f});
   }
 
   SolveClusters solver(uint32_t pass, bool starts, bool common_damping) {
-    const auto view = [](auto& values) {
-      return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
-    };
-    VertexState all;
-    all.particles.position = view(position);
-    all.particles.previous = view(std::as_const(previous));
-    all.particles.moved = view(moved);
-    all.particles.phase = view(std::as_const(phase));
-    all.pieces = view(std::as_const(pieces));
+    VertexState all = vertices.state();
     if (common_damping) all.damping = {0.002f, 0.01f};
-    all.inverse_dt = 300;
-    return {.clusters = view(std::as_const(clusters.clusters)),
-            .batches = view(std::as_const(clusters.batches)),
-            .numbers = view(std::as_const(clusters.vertices)),
+    return {.clusters = view_of(std::as_const(clusters.clusters)),
+            .batches = view_of(std::as_const(clusters.batches)),
+            .numbers = view_of(std::as_const(clusters.vertices)),
             .all = all,
-            .isometric = {view(std::as_const(hinges)), view(std::as_const(coefficients)),
-                          view(hinge_multiplier), starts},
+            .isometric = {view_of(std::as_const(hinges)), view_of(std::as_const(coefficients)),
+                          view_of(hinge_multiplier), starts},
             .hinge = {},
             .strain = {},
-            .edge = {.edges = view(std::as_const(clusters.edges)),
-                     .multiplier = view(edge_multiplier),
+            .edge = {.edges = view_of(std::as_const(clusters.edges)),
+                     .multiplier = view_of(edge_multiplier),
                      .relaxation = 1.2f,
                      .share = starts ? 0.9f : 1,
                      .momentum = starts ? 0 : stretch_kernels::round_momentum,
@@ -115,11 +93,7 @@ struct Crumpled {
   }
 
   std::vector<float> results() const {
-    std::vector<float> all;
-    for (const auto* values : {&position, &moved, &hinge_multiplier, &edge_multiplier}) {
-      for (const pbd::Vec4& v : *values) all.insert(all.end(), {v.x, v.y, v.z, v.w});
-    }
-    return all;
+    return numbers_of({&vertices.position, &vertices.moved, &hinge_multiplier, &edge_multiplier});
   }
 };
 
