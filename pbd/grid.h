@@ -61,9 +61,7 @@ class Surroundings {
   MENISCUS_HD Surroundings(const GridView& grid, Vec3 p) : grid_(grid) {
     const CellCoordinates cell = grid.coordinates(p);
     const Vec3 q = grid.inverse_reach * p;
-    // Of what the coordinates have been rounded by, this point's and another's; the fractions are then as far
-    // off.
-    slack_ = pbd::min(1e-4f + 2.5e-7f * (fabsf(q.x) + fabsf(q.y) + fabsf(q.z)), 2.0f);
+    slack_ = slack_at(q);
     const auto fraction = [](float x, int32_t whole) {
       return clamp(x - static_cast<float>(whole), 0.0f, 1.0f);
     };
@@ -80,7 +78,17 @@ class Surroundings {
     wraps_ = most.first + most.count > width();
   }
 
+  /// What the coordinates have been rounded by, this point's and another's; the fractions are then as far
+  /// off.
+  MENISCUS_HD static float slack_at(Vec3 q) {
+    return pbd::min(1e-4f + 2.5e-7f * (fabsf(q.x) + fabsf(q.y) + fabsf(q.z)), 2.0f);
+  }
+
   static constexpr uint32_t rows = 9, most_runs = 2 * rows;
+
+  /// Where a row lies; 1: this point's own.
+  MENISCUS_HD static uint32_t row_y(uint32_t row) { return 0b10'00'10'00'01'01'10'00'01 >> 2 * row & 3; }
+  MENISCUS_HD static uint32_t row_z(uint32_t row) { return 0b10'10'00'00'10'00'01'01'01 >> 2 * row & 3; }
 
   MENISCUS_HD uint32_t runs() const { return wraps_ ? most_runs : rows; }
 
@@ -89,8 +97,7 @@ class Surroundings {
   /// Rows with the most in reach come first: so neighbouring threads, which have a particle each, stay with
   /// the same row longest as they go through their lists, and gather from the fewest lines of memory.
   MENISCUS_HD Run run(uint32_t row, bool second) const {
-    constexpr uint32_t dys = 0b10'00'10'00'01'01'10'00'01, dzs = 0b10'10'00'00'10'00'01'01'01;
-    const uint32_t dy = dys >> 2 * row & 3, dz = dzs >> 2 * row & 3;  // 1: this point's own
+    const uint32_t dy = row_y(row), dz = row_z(row);
     const float y2 = dy == 1 ? 0.0f : dy == 0 ? below_y2_ : above_y2_;
     const float z2 = dz == 1 ? 0.0f : dz == 0 ? below_z2_ : above_z2_;
     const Cells cells = cut(y2 + z2);
@@ -153,6 +160,16 @@ class RunsAround {
     for (uint32_t row = 0; row < Surroundings::rows; ++row) look(runs_[row]);
     for (uint32_t n = Surroundings::rows; n < count_; ++n) look(runs_[n]);
     return within;
+  }
+
+  /// Calls visit(begin, end, y, z) for each, of a row that is so far from the point's own, in reaches.
+  template <class Visit>
+  MENISCUS_HD void for_each_row(const Visit& visit) const {
+    for (uint32_t n = 0; n < count_; ++n) {
+      const uint32_t row = n < Surroundings::rows ? n : n - Surroundings::rows;
+      visit(runs_[n].begin, runs_[n].end, static_cast<float>(Surroundings::row_y(row)) - 1,
+            static_cast<float>(Surroundings::row_z(row)) - 1);
+    }
   }
 
   /// Calls visit(begin, end) for each.

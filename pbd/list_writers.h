@@ -57,12 +57,15 @@ class WideWriter : public ListBuilder<WideWriter> {
         capacity_(list.row_capacity),
         stride_(list.stride) {}
 
-  MENISCUS_HD void add(uint32_t j) {
-    group_ = {group_.b, group_.c, group_.d, j};
+  MENISCUS_HD void add(uint32_t j, uint32_t k = 0) {
+    group_ = {group_.b, group_.c, group_.d, j + k};
     if (++count_ % 4 || count_ > capacity_) return;
     *at_ = group_;
     at_ += stride_;
   }
+  // As a narrow one.
+  MENISCUS_HD static bool has_room_for(uint32_t) { return true; }
+  MENISCUS_HD void add_in_room(uint32_t j, uint32_t k) { add(j, k); }
 
  private:
   IndexGroup* at_;
@@ -79,9 +82,10 @@ class NarrowWriter {
   MENISCUS_HD NarrowWriter(const NeighbourView& list, uint32_t i)
       : list_(list), i_(i), place_(row_.first()), end_(place_ + list.row_capacity * Row::step) {}
 
-  MENISCUS_HD void add_if(bool wanted, uint32_t j) {
-    if (wanted && place_ < end_) row_.put(place_, j - i_);
-    if (wanted) place_ += Row::step;
+  /// Adds j + k.
+  MENISCUS_HD void add(uint32_t j, uint32_t k = 0) {
+    if (place_ < end_) row_.put(place_, j - i_ + k);
+    place_ += Row::step;
   }
 
   /// Whether so many more can be put aside.
@@ -89,9 +93,8 @@ class NarrowWriter {
     return place_ + more * Row::step <= row_.first() + most * Row::step;
   }
   /// Where there is room.
-  MENISCUS_HD void add_in_room_if(bool wanted, uint32_t j) {
-    if (!wanted) return;
-    row_.put(place_, j - i_);
+  MENISCUS_HD void add_in_room(uint32_t j, uint32_t k = 0) {
+    row_.put(place_, j - i_ + k);
     place_ += Row::step;
   }
 

@@ -4,6 +4,7 @@
 
 #include <meniscus/types.h>
 
+#include "pbd/coarse_positions.h"
 #include "pbd/grid.h"
 #include "pbd/neighbours.h"
 #include "pbd/particles.h"
@@ -67,6 +68,9 @@ class NeighbourSearch {
   /// Of each place the point that belongs there, once the order has been asked for it.
   View<const uint32_t> order() const { return order_.view(); }
 
+  /// Whoever puts the particles in order is to fill these in, if there are any.
+  CoarsePositions coarse() { return {is_coarse_ ? coarse_.view() : View<HalfBlock>{}}; }
+
   /// Lists the neighbours of particles that are in order() already. `longest` is one element, on the device:
   /// it becomes as long as the longest list needs to be, if it is less.
   void list(const ParticleView& particles, uint32_t sentinel, View<uint32_t> longest);
@@ -85,12 +89,14 @@ class NeighbourSearch {
   GridView grid_;
   uint32_t capacity_ = 0;
   uint32_t row_capacity_ = 0;
+  bool is_coarse_ = false;  // lists are built from coarse positions
 
   Buffer<uint32_t> order_{device_, "sorted order"};
   Buffer<uint32_t> cell_counts_{device_, "cell counts"};  // all 0 between sorts
   Buffer<uint32_t> cell_start_{device_, "cell starts"};
   Buffer<uint32_t> index_{device_, "neighbour lists"};  // before there are lists, what is needed to sort
   Buffer<uint32_t> counts_{device_, "neighbour counts"};
+  Buffer<HalfBlock> coarse_{device_, "coarse positions"};
 };
 
 }  // namespace meniscus::pbd

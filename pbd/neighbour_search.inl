@@ -45,10 +45,13 @@ struct PlaceByArrival {
   }
 };
 
+/// `coarsely`: a thread that has a list to itself goes by coarse positions.
+template <bool coarsely>
 struct ListNeighbours {
-  static constexpr uint32_t resident_blocks = 8;  // see CudaDevice
+  static constexpr uint32_t resident_blocks = 9;  // see CudaDevice
 
   View<const Vec4> position;
+  CoarsePositions coarse;
   GridView grid;
   float reach2;
   NeighbourView lists;
@@ -65,11 +68,19 @@ struct ListNeighbours {
       const RunsAround runs(grid, self);
       if (lists.row_capacity <= NarrowWriter::most && runs.are_within(NeighbourView::narrow_reach, i)) {
         NarrowWriter writer(lists, i);
-        if (is_finite(self)) list_narrow<D>(i, self, runs, writer);
+        if constexpr (coarsely) {
+          if (is_finite(self)) list_coarsely(i, self, runs, writer);
+        } else {
+          if (is_finite(self)) list_narrow<D>(i, self, runs, writer);
+        }
         note(i, writer.finish(), true, true);
       } else {
         WideWriter writer(lists, i);
-        if (is_finite(self)) list<D>(i, self, runs, writer);
+        if constexpr (coarsely) {
+          if (is_finite(self)) list_coarsely(i, self, runs, writer);
+        } else {
+          if (is_finite(self)) list<D>(i, self, runs, writer);
+        }
         note(i, writer.finish(lists.sentinel), false, true);
       }
     } else {
@@ -98,9 +109,33 @@ struct ListNeighbours {
       };
       const bool has_self = i - begin < end - begin;
       if (!has_self && writer.has_room_for(end - begin))
-        look([&](bool near, uint32_t j) { writer.add_in_room_if(near, j); });
+        look([&](bool near, uint32_t j) {
+          if (near) writer.add_in_room(j);
+        });
       else
-        look([&](bool near, uint32_t j) { writer.add_if(near && j != i, j); });
+        look([&](bool near, uint32_t j) {
+          if (near && j != i) writer.add(j);
+        });
+    });
+  }
+
+  template <class Writer>
+  MENISCUS_HD void list_coarsely(uint32_t i, Vec3 self, const RunsAround& runs, Writer& writer) const {
+    const Vec3 at = CoarsePositions::in_cell(grid, self);
+    NearHalves near(at.x, CoarsePositions::period);
+    runs.for_each_row([&](uint32_t begin, uint32_t end, float y, float z) {
+      near.set_row(at.y - y, at.z - z);
+      const bool has_self = i - begin < end - begin;
+      uint32_t from = begin, to = has_self ? i : end;
+      MENISCUS_NO_UNROLL
+      for (int parts = has_self ? 2 : 1; parts > 0; --parts) {
+        if (writer.has_room_for(to - from))
+          near.for_each(coarse.blocks, from, to, [&](uint32_t j, uint32_t k) { writer.add_in_room(j, k); });
+        else
+          near.for_each(coarse.blocks, from, to, [&](uint32_t j, uint32_t k) { writer.add(j, k); });
+        from = i + 1;
+        to = end;
+      }
     });
   }
 
@@ -161,6 +196,7 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   const uint32_t size = capacity + Particles::padding;
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
+  if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
   uint32_t cells = 4096;
   while (cells < GridView::slices * capacity) cells *= 2;
   cell_counts_.resize_discard(cells);
@@ -175,6 +211,13 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   uint32_t bits[3] = {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
                       bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
   const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cell_counts_.size())) - 1;
+  if constexpr (D::interleaves_lists) {
+    // Coarse positions do not tell which of the cells that share an entry a particle is in, and far from the
+    // origin they are too coarse.
+    const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
+    is_coarse_ = count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
+                 Surroundings::slack_at(far) < 0.004f;
+  }
   while (bits[0] + bits[1] + bits[2] > most_bits) --*std::max_element(bits, bits + 3);
   grid_.bits_x = bits[0];
   grid_.bits_y = bits[1];
@@ -206,9 +249,18 @@ CellOrder NeighbourSearch<D>::sort(const Points& points, uint32_t count) {
 template <class D>
 void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel, View<uint32_t> longest) {
   using namespace neighbour_kernels;
+  const float reach2 = support_radius_ * support_radius_;
+  if constexpr (D::interleaves_lists) {
+    if (is_coarse_) {
+      device_.parallel_for_long(
+          "neighbours/list", particles.sorted,
+          ListNeighbours<true>{particles.position, coarse(), grid_, reach2, view(sentinel), longest});
+      return;
+    }
+  }
   device_.parallel_for_long(
       "neighbours/list", particles.sorted,
-      ListNeighbours{particles.position, grid_, support_radius_ * support_radius_, view(sentinel), longest});
+      ListNeighbours<false>{particles.position, {}, grid_, reach2, view(sentinel), longest});
 }
 
 template <class D>

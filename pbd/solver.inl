@@ -178,10 +178,11 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
     order = search_.sort(prediction, p.sorted());
   }
   const ParticleView from = p.source();
-  device_.parallel_for("reorder", p.count(),
-                       solver_kernels::Reorder{order, prediction, from.phase, from.slot, p.target(p.position),
-                                               p.previous.view(), p.moved.view(), p.target(p.velocity),
-                                               p.target(p.phase), p.target(p.slot)});
+  device_.parallel_for(
+      "reorder", p.count(),
+      solver_kernels::Reorder{order, prediction, from.phase, from.slot, p.target(p.position),
+                              p.previous.view(), p.moved.view(), p.target(p.velocity), p.target(p.phase),
+                              p.target(p.slot), search_.coarse(), search_.grid()});
   p.accept_sorted();
 }
 

@@ -52,6 +52,8 @@ struct Reorder {
   View<Vec4> sorted_predicted, previous, moved, sorted_velocity;
   View<Phase> sorted_phase;
   View<uint32_t> sorted_slot;
+  CoarsePositions coarse;
+  GridView grid;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t from = i < order.placed.count ? order.find(i) : i;
@@ -67,6 +69,7 @@ struct Reorder {
     sorted_velocity[i] = with_w(v, before.w);
     sorted_phase[i] = present_phase;
     sorted_slot[i] = present_slot;
+    if (coarse.blocks.count && i < order.placed.count) coarse.put(i, grid, p);
   }
 };
 

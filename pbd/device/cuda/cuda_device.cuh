@@ -231,6 +231,8 @@ class CudaDevice final : public Device {
   using Real = float;
   static constexpr uint32_t lane_count = 1;
   static constexpr bool interleaves_lists = true, runs_at_once = true;
+  /// Up to so many items parallel_for_long has a team for each.
+  static constexpr uint32_t most_teams = cuda_kernels::most_teams;
   using Lister = CudaLister<4>;
   MENISCUS_HD static bool leads() { return true; }
 
