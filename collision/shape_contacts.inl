@@ -72,8 +72,11 @@ struct Finder {
     if constexpr (only_fixed_planes) {
       // Most are near none, and need no more known of it.
       const Vec3 to = position[i].xyz();
-      for (uint32_t s = 0; s < set.shapes.count; ++s) {
-        if (plane_surface(set.shapes[s], to).distance < h - touch.radius) look_at(s);
+      for (uint32_t first = 0; first < set.shapes.count; first += 8) {
+        uint32_t near = which_shapes(first, set.shapes.count - first, [&](uint32_t s) {
+          return plane_surface(set.shapes[s], to).distance < h - touch.radius;
+        });
+        for (; near; near &= near - 1) look_at(first + pbd::lowest_bit(near));
       }
     } else {
       candidates.for_each_near(set, i, {previous[i].xyz(), position[i].xyz()}, h, look_at);

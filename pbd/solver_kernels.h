@@ -10,14 +10,19 @@
 
 namespace meniscus::pbd::solver_kernels {
 
+/// a + h·b, with the same bits in each kernel: a particle must be in the cell that it has been sorted by.
+MENISCUS_HD inline Vec3 after(Vec3 a, Vec3 b, float dt) {
+  return {multiply_add(dt, b.x, a.x), multiply_add(dt, b.y, a.y), multiply_add(dt, b.z, a.z)};
+}
+
 /// v + h·g; what nothing moves is not drawn either.
 MENISCUS_HD inline Vec3 drawn(const Vec4& position, const Vec4& velocity, Vec3 gravity, float dt) {
-  return position.w > 0 ? velocity.xyz() + dt * gravity : velocity.xyz();
+  return position.w > 0 ? after(velocity.xyz(), gravity, dt) : velocity.xyz();
 }
 
 /// p = x + h·v
 MENISCUS_HD inline Vec3 advanced(const Vec4& position, Vec3 velocity, float dt) {
-  return position.xyz() + dt * velocity;
+  return after(position.xyz(), velocity, dt);
 }
 
 /// Where particles will be if nothing moves them: p = x + h·(v + h·g).

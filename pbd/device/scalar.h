@@ -51,6 +51,15 @@ MENISCUS_HD inline float square_root(float a) {
 MENISCUS_HD inline float sine(float a) {
   return sinf(a);
 }
+/// a b + c. A GPU's compiler may round once or twice as it likes, and not alike in two kernels; this is
+/// rounded once.
+MENISCUS_HD inline float multiply_add(float a, float b, float c) {
+#ifdef __CUDA_ARCH__
+  return __fmaf_rn(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
 /// For a > 0. Of a float too small to be normal a GPU makes ∞: to look for them would take three
 /// instructions.
 MENISCUS_HD inline float inverse_sqrt(float a) {

@@ -44,7 +44,7 @@ CudaDevice::CudaDevice() {
   check_cuda(cudaStreamCreateWithPriority(&streams_.side, cudaStreamNonBlocking, most), "creating a stream");
   for (cudaEvent_t* event : {&streams_.forked, &streams_.joined, &fence_})
     check_cuda(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "creating an event");
-  check_cuda(cudaMallocHost(&pinned_, pinned_bytes), "allocating pinned memory");
+  check_cuda(cudaMallocHost(&pinned_, pinned_bytes + sizeof(uint32_t)), "allocating pinned memory");
   blocks_done_.resize_discard(1);
   blocks_done_.fill(0);
 }
@@ -116,17 +116,30 @@ void CudaDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
 /// What is small comes by a kernel, which need not wait as a copy would, and notes the time on its way.
 void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
   const bool in_words = (reinterpret_cast<uintptr_t>(device_memory) | bytes) % sizeof(uint32_t) == 0;
-  const bool is_small = in_words && bytes <= pinned_bytes;
-  if (is_small) {
-    launch("copying from the GPU", 1, cuda_kernels::block_size, cuda_kernels::copy_words,
-           static_cast<const uint32_t*>(device_memory), static_cast<uint32_t*>(pinned_),
-           static_cast<uint32_t>(bytes / sizeof(uint32_t)));
-  } else {
+  if (!in_words || bytes > pinned_bytes) {
     check_cuda(cudaMemcpyAsync(host, device_memory, bytes, cudaMemcpyDeviceToHost, stream()),
                "copying from the GPU");
+    return wait();
   }
-  wait();
-  if (is_small) std::memcpy(host, pinned_, bytes);
+  volatile uint32_t* const done = pinned_ + pinned_bytes / sizeof(uint32_t);
+  *done = 0;
+  launch("copying from the GPU", 1, cuda_kernels::block_size, cuda_kernels::copy_words,
+         static_cast<const uint32_t*>(device_memory), pinned_,
+         static_cast<uint32_t>(bytes / sizeof(uint32_t)), done);
+  send_off();
+  wait_until_set(done);
+  std::memcpy(host, pinned_, bytes);
+}
+
+/// The flag is there before the stream says that it is done.
+void CudaDevice::wait_until_set(const volatile uint32_t* flag) const {
+  constexpr uint32_t patience = 1u << 16;  // looks, before the stream is asked whether it has failed
+  for (uint32_t looks = 1; !*flag; ++looks) {
+    if (looks % patience) continue;
+    const cudaError_t status = cudaStreamQuery(streams_.of(on_side_));
+    if (status != cudaErrorNotReady) check_cuda(status, "running the kernels launched before");
+  }
+  std::atomic_thread_fence(std::memory_order_acquire);
 }
 
 void CudaDevice::copy(void* to, const void* from, size_t bytes) {

@@ -37,9 +37,14 @@ static __global__ void note_time_alone(TimeMark mark) {
   wait_for_previous(mark);
 }
 
-static __global__ void copy_words(TimeMark mark, const uint32_t* from, uint32_t* to, uint32_t words) {
+/// To the host's memory, which learns there when it is done.
+static __global__ void copy_words(TimeMark mark, const uint32_t* from, uint32_t* to, uint32_t words,
+                                  volatile uint32_t* done) {
   wait_for_previous(mark);
   for (uint32_t i = threadIdx.x; i < words; i += block_size) to[i] = from[i];
+  __threadfence_system();
+  __syncthreads();
+  if (threadIdx.x == 0) *done = 1;
 }
 
 /// How many blocks a multiprocessor is to hold of a kernel that says so, else 0. The compiler then spends the
@@ -356,6 +361,7 @@ class CudaDevice final : public Device {
   void* scratch(size_t bytes);
   int carveout_for(uint32_t blocks, size_t scratch_bytes) const;
   void flush_mark();
+  void wait_until_set(const volatile uint32_t* flag) const;
   /// See item_of_thread().
   uint32_t next_turn(uint32_t blocks) {
     if (blocks < cuda_kernels::least_blocks_to_turn) return 0;
@@ -451,7 +457,7 @@ class CudaDevice final : public Device {
   cuda_kernels::TimeMark pending_mark_{};  // for the next launch
   uint64_t* times_ = nullptr;              // pinned, written by kernels
   uint32_t times_capacity_ = 0;
-  void* pinned_ = nullptr;  // small results come back through it, at a pinned copy's latency
+  uint32_t* pinned_ = nullptr;  // small results come back through it, at a pinned copy's latency
   Buffer<uint64_t> scratch_{*this, "CUDA scratch"};
   Buffer<uint64_t> tile_sums_{*this, "CUDA prefix sums"};
   uint32_t scans_ = 0;
