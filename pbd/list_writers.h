@@ -63,7 +63,7 @@ class WideWriter : public ListBuilder<WideWriter> {
     *at_ = group_;
     at_ += stride_;
   }
-  // As a narrow one.
+  // What a NarrowWriter has, for who writes to either.
   MENISCUS_HD static bool has_room_for(uint32_t) { return true; }
   MENISCUS_HD void add_in_room(uint32_t j, uint32_t k) { add(j, k); }
 

@@ -68,19 +68,11 @@ struct ListNeighbours {
       const RunsAround runs(grid, self);
       if (lists.row_capacity <= NarrowWriter::most && runs.are_within(NeighbourView::narrow_reach, i)) {
         NarrowWriter writer(lists, i);
-        if constexpr (coarsely) {
-          if (is_finite(self)) list_coarsely(i, self, runs, writer);
-        } else {
-          if (is_finite(self)) list_narrow<D>(i, self, runs, writer);
-        }
+        list_alone<D>(i, self, runs, writer);
         note(i, writer.finish(), true, true);
       } else {
         WideWriter writer(lists, i);
-        if constexpr (coarsely) {
-          if (is_finite(self)) list_coarsely(i, self, runs, writer);
-        } else {
-          if (is_finite(self)) list<D>(i, self, runs, writer);
-        }
+        list_alone<D>(i, self, runs, writer);
         note(i, writer.finish(lists.sentinel), false, true);
       }
     } else {
@@ -91,6 +83,17 @@ struct ListNeighbours {
   }
 
  private:
+  template <class D, class Writer>
+  MENISCUS_HD void list_alone(uint32_t i, Vec3 self, const RunsAround& runs, Writer& writer) const {
+    if (!is_finite(self)) return;
+    if constexpr (coarsely)
+      list_coarsely(i, self, runs, writer);
+    else if constexpr (std::is_same_v<Writer, NarrowWriter>)
+      list_narrow<D>(i, self, runs, writer);
+    else
+      list<D>(i, self, runs, writer);
+  }
+
   template <class D, class Writer>
   MENISCUS_HD void list(uint32_t i, Vec3 self, const RunsAround& runs, Writer& writer) const {
     runs.for_each([&](uint32_t begin, uint32_t end) {
@@ -119,6 +122,7 @@ struct ListNeighbours {
     });
   }
 
+  /// A run with i in it is looked through in two parts, so that nobody else need be told from it.
   template <class Writer>
   MENISCUS_HD void list_coarsely(uint32_t i, Vec3 self, const RunsAround& runs, Writer& writer) const {
     const Vec3 at = CoarsePositions::in_cell(grid, self);

@@ -57,7 +57,7 @@ struct Reorder {
   View<Vec4> sorted_predicted, previous, moved, sorted_velocity;
   View<Phase> sorted_phase;
   View<uint32_t> sorted_slot;
-  CoarsePositions coarse;
+  CoarsePositions coarse;  ///< to be filled in, if there are any
   GridView grid;
 
   MENISCUS_HD void operator()(uint32_t i) const {
