@@ -6,24 +6,13 @@
 
 namespace meniscus::collision {
 
-/// Bit k is set where is_so(first + k), for up to eight shapes: all are looked at, one beside the other.
-template <class F>
-MENISCUS_HD uint32_t which_shapes(uint32_t first, uint32_t count, const F& is_so) {
-  uint32_t which = 0;
-  MENISCUS_UNROLL
-  for (uint32_t k = 0; k < 8; ++k) {
-    if (k < count && is_so(first + k)) which |= 1u << k;
-  }
-  return which;
-}
-
 /// Whether the plane, a wall of a container with openings, has nothing to do with this motion: it starts
 /// outside of that container, which is to say that it left through an opening, or it passes through an
 /// opening of this one. Outside is beyond a wall with an opening, or further beyond a closed one than a solve
 /// lets anything sink in.
 MENISCUS_HD inline bool left_through_opening(const ShapeSet& set, const Shape& plane, const Motion& m,
                                              float radius) {
-  for (uint32_t k = 0; k < plane.wall_count; k += 8) {
+  for (uint32_t k = 0; k < plane.wall_count; k += shapes_at_once) {
     const uint32_t outside_of = which_shapes(plane.first_wall + k, plane.wall_count - k, [&](uint32_t n) {
       const Shape& wall = set.shapes[n];
       return plane_surface(wall, m.from).distance < (wall.opening_count ? 0.0f : -2 * radius);

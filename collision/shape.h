@@ -61,6 +61,20 @@ struct ShapeSet {
   pbd::View<const HeightFieldView> height_fields;
 };
 
+inline constexpr uint32_t shapes_at_once = 8;
+
+/// Bit k is set where is_so(first + k), for up to shapes_at_once of `count` shapes: one after the other, each
+/// would wait for the one before.
+template <class F>
+MENISCUS_HD uint32_t which_shapes(uint32_t first, uint32_t count, const F& is_so) {
+  uint32_t which = 0;
+  MENISCUS_UNROLL
+  for (uint32_t k = 0; k < shapes_at_once; ++k) {
+    if (k < count && is_so(first + k)) which |= 1u << k;
+  }
+  return which;
+}
+
 /// A particle's motion over a substep.
 struct Motion {
   Vec3 from, to;  ///< m

@@ -72,7 +72,7 @@ struct Finder {
     if constexpr (only_fixed_planes) {
       // Most are near none, and need no more known of it.
       const Vec3 to = position[i].xyz();
-      for (uint32_t first = 0; first < set.shapes.count; first += 8) {
+      for (uint32_t first = 0; first < set.shapes.count; first += shapes_at_once) {
         uint32_t near = which_shapes(first, set.shapes.count - first, [&](uint32_t s) {
           return plane_surface(set.shapes[s], to).distance < h - touch.radius;
         });

@@ -49,7 +49,8 @@ struct CellOrder {
   }
 };
 
-/// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep.
+/// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep; a GPU
+/// by coarse positions, if there are many.
 template <class D>
 class NeighbourSearch {
  public:

@@ -45,8 +45,9 @@ class CrossDeviceTest : public OnDevice {
     return world;
   }
 
-  /// How far the devices are apart after one substep, in support radii, by particle.
-  std::vector<float> differences(DensitySolver solver, int wide, int deep) {
+  /// How far the devices are apart after one substep, in support radii, by particle; density errors may
+  /// differ by so many times as much.
+  std::vector<float> differences(DensitySolver solver, int wide, int deep, float times) {
     const World cpu = one_substep(pbd::DeviceKind::cpu, solver, wide, deep),
                 other = one_substep(GetParam(), solver, wide, deep);
     const float h = cpu.support_radius();
@@ -55,7 +56,7 @@ class CrossDeviceTest : public OnDevice {
       apart.push_back(std::max(length(cpu.positions()[i] - other.positions()[i]),
                                0.004f * length(cpu.velocities()[i] - other.velocities()[i])) /
                       h);
-      EXPECT_NEAR(cpu.density_errors()[i], other.density_errors()[i], 10 * apart.back() + 1e-3)
+      EXPECT_NEAR(cpu.density_errors()[i], other.density_errors()[i], times * apart.back() + 1e-3)
           << "particle " << i;
     }
     EXPECT_EQ(cpu.diagnostics().contacts, other.diagnostics().contacts);
@@ -65,16 +66,16 @@ class CrossDeviceTest : public OnDevice {
 
 TEST_P(CrossDeviceTest, OneSubstepIsTheSameToRounding) {
   for (DensitySolver solver : {DensitySolver::jacobi, DensitySolver::chebyshev}) {
-    const std::vector<float> apart = differences(solver, 8, 10);
+    const std::vector<float> apart = differences(solver, 8, 10, 0);
     EXPECT_LT(*std::max_element(apart.begin(), apart.end()), 1e-4f);
   }
 }
 
 /// A GPU then runs what touches walls, and what does not, in launches side by side. And it lists pairs by
-/// coarse positions: a pair that was h apart, give or take two thousandths, and comes nearer in the solve,
+/// coarse positions: a pair that was h apart, give or take three thousandths, and comes nearer in the solve,
 /// may count on one device alone.
 TEST_P(CrossDeviceTest, ThatOfAQuarterOfAMillionParticlesIsButForPairsAtTheEdgeOfReach) {
-  std::vector<float> apart = differences(DensitySolver::chebyshev, 125, 125);
+  std::vector<float> apart = differences(DensitySolver::chebyshev, 125, 125, 10);
   std::sort(apart.begin(), apart.end());
   EXPECT_LT(apart[apart.size() * 99 / 100], 1e-4f);
   EXPECT_LT(apart.back(), 0.01f);

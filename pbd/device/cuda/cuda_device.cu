@@ -137,7 +137,9 @@ void CudaDevice::wait_until_set(const volatile uint32_t* flag) const {
   for (uint32_t looks = 1; !*flag; ++looks) {
     if (looks % patience) continue;
     const cudaError_t status = cudaStreamQuery(streams_.of(on_side_));
-    if (status != cudaErrorNotReady) check_cuda(status, "running the kernels launched before");
+    if (status == cudaErrorNotReady) continue;
+    check_cuda(status, "running the kernels launched before");
+    break;
   }
   std::atomic_thread_fence(std::memory_order_acquire);
 }

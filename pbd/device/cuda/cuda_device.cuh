@@ -457,7 +457,7 @@ class CudaDevice final : public Device {
   cuda_kernels::TimeMark pending_mark_{};  // for the next launch
   uint64_t* times_ = nullptr;              // pinned, written by kernels
   uint32_t times_capacity_ = 0;
-  uint32_t* pinned_ = nullptr;  // small results come back through it, at a pinned copy's latency
+  uint32_t* pinned_ = nullptr;  // small results come back through it, and then a word that says so
   Buffer<uint64_t> scratch_{*this, "CUDA scratch"};
   Buffer<uint64_t> tile_sums_{*this, "CUDA prefix sums"};
   uint32_t scans_ = 0;
