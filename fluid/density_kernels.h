@@ -102,16 +102,24 @@ struct Advancing {
     return true;
   }
 
-  MENISCUS_HD void advance(uint32_t i, const Constraint& c) const {
-    const Vec4 p = position[i];
-    const Multiplier before = multiplier[i];
+  /// What advance() needs of particle i besides: on its way while neighbours are summed up.
+  struct Own {
+    Vec4 position;
+    Multiplier multiplier;
+    float increment;
+  };
+  MENISCUS_HD Own own(uint32_t i) const { return {position[i], multiplier[i], first ? 0.0f : increment[i]}; }
+
+  MENISCUS_HD void advance(uint32_t i, const Own& own, const Constraint& c) const {
+    const Vec4 p = own.position;
+    const Multiplier before = own.multiplier;
     // Both bounds hold for the pair: the same λ moves both sides, so momentum is kept.
     const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
     const float kept = first ? pbd::min(share, bound / pbd::max(before.value, 1e-30f)) : 1.0f;
     const float old = kept * before.value;
     const float expected = first ? c.value - kept * before.relieved : c.value;
     const float denominator = c.denominator + compliance;
-    float change = first ? 0.0f : momentum * increment[i];
+    float change = first ? 0.0f : momentum * own.increment;
     if (denominator > 0) change += step * (expected - compliance * old) / denominator;
     change = pbd::clamp(change, -bound, bound);
     const float next = pbd::max(0.0f, old + change);
@@ -135,8 +143,9 @@ struct Advance {
   MENISCUS_HD void run(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
     if (with_grains && advancing.passes_over(i)) return;
+    const auto own = advancing.own(i);
     const Constraint c = density_constraint<D>(kernel, advancing.position, neighbours, i);
-    if (D::leads()) advancing.advance(i, c);
+    if (D::leads()) advancing.advance(i, own, c);
   }
 };
 
@@ -179,7 +188,7 @@ struct Correct {
   MENISCUS_HD void run(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
     using Real = typename D::Real;
-    const Vec4 self = staged[i];
+    const Vec4 self = staged[i], before = moved[i];
     Vec3Of<Real> push{Real(0.0f), Real(0.0f), Real(0.0f)};
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
@@ -189,7 +198,6 @@ struct Correct {
     });
     const Vec3 total = sum(push);
     if (!D::leads()) return;
-    const Vec4 before = moved[i];
     const Vec3 step = (before.w * kernel.peak_pull) * total;
     position[i] = pbd::with_w(self.xyz() + step, before.w);
     moved[i] = pbd::shifted(before, step);

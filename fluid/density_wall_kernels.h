@@ -99,7 +99,7 @@ struct AdvanceAtWalls {
     if (with_grains && advancing.passes_over(i)) return;
     const Constraint c =
         density_constraint_at_walls<D, any_moving>(kernel, advancing.position, neighbours, contacts, i);
-    if (D::leads()) advancing.advance(i, c);
+    if (D::leads()) advancing.advance(i, advancing.own(i), c);
   }
 };
 
@@ -150,11 +150,12 @@ struct CorrectAtWalls {
     const auto others = pushes.in_one(mirrors);
     if (!D::leads()) return;
     note_pushes(mirrors, others, own);
-    const Vec4 moved = walls.moved[i];
-    const Vec3 step = moved.w * (others.vector(mirrors) + own.vector(mirrors));
-    walls.position[i] = pbd::with_w(x + step, moved.w);
-    walls.moved[i] = pbd::shifted(moved, step);
-    if (projects) walls.project(i);
+    const Vec4 before = walls.moved[i];
+    const Vec3 step = before.w * (others.vector(mirrors) + own.vector(mirrors));
+    Vec4 to = pbd::with_w(x + step, before.w), moved = pbd::shifted(before, step);
+    if (projects) walls.hold(i, to, moved);
+    walls.position[i] = to;
+    walls.moved[i] = moved;
   }
 
   /// The solids get back what their images push a particle with: each what its own mirror makes, and the

@@ -33,8 +33,14 @@ struct ContactProjection {
 
   /// Of particle i, which has contacts.
   MENISCUS_HD void project(uint32_t i) const {
+    Vec4 p = position[i], way = moved[i];
+    hold(i, p, way);
+    position[i] = p;
+    moved[i] = way;
+  }
+  /// The same where it is at p, which has gone this way.
+  MENISCUS_HD void hold(uint32_t i, Vec4& p, Vec4& way) const {
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
-    Vec4 p = position[i];
     if (p.w == 0) return;
     const float tighter = pbd::share_of_radius(slot[i]);
     const Vec3 x = p.xyz(), start = previous[i].xyz();
@@ -51,8 +57,8 @@ struct ContactProjection {
       to.normal_multiplier = c.normal_multiplier;
       to.tangent_multiplier = c.tangent_multiplier;
     }
-    position[i] = pbd::with_w(x + step, p.w);
-    moved[i] = shifted(moved[i], step);
+    p = pbd::with_w(x + step, p.w);
+    way = shifted(way, step);
   }
 };
 

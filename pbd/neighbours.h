@@ -3,7 +3,7 @@
 //
 // Neighbour lists as constraints read them: through for_each_neighbour alone, so that the form of the list
 // can change. What D is says who reads: the CPU with eight lanes (CpuDevice), a thread of the GPU
-// (CudaDevice), or four or eight (CudaTeamOf).
+// (CudaDevice), or four, eight or a warp of them (CudaTeamOf).
 #pragma once
 
 #include <type_traits>
@@ -115,21 +115,25 @@ MENISCUS_HD void by_thread(const NeighbourView& list, uint32_t i, const Visit& v
 }
 
 /// By a team: of eight entries each thread takes as many, one after the other, and has the next ones on their
-/// way.
+/// way. Of a warp each takes one, and all of a list is on its way in two turns.
 template <class D, class Entry, class Visit>
-MENISCUS_HD void by_team(uint32_t count, const Entry& first, const Visit& visit) {
-  constexpr uint32_t each = 8 / D::lane_count;
-  using Value = std::remove_cvref_t<decltype(first(0))>;
-  struct alignas(each * sizeof(Value)) Part {
-    Value at[each];
-  };
-  const auto part = [&](uint32_t k) { return reinterpret_cast<const Part&>(first(k + each * D::rank())); };
-  Part j = count ? part(0) : Part{};
-  for (uint32_t k = 0; k < count; k += 8) {
-    const Part next = k + 8 < count ? part(k + 8) : j;
-    MENISCUS_UNROLL
-    for (uint32_t n = 0; n < each; ++n) visit(j.at[n]);
-    j = next;
+MENISCUS_HD void by_team(uint32_t count, const Entry& entry, const Visit& visit) {
+  if constexpr (D::lane_count > 8) {
+    for (uint32_t k = D::rank(); k < count; k += D::lane_count) visit(entry(k));
+  } else {
+    constexpr uint32_t each = 8 / D::lane_count;
+    using Value = std::remove_cvref_t<decltype(entry(0))>;
+    struct alignas(each * sizeof(Value)) Part {
+      Value at[each];
+    };
+    const auto part = [&](uint32_t k) { return reinterpret_cast<const Part&>(entry(k + each * D::rank())); };
+    Part j = count ? part(0) : Part{};
+    for (uint32_t k = 0; k < count; k += 8) {
+      const Part next = k + 8 < count ? part(k + 8) : j;
+      MENISCUS_UNROLL
+      for (uint32_t n = 0; n < each; ++n) visit(j.at[n]);
+      j = next;
+    }
   }
 }
 

@@ -92,7 +92,7 @@ class Solver {
   StageTimer& timer() { return timer_; }
 
  private:
-  void substep(float dt, bool is_last);
+  void substep(float dt, bool is_first, bool is_last);
   solver_kernels::Prediction predict(float dt, Vec3 gravity);
   void sort(const solver_kernels::Prediction& prediction);
   void find(Substep<D>& s, bool prepares);

@@ -23,10 +23,12 @@
 namespace meniscus::pbd {
 
 template <class D>
-void Solver<D>::substep(float dt, bool is_last) {
+void Solver<D>::substep(float dt, bool is_first, bool is_last) {
   timer_.enter(StageId::predict);
   for (ConstraintSet<D>* set : sets_) set->predict(dt);
   sort(predict(dt, parameters_.gravity));
+  // The device is idle, and may begin while the rest is put together.
+  if (is_first && particles_.sorted()) device_.send_off();
 
   Substep<D> s = make_substep(dt);
   s.gravity = parameters_.gravity;
@@ -83,7 +85,7 @@ StepResult Solver<D>::run(float dt) {
     for (ConstraintSet<D>* set : sets_) set->start_step();
     for (Observer<D>* observer : observers_) observer->start_step();
     const int substeps = choose_substeps(dt);
-    for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps), k + 1 == substeps);
+    for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps), k == 0, k + 1 == substeps);
     timer_.enter(StageId::finish);
     summarize();
     timer_.stop();

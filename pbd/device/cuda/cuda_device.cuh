@@ -27,6 +27,7 @@ namespace cuda_kernels {
 constexpr uint32_t block_size = cuda_block_size;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
+constexpr uint32_t most_warps = 1u << 12;           // for particles at walls, beside teams for the others
 constexpr uint32_t most_teams = 1u << 16;           // they fill a large GPU
 constexpr uint32_t most_half_teams = 1u << 17;      // likewise
 constexpr uint32_t most_for_one_launch = 7u << 15;  // items; beyond, occupancy counts more than a launch
@@ -182,9 +183,9 @@ __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
 }
 
 // The teams come first: their work is the longer. Few of them need as many registers as would keep others
-// from the multiprocessor: those spill.
-template <class Team, class Kernel, class TeamKernel>
-__global__ void __launch_bounds__(block_size, 8)
+// from the multiprocessor: those spill. Where there are warps, there are not so many others.
+template <class Team, class Others, class Kernel, class TeamKernel>
+__global__ void __launch_bounds__(block_size, Team::lane_count > 8 ? 4 : 8)
     for_each_of_both(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel,
                      uint32_t team_count, uint32_t team_blocks,
                      const __grid_constant__ TeamKernel team_kernel) {
@@ -193,8 +194,8 @@ __global__ void __launch_bounds__(block_size, 8)
     const uint32_t i = blockIdx.x * teams<Team> + threadIdx.x / Team::lane_count;
     if (i < team_count) team_kernel.template run<Team>(i);
   } else {
-    const uint32_t i = (blockIdx.x - team_blocks) * block_size + threadIdx.x;
-    if (i < count) kernel.template run<CudaDevice>(i);
+    const uint32_t i = (blockIdx.x - team_blocks) * teams<Others> + threadIdx.x / Others::lane_count;
+    if (i < count) kernel.template run<Others>(i);
   }
 }
 
@@ -322,9 +323,13 @@ class CudaDevice final : public Device {
              next_turn(blocks), count, RunLong<CudaDevice, Kernel>{kernel});
       return;
     }
-    // Beside work that fills the GPU by itself, what takes the least in all.
-    count > most_half_teams ? run_both<CudaHalfTeam>(name, count, kernel, long_count, long_kernel)
-                            : run_both<CudaTeam>(name, count, kernel, long_count, long_kernel);
+    if (count <= most_warps) {
+      run_both<CudaWarp, CudaTeam>(name, count, kernel, long_count, long_kernel);
+    } else if (count <= most_teams) {
+      run_both<CudaTeam, CudaDevice>(name, count, kernel, long_count, long_kernel);
+    } else {  // beside work that fills the GPU by itself, what takes the least in all
+      run_both<CudaHalfTeam, CudaDevice>(name, count, kernel, long_count, long_kernel);
+    }
   }
 
   template <class First, class Second>
@@ -406,15 +411,15 @@ class CudaDevice final : public Device {
     if (cuda_kernels::prepares<Kernel, Scratch> && count > multiprocessors_) end_list();
     launch(name, count, cuda_kernels::group_size<Kernel>(), run, kernel);
   }
-  template <class Team, class Kernel, class TeamKernel>
+  template <class Team, class Others, class Kernel, class TeamKernel>
   void run_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t team_count,
                 const TeamKernel& team_kernel) {
     using namespace cuda_kernels;
     const uint32_t team_blocks = blocks_of<Team>(team_count);
-    const uint32_t blocks = team_blocks + (count + block_size - 1) / block_size;
+    const uint32_t blocks = team_blocks + blocks_of<Others>(count);
     if (blocks == 0) return;
-    launch(name, blocks, block_size, for_each_of_both<Team, Kernel, TeamKernel>, count, kernel, team_count,
-           team_blocks, team_kernel);
+    launch(name, blocks, block_size, for_each_of_both<Team, Others, Kernel, TeamKernel>, count, kernel,
+           team_count, team_blocks, team_kernel);
   }
 
   /// For so many threads a launch keeps the GPU busy while others are sent; in a graph those of the pressure

@@ -10,9 +10,10 @@
 namespace meniscus::pbd {
 
 /// Sends lists of launches, and those that come again as a CUDA graph: that takes the host as long as one
-/// launch. Steps with nothing new in them come again after a few, when all arrays that take turns have had
-/// theirs. A list that differs from the expected one by a few launches has its graph, with these changed;
-/// when there are many graphs, a new list has the one that was of no use for the longest time.
+/// launch. Steps with nothing new in them come again after six, when all arrays that take turns have had
+/// theirs; each may be several lists. A list that differs from the expected one by a few launches has its
+/// graph, with these changed; when there are many graphs, a new list has the one that was of no use for the
+/// longest time.
 class LaunchGraphs {
  public:
   LaunchGraphs() = default;
@@ -50,9 +51,9 @@ class LaunchGraphs {
     void destroy();
   };
 
-  static constexpr size_t shortest = 4, most_graphs = 12, most_seen = 64;
+  static constexpr size_t shortest = 4, most_graphs = 24, most_seen = 64;
   static constexpr size_t most_changes = 12;  // each costs a third of a launch
-  static constexpr uint32_t most_misses = 48, pause = 1024;
+  static constexpr uint32_t most_misses = 96, pause = 2048;
 
   Graph* find(const LaunchList& list);
   Graph* adopt(Graph& graph, const LaunchList& list);

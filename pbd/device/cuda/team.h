@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Four or eight threads of a warp that work on one particle, each with one lane of what device/cpu/lanes.h
-// has in a register: the same kernels run over either. For work that one thread would take too long over,
-// such as a long neighbour list, and for particles too few to fill the GPU by a thread each.
+// Four or eight threads of a warp, or all of it, that work on one particle, each with one lane of what
+// device/cpu/lanes.h has in a register: the same kernels run over either. For work that one thread would take
+// too long over, such as a long neighbour list, and for particles too few to fill the GPU by a thread each.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ MENISCUS_HD uint32_t team_rank() {
 template <uint32_t lanes>
 MENISCUS_HD uint32_t team_mask() {
 #ifdef __CUDA_ARCH__
-  return ((1u << lanes) - 1) << (threadIdx.x % 32 / lanes * lanes);
+  return (~0u >> (32 - lanes)) << (threadIdx.x % 32 / lanes * lanes);
 #else
   return 1;
 #endif
@@ -98,6 +98,7 @@ struct CudaTeamOf {
 
 using CudaTeam = CudaTeamOf<8>;
 using CudaHalfTeam = CudaTeamOf<4>;
+using CudaWarp = CudaTeamOf<32>;
 
 template <class D>
 inline constexpr bool is_cuda_team = false;
