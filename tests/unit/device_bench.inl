@@ -28,6 +28,20 @@ struct CountVisit {
   MENISCUS_HD void operator()(uint32_t i) const { pbd::atomic_add(visits[i], 1); }
 };
 
+struct Double {
+  struct Pair {
+    float a, b;
+  };
+  Pair pairs[5];
+  bool doubles;
+  float number;
+  pbd::View<float> out;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    out[i] = i < 5 ? (doubles ? 2.0f : 1.0f) * (pairs[i].a + pairs[i].b) : number;
+  }
+};
+
 }  // namespace bench_kernels
 
 template <class D>
@@ -100,6 +114,15 @@ class DeviceBenchOn final : public DeviceBench {
       found.push_back(all + one);
     }
     return found;
+  }
+
+  std::vector<float> doubled(const std::array<float, 10>& pairs, float number) override {
+    pbd::Buffer<float> sums(device_, "test");
+    sums.resize_discard(6);
+    bench_kernels::Double kernel{{}, true, number, sums.view()};
+    for (size_t k = 0; k < 5; ++k) kernel.pairs[k] = {pairs[2 * k], pairs[2 * k + 1]};
+    device_.parallel_for("test", 6, kernel);
+    return sums.read(6);
   }
 
   uint64_t graphs_sent() const override {

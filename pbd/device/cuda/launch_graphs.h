@@ -53,7 +53,7 @@ class LaunchGraphs {
 
   static constexpr size_t shortest = 4, most_graphs = 24, most_seen = 64;
   static constexpr size_t most_changes = 12;  // each costs a third of a launch
-  static constexpr uint32_t most_misses = 96, pause = 2048;
+  static constexpr uint32_t most_misses = 48, pause = 1024;
 
   Graph* find(const LaunchList& list);
   Graph* adopt(Graph& graph, const LaunchList& list);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "pbd/device/cuda/cuda_check.cuh"
+#include "pbd/device/cuda/padding.h"
 
 namespace meniscus::pbd {
 
@@ -121,13 +122,10 @@ class LaunchList {
     items_.push_back(item);
   }
 
-  /// Its bytes are what it is compared by: those that mean nothing are 0. A compiler that cannot tell them
-  /// has lists differ for no reason, and fewer graphs.
+  /// Its bytes are what it is compared by.
   template <class T>
   void put(T argument) {
-#if __has_builtin(__builtin_clear_padding) && CUDART_VERSION >= 12040
-    __builtin_clear_padding(&argument);
-#endif
+    clear_padding(argument);
     offsets_.push_back(bytes_.size());
     bytes_.resize(bytes_.size() + (sizeof(T) + word - 1) / word * word);
     std::memcpy(bytes_.data() + offsets_.back(), &argument, sizeof(T));

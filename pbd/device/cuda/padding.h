@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Bytes of a value that mean nothing, so that two values that are alike are so byte by byte.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <cstddef>
+#include <cstring>
+
+namespace meniscus::pbd {
+
+#if __has_builtin(__builtin_clear_padding) && CUDART_VERSION >= 12040
+
+/// GCC 12 looks for what lies behind an array of structs in the wrong place, and clears what means something
+/// there. Such a T is told by padding that is known: behind a byte that follows it.
+template <class T>
+bool knows_padding() {
+  struct Followed {
+    T value;
+    unsigned char byte;
+    alignas(16) unsigned char next[16];
+  };
+  alignas(Followed) unsigned char memory[sizeof(Followed)];
+  std::memset(memory, 0xff, sizeof memory);
+  auto* const followed = reinterpret_cast<Followed*>(memory);
+  __builtin_clear_padding(followed);
+  for (const unsigned char* at = &followed->byte + 1; at != followed->next; ++at)
+    if (*at != 0) return false;
+  return followed->byte == 0xff;
+}
+
+/// Makes the bytes between a value's members 0, where the compiler can tell them. Where not, lists of
+/// launches differ for no reason, and there are fewer graphs.
+template <class T>
+void clear_padding(T& value) {
+  static const bool is_known = knows_padding<T>();
+  if (is_known) __builtin_clear_padding(&value);
+}
+
+#else
+
+template <class T>
+void clear_padding(T&) {}
+
+#endif
+
+}  // namespace meniscus::pbd
