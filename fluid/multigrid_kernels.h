@@ -119,19 +119,24 @@ struct Parents {
 };
 
 /// The coarse equation: sums of the fine ones under a p that is constant on a coarse node's children; but a
-/// coarse face's two nodes are twice as far apart, which halves its coefficient.
+/// coarse face's two nodes are twice as far apart, which halves its coefficient. What little is left where
+/// nothing holds p but the nodes beside is rounding: a closed vessel's p would be that of the sums, divided
+/// by it, and swamp whatever else is solved for.
 struct Coarsen {
+  static constexpr float rounding = 2e-6f;  // of the diagonals' sum
+
   Level fine, coarse;
 
   MENISCUS_HD void operator()(uint32_t node) const {
     const Parents parents{fine.table, coarse.table};
     const NodeCoordinates c = coarse.table.coordinates(node);
-    float extra = 0, faces = 0;
+    float extra = 0, faces = 0, whole = 0;
     Coefficients own{0, 0, 0, 0};
     parents.for_each_child(c, [&](uint32_t child, const NodeCoordinates& at) {
       const Coefficients mine = fine.coefficients[child];
       if (!(mine.w > 0)) return;
       extra += mine.w;
+      whole += mine.w;
       MENISCUS_UNROLL
       for (int axis = 0; axis < 3; ++axis) {
         const float scale = parents.halves(axis) ? 0.5f : 1.0f;
@@ -148,7 +153,7 @@ struct Coarsen {
         }
       }
     });
-    own.w = faces + pbd::max(extra, 0.0f);
+    own.w = faces + (extra > rounding * whole ? extra : 0.0f);
     coarse.coefficients[node] = own;
   }
 
