@@ -92,10 +92,11 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
     pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
             1 / Kernel::weight_shape(artificial.distance * artificial.distance), artificial.exponent};
   }
-  if (any_grains_) {
+  const bool is_over = stop_ && stop_->is_over();
+  if (!is_over && any_grains_) {
     substep.contacts.any_moving ? iterate<true, true>(substep, advancing, pair)
                                 : iterate<false, true>(substep, advancing, pair);
-  } else {
+  } else if (!is_over) {
     substep.contacts.any_moving ? iterate<true, false>(substep, advancing, pair)
                                 : iterate<false, false>(substep, advancing, pair);
   }

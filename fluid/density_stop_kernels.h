@@ -12,6 +12,14 @@ namespace meniscus::fluid::density_kernels {
 struct Progress {
   uint32_t ended;       ///< 1 once this substep's are at their end
   uint32_t iterations;  ///< since the step's start
+  uint32_t number;      ///< of the substep, counted since ever
+};
+
+/// Begins a step, whatever has become of the last one.
+struct Begin {
+  View<Progress> progress;
+
+  MENISCUS_HD void operator()(uint32_t) const { progress[0] = {0, 0, progress[0].number + 1}; }
 };
 
 template <class Kernel>
@@ -58,16 +66,19 @@ struct MeanError {
 struct Decide {
   View<const ErrorSum> sum;
   View<Progress> progress;
+  View<uint32_t> ended;  ///< the number of the substep that has; the host looks there
   float tolerance;
   bool may_end;  ///< at this iteration
 
   MENISCUS_HD void operator()(uint32_t) const {
     Progress& p = progress[0];
     if (p.ended) return;
-    if (may_end && sum[0].error <= double{tolerance} * static_cast<double>(sum[0].fluid))
+    if (may_end && sum[0].error <= double{tolerance} * static_cast<double>(sum[0].fluid)) {
       p.ended = 1;
-    else
+      ended[0] = p.number;
+    } else {
       ++p.iterations;
+    }
   }
 };
 
@@ -93,6 +104,7 @@ struct Report {
 
   MENISCUS_HD void operator()(uint32_t) const {
     progress[0].ended = 0;
+    ++progress[0].number;
     iterations[0] = progress[0].iterations;
   }
 };
