@@ -12,7 +12,7 @@ namespace meniscus::fluid::density_kernels {
 struct Progress {
   uint32_t ended;       ///< 1 once this substep's are at their end
   uint32_t iterations;  ///< since the step's start
-  uint32_t number;      ///< of the substep, counted since ever
+  uint32_t number;      ///< of the substep, counted from the first one on
 };
 
 /// Begins a step, whatever has become of the last one.

@@ -99,7 +99,7 @@ struct AdvanceAtWalls {
     if (with_grains && advancing.passes_over(i)) return;
     const Constraint c =
         density_constraint_at_walls<D, any_moving>(kernel, advancing.position, neighbours, contacts, i);
-    if (D::leads()) advancing.advance(i, advancing.own(i), c);
+    if (D::leads()) advancing.advance(i, advancing.own(i), c);  // loaded ahead it would take registers
   }
 };
 
