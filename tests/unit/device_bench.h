@@ -36,9 +36,9 @@ class DeviceBench {
   /// visits, on two streams, and one that counts round % period less; a copy, and a sum. Then the host waits.
   virtual std::vector<uint32_t> rounds(uint32_t count, uint32_t launches, uint32_t rounds,
                                        uint32_t period = 1) = 0;
-  /// What a kernel is given in an array of five pairs, with a flag and a number behind it: twice their sums,
-  /// and the number.
-  virtual std::vector<float> doubled(const std::array<float, 10>& pairs, float number) = 0;
+  /// What a kernel is given in an array of pairs, with a flag and a number behind it: twice their sums, and
+  /// the number.
+  virtual std::vector<float> doubled(const std::array<float, 32>& pairs, float number) = 0;
   /// How often a list of launches was sent as a graph.
   virtual uint64_t graphs_sent() const = 0;
   /// A buffer that held 0, 1, 2, … after resize_keep(size, kept); the first `kept` elements.

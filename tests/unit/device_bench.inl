@@ -32,13 +32,14 @@ struct Double {
   struct Pair {
     float a, b;
   };
-  Pair pairs[5];
+  static constexpr uint32_t count = 16;
+  Pair pairs[count];
   bool doubles;
   float number;
   pbd::View<float> out;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    out[i] = i < 5 ? (doubles ? 2.0f : 1.0f) * (pairs[i].a + pairs[i].b) : number;
+    out[i] = i < count ? (doubles ? 2.0f : 1.0f) * (pairs[i].a + pairs[i].b) : number;
   }
 };
 
@@ -116,13 +117,14 @@ class DeviceBenchOn final : public DeviceBench {
     return found;
   }
 
-  std::vector<float> doubled(const std::array<float, 10>& pairs, float number) override {
+  std::vector<float> doubled(const std::array<float, 32>& pairs, float number) override {
+    using bench_kernels::Double;
     pbd::Buffer<float> sums(device_, "test");
-    sums.resize_discard(6);
-    bench_kernels::Double kernel{{}, true, number, sums.view()};
-    for (size_t k = 0; k < 5; ++k) kernel.pairs[k] = {pairs[2 * k], pairs[2 * k + 1]};
-    device_.parallel_for("test", 6, kernel);
-    return sums.read(6);
+    sums.resize_discard(Double::count + 1);
+    Double kernel{{}, true, number, sums.view()};
+    for (size_t k = 0; k < Double::count; ++k) kernel.pairs[k] = {pairs[2 * k], pairs[2 * k + 1]};
+    device_.parallel_for("test", Double::count + 1, kernel);
+    return sums.read(Double::count + 1);
   }
 
   uint64_t graphs_sent() const override {

@@ -165,14 +165,14 @@ TEST_P(DeviceTest, WorkThatRepeatsIsAGraphOnAGpu) {
   EXPECT_GT(bench_->graphs_sent(), before + 300);
 }
 
-/// Bytes between members are cleared, so that lists of launches can be compared, and nothing else is.
+/// Bytes between members are cleared, so that lists of launches can be compared, and nothing else is: GCC 12
+/// looks in the wrong place behind an array of structs of more than 64 bytes.
 TEST_P(DeviceTest, KernelsGetWhatTheyAreGiven) {
-  const std::array<float, 10> pairs{1.7f, 2.3f, 3.1f, 4.9f, 5.3f, 6.1f, 7.7f, 8.3f, 9.1f, 10.7f};
-  for (int times = 0; times < 3; ++times) {
-    const std::vector<float> found = bench_->doubled(pairs, 11.3f);
-    for (size_t k = 0; k < 5; ++k) EXPECT_EQ(found[k], 2 * (pairs[2 * k] + pairs[2 * k + 1])) << k;
-    EXPECT_EQ(found[5], 11.3f);
-  }
+  std::array<float, 32> pairs;
+  for (size_t k = 0; k < pairs.size(); ++k) pairs[k] = 1.7f + 2.3f * static_cast<float>(k);
+  const std::vector<float> found = bench_->doubled(pairs, 11.3f);
+  for (size_t k = 0; k < 16; ++k) EXPECT_EQ(found[k], 2 * (pairs[2 * k] + pairs[2 * k + 1])) << k;
+  EXPECT_EQ(found[16], 11.3f);
 }
 
 /// What differs by a launch is changed in the graph that there is: none of these rounds is like another.

@@ -13,8 +13,8 @@ namespace meniscus::pbd {
 
 #if __has_builtin(__builtin_clear_padding) && CUDART_VERSION >= 12040
 
-/// GCC 12 looks for what lies behind an array of structs in the wrong place, and clears what means something
-/// there. Such a T is told by padding that is known: behind a byte that follows it.
+/// GCC 12 looks for what lies behind an array of structs of more than 64 bytes in the wrong place, and clears
+/// what means something there. Such a T is told by padding that is known: behind a byte that follows it.
 template <class T>
 bool knows_padding() {
   struct Followed {
