@@ -14,11 +14,16 @@ namespace meniscus {
 
 namespace {
 
+/// The mean of a vertex's triangles, with the weights of Max (1999), which are exact on a ball. By area a
+/// sheet's vertices would lean to the side of their diagonals, and folds look rippled.
 std::vector<Vec3> vertex_normals(const cloth::ClothMesh& mesh, std::span<const Vec3> x) {
   std::vector<Vec3> normals(x.size(), {0, 0, 0});
   for (const auto& t : mesh.triangles) {
-    const Vec3 n = cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
-    for (uint32_t v : t) normals[v] += n;
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3 a = x[t[(k + 1) % 3]] - x[t[k]], b = x[t[(k + 2) % 3]] - x[t[k]];
+      const float weight = dot(a, a) * dot(b, b);
+      if (weight > 0) normals[t[k]] += cross(a, b) / weight;
+    }
   }
   for (Vec3& n : normals) n = normalized_or(n, {0, 1, 0});
   return normals;

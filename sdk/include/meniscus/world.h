@@ -122,7 +122,8 @@ class World {
   // const. Tearing adds vertices at the end, and keeps the triangles' order.
   std::span<const Vec3> cloth_positions(ClothId id) const;   ///< m
   std::span<const Vec3> cloth_velocities(ClothId id) const;  ///< m/s
-  std::span<const Vec3> cloth_normals(ClothId id) const;  ///< unit, a vertex: mean of its triangles, by area
+  /// Unit, one a vertex: the mean of its triangles' with the weights of Max (1999), exact on a ball.
+  std::span<const Vec3> cloth_normals(ClothId id) const;
   std::span<const uint32_t> cloth_triangles(ClothId id) const;  ///< three vertices each
   std::span<const float> cloth_strains(ClothId id) const;  ///< of each triangle, its largest principal strain
   /// Of each vertex, the fluid that it holds over FabricDef::absorbency; 0 where that is 0.
