@@ -11,6 +11,7 @@
 #include "cloth/sweep_kernel.h"
 #include "cloth/tear_kernels.h"
 #include "cloth/tether_kernels.h"
+#include "cloth/tethers.h"
 #include "cloth/wind_kernels.h"
 #include "cloth/yarn_kernel.h"
 
@@ -28,7 +29,6 @@ void ClothSet<D>::set_model(const ClothModel& model) {
   last_dt_ = 0;
 
   upload_constraints(model);
-  upload(tethers_, model.tethers);
   tether_pull_.resize_discard(model.tethers.size());
   upload(held_, model.held);
   std::vector<uint32_t> tether_start{0};
@@ -59,6 +59,7 @@ template <class D>
 void ClothSet<D>::upload_constraints(const ClothModel& model) {
   ClothConstraints constraints = model.constraints;
   const Yarns yarns = draw_yarns(constraints, model.rest, model.pieces);
+  upload(tethers_, tethers_beside(yarns, model));
   Clusters c = build_clusters(constraints, model.rest);
   upload_edges(model, c, yarns);
   upload(strains_, c.strains);

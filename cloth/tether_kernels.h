@@ -34,12 +34,14 @@ struct ProjectTethers {
       return pbd::by_lane<D>([&](uint32_t lane) { return tethers[together.items.at[lane]].*what; });
     };
     const Real zero(0), square(vertices.inverse_dt * vertices.inverse_dt);
-    const Real longest = of_each(&Tether::length), soft = square * of_each(&Tether::compliance);
+    const Real longest = of_each(&Tether::length);
     const View<Vec4> x = vertices.particles.position.from(vertices.particles.sorted),
                      moved = vertices.particles.moved.from(vertices.particles.sorted);
     const pbd::Vec4Of<Real> end = gather(x, vertex.index());
     const Vector d = end.xyz() - gather(x, anchor.index()).xyz();
-    const Real l = square_root(dot(d, d)), w = end.w;
+    const Real l = square_root(dot(d, d)), w = end.w, own = w * of_each(&Tether::own_mass);
+    const Real loaded = select_less(zero, own, select_less(own, Real(1), own, Real(1)), Real(1));
+    const Real soft = square * loaded * of_each(&Tether::compliance);
     const pbd::Vec4Of<Real> before = starts ? pbd::Vec4Of<Real>{zero, zero, zero, zero} : gather(pull, at);
     const Real lacks = l - longest - soft * before.w;
     const uint32_t taut = less_mask(zero, lacks) & less_mask(zero, w) & together.mask();

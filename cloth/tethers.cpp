@@ -175,4 +175,23 @@ std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_
   return tethers;
 }
 
+std::vector<Tether> tethers_beside(const Yarns& yarns, const ClothModel& model) {
+  const size_t vertices = model.rest.size();
+  std::vector<bool> held(vertices), ends_free(vertices), holds(vertices);
+  for (uint32_t v : model.held) held[v] = true;
+  for (const Yarn& yarn : yarns.yarns) {
+    const std::span edges = std::span(yarns.edges).subspan(yarn.first, yarn.count);
+    const bool leads = held[edges.front().a] ||
+                       std::ranges::any_of(edges, [&](const EdgeConstraint& e) { return held[e.b]; });
+    std::vector<bool>& kind = leads ? holds : ends_free;
+    kind[edges.front().a] = true;
+    for (const EdgeConstraint& e : edges) kind[e.b] = true;
+  }
+  std::vector<Tether> tethers = model.tethers;
+  for (Tether& t : tethers) {
+    if (!ends_free[t.vertex] || holds[t.vertex]) t.own_mass = 0;
+  }
+  return tethers;
+}
+
 }  // namespace meniscus::cloth

@@ -62,7 +62,8 @@ class Assembly {
     if (entry.def.tethers) {
       tie_to_held(entry, numbers_of(held));
       for (const cloth::Tether& t : entry.tethers)
-        model.tethers.push_back({first + t.vertex, first + t.anchor, t.length, t.compliance});
+        model.tethers.push_back(
+            {first + t.vertex, first + t.anchor, t.length, t.compliance, entry.strand.masses[t.vertex]});
     }
   }
 

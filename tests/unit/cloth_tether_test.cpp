@@ -188,6 +188,34 @@ TEST(Tethers, YieldAsStripsOfTheFabricDo) {
               1e-3);
 }
 
+// Of a sheet of 7 × 7 with tethers, the vertices in the order of rows: whether what they carry counts.
+std::string what_counts(std::vector<uint32_t> held, float gas = 0) {
+  ClothModel model{.rest = make_sheet(1, 1, 7, 7).vertices, .held = std::move(held)};
+  ClothConstraints constraints = build_constraints(make_sheet(1, 1, 7, 7), {.shear_stiffness = 100});
+  for (const Tether& t : unyielding_tethers(make_sheet(1, 1, 7, 7), model.held))
+    model.tethers.push_back({t.vertex, t.anchor, t.length, t.compliance, 0.5f});
+  const Piece piece{.first_vertex = 0, .end_vertex = 49, .inside = gas};
+  std::string marks(49, 'o');
+  for (const Tether& t : tethers_beside(draw_yarns(constraints, model.rest, std::vector{piece}), model)) {
+    EXPECT_TRUE(t.own_mass == 0 || t.own_mass == 0.5f);
+    marks[t.vertex] = t.own_mass > 0 ? 'x' : '.';
+  }
+  return marks;
+}
+
+TEST(Tethers, AreStiffenedByLoadsWhereNoYarnLeadsToWhatIsHeld) {
+  EXPECT_EQ(what_counts({0, 6, 42, 48}),
+            "o.....o"
+            ".xxxxx."
+            ".xxxxx."
+            ".xxxxx."
+            ".xxxxx."
+            ".xxxxx."
+            "o.....o");
+  EXPECT_EQ(what_counts(first(7)), "ooooooo" + std::string(42, '.'));
+  EXPECT_EQ(what_counts({24}, 1).find('x'), std::string::npos) << "without yarns";
+}
+
 TEST(Tethers, OfWhatDoesNotResistPullAtNothing) {
   const FabricParameters fabric{.warp_stiffness = 0, .weft_stiffness = 500, .shear_stiffness = 100};
   for (const Tether& t : build_tethers(make_sheet(1, 1, 5, 5), std::vector{0u}, fabric)) {
