@@ -86,7 +86,7 @@ class GrainSet final : public pbd::ConstraintSet<D> {
   pbd::RestorableBuffer<uint32_t> origin_{device_, "grain origins"};
   pbd::Buffer<pbd::Vec4> change_{device_, "grain contact changes"};
   pbd::Buffer<pbd::Vec4> staged_{device_, "staged grains"};
-  pbd::Buffer<float> touching_{device_, "touching grains"};
+  pbd::Buffer<float> pressing_{device_, "pressed grains"};
   pbd::Buffer<uint32_t> longest_{device_, "longest row of grain contacts"};
   pbd::SharedBuffer<uint32_t> found_{device_, "longest row of grain contacts"};  // for the host
 };

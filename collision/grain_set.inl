@@ -68,7 +68,7 @@ void GrainSet<D>::begin(pbd::Substep<D>& substep) {
                            .rows = next_rows(),
                            .change = change_.view(),
                            .next_origin = origin_.next(),
-                           .touching = touching_.view(),
+                           .pressing = pressing_.view(),
                            .longest = longest_.view(),
                        });
   partner_.flip();
@@ -92,7 +92,7 @@ void GrainSet<D>::project(pbd::Substep<D>& substep, int iteration) {
     contacts_.project(grains, iteration);
   }
   device_.parallel_for("grains/stage", p.sorted,
-                       Stage{current_rows().count, touching_.view(), p.position, staged_.view()});
+                       Stage{current_rows(), change_.view(), p.position, pressing_.view(), staged_.view()});
   const pbd::IterationWeights weights = chebyshev_.next(iteration, substep.iterations);
   device_.parallel_for("grains/project", p.sorted,
                        Project{.rows = current_rows(),
@@ -101,7 +101,6 @@ void GrainSet<D>::project(pbd::Substep<D>& substep, int iteration) {
                                .previous = p.previous,
                                .position = p.position,
                                .moved = p.moved,
-                               .touching = touching_.view(),
                                .momentum = weights.momentum,
                                .step = weights.step});
 }
@@ -138,7 +137,7 @@ void GrainSet<D>::reserve_arrays(uint32_t kept) {
   origin_.reserve(capacity_, kept);
   change_.resize_discard(elements);
   staged_.resize_discard(capacity_);
-  touching_.resize_discard(capacity_);
+  pressing_.resize_discard(capacity_);
   if (longest_.size() == 0) {
     longest_.resize_discard(1);
     longest_.fill(0);

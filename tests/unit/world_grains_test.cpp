@@ -65,6 +65,43 @@ class GrainsTest : public OnDevice {
   }
 };
 
+// Each is split among as many contacts as press on it at once, those that the solve makes included.
+TEST_P(GrainsTest, ARowWhoseHalvesMeetDoesNotFlyApart) {
+  constexpr float speed = 0.05f;
+  for (const int substeps : {4, 40}) {
+    for (const float pitch : {1.0f, 1.002f, 1.01f}) {
+      SCOPED_TRACE(testing::Message() << substeps << " substeps, a pitch of " << pitch);
+      WorldDef d = in_space();
+      d.substeps = substeps;
+      World world(d);
+      std::vector<Vec3> at, v;
+      for (int k = 0; k < 8; ++k) {
+        at.push_back({pitch * s * float(k), 0, 0});
+        v.push_back({k < 4 ? speed : -speed, 0, 0});
+      }
+      world.add_particles(world.create_granular(sand()), at, v);
+      for (int k = 0; k < 60; ++k) {
+        world.step(1 / 60.0f);
+        ASSERT_LE(fastest(world), 1.01f * speed) << "frame " << k;
+      }
+    }
+  }
+}
+
+TEST_P(GrainsTest, AColumnThatLandsInATubeThrowsNoneUp) {
+  constexpr float drop = 2 * s;
+  World world(def());
+  world.create_shape(tank({-1.2f * s, 0, -1.2f * s}, {1.2f * s, 100 * s, 1.2f * s}));
+  world.add_particles(world.create_granular(sand()), lattice(2, 20, 2, s, {-s, drop, -s}));
+  float most = 0;
+  for (int k = 0; k < 60; ++k) {
+    world.step(1 / 60.0f);
+    most = std::max(most, fastest(world));
+    for (Vec3 x : world.positions()) ASSERT_LT(x.y, drop + 20 * s) << "frame " << k;
+  }
+  EXPECT_LT(most, 1.2f * std::sqrt(2 * 9.81f * drop));
+}
+
 TEST_P(GrainsTest, TwoThatMeetShareTheirMomentum) {
   World world(in_space());
   const FluidId light = world.create_granular(sand(500)), heavy = world.create_granular(sand(1500));
