@@ -36,6 +36,7 @@ struct RigidBodyRecord {
   RigidShape shape;
   std::unique_ptr<btRigidBody> bullet;
   bool kinematic = false;
+  bool kept_awake = false;
   std::vector<Keyframe> keyframes;
   bool loop = false;
   RigidMemory memory;

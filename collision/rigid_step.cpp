@@ -196,6 +196,7 @@ void RigidWorld::Impl::apply_forces(float dt) {
   for (const auto& body : bodies.slots) {
     if (!body || body->kinematic) continue;
     btRigidBody& bullet = *body->bullet;
+    if (body->kept_awake) bullet.setDeactivationTime(0);
     bullet.clearForces();
     bullet.applyCentralForce(in_mass_units(body->memory.force + body->push));
     bullet.applyTorque(in_mass_units(body->memory.torque + body->push_torque));

@@ -28,8 +28,9 @@ btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const 
   return info;
 }
 
-/// Small bodies sleep at lower speeds than large ones; and fast ones are swept, as by how far they may go in
-/// a step before they could pass through something.
+/// Small bodies sleep at lower speeds than large ones, and none without gravity, which would have what drifts
+/// stop; and fast ones are swept, as by how far they may go in a step before they could pass through
+/// something.
 void scale_to_size(btRigidBody& body, const RigidShape& shape, float gravity) {
   const float speed = sleep_share * std::sqrt(gravity * shape.radius);
   body.setSleepingThresholds(speed, speed / shape.radius);
@@ -147,7 +148,7 @@ void RigidWorld::set_def(const RigidWorldDef& def) {
   for (const auto& body : impl_->bodies.slots) {
     if (!body) continue;
     wake_up(*body->bullet);
-    scale_to_size(*body->bullet, body->shape, impl_->acceleration_scale());
+    scale_to_size(*body->bullet, body->shape, length(def.gravity));
   }
   impl_->dynamics.setGravity(to_bullet(def.gravity));
 }
@@ -197,7 +198,7 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
     set_speed(bullet, def.velocity, def.angular_velocity);
     bullet.setFlags(bullet.getFlags() & ~BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);  // see tumbled()
   }
-  scale_to_size(bullet, made->shape, impl_->acceleration_scale());
+  scale_to_size(bullet, made->shape, length(impl_->def.gravity));
   if (!def.can_sleep) bullet.setActivationState(DISABLE_DEACTIVATION);
 
   const uint32_t number = impl_->bodies.add(std::move(made));
@@ -284,6 +285,17 @@ void RigidWorld::set_velocity(uint32_t number, Vec3 velocity, Vec3 angular_veloc
 
 void RigidWorld::wake(uint32_t number) {
   wake_up(*impl_->body(number).bullet);
+}
+
+void RigidWorld::keep_awake(std::span<const uint32_t> bodies) {
+  for (auto& body : impl_->bodies.slots) {
+    if (body) body->kept_awake = false;
+  }
+  for (uint32_t n : bodies) {
+    RigidBodyRecord& body = impl_->body(n);
+    body.kept_awake = true;
+    if (!body.bullet->isActive()) wake_up(*body.bullet);
+  }
 }
 
 void RigidWorld::apply_force(uint32_t number, Vec3 force, Vec3 point) {

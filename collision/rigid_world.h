@@ -123,6 +123,8 @@ class RigidWorld {
                 const Pose& pose);  ///< wakes it; of a kinematic body too, which then has no velocity
   void set_velocity(uint32_t body, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies; wakes
   void wake(uint32_t body);
+  /// Those, and no others, do not fall asleep: what pulls at them changes while they hardly move.
+  void keep_awake(std::span<const uint32_t> bodies);
   /// For the time up to the next end_step(): N at a world point, N·m.
   void apply_force(uint32_t body, Vec3 force, Vec3 point);
   void apply_torque(uint32_t body, Vec3 torque);

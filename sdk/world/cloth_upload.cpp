@@ -204,11 +204,13 @@ void World::Impl::upload_cloth() {
     all.add(entry, held_vertices(ropes.id(index)), clamped);
   });
   std::vector<cloth::EdgeConstraint> seams;
+  std::vector<uint32_t> tied;
   attachments.for_each([&](uint32_t, AttachmentEntry& a) {
     const uint32_t here = strand_of(a.def).first;
     a.first_tie = static_cast<uint32_t>(all.cloth.ties.size());
     for (size_t k = 0; k < a.anchors.size(); ++k)
       all.cloth.ties.push_back({here + a.vertices[k], a.def.body->index, a.anchors[k]});
+    if (!a.anchors.empty()) tied.push_back(a.def.body->index);
     for (const cloth::EdgeConstraint& s : a.seams) {
       const uint32_t there = a.def.other_cloth ? cloths.get(*a.def.other_cloth).strand.first
                                                : ropes.get(*a.def.other_rope).strand.first;
@@ -217,6 +219,7 @@ void World::Impl::upload_cloth() {
   });
   all.finish(seams);
   engine->set_cloth(all.cloth);
+  rigid.keep_awake(tied);
   pieces = all.pieces;
   vertex_count = all.vertices();
   held = all.cloth.model.held;

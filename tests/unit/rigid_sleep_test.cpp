@@ -132,6 +132,29 @@ TEST(RigidSleep, AMovingCarrierWakesWhatHangsFromIt) {
   EXPECT_NEAR(world.pose(load).position.y, 2, 0.02f);
 }
 
+TEST(RigidSleep, WhatDriftsWithoutGravityDriftsOn) {
+  RigidWorld world({.gravity = {0, 0, 0}});
+  RigidBodyDef def = body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0, 0});
+  def.velocity = {0.002f, 0, 0};
+  def.angular_velocity = {0, 0.01f, 0};
+  const uint32_t box = world.add_body(def);
+  run(world, dt, 2500);
+  EXPECT_TRUE(world.awake(box));
+  EXPECT_NEAR(world.pose(box).position.x, 0.02f, 1e-4f);
+  EXPECT_NEAR(2 * world.pose(box).rotation.y, 0.1f, 1e-3f);
+}
+
+TEST(RigidSleep, WhoIsKeptAwakeStaysSo) {
+  Afloat afloat;
+  afloat.world.keep_awake(std::vector{afloat.body});
+  EXPECT_TRUE(afloat.world.awake(afloat.body));
+  for (int i = 0; i < 1000; ++i) afloat.push(weight);
+  EXPECT_TRUE(afloat.world.awake(afloat.body));
+  afloat.world.keep_awake({});
+  for (int i = 0; i < 1000; ++i) afloat.push(weight);
+  EXPECT_FALSE(afloat.world.awake(afloat.body));
+}
+
 TEST(RigidSleep, SomeNeverDo) {
   RigidWorld world({});
   world.add_fixed(fixed_solid(plane_part()));

@@ -36,9 +36,11 @@ struct BodyDef {
   std::optional<float> mass{};     ///< kg; takes the place of what the density gives
   SurfaceDef surface{};
   CollisionFilter filter{};
-  float linear_damping = 0;           ///< share of the velocity lost in a second, 0 to 1
-  float angular_damping = 0;          ///< the same of the angular velocity
-  bool can_sleep = true;              ///< at rest it is left out of the simulation until something pushes it
+  float linear_damping = 0;   ///< share of the velocity lost in a second, 0 to 1
+  float angular_damping = 0;  ///< the same of the angular velocity
+  /// At rest it is left out of the simulation until something pushes it: at less than 1 % of √(g r) for two
+  /// seconds, with r its radius. Not without gravity, nor where cloth or ropes are attached to it.
+  bool can_sleep = true;
   std::vector<Keyframe> keyframes{};  ///< kinematic bodies alone; in place of the pose
   bool loop = false;  ///< after the last keyframe starts again at the first; else it stays there
 };
