@@ -98,7 +98,10 @@ void pose(const char* name, const Pose& value) {
   finite(name, value.position);
   const Quat q = value.rotation;
   const float norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  if (!(std::fabs(norm - 1) < 1e-3f)) refuse(name, norm, "a rotation quaternion with a squared length of 1");
+  if (std::fabs(norm - 1) < 1e-3f) return;
+  std::ostringstream turned;
+  turned << "turned by a quaternion with a squared length of " << norm;
+  refuse(name, turned.str(), "turned by one with 1");
 }
 
 void color(const char* name, Vec3 value) {

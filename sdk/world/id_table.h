@@ -41,8 +41,9 @@ class IdTable {
 
   const T& get(IdType id) const {
     if (const T* value = find(id)) return *value;
-    throw Error(ErrorCode::not_found, std::string("no ") + what_ + " has the id " + std::to_string(id.index) +
-                                          "." + std::to_string(id.generation) + " in this world");
+    throw Error(ErrorCode::not_found, std::string("no ") + what_ + " has the index " +
+                                          std::to_string(id.index) + " and the generation " +
+                                          std::to_string(id.generation) + " in this world");
   }
 
   T& edit(IdType id) { return const_cast<T&>(get(id)); }

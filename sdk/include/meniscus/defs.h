@@ -135,7 +135,9 @@ struct FluidDef {
   /// at some 4 ν/R².
   float viscosity = 0.0f;
   /// 1/s: rate at which a particle takes its neighbours' mean velocity; vanishes as h². It brakes as
-  /// `viscosity`.
+  /// `viscosity`, and takes what motion the density's solve leaves: how calm water at rest is, is a matter of
+  /// it. In a pool .6 m deep of particles of 5 cm, at 4 × 10, the RMS speed is 3.6 % of √(g·H) at 5/s; with
+  /// none at all it is 11 %, and more with shorter substeps. The column of hydrostatic.json has 100/s.
   float xsph = 5.0f;
   /// ε, no unit, 0 to 1e6; the force is ε · h · (N × ω). It is no force between pairs: momentum drifts with
   /// it.
