@@ -59,8 +59,8 @@ struct Tether {
   uint32_t vertex, anchor;
   float length;      ///< m
   float compliance;  ///< m/N
-  float own_mass =
-      0;  ///< kg: whatever the vertex weighs beyond that makes the tether as much stiffer; 0: nothing
+  /// kg: what the vertex weighs beyond that stiffens the tether in proportion; 0: nothing does.
+  float own_mass = 0;
 };
 
 }  // namespace meniscus::cloth
