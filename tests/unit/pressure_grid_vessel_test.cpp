@@ -54,12 +54,12 @@ TEST_P(PressureGridVesselTest, AnOverfullVesselIsPressedButHolds) {
 /// A full vessel, an open pool, and a vessel that is smaller than what is in it needs.
 World vessels_and_pool(const WorldDef& def, float size) {
   World world(def);
-  const auto fill = [&](uint32_t group, float x, int layers, float size) {
-    ShapeDef box = tank({x, 0, 0}, Vec3{x, 0, 0} + size * spacing * Vec3{10, 12, 8});
+  const auto fill = [&](uint32_t group, float x, int layers, float scale) {
+    ShapeDef box = tank({x, 0, 0}, Vec3{x, 0, 0} + scale * spacing * Vec3{10, 12, 8});
     FluidDef water;
     box.filter = water.filter = {group, group};
     world.create_shape(box);
-    world.add_particles(world.create_fluid(water), lattice(10, layers, 8, size * spacing, {x, 0, 0}), {});
+    world.add_particles(world.create_fluid(water), lattice(10, layers, 8, scale * spacing, {x, 0, 0}), {});
   };
   fill(1, 0, 12, 1);
   fill(2, 2, 6, 1);

@@ -108,7 +108,7 @@ TEST_P(ClothReadoutTest, SpheresAndTubesAreWhatTheySay) {
   EXPECT_NEAR(tube.area, pi * 0.7f * std::sqrt(0.36f + 0.09f), 0.01f);
 }
 
-// By area of the triangles they would, by two degrees here, and to the other side in the next row.
+// By area of the triangles they would, by 2.5 degrees here, and to the other side in the next row.
 TEST_P(ClothReadoutTest, NormalsDoNotLeanToTheSideOfDiagonals) {
   constexpr int around = 24, rows = 9;
   ClothDef ball, pipe;
