@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include <meniscus/error.h>
+#include <meniscus/version.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -169,7 +170,7 @@ int parse_and_run(int argc, char** argv) {
   SceneChoice budget;
   Command command;
   CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
-  app.set_version_flag("--version", "meniscus " MENISCUS_VERSION);
+  app.set_version_flag("--version", "meniscus " MENISCUS_VERSION_STRING);
   app.require_subcommand(0, 1);
   add_run(app, run, command);
   add_view(app, view, command);

@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <meniscus/version.h>
 #include <algorithm>
 #include <cmath>
 
@@ -112,7 +113,7 @@ nlohmann::ordered_json RunRecorder::finish(const RunEnd& end) {
 nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
   return {{"scene", scene_.name},
           {"description", scene_.description},
-          {"version", MENISCUS_VERSION},
+          {"version", MENISCUS_VERSION_STRING},
           {"device", {{"kind", device_.kind}, {"name", device_.name}, {"reason", device_.reason}}},
           {"particles", diagnostics_.particles},
           {"frames", time_.size()},

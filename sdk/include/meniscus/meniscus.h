@@ -11,4 +11,5 @@
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 #include <meniscus/types.h>
+#include <meniscus/version.h>
 #include <meniscus/world.h>
