@@ -76,7 +76,8 @@ void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
   substep.particles.owned += room_;
   device_.parallel_for("faces/particles", room_,
                        MakeParticles{points(substep), substep.particles, particles_.previous.view(),
-                                     particles_.phase.current.view(), particles_.slot.current.view()});
+                                     particles_.phase.current.view(), particles_.slot.current.view(),
+                                     particles_.number.current.view()});
 }
 
 /// While no points are in use, the host learns at the step's end whether any were wanted.

@@ -164,7 +164,7 @@ struct MakeParticles {
   ParticleView particles;
   View<Vec4> previous;
   View<pbd::Phase> phase;
-  View<uint32_t> slot;
+  View<uint32_t> slot, number;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = points.first + n, sorted = particles.sorted;
@@ -174,7 +174,7 @@ struct MakeParticles {
     particles.moved[i] = {0, 0, 0, 0};
     phase[i] = pbd::phase_vertex | pbd::phase_face | pbd::phase_group(particles.phase[corner]) |
                (of_any(points.triangles[triangle]) & pbd::phase_placed);
-    slot[i] = pbd::vertex_slot + (i - sorted);
+    slot[i] = number[i] = pbd::vertex_slot + (i - sorted);
     if (!used) {
       particles.position[i] = previous[i] = pbd::with_w(particles.position[corner].xyz(), 0);
       particles.velocity[i] = {0, 0, 0, 0};

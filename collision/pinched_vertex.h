@@ -179,7 +179,7 @@ struct PinchedContacts {
   using Contact = pbd::Contact;
 
   MENISCUS_HD void push_out(uint32_t i) const {
-    const float tighter = pbd::share_of_radius(all.slot[i]);
+    const float tighter = pbd::share_of_radius(all.number[i]);
     const Vec3 start = all.previous[i].xyz();
     solve(
         i, [&](Contact& c, Vec3 x, float w) { return pbd::push_out(c, x, w, tighter * c.radius); },
@@ -190,7 +190,7 @@ struct PinchedContacts {
         });
   }
   MENISCUS_HD void push_and_hold(uint32_t i) const {
-    const float tighter = pbd::share_of_radius(all.slot[i]);
+    const float tighter = pbd::share_of_radius(all.number[i]);
     const Vec3 start = all.previous[i].xyz();
     solve(
         i,

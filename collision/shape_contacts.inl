@@ -112,7 +112,7 @@ struct Fill {
   pbd::View<const pbd::Vec4> velocity;
   float dt;
   pbd::ContactWriter writer;
-  pbd::View<const uint32_t> slot;
+  pbd::View<const uint32_t> number;
   pbd::View<pbd::Phase> phase;
 
   /// At planes all do the same, and those that touch some are taken side by side. Beside other shapes each
@@ -139,7 +139,7 @@ struct Fill {
   MENISCUS_HD float give_way(uint32_t i, const Shape& shape, pbd::Contact& c) const {
     const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
     const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;
-    const float stop = pbd::share_of_radius(slot[i]) * c.radius;
+    const float stop = pbd::share_of_radius(number[i]) * c.radius;
     const float way = way_out(find.touches.of(i).radius, dt);
     const float back = pbd::max(0.0f, stop - plane_distance(c, start) - way);
     c.point -= back * c.normal;
@@ -265,10 +265,11 @@ void ShapeContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWr
   const pbd::View<pbd::Phase> phase = particles_.phase.current.view();
   if (only_fixed_planes()) {
     device_.parallel_for("contacts/fill", writer.touching.list.count,
-                         Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer, p.slot, phase});
+                         Fill<true>{finder<true>(substep), p.velocity, substep.dt, writer, p.number, phase});
   } else {
-    device_.parallel_for("contacts/fill", p.owned,
-                         Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer, p.slot, phase});
+    device_.parallel_for(
+        "contacts/fill", p.owned,
+        Fill<false>{finder<false>(substep), p.velocity, substep.dt, writer, p.number, phase});
   }
 }
 

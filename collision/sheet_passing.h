@@ -70,7 +70,7 @@ struct BeginPassing {
   View<const SheetPart> parts;
   View<const Vec4> drive;  // by vertex
   View<const Vec4> position;
-  View<const uint32_t> slot;
+  View<const uint32_t> number;
   View<pbd::Phase> phase;
   uint32_t draw;
   float dt;
@@ -88,7 +88,7 @@ struct BeginPassing {
       const float share = pbd::max(0, dot(driven, c.normal));
       chance += parts[t.part].flow * share * pbd::max(0, dot(t.pending, c.normal)) / dt;
     }
-    if (TouchTeam::leads() && chance > 0 && pbd::random_numbers(slot[i], draw, 0).x < chance)
+    if (TouchTeam::leads() && chance > 0 && pbd::random_numbers(number[i], draw, 0).x < chance)
       phase[i] = (phase[i] | pbd::phase_passing) & ~pbd::phase_pressing;
   }
 };

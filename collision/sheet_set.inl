@@ -78,7 +78,7 @@ void SheetSet<D>::pass(pbd::Substep<D>& substep) {
                        NotePushes{contacts_.near(), contacts, substep.particles.position});
   at_vertices("sheets/drive", DrivePassing{loaded_vertices(), change_.view()});
   at_particles("sheets/pass", BeginPassing{contacts_.near(), contacts, contacts_.parts(), change_.view(),
-                                           substep.particles.position, substep.particles.slot,
+                                           substep.particles.position, substep.particles.number,
                                            particles_.phase.current.view(), draws_++, substep.dt});
 }
 

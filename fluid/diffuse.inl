@@ -60,10 +60,10 @@ void Diffuse<D>::make(const pbd::Substep<D>& s) {
   const pbd::View<uint32_t> born = born_.view().first(fluid);
   device_.parallel_for("diffuse/count", fluid,
                        CountBirths<D>{parameters_, p.position, p.velocity, normal_.view(), s.neighbours,
-                                      p.phase, p.slot, step_, elapsed_, born});
+                                      p.phase, p.number, step_, elapsed_, born});
   device_.exclusive_scan("diffuse/births", born, birth_place_.view());
   device_.parallel_for("diffuse/make", fluid,
-                       MakeNew{parameters_, p.position, p.velocity, p.slot, birth_place_.view(),
+                       MakeNew{parameters_, p.position, p.velocity, p.number, birth_place_.view(),
                                place_.view().from(count_), step_, elapsed_, next_.view()});
   device_.parallel_for("diffuse/totals", 1,
                        NoteTotals{place_.view().from(count_), birth_place_.view().from(fluid),

@@ -57,7 +57,7 @@ struct CountBirths {
   View<const Vec4> position, velocity, normal;
   pbd::NeighbourView neighbours;
   View<const pbd::Phase> phase;
-  View<const uint32_t> slot;
+  View<const uint32_t> number;
   uint32_t step;
   float dt;
   View<uint32_t> born;
@@ -73,7 +73,7 @@ struct CountBirths {
     if (dot(own.xyz(), v) > 0.6f * length(v)) rate += def.crest_rate * share_of(def.crest, crest(i));
     const float n = pbd::min(rate * energy * dt, 64);
     const float whole = floorf(n);
-    const float chance = random_numbers(slot[i], step, 0).x;
+    const float chance = random_numbers(number[i], step, 0).x;
     born[i] = static_cast<uint32_t>(whole) + (chance < n - whole);
   }
 
@@ -175,7 +175,7 @@ struct KeepAlive {
 struct MakeNew {
   DiffuseParameters parameters;
   View<const Vec4> position, velocity;
-  View<const uint32_t> slot, born_before, kept;  ///< kept: one element, behind which the new ones come
+  View<const uint32_t> number, born_before, kept;  ///< kept: one element, behind which the new ones come
   uint32_t step;
   float dt;
   View<DiffuseParticle> to;
@@ -192,7 +192,7 @@ struct MakeNew {
     const Vec3 side =
         normalized_or(cross(along, fabsf(along.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 0, 1}), {1, 0, 0});
     const Vec3 other = cross(along, side);
-    const Vec3 a = random_numbers(slot[i], step, 2 * k + 1), b = random_numbers(slot[i], step, 2 * k + 2);
+    const Vec3 a = random_numbers(number[i], step, 2 * k + 1), b = random_numbers(number[i], step, 2 * k + 2);
     const float r = parameters.radius * sqrtf(a.x), angle = 6.2831853f * a.y;
     const Vec3 out = r * cosf(angle) * side + r * sinf(angle) * other;
     DiffuseParticle p{};

@@ -28,7 +28,7 @@ MENISCUS_HD inline Vec3 hold_back(Contact& c, Vec3 way, float w) {
 struct ContactProjection {
   View<Vec4> position, moved;
   View<const Vec4> previous;
-  View<const uint32_t> slot;
+  View<const uint32_t> number;
   ContactView contacts;
 
   /// Of particle i, which has contacts.
@@ -42,7 +42,7 @@ struct ContactProjection {
   MENISCUS_HD void hold(uint32_t i, Vec4& p, Vec4& way) const {
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     if (p.w == 0) return;
-    const float tighter = pbd::share_of_radius(slot[i]);
+    const float tighter = pbd::share_of_radius(number[i]);
     const Vec3 x = p.xyz(), start = previous[i].xyz();
     Vec3 step{0, 0, 0};
     // All of a contact is loaded at once, and the next one before what this one does is written.
@@ -65,7 +65,7 @@ struct ContactProjection {
 template <class D>
 ContactProjection contact_projection(const Substep<D>& substep) {
   const ParticleView& p = substep.particles;
-  return {p.position, p.moved, p.previous, p.slot, substep.contacts};
+  return {p.position, p.moved, p.previous, p.number, substep.contacts};
 }
 
 }  // namespace meniscus::pbd

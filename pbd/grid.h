@@ -92,8 +92,9 @@ class Surroundings {
 
   MENISCUS_HD uint32_t runs() const { return wraps_ ? most_runs : rows; }
 
-  /// Where the table wraps around, a row's cells are two runs: the second ones come last.
-  MENISCUS_HD Run run(uint32_t n) const { return n < rows ? run(n, false) : run(n - rows, true); }
+  /// Where the table wraps around, a row's cells are two runs, one after the other: so the order in which the
+  /// cells are listed does not depend on the table's width.
+  MENISCUS_HD Run run(uint32_t n) const { return wraps_ ? run(n / 2, n % 2 == 1) : run(n, false); }
   /// Rows with the most in reach come first: so neighbouring threads, which have a particle each, stay with
   /// the same row longest as they go through their lists, and gather from the fewest lines of memory.
   MENISCUS_HD Run run(uint32_t row, bool second) const {
@@ -142,11 +143,11 @@ class RunsAround {
   MENISCUS_HD RunsAround(const GridView& grid, Vec3 p) {
     const Surroundings around(grid, p);
     count_ = around.runs();
-    MENISCUS_UNROLL
-    for (uint32_t row = 0; row < Surroundings::rows; ++row) runs_[row] = around.run(row, false);
     if (count_ > Surroundings::rows) {
-      for (uint32_t row = 0; row < Surroundings::rows; ++row)
-        runs_[Surroundings::rows + row] = around.run(row, true);
+      for (uint32_t n = 0; n < Surroundings::most_runs; ++n) runs_[n] = around.run(n);
+    } else {
+      MENISCUS_UNROLL
+      for (uint32_t row = 0; row < Surroundings::rows; ++row) runs_[row] = around.run(row, false);
     }
   }
 
@@ -166,7 +167,7 @@ class RunsAround {
   template <class Visit>
   MENISCUS_HD void for_each_row(const Visit& visit) const {
     for (uint32_t n = 0; n < count_; ++n) {
-      const uint32_t row = n < Surroundings::rows ? n : n - Surroundings::rows;
+      const uint32_t row = count_ > Surroundings::rows ? n / 2 : n;
       visit(runs_[n].begin, runs_[n].end, static_cast<float>(Surroundings::row_y(row)) - 1,
             static_cast<float>(Surroundings::row_z(row)) - 1);
     }

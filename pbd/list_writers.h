@@ -120,16 +120,16 @@ class NarrowWriter {
   uint32_t place_, end_;
 };
 
-/// To a wide list, by a team: append() takes what each of its threads has found, one after the other.
+/// To a wide list, by a team: append() takes the particle of each thread that found one, in the order of the
+/// threads.
 class TeamWriter {
  public:
   MENISCUS_HD TeamWriter(const NeighbourView& list, uint32_t i) : list_(list), i_(i) {}
 
-  MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
-    const TeamPlace place = place_in_team(bit_count(chosen));
-    uint32_t k = count_ + place.before;
-    for (; chosen; chosen &= chosen - 1) write(k++, first + lowest_bit(chosen));
-    count_ += place.total;
+  MENISCUS_HD void append(uint32_t j, bool found) {
+    const uint32_t votes = votes_of_team(found);
+    if (found) write(count_ + bit_count(votes & ((1u << CudaTeam::rank()) - 1)), j);
+    count_ += bit_count(votes);
   }
   MENISCUS_HD uint32_t finish(uint32_t sentinel) {
     const uint32_t k = count_ + CudaTeam::rank();

@@ -11,40 +11,44 @@
 
 namespace meniscus::pbd {
 
-/// Points in the order of their cells, and in each cell of their indices. They have been placed as they
-/// happened to arrive there: so the order depends on nothing else.
+/// Points in the order of their cells, and in each cell of their slots: the canonical order. It depends
+/// neither on where the points were before nor on the table's shape. They were placed in the cell as they
+/// happened to arrive there.
 struct CellOrder {
   View<const uint32_t> key;     ///< by point: its cell
   View<const uint32_t> start;   ///< by cell
-  View<const uint32_t> placed;  ///< by place
+  View<const uint32_t> placed;  ///< by place: a point of the cell
+  View<const uint32_t> slots;   ///< by place: that point's slot
   View<uint32_t> order;
 
   /// The point that belongs at place i; notes it.
   MENISCUS_HD uint32_t find(uint32_t i) const {
     const uint32_t cell = load(key, load(placed, i)), begin = load(start, cell);
-    return order[i] = nth(begin, load(start, cell + 1), i - begin);
+    return order[i] = load(placed, nth(begin, load(start, cell + 1), i - begin));
   }
 
  private:
-  /// Of the points placed in [begin, end) the one that n are below.
+  /// Of the places in [begin, end) the one whose slot has n others below it.
   MENISCUS_HD uint32_t nth(uint32_t begin, uint32_t end, uint32_t n) const {
     constexpr uint32_t few = 16;
     if (end - begin > few) return nth_of_many(begin, end, n);
     uint32_t k = begin;
-    while (below(load(placed, k), begin, end) != n) ++k;
-    return load(placed, k);
+    while (below(load(slots, k), begin, end) != n) ++k;
+    return k;
   }
-  /// By halves: their number squared may take for ever.
+  /// By bisection of the slot's value: the square of their number may take for ever.
   MENISCUS_HD uint32_t nth_of_many(uint32_t begin, uint32_t end, uint32_t n) const {
-    uint32_t at = 0;
+    uint32_t slot = 0;
     for (uint32_t bit = 1u << 31; bit > 0; bit /= 2) {
-      if (below(at + bit, begin, end) <= n) at += bit;
+      if (below(slot + bit, begin, end) <= n) slot += bit;
     }
-    return at;
+    uint32_t k = begin;
+    while (load(slots, k) != slot) ++k;
+    return k;
   }
-  MENISCUS_HD uint32_t below(uint32_t point, uint32_t begin, uint32_t end) const {
+  MENISCUS_HD uint32_t below(uint32_t slot, uint32_t begin, uint32_t end) const {
     uint32_t count = 0;
-    for (uint32_t k = begin; k < end; ++k) count += load(placed, k) < point;
+    for (uint32_t k = begin; k < end; ++k) count += load(slots, k) < slot;
     return count;
   }
 };
@@ -63,9 +67,10 @@ class NeighbourSearch {
   /// more slowly.
   void fit(const Aabb& extent, uint32_t count);
 
-  /// The order of the points by grid cell, for as long as nothing is listed. Point i is points(i), a Vec4.
+  /// The canonical order of the points, for as long as nothing is listed. Point i is points(i), a Vec4, and
+  /// has a slot of its own.
   template <class Points>
-  CellOrder sort(const Points& points, uint32_t count);
+  CellOrder sort(const Points& points, View<const uint32_t> slot);
   /// Of each place the point that belongs there, once the order has been asked for it.
   View<const uint32_t> order() const { return order_.view(); }
 

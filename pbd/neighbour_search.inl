@@ -15,7 +15,7 @@ namespace meniscus::pbd {
 namespace neighbour_kernels {
 
 // The sort is a counting sort by cell. In each cell particles are first placed as they happen to arrive, then
-// in the order of their present indices: so the result depends on nothing else.
+// in the order of their slots: so the result depends on nothing else.
 
 /// Notes each particle's cell, and counts the cell's particles.
 template <class Points>
@@ -35,12 +35,14 @@ struct CountInCells {
 
 /// Empties the counts on the way, for the next time.
 struct PlaceByArrival {
-  View<const uint32_t> key, arrival, start;
-  View<uint32_t> placed, counts;
+  View<const uint32_t> key, arrival, start, slot;
+  View<uint32_t> placed, placed_slot, counts;
   uint32_t particles, cells;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    placed[start[key[i]] + arrival[i]] = i;
+    const uint32_t place = start[key[i]] + arrival[i];
+    placed[place] = i;
+    placed_slot[place] = slot[i];
     for (uint32_t cell = i; cell < cells; cell += particles) counts[cell] = 0;
   }
 };
@@ -143,13 +145,19 @@ struct ListNeighbours {
     });
   }
 
-  /// Each thread has runs of its own.
+  /// Each thread looks up bounds of its own; then the team goes through one run after the other, so that the
+  /// list is in the order of the runs, whatever else lies in them.
   MENISCUS_HD void list_by_team(uint32_t i, Vec3 self, TeamWriter& writer) const {
     const Surroundings around(grid, self);
-    for (uint32_t n = CudaTeam::rank(); any_in_team(n < around.runs()); n += CudaTeam::lane_count) {
-      const Run run = n < around.runs() ? around.run(n) : Run{0, 0};
-      for (uint32_t j = run.begin; any_in_team(j < run.end); j += 32) {
-        writer.append(j, j < run.end ? near_ones<CudaTeam>(self, i, j, run.end) : 0);
+    const uint32_t rank = CudaTeam::rank(), runs = around.runs();
+    for (uint32_t first = 0; first < runs; first += CudaTeam::lane_count) {
+      const Run own = first + rank < runs ? around.run(first + rank) : Run{0, 0};
+      for (uint32_t n = 0; n < CudaTeam::lane_count && first + n < runs; ++n) {
+        const Run run{from_lane_of_team(own.begin, n), from_lane_of_team(own.end, n)};
+        for (uint32_t j = run.begin; j < run.end; j += CudaTeam::lane_count) {
+          const Vec3 d = self - load(position, j + rank).xyz();
+          writer.append(j + rank, dot(d, d) < reach2 && j + rank < run.end && j + rank != i);
+        }
       }
     }
   }
@@ -232,12 +240,13 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
 
 template <class D>
 template <class Points>
-CellOrder NeighbourSearch<D>::sort(const Points& points, uint32_t count) {
+CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> slot) {
   using namespace neighbour_kernels;
-  const uint32_t cells = grid_.cell_count();
+  const uint32_t count = slot.count, cells = grid_.cell_count();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
   uint32_t* const room = index_.view().data;
-  const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count};
+  const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},
+      placed_slot{placed.data + count, count};
   device_.parallel_for("neighbours/cells", count, CountInCells<Points>{points, grid_, keys, arrival, counts});
   try {
     device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
@@ -245,9 +254,10 @@ CellOrder NeighbourSearch<D>::sort(const Points& points, uint32_t count) {
     cell_counts_.fill(0);
     throw;
   }
-  device_.parallel_for("neighbours/place", count,
-                       PlaceByArrival{keys, arrival, grid_.start, placed, counts, count, cells});
-  return {keys, grid_.start, placed, order_.view()};
+  device_.parallel_for(
+      "neighbours/place", count,
+      PlaceByArrival{keys, arrival, grid_.start, slot, placed, placed_slot, counts, count, cells});
+  return {keys, grid_.start, placed, placed_slot, order_.view()};
 }
 
 template <class D>

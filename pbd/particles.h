@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The particles of a world, as arrays in a device's memory. First come those of fluids, sorted by grid cell,
-// so that neighbours in space are neighbours in memory; `slot` says which element of the user's arrays each
-// one is. Behind them come the vertices of cloth and rods, in an order that stays, so that what joins them
-// can name them by number.
+// so that neighbours in space are neighbours in memory. `slot` says which element of the user's arrays each
+// one is; `number` names it for as long as it lives, whatever comes and goes. Behind them come the vertices
+// of cloth and rods, in an order that stays, so that what joins them can name them by number.
 #pragma once
 
 #include <algorithm>
@@ -64,6 +64,7 @@ struct ParticleView {
                         ///< vorticity is confined
   View<const Phase> phase;
   View<const uint32_t> slot;
+  View<const uint32_t> number;  ///< persistent: random choices are hashed from it
   uint32_t owned = 0;
   uint32_t ghosts = 0;
   uint32_t sorted = 0;  ///< those of fluids come first; vertex v is the particle sorted + v
@@ -107,6 +108,7 @@ class Particles {
     velocity.reserve(size, count_, sorts);
     phase.reserve(size, count_, sorts);
     slot.reserve(size, count_, sorts);
+    number.reserve(size, count_, sorts);
     previous.resize_discard(size);
     moved.resize_discard(size);
     predicted.resize_discard(size);
@@ -114,19 +116,24 @@ class Particles {
     aside_velocity_.resize_discard(size);
     aside_phase_.resize_discard(size);
     aside_slot_.resize_discard(size);
+    aside_number_.resize_discard(size);
     capacity_ = capacity;
     write_sentinels();
   }
 
-  /// Adds fluid particles, in front of the vertices.
+  /// Adds fluid particles, in front of the vertices. They get the next numbers.
   void append(std::span<const Vec4> new_position, std::span<const Vec4> new_velocity,
               std::span<const Phase> new_phase, std::span<const uint32_t> new_slot) {
     const auto added = static_cast<uint32_t>(new_position.size());
+    std::vector<uint32_t> new_number(added);
+    for (uint32_t k = 0; k < added; ++k) new_number[k] = (next_number_ + k) % vertex_slot;
     move_vertices(sorted_ + added);
     position.current.write(new_position, sorted_);
     velocity.current.write(new_velocity, sorted_);
     phase.current.write(new_phase, sorted_);
     slot.current.write(new_slot, sorted_);
+    number.current.write(new_number, sorted_);
+    next_number_ += added;
     set_sorted(sorted_ + added);
   }
 
@@ -139,6 +146,7 @@ class Particles {
     velocity.current.write(new_velocity, sorted_);
     phase.current.write(new_phase, sorted_);
     slot.current.write(new_slot, sorted_);
+    number.current.write(new_slot, sorted_);
     count_ = sorted_ + static_cast<uint32_t>(new_position.size());
   }
 
@@ -172,6 +180,7 @@ class Particles {
             aside_velocity_.view(),
             aside_phase_.view(),
             aside_slot_.view(),
+            aside_number_.view(),
             count_,
             0,
             sorted_};
@@ -195,6 +204,7 @@ class Particles {
     velocity.flip();
     phase.flip();
     slot.flip();
+    number.flip();
   }
 
   ParticleView view() {
@@ -204,6 +214,7 @@ class Particles {
             velocity.current.view(),
             phase.current.view(),
             slot.current.view(),
+            number.current.view(),
             count_,
             0,
             sorted_};
@@ -216,6 +227,7 @@ class Particles {
   DoubleBuffer<Vec4> velocity{device_, "particle velocities"};
   DoubleBuffer<Phase> phase{device_, "particle phases"};
   DoubleBuffer<uint32_t> slot{device_, "particle slots"};
+  DoubleBuffer<uint32_t> number{device_, "particle numbers"};
 
  private:
   /// Makes room in front of the vertices.
@@ -230,6 +242,7 @@ class Particles {
     move(velocity);
     move(phase);
     move(slot);
+    move(number);
   }
   void write_sentinels() {
     const Vec4 away[] = {{far_away, far_away, far_away, 0}};
@@ -248,15 +261,18 @@ class Particles {
     velocity.current.swap(aside_velocity_);
     phase.current.swap(aside_phase_);
     slot.current.swap(aside_slot_);
+    number.current.swap(aside_number_);
   }
 
   Buffer<Vec4> aside_position_{device_, "positions put aside"};
   Buffer<Vec4> aside_velocity_{device_, "velocities put aside"};
   Buffer<Phase> aside_phase_{device_, "phases put aside"};
   Buffer<uint32_t> aside_slot_{device_, "slots put aside"};
+  Buffer<uint32_t> aside_number_{device_, "numbers put aside"};
   uint32_t count_ = 0, sorted_ = 0;
   uint32_t aside_count_ = 0, aside_sorted_ = 0;
   uint32_t capacity_ = 0;
+  uint32_t next_number_ = 0;  // wraps below vertex_slot, where vertices' numbers begin
   bool from_aside_ = false;
 };
 

@@ -98,6 +98,7 @@ class Removal {
     gather_in_order(device_, "removal/velocities", particles.velocity, order, stay);
     gather_in_order(device_, "removal/phases", particles.phase, order, stay);
     gather_in_order(device_, "removal/slots", particles.slot, order, stay);
+    gather_in_order(device_, "removal/numbers", particles.number, order, stay);
     reorder(order, kept);
     particles.set_sorted(kept);
     return keep_by_slot_.read(fluid);

@@ -177,14 +177,14 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   CellOrder order{};
   if (p.sorted()) {
     search_.fit({summary().lower, summary().upper}, p.sorted());
-    order = search_.sort(prediction, p.sorted());
+    order = search_.sort(prediction, p.source().slot.first(p.sorted()));
   }
   const ParticleView from = p.source();
   device_.parallel_for(
       "reorder", p.count(),
-      solver_kernels::Reorder{order, prediction, from.phase, from.slot, p.target(p.position),
+      solver_kernels::Reorder{order, prediction, from.phase, from.slot, from.number, p.target(p.position),
                               p.previous.view(), p.moved.view(), p.target(p.velocity), p.target(p.phase),
-                              p.target(p.slot), search_.coarse(), search_.grid()});
+                              p.target(p.slot), p.target(p.number), search_.coarse(), search_.grid()});
   p.accept_sorted();
 }
 

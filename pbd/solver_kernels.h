@@ -53,10 +53,10 @@ struct Reorder {
   CellOrder order;
   Prediction prediction;
   View<const Phase> phase;
-  View<const uint32_t> slot;
+  View<const uint32_t> slot, number;
   View<Vec4> sorted_predicted, previous, moved, sorted_velocity;
   View<Phase> sorted_phase;
-  View<uint32_t> sorted_slot;
+  View<uint32_t> sorted_slot, sorted_number;
   CoarsePositions coarse;  ///< to be filled in, if there are any
   GridView grid;
 
@@ -64,7 +64,7 @@ struct Reorder {
     const uint32_t from = i < order.placed.count ? order.find(i) : i;
     const Vec4 x = prediction.position[from], before = prediction.velocity[from];
     const Phase present_phase = phase[from];
-    const uint32_t present_slot = slot[from];
+    const uint32_t present_slot = slot[from], present_number = number[from];
     const Vec3 v = prediction.velocity_of(x, before);
     const Vec3 unlimited = advanced(x, v, prediction.dt);
     const Vec3 p = prediction.limited.count ? load(prediction.limited, from).xyz() : unlimited;
@@ -74,6 +74,7 @@ struct Reorder {
     sorted_velocity[i] = with_w(v, before.w);
     sorted_phase[i] = present_phase;
     sorted_slot[i] = present_slot;
+    sorted_number[i] = present_number;
     if (coarse.blocks.count && i < order.placed.count) coarse.put(i, grid, p);
   }
 };

@@ -209,6 +209,8 @@ class Engine {
   virtual void read_positions(std::span<Vec3> out) = 0;
   virtual void read_velocities(std::span<Vec3> out) = 0;
   virtual void read_fluids(std::span<uint32_t> out) = 0;
+  /// Of all particles of fluids, by number, position and velocity; see World::state_hash.
+  virtual uint64_t hash_particles() = 0;
   virtual void read_pressures(std::span<float> out, float dt) = 0;
   /// C, and 1 where the support is full, measured afresh.
   virtual EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) = 0;

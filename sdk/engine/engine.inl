@@ -21,12 +21,14 @@
 #include "fluid/anisotropy.h"
 #include "fluid/surface_tension_set.h"
 #include "fluid/viscosity_pass.h"
+#include "pbd/pipeline.h"
 #include "pbd/removal.h"
 #include "sdk/engine/diffuse_walls.h"
 #include "sdk/engine/engine.h"
 #include "sdk/engine/engine_kernels.h"
 #include "sdk/engine/free_room.h"
 #include "sdk/engine/jets.h"
+#include "sdk/engine/phases.h"
 #include "sdk/engine/sinks.h"
 
 namespace meniscus {
@@ -63,30 +65,7 @@ class DeviceEngine final : public Engine {
         sinks_(device_),
         jets_(device_),
         free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
-    solver_.add(static_cast<pbd::ContactSource<D>&>(ties_));
-    solver_.add(static_cast<pbd::ContactSource<D>&>(sheet_contacts_));
-    solver_.add(contacts_);
-    solver_.add(tension_);
-    solver_.add(density_);
-    solver_.add(sheets_.loading());
-    solver_.add(static_cast<pbd::ConstraintSet<D>&>(ties_));
-    solver_.add(pressed_);
-    solver_.add(cloth_);
-    solver_.add(pressed_.handing_on());
-    solver_.add(rods_);
-    solver_.add(ropes_);
-    solver_.add(self_contacts_);
-    solver_.add(grains_);
-    solver_.add(sheets_.carrying());
-    solver_.add(face_points_);
-    solver_.add(self_contacts_.guard());
-    solver_.add(ties_.release());
-    solver_.add(sheets_);
-    solver_.add(bodies_);
-    solver_.add(jets_);
-    solver_.add(viscosity_);
-    solver_.add(probes_);
-    solver_.add(static_cast<pbd::Observer<D>&>(ties_));
+    assemble();
     if (def.diffuse) add_diffuse(*def.diffuse);
     reserve(0, 1);
   }
@@ -146,6 +125,7 @@ class DeviceEngine final : public Engine {
   void read_positions(std::span<Vec3> out) override { read_vector(particles_.position.current.view(), out); }
   void read_velocities(std::span<Vec3> out) override { read_vector(particles_.velocity.current.view(), out); }
   void read_fluids(std::span<uint32_t> out) override;
+  uint64_t hash_particles() override;
   void read_pressures(std::span<float> out, float dt) override;
   EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) override;
   void read_ellipsoids(std::span<Ellipsoid> out) override;
@@ -157,6 +137,39 @@ class DeviceEngine final : public Engine {
   Diagnostics measure(Vec3 gravity) override;
 
  private:
+  /// Registers all parts with the solver; throws std::logic_error where a phase is empty or taken twice.
+  void assemble() {
+    pbd::Pipeline<ContactPhase, pbd::ContactSource<D>>()
+        .place(ContactPhase::attachments, ties_)
+        .place(ContactPhase::cloth, sheet_contacts_)
+        .place(ContactPhase::solids, contacts_)
+        .for_each([this](auto& source) { solver_.add(source); });
+    pbd::Pipeline<SetPhase, pbd::ConstraintSet<D>>()
+        .place(SetPhase::surface_tension, tension_)
+        .place(SetPhase::density, density_)
+        .place(SetPhase::fluid_loads, sheets_.loading())
+        .place(SetPhase::attachments, ties_)
+        .place(SetPhase::body_loads, pressed_)
+        .place(SetPhase::cloth, cloth_)
+        .place(SetPhase::body_load_transfer, pressed_.handing_on())
+        .place(SetPhase::rods, rods_)
+        .place(SetPhase::ropes, ropes_)
+        .place(SetPhase::self_contact, self_contacts_)
+        .place(SetPhase::grains, grains_)
+        .place(SetPhase::fluid_carry, sheets_.carrying())
+        .place(SetPhase::contacts, face_points_)
+        .place(SetPhase::ccd_failsafe, self_contacts_.guard())
+        .place(SetPhase::attachment_release, ties_.release())
+        .place(SetPhase::fluid_cloth, sheets_)
+        .place(SetPhase::bodies, bodies_)
+        .for_each([this](auto& set) { solver_.add(set); });
+    pbd::Pipeline<VelocityPhase, pbd::VelocityPass<D>>()
+        .place(VelocityPhase::jets, jets_)
+        .place(VelocityPhase::viscosity, viscosity_)
+        .for_each([this](auto& pass) { solver_.add(pass); });
+    solver_.add(probes_);
+    solver_.add(static_cast<pbd::Observer<D>&>(ties_));
+  }
   void add_diffuse(const fluid::DiffuseParameters& parameters) {
     diffuse_.emplace(device_, parameters);
     diffuse_->set_walls([this](const fluid::PendingDiffuse& pending) {

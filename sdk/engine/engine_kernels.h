@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/shape_contacts.h"
+#include "pbd/math/hash.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"
 
@@ -182,6 +183,16 @@ struct CountNeighbours {
   pbd::NeighbourView neighbours;
 
   MENISCUS_HD uint64_t operator()(uint32_t i) const { return neighbours.size(i); }
+};
+
+/// Of a particle's number, position and velocity.
+struct HashParticle {
+  View<const pbd::Vec4> position, velocity;
+  View<const uint32_t> number;
+
+  MENISCUS_HD uint64_t operator()(uint32_t i) const {
+    return pbd::element_hash(number[i], position[i].xyz(), velocity[i].xyz());
+  }
 };
 
 struct AddCounts {

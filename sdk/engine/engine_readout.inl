@@ -22,6 +22,18 @@ void DeviceEngine<D>::read_fluids(std::span<uint32_t> out) {
 }
 
 template <class D>
+uint64_t DeviceEngine<D>::hash_particles() {
+  if (particles_.sorted() == 0) return 0;
+  const pbd::ParticleView p = particles_.view();
+  device_.reduce("read-out/hash", p.sorted, uint64_t{0},
+                 engine_kernels::HashParticle{p.position, p.velocity, p.number}, engine_kernels::AddCounts{},
+                 count_out_.view());
+  uint64_t sum = 0;
+  count_out_.read(std::span(&sum, 1));
+  return sum;
+}
+
+template <class D>
 void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
   const float scale = dt > 0 ? 1 / (def_.kernel.volume * dt * dt) : 0;
   device_.parallel_for("read-out/pressures", particles_.sorted(),

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pbd/math/hash.h"
 #include "sdk/world/check.h"
 #include "sdk/world/world_impl.h"
 
@@ -101,32 +102,31 @@ double World::probe(ProbeId id) const {
 }
 
 uint64_t World::state_hash() const {
-  // FNV-1a over the bytes of positions, then velocities, of particles, cloth and ropes, then of the bodies'
-  // poses and velocities.
-  uint64_t hash = 14695981039346656037ull;
-  const auto add = [&](std::span<const Vec3> values) {
-    for (std::byte b : std::as_bytes(values)) hash = (hash ^ static_cast<uint64_t>(b)) * 1099511628211ull;
+  uint64_t sum = impl_->engine->hash_particles();
+  // Behind the particles' numbers come kinds, each with numbers of its own.
+  enum class Kind : uint64_t { cloth = 1, rope, body };
+  const auto add = [&](Kind kind, uint32_t owner, size_t part, Vec3 a, Vec3 b) {
+    const uint64_t number = pbd::mixed(static_cast<uint64_t>(kind) << 32 | owner) + part;
+    sum += pbd::element_hash(number, a, b);
   };
-  add(positions());
-  add(velocities());
   impl_->fetch_cloth();
-  const auto add_strand = [&](uint32_t, const auto& entry) {
-    add(entry.strand.state.positions);
-    add(entry.strand.state.velocities);
+  const auto add_vertices = [&](Kind kind) {
+    return [&add, kind](uint32_t owner, const auto& entry) {
+      const auto& state = entry.strand.state;
+      for (size_t v = 0; v < state.positions.size(); ++v)
+        add(kind, owner, v, state.positions[v], state.velocities[v]);
+    };
   };
-  impl_->cloths.for_each(add_strand);
-  impl_->ropes.for_each(add_strand);
+  impl_->cloths.for_each(add_vertices(Kind::cloth));
+  impl_->ropes.for_each(add_vertices(Kind::rope));
   impl_->bodies.for_each([&](uint32_t number, const BodyEntry&) {
     const Pose pose = impl_->rigid.pose(number);
     const Quat q = pose.rotation;
-    const Vec3 state[] = {pose.position,
-                          {q.x, q.y, q.z},
-                          {q.w, 0, 0},
-                          impl_->rigid.velocity(number),
-                          impl_->rigid.angular_velocity(number)};
-    add(state);
+    add(Kind::body, number, 0, pose.position, impl_->rigid.velocity(number));
+    add(Kind::body, number, 1, {q.x, q.y, q.z}, {q.w, 0, 0});
+    add(Kind::body, number, 2, impl_->rigid.angular_velocity(number), {});
   });
-  return hash;
+  return sum;
 }
 
 size_t World::device_bytes() const {

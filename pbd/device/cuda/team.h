@@ -105,30 +105,21 @@ inline constexpr bool is_cuda_team = false;
 template <uint32_t lanes>
 inline constexpr bool is_cuda_team<CudaTeamOf<lanes>> = true;
 
-/// The sum over the threads of a team of eight before this one, and over all.
-struct TeamPlace {
-  uint32_t before, total;
-};
-
-MENISCUS_HD inline TeamPlace place_in_team(uint32_t n) {
+/// Bit k: whether it is so for thread k of a team of eight.
+MENISCUS_HD inline uint32_t votes_of_team(bool so) {
 #ifdef __CUDA_ARCH__
-  uint32_t sum = n;
-  for (uint32_t step = 1; step < 8; step *= 2) {
-    const uint32_t lower = __shfl_up_sync(team_mask<8>(), sum, step, 8);
-    if (team_rank<8>() >= step) sum += lower;
-  }
-  return {sum - n, __shfl_sync(team_mask<8>(), sum, 7, 8)};
+  return __ballot_sync(team_mask<8>(), so) >> (threadIdx.x % 32 / 8 * 8) & 0xff;
 #else
-  return {0, n};
+  return so;
 #endif
 }
 
-/// Whether it is so for any thread of a team of eight.
-MENISCUS_HD inline bool any_in_team(bool so) {
+/// The value that thread `lane` of a team of eight has.
+MENISCUS_HD inline uint32_t from_lane_of_team(uint32_t value, [[maybe_unused]] uint32_t lane) {
 #ifdef __CUDA_ARCH__
-  return __any_sync(team_mask<8>(), so) != 0;
+  return __shfl_sync(team_mask<8>(), value, static_cast<int>(lane), 8);
 #else
-  return so;
+  return value;
 #endif
 }
 

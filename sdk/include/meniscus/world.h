@@ -191,8 +191,8 @@ class World {
 
   Diagnostics diagnostics() const;
   double probe(ProbeId id) const;  ///< unit by its kind; of the last step
-  /// Over positions and velocities of particles, in the order of the ids, of cloth, ropes and bodies: equal
-  /// for equal bits.
+  /// The sum, modulo 2^64, of a hash of each particle's, vertex's and body's number and bits (position,
+  /// velocity; rotation). Equal states have equal hashes, in whatever order the device holds them.
   uint64_t state_hash() const;
   std::size_t device_bytes() const;  ///< held on the device
   /// The same, by what it is for, the largest first: once all that has changed is on the device, so that it
