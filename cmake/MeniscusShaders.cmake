@@ -4,12 +4,11 @@
 # cmake -DOUT=file.cpp -DFOLDER=folder -P MeniscusShaders.cmake: a C++ file that holds the text of all shaders of a
 # folder, as meniscus::render::shader_files().
 
-file(GLOB shaders ${FOLDER}/*.glsl)
+file(GLOB_RECURSE shaders RELATIVE ${FOLDER} ${FOLDER}/*.glsl)
 set(entries "")
 foreach(shader ${shaders})
-  get_filename_component(name ${shader} NAME)
-  file(READ ${shader} text)
-  string(APPEND entries "    {\"${name}\", R\"shader(${text})shader\"},\n")
+  file(READ ${FOLDER}/${shader} text)
+  string(APPEND entries "    {\"${shader}\", R\"shader(${text})shader\"},\n")
 endforeach()
 file(WRITE ${OUT} "#include \"sdk/render/gl/shader_text.h\"
 

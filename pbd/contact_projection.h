@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What holds a particle at its contacts, in an iteration of the solve. The formulas are in
-// collision/contact_set.h.
+// collision/contact/contact_set.h.
 #pragma once
 
 #include "pbd/contacts.h"

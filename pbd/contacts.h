@@ -5,8 +5,8 @@
 // fluid need know nothing else.
 #pragma once
 
-#include "pbd/device/atomics.h"
-#include "pbd/device/view.h"
+#include "pbd/device/base/atomics.h"
+#include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::pbd {

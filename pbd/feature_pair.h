@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "pbd/device/qualifiers.h"
+#include "pbd/device/base/qualifiers.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::pbd {

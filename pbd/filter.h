@@ -4,7 +4,7 @@
 
 #include <meniscus/types.h>
 
-#include "pbd/device/qualifiers.h"
+#include "pbd/device/base/qualifiers.h"
 
 namespace meniscus::pbd {
 

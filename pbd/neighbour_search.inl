@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "pbd/device/atomics.h"
+#include "pbd/device/base/atomics.h"
 #include "pbd/list_writers.h"
 #include "pbd/neighbour_search.h"
 

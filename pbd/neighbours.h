@@ -8,9 +8,9 @@
 
 #include <type_traits>
 
+#include "pbd/device/base/view.h"
 #include "pbd/device/cuda/team.h"
 #include "pbd/device/scalar.h"
-#include "pbd/device/view.h"
 
 namespace meniscus::pbd {
 

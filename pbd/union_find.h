@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "pbd/device/atomics.h"
-#include "pbd/device/view.h"
+#include "pbd/device/base/atomics.h"
+#include "pbd/device/base/view.h"
 
 namespace meniscus::pbd {
 

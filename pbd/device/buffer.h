@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "pbd/device/base/view.h"
 #include "pbd/device/device.h"
-#include "pbd/device/view.h"
 
 namespace meniscus::pbd {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "pbd/device/view.h"
+#include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::pbd {

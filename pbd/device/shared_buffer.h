@@ -5,8 +5,8 @@
 #include <span>
 #include <type_traits>
 
+#include "pbd/device/base/view.h"
 #include "pbd/device/device.h"
-#include "pbd/device/view.h"
 
 namespace meniscus::pbd {
 

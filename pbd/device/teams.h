@@ -8,8 +8,8 @@
 
 #include <cstdint>
 
+#include "pbd/device/base/qualifiers.h"
 #include "pbd/device/device.h"
-#include "pbd/device/qualifiers.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::pbd {

@@ -6,7 +6,7 @@
 // at distance d.
 #pragma once
 
-#include "pbd/device/scalar.h"
+#include "pbd/math/vec.h"
 
 namespace meniscus::pbd {
 

@@ -8,7 +8,7 @@
 #include <meniscus/types.h>
 #include <cmath>
 
-#include "pbd/device/qualifiers.h"
+#include "pbd/device/base/qualifiers.h"
 
 namespace meniscus {
 

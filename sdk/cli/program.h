@@ -2,16 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-namespace meniscus::cli {
+#include "sdk/cli/commands/exit_code.h"
 
-/// What the program hands back to the shell.
-enum ExitCode {
-  success = 0,
-  run_failed = 1,     ///< the device, or a step, or an output in the middle of a run
-  bad_input = 2,      ///< the command line, or a scene, or an output folder that cannot be used
-  check_broken = 3,   ///< the run is done, but what the scene states did not hold
-  interrupted = 130,  ///< by SIGINT or SIGTERM, as shells count it
-};
+namespace meniscus::cli {
 
 /// Parses the command line and runs the command. Errors become one line on stderr and an exit code.
 int run_program(int argc, char** argv);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "collision/shape_contacts.h"
-#include "fluid/diffuse.h"
+#include "collision/contact/shape_contacts.h"
+#include "fluid/diffuse/diffuse.h"
 
 namespace meniscus {
 

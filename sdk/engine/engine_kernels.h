@@ -4,7 +4,7 @@
 // Read-outs, measurements, and pushes by hand.
 #pragma once
 
-#include "collision/shape_contacts.h"
+#include "collision/contact/shape_contacts.h"
 #include "pbd/math/hash.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "collision/opening.h"
-#include "pbd/device/atomics.h"
+#include "collision/contact/opening.h"
+#include "pbd/device/base/atomics.h"
 #include "sdk/engine/engine_kernels.h"
 #include "sdk/engine/point_table.h"
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "pbd/device/view.h"
+#include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus {

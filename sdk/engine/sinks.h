@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pbd/device/atomics.h"
+#include "pbd/device/base/atomics.h"
 #include "pbd/removal.h"
 #include "sdk/engine/engine.h"
 

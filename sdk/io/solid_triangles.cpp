@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "collision/hull.h"
-#include "collision/mesh.h"
+#include "collision/mesh/hull.h"
+#include "collision/mesh/mesh.h"
 #include "pbd/math/vec.h"
 #include "sdk/io/box_faces.h"
-#include "sdk/world/container_faces.h"
+#include "sdk/world/solids/container_faces.h"
 
 namespace meniscus::io {
 namespace {

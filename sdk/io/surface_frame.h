@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "collision/mesh.h"
+#include "collision/mesh/mesh.h"
 
 namespace meniscus::io {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sdk/io/png.h"
-#include "sdk/render/views.h"
+#include "sdk/render/frame/views.h"
 
 namespace meniscus::render {
 

@@ -4,9 +4,9 @@
 // What of a moment is drawn.
 #pragma once
 
-#include "sdk/render/moment.h"
+#include "sdk/render/frame/moment.h"
+#include "sdk/render/frame/stage.h"
 #include "sdk/render/passes/needles.h"
-#include "sdk/render/stage.h"
 
 namespace meniscus::render {
 

@@ -17,7 +17,7 @@ struct Pictures {
   Texture normal{GL_RGBA16F, width, height};  ///< both hold nothing where nothing stands
   Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
   Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};  ///< of what is rasterised
-  /// Along −z, m; the ground and vessels are there. g: what it is, see shaders/scene.glsl.
+  /// Along −z, m; the ground and vessels are there. g: what it is, see shaders/light/scene.glsl.
   Texture scene_distance{GL_RG32F, width, height};
   Texture lit{GL_RGBA16F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};

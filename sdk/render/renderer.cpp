@@ -103,7 +103,7 @@ io::Image Renderer::draw(const Moment& moment) {
 std::vector<std::array<float, 4>> Renderer::fluid_normals() {
   const Texture normals(GL_RGBA32F, parts_->to->width, parts_->to->height);
   const Target target({&normals}, nullptr);
-  const Program program("screen.vert.glsl", "normal.frag.glsl");
+  const Program program("screen/screen.vert.glsl", "fluid/normal.frag.glsl");
   parts_->bind();
   target.use();
   parts_->to->surface.bind();

@@ -7,8 +7,8 @@
 
 #include <memory>
 
+#include "sdk/render/frame/moment.h"
 #include "sdk/render/gl/pass_timer.h"
-#include "sdk/render/moment.h"
 #include "sdk/render/passes/fluid_surface.h"
 
 namespace meniscus::render {

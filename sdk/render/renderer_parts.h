@@ -55,8 +55,8 @@ struct Renderer::Parts {
   Screen screen;
   float share = 1;  // of the pixels that the picture will be shown with, along a side
   Particles particles;
-  TileLists camera_lists{"list_for_camera.comp.glsl", 32};
-  TileLists sun_lists{"list_for_sun.comp.glsl", 16};
+  TileLists camera_lists{"tiles/list_for_camera.comp.glsl", 32};
+  TileLists sun_lists{"tiles/list_for_sun.comp.glsl", 16};
   Foam foam;
   std::optional<Grains> grains;  // where the scene has any
   Balls balls{scene.fluid_colors};
@@ -70,12 +70,12 @@ struct Renderer::Parts {
   Target to_shadow{{}, &shadow};
   std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
   std::unique_ptr<Pictures> before;  // of the size before, to which a window may go back
-  Program distance{"distance.comp.glsl"};
-  Program light{"light.comp.glsl"};
-  Program fluid{"fluid.comp.glsl"};
-  Program tone{"tone.comp.glsl"};
-  Program view_normals{"screen.vert.glsl", "view_normals.frag.glsl"};
-  Program smooth{"smooth.comp.glsl"};
+  Program distance{"light/distance.comp.glsl"};
+  Program light{"light/light.comp.glsl"};
+  Program fluid{"light/fluid.comp.glsl"};
+  Program tone{"screen/tone.comp.glsl"};
+  Program view_normals{"screen/screen.vert.glsl", "views/view_normals.frag.glsl"};
+  Program smooth{"screen/smooth.comp.glsl"};
 };
 
 }  // namespace meniscus::render

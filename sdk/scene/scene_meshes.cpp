@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "collision/mesh.h"
+#include "collision/mesh/mesh.h"
 #include "sdk/scene/scene_place.h"
 
 namespace meniscus {

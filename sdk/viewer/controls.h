@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sdk/render/views.h"
+#include "sdk/render/frame/views.h"
 #include "sdk/viewer/parameters.h"
 
 namespace meniscus::viewer {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sdk/render/views.h"
+#include "sdk/render/frame/views.h"
 
 namespace meniscus::viewer {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "collision/triangle_bvh_query.h"
+#include "collision/mesh/triangle_bvh_query.h"
 #include "pbd/filter.h"
 #include "sdk/world/world_impl.h"
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "cloth/merge.h"
-#include "cloth/tearing.h"
+#include "cloth/build/merge.h"
+#include "cloth/build/tearing.h"
 #include "pbd/filter.h"
 #include "sdk/world/world_impl.h"
 

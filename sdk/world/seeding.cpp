@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "collision/mesh.h"
+#include "collision/mesh/mesh.h"
 #include "pbd/math/vec.h"
 #include "sdk/engine/point_table.h"
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 #include "sdk/world/seeding.h"
 #include "sdk/world/world_impl.h"
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

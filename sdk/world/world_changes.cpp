@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

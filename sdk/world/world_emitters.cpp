@@ -9,7 +9,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

@@ -5,7 +5,7 @@
 #include <meniscus/graphics.h>
 #include <meniscus/world.h>
 
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 
 namespace meniscus {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "sdk/engine/engine.h"
-#include "sdk/world/cloth_table.h"
-#include "sdk/world/id_table.h"
-#include "sdk/world/world_flow.h"
-#include "sdk/world/world_shapes.h"
+#include "sdk/world/check/id_table.h"
+#include "sdk/world/cloth/cloth_table.h"
+#include "sdk/world/flow/world_flow.h"
+#include "sdk/world/solids/world_shapes.h"
 
 namespace meniscus {
 

@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "pbd/math/vec.h"
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "sdk/world/check.h"
+#include "sdk/world/check/check.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

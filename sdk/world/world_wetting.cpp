@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sdk/world/cloth_water.h"
+#include "sdk/world/cloth/cloth_water.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

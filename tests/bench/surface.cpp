@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/unit/surfaces.h"
+#include "tests/unit/fluid/surfaces.h"
 
 namespace meniscus::bench {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A body's impulse and torque from its contacts, against the same sums in double precision.
-#include "collision/body_kernels.h"
+#include "collision/body/body_kernels.h"
 
 #include <gtest/gtest.h>
 

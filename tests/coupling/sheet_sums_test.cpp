@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "collision/sheet_load.h"
+#include "collision/fluid_cloth/load.h"
 #include "tests/coupling/body_worlds.h"
 
 namespace meniscus::tests {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/unit/mesh_shapes.h"
+#include "tests/unit/collision/mesh_shapes.h"
 #include "tests/worlds.h"
 
 namespace meniscus::tests {

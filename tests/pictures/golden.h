@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "tests/unit/render_bench.h"
+#include "tests/bench/harness/render_bench.h"
 
 namespace meniscus::tests {
 

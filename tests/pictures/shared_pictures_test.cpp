@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Particles that the GPU which simulates hands to OpenGL, with no way through the host.
+#include "tests/bench/harness/render_bench.h"
 #include "tests/expect_error.h"
 #include "tests/pictures/picture_difference.h"
-#include "tests/unit/render_bench.h"
 
 namespace meniscus::tests {
 namespace {

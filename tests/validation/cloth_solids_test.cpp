@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "collision/mesh.h"
+#include "collision/mesh/mesh.h"
 #include "tests/validation/cloth_worlds.h"
 
 namespace meniscus::tests {

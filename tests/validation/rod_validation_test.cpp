@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "pbd/math/vec.h"
+#include "tests/bench/harness/rod_bench.h"
 #include "tests/devices.h"
-#include "tests/unit/rod_bench.h"
 
 namespace meniscus::tests {
 

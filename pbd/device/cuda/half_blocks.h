@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "pbd/device/view.h"
+#include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
 
 #ifdef __CUDA_ARCH__

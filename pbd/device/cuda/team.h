@@ -8,9 +8,9 @@
 
 #include <cstdint>
 
+#include "pbd/device/base/view.h"
 #include "pbd/device/cuda/batch.h"
 #include "pbd/device/scalar.h"
-#include "pbd/device/view.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::pbd {

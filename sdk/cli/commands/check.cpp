@@ -4,10 +4,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "sdk/cli/program.h"
-#include "sdk/cli/scene_checks.h"
-#include "sdk/cli/scene_lookup.h"
-#include "sdk/cli/scene_warnings.h"
+#include "sdk/cli/commands/exit_code.h"
+#include "sdk/cli/commands/scene_lookup.h"
+#include "sdk/cli/commands/scene_warnings.h"
+#include "sdk/cli/record/scene_checks.h"
 
 namespace meniscus::cli {
 

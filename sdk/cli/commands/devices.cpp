@@ -7,7 +7,7 @@
 #include <meniscus/outputs.h>
 #include <algorithm>
 
-#include "sdk/cli/program.h"
+#include "sdk/cli/commands/exit_code.h"
 
 namespace meniscus::cli {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "sdk/cli/scene_lookup.h"
+#include "sdk/cli/commands/scene_lookup.h"
 
 namespace meniscus::cli {
 

@@ -8,16 +8,16 @@
 #include <filesystem>
 #include <numbers>
 
-#include "sdk/cli/frame_exporter.h"
-#include "sdk/cli/frame_pictures.h"
-#include "sdk/cli/interrupt.h"
-#include "sdk/cli/old_results.h"
-#include "sdk/cli/program.h"
-#include "sdk/cli/progress.h"
-#include "sdk/cli/run_recorder.h"
-#include "sdk/cli/run_summary.h"
-#include "sdk/cli/scene_checks.h"
-#include "sdk/cli/scene_warnings.h"
+#include "sdk/cli/commands/exit_code.h"
+#include "sdk/cli/commands/interrupt.h"
+#include "sdk/cli/commands/progress.h"
+#include "sdk/cli/commands/scene_warnings.h"
+#include "sdk/cli/output/frame_exporter.h"
+#include "sdk/cli/output/frame_pictures.h"
+#include "sdk/cli/output/old_results.h"
+#include "sdk/cli/record/run_recorder.h"
+#include "sdk/cli/record/run_summary.h"
+#include "sdk/cli/record/scene_checks.h"
 
 namespace meniscus::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sdk/cli/picture_options.h"
-#include "sdk/cli/scene_lookup.h"
+#include "sdk/cli/commands/scene_lookup.h"
+#include "sdk/cli/output/picture_options.h"
 
 namespace meniscus::cli {
 

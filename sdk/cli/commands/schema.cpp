@@ -4,7 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "sdk/cli/program.h"
+#include "sdk/cli/commands/exit_code.h"
 #include "sdk/scene/scene_file.h"
 
 namespace meniscus::cli {

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sdk/cli/picture_options.h"
-#include "sdk/cli/program.h"
+#include "sdk/cli/commands/exit_code.h"
+#include "sdk/cli/output/picture_options.h"
 #include "sdk/viewer/viewer.h"
 
 namespace meniscus::cli {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sdk/cli/scene_lookup.h"
+#include "sdk/cli/commands/scene_lookup.h"
 
 namespace meniscus::cli {
 

@@ -21,7 +21,7 @@ class Program {
   /// wrote once show_writes() has been called, and may run beside it until then.
   void start(int groups_x, int groups_y = 1) const;
   static void show_writes();
-  /// The same, with image 0 to write to, for each of its pixels: see shaders/pixels.glsl.
+  /// The same, with image 0 to write to, for each of its pixels: see shaders/shared/pixels.glsl.
   void start_over(const Texture& image) const;
   void run_over(const Texture& image) const {
     start_over(image);

@@ -12,7 +12,7 @@ struct ShaderFile {
   std::string_view name, text;
 };
 
-/// All files of sdk/render/shaders, as they were when the program was built.
+/// All files of sdk/render/shaders by their paths there, as they were when the program was built.
 std::span<const ShaderFile> shader_files();
 
 /// The text of one, each line `#include "file"` replaced by that file. Throws Error(not_found).

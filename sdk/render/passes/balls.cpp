@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "sdk/render/uniforms.h"
+#include "sdk/render/frame/uniforms.h"
 
 namespace meniscus::render {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <meniscus/outputs.h>
 
+#include "sdk/render/frame/views.h"
 #include "sdk/render/gl/program.h"
-#include "sdk/render/views.h"
 
 namespace meniscus::render {
 
@@ -30,7 +30,7 @@ class Balls {
   Texture sequence_, balance_, fluids_;
   const Texture* colors_ = &sequence_;
   GLsizei count_ = 0;
-  Program program_{"ball.vert.glsl", "ball.frag.glsl"};
+  Program program_{"views/ball.vert.glsl", "views/ball.frag.glsl"};
 };
 
 /// The colours of a map, from left to right.

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <string>
 
-#include "sdk/render/uniforms.h"
+#include "sdk/render/frame/uniforms.h"
 
 namespace meniscus::render {
 
 namespace {
 
-constexpr GLuint read_binding = 8, write_binding = 9;  // see shaders/found.glsl
+constexpr GLuint read_binding = 8, write_binding = 9;  // see shaders/fluid/found.glsl
 
 void bind_storage(GLuint binding, const DataBuffer& buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
@@ -75,7 +75,7 @@ void FluidSurface::apply(const Program& program, int x, int y, float reach, floa
   glUniform2i(0, x, y);
   glUniform1f(1, reach);
   glUniform1f(2, threshold);
-  program.start(groups_for(width_, 32), groups_for(height_, 8));  // see shaders/filter.glsl
+  program.start(groups_for(width_, 32), groups_for(height_, 8));  // see shaders/fluid/filter.glsl
   Program::show_writes();
   result_ = &into;
 }

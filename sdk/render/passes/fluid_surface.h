@@ -14,7 +14,7 @@ enum class SurfaceFilter {
   none,
 };
 
-/// The fluid's surface as the camera sees it, a number a pixel: see shaders/found.glsl.
+/// The fluid's surface as the camera sees it, a number a pixel: see shaders/fluid/found.glsl.
 class FluidSurface {
  public:
   FluidSurface(int width, int height);
@@ -27,7 +27,7 @@ class FluidSurface {
   /// Lengths in metres: `reach` is the filter's standard deviation, and what is `threshold` apart in depth is
   /// another surface. `pixels`: reach, seen at the scene's middle.
   void filter(SurfaceFilter filter, float reach, float threshold, float pixels);
-  /// For shaders that read it, by shaders/fluid_depth.glsl.
+  /// For shaders that read it, by shaders/fluid/fluid_depth.glsl.
   void bind() const;
 
  private:
@@ -36,10 +36,10 @@ class FluidSurface {
   int width_, height_;
   DataBuffer first_, second_;
   const DataBuffer* result_ = &first_;
-  Program splat_{"splat.comp.glsl"};
-  Program narrow_range_{"narrow_range.comp.glsl"};
-  Program bilateral_{"bilateral.comp.glsl"};
-  Program curvature_flow_{"curvature_flow.comp.glsl"};
+  Program splat_{"fluid/splat.comp.glsl"};
+  Program narrow_range_{"fluid/narrow_range.comp.glsl"};
+  Program bilateral_{"fluid/bilateral.comp.glsl"};
+  Program curvature_flow_{"fluid/curvature_flow.comp.glsl"};
 };
 
 }  // namespace meniscus::render

@@ -16,7 +16,7 @@ void FluidThickness::draw(const TileLists& lists, const Texture& sums, const Mat
   glUniform1f(3, disc_radius(spacing));
   glUniform1i(4, hides);
   sums.bind_image(0);
-  lists.start(program_, 2);  // see shaders/thickness.comp.glsl
+  lists.start(program_, 2);  // see shaders/fluid/thickness.comp.glsl
 }
 
 void FluidThickness::draw_for_camera(const TileLists& lists, const FrameUniforms& frame,

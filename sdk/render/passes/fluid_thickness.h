@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "sdk/render/frame/uniforms.h"
 #include "sdk/render/passes/tile_lists.h"
-#include "sdk/render/uniforms.h"
 
 namespace meniscus::render {
 
@@ -32,7 +32,7 @@ class FluidThickness {
             float y_per_metre, float spacing, bool hides) const;
 
   Texture camera_, sun_;
-  Program program_{"thickness.comp.glsl"};
+  Program program_{"fluid/thickness.comp.glsl"};
 };
 
 }  // namespace meniscus::render

@@ -6,9 +6,9 @@
 
 #include <span>
 
+#include "sdk/render/frame/uniforms.h"
 #include "sdk/render/gl/program.h"
 #include "sdk/render/passes/screen.h"
-#include "sdk/render/uniforms.h"
 
 namespace meniscus::render {
 
@@ -29,8 +29,8 @@ class Foam {
   VertexArrayHandle array_;
   DataBuffer particles_;
   GLsizei count_ = 0;
-  Program gather_{"foam.vert.glsl", "foam.frag.glsl"};
-  Program lay_over_{"screen.vert.glsl", "foam_over.frag.glsl"};
+  Program gather_{"foam/foam.vert.glsl", "foam/foam.frag.glsl"};
+  Program lay_over_{"screen/screen.vert.glsl", "foam/foam_over.frag.glsl"};
 };
 
 }  // namespace meniscus::render

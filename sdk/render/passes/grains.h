@@ -19,8 +19,8 @@ class Grains {
   }
 
  private:
-  Program shadow_{"grain_shadow.vert.glsl", "grain_shadow.frag.glsl"};
-  Program ball_{"grain.vert.glsl", "grain.frag.glsl"};
+  Program shadow_{"grains/grain_shadow.vert.glsl", "grains/grain_shadow.frag.glsl"};
+  Program ball_{"grains/grain.vert.glsl", "grains/grain.frag.glsl"};
 };
 
 }  // namespace meniscus::render

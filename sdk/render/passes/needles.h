@@ -24,7 +24,7 @@ class Needles {
   DataBuffer needles_;
   VertexArrayHandle array_;
   GLsizei count_ = 0;
-  Program program_{"needle.vert.glsl", "needle.frag.glsl"};
+  Program program_{"views/needle.vert.glsl", "views/needle.frag.glsl"};
 };
 
 }  // namespace meniscus::render

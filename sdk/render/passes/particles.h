@@ -26,7 +26,7 @@ class Particles {
   void set(const World& world);
   /// Four corners each.
   void draw() const;
-  /// For compute shaders, see shaders/particles.glsl.
+  /// For compute shaders, see shaders/particles/particles.glsl.
   void bind() const;
   GLsizei count() const { return count_; }
 

@@ -6,7 +6,7 @@
 
 namespace meniscus::render {
 
-/// Runs a fragment shader once a pixel; the vertex shader is screen.vert.glsl.
+/// Runs a fragment shader once a pixel; the vertex shader is screen/screen.vert.glsl.
 class Screen {
  public:
   void draw() const {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "sdk/render/passes/slice.h"
 
+#include "sdk/render/frame/uniforms.h"
 #include "sdk/render/passes/balls.h"
-#include "sdk/render/uniforms.h"
 
 namespace meniscus::render {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "sdk/render/frame/views.h"
 #include "sdk/render/gl/program.h"
-#include "sdk/render/views.h"
 
 namespace meniscus::render {
 
@@ -24,7 +24,7 @@ class Slice {
   std::optional<Texture> values_;
   Texture colors_ = balance_colors();
   VertexArrayHandle array_ = make_vertex_array();
-  Program program_{"slice.vert.glsl", "slice.frag.glsl"};
+  Program program_{"views/slice.vert.glsl", "views/slice.frag.glsl"};
 
   static Texture balance_colors();
 };

@@ -4,10 +4,10 @@
 
 #include <span>
 
-#include "sdk/io/preview.h"
+#include "sdk/io/preview/preview.h"
+#include "sdk/render/frame/stage.h"
 #include "sdk/render/gl/program.h"
-#include "sdk/render/mesh.h"
-#include "sdk/render/stage.h"
+#include "sdk/render/meshes/mesh.h"
 
 namespace meniscus::render {
 
@@ -46,8 +46,8 @@ class Solids {
   std::vector<Item> items_;  // shapes, then bodies
   Mesh cloth_, ropes_;
   bool moves_ = false;  // something of what was placed last
-  Program shadow_{"shadow.vert.glsl", "nothing.frag.glsl"};
-  Program solid_{"solid.vert.glsl", "solid.frag.glsl"};
+  Program shadow_{"solids/shadow.vert.glsl", "solids/nothing.frag.glsl"};
+  Program solid_{"solids/solid.vert.glsl", "solids/solid.frag.glsl"};
 };
 
 }  // namespace meniscus::render

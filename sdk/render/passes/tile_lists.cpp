@@ -10,8 +10,8 @@ namespace {
 /// What covers more stands in the list of all tiles: so there is room for all, whatever is to be seen.
 constexpr std::size_t most_tiles = 9;
 constexpr int threads = 64;
-constexpr int strands = 16;         // see shaders/tiles.glsl
-constexpr GLuint next_binding = 9;  // see shaders/allot.comp.glsl
+constexpr int strands = 16;         // see shaders/tiles/tiles.glsl
+constexpr GLuint next_binding = 9;  // see shaders/tiles/allot.comp.glsl
 
 int groups_for(int count) {
   return (count + threads - 1) / threads;

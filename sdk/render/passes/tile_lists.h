@@ -11,7 +11,7 @@ namespace meniscus::render {
 /// the shader chooses; else it is in no order.
 class TileLists {
  public:
-  /// By a shader that includes shaders/list.glsl and knows what a particle covers.
+  /// By a shader that includes shaders/tiles/list.glsl and knows what a particle covers.
   TileLists(const char* shader, int tile_size) : list_(shader), tile_size_(tile_size) {}
 
   /// Of a picture of this size in pixels. `radius` of the discs, m.
@@ -30,7 +30,7 @@ class TileLists {
   void allot() const;
   int lists() const { return across_ * down_ + 1; }
 
-  Program list_, allot_{"allot.comp.glsl"};
+  Program list_, allot_{"tiles/allot.comp.glsl"};
   int tile_size_;
   int across_ = 0, down_ = 0;
   float radius_ = 0;

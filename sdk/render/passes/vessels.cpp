@@ -5,13 +5,13 @@
 #include <cstring>
 
 #include "sdk/io/box_faces.h"
-#include "sdk/render/mesh.h"
+#include "sdk/render/meshes/mesh.h"
 
 namespace meniscus::render {
 namespace {
 
 constexpr std::size_t no_body = ~std::size_t{0};
-constexpr GLuint first_binding = 5;  // see shaders/vessels.glsl
+constexpr GLuint first_binding = 5;  // see shaders/light/vessels.glsl
 
 /// What shaders read of a vessel (std430).
 struct Box {

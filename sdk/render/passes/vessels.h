@@ -4,14 +4,14 @@
 
 #include <span>
 
-#include "sdk/io/preview.h"
+#include "sdk/io/preview/preview.h"
+#include "sdk/render/frame/uniforms.h"
 #include "sdk/render/gl/objects.h"
-#include "sdk/render/uniforms.h"
 
 namespace meniscus::render {
 
-/// Containers as boxes that compute shaders cast rays at, see shaders/vessels.glsl: floors are solid, the
-/// other walls are glass and seen from inside, and edges are bars.
+/// Containers as boxes that compute shaders cast rays at, see shaders/light/vessels.glsl: floors are solid,
+/// the other walls are glass and seen from inside, and edges are bars.
 class Vessels {
  public:
   explicit Vessels(const io::PreviewScene& scene);

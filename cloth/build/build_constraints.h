@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// From a mesh and the stiffness of a fabric to the constraints that the solver works on.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "cloth/build/cloth_mesh.h"
+#include "cloth/build/coloured.h"
+#include "cloth/build/constraints.h"
+
+namespace meniscus::cloth {
+
+inline constexpr float unyielding = std::numeric_limits<float>::infinity();
+
+/// What a fabric resists with. Stiffnesses are per width of cloth, as tests of fabric give them: 0 is none,
+/// infinity unyielding.
+struct FabricParameters {
+  float density = 0.2f;  ///< kg/m²
+
+  float warp_stiffness = unyielding;   ///< N/m: tension over strain, along u
+  float weft_stiffness = unyielding;   ///< N/m: along v
+  float shear_stiffness = unyielding;  ///< N/m: shear force a width over the shear angle
+  float bending_stiffness = 0;         ///< N·m: moment a width over curvature
+
+  bool strain_triangles = false;  ///< stretch and shear of triangles, else of their edges
+  bool dihedral = false;  ///< bending by the angle between triangles, else isometric where flat at rest
+};
+
+struct ClothConstraints {
+  std::vector<float> masses;  ///< kg, of each vertex: a third of each of its triangles
+  Coloured<EdgeConstraint> edges;
+  Coloured<StrainConstraint> strains;
+  Coloured<HingeConstraint> hinges;
+  Coloured<IsometricConstraint> isometric;
+};
+
+/// The constraints of a mesh that check_mesh takes. Within a colour they are in the order of their lowest
+/// vertex. Throws Error(invalid_argument) where a parameter is out of range.
+ClothConstraints build_constraints(const ClothMesh& mesh, const FabricParameters& fabric);
+
+}  // namespace meniscus::cloth

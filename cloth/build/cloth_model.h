@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// All cloth of a world, as the host hands it to the solver.
+#pragma once
+
+#include <vector>
+
+#include "cloth/build/build_constraints.h"
+#include "cloth/build/clusters.h"
+#include "cloth/build/piece.h"
+#include "pbd/surface_tree/surface.h"
+
+namespace meniscus::cloth {
+
+struct ClothModel {
+  ClothConstraints constraints;
+  std::vector<Tether> tethers;  ///< in the order of their anchors
+  std::vector<pbd::SurfaceTriangle> triangles;
+  std::vector<Vec3> rest;
+  std::vector<Piece> pieces;
+  std::vector<uint32_t> held;  ///< vertices that nothing moves, ascending
+};
+
+/// Lists of numbers, one list a vertex: that of v is items[start[v]] to items[start[v + 1] − 1].
+struct Fans {
+  std::vector<uint32_t> start, items;
+};
+
+/// Of each vertex its triangles' corners: 3 · triangle + corner.
+Fans triangle_fans(const std::vector<pbd::SurfaceTriangle>& triangles, size_t vertices);
+/// Of each vertex its edges' ends: 2 · edge + end.
+Fans edge_fans(const std::vector<EdgeConstraint>& edges, size_t vertices);
+
+/// Where all pieces of cloth have the same.
+CommonDamping common_damping(const std::vector<Piece>& pieces);
+
+}  // namespace meniscus::cloth

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cloth/rods/rod.h"
+#include "cloth/rods/rod_kernels.h"
+#include "pbd/substep.h"
+
+namespace meniscus::cloth {
+
+/// Cosserat rods (Kugelstadt & Schömer 2016, "Position and Orientation Based Cosserat Rods"). A segment
+/// between vertices a and b has a frame q with axes d₁, d₂, d₃; two segments in a row make a joint:
+///
+///   stretch and shear   C = x_b − x_a − l d₃   energy ½ (EA C₃² + κGA (C₁² + C₂²))/l, along the axes
+///   bending and twist   C = θ − θ₀             energy ½ (EI (C₁² + C₂²) + GJ C₃²)/l
+///
+/// θ is the rotation vector that takes a frame to the one after it, where the paper has 2 Im(q̄ q₊): the two
+/// agree to first order, and this one stays exact where a joint is bent or twisted far.
+///
+/// All constraints of a rod are solved at once in each iteration, with XPBD's compliance: the system of their
+/// multipliers is a band (Deul, Kugelstadt, Weiler & Bender 2018, "Direct Position-Based Solver for Stiff
+/// Rods"), which takes one thread a rod. So stiffness depends neither on the resolution nor on the
+/// number of iterations. A closed rod is cut at one place in an iteration, and at the opposite one in the
+/// next.
+///
+/// A held segment is rigid, so that a rod bends from its end on: to clamp the end of a rod, hold a first
+/// segment and both of its vertices. The torque ω × Iω of the section's own inertia is left out.
+template <class D>
+class RodSet final : public pbd::ConstraintSet<D> {
+ public:
+  explicit RodSet(D& device) : device_(device) {}
+
+  /// Takes the place of the model before; the segments that were there keep their state.
+  void set_model(const RodModel& model);
+  uint32_t segment_count() const { return segments_; }
+
+  std::vector<SegmentState> states(uint32_t first, uint32_t count) const;
+  void set_states(uint32_t first, std::span<const SegmentState> states);
+  /// Takes the spins away.
+  void stop();
+
+  /// N·m, of each segment: the torque of its joints on it, and its ends' forces, in the last substep, in the
+  /// world's axes. What a held segment must be held against.
+  std::vector<Vec3> torques(uint32_t first, uint32_t count) const;
+
+  void predict(float dt) override;
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+  void end(pbd::Substep<D>& substep) override;
+  void save() override;
+  void restore() override;
+
+ private:
+  rod_kernels::RodView view(const pbd::Substep<D>& substep);
+
+  D& device_;
+  uint32_t segments_ = 0, chains_ = 0;
+  float dt_ = 0;  // s, of the last substep
+  pbd::Buffer<RodChain> chain_{device_, "rods"};
+  pbd::Buffer<RodSegment> segment_{device_, "rod segments"};
+  pbd::Buffer<pbd::Vec4> frame_{device_, "rod frames"};
+  pbd::Buffer<pbd::Vec4> spin_{device_, "rod spins"};
+  pbd::Buffer<pbd::Vec4> previous_{device_, "rod frames of before"};
+  pbd::Buffer<pbd::Vec4> aside_frame_{device_, "rod frames put aside"};
+  pbd::Buffer<pbd::Vec4> aside_spin_{device_, "rod spins put aside"};
+  pbd::Buffer<rod_kernels::Strain> start_{device_, "rod strains at the start"};
+  pbd::Buffer<rod_kernels::Strain> multiplier_{device_, "rod multipliers"};
+  pbd::Buffer<rod_kernels::Link> link_{device_, "rod links"};
+  pbd::Buffer<BandRow> row_{device_, "rod equations"};
+  pbd::Buffer<pbd::Vec4> torque_{device_, "rod torques"};
+  pbd::Buffer<float> pull_{device_, "rod tensions"};
+  pbd::Buffer<float> aside_pull_{device_, "rod tensions put aside"};
+};
+
+}  // namespace meniscus::cloth

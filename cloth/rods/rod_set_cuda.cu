@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "cloth/rods/rod_set.inl"
+#include "pbd/device/cuda/cuda_device.cuh"
+
+template class meniscus::cloth::RodSet<meniscus::pbd::CudaDevice>;

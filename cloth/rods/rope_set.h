@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cloth/rods/rod.h"
+#include "cloth/rods/rope_kernels.h"
+#include "pbd/substep.h"
+
+namespace meniscus::cloth {
+
+/// Ropes and chains, which have a length and nothing else: C = |x_b − x_a| − l between two vertices in a row,
+/// with XPBD's compliance l/EA. The multipliers of a rope are solved for at once in each iteration, one
+/// thread a rope: how far it stretches depends neither on the number of its vertices nor on that of the
+/// iterations, and what hangs on it may weigh a million times as much as a vertex. A closed rope is cut at
+/// one place in an iteration, and at the opposite one in the next.
+template <class D>
+class RopeSet final : public pbd::ConstraintSet<D> {
+ public:
+  explicit RopeSet(D& device) : device_(device) {}
+
+  /// Takes the place of the model before.
+  void set_model(const RodModel& model);
+  uint32_t segment_count() const { return segments_; }
+
+  /// N, of each segment: the size of its force in the last substep.
+  std::vector<float> tensions(uint32_t first, uint32_t count) const;
+
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+  void save() override;
+  void restore() override;
+
+ private:
+  rope_kernels::RopeView view(const pbd::Substep<D>& substep);
+
+  D& device_;
+  uint32_t segments_ = 0, chains_ = 0;
+  float dt_ = 0;  // s, of the last substep
+  pbd::Buffer<RodChain> chain_{device_, "ropes"};
+  pbd::Buffer<RodSegment> segment_{device_, "rope segments"};
+  pbd::Buffer<float> start_{device_, "rope strains at the start"};
+  pbd::Buffer<Vec3> multiplier_{device_, "rope multipliers"};
+  pbd::Buffer<float> pull_{device_, "rope tensions"};
+  pbd::Buffer<float> aside_pull_{device_, "rope tensions put aside"};
+  pbd::Buffer<rope_kernels::Row> row_{device_, "rope equations"};
+};
+
+}  // namespace meniscus::cloth

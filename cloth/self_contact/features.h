@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Pairs of features of two triangles.
+#pragma once
+
+#include "cloth/self_contact/views.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// A triangle with the features that it owns, and those edges that are not the guard's alone.
+struct OwnFeatures {
+  static constexpr uint16_t is_rough = 1 << 9;  ///< beside those of its features: its group is
+
+  SurfaceTriangle triangle;
+  uint32_t features, shown;
+
+  MENISCUS_HD OwnFeatures(const SurfaceTriangle& t, uint32_t bits)
+      : triangle(t), features(bits), shown(bits & is_rough ? bits : bits / is_border * owns_edge) {}
+
+  MENISCUS_HD bool has_vertex(uint32_t k) const { return (features & uint32_t{owns_vertex} << k) != 0; }
+  MENISCUS_HD bool has_edge(uint32_t k) const { return (features & uint32_t{owns_edge} << k) != 0; }
+  MENISCUS_HD bool shows_edge(uint32_t k) const { return (shown & uint32_t{owns_edge} << k) != 0; }
+  MENISCUS_HD bool shares_end(uint32_t e, const OwnFeatures& other, uint32_t f) const {
+    const uint32_t v = corner_of(triangle, e), w = corner_of(triangle, next_corner(e)),
+                   s = corner_of(other.triangle, f), t = corner_of(other.triangle, next_corner(f));
+    return s == v || s == w || t == v || t == w;
+  }
+};
+
+MENISCUS_HD inline uint16_t bits_of_features(const ClothState& cloth, uint32_t place) {
+  return cloth.features[place] | (cloth.rough[place / 8] ? OwnFeatures::is_rough : uint16_t{0});
+}
+MENISCUS_HD inline OwnFeatures own_features(const ClothState& cloth, uint32_t place) {
+  return {load(cloth.tree.triangles, place), bits_of_features(cloth, place)};
+}
+
+/// Pairs of features of two triangles, by number: six of a vertex and a face, then nine of edges.
+struct PairsOfTwo {
+  static constexpr uint32_t most = 15;
+
+  uint32_t mask = 0;    ///< of those that there are
+  uint32_t guards = 0;  ///< and that become no contacts
+
+  /// All that share no vertex. Edges that are neither on a border nor in a rough group are the guard's alone.
+  MENISCUS_HD PairsOfTwo(const OwnFeatures& a, const OwnFeatures& b) {
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (a.has_vertex(k) && !has_vertex(b.triangle, corner_of(a.triangle, k))) mask |= 1u << k;
+      if (b.has_vertex(k) && !has_vertex(a.triangle, corner_of(b.triangle, k))) mask |= 8u << k;
+    }
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < 9; ++k) {
+      const uint32_t e = k / 3, f = k % 3;
+      if (!a.has_edge(e) || !b.has_edge(f) || a.shares_end(e, b, f)) continue;
+      mask |= 64u << k;
+      if (!(a.shows_edge(e) && b.shows_edge(f))) guards |= 64u << k;
+    }
+  }
+
+  /// Of the k-th, of the triangles at two places.
+  MENISCUS_HD FeatureCode code(GroupPair places, uint32_t k) const {
+    if (k < 3) return {feature(places.first, k), feature(places.second, face)};
+    if (k < 6) return {feature(places.second, k - 3), feature(places.first, face)};
+    const uint32_t e = (k - 6) / 3, f = (k - 6) % 3;
+    return {feature(places.first, 3 + e) | (guards >> k & 1 ? FeatureCode::guard_bit : 0),
+            feature(places.second, 3 + f)};
+  }
+};
+
+/// Bits of those of a group whose boxes overlap that of the triangle at `place`; of its own group the later
+/// ones.
+MENISCUS_HD inline uint32_t overlapping(const pbd::SurfaceTreeView& tree, uint32_t place, uint32_t other) {
+  const uint32_t mask = overlap_mask(tree.group(0, other), tree.box(0, place));
+  return other == place / 8 ? mask & ~((2u << place % 8) - 1) : mask;
+}
+
+}  // namespace meniscus::cloth::self_contact_kernels

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// From pairs of groups to pairs of features that may touch.
+#pragma once
+
+#include "cloth/self_contact/features.h"
+#include "cloth/self_contact/keep.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// The four corners of a pair of features: a vertex and the three of a triangle, or two edges of two; each
+/// with the ball that it stays in.
+struct CornerBalls {
+  Vec4 corner[4];
+  bool edges;
+
+  /// Whether the boxes of both overlap.
+  MENISCUS_HD bool have_boxes_in_touch() const {
+    const Aabb last = joined(box(2), box(3));
+    return edges ? overlap(joined(box(0), box(1)), last) : overlap(box(0), joined(box(1), last));
+  }
+  /// No point of either leaves the place that its corners are in by more than the greatest of their radii.
+  MENISCUS_HD bool may_come_near() const {
+    const Vec3 origin = corner[0].xyz();
+    const uint32_t first = edges ? 2 : 1;
+    FeaturePair pair{};
+    pair.edges = edges;
+    float radius = 0, other_radius = 0;
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < 4; ++k) {
+      pair.start[k] = corner[k].xyz() - origin;
+      (k < first ? radius : other_radius) = pbd::max(k < first ? radius : other_radius, corner[k].w);
+    }
+    return nearest(pair, 0).distance <= radius + other_radius;
+  }
+
+ private:
+  MENISCUS_HD Aabb box(uint32_t k) const {
+    return pbd::inflated({corner[k].xyz(), corner[k].xyz()}, corner[k].w);
+  }
+};
+
+/// The triangles of two groups, first those of one, then those of the other: all threads look at them, from
+/// many sides.
+struct TrianglesOfTwo {
+  static constexpr uint32_t count = 16;
+
+  GroupPair groups;
+  uint16_t features[count];  // see OwnFeatures
+  uint32_t vertex[3 * count];
+  Vec4 ball[3 * count];  // by corner: where it stays
+
+  MENISCUS_HD void load_triangle(const ClothState& cloth, uint32_t k) {
+    const uint32_t place = 8 * (k < 8 ? groups.first : groups.second) + k % 8;
+    const SurfaceTriangle t = load(cloth.tree.triangles, place);
+    if (t.a == no_index) return;
+    features[k] = bits_of_features(cloth, place);
+    for (uint32_t corner = 0; corner < 3; ++corner) {
+      vertex[3 * k + corner] = corner_of(t, corner);
+      ball[3 * k + corner] = load(cloth.kept.balls, corner_of(t, corner));
+    }
+  }
+
+  MENISCUS_HD OwnFeatures own(uint32_t k) const {
+    return {{vertex[3 * k], vertex[3 * k + 1], vertex[3 * k + 2], 0}, features[k]};
+  }
+  /// Of the k-th pair of features of the s-th and the t-th triangle.
+  MENISCUS_HD CornerBalls balls(uint32_t s, uint32_t t, uint32_t k) const {
+    const Vec4 *a = ball + 3 * s, *b = ball + 3 * t;
+    if (k < 3) return {{a[k], b[0], b[1], b[2]}, false};
+    if (k < 6) return {{b[k - 3], a[0], a[1], a[2]}, false};
+    const uint32_t e = (k - 6) / 3, f = (k - 6) % 3;
+    return {{a[e], a[next_corner(e)], b[f], b[next_corner(f)]}, true};
+  }
+  /// Whether a plane across the way from one to the other, or along one of them, keeps them apart.
+  MENISCUS_HD bool are_parted(uint32_t s, uint32_t t) const {
+    for (uint32_t k = 0; k < 9; ++k)
+      if (vertex[3 * s + k / 3] == vertex[3 * t + k % 3]) return false;
+    const Vec3 origin = ball[3 * s].xyz();
+    const Middle a(ball + 3 * s, origin), b(ball + 3 * t, origin);
+    const float reach = a.radius + b.radius;
+    const auto parts = [&](Vec3 n) {
+      return pbd::max(a.least(n) - b.most(n), b.least(n) - a.most(n)) > reach * length(n);
+    };
+    return parts(a.centre() - b.centre()) || parts(a.normal()) || parts(b.normal());
+  }
+
+ private:
+  /// A triangle between the centres of its vertices' balls, seen from an origin.
+  struct Middle {
+    Vec3 corner[3];
+    float radius = 0;
+
+    MENISCUS_HD Middle(const Vec4* ball, Vec3 origin) {
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < 3; ++k) {
+        corner[k] = ball[k].xyz() - origin;
+        radius = pbd::max(radius, ball[k].w);
+      }
+    }
+    MENISCUS_HD Vec3 normal() const { return cross(corner[1] - corner[0], corner[2] - corner[0]); }
+    MENISCUS_HD Vec3 centre() const { return (1.0f / 3) * (corner[0] + corner[1] + corner[2]); }
+    MENISCUS_HD float least(Vec3 n) const {
+      return pbd::min(dot(n, corner[0]), pbd::min(dot(n, corner[1]), dot(n, corner[2])));
+    }
+    MENISCUS_HD float most(Vec3 n) const {
+      return pbd::max(dot(n, corner[0]), pbd::max(dot(n, corner[1]), dot(n, corner[2])));
+    }
+  };
+};
+
+/// Pairs of groups while a group of threads looks through them: pairs of triangles whose boxes overlap, by
+/// number; and pairs of features of some of these whose boxes overlap, by number.
+struct CandidateScratch {
+  static constexpr uint32_t pairs = 16, at_once = 128;
+
+  TrianglesOfTwo two[pairs];
+  uint16_t hits[64 * pairs], touching[PairsOfTwo::most * at_once];
+  uint32_t hit_count, touching_count;
+};
+
+/// Lists the pairs of features that may come near one another while their vertices stay where they are to, of
+/// a number of pairs of groups at a time. Each look leaves few of what the one before has found, and all
+/// threads share what is left.
+struct FindCandidates {
+  using Scratch = CandidateScratch;
+
+  Listing listing;
+  ClothState cloth;
+  GroupPairs pairs;
+  View<FeatureCode> candidate_list;
+  uint32_t stride;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (!listing.wanted()) return;
+    const uint32_t count = pairs.count();
+    for (uint32_t first = Scratch::pairs * n; first < count; first += Scratch::pairs * stride) {
+      const uint32_t left = count - first < Scratch::pairs ? count - first : Scratch::pairs;
+      group.for_each(left, [&](uint32_t k) {
+        scratch.two[k].groups = pairs.list[first + k];
+        if (k == 0) scratch.hit_count = 0;
+      });
+      group.for_each(TrianglesOfTwo::count * left, [&](uint32_t k) {
+        scratch.two[k / TrianglesOfTwo::count].load_triangle(cloth, k % TrianglesOfTwo::count);
+      });
+      group.for_each(8 * left, [&](uint32_t k) { find_overlaps(scratch, k); });
+      const uint32_t hits = scratch.hit_count;
+      for (uint32_t done = 0; done < hits; done += Scratch::at_once) {
+        const uint32_t now = hits - done < Scratch::at_once ? hits - done : Scratch::at_once;
+        group.for_each(1, [&](uint32_t) { scratch.touching_count = 0; });
+        group.for_each(now, [&](uint32_t k) { find_features(scratch, scratch.hits[done + k]); });
+        group.for_each(scratch.touching_count, [&](uint32_t k) { list(scratch, scratch.touching[k]); });
+      }
+    }
+  }
+
+ private:
+  MENISCUS_HD void find_overlaps(Scratch& scratch, uint32_t k) const {
+    const GroupPair pair = scratch.two[k / 8].groups;
+    uint32_t mask = overlapping(cloth.tree, 8 * pair.first + k % 8, pair.second);
+    uint32_t place = mask ? pbd::append(scratch.hit_count, pbd::bit_count(mask)) : 0;
+    for (; mask != 0; mask &= mask - 1)
+      scratch.hits[place++] = static_cast<uint16_t>(8 * k + pbd::lowest_bit(mask));
+  }
+  MENISCUS_HD void find_features(Scratch& scratch, uint32_t hit) const {
+    const TrianglesOfTwo& two = scratch.two[hit / 64];
+    const uint32_t s = hit % 64 / 8, t = 8 + hit % 8;
+    if (two.are_parted(s, t)) return;
+    uint32_t mask = PairsOfTwo(two.own(s), two.own(t)).mask, touching = 0;
+    for (; mask != 0; mask &= mask - 1) {
+      const uint32_t k = pbd::lowest_bit(mask);
+      if (two.balls(s, t, k).have_boxes_in_touch()) touching |= 1u << k;
+    }
+    if (touching == 0) return;
+    uint32_t place = pbd::append(scratch.touching_count, pbd::bit_count(touching));
+    for (; touching != 0; touching &= touching - 1)
+      scratch.touching[place++] = static_cast<uint16_t>(PairsOfTwo::most * hit + pbd::lowest_bit(touching));
+  }
+  MENISCUS_HD void list(const Scratch& scratch, uint32_t number) const {
+    const uint32_t hit = number / PairsOfTwo::most, k = number % PairsOfTwo::most;
+    const TrianglesOfTwo& two = scratch.two[hit / 64];
+    const uint32_t s = hit % 64 / 8, t = 8 + hit % 8;
+    if (!two.balls(s, t, k).may_come_near()) return;
+    const uint32_t place = pbd::append(pairs.counters[candidates], 1);
+    if (place < candidate_list.count)
+      candidate_list[place] = PairsOfTwo(two.own(s), two.own(t)).code(places_of(two.groups, hit % 64), k);
+  }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels

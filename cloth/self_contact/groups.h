@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Pairs of groups of triangles that may touch, by the tree.
+#pragma once
+
+#include "cloth/self_contact/keep.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// Sixteen groups of eight triangles while their cones are fitted.
+struct ConeScratch {
+  static constexpr uint32_t groups = 16, triangles = 8 * groups;
+
+  Vec3 before[triangles], after[triangles];  // normals
+  float longest2[triangles];                 // m²: of the edges
+  Vec3 axis[groups];
+};
+
+/// A cone that holds the normals of a group's triangles, before and after its motion.
+///
+/// Where cloth is smooth, its vertices keep it apart from other cloth, and its edges need not be looked at:
+/// with θ the angle that an edge of length L is bent by, it stands out by Lθ/4 between its ends.
+struct FitCones {
+  using Scratch = ConeScratch;
+
+  Listing listing;
+  pbd::SurfaceTreeView tree;
+  View<const Part> parts;
+  View<const Vec4> previous, position;
+  View<Vec4> cones;
+  View<uint32_t> rough;
+
+  /// Of the groups from 16 n on.
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (!listing.wanted()) return;
+    const uint32_t first = n * Scratch::groups, left = cones.count - first,
+                   count = left < Scratch::groups ? left : Scratch::groups;
+    group.for_each(8 * count, [&](uint32_t k) {
+      const SurfaceTriangle t = load(tree.triangles, 8 * first + k);
+      scratch.longest2[k] = 0;
+      scratch.before[k] = normal(previous, t, scratch.longest2[k]);
+      scratch.after[k] = normal(position, t, scratch.longest2[k]);
+    });
+    group.for_each(count, [&](uint32_t g) {
+      Vec3 sum{0, 0, 0};
+      for (uint32_t k = 8 * g; k < 8 * g + 8; ++k) sum += scratch.before[k] + scratch.after[k];
+      scratch.axis[g] = normalized_or(sum, {0, 0, 0});
+    });
+    group.for_each(count, [&](uint32_t g) { fit(scratch, first, g); });
+  }
+
+ private:
+  MENISCUS_HD void fit(const Scratch& scratch, uint32_t first, uint32_t g) const {
+    const Vec3 axis = scratch.axis[g];
+    float least = 1, longest2 = 0;
+    for (uint32_t k = 8 * g; k < 8 * g + 8; ++k) {
+      if (tree.triangles[8 * first + k].a == no_index) continue;
+      least = pbd::min(least, pbd::min(dot(axis, scratch.before[k]), dot(axis, scratch.after[k])));
+      longest2 = pbd::max(longest2, scratch.longest2[k]);
+    }
+    const float angle = acosf(pbd::clamp(least, -1, 1));
+    cones[first + g] = pbd::with_w(axis, angle);
+    rough[first + g] = angle * sqrtf(longest2) > 0.2f * parts[tree.triangles[8 * (first + g)].part].thickness;
+  }
+
+  /// Of a triangle; and the square of the longest edge so far.
+  MENISCUS_HD static Vec3 normal(View<const Vec4> x, const SurfaceTriangle& t, float& longest2) {
+    if (t.a == no_index) return {0, 0, 0};
+    const Vec3 a = x[t.a].xyz(), ab = x[t.b].xyz() - a, ac = x[t.c].xyz() - a, bc = ac - ab;
+    longest2 = pbd::max(longest2, pbd::max(dot(ab, ab), pbd::max(dot(ac, ac), dot(bc, bc))));
+    return normalized_or(cross(ab, ac), {0, 0, 0});
+  }
+};
+
+/// While eight groups look for those that they overlap: boxes of 512 other groups, and eights, by number.
+struct OverlapScratch {
+  static constexpr uint32_t boxes = 128;
+
+  uint32_t tops[boxes], eights[8 * boxes];
+  uint32_t top_count, count;
+};
+
+/// Lists the pairs of groups whose boxes overlap, for eight groups at a time: of a number of the tree's boxes
+/// after the other, those eights below that overlap all of the own ones, then their groups; in large trees
+/// the boxes above them come first. Neighbours in the material always do; in smooth sheets they are left out.
+struct FindGroups {
+  using Scratch = OverlapScratch;
+
+  Listing listing;
+  pbd::SurfaceTreeView tree;
+  View<const Part> parts;
+  SheetViews sheets;
+  GroupPairs pairs;
+
+  /// For the groups from 8 n on, and those behind them.
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (!listing.wanted()) return;
+    group.for_each(8, [&](uint32_t k) { note_smoothness(8 * n + k); });
+    const bool large = tree.levels > 4;
+    const uint32_t end = large ? tree.boxes[4] : eights_have_boxes() ? tree.groups_of(2) : 1;
+    for (uint32_t first = large ? n / 64 : n / 8; first < end; first += Scratch::boxes) {
+      const uint32_t boxes = end - first < Scratch::boxes ? end - first : Scratch::boxes;
+      if (large)
+        look_below(group, scratch, n, first, boxes);
+      else
+        pair_up_all(group, scratch, n, boxes, [&](uint32_t k) { return first + k; });
+    }
+  }
+
+ private:
+  /// Boxes of level 4 from `first` on.
+  template <class Group>
+  MENISCUS_HD void look_below(const Group& group, Scratch& scratch, uint32_t n, uint32_t first,
+                              uint32_t boxes) const {
+    group.for_each(1, [&](uint32_t) { scratch.top_count = 0; });
+    group.for_each(boxes, [&](uint32_t k) {
+      if (overlap(tree.box(4, first + k), tree.box(2, n)))
+        scratch.tops[pbd::append(scratch.top_count, 1)] = first + k;
+    });
+    const uint32_t below = 8 * scratch.top_count;
+    for (uint32_t done = 0; done < below; done += Scratch::boxes) {
+      const uint32_t left = below - done < Scratch::boxes ? below - done : Scratch::boxes;
+      pair_up_all(group, scratch, n, left,
+                  [&](uint32_t k) { return 8 * scratch.tops[(done + k) / 8] + k % 8; });
+    }
+  }
+  /// `count` boxes of the level above the eights'.
+  template <class Group, class BoxAt>
+  MENISCUS_HD void pair_up_all(const Group& group, Scratch& scratch, uint32_t n, uint32_t count,
+                               const BoxAt& box_at) const {
+    group.for_each(1, [&](uint32_t) { scratch.count = 0; });
+    group.for_each(count, [&](uint32_t k) { look_into(scratch, n, box_at(k)); });
+    const uint32_t found = scratch.count;
+    group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
+  }
+  MENISCUS_HD bool eights_have_boxes() const { return tree.levels > 2; }
+
+  MENISCUS_HD void note_smoothness(uint32_t g) const {
+    if (g >= sheets.smooth.count) return;
+    sheets.smooth[g] = sheets.is_smooth(g);
+  }
+
+  MENISCUS_HD void look_into(Scratch& scratch, uint32_t n, uint32_t box) const {
+    const Aabb own = eights_have_boxes() ? tree.box(2, n) : pbd::empty_box;
+    if (tree.levels > 3 && !overlap(tree.box(3, box), own)) return;
+    uint32_t mask =
+        eights_have_boxes() ? overlap_mask(tree.group(2, box), own) : (1u << tree.groups_of(1)) - 1;
+    for (; mask != 0; mask &= mask - 1) {
+      const uint32_t eight = 8 * box + pbd::lowest_bit(mask);
+      if (eight >= n) scratch.eights[pbd::append(scratch.count, 1)] = eight;
+    }
+  }
+
+  MENISCUS_HD void pair_up(uint32_t g, uint32_t eight) const {
+    uint32_t mask = overlap_mask(tree.group(1, eight), tree.box(1, g));
+    if (eight == g / 8) mask &= ~0u << g % 8;
+    if (mask == 0) return;
+    const uint32_t part = tree.triangles[8 * g].part;
+    Appending<GroupPair> found(pairs.list, pairs.counters[group_pairs]);
+    for (; mask != 0; mask &= mask - 1) {
+      const uint32_t other = 8 * eight + pbd::lowest_bit(mask);
+      if (may_touch(part, tree.triangles[8 * other].part) && !sheets.has_in_sheet(g, other))
+        found.add({g, other});
+    }
+    found.flush();
+  }
+
+  MENISCUS_HD bool may_touch(uint32_t p, uint32_t q) const {
+    const Part a = parts[p], b = parts[q];
+    if (p == q) return a.self != 0;
+    return (a.filter_groups & b.filter_mask) != 0 && (b.filter_groups & a.filter_mask) != 0;
+  }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The last resort of cloth-to-cloth contacts: nothing goes through, whatever the solve has left.
+#pragma once
+
+#include "cloth/self_contact/features.h"
+#include "cloth/self_contact/folds.h"
+#include "cloth/self_contact/sieve.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// Keeps each vertex near its way, and where pairs were looked for, and notes how far it strays from its way:
+/// the next substep allows for that.
+struct Contain {
+  View<const Vec4> previous;  // by vertex
+  View<const uint32_t> vertex_part;
+  KeptPlaces kept;
+  View<Vec4> foreseen;  // afterwards: see TakenBack
+  View<Vec4> position, moved;
+  View<float> strayed;
+  View<uint32_t> counters;
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (v == 0) grow_old();
+    if (vertex_part[v] == no_index) return;
+    const Vec4 x = position[v], ahead = foreseen[v];
+    const Vec3 from = previous[v].xyz(), to = ahead.xyz();
+    const Vec3 lower = min(from, to), upper = max(from, to);
+    strayed[v] = pbd::max(0, max_component(max(x.xyz() - upper, lower - x.xyz())));
+    const TakenBack taken{foreseen, counters};
+    taken.begin(v);
+    if (x.w == 0) return;
+    const Aabb box = pbd::inflated({lower, upper}, ahead.w);
+    const Vec3 inside = kept.inside(v, max(box.lower, min(box.upper, x.xyz())));
+    if (inside == x.xyz()) return;
+    taken.add(v, x.xyz() - inside);
+    position[v] = pbd::with_w(inside, x.w);
+    moved[v] = pbd::shifted(moved[v], inside - x.xyz());
+  }
+
+ private:
+  /// What has expired was listed anew.
+  MENISCUS_HD void grow_old() const {
+    counters[age] = counters[expired] != 0 ? 1 : counters[age] + 1;
+    counters[expired] = counters[restless] = 0;
+  }
+};
+
+/// While a group of threads sums up what groups of triangles have lost.
+struct LostScratch {
+  static constexpr uint32_t groups = 64;
+
+  Vec3 impulse[groups];  // kg·m
+  float mass[groups];    // kg
+  uint32_t part[groups];
+};
+
+/// Sums up the momentum of vertices that were taken back, and what all of their part weigh.
+struct SumLost {
+  using Scratch = LostScratch;
+
+  ClothState cloth;
+  View<const Vec4> taken;  // by vertex, m: see TakenBack
+  PartSums sums;
+  View<const uint32_t> counters;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (counters[lost] == 0) return;
+    const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
+    const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
+    group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
+    // The first group of each part adds up those that follow it.
+    group.for_each(count, [&](uint32_t k) {
+      const uint32_t part = scratch.part[k];
+      if (k > 0 && scratch.part[k - 1] == part) return;
+      Vec3 impulse{0, 0, 0};
+      float mass = 0;
+      for (uint32_t other = k; other < count && scratch.part[other] == part; ++other) {
+        impulse += scratch.impulse[other];
+        mass += scratch.mass[other];
+      }
+      sums.add(part, impulse, mass);
+    });
+  }
+
+ private:
+  /// Each vertex belongs to one of its triangles.
+  MENISCUS_HD void sum(Scratch& scratch, uint32_t k, uint32_t g) const {
+    Vec3 impulse{0, 0, 0};
+    float mass = 0;
+    for (uint32_t place = 8 * g; place < 8 * g + 8; ++place) {
+      const SurfaceTriangle t = load(cloth.tree.triangles, place);
+      for (uint32_t corner = 0; corner < 3; ++corner) {
+        if (!(cloth.features[place] & owns_vertex << corner)) continue;
+        const uint32_t v = corner_of(t, corner);
+        const float w = cloth.position[v].w, m = w > 0 ? 1 / w : 0.0f;
+        impulse += m * taken[v].xyz();
+        mass += m;
+      }
+    }
+    scratch.impulse[k] = impulse;
+    scratch.mass[k] = mass;
+    scratch.part[k] = cloth.tree.triangles[8 * g].part;
+  }
+};
+
+/// Gives the momentum of vertices that were taken back to all of their part, which stay where they are.
+/// Nothing moves against anything else in it by that; given to those around them it kept crumpled cloth
+/// stretched. Notes for the host what the substep found: the most of any, up to the first whose lists had no
+/// room.
+struct HandOn {
+  View<const uint32_t> vertex_part;
+  View<const Vec4> position;  // by vertex
+  View<Vec4> moved;           // by vertex
+  PartSums sums;
+  View<const uint32_t> counters;
+  View<uint32_t> found;
+
+  /// For each vertex, and each counter.
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (v < counters.count && counters[doomed] == 0 && found[v] < counters[v]) found[v] = counters[v];
+    if (v >= vertex_part.count || counters[lost] == 0) return;
+    if (vertex_part[v] == no_index || position[v].w == 0) return;
+    moved[v] = pbd::shifted(moved[v], sums.way(vertex_part[v]));
+  }
+};
+
+/// Two groups of triangles while their pairs are looked at: those of triangles, by number, and of features.
+struct CrossingScratch {
+  static constexpr uint32_t hits_of_two = 64;
+
+  SieveScratch sieve;
+  uint32_t hits[hits_of_two];
+  FeatureCode codes[PairsOfTwo::most * hits_of_two];
+  uint32_t hit_count, code_count;
+};
+
+/// Looks for pairs that would pass through one another, and has them go on together. If that makes others
+/// meet, these join them in the next round. Nothing leaves the place that pairs were looked for in, so that
+/// no others need be looked for, but in sheets that are smooth no longer (FindFolds).
+struct FindCrossings {
+  using Scratch = CrossingScratch;
+
+  ClothState cloth;
+  View<const FeatureCode> candidate_list;
+  SheetViews sheets;
+  Zones zones;
+  Folds folds;
+  uint32_t round, stride;
+  /// m: what is nearer hardly comes nearer still, and what is nearer than a tenth of it does not at all, as
+  /// it would soon be lost in rounding.
+  float least;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (!is_round_needed(folds.counters, round)) return;
+    forget_sums(group, n);
+    Sieve(listed(candidate_list, folds.counters[candidates]), n, stride)
+        .run(
+            group, scratch.sieve, [&](uint32_t k) { return may_cross(load(candidate_list, k)); },
+            [&](uint32_t k) { check(cloth.corners_of(load(candidate_list, k))); });
+    check_folds(group, scratch, n);
+  }
+
+ private:
+  template <class Group>
+  MENISCUS_HD void forget_sums(const Group& group, uint32_t n) const {
+    constexpr uint32_t together = 128;
+    const uint32_t all = zones.mark.count;
+    for (uint32_t first = together * n; first < all; first += together * stride)
+      group.for_each(all - first < together ? all - first : together,
+                     [&](uint32_t k) { zones.forget_sums(first + k); });
+  }
+
+  /// What was left out as sheets were smooth. There are few, which many threads share: each group of them
+  /// takes one in so many of the neighbours of a sheet's middle.
+  template <class Group>
+  MENISCUS_HD void check_folds(const Group& group, Scratch& scratch, uint32_t n) const {
+    constexpr uint32_t shares = 32;
+    for (uint32_t item = n; item < shares * folds.counters[folded_sheets]; item += stride) {
+      const uint32_t g = folds.list[item / shares], end = sheets.neighbour_start[g + 1];
+      for (uint32_t k = sheets.neighbour_start[g] + item % shares; k < end; k += shares)
+        check_two(group, scratch, g, sheets.neighbours[k]);
+    }
+  }
+
+  template <class Group>
+  MENISCUS_HD void check_two(const Group& group, Scratch& scratch, uint32_t g, uint32_t other) const {
+    if (other < g || !(folds.has_changed(g, round) || folds.has_changed(other, round))) return;
+    group.for_each(1, [&](uint32_t) { scratch.hit_count = scratch.code_count = 0; });
+    group.for_each(8, [&](uint32_t k) {
+      uint32_t mask = overlapping(cloth.tree, 8 * g + k, other);
+      for (; mask != 0; mask &= mask - 1)
+        scratch.hits[pbd::append(scratch.hit_count, 1)] = 8 * k + pbd::lowest_bit(mask);
+    });
+    group.for_each(scratch.hit_count, [&](uint32_t n) {
+      const GroupPair two = places_of({g, other}, scratch.hits[n]);
+      const PairsOfTwo found(own_features(cloth, two.first), own_features(cloth, two.second));
+      uint32_t place = pbd::append(scratch.code_count, pbd::bit_count(found.mask));
+      for (uint32_t left = found.mask; left != 0; left &= left - 1)
+        scratch.codes[place++] = found.code(two, pbd::lowest_bit(left));
+    });
+    group.for_each(scratch.code_count, [&](uint32_t n) {
+      if (may_cross(scratch.codes[n])) check(cloth.corners_of(scratch.codes[n]));
+    });
+  }
+
+  /// A quick look. In later rounds, what is unchanged has been looked at before; most is told by its groups.
+  MENISCUS_HD bool may_cross(FeatureCode code) const {
+    if (!folds.has_changed(code.first_place() / 8, round) &&
+        !folds.has_changed(code.second_place() / 8, round))
+      return false;
+    const Corners corners = cloth.corners_of(code);
+    return (round == 0 || has_changed(corners)) && !(pbd::least_gap(pair_of(corners)) > least);
+  }
+  MENISCUS_HD FeaturePair pair_of(const Corners& corners) const {
+    return self_contact_kernels::pair_of(corners, cloth.previous, cloth.position);
+  }
+  MENISCUS_HD void check(const Corners& corners) const {
+    const FeaturePair pair = pair_of(corners);
+    const float motion = relative_motion(pair), distance = nearest(pair, 0).distance;
+    if (motion == 0 || distance <= 0) return;
+    const bool nearly_lost = distance < 0.1f * least;
+    const float gap = nearly_lost ? 0.5f * distance : pbd::min(0.9f * distance, least);
+    const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
+    if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
+    if (nothing_moves(corners)) return;
+    pbd::atomic_add(folds.counters[crossings + round], 1);
+    zones.unite(corners, round, nearly_lost || motion < rounding(corners));
+  }
+
+  /// In the last round.
+  MENISCUS_HD bool has_changed(const Corners& corners) const {
+    for (uint32_t k = 0; k < 4; ++k)
+      if (zones.has_moved(corners.vertex(k), round)) return true;
+    return false;
+  }
+  MENISCUS_HD bool nothing_moves(const Corners& corners) const {
+    for (uint32_t k = 0; k < 4; ++k)
+      if (cloth.position[corners.vertex(k)].w != 0) return false;
+    return true;
+  }
+  /// m: what moves by no more than this may do so by the rounding of a zone's motion.
+  MENISCUS_HD float rounding(const Corners& corners) const {
+    const Vec3 x = cloth.position[corners.vertex(0)].xyz();
+    return 1e-6f * max_component(max(x, -x));
+  }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels

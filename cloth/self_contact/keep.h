@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// How long lists of pairs are kept, and where vertices are to stay meanwhile.
+#pragma once
+
+#include "cloth/self_contact/folds.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// How many elements lists have room for.
+struct Room {
+  uint32_t group_pairs, candidates, contacts;
+
+  MENISCUS_HD bool sufficed(View<const uint32_t> found) const {
+    return found[Counter::group_pairs] <= group_pairs && found[Counter::candidates] <= candidates &&
+           found[Counter::contacts] <= contacts;
+  }
+};
+
+/// Notes where each vertex is predicted to be, and whether the lists of pairs still hold for it: it must stay
+/// where it was to stay, with room for what the solve may move it by, and for the thickness.
+struct Foresee {
+  static constexpr float room_for_thickness = 0.55f;
+
+  View<const Vec4> previous, position;  // by vertex
+  View<const uint32_t> vertex_part;
+  View<const Part> parts;
+  View<const float> strayed;    // m, in the last substep
+  View<const Vec4> kept, wide;  // balls, see Keep
+  View<Vec4> foreseen;          // w: the room, m
+  Zones zones;
+  PartSums sums;
+  Folds folds;
+  View<uint32_t> entries, counters;
+  Room room_for;
+  bool anew;         // whatever there is
+  bool begin_brief;  // in that case: for a substep alone, see Keep
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (vertex_part[v] != no_index) foresee(v);
+    zones.begin(v);
+    folds.begin(v, vertex_part.count);
+    for (uint32_t part = v; part < parts.count; part += vertex_part.count) sums.begin(part);
+    entries[v] = 0;
+    if (v != 0) return;
+    if (anew) {
+      counters[listings] = counters[brief] = counters[doomed] = 0;
+      counters[restless] = counters[age] = begin_brief;
+    } else if (!room_for.sufficed(counters)) {
+      counters[doomed] = 1;
+    }
+    counters[contacts] = counters[lost] = 0;
+    for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
+  }
+
+  MENISCUS_HD void foresee(uint32_t v) const {
+    const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
+    const float thickness = parts[vertex_part[v]].thickness;
+    const float room = room_for_thickness * thickness + 0.25f * length(way) + 1.5f * strayed[v];
+    foreseen[v] = pbd::with_w(x, room);
+    if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
+    if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[restless], 1);
+  }
+
+ private:
+  MENISCUS_HD static bool leaves(const Vec4& ball, Vec3 x, float room) {
+    return length(x - ball.xyz()) + room > ball.w;
+  }
+};
+
+/// Where the lists have expired: what is to be listed anew. In a step that will be done again nothing is:
+/// with contacts missing, ever more would be found, and room made for it.
+struct Listing {
+  View<const uint32_t> counters;
+
+  MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[doomed] == 0; }
+};
+
+/// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
+/// it goes on as it does. Where such places did not even hold for the next substep, they are chosen for this
+/// one alone, and with them are far fewer pairs. What has no finite way stays nowhere and meets nothing, so
+/// that the step fails.
+struct Keep {
+  Listing listing;
+  View<const Vec4> previous, foreseen;
+  View<const uint32_t> vertex_part;
+  View<const Part> parts;
+  View<Vec4> kept, wide;  // balls: the centre and the radius, m; wide: for many substeps, whichever is kept
+  View<uint32_t> counters;
+
+  // The balls of what lies side by side must not meet, or all of a rough sheet is listed.
+  static constexpr float longest = 16;       // substeps
+  static constexpr float furthest = 0.5f;    // of the thickness, if that takes more than this substep
+  static constexpr float leeway = 0.25f;     // of the thickness, to go otherwise
+  static constexpr float to_and_fro = 1.5f;  // times the room for what the solve moves
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (!listing.wanted()) return;
+    if (vertex_part[v] != no_index) keep(v);
+    if (v != 0) return;
+    counters[group_pairs] = counters[candidates] = 0;
+    ++counters[listings];
+    if (is_brief()) ++counters[brief];
+  }
+
+  MENISCUS_HD void keep(uint32_t v) const {
+    const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
+    const float thickness = parts[vertex_part[v]].thickness, far = length(way);
+    const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
+    const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
+    const float radius =
+        0.5f * substeps * far + foreseen[v].w + leeway * thickness + to_and_fro * pbd::max(0, solve);
+    wide[v] = ball(from + 0.5f * substeps * way, radius);
+    kept[v] = is_brief() ? ball(from + 0.5f * way, 0.5f * far + foreseen[v].w) : wide[v];
+  }
+
+ private:
+  MENISCUS_HD bool is_brief() const { return counters[restless] != 0 && counters[age] == 1; }
+  MENISCUS_HD static Vec4 ball(Vec3 centre, float radius) {
+    return pbd::with_w(centre, radius < pbd::most_finite ? radius : NAN);
+  }
+};
+
+/// Boxes around where vertices are to stay, for the tree.
+struct KeptBoxes {
+  Listing listing;
+  KeptPlaces kept;
+
+  MENISCUS_HD bool wanted() const { return listing.wanted(); }
+  MENISCUS_HD Aabb of(uint32_t v) const { return kept.box(v); }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels

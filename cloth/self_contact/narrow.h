@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// From a pair of features to a contact, if it is one.
+#pragma once
+
+#include "cloth/self_contact/sieve.h"
+#include "cloth/self_contact/views.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// Nothing penetrates at the substep's start, so that the side is known from there. Where the motion is short
+/// for the distance, the pair is looked at where it is predicted to be; else where it meets on the way.
+struct MakeContacts {
+  ClothState cloth;
+  View<const FeatureCode> candidate_list;
+  View<const Vec3> rest;  // by vertex
+  ContactList list;
+  View<uint32_t> entries;  // by vertex: its number of contacts
+  float separation;        // of a thickness: how much further apart overlaps are pushed in the substep
+  uint32_t stride;
+
+  using Scratch = SieveScratch;
+  static constexpr uint32_t resident_blocks = 6;  ///< see CudaDevice
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    if (list.counters[doomed] != 0) return;
+    Sieve(listed(candidate_list, list.counters[candidates]), n, stride)
+        .run(
+            group, scratch, [&](uint32_t k) { return may_be_contact(load(candidate_list, k)); },
+            [&](uint32_t k) { make(load(candidate_list, k)); });
+  }
+
+ private:
+  /// A quick look, which few pass.
+  MENISCUS_HD bool may_be_contact(FeatureCode code) const {
+    if (code.is_guards()) return false;
+    const Corners corners = cloth.corners_of(code);
+    const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
+    const float reach = reach_of(code);
+    if (pbd::least_gap(pair) > reach) return false;
+    const Nearest end = nearest(pair, 1);
+    return relative_motion(pair) >= 0.3f * end.distance || end.distance <= nearness_of(code) ||
+           (end.distance <= reach && !is_another_pairs(code, corners, end));
+  }
+
+  MENISCUS_HD void make(FeatureCode code) const {
+    const Corners corners = cloth.corners_of(code);
+    const float thickness = thickness_of(code), reach = reach_of(code), near = nearness_of(code);
+    const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
+    const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
+    if (start - motion > reach || start < 1e-5f * thickness) return;
+    const bool fast = motion >= 0.5f * start;
+    const float t = fast ? time_of_nearness(pair, 0.5f * pbd::min(start, thickness)) : 2;
+    const bool met = t <= 1;
+    const Nearest now = nearest(pair, met ? t : 1);
+    const bool is_near = met || pbd::min(start, now.distance) < near || (fast && start < 1.8f * near);
+    if (!is_near && (now.distance > reach || is_another_pairs(code, corners, now))) return;
+    const float apart = distance_to_keep(code, corners, thickness);
+    if (apart <= 0 || now.distance <= 0) return;
+    if (!is_near && now.distance > apart + 0.1f * thickness) return;
+    const float target = pbd::min(apart, start + separation * thickness);
+    add(corners, now, target, friction_of(code));
+  }
+
+  MENISCUS_HD const Part& first_part(FeatureCode code) const { return part_at(code.first_place()); }
+  MENISCUS_HD const Part& second_part(FeatureCode code) const { return part_at(code.second_place()); }
+  MENISCUS_HD const Part& part_at(uint32_t place) const {
+    return cloth.parts[cloth.tree.triangles[place].part];
+  }
+  MENISCUS_HD float thickness_of(FeatureCode code) const {
+    return 0.5f * (first_part(code).thickness + second_part(code).thickness);
+  }
+  /// From where on two features count as apart.
+  MENISCUS_HD float reach_of(FeatureCode code) const { return 1.1f * thickness_of(code); }
+  /// Whatever comes nearer than this on its way is a contact in any case.
+  MENISCUS_HD float nearness_of(FeatureCode code) const {
+    return first_part(code).nearness + second_part(code).nearness;
+  }
+  MENISCUS_HD float friction_of(FeatureCode code) const {
+    return sqrtf(first_part(code).friction * second_part(code).friction);
+  }
+
+  /// Whether the nearest place is one that another pair of features has as well: of two edges an end, of a
+  /// triangle an edge or a corner that is not its own.
+  MENISCUS_HD bool is_another_pairs(FeatureCode code, const Corners& corners, const Nearest& now) const {
+    if (corners.edges()) return now.on != 15;
+    const uint32_t owned = cloth.features[code.second_place()];
+    switch (now.on) {
+      case 7:
+        return false;
+      case 1:
+        return !(owned & owns_vertex);
+      case 2:
+        return !(owned & owns_vertex << 1);
+      case 4:
+        return !(owned & owns_vertex << 2);
+      case 3:
+        return !(owned & owns_edge);
+      case 6:
+        return !(owned & owns_edge << 1);
+      default:
+        return !(owned & owns_edge << 2);
+    }
+  }
+
+  /// What is nearer than the thickness at rest, as in a fine mesh, is not pushed apart.
+  MENISCUS_HD float distance_to_keep(FeatureCode code, const Corners& corners, float thickness) const {
+    if (cloth.tree.triangles[code.first_place()].part != cloth.tree.triangles[code.second_place()].part)
+      return thickness;
+    FeaturePair at_rest{};
+    at_rest.edges = corners.edges();
+    for (uint32_t k = 0; k < 4; ++k) at_rest.start[k] = rest[corners.vertex(k)] - rest[corners.vertex(0)];
+    return pbd::min(thickness, 0.7f * nearest(at_rest, 0).distance);
+  }
+
+  MENISCUS_HD void add(const Corners& corners, const Nearest& now, float target, float friction) const {
+    const uint32_t c = pbd::append(list.counters[contacts], 1);
+    if (c >= list.corners.count) return;
+    list.corners[c] = corners;
+    list.plane[c] = pbd::with_w(now.r / now.distance, target);
+    list.multiplier[c] = {0, 0, 0, 0};
+    list.weights[c] = {now.u, now.v, friction};
+    for (uint32_t k = 0; k < 4; ++k) pbd::atomic_add(entries[corners.vertex(k)], 1);
+  }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels

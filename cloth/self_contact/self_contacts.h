@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "cloth/self_contact/folds.h"
+#include "pbd/device/shared_buffer.h"
+#include "pbd/substep.h"
+#include "pbd/surface_tree/surface_tree.h"
+
+namespace meniscus::cloth {
+
+/// How the triangles of one part meet others, and one another.
+struct ContactPart {
+  float thickness = 0.01f;   ///< m, > 0: two parts keep half of the sum of theirs
+  float friction = 0.3f;     ///< Coulomb's μ, ≥ 0; of two parts the geometric mean
+  CollisionFilter filter{};  ///< which other parts it meets
+  bool self = true;          ///< whether it meets itself
+};
+
+/// Keeps cloth from passing through cloth: contacts of vertices with triangles and of edges with edges.
+///
+///   project  at first finds pairs of features that come within the thickness, when cloth's own constraints
+///            have had their say, and the side on which each stays; then pushes them apart, with friction;
+///   guard()  settles: makes sure that nothing has passed through. Where the solve has not sufficed, vertices
+///            go on together.
+///
+/// Both look at the same list of pairs, which is kept: each vertex has a ball that it is to stay in, and
+/// pairs are looked for anew at a step's start and when one would leave it.
+///
+/// It should come after cloth's own constraints, and guard() after whatever else moves vertices. The state at
+/// a substep's start must not have cloth passed through cloth; what overlaps by thickness alone is pushed
+/// apart slowly. What only prescribed motion brings together is not kept apart by it.
+template <class D>
+class SelfContacts final : public pbd::ConstraintSet<D> {
+ public:
+  /// Nobody else may fit the tree's boxes.
+  SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree), guard_(*this) {}
+
+  pbd::ConstraintSet<D>& guard() { return guard_; }
+
+  /// All cloth from now on. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
+  /// free of strain, also where it lies in the device's memory; that view must stay valid. `heaviest` is the
+  /// mass of the heaviest vertex, kg.
+  void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
+                   pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts, float heaviest);
+
+  void project(pbd::Substep<D>& substep, int iteration) override;
+
+  void start_step() override;
+  void clear(uint32_t /*first*/, uint32_t /*count*/) override { anew_ = true; }
+  bool had_room() override;
+  void make_room() override;
+  void save() override;
+  void restore() override;
+
+  /// Of the last step's substeps, the most contacts in any.
+  uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }
+  /// How often pairs were looked for in the last step.
+  uint32_t listings() const { return found(self_contact_kernels::listings); }
+  /// And how often of these for a substep alone.
+  uint32_t brief_listings() const { return found(self_contact_kernels::brief); }
+  /// Of the last step's substeps, the most pairs that would have passed through one another.
+  uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
+
+ private:
+  struct Guard final : pbd::ConstraintSet<D> {
+    explicit Guard(SelfContacts& owner) : contacts(owner) {}
+    void project(pbd::Substep<D>&, int) override {}
+    void settle(pbd::Substep<D>& substep) override { contacts.join_crossings(substep); }
+    SelfContacts& contacts;
+  };
+
+  static constexpr uint32_t first_rounds = 2;
+  static constexpr uint32_t most_threads = 1u << 19;  // of a launch over a list: they fill a GPU
+  static constexpr uint32_t threads_together = 128;   // in a group of them
+  static constexpr int sweeps = 2;  // an iteration: contacts need more than what they hold apart
+
+  uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
+  /// Groups of threads for all groups of triangles, of which each takes so many.
+  template <class Scratch>
+  uint32_t blocks_of() const {
+    return (groups_ + Scratch::groups - 1) / Scratch::groups;
+  }
+  uint32_t used_rounds() const;
+  bool ran_short() const { return used_rounds() == rounds_; }
+  uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
+  static bool any_meet(std::span<const ContactPart> parts);
+  bool idle() const { return tree_.places() == 0; }
+  void set_parts(std::span<const ContactPart> parts, std::span<const float> fineness);
+  void reserve_contacts(uint32_t capacity);
+  void list_pairs(pbd::Substep<D>& substep);
+  void find_pairs(pbd::Substep<D>& substep);
+  void join_crossings(pbd::Substep<D>& substep);
+  self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
+  self_contact_kernels::GroupPairs pairs();
+  self_contact_kernels::SheetViews sheets();
+  self_contact_kernels::Zones zones();
+  self_contact_kernels::PartSums part_sums();
+  self_contact_kernels::Folds folds();
+  self_contact_kernels::ContactList list();
+  uint32_t launched(uint32_t counter, size_t capacity);
+
+  D& device_;
+  pbd::SurfaceTree<D>& tree_;
+  Guard guard_;
+  pbd::View<const Vec3> rest_;
+  uint32_t vertices_ = 0, groups_ = 0, rounds_ = first_rounds;
+  float least_distance_ = 0;  // m: see FindCrossings
+  float unit_ = 0;            // kg·m, of the integers that pushes are summed in
+  bool anew_ = true;          // pairs are to be looked for, whatever is kept
+  /// Whether most of the last step's lists were made for a substep alone, and before that step.
+  bool is_brief_ = false, was_brief_ = false;
+
+  pbd::Buffer<self_contact_kernels::Part> parts_{device_, "cloth contact parts"};
+  pbd::Buffer<uint16_t> features_{device_, "cloth features"};
+  pbd::Buffer<uint32_t> vertex_part_{device_, "parts of cloth vertices"};
+  pbd::Buffer<uint32_t> neighbour_start_{device_, "cloth neighbourhoods"};
+  pbd::Buffer<uint32_t> neighbours_{device_, "cloth neighbourhoods"};
+  pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
+  pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"},
+      wide_{device_, "places of cloth vertices"};
+  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // then: see TakenBack
+  pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
+  pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},
+      zone_anchor_{device_, "cloth zones"};
+  pbd::Buffer<int64_t> zone_mass_{device_, "cloth zones"};
+  pbd::Buffer<int64_t> part_sums_{device_, "momentum of cloth taken back"};
+  pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"};
+  pbd::Buffer<uint32_t> fold_state_{device_, "cloth folds"}, fold_noted_{device_, "cloth folds"},
+      fold_list_{device_, "cloth folds"};
+  pbd::Buffer<self_contact_kernels::GroupPair> group_pairs_{device_, "cloth group pairs"};
+  pbd::Buffer<self_contact_kernels::FeatureCode> candidates_{device_, "cloth contact candidates"};
+  pbd::Buffer<self_contact_kernels::Corners> corners_{device_, "cloth contact vertices"};
+  pbd::Buffer<pbd::Vec4> plane_{device_, "cloth contact planes"};
+  pbd::Buffer<pbd::Vec4> multiplier_{device_, "cloth contact multipliers"};
+  pbd::Buffer<self_contact_kernels::ContactWeights> weights_{device_, "cloth contact weights"};
+  pbd::Buffer<uint32_t> entries_{device_, "contacts of cloth vertices"};
+  pbd::Buffer<int64_t> push_sums_{device_, "cloth contact pushes"};
+  pbd::Buffer<uint32_t> counters_{device_, "cloth contact counters"};
+  pbd::SharedBuffer<uint32_t> found_{device_, "cloth contact counts"};
+};
+
+}  // namespace meniscus::cloth

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "cloth/self_contact/find.h"
+#include "cloth/self_contact/groups.h"
+#include "cloth/self_contact/guard.h"
+#include "cloth/self_contact/keep.h"
+#include "cloth/self_contact/narrow.h"
+#include "cloth/self_contact/self_contacts.h"
+#include "cloth/self_contact/solve.h"
+#include "pbd/filter.h"
+#include "pbd/surface_tree/surface_tree.inl"
+
+namespace meniscus::cloth {
+
+namespace self_contact_kernels {
+
+/// Vertices of an array over all particles.
+template <class T>
+View<T> vertices_of(View<T> all, uint32_t sorted, uint32_t count) {
+  return {all.data + sorted, count};
+}
+
+}  // namespace self_contact_kernels
+
+/// Where those that are listed will not do any more.
+template <class D>
+void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
+  using namespace self_contact_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
+  const Listing listing{counters_.view()};
+  device_.parallel_for("self contacts/keep", vertices_,
+                       Keep{listing, previous, foreseen_.view(), vertex_part_.view(), parts_.view(),
+                            kept_.view(), wide_.view(), counters_.view()});
+  tree_.refit(KeptBoxes{listing, {kept_.view()}});
+  const pbd::SurfaceTreeView tree = tree_.view();
+  device_.parallel_for_groups(
+      "self contacts/cones", blocks_of<ConeScratch>(),
+      FitCones{listing, tree, parts_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
+  device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
+                              FindGroups{listing, tree, parts_.view(), sheets(), pairs()});
+  constexpr uint32_t each = CandidateScratch::pairs;
+  const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
+  device_.parallel_for_groups("self contacts/candidates", blocks,
+                              FindCandidates{listing, cloth(substep), pairs(), candidates_.view(), blocks});
+}
+
+template <class D>
+void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
+  using namespace self_contact_kernels;
+  constexpr float separation_time = 0.02f;  // s, in which an overlap is opened by a thickness
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for(
+      "self contacts/foresee", vertices_,
+      Foresee{vertices_of(p.previous, p.sorted, vertices_),
+              vertices_of(p.position, p.sorted, vertices_),
+              vertex_part_.view(),
+              parts_.view(),
+              strayed_.view(),
+              kept_.view(),
+              wide_.view(),
+              foreseen_.view(),
+              zones(),
+              part_sums(),
+              folds(),
+              entries_.view(),
+              counters_.view(),
+              {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
+               static_cast<uint32_t>(corners_.size())},
+              std::exchange(anew_, false),
+              is_brief_});
+  list_pairs(substep);
+  const uint32_t blocks = launched(candidates, candidates_.size()) / threads_together + 1;
+  device_.parallel_for_groups("self contacts/contacts", blocks,
+                              MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entries_.view(),
+                                           substep.dt / separation_time, blocks});
+}
+
+template <class D>
+void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
+  using namespace self_contact_kernels;
+  if (idle()) return;
+  if (iteration == 0) find_pairs(substep);
+  const pbd::ParticleView& p = substep.particles;
+  const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
+  const PushSums sums{push_sums_.view(), unit_};
+  const uint32_t threads = launched(contacts, corners_.size());
+  const PushApart push{list(),          position, vertices_of(p.previous, p.sorted, vertices_),
+                       entries_.view(), sums,     threads};
+  const MoveVertices move{entries_.view(), position, vertices_of(p.moved, p.sorted, vertices_), sums};
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    device_.parallel_for("self contacts/push", threads, push);
+    device_.parallel_for("self contacts/move", vertices_, move);
+  }
+}
+
+template <class D>
+void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
+  using namespace self_contact_kernels;
+  if (idle()) return;
+  const pbd::ParticleView& p = substep.particles;
+  const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
+  const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
+  const View<Vec4> moved = vertices_of(p.moved, p.sorted, vertices_);
+  device_.parallel_for("self contacts/contain", vertices_,
+                       Contain{previous,
+                               vertex_part_.view(),
+                               {kept_.view()},
+                               foreseen_.view(),
+                               position,
+                               moved,
+                               strayed_.view(),
+                               counters_.view()});
+  const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_);
+  const uint32_t blocks = std::min(most, most_threads) / threads_together + 1;
+  for (uint32_t round = 0; round < rounds_; ++round) {
+    device_.parallel_for_groups("self contacts/folds", blocks_of<FoldScratch>(),
+                                FindFolds{cloth(substep), sheets(), zones(), folds(), round});
+    device_.parallel_for_groups("self contacts/crossings", blocks,
+                                FindCrossings{cloth(substep), candidates_.view(), sheets(), zones(), folds(),
+                                              round, blocks, least_distance_});
+    device_.parallel_for("self contacts/zones", vertices_,
+                         GatherZones{previous, position, zones(), counters_.view(), round});
+    device_.parallel_for("self contacts/move zones", vertices_,
+                         MoveZones{cloth(substep),
+                                   substep.contacts,
+                                   p.sorted,
+                                   position,
+                                   moved,
+                                   zones(),
+                                   {foreseen_.view(), counters_.view()},
+                                   counters_.view(),
+                                   round});
+  }
+  device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
+                              SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
+  device_.parallel_for(
+      "self contacts/hand on", std::max<uint32_t>(vertices_, counter_count),
+      HandOn{vertex_part_.view(), position, moved, part_sums(), counters_.view(), found_.view()});
+}
+
+// ---- room ----
+
+/// How many rounds found something.
+template <class D>
+uint32_t SelfContacts<D>::used_rounds() const {
+  uint32_t used = 0;
+  for (uint32_t k = 0; k < rounds_; ++k) used = found(self_contact_kernels::crossings + k) > 0 ? k + 1 : used;
+  return used;
+}
+
+template <class D>
+void SelfContacts<D>::start_step() {
+  using namespace self_contact_kernels;
+  // What the last step had no use for goes one by one. A round too many costs little, a step that is done
+  // again as much as it took.
+  if (!idle()) rounds_ = std::min(most_rounds, std::max({first_rounds, used_rounds() + 2, rounds_ - 1}));
+  std::fill(found_.host().begin(), found_.host().end(), 0u);
+  anew_ = true;
+}
+
+template <class D>
+bool SelfContacts<D>::had_room() {
+  using namespace self_contact_kernels;
+  is_brief_ =
+      2 * brief_listings() > listings();  // known only now; where there was no room, restore() follows
+  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
+                    found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
+}
+
+template <class D>
+void SelfContacts<D>::make_room() {
+  using namespace self_contact_kernels;
+  const auto more = [](uint32_t found) { return found + found / 8; };
+  if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
+  if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
+  if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
+  if (ran_short()) rounds_ = more_rounds();
+}
+
+template <class D>
+void SelfContacts<D>::reserve_contacts(uint32_t capacity) {
+  corners_.resize_discard(0);
+  plane_.resize_discard(capacity);
+  multiplier_.resize_discard(capacity);
+  weights_.resize_discard(capacity);
+  corners_.resize_discard(capacity);  // last: its length is what counts
+}
+
+// ---- state ----
+
+template <class D>
+void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
+                                  pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts,
+                                  float heaviest) {
+  if (!any_meet(parts)) triangles = {};
+  tree_.set_surface(triangles, rest);
+  const SelfContactTables tables = build_tables(tree_.triangles(), rest, parts.size());
+  const auto upload = [](auto& buffer, const auto& values) {
+    buffer.resize_discard(values.size());
+    buffer.write(values);
+  };
+  upload(features_, tables.features);
+  upload(vertex_part_, tables.vertex_part);
+  upload(neighbour_start_, tables.neighbour_start);
+  upload(neighbours_, tables.neighbours);
+  set_parts(parts, tables.fineness);
+  rest_ = device_rest;
+  vertices_ = static_cast<uint32_t>(rest.size());
+  groups_ = tree_.places() / 8;
+  // A vertex can take some 2¹³ m times the greatest mass, in steps far below a float's.
+  unit_ = std::ldexp(1.0f, std::ilogb(heaviest > 0 ? heaviest : 1.0f) - 49);
+
+  cones_.resize_discard(groups_);
+  for (pbd::Buffer<uint32_t>* buffer : {&rough_, &smooth_, &fold_state_, &fold_noted_, &fold_list_})
+    buffer->resize_discard(groups_);
+  kept_.resize_discard(vertices_);
+  wide_.resize_discard(vertices_);
+  foreseen_.resize_discard(vertices_);
+  for (pbd::Buffer<uint32_t>* buffer : {&zone_label_, &zone_mark_, &zone_anchor_})
+    buffer->resize_discard(vertices_);
+  zone_mark_.fill(0);
+  zone_mass_.resize_discard(vertices_);
+  zone_mass_.fill(0);
+  strayed_.resize_discard(vertices_);
+  saved_strayed_.resize_discard(vertices_);
+  entries_.resize_discard(vertices_);
+  push_sums_.resize_discard(3 * size_t{vertices_});
+  push_sums_.fill(0);
+  counters_.resize_discard(self_contact_kernels::counter_count);
+  counters_.fill(0);
+  if (found_.host().empty()) {
+    found_.resize_discard(self_contact_kernels::counter_count);
+    std::fill(found_.host().begin(), found_.host().end(), 0u);  // a step starts with a look at the last one's
+  }
+  start_step();
+  strayed_.fill(0);
+  if (group_pairs_.size() < 2 * size_t{groups_}) group_pairs_.resize_discard(2 * size_t{groups_});
+  const uint32_t least_candidates = std::max(256u, vertices_ / 4);
+  if (candidates_.size() < least_candidates) candidates_.resize_discard(least_candidates);
+  const uint32_t least_contacts = std::max(256u, vertices_ / 16);
+  if (corners_.size() < least_contacts) reserve_contacts(least_contacts);
+}
+
+/// Whether any part collides with itself or with another.
+template <class D>
+bool SelfContacts<D>::any_meet(std::span<const ContactPart> parts) {
+  for (size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k].self) return true;
+    for (size_t n = 0; n < k; ++n) {
+      if (pbd::meet(parts[k].filter, parts[n].filter)) return true;
+    }
+  }
+  return false;
+}
+
+template <class D>
+void SelfContacts<D>::set_parts(std::span<const ContactPart> parts, std::span<const float> fineness) {
+  std::vector<self_contact_kernels::Part> rows;
+  least_distance_ = 1e30f;
+  for (size_t k = 0; k < parts.size(); ++k) {
+    const ContactPart& p = parts[k];
+    const float least = std::min(p.thickness, fineness[k]);
+    least_distance_ = std::min(least_distance_, 0.02f * least);
+    rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self, 0.3f * least});
+  }
+  parts_.resize_discard(rows.size());
+  parts_.write(rows);
+  part_sums_.resize_discard(4 * rows.size());
+}
+
+template <class D>
+void SelfContacts<D>::save() {
+  was_brief_ = is_brief_;
+  if (!idle()) device_.copy(saved_strayed_.view().data, strayed_.view().data, vertices_ * sizeof(float));
+}
+
+template <class D>
+void SelfContacts<D>::restore() {
+  is_brief_ = was_brief_;
+  if (!idle()) device_.copy(strayed_.view().data, saved_strayed_.view().data, vertices_ * sizeof(float));
+}
+
+template <class D>
+self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& substep) {
+  using namespace self_contact_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  return {vertices_of(p.previous, p.sorted, vertices_),
+          vertices_of(p.position, p.sorted, vertices_),
+          {kept_.view()},
+          tree_.view(),
+          features_.view(),
+          parts_.view(),
+          rough_.view()};
+}
+
+template <class D>
+self_contact_kernels::GroupPairs SelfContacts<D>::pairs() {
+  return {group_pairs_.view(), counters_.view()};
+}
+
+template <class D>
+self_contact_kernels::SheetViews SelfContacts<D>::sheets() {
+  return {cones_.view(), neighbour_start_.view(), neighbours_.view(), smooth_.view()};
+}
+
+/// While zones are at work, nothing pushes: they share its sums.
+template <class D>
+self_contact_kernels::Zones SelfContacts<D>::zones() {
+  constexpr float coarser = 1 << 9;  // as many vertices add up
+  return {zone_label_.view(),
+          zone_mark_.view(),
+          zone_anchor_.view(),
+          zone_mass_.view(),
+          {push_sums_.view(), coarser * unit_},
+          coarser * unit_};
+}
+
+template <class D>
+self_contact_kernels::PartSums SelfContacts<D>::part_sums() {
+  constexpr float coarser = 1 << 9, coarse = 1 << 29;  // a part may be a million vertices, under water
+  return {part_sums_.view(), coarser * unit_, coarse * unit_};
+}
+
+template <class D>
+self_contact_kernels::Folds SelfContacts<D>::folds() {
+  return {fold_state_.view(), fold_noted_.view(), fold_list_.view(), counters_.view()};
+}
+
+template <class D>
+self_contact_kernels::ContactList SelfContacts<D>::list() {
+  return {corners_.view(), plane_.view(), multiplier_.view(), weights_.view(), counters_.view()};
+}
+
+/// How many threads are to look at a list: as many as it has elements, where the host is in step with the
+/// device; else as fill a GPU.
+template <class D>
+uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity) {
+  if (device_.kind() != pbd::DeviceKind::cpu)
+    return static_cast<uint32_t>(std::min(capacity, size_t{most_threads}));
+  return static_cast<uint32_t>(std::min(size_t{counters_.view()[counter]}, capacity));
+}
+
+}  // namespace meniscus::cloth

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the kernels of cloth-to-cloth contacts share.
+#pragma once
+
+#include "cloth/self_contact/tables.h"
+#include "pbd/device/base/atomics.h"
+#include "pbd/feature_pair.h"
+#include "pbd/particles.h"
+#include "pbd/surface_tree/boxes.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+using pbd::corner_weights;
+using pbd::FeaturePair;
+using pbd::joined;
+using pbd::Nearest;
+using pbd::nearest;
+using pbd::no_index;
+using pbd::overlap;
+using pbd::relative_motion;
+using pbd::SurfaceTriangle;
+using pbd::time_of_nearness;
+using pbd::Vec4;
+using pbd::View;
+
+struct Part {
+  float thickness;  // m
+  float friction;
+  uint32_t filter_groups, filter_mask;
+  uint32_t self;
+  float nearness;  // m: half of what makes any pair a contact
+};
+
+/// Rounds of the guard are counted one by one.
+inline constexpr uint32_t most_rounds = 32;
+enum Counter : uint32_t {
+  candidates,
+  contacts,
+  group_pairs,
+  expired,        // not 0: the lists of pairs hold no longer
+  restless,       // not 0: nor would such as are made for many substeps
+  age,            // of the lists, substeps
+  listings,       // since the step's start
+  brief,          // of these, such as are made for a substep alone
+  doomed,         // not 0: a list had no room, and the step will be done again
+  lost,           // not 0: a vertex was taken back, and its momentum lost
+  folded_sheets,  // groups whose sheets have folded, in this round of the guard
+  crossings,
+  counter_count = crossings + most_rounds
+};
+
+/// Whether a round of the guard has anything to do: whether the one before it has found anything.
+MENISCUS_HD inline bool is_round_needed(View<const uint32_t> found, uint32_t round) {
+  return found[doomed] == 0 && (round == 0 || found[crossings + round - 1] != 0);
+}
+
+/// A feature of the triangle at a place: 0 to 2 a vertex, 3 to 5 an edge, 6 the face.
+using Feature = uint32_t;
+inline constexpr uint32_t face = 6;
+
+MENISCUS_HD constexpr Feature feature(uint32_t place, uint32_t which) {
+  return place << 3 | which;
+}
+
+/// A vertex and a face, or two edges; bit 31 of the first: it is the guard's alone, and becomes no contact.
+struct FeatureCode {
+  static constexpr uint32_t guard_bit = 1u << 31;
+
+  Feature first, second;
+
+  MENISCUS_HD bool is_guards() const { return (first & guard_bit) != 0; }
+  MENISCUS_HD uint32_t first_place() const { return (first & ~guard_bit) >> 3; }
+  MENISCUS_HD uint32_t second_place() const { return second >> 3; }
+};
+
+/// Two groups of triangles whose boxes overlap, first ≤ second; or one, with itself.
+struct GroupPair {
+  uint32_t first, second;
+};
+
+/// The places of two of their triangles, k < 64.
+MENISCUS_HD inline GroupPair places_of(GroupPair pair, uint32_t k) {
+  return {8 * pair.first + k / 8, 8 * pair.second + k % 8};
+}
+
+/// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads.
+template <class T>
+class Appending {
+ public:
+  MENISCUS_HD Appending(View<T> list, uint32_t& size) : list_(list), size_(size) {}
+
+  MENISCUS_HD void add(const T& element) {
+    if (count_ == room) flush();
+    kept_[count_++] = element;
+  }
+  MENISCUS_HD void flush() {
+    if (count_ == 0) return;
+    const uint32_t first = pbd::append(size_, count_);
+    for (uint32_t k = 0; k < count_; ++k) {
+      const uint32_t place = first + k;
+      if (place < list_.count) list_[place] = kept_[k];
+    }
+    count_ = 0;
+  }
+
+ private:
+  static constexpr uint32_t room = 8;
+
+  View<T> list_;
+  uint32_t& size_;
+  uint32_t count_ = 0;
+  T kept_[room];
+};
+
+/// Where vertices stay while lists of pairs are kept.
+struct KeptPlaces {
+  View<const Vec4> balls;  // by vertex: the centre and the radius, m
+
+  MENISCUS_HD Aabb box(uint32_t v) const {
+    const Vec4 ball = load(balls, v);
+    return pbd::inflated({ball.xyz(), ball.xyz()}, ball.w);
+  }
+  /// Of a place that a vertex would go to, the nearest that it may go to.
+  MENISCUS_HD Vec3 inside(uint32_t v, Vec3 x) const {
+    constexpr float within = 0.999f;  // of the radius, for rounding
+    const Vec4 ball = balls[v];
+    const Vec3 out = x - ball.xyz();
+    const float far2 = dot(out, out), most = within * ball.w;
+    return far2 <= most * most ? x : ball.xyz() + (most / sqrtf(far2)) * out;
+  }
+};
+
+/// How many of a list there are, unless it had no room for some.
+template <class T>
+MENISCUS_HD uint32_t listed(View<T> list, uint32_t found) {
+  return found < list.count ? found : list.count;
+}
+
+/// Pairs of groups whose boxes overlap, but for those in smooth sheets.
+struct GroupPairs {
+  View<GroupPair> list;
+  View<uint32_t> counters;
+
+  MENISCUS_HD uint32_t count() const { return listed(list, counters[group_pairs]); }
+};
+
+/// What is smooth around a group. While the normals of a group and of all its neighbours, which share a
+/// vertex with it, are within a half-space, no two of these triangles can touch (Volino & Magnenat-Thalmann
+/// 1994): pairs of the group and its neighbours are not looked at. The normals of just the two of a pair are
+/// not enough, as what lies between them may be folded.
+struct SheetViews {
+  View<const Vec4> cones;                            // by group: an axis, and the widest angle to it, rad
+  View<const uint32_t> neighbour_start, neighbours;  // by group, itself among them
+  View<uint32_t> smooth;                             // by group
+
+  static constexpr float widest = 1.3f;   // rad, from a group's axis to any normal around
+  static constexpr float leeway = 0.13f;  // rad, that normals may be further off before it holds no longer
+
+  MENISCUS_HD bool is_smooth(uint32_t g) const {
+    const Vec3 axis = cones[g].xyz();
+    for (uint32_t n = neighbour_start[g]; n < neighbour_start[g + 1]; ++n) {
+      const Vec4 cone = cones[neighbours[n]];
+      if (cone.w >= widest || dot(axis, cone.xyz()) <= cosf(widest - cone.w)) return false;
+    }
+    return true;
+  }
+  /// Whether a pair, first ≤ second, is left out.
+  MENISCUS_HD bool has_in_sheet(uint32_t first, uint32_t second) const {
+    if (!smooth[first]) return false;
+    for (uint32_t n = neighbour_start[first]; n < neighbour_start[first + 1]; ++n)
+      if (neighbours[n] == second) return true;
+    return false;
+  }
+  /// Whether a normal of a group's, of any length, lets all that is smooth around stay so; without a look at
+  /// what is around.
+  MENISCUS_HD bool is_in_cone(uint32_t g, Vec3 n) const {
+    const Vec4 cone = cones[g];
+    return dot(n, cone.xyz()) >= cosf(pbd::min(3.1415927f, cone.w + leeway)) * length(n);
+  }
+  /// Whether a normal around a smooth group ends that.
+  MENISCUS_HD bool ends_smoothness(uint32_t g, Vec3 n) const {
+    return smooth[g] && dot(n, cones[g].xyz()) < cosf(widest + leeway) * length(n);
+  }
+};
+
+MENISCUS_HD inline uint32_t corner_of(const SurfaceTriangle& t, uint32_t k) {
+  return k == 0 ? t.a : k == 1 ? t.b : t.c;
+}
+MENISCUS_HD constexpr uint32_t next_corner(uint32_t k) {
+  return k < 2 ? k + 1 : 0;
+}
+MENISCUS_HD inline bool has_vertex(const SurfaceTriangle& t, uint32_t v) {
+  return t.a == v || t.b == v || t.c == v;
+}
+
+/// The four vertices of a contact; bit 31 of the first: two edges.
+struct alignas(16) Corners {
+  static constexpr uint32_t edges_bit = 1u << 31;
+
+  uint32_t v[4];
+
+  MENISCUS_HD bool edges() const { return (v[0] & edges_bit) != 0; }
+  MENISCUS_HD uint32_t vertex(uint32_t k) const { return v[k] & ~edges_bit; }
+};
+
+struct ContactWeights {
+  float u, v, friction;
+};
+
+/// Contacts, array by array.
+struct ContactList {
+  View<Corners> corners;
+  View<Vec4> plane;       // normal n, and the distance to be kept
+  View<Vec4> multiplier;  // of friction, and of the normal push, kg·m
+  View<ContactWeights> weights;
+  View<uint32_t> counters;
+
+  MENISCUS_HD uint32_t count() const { return listed(corners, counters[contacts]); }
+};
+
+/// The vertices of a substep, and what is known of the surface.
+struct ClothState {
+  View<const Vec4> previous, position;  // by vertex
+  KeptPlaces kept;
+  pbd::SurfaceTreeView tree;
+  View<const uint16_t> features;
+  View<const Part> parts;
+  View<const uint32_t> rough;  // by group: whether it is bent so much that its edges stand out
+
+  /// The vertices of a pair of features.
+  MENISCUS_HD Corners corners_of(FeatureCode code) const {
+    const SurfaceTriangle s = load(tree.triangles, code.first_place()),
+                          t = load(tree.triangles, code.second_place());
+    const uint32_t a = code.first & 7, b = code.second & 7;
+    if (b == face) return {corner_of(s, a), t.a, t.b, t.c};
+    return {corner_of(s, a - 3) | Corners::edges_bit, corner_of(s, next_corner(a - 3)), corner_of(t, b - 3),
+            corner_of(t, next_corner(b - 3))};
+  }
+};
+
+/// The pair's way from `from` to `to`, seen from where its first vertex starts.
+MENISCUS_HD inline FeaturePair pair_of(const Corners& corners, View<const Vec4> from, View<const Vec4> to) {
+  FeaturePair pair;
+  pair.edges = corners.edges();
+  const Vec3 origin = load(from, corners.vertex(0)).xyz();
+  MENISCUS_UNROLL
+  for (uint32_t k = 0; k < 4; ++k) {
+    const uint32_t v = corners.vertex(k);
+    const Vec3 x = load(from, v).xyz();
+    pair.start[k] = x - origin;
+    pair.motion[k] = to[v].xyz() - x;
+  }
+  return pair;
+}
+
+}  // namespace meniscus::cloth::self_contact_kernels

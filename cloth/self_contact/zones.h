@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Impact zones: what would pass through one another goes on together.
+#pragma once
+
+#include "cloth/self_contact/solve.h"
+#include "pbd/union_find.h"
+
+namespace meniscus::cloth::self_contact_kernels {
+
+/// Vertices that share one motion for the rest of a substep (Provot 1997; Harmon et al. 2008, who have them
+/// turn as well): that of their centre of mass from where the substep began, when nothing had passed through.
+/// Momentum is kept, and nothing moves against anything within a zone. Zones only grow.
+struct Zones {
+  View<uint32_t> label;
+  /// By vertex, 0 for what is in none; else, counted from 1, in bits 0 to 7 the last round in which its zone
+  /// was found to need a new motion, and in bits 8 to 15 the last in which it went along with one. What could
+  /// not go along has the bit `stopped` as well.
+  View<uint32_t> mark;
+  /// Of a zone, at the vertex that names it: what it moves with, if not by itself.
+  View<uint32_t> anchor;
+  View<int64_t> mass;  // likewise
+  PushSums momentum;   // likewise, kg·m
+  float mass_unit;     // kg
+
+  static constexpr uint32_t stopped = 1u << 31, a_round = 0xff, moved_shift = 8;
+  /// Anchors: none; where all were at the start; else, less 1, a vertex that nothing moves.
+  static constexpr uint32_t itself = no_index, the_start = 0;
+
+  MENISCUS_HD uint32_t name(uint32_t v) const { return pbd::UnionFind{label}.name(v); }
+  MENISCUS_HD uint32_t mark_of(uint32_t v) const { return pbd::atomic_load(mark[v]); }
+  MENISCUS_HD static bool is_stopped(uint32_t mark) { return (mark & stopped) != 0; }
+  /// Whether a vertex with this mark was found to need a new motion in this round.
+  MENISCUS_HD static bool is_needed(uint32_t mark, uint32_t round) { return (mark & a_round) == round + 1; }
+  /// Whether it has moved in the round before this one. What others find meanwhile does not change that:
+  /// which pairs are looked at must not depend on who is first.
+  MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const {
+    return (mark_of(v) >> moved_shift & a_round) == round;
+  }
+  MENISCUS_HD void need(uint32_t v, uint32_t round) const {
+    pbd::atomic_max(mark[v], (mark_of(v) & ~a_round) | (round + 1));
+  }
+
+  MENISCUS_HD void begin(uint32_t v) const {
+    forget_sums(v);
+    label[v] = v;
+    mark[v] = 0;
+    anchor[v] = itself;
+  }
+  MENISCUS_HD void forget_sums(uint32_t v) const {
+    if (mark_of(v) == 0) return;
+    momentum.take(v);
+    mass[v] = 0;
+  }
+
+  /// From now on these go together; or not at all.
+  MENISCUS_HD void unite(const Corners& corners, uint32_t round, bool stop) const {
+    for (uint32_t k = 0; k < 4; ++k) {
+      const uint32_t v = corners.vertex(k);
+      need(v, round);
+      if (stop) pbd::atomic_min(anchor[v], the_start);
+      if (k > 0) pbd::UnionFind{label}.unite(corners.vertex(0), v);
+    }
+  }
+};
+
+/// Sums up what zones weigh and their momentum, and finds their anchors.
+struct GatherZones {
+  View<const Vec4> previous, position;  // by vertex
+  Zones zones;
+  View<uint32_t> counters;
+  uint32_t round;
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (v == 0) counters[folded_sheets] = 0;  // these have been looked at
+    const uint32_t mark = zones.mark_of(v);
+    if (counters[crossings + round] == 0 || mark == 0) return;
+    const uint32_t name = zones.name(v);
+    const bool stopped = Zones::is_stopped(mark);
+    if (stopped || Zones::is_needed(mark, round)) zones.need(name, round);
+    const Vec4 x = position[v];
+    const uint32_t anchor = stopped ? Zones::the_start : x.w == 0 ? v + 1 : Zones::itself;
+    pbd::atomic_min(zones.anchor[name], anchor);
+    if (v != name) pbd::atomic_min(zones.anchor[name], zones.anchor[v]);
+    if (x.w == 0) return;
+    const float m = 1 / x.w;
+    pbd::atomic_add(zones.mass[name], llrintf(m / zones.mass_unit));
+    zones.momentum.add(name, m * (x.xyz() - previous[v].xyz()));
+  }
+};
+
+/// What was taken from vertices that would have gone where pairs were not looked for: their momentum is
+/// handed on once all is done.
+struct TakenBack {
+  View<Vec4> ways;  // by vertex, m
+  View<uint32_t> counters;
+
+  MENISCUS_HD void begin(uint32_t v) const { ways[v] = {0, 0, 0, 0}; }
+  MENISCUS_HD void add(uint32_t v, Vec3 way) const {
+    ways[v] = pbd::with_w(ways[v].xyz() + way, 0);
+    pbd::atomic_max(counters[lost], 1);
+  }
+};
+
+/// By part: three numbers of momentum and one of mass, which add up to the same in any order.
+struct PartSums {
+  View<int64_t> sums;
+  float unit;       // kg·m, of the momentum; a power of 2
+  float mass_unit;  // kg, coarse: fluid that cloth carries is in it
+
+  MENISCUS_HD void begin(uint32_t part) const {
+    for (uint32_t k = 0; k < 4; ++k) sums[4 * part + k] = 0;
+  }
+  MENISCUS_HD void add(uint32_t part, Vec3 impulse, float mass) const {
+    pbd::atomic_add(sums[4 * part], llrintf(impulse.x / unit));
+    pbd::atomic_add(sums[4 * part + 1], llrintf(impulse.y / unit));
+    pbd::atomic_add(sums[4 * part + 2], llrintf(impulse.z / unit));
+    pbd::atomic_add(sums[4 * part + 3], llrintf(mass / mass_unit));
+  }
+  /// Of the whole, m.
+  MENISCUS_HD Vec3 way(uint32_t part) const {
+    const int64_t* sum = &sums[4 * part];
+    if (sum[3] == 0) return {0, 0, 0};
+    const float scale = unit / (mass_unit * static_cast<float>(sum[3]));
+    return scale * Vec3{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
+  }
+};
+
+/// Gives vertices the motion of their zones. Nothing leaves the place that its pairs were looked for in: a
+/// zone that would have to, stops in the next round, as does one that would go into a solid. Where the last
+/// round there is still finds something, all stay where they were.
+struct MoveZones {
+  /// Of its radius: no zone takes a vertex nearer than that to a solid that does not give way.
+  static constexpr float least_distance = 0.25f;
+
+  ClothState cloth;
+  pbd::ContactView contacts;   // of all particles
+  uint32_t sorted;             // see ParticleView
+  View<Vec4> position, moved;  // by vertex
+  Zones zones;
+  TakenBack taken;
+  View<uint32_t> counters;
+  uint32_t round;
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (counters[crossings + round] == 0) return;
+    const bool last = round + 1 == most_rounds;
+    const uint32_t mark = zones.mark_of(v);
+    if (mark == 0 && !last) return;
+    const uint32_t name = zones.name(v), of_name = zones.mark_of(name);
+    if (!last && !Zones::is_needed(of_name, round) && !Zones::is_stopped(of_name)) return;
+    const Vec4 x = position[v];
+    if (x.w == 0) return;
+    const bool stays = last || zones.anchor[name] == Zones::the_start;
+    // Ways, not places: what rounding takes of places would be lost momentum.
+    const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
+    const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
+    const Vec3 inside = cloth.kept.inside(v, to);
+    const bool leaves = inside != to, stops = leaves || (!stays && enters_solid(v, from, to));
+    const Vec3 way = leaves ? inside - from : wanted;
+    // Of a zone that stays each loses its share of the whole, as if the zone had gone on.
+    const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
+    if (due != way) taken.add(v, due - way);
+    if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
+    pbd::atomic_store(zones.mark[v], (round + 1) << Zones::moved_shift | (round + 1) |
+                                         (stops ? Zones::stopped : mark & Zones::stopped));
+    position[v] = pbd::with_w(inside, x.w);
+    moved[v] = pbd::shifted(moved[v], way - now);
+  }
+
+  MENISCUS_HD bool enters_solid(uint32_t v, Vec3 from, Vec3 to) const {
+    for (uint32_t k = contacts.start[sorted + v]; k < contacts.start[sorted + v + 1]; ++k) {
+      const pbd::Contact& c = contacts.contacts[k];
+      const bool gives_way = c.body == pbd::on_sheet || c.body_inverse_mass > 0 || is_tie(c);
+      const float distance = plane_distance(c, to);
+      if (!gives_way && distance < least_distance * c.radius && distance < plane_distance(c, from))
+        return true;
+    }
+    return false;
+  }
+  MENISCUS_HD Vec3 motion_of(uint32_t name) const {
+    const uint32_t anchor = zones.anchor[name];
+    if (anchor != Zones::itself) return position[anchor - 1].xyz() - cloth.previous[anchor - 1].xyz();
+    return mean_motion(name);
+  }
+  MENISCUS_HD Vec3 mean_motion(uint32_t name) const {
+    return 1 / (zones.mass_unit * static_cast<float>(zones.mass[name])) * zones.momentum.of(name);
+  }
+};
+
+}  // namespace meniscus::cloth::self_contact_kernels

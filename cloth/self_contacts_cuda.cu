@@ -1,7 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The Meniscus authors
-// SPDX-License-Identifier: MIT
-#include "cloth/self_contacts.inl"
-#include "pbd/device/cuda/cuda_device.cuh"
-
-template class meniscus::pbd::SurfaceTree<meniscus::pbd::CudaDevice>;
-template class meniscus::cloth::SelfContacts<meniscus::pbd::CudaDevice>;

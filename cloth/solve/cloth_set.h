@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "cloth/build/cloth_model.h"
+#include "cloth/build/wind.h"
+#include "cloth/build/yarns.h"
+#include "cloth/solve/vertex_state.h"
+#include "cloth/solve/volume_kernels.h"
+#include "pbd/device/shared_buffer.h"
+#include "pbd/substep.h"
+
+namespace meniscus::cloth {
+
+namespace stretch_kernels {
+struct SolveEdge;
+}
+
+struct ClothSolverParameters {
+  float over_relaxation = 1.2f;  ///< ω of stretch and shear but for yarns, 1 to 1.3
+  float warm_start = 0.7f;       ///< share of the last multipliers of edges outside yarns, 0 to 0.95
+  int stretch_rounds = 1;        ///< of stretch and shear in the last iteration, ≥ 1
+};
+
+/// Cloth: stretch, shear, bending, gas and tethers as XPBD constraints (Macklin, Müller & Chentanez 2016),
+/// solved in the manner of Gauss and Seidel; and the air's force on it.
+///
+///   begin     adds the wind;
+///   project   starts from a share of what edges outside yarns last pulled with, which yarns take up before
+///             cloth moves; sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the
+///             lengths of whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds in
+///             the last iteration; in the next iteration all of it backwards; gas; tethers last;
+///   settle    notes what pulled at vertices that nothing moves. Pieces that bear bodies forget what their
+///             edges pulled with.
+///
+/// Small steps converge better than many iterations (Macklin et al. 2019). There and back again makes the
+/// whole a symmetric map, whose eigenvalues are real: a sweep in one direction alone turns some modes, and
+/// feeds them. Over-relaxation above 1.33, and a share above .38, do so as well: with a residual factor p,
+/// v = Δx/h makes of each mode z² = p (2z − 1).
+template <class D>
+class ClothSet final : public pbd::ConstraintSet<D> {
+ public:
+  ClothSet(D& device, const ClothSolverParameters& parameters) : device_(device), parameters_(parameters) {}
+
+  /// The model must be set anew before the next step.
+  void set_parameters(const ClothSolverParameters& parameters) { parameters_ = parameters; }
+
+  /// All cloth there is. Multipliers start anew.
+  void set_model(const ClothModel& model);
+  void set_wind(const Wind& wind) { wind_ = wind; }
+
+  bool prepares() const override;
+  void prepare(pbd::Substep<D>& substep) override;
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+  void settle(pbd::Substep<D>& substep) override;
+  void end(pbd::Substep<D>& substep) override;
+  void start_step() override;
+  void undo_step() override { time_ = start_time_; }
+  void save() override;
+  void restore() override;
+
+  pbd::SurfaceView surface() const {
+    return {triangles_.view(), rest_.view(), fan_start_.view(), fan_.view()};
+  }
+  /// Of each held vertex, what pulled at it in the last step, N·s.
+  std::vector<Vec3> read_reactions() const;
+  /// Whether some edge was stretched too far in the last step.
+  bool found_tears() const { return tears_.host().size() && tears_.host()[0] != 0; }
+
+ private:
+  template <class T>
+  static void upload(pbd::Buffer<T>& buffer, const std::vector<T>& values) {
+    buffer.resize_discard(values.size());
+    buffer.write(values);
+  }
+  void upload_constraints(const ClothModel& model);
+  void upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns);
+  void upload_isometric(const std::vector<IsometricConstraint>& hinges);
+  void reserve_bending_multipliers(int iterations);
+  void upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
+  VertexState vertices(const pbd::Substep<D>& substep) const {
+    return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
+  }
+  View<Vec4> yarn_multiplier() { return edge_multiplier_.view().from(first_yarn_edge_); }
+  /// How constraints are gone over.
+  struct Turn {
+    bool starts = false;      ///< the substep's multipliers
+    bool backwards = false;   ///< through passes, colours and layers
+    bool goes_on = false;     ///< from the round before
+    bool takes_over = false;  ///< what yarns were put aside
+    bool ends = false;        ///< what the substep does to edges
+  };
+  void bend(pbd::Substep<D>& substep, const Turn& turn);
+  void stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn);
+  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
+  bool starts_from_last() const { return share_ > 0 && first_yarn_edge_ > 0; }
+  void start_from_last(pbd::Substep<D>& substep);
+  /// Whether any piece may bear something, so that what it pulls with has to be forgotten.
+  static bool may_bear(const pbd::Substep<D>& substep) {
+    return substep.pressed.count > 0 || substep.fluid_near.count > 0;
+  }
+  stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const Turn& turn);
+  void sweep_colours(pbd::Substep<D>& substep, const Turn& turn);
+  void note_bearing(pbd::Substep<D>& substep);
+  void forget_pulls(pbd::Substep<D>& substep);
+  void solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
+  void blow_up(pbd::Substep<D>& substep, bool starts);
+
+  D& device_;
+  ClothSolverParameters parameters_;
+  Wind wind_;
+  double time_ = 0, start_time_ = 0;  // s
+  uint32_t vertex_count_ = 0;
+  CommonDamping damping_;
+  bool any_air_ = false, any_gas_ = false, any_tears_ = false;
+  bool feels_wind_ = false;                // in this substep
+  float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
+  float share_ = 0;                        // of what they left for this one
+
+  pbd::Buffer<EdgeConstraint> edges_{device_, "cloth edges"};
+  pbd::Buffer<StrainConstraint> strains_{device_, "cloth strains"};
+  pbd::Buffer<PackedHinge> isometric_{device_, "cloth isometric hinges"};
+  pbd::Buffer<Vec4> isometric_coefficients_{device_, "cloth isometric hinges"};
+  pbd::Buffer<HingeConstraint> hinges_{device_, "cloth hinges"};
+  pbd::Buffer<Batch> batches_{device_, "constraint batches"};
+  pbd::Buffer<Cluster> clusters_{device_, "constraint clusters"};
+  pbd::Buffer<uint32_t> cluster_vertices_{device_, "vertices of clusters"};
+  pbd::Buffer<Yarn> yarns_{device_, "yarns"};
+  std::vector<uint32_t> layer_starts_{0};  // of yarns
+  uint32_t first_yarn_edge_ = 0;
+  std::vector<uint32_t> pass_starts_{0};
+  uint32_t bending_passes_ = 0;
+  std::vector<uint32_t> colour_starts_;  // of edges outside yarns, where they are solved by colours
+  pbd::Buffer<Vec4> edge_multiplier_{device_, "edge multipliers"};
+  pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};
+  pbd::Buffer<float> saved_yarn_multiplier_{device_, "saved yarn multipliers"};
+  pbd::Buffer<Vec4> strain_multiplier_{device_, "strain multipliers"};
+  pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
+  pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
+  pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
+  pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
+  pbd::Buffer<uint32_t> bearing_{device_, "pieces that bear bodies"};
+  pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};
+  pbd::Buffer<Tether> tethers_{device_, "tethers"};
+  pbd::Buffer<Vec4> tether_pull_{device_, "tether pulls"};
+  pbd::Buffer<uint32_t> held_{device_, "held vertices"}, tether_start_{device_, "tethers by anchor"};
+  pbd::Buffer<Vec4> reaction_{device_, "reactions"};
+  pbd::Buffer<Piece> pieces_{device_, "pieces of cloth"};
+  pbd::Buffer<pbd::SurfaceTriangle> triangles_{device_, "cloth triangles"};
+  pbd::Buffer<Vec3> rest_{device_, "cloth at rest"};
+  pbd::Buffer<Vec4> wind_force_{device_, "wind"};
+  pbd::Buffer<Vec4> volume_gradient_{device_, "volume gradients"};
+  pbd::Buffer<volume_kernels::GasState> gas_partial_{device_, "gas sums"}, gas_{device_, "gas"};
+  pbd::Buffer<float> gas_step_{device_, "gas steps"};
+  pbd::SharedBuffer<uint32_t> tears_{device_, "tears"};
+};
+
+}  // namespace meniscus::cloth

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "cloth/build/tethers.h"
+#include "cloth/solve/bearing_kernels.h"
+#include "cloth/solve/cloth_set.h"
+#include "cloth/solve/colour_kernel.h"
+#include "cloth/solve/sweep_kernel.h"
+#include "cloth/solve/tear_kernels.h"
+#include "cloth/solve/tether_kernels.h"
+#include "cloth/solve/wind_kernels.h"
+#include "cloth/solve/yarn_kernel.h"
+
+namespace meniscus::cloth {
+
+template <class D>
+void ClothSet<D>::set_model(const ClothModel& model) {
+  device_.wait();
+  const auto any = [&](auto has) { return std::any_of(model.pieces.begin(), model.pieces.end(), has); };
+  any_air_ = any([](const Piece& p) { return p.drag > 0 || p.lift > 0; });
+  any_gas_ = any([](const Piece& p) { return p.inside > 0; });
+  any_tears_ = any([](const Piece& p) { return p.tear_strain > 0; });
+  damping_ = common_damping(model.pieces);
+  vertex_count_ = static_cast<uint32_t>(model.rest.size());
+  last_dt_ = 0;
+
+  upload_constraints(model);
+  tether_pull_.resize_discard(model.tethers.size());
+  upload(held_, model.held);
+  std::vector<uint32_t> tether_start{0};
+  for (uint32_t v : model.held) {
+    uint32_t end = tether_start.back();
+    while (end < model.tethers.size() && model.tethers[end].anchor == v) ++end;
+    tether_start.push_back(end);
+  }
+  upload(tether_start_, tether_start);
+  reaction_.resize_discard(model.held.size());
+  reaction_.fill(0);
+
+  upload(pieces_, model.pieces);
+  bearing_.resize_discard(model.pieces.size());
+  upload(triangles_, model.triangles);
+  upload(rest_, model.rest);
+  volume_gradient_.resize_discard(any_gas_ ? vertex_count_ : 0);
+  gas_partial_.resize_discard(any_gas_ ? volume_kernels::lanes * model.pieces.size() : 0);
+  gas_.resize_discard(any_gas_ ? model.pieces.size() : 0);
+  gas_.fill(0);
+  gas_step_.resize_discard(any_gas_ ? model.pieces.size() : 0);
+  wind_force_.resize_discard(any_air_ ? model.triangles.size() : 0);
+  tears_.resize_discard(1);
+  tears_.host()[0] = 0;
+}
+
+template <class D>
+void ClothSet<D>::upload_constraints(const ClothModel& model) {
+  ClothConstraints constraints = model.constraints;
+  const Yarns yarns = draw_yarns(constraints, model.rest, model.pieces);
+  upload(tethers_, tethers_beside(yarns, model));
+  Clusters c = build_clusters(constraints, model.rest);
+  upload_edges(model, c, yarns);
+  upload(strains_, c.strains);
+  upload_isometric(c.isometric);
+  upload(hinges_, c.hinges);
+  upload(batches_, c.batches);
+  upload(clusters_, c.clusters);
+  upload(cluster_vertices_, c.vertices);
+  pass_starts_ = c.pass_starts;
+  bending_passes_ = c.bending_passes;
+  colour_starts_ = c.colour_starts;
+  strain_multiplier_.resize_discard(c.strains.size());
+}
+
+template <class D>
+void ClothSet<D>::upload_isometric(const std::vector<IsometricConstraint>& hinges) {
+  std::vector<PackedHinge> packed;
+  std::vector<Vec4> coefficients;
+  for (const IsometricConstraint& h : hinges) {
+    packed.push_back(PackedHinge::of(h));
+    coefficients.push_back({h.weight[0], h.weight[1], h.weight[2], h.compliance});
+  }
+  upload(isometric_, packed);
+  upload(isometric_coefficients_, coefficients);
+}
+
+/// Of what bends, multipliers last for a substep: for one iteration there are none.
+template <class D>
+void ClothSet<D>::reserve_bending_multipliers(int iterations) {
+  isometric_multiplier_.resize_discard(iterations > 1 ? isometric_.size() : 0);
+  hinge_multiplier_.resize_discard(iterations > 1 ? hinges_.size() : 0);
+}
+
+/// First those of clusters, whose vertices become numbers within their cluster, then those of yarns.
+template <class D>
+void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns) {
+  upload_fans(model, clusters.edges);
+  number_locally(clusters);
+  std::vector<EdgeConstraint> edges = clusters.edges;
+  edges.insert(edges.end(), yarns.edges.begin(), yarns.edges.end());
+  upload(edges_, edges);
+  first_yarn_edge_ = static_cast<uint32_t>(clusters.edges.size());
+  upload(yarns_, yarns.yarns);
+  layer_starts_ = yarns.layer_starts;
+  edge_multiplier_.resize_discard(edges.size());
+  saved_edge_multiplier_.resize_discard(clusters.edges.size());
+  saved_yarn_multiplier_.resize_discard(yarns.edges.size());
+  edge_multiplier_.fill(0);
+}
+
+template <class D>
+void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges) {
+  const Fans triangles = triangle_fans(model.triangles, model.rest.size());
+  upload(fan_start_, triangles.start);
+  upload(fan_, triangles.items);
+  const bool warm_starts = parameters_.warm_start > 0;
+  pending_.resize_discard(warm_starts && !edges.empty() ? vertex_count_ : 0);
+  const Fans by_edge = warm_starts ? edge_fans(edges, model.rest.size()) : Fans{};
+  upload(edge_fan_start_, by_edge.start);
+  upload(edge_fan_, by_edge.items);
+}
+
+template <class D>
+void ClothSet<D>::begin(pbd::Substep<D>& substep) {
+  if (vertex_count_ == 0) return;
+  reserve_bending_multipliers(substep.iterations);
+  // A multiplier grows with the square of the substep.
+  const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
+  share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
+  last_dt_ = substep.dt;
+  if (std::exchange(feels_wind_, false)) {
+    device_.parallel_for("cloth/blow", vertex_count_,
+                         wind_kernels::Blow{fan_start_.view(), fan_.view(), wind_force_.view(),
+                                            vertices(substep), substep.dt});
+  }
+  time_ += substep.dt;
+}
+
+template <class D>
+bool ClothSet<D>::prepares() const {
+  return vertex_count_ > 0 && any_air_ && wind_.density > 0;
+}
+
+template <class D>
+void ClothSet<D>::prepare(pbd::Substep<D>& substep) {
+  if (!prepares()) return;
+  const double time = wind_.gusty ? time_ : 0;  // else no launch would be like the last
+  device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
+                             wind_kernels::BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
+                                                           static_cast<float>(time), wind_force_.view()});
+  feels_wind_ = true;
+}
+
+/// Yarns take up what the other edges start to push with, before cloth moves: by far the most of it is what
+/// they hold.
+template <class D>
+void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
+  using namespace stretch_kernels;
+  note_bearing(substep);
+  forget_pulls(substep);
+  device_.parallel_for("cloth/start", vertex_count_,
+                       StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
+                                   pending_.view()});
+  solve_yarns(substep, {.starts = true}, pending_.view());
+  device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
+}
+
+template <class D>
+void ClothSet<D>::note_bearing(pbd::Substep<D>& substep) {
+  using namespace bearing_kernels;
+  if (!may_bear(substep)) return;
+  bearing_.fill(0);
+  if (substep.pressed.count > 0) {
+    device_.parallel_for("cloth/bearing", substep.contacts.contacts.count,
+                         NoteBearing{substep.contacts, vertices(substep), vertex_count_, bearing_.view()});
+  }
+  if (substep.fluid_near.count > 0) {
+    device_.parallel_for("cloth/bearing fluid", vertex_count_,
+                         NoteFluid{substep.fluid_near, vertices(substep), bearing_.view()});
+  }
+}
+
+/// And in the next substep, too: these multipliers will not fit then either.
+template <class D>
+void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
+  if (!may_bear(substep)) return;
+  device_.parallel_for("cloth/forget", vertex_count_,
+                       bearing_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), bearing_.view(),
+                                               vertices(substep), edge_multiplier_.view()});
+}
+
+template <class D>
+void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
+  if (vertex_count_ == 0) return;
+  if (iteration == 0 && starts_from_last()) start_from_last(substep);
+  // What comes last holds best: lengths, or where there is gas its volume.
+  const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
+  const Turn turn{
+      .starts = iteration == 0, .backwards = turns % 2 != 0, .ends = iteration + 1 == substep.iterations};
+  if (any_gas_ && !turn.backwards) blow_up(substep, turn.starts);
+  // Rounds are for what the end leaves: iterations that more follow do without.
+  const int rounds = turn.ends ? parameters_.stretch_rounds : 1;
+  if (!turn.backwards) bend(substep, turn);
+  stretch(substep, rounds, turn);
+  if (turn.backwards) bend(substep, turn);
+  if (any_gas_ && turn.backwards) blow_up(substep, turn.starts);
+  device_.parallel_for_lanes(
+      "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
+      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), turn.starts});
+}
+
+template <class D>
+void ClothSet<D>::bend(pbd::Substep<D>& substep, const Turn& turn) {
+  sweep(substep, 0, bending_passes_, {.starts = turn.starts, .backwards = turn.backwards});
+}
+
+/// Every other round runs through colours and layers in the other direction. What is left over between rounds
+/// is what sweeps and yarns undo of one another.
+template <class D>
+void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn) {
+  const size_t stretch_end = pass_starts_.size() - 1;
+  for (int round = 0; round < rounds; ++round) {
+    const int left = rounds - 1 - round;
+    const Turn edges{.starts = turn.starts && round == 0,
+                     .backwards = (turn.backwards ? round + 1 : left) % 2 != 0,
+                     .goes_on = round > 0,
+                     .ends = turn.ends && left == 0};
+    const bool any_starts = !starts_from_last() || may_bear(substep);
+    const Turn yarns{.starts = edges.starts && any_starts,
+                     .backwards = edges.backwards,
+                     .takes_over = edges.starts && starts_from_last()};
+    if (turn.backwards) solve_yarns(substep, yarns);
+    colour_starts_.empty() ? sweep(substep, bending_passes_, stretch_end, edges)
+                           : sweep_colours(substep, edges);
+    if (!turn.backwards) solve_yarns(substep, yarns);
+  }
+}
+
+template <class D>
+stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& substep, const Turn& turn) {
+  return {.edges = edges_.view(),
+          .multiplier = edge_multiplier_.view(),
+          .relaxation = parameters_.over_relaxation,
+          .share = turn.starts ? share_ : 1,
+          .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
+          .shears = starts_from_last(),
+          .bearing = substep.fluid_near.count > 0 ? bearing_.view() : View<uint32_t>{},
+          .ends = turn.ends,
+          .next_share = parameters_.warm_start};
+}
+
+template <class D>
+void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const Turn& turn) {
+  const SolveColour solve{edge_solver(substep, turn), vertices(substep)};
+  const size_t colours = colour_starts_.size() - 1;
+  for (size_t k = 0; k < colours; ++k) {
+    const size_t colour = turn.backwards ? colours - 1 - k : k;
+    const uint32_t first = colour_starts_[colour];
+    SolveColour one = solve;
+    one.edge.edges = solve.edge.edges.from(first);
+    one.edge.multiplier = solve.edge.multiplier.from(first);
+    device_.parallel_for_lanes("cloth/diagonals", colour_starts_[colour + 1] - first, one);
+  }
+}
+
+template <class D>
+void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn) {
+  SolveClusters solve{
+      .clusters = clusters_.view(),
+      .batches = batches_.view(),
+      .numbers = cluster_vertices_.view(),
+      .all = vertices(substep),
+      .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(),
+                    turn.starts},
+      .hinge = {hinges_.view(), hinge_multiplier_.view(), turn.starts},
+      .strain = {strains_.view(), strain_multiplier_.view(), parameters_.over_relaxation, turn.starts},
+      .edge = edge_solver(substep, turn),
+      .first = 0,
+      .bends = first_pass < bending_passes_,
+      .backwards = turn.backwards};
+  for (size_t k = first_pass; k < end_pass; ++k) {
+    const size_t pass = turn.backwards ? first_pass + end_pass - 1 - k : k;
+    solve.first = pass_starts_[pass];
+    device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
+  }
+}
+
+template <class D>
+void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending) {
+  SolveYarns solve{.yarns = yarns_.view(),
+                   .edges = edges_.view().from(first_yarn_edge_),
+                   .multiplier = yarn_multiplier(),
+                   .all = vertices(substep),
+                   .pending = pending,
+                   .pressed = substep.pressed,
+                   .bearing = starts_from_last() && may_bear(substep) ? bearing_.view() : View<uint32_t>{},
+                   .starts = turn.starts,
+                   .takes_over = turn.takes_over,
+                   .first = 0,
+                   .end = 0};
+  const size_t layers = layer_starts_.size() - 1;
+  for (size_t k = 0; k < layers; ++k) {
+    const size_t layer = turn.backwards ? layers - 1 - k : k;
+    solve.first = layer_starts_[layer];
+    solve.end = layer_starts_[layer + 1];
+    device_.parallel_for_lane_groups("cloth/yarns", solve.end - solve.first, solve);
+  }
+}
+
+template <class D>
+void ClothSet<D>::blow_up(pbd::Substep<D>& substep, bool starts) {
+  using namespace volume_kernels;
+  const auto pieces = static_cast<uint32_t>(pieces_.size());
+  const VertexState state = vertices(substep);
+  device_.parallel_for(
+      "cloth/volume gradients", vertex_count_,
+      Gradients{triangles_.view(), fan_start_.view(), fan_.view(), state, volume_gradient_.view()});
+  device_.parallel_for("cloth/volume sums", pieces * lanes,
+                       SumLanes{volume_gradient_.view(), state, gas_partial_.view()});
+  device_.parallel_for(
+      "cloth/gas", pieces,
+      Solve{gas_partial_.view(), pieces_.view(), gas_.view(), gas_step_.view(), state.inverse_dt, starts});
+  device_.parallel_for("cloth/pressure", vertex_count_,
+                       Push{volume_gradient_.view(), gas_step_.view(), state});
+}
+
+template <class D>
+void ClothSet<D>::settle(pbd::Substep<D>& substep) {
+  device_.parallel_for("cloth/reactions", static_cast<uint32_t>(held_.size()),
+                       tether_kernels::NoteReactions{held_.view(), tether_start_.view(), tether_pull_.view(),
+                                                     vertices(substep), reaction_.view()});
+  if (starts_from_last()) forget_pulls(substep);
+}
+
+template <class D>
+void ClothSet<D>::end(pbd::Substep<D>& substep) {
+  if (!any_tears_) return;
+  device_.parallel_for("cloth/tears", static_cast<uint32_t>(triangles_.size()),
+                       tear_kernels::FindTears{surface(), vertices(substep), tears_.view()});
+}
+
+template <class D>
+void ClothSet<D>::start_step() {
+  feels_wind_ = false;  // of a step that failed before it blew
+  start_time_ = time_;
+  reaction_.fill(0);
+  if (tears_.host().size()) tears_.host()[0] = 0;
+}
+
+/// Yarns start from no push: of the last ones only their sizes count.
+template <class D>
+void ClothSet<D>::save() {
+  saved_last_dt_ = last_dt_;
+  device_.copy(saved_edge_multiplier_.view().data, edge_multiplier_.view().data,
+               first_yarn_edge_ * sizeof(Vec4));
+  device_.parallel_for("cloth/save yarns", static_cast<uint32_t>(saved_yarn_multiplier_.size()),
+                       KeepMultipliers{yarn_multiplier(), saved_yarn_multiplier_.view()});
+}
+
+template <class D>
+void ClothSet<D>::restore() {
+  last_dt_ = saved_last_dt_;
+  device_.copy(edge_multiplier_.view().data, saved_edge_multiplier_.view().data,
+               first_yarn_edge_ * sizeof(Vec4));
+  device_.parallel_for("cloth/restore yarns", static_cast<uint32_t>(saved_yarn_multiplier_.size()),
+                       RestoreMultipliers{saved_yarn_multiplier_.view(), yarn_multiplier()});
+}
+
+template <class D>
+std::vector<Vec3> ClothSet<D>::read_reactions() const {
+  std::vector<Vec3> out;
+  for (const Vec4& r : reaction_.read(reaction_.size())) out.push_back(r.xyz());
+  return out;
+}
+
+}  // namespace meniscus::cloth

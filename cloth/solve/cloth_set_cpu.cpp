@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "cloth/solve/cloth_set.inl"
+#include "pbd/device/cpu/cpu_device.h"
+
+template class meniscus::cloth::ClothSet<meniscus::pbd::CpuDevice>;

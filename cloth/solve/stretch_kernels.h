@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cloth/build/constraints.h"
+#include "cloth/solve/bearing_kernels.h"
+#include "cloth/solve/edge_compliance.h"
+#include "cloth/solve/vertex_state.h"
+#include "pbd/device/side_by_side.h"
+
+namespace meniscus::cloth::stretch_kernels {
+
+using pbd::gather;
+using pbd::gather_words;
+using pbd::max;
+using pbd::scatter;
+using pbd::square_root;
+
+/// What is pressed together is relaxed by no more than this. Cloth that hangs from a mesh of triangles is
+/// pressed together somewhere; lengthened in full each substep it buckles to and fro, and does not rest.
+inline constexpr float compressed_relaxation = 0.2f;
+
+/// Heavy-ball momentum (Polyak 1964) of what pulls, from round to round. Yarns take back most of what a
+/// diagonal's step does, so that its multiplier would take w/α̃ rounds to come to what shear's stiffness asks
+/// for; with momentum about the square root of that.
+inline constexpr float round_momentum = 0.85f;
+
+struct SolveEdge {
+  View<const EdgeConstraint> edges;  ///< of vertices as numbered in their cluster
+  /// kg·m: λ n, and λ. Until the substep's end the last round's step stands in place of the first.
+  View<Vec4> multiplier;
+  float relaxation;  ///< ω of successive over-relaxation
+  float share;       ///< of the multiplier that there is
+  float momentum;    ///< how much of the last round's step is made once more, where an edge pulls
+  /// Yarns hold the lengths around, and it starts with what it last did: what is left of it is shear, which
+  /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals. Not in
+  /// pieces that bear fluid, if `bearing` tells which do: these bulge, and must buckle.
+  bool shears;
+  View<const uint32_t> bearing;  ///< by piece, see bearing_kernels::Bearing
+  bool ends;                     ///< the substep: what is left is for the next one
+  float next_share;  ///< for that, of what pulls (λ < 0) or shears; of what else pushes less, as it buckles
+
+  MENISCUS_HD void prefetch(uint32_t k) const {
+    pbd::prefetch(edges, k);
+    pbd::prefetch(multiplier, k);
+  }
+
+  /// Edges side by side, with what they last did.
+  template <class D>
+  struct Items {
+    pbd::Places<D> from, to;
+    pbd::Vec4Of<typename D::Real> constants;
+    typename D::Real multiplier, last_step;
+
+    MENISCUS_HD void set(uint32_t lane, const EdgeConstraint& e) {
+      from.at[lane] = e.a;
+      to.at[lane] = e.b;
+    }
+  };
+  template <class D>
+  MENISCUS_HD Items<D> items(const pbd::SideBySide<D>& together) const {
+    Items<D> all;
+    for (uint32_t lane = 0; lane < D::lane_count; ++lane) all.set(lane, edges[together.items.at[lane]]);
+    all.constants = gather_words(edges, together.index());
+    const pbd::Vec4Of<typename D::Real> last = gather(multiplier, together.index());
+    all.multiplier = last.w;
+    all.last_step = last.x;
+    return all;
+  }
+
+  template <class D, class Vertices>
+  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together,
+                       const Items<D>& items) const {
+    using Real = typename D::Real;
+    using Vector = pbd::Vec3Of<Real>;
+    const pbd::Places<D>&from = items.from, &to = items.to;
+    const Real zero(0), rest = items.constants.z, before = Real(share) * items.multiplier;
+    const LaneVertex<D> a = vertices.at(from), b = vertices.at(to);
+    const Real weight = a.x.w + b.x.w;
+    const Vector d = b.x.xyz() - a.x.xyz();
+    const auto was = [&] { return vertices.previous(to) - vertices.previous(from); };
+    const Real l = square_root(dot(d, d)), c = l - rest;
+    const Real shearing = shearing_by_lane<D>(vertices, from);
+    const Real opens = select_less(zero, shearing, Real(shear_opening_rate / vertices.inverse_dt()),
+                                   Real(opening_rate / vertices.inverse_dt()));
+    const Real compliance =
+        edge_compliance(items.constants.w, rest, c, weight, vertices.inverse_dt(), opens, [&] {
+          const Vector then = was();
+          return square_root(dot(then, then));
+        });
+    const Real damping = vertices.template stretch_damping<D>(from), nearly_none(1e-12f);
+    const Real inverse_l = select_less(l, nearly_none, zero, Real(1) / l);
+    Real rate = zero;
+    if (less_mask(zero, damping) != 0) rate = inverse_l * dot(d, d - was());
+    const Real whole = xpbd_step(c, rate, weight, before, compliance, damping);
+    const Real pulling = Real(relaxation) * whole + Real(momentum) * items.last_step;
+    const Real wanted = select_less(c, zero, of_pressed(whole, before, shearing), pulling);
+    // What has no direction, or cannot give way at all, is left alone.
+    const Real yielding = together.if_any(weight + compliance);
+    const Real step = select_less(zero, yielding, wanted, zero), push = inverse_l * step, now = before + step;
+    const auto note = [&](const Vector& to_go_on_with, const Real& lambda) {
+      scatter(multiplier, together.index(), {to_go_on_with.x, to_go_on_with.y, to_go_on_with.z, lambda},
+              less_mask(zero, yielding));
+    };
+    if (ends) {
+      const Real left = select_less(l, nearly_none, zero, kept(now, weight, rest, shearing));
+      note((inverse_l * left) * d, left);
+    } else {
+      note({select_less(c, zero, zero, step), zero, zero}, select_less(l, nearly_none, zero, now));
+    }
+    vertices.push(from, a, -push, d);
+    vertices.push(to, b, push, d);
+  }
+
+ private:
+  static constexpr float pushing_share = 0.4f;  // of next_share
+
+  /// Of a step that would lengthen what is pressed: all that only takes a pull back, and a part of the rest.
+  template <class Real>
+  MENISCUS_HD Real of_pressed(const Real& step, const Real& before, const Real& shearing) const {
+    const Real least(compressed_relaxation), pull = max(Real(0), -before);
+    const Real sheared = select_less(pull, step, pull + least * (step - pull), step);
+    return select_less(Real(0), shearing, sheared, least * step);
+  }
+
+  /// 1 in lanes whose edges shear, else 0.
+  template <class D, class Vertices>
+  MENISCUS_HD typename D::Real shearing_by_lane(const Vertices& vertices, const pbd::Places<D>& v) const {
+    using Real = typename D::Real;
+    if (!shears || bearing.count == 0) return Real(shears ? 1.0f : 0.0f);
+    return pbd::by_lane<D>([&](uint32_t lane) {
+      return bearing[vertices.piece_number(v.at[lane])] == bearing_kernels::fluid ? 0.0f : 1.0f;
+    });
+  }
+
+  /// No more for the next substep than would move the ends by the edge's length: what hangs from an edge may
+  /// weigh thousands of times what they do.
+  template <class Real>
+  MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest,
+                        const Real& shearing) const {
+    const Real of_push = select_less(Real(0), shearing, Real(next_share), Real(pushing_share * next_share));
+    const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_share), of_push);
+    return max(-most, -max(-most, -part * lambda));
+  }
+};
+
+/// What edges start to push each vertex with.
+struct StartPushes {
+  View<const uint32_t> fan_start, fan;
+  View<const Vec4> multiplier;
+  float share;
+  View<Vec4> pending;  ///< kg·m, by vertex; w is 0
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    Vec4 push{0, 0, 0, 0};
+    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k)
+      push = plus(push, fan[k] % 2 ? share : -share, load(multiplier, fan[k] / 2));
+    push.w = 0;
+    pending[v] = push;
+  }
+};
+
+/// Moves vertices by what was put aside for them.
+struct GivePending {
+  View<const Vec4> pending;
+  VertexState vertices;
+
+  MENISCUS_HD void operator()(uint32_t v) const { vertices.push(v, vertices.at(v), 1, pending[v]); }
+};
+
+/// Warp, weft and shear of a triangle, one after the other.
+struct SolveStrain {
+  View<const StrainConstraint> strains;
+  View<Vec4> multiplier;  ///< kg·m², of warp, weft and shear
+  float relaxation;
+  bool starts;  ///< the substep's multipliers
+
+  struct Corners {
+    Vec4 x[3];
+    Vec3 impulse[3];
+  };
+  /// One strain and its gradients at b and c; that at a is minus their sum.
+  struct Strain {
+    float value;
+    Vec3 by_b, by_c;
+  };
+
+  MENISCUS_HD void prefetch(uint32_t k) const {
+    pbd::prefetch(strains, k);
+    pbd::prefetch(multiplier, k);
+  }
+
+  template <class Vertices>
+  MENISCUS_HD void operator()(const Vertices& vertices, uint32_t k) const {
+    const StrainConstraint s = strains[k];
+    const Vec4 start = starts ? Vec4{0, 0, 0, 0} : multiplier[k];
+    const Vertex a = vertices.at(s.a), b = vertices.at(s.b), c = vertices.at(s.c);
+    Corners t{{a.x, b.x, c.x}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+    const float scale = vertices.inverse_dt() * vertices.inverse_dt();
+    Vec4 now = start;
+    now.x = solve(vertices, s, t, stretch(s, t, 0), start.x, scale * s.warp_compliance, true);
+    now.y = solve(vertices, s, t, stretch(s, t, 1), start.y, scale * s.weft_compliance, true);
+    now.z = solve(vertices, s, t, shear(s, t), start.z, scale * s.shear_compliance, false);
+    multiplier[k] = now;
+    vertices.push(s.a, a, t.impulse[0]);
+    vertices.push(s.b, b, t.impulse[1]);
+    vertices.push(s.c, c, t.impulse[2]);
+  }
+
+  MENISCUS_HD static Vec3 direction(const StrainConstraint& s, const Corners& t, int axis) {
+    const Vec3 ab = t.x[1].xyz() - t.x[0].xyz(), ac = t.x[2].xyz() - t.x[0].xyz();
+    return s.inverse_rest[axis] * ab + s.inverse_rest[2 + axis] * ac;
+  }
+
+  MENISCUS_HD static Strain stretch(const StrainConstraint& s, const Corners& t, int axis) {
+    const Vec3 f = direction(s, t, axis);
+    const float l = length(f);
+    const Vec3 n = l > 1e-12f ? f / l : Vec3{0, 0, 0};
+    return {l - 1, s.inverse_rest[axis] * n, s.inverse_rest[2 + axis] * n};
+  }
+
+  MENISCUS_HD static Strain shear(const StrainConstraint& s, const Corners& t) {
+    const Vec3 fu = direction(s, t, 0), fv = direction(s, t, 1);
+    const float lu = length(fu), lv = length(fv);
+    if (lu < 1e-12f || lv < 1e-12f) return {0, {0, 0, 0}, {0, 0, 0}};
+    const Vec3 u = fu / lu, v = fv / lv;
+    const float cosine = dot(u, v);
+    const Vec3 by_u = (v - cosine * u) / lu, by_v = (u - cosine * v) / lv;
+    return {cosine, s.inverse_rest[0] * by_u + s.inverse_rest[1] * by_v,
+            s.inverse_rest[2] * by_u + s.inverse_rest[3] * by_v};
+  }
+
+  /// Moves the corners; returns the new multiplier.
+  template <class Vertices>
+  MENISCUS_HD float solve(const Vertices& vertices, const StrainConstraint& s, Corners& t,
+                          const Strain& strain, float before, float compliance, bool stretches) const {
+    const Vec3 gradient[3] = {-(strain.by_b + strain.by_c), strain.by_b, strain.by_c};
+    const uint32_t number[3] = {s.a, s.b, s.c};
+    const float damping = vertices.stretch_damping(s.a);
+    float weight = 0, rate = 0;
+    for (int i = 0; i < 3; ++i) {
+      weight += t.x[i].w * dot(gradient[i], gradient[i]);
+      if (damping > 0) rate += dot(gradient[i], t.x[i].xyz() - vertices.previous(number[i]).xyz());
+    }
+    // What yields without limit, or has no direction to go, is left alone.
+    if (!(weight + compliance > 0) || !(compliance < 1e30f)) return before;
+    const float relaxing = strain.value < 0 && stretches ? compressed_relaxation : relaxation;
+    const float step = relaxing * xpbd_step(strain.value, rate, weight, before, compliance, damping);
+    for (int i = 0; i < 3; ++i) {
+      t.impulse[i] += step * gradient[i];
+      t.x[i] = pbd::with_w(t.x[i].xyz() + t.x[i].w * step * gradient[i], t.x[i].w);
+    }
+    return before + step;
+  }
+};
+
+}  // namespace meniscus::cloth::stretch_kernels

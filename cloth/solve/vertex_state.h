@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What all kernels of cloth begin with: the vertices, and XPBD's step of one constraint.
+#pragma once
+
+#include "cloth/build/piece.h"
+#include "cloth/solve/push_vertex.h"
+#include "pbd/device/scalar.h"
+#include "pbd/particles.h"
+
+namespace meniscus::cloth {
+
+using pbd::Vec4;
+using pbd::View;
+
+/// Vertices by their numbers.
+struct VertexState {
+  pbd::ParticleView particles;
+  View<const Piece> pieces;
+  CommonDamping damping;
+  float inverse_dt = 0;  ///< 1/s
+
+  MENISCUS_HD Vec4 position(uint32_t v) const { return particles.position[particles.sorted + v]; }
+  MENISCUS_HD Vertex at(uint32_t v) const { return vertex_at(particles, v); }
+  MENISCUS_HD Vec4 previous(uint32_t v) const { return particles.previous[particles.sorted + v]; }
+  /// m, of the present position x of v since the substep began.
+  MENISCUS_HD Vec3 way(uint32_t v, const Vec4& x) const { return x.xyz() - previous(v).xyz(); }
+  MENISCUS_HD uint32_t piece_number(uint32_t v) const {
+    return pbd::phase_group(particles.phase[particles.sorted + v]);
+  }
+  MENISCUS_HD const Piece& piece_of(uint32_t v) const { return pieces[piece_number(v)]; }
+  /// τ/h, with Rayleigh's β = τ/α.
+  MENISCUS_HD float stretch_damping(uint32_t v) const {
+    return inverse_dt * (damping.stretch >= 0 ? damping.stretch : piece_of(v).stretch_damping);
+  }
+  MENISCUS_HD float bending_damping(uint32_t v) const {
+    return inverse_dt * (damping.bending >= 0 ? damping.bending : piece_of(v).bending_damping);
+  }
+  /// The same of vertex v(lane) in each lane.
+  template <class D, class Number>
+  MENISCUS_HD typename D::Real stretch_damping_by_lane(const Number& v) const {
+    if (damping.stretch >= 0) return typename D::Real(inverse_dt * damping.stretch);
+    return pbd::by_lane<D>([&](uint32_t lane) { return stretch_damping(v(lane)); });
+  }
+  template <class D, class Number>
+  MENISCUS_HD typename D::Real bending_damping_by_lane(const Number& v) const {
+    if (damping.bending >= 0) return typename D::Real(inverse_dt * damping.bending);
+    return pbd::by_lane<D>([&](uint32_t lane) { return bending_damping(v(lane)); });
+  }
+
+  /// Gives s times an impulse (kg·m; w is 0) to v.
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& impulse) const {
+    push_vertex(particles, v, vertex, s, impulse);
+  }
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 impulse) const {
+    push(v, vertex, 1, pbd::with_w(impulse, 0));
+  }
+};
+
+/// What one constraint adds to its multiplier (Macklin, Müller & Chentanez 2016, eq. 26):
+///
+///   Δλ = (−C − α̃ λ − γ ∇C·(x − x₀)) / ((1 + γ) Σ w|∇C|² + α̃)
+///
+/// for any number of constraints with a common weight Σ w|∇C|²: V is R or a vector of them, and R may have
+/// lanes. `damping` is τ/h, and γ that times α̃/(α̃ + weight): what is stiffer than a substep resolves acts
+/// with the stiffness that the solve gives it, and is damped in proportion to that. Else damping would keep
+/// unyielding cloth from its length.
+template <class V, class R>
+MENISCUS_HD V xpbd_step(const V& c, const V& rate, const R& weight, const V& multiplier, const R& compliance,
+                        const R& damping) {
+  const R gamma = select_less(R(0), damping, damping * compliance / (compliance + weight), R(0));
+  return R(-1) / ((R(1) + gamma) * weight + compliance) * (c + compliance * multiplier + gamma * rate);
+}
+
+}  // namespace meniscus::cloth

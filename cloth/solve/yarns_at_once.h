@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cloth/build/yarns.h"
+#include "cloth/solve/tridiagonal.h"
+#include "pbd/device/scalar.h"
+
+namespace meniscus::cloth {
+
+using pbd::gather;
+using pbd::less_mask;
+using pbd::select_less;
+
+/// Yarns that are worked on side by side: as many as D::Real has lanes. The shorter ones wait at their ends
+/// for the longest.
+template <class D>
+struct YarnsAtOnce {
+  using Real = typename D::Real;
+  static constexpr uint32_t lanes = D::lane_count;
+
+  uint32_t first[lanes], count[lanes];
+  uint32_t most = 0;  ///< edges of the longest
+  Real edges;
+
+  /// Those from yarns[begin] on, up to yarns[end − 1].
+  MENISCUS_HD YarnsAtOnce(pbd::View<const Yarn> yarns, uint32_t begin, uint32_t end) {
+    for (uint32_t lane = 0; lane < lanes; ++lane) {
+      const bool there = begin + lane < end;
+      const Yarn yarn = yarns[there ? begin + lane : begin];
+      first[lane] = yarn.first;
+      count[lane] = there ? yarn.count : 0;
+      most = count[lane] > most ? count[lane] : most;
+    }
+    edges = pbd::by_lane<D>([&](uint32_t lane) { return static_cast<float>(count[lane]); });
+  }
+
+  /// Where edge k of each is; of one that has none, another.
+  MENISCUS_HD pbd::Places<D> edge(uint32_t k) const {
+    pbd::Places<D> places;
+    for (uint32_t lane = 0; lane < lanes; ++lane) places.at[lane] = first[lane] + (k < count[lane] ? k : 0);
+    return places;
+  }
+  /// Bits of those that have an edge k.
+  MENISCUS_HD uint32_t have_edge(uint32_t k) const { return less_mask(number(k), edges); }
+  /// x for those that have an edge k, 0 for others.
+  MENISCUS_HD Real if_edge(uint32_t k, const Real& x) const {
+    return select_less(number(k), edges, x, Real(0));
+  }
+
+ private:
+  MENISCUS_HD static Real number(uint32_t k) { return Real(static_cast<float>(k)); }
+};
+
+/// Yarns while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
+/// there; of each vertex w, and what pushes it; and the rows of a system, and of those that a group of
+/// threads makes of it.
+template <class Group>
+struct YarnScratch {
+  using Real = typename Group::Device::Real;
+  using Length = TridiagonalRow<Real>;
+  using Sideways = TridiagonalRow<Real, pbd::Vec3Of<Real>>;
+
+  struct alignas(alignof(Real) > 16 ? alignof(Real) : 16) Edge {
+    pbd::Vec3Of<Real> n;
+    Real lambda;
+  };
+
+  Edge edges[Yarn::most_edges + 2];
+  Real stiffness[Yarn::most_edges + 2], rest_length[Yarn::most_edges + 2];
+  Real weight[Yarn::most_edges + 1];
+  Yarn yarn;                                                         ///< that is alone
+  uint32_t vertex[Group::is_one_thread ? 1 : Yarn::most_edges + 1];  ///< of it
+  pbd::Vec3Of<Real> push[Yarn::most_edges + 1];
+  struct alignas(64) {
+    unsigned char bytes[(Yarn::most_edges + 1) * sizeof(Sideways)];
+  } rows[Group::is_one_thread ? 1 : 2];
+
+  template <class Row>
+  MENISCUS_HD Row* first_rows() {
+    return reinterpret_cast<Row*>(rows[0].bytes);
+  }
+  template <class Row>
+  MENISCUS_HD Row* other_rows() {
+    return reinterpret_cast<Row*>(rows[Group::is_one_thread ? 0 : 1].bytes);
+  }
+};
+
+/// The greatest of value(k), k < count, or 1 if that is greater. `kept` is for groups of several threads:
+/// room for as many.
+template <class Group, class Real, class Value>
+MENISCUS_HD Real greatest_from_one(const Group& group, Real* kept, uint32_t count, const Value& value) {
+  using pbd::max;
+  Real most(1);
+  if constexpr (Group::is_one_thread) {
+    for (uint32_t k = 0; k < count; ++k) most = max(most, value(k));
+  } else {
+    // Hardly ever is any.
+    const bool found = group.any(count, [&](uint32_t k) { return most < (kept[k] = value(k)); });
+    if (!found) return most;
+    while (count > 1) {
+      const uint32_t half = (count + 1) / 2;
+      group.for_each(count - half, [=](uint32_t k) { kept[k] = max(kept[k], kept[half + k]); });
+      count = half;
+    }
+    most = max(most, kept[0]);
+  }
+  return most;
+}
+
+}  // namespace meniscus::cloth

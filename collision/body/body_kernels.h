@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of body_set.inl. Contacts are grouped by body once a substep; sums over a body's contacts run
+// in lanes of fixed stride, and over the lanes in order: the same bits each time.
+#pragma once
+
+#include "collision/body/proxy.h"
+
+namespace meniscus::collision::body_kernels {
+
+using pbd::Contact;
+using pbd::ContactView;
+using pbd::View;
+
+/// Stands a proxy where its body is, and predicts where it gets to.
+struct Predict {
+  View<const RigidMotion> motion;
+  View<const RigidMass> mass;
+  View<BodyProxy> bodies;
+  float dt;
+
+  MENISCUS_HD BodyEnds ends(uint32_t b) const {
+    const RigidMotion m = motion[b];
+    return {m.start, moved(m.start, dt * m.velocity, dt * m.angular_velocity)};
+  }
+  MENISCUS_HD void operator()(uint32_t b) const {
+    const auto [start, pose] = ends(b);
+    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0, 0, 0};
+  }
+};
+
+/// Where the body has really got to, its start being as it was.
+struct Arrive {
+  View<const RigidMotion> motion;
+  View<BodyProxy> bodies;
+
+  MENISCUS_HD BodyEnds ends(uint32_t b) const { return {bodies[b].start, motion[b].start}; }
+  MENISCUS_HD void operator()(uint32_t b) const { bodies[b].pose = motion[b].start; }
+};
+
+/// A body as it is between steps: nothing moves it, and the way here is forgotten.
+struct Rest {
+  View<const RigidMotion> motion;
+  View<BodyProxy> bodies;
+
+  MENISCUS_HD BodyEnds ends(uint32_t b) const { return {motion[b].start, motion[b].start}; }
+  MENISCUS_HD void operator()(uint32_t b) const {
+    BodyProxy body{};
+    body.start = body.pose = motion[b].start;
+    bodies[b] = body;
+  }
+};
+
+/// One of these for each body, and then for each shape that one carries; a launch is what they take.
+template <class Place>
+struct WithShapes {
+  Place place;
+  View<const CarriedShape> carried;
+  View<Shape> shapes;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    if (k < place.bodies.count) return place(k);
+    const CarriedShape& c = carried[k - place.bodies.count];
+    carry(c, place.ends(c.body), shapes[c.shape]);
+  }
+};
+
+/// What sorts a body's contacts, in this order. A key is so many times the body's number, and one of these.
+enum ContactKind : uint32_t { is_free, is_pinched, is_tied, contact_kinds };
+
+/// The body and the kind of each contact, as a key. What belongs to no body comes last.
+struct NoteBodies {
+  ContactView contacts;
+  View<const pbd::Vec4> position;
+  View<uint32_t> key, value;
+  uint32_t body_count;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    value[n] = n;
+    key[n] = contact_kinds * body_count;
+    if (n >= contacts.total()) return;
+    const Contact& c = contacts.contacts[n];
+    if (c.body >= body_count) return;
+    key[n] = contact_kinds * c.body + (is_tie(c) ? is_tied : has_no_room(n, c) ? is_pinched : is_free);
+  }
+
+  /// Whether between the contact's surface and another there is less room than half of the particle.
+  MENISCUS_HD bool has_no_room(uint32_t n, const Contact& c) const {
+    const uint32_t i = contacts.particle[n];
+    const Vec3 x = position[i].xyz();
+    const float distance = plane_distance(c, x);
+    if (!(distance < c.radius)) return false;
+    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
+      const Contact& other = contacts.contacts[k];
+      if (dot(c.normal, other.normal) < -0.5f && distance + plane_distance(other, x) < c.radius) return true;
+    }
+    return false;
+  }
+};
+
+/// Where the sorted keys change, one body's contacts end and another's begin. The counts are 0 before.
+struct FindGroups {
+  View<const uint32_t> sorted_key;
+  View<BodyProxy> bodies;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t key = sorted_key[n], b = key / contact_kinds;
+    if (b >= bodies.count) return;
+    BodyProxy& body = bodies[b];
+    const uint32_t none = contact_kinds * b;  // less than the kind that follows
+    const uint32_t before = n == 0 || sorted_key[n - 1] < none ? none : sorted_key[n - 1];
+    if (n == 0 || sorted_key[n - 1] < none) body.first = n;
+    if (key >= none + is_pinched && before < none + is_pinched) body.pinched = n;
+    if (key == none + is_tied && before != key) body.tied = n;
+    if (n + 1 < sorted_key.count && sorted_key[n + 1] / contact_kinds == b) return;
+    body.end = n + 1;
+    if (key == none + is_free) body.pinched = n + 1;
+    if (key != none + is_tied) body.tied = n + 1;
+  }
+};
+
+/// Each contact of a body gets its lever and its share of the body: as if the body were as many as it has
+/// contacts, each of so much less mass (mass splitting, Tonge, Benevolenski & Voroshilov 2012). All of them
+/// moving at once then move the body no further than it can go. Half of the body is for pinched particles, if
+/// there are any: each of these may have to hold it by itself, for there is no place to give way to. And half
+/// is for its ties, which know their share (BodyTies).
+struct Split {
+  View<const uint32_t> grouped;
+  View<const BodyProxy> bodies;
+  View<const pbd::Vec4> position;
+  ContactView contacts;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    if (k >= contacts.total()) return;
+    const uint32_t n = grouped[k];
+    Contact& c = contacts.contacts[n];
+    if (c.body >= bodies.count || is_tie(c)) return;
+    const BodyProxy& body = bodies[c.body];
+    const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
+    const uint32_t free = body.pinched - body.first, pinched = body.tied - body.pinched;
+    const uint32_t alike = k < body.pinched ? free : pinched, kinds = free > 0 && pinched > 0 ? 2 : 1;
+    const float share = static_cast<float>(alike * kinds * (body.tied < body.end ? 2 : 1));
+    c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
+    c.body_inverse_mass += share * inverse_mass_at(body, c.arm, c.normal);
+  }
+};
+
+/// What a body's contacts have done to particles; w is not used.
+struct ContactSum {
+  pbd::Vec4 push{0, 0, 0, 0};   ///< kg·m
+  pbd::Vec4 twist{0, 0, 0, 0};  ///< kg·m², about the centre of mass
+
+  MENISCUS_HD void add(Vec3 more_push, Vec3 more_twist) {
+    push = pbd::with_w(push.xyz() + more_push, 0);
+    twist = pbd::with_w(twist.xyz() + more_twist, 0);
+  }
+};
+
+/// One lane of one body.
+struct SumLanes {
+  View<const uint32_t> grouped;
+  View<const BodyProxy> bodies;
+  View<const Contact> contacts;
+  View<ContactSum> partial;
+  uint32_t lanes;
+
+  /// Several contacts are loaded at once.
+  MENISCUS_HD void operator()(uint32_t n) const {
+    constexpr uint32_t batch = 4;
+    const uint32_t first = bodies[n / lanes].first + n % lanes, end = bodies[n / lanes].end;
+    ContactSum sum;
+    for (uint32_t begin = first; begin < end; begin += batch * lanes) {
+      Vec3 push[batch], arm[batch];
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        const uint32_t at = begin + k * lanes;
+        const Contact& c = contacts[grouped[at < end ? at : begin]];
+        push[k] = multiplier_sum(c);
+        arm[k] = c.arm;
+      }
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        if (begin + k * lanes < end) sum.add(push[k], cross(arm[k], push[k]));
+      }
+    }
+    partial[n] = sum;
+  }
+};
+
+inline constexpr uint32_t lane_batch = 8;  ///< a body's lanes are a multiple of these
+
+/// In the order of the lanes, a batch at a time, so that a GPU has as many loads on their way.
+MENISCUS_HD inline ContactSum sum_of_lanes(View<const ContactSum> partial, uint32_t body, uint32_t lanes) {
+  const View<const pbd::Vec4> values{&partial.data[body * lanes].push, 2 * lanes};
+  ContactSum sum;
+  for (uint32_t first = 0; first < lanes; first += lane_batch) {
+    pbd::Vec4 next[2 * lane_batch];
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < 2 * lane_batch; ++k) next[k] = pbd::load(values, 2 * first + k);
+    MENISCUS_UNROLL
+    for (uint32_t k = 0; k < lane_batch; ++k) sum.add(next[2 * k].xyz(), next[2 * k + 1].xyz());
+  }
+  return sum;
+}
+
+/// How contacts have moved a body so far in the substep: m and rad.
+struct ContactMotion {
+  Vec3 shift, turn;
+};
+
+MENISCUS_HD inline ContactMotion motion_by(const BodyProxy& body, const ContactSum& sum) {
+  return {-body.inverse_mass * sum.push.xyz(), -inverse_inertia_times(body, sum.twist.xyz())};
+}
+
+/// The planes of a body's contacts go to where all of them have pushed it. Each contact adds up its body's
+/// lanes for itself, which costs less than a launch; the body's first one notes the motion for the next time.
+struct Follow {
+  View<const uint32_t> grouped;
+  View<const BodyProxy> bodies;
+  View<const ContactSum> partial;
+  View<const ContactMotion> before;
+  View<ContactMotion> after;
+  ContactView contacts;
+  uint32_t lanes;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const uint32_t n = grouped[k];
+    const Contact c = contacts.contacts[n];  // as a whole, at once with how many there are
+    if (k >= contacts.total() || c.body >= bodies.count) return;
+    const BodyProxy& body = bodies[c.body];
+    if (c.body_inverse_mass == 0 && k != body.first) return;
+    const ContactMotion now = motion_by(body, sum_of_lanes(partial, c.body, lanes)), old = before[c.body];
+    if (k == body.first) after[c.body] = now;
+    const Vec3 step = now.shift - old.shift + cross(now.turn - old.turn, c.arm);
+    contacts.contacts[n].point = c.point + step;
+    contacts.contacts[n].surface_motion = c.surface_motion + step;
+  }
+};
+
+/// The substep's impulse on each body.
+struct TakeImpulse {
+  View<const ContactSum> partial;
+  View<RigidImpulse> impulses;
+  uint32_t lanes;
+  float inverse_dt;
+
+  MENISCUS_HD void operator()(uint32_t b) const {
+    const ContactSum sum = sum_of_lanes(partial, b, lanes);
+    impulses[b] = {-inverse_dt * sum.push.xyz(), -inverse_dt * sum.twist.xyz()};
+  }
+};
+
+}  // namespace meniscus::collision::body_kernels

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+
+#include "collision/body/body_set.h"
+
+namespace meniscus::collision {
+
+template <class D>
+void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Shape> shapes) {
+  bodies_ = world_.body_slots();
+  shapes_ = shapes;
+  reach_.assign(bodies_, 0);
+  for (const CarriedShape& c : carried) {
+    const Vec3 far = max(abs(c.bounds.lower), abs(c.bounds.upper)) + abs(c.pose.position);
+    reach_[c.body] = std::max(reach_[c.body], length(far));
+  }
+  std::vector<RigidMass> mass(bodies_);
+  for (uint32_t b = 0; b < bodies_; ++b) mass[b] = world_.mass(b);
+  any_moved_ = std::any_of(mass.begin(), mass.end(), [](const RigidMass& m) { return m.inverse_mass > 0; });
+  sums_.assign(bodies_, {});
+  mean_forces_.resize(bodies_);
+
+  device_.wait();
+  motion_.resize_discard(bodies_);
+  arrived_.resize_discard(bodies_);
+  impulses_.resize_discard(bodies_);
+  mass_.resize_discard(bodies_);
+  mass_.write(mass);
+  proxies_.resize_discard(bodies_);
+  carried_.resize_discard(carried.size());
+  carried_.write(carried);
+  partial_.resize_discard(bodies_ * lanes());
+  contact_motion_.reserve(bodies_, 0);
+  place();
+}
+
+template <class D>
+void BodySet<D>::forget_forces(uint32_t body) {
+  if (body < mean_forces_.size()) mean_forces_[body] = {};
+}
+
+template <class D>
+void BodySet<D>::place() {
+  ahead_ = -1;
+  if (bodies_ == 0) return;
+  device_.wait();
+  world_.predict(0, arrived_.host());
+  rest();
+}
+
+/// A body's sums run in so many lanes: enough to fill a GPU with few bodies, not too many for one thread to
+/// add up.
+template <class D>
+uint32_t BodySet<D>::lanes() const {
+  return std::clamp(std::bit_floor(2048u / std::max(1u, bodies_)), 2 * body_kernels::lane_batch, 64u);
+}
+
+template <class D>
+float BodySet<D>::speed(float dt) {
+  if (bodies_ == 0) return 0;
+  look_ahead(dt);
+  float fastest = 0;
+  for (uint32_t b = 0; b < bodies_; ++b) {
+    const RigidMotion& m = motion_.host()[b];
+    fastest = std::max(fastest, length(m.velocity) + reach_[b] * length(m.angular_velocity));
+  }
+  return fastest;
+}
+
+/// Asks for the motions of the next dt, if they are not there already.
+template <class D>
+void BodySet<D>::look_ahead(float dt) {
+  if (ahead_ != dt) world_.predict(dt, motion_.host());
+  ahead_ = dt;
+}
+
+/// With the shapes that they carry.
+template <class D>
+template <class Place>
+void BodySet<D>::place_bodies(const char* name, const Place& place) {
+  device_.parallel_for(name, bodies_ + static_cast<uint32_t>(carried_.size()),
+                       body_kernels::WithShapes<Place>{place, carried_.view(), shapes_});
+}
+
+template <class D>
+void BodySet<D>::predict(float dt) {
+  step_time_ += dt;
+  if (bodies_ == 0) return;
+  look_ahead(dt);
+  place_bodies("bodies/predict", body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
+  begin_rigid_step(dt);
+}
+
+/// Has Bullet find contacts while the rest of the substep is launched, and worked on.
+template <class D>
+void BodySet<D>::begin_rigid_step(float dt) {
+  side_.run([this, dt] {
+    begun_ = true;
+    time_rigid([&] { world_.begin_step(dt); });
+  });
+}
+
+template <class D>
+void BodySet<D>::begin(pbd::Substep<D>& substep) {
+  if (bodies_ == 0) return;
+  using namespace body_kernels;
+  const pbd::ContactView& contacts = substep.contacts;
+  const uint32_t room = contacts.contacts.count;
+  contact_motion_.current.fill(0);
+  for (auto* buffer : {&key_, &sorted_key_, &number_, &grouped_}) buffer->resize_discard(room);
+  device_.parallel_for(
+      "bodies/keys", room,
+      NoteBodies{contacts, substep.particles.position, key_.view(), number_.view(), bodies_});
+  device_.sort_pairs("bodies/group", key_.view(), sorted_key_.view(), number_.view(), grouped_.view(),
+                     static_cast<uint32_t>(std::bit_width(contact_kinds * bodies_)));
+  device_.parallel_for("bodies/groups", room, FindGroups{sorted_key_.view(), proxies_.view()});
+  device_.parallel_for("bodies/split", room,
+                       Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts});
+}
+
+template <class D>
+void BodySet<D>::sum_contacts(pbd::Substep<D>& substep) {
+  device_.parallel_for("bodies/sum", bodies_ * lanes(),
+                       body_kernels::SumLanes{grouped_.view(), proxies_.view(), substep.contacts.contacts,
+                                              partial_.view(), lanes()});
+}
+
+template <class D>
+void BodySet<D>::project(pbd::Substep<D>& substep, int) {
+  if (!any_moved_) return;
+  sum_contacts(substep);
+  device_.parallel_for(
+      "bodies/follow", substep.contacts.contacts.count,
+      body_kernels::Follow{grouped_.view(), proxies_.view(), partial_.view(), contact_motion_.current.view(),
+                           contact_motion_.next.view(), substep.contacts, lanes()});
+  contact_motion_.flip();
+}
+
+template <class D>
+void BodySet<D>::end(pbd::Substep<D>& substep) {
+  if (bodies_ == 0) return;
+  sum_contacts(substep);
+  device_.parallel_for("bodies/impulse", bodies_,
+                       body_kernels::TakeImpulse{partial_.view(), impulses_.view(), lanes(), 1 / substep.dt});
+  device_.set_fence();
+}
+
+template <class D>
+void BodySet<D>::exchange(pbd::Substep<D>& substep) {
+  ahead_ = -1;
+  side_.wait();
+  // What was launched after the impulses, the velocity passes, runs on while Bullet steps.
+  device_.wait_for_fence();
+  const std::span<RigidImpulse> impulses = impulses_.host();
+  for (uint32_t b = 0; b < bodies_; ++b) {
+    RigidImpulse& impulse = impulses[b];
+    // A solve that went wrong is found, and taken back, at the step's end: Bullet need not see it.
+    if (!is_finite(impulse.linear) || !is_finite(impulse.angular)) impulse = {};
+    sums_[b].linear += impulse.linear;
+    sums_[b].angular += impulse.angular;
+  }
+  time_rigid([&] { world_.finish_step(substep.dt, impulses); });
+  if (substep.is_last) side_.run([this] { world_.touches(); });
+  world_.predict(0, arrived_.host());
+  world_.check_finite();
+  place_bodies("bodies/arrive", body_kernels::Arrive{arrived_.view(), proxies_.view()});
+  const pbd::ParticleView& p = substep.particles;
+  contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, furthest_motion());
+}
+
+template <class D>
+template <class F>
+void BodySet<D>::time_rigid(const F& step) {
+  const auto start = std::chrono::steady_clock::now();
+  step();
+  step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The way of the outermost point of any body in the present substep, or more.
+template <class D>
+float BodySet<D>::furthest_motion() const {
+  float furthest = 0;
+  for (uint32_t b = 0; b < bodies_; ++b) {
+    const Pose& from = motion_.host()[b].start;
+    const Pose& to = arrived_.host()[b].start;
+    const Quat turn = to.rotation * conjugate(from.rotation);
+    const float chord = 2 * length(Vec3{turn.x, turn.y, turn.z});  // of a unit circle
+    furthest = std::max(furthest, length(to.position - from.position) + reach_[b] * chord);
+  }
+  return furthest;
+}
+
+/// Leaves the shapes where the bodies are, with no motion.
+template <class D>
+void BodySet<D>::rest() {
+  place_bodies("bodies/rest", body_kernels::Rest{arrived_.view(), proxies_.view()});
+}
+
+template <class D>
+void BodySet<D>::end_step() {
+  if (bodies_ == 0) return world_.set_time(start_time_ + double{step_time_});
+  rest();
+  device_.send_off();
+  side_.wait();
+  world_.end_step();
+  mean_forces_before_ = mean_forces_;
+  ended_ = true;
+  for (uint32_t b = 0; b < bodies_; ++b)
+    mean_forces_[b] = {sums_[b].linear / step_time_, sums_[b].angular / step_time_};
+}
+
+template <class D>
+void BodySet<D>::start_step() {
+  std::fill(sums_.begin(), sums_.end(), RigidImpulse{});
+  step_time_ = 0;
+  step_ms_ = 0;
+  start_time_ = world_.time();
+  begun_ = ended_ = false;
+  if (bodies_ == 0) return;
+  side_.run([this] { world_.save_contacts(*snapshot_); });
+  world_.save_bodies(*snapshot_);
+}
+
+template <class D>
+void BodySet<D>::undo_step() {
+  if (bodies_ == 0) return world_.set_time(start_time_);
+  try {
+    side_.wait();
+  } catch (...) {
+    // Whoever undoes a step knows already that it went wrong.
+  }
+  if (begun_) world_.restore(*snapshot_);
+  if (ended_) mean_forces_ = mean_forces_before_;
+  place();
+}
+
+}  // namespace meniscus::collision

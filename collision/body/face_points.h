@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "collision/body/body_set.h"
+#include "collision/body/face_points_kernels.h"
+#include "collision/contact/contact_set.h"
+#include "pbd/device/shared_buffer.h"
+
+namespace meniscus::collision {
+
+/// Keeps what is sharp out from between the vertices of cloth: one contact a face with solids (Macklin et al.
+/// 2020, see face_points_nearest.h), besides those of the vertices.
+///
+/// The point of a face that comes nearest to a solid becomes a particle for the length of a substep, behind
+/// all others, and whatever finds and solves contacts of particles does so for it. Takes ContactSet's place
+/// among the sets:
+///
+///   arrange   looks which faces need a point, and makes the particles;
+///   begin     notes which vertices have any;
+///   project   puts them where their triangles are and gives them their masses, lets ContactSet project all
+///             contacts, and hands on to the vertices what the points have been moved by;
+///   settle    moves out what the iterations have left inside, as a last resort;
+///   end       does the same with velocities as project.
+///
+/// Impulses are handed on as they are: momentum is kept. While no face needs a point, a substep costs one
+/// launch.
+template <class D>
+class FacePoints final : public pbd::ConstraintSet<D> {
+ public:
+  FacePoints(D& device, pbd::Particles& particles, const ShapeContacts<D>& shapes, const BodySet<D>& bodies,
+             ContactSet<D>& contacts)
+      : device_(device), particles_(particles), shapes_(shapes), bodies_(bodies), contacts_(contacts) {
+    wanted_.resize_discard(1);
+    wanted_.host()[0] = 0;
+  }
+
+  /// All faces there are. The view must stay valid until it is set anew.
+  void set_surface(const pbd::SurfaceView& surface);
+  /// The most points that a substep of the last step had use for.
+  uint32_t wanted() const { return wanted_.host()[0]; }
+
+  uint32_t extra_particles() const override { return room_; }
+  void save() override;
+  void start_step() override { wanted_.host()[0] = 0; }
+  void arrange(pbd::Substep<D>& substep) override;
+  bool prepares() const override { return looks() && !active_; }
+  void prepare(pbd::Substep<D>& substep) override;
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+  void settle(pbd::Substep<D>& substep) override;
+  void end(pbd::Substep<D>& substep) override;
+  bool had_room() override { return wanted() <= (active_ ? room_ : 0); }
+  void make_room() override;
+
+ private:
+  void set_room(uint32_t points);
+  /// Whether any face may need a point.
+  bool looks() const;
+  void decide(const pbd::Substep<D>& substep, pbd::View<uint32_t> needed);
+  face_kernels::Points points(const pbd::Substep<D>& substep) const;
+  /// Whether points take part: they do not where the solver only measures or relaxes.
+  bool any(const pbd::Substep<D>& substep) const {
+    return active_ && substep.particles.owned > particles_.count();
+  }
+
+  D& device_;
+  pbd::Particles& particles_;
+  const ShapeContacts<D>& shapes_;
+  const BodySet<D>& bodies_;
+  ContactSet<D>& contacts_;
+  uint32_t vertices_ = 0;  // of the faces
+  uint32_t room_ = 0;      // points
+  bool active_ = false;    // whether points are in use; else it is only looked whether they should be
+  uint32_t idle_ = 0;      // steps in a row that needed none
+
+  pbd::SurfaceView surface_;
+  pbd::Buffer<uint32_t> needed_{device_, "face flags"}, number_{device_, "face point numbers"};
+  pbd::Buffer<pbd::Vec4> weights_{device_, "face point weights"};
+  pbd::Buffer<uint32_t> triangle_of_{device_, "face points"};
+  pbd::Buffer<uint32_t> pushed_{device_, "face points that push"};
+  pbd::Buffer<pbd::Vec4> demand_{device_, "face point demands"};
+  pbd::Buffer<uint32_t> at_vertex_{device_, "face points by vertex"};
+  pbd::SharedBuffer<uint32_t> wanted_{device_, "face points wanted"};
+};
+
+}  // namespace meniscus::collision

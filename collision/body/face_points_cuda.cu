@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/body/face_points.inl"
+#include "pbd/device/cuda/cuda_device.cuh"
+
+template class meniscus::collision::FacePoints<meniscus::pbd::CudaDevice>;

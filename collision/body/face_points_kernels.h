@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of face_points.inl. A triangle has at most one point; a point is a particle behind all others.
+// Points are numbered in the order of their triangles.
+#pragma once
+
+#include "collision/body/face_points_nearest.h"
+#include "collision/contact/shape_contacts.h"
+#include "pbd/device/base/atomics.h"
+#include "pbd/surface_tree/surface.h"
+
+namespace meniscus::collision::face_kernels {
+
+using pbd::ParticleView;
+using pbd::SurfaceTriangle;
+using pbd::Vec4;
+using pbd::View;
+
+MENISCUS_HD inline float component(Vec3 v, uint32_t k) {
+  return k == 0 ? v.x : k == 1 ? v.y : v.z;
+}
+
+/// A triangle's way through the substep.
+MENISCUS_HD inline FaceMotion motion_of(const ParticleView& p, const SurfaceTriangle& t) {
+  const uint32_t a = p.sorted + t.a, b = p.sorted + t.b, c = p.sorted + t.c;
+  const View<const Vec4> position = p.position;
+  return {{pbd::load(p.previous, a).xyz(), pbd::load(p.previous, b).xyz(), pbd::load(p.previous, c).xyz()},
+          {pbd::load(position, a).xyz(), pbd::load(position, b).xyz(), pbd::load(position, c).xyz()}};
+}
+
+MENISCUS_HD inline Triangle in_frame(const Triangle& t, const Pose& pose) {
+  return {to_local(pose, t.a), to_local(pose, t.b), to_local(pose, t.c)};
+}
+
+/// The way as a shape sees it that ends up at `pose`.
+MENISCUS_HD inline FaceMotion motion_beside(const Shape& shape, const Pose& pose, const FaceMotion& m) {
+  const Pose& start = shape.body == pbd::no_index ? shape.pose : shape.start;
+  return {in_frame(m.from, start), in_frame(m.to, pose)};
+}
+
+MENISCUS_HD inline Aabb bounds_of(const FaceMotion& m) {
+  const Triangle &from = m.from, &to = m.to;
+  return {min(min(min(from.a, from.b), from.c), min(min(to.a, to.b), to.c)),
+          max(max(max(from.a, from.b), from.c), max(max(to.a, to.b), to.c))};
+}
+
+/// Of the contact's radius: a face has a point where it comes so much nearer than its vertices.
+constexpr float slack = 0.25f;
+// Points stop at less than 1 − slack: where vertices rest, also where they are pressed in by a little, points
+// touch before they push. Were they to appear where they push, cloth that rests with faces about the slack
+// would be kicked for ever.
+static_assert(shape_contact_kernels::face_radius < 1 - slack);
+
+/// Decides whether a face needs a point: where it comes near a solid, and clearly nearer than its vertices.
+struct Decide {
+  ShapeSet set;
+  shape_contact_kernels::Touches touches;
+  View<const SurfaceTriangle> triangles;
+  ParticleView particles;
+  View<uint32_t> needed;  ///< by triangle, 1 or 0; none while no points are in use
+  View<Vec4> weights;     ///< by triangle, where needed
+  View<uint32_t> wanted;  ///< one element
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const SurfaceTriangle t = triangles[n];
+    const FaceSample best =
+        may_meet(t) ? look(motion_of(particles, t), touches.of(particles.sorted + t.a)) : nothing();
+    const bool needs = best.surface.distance < nothing().surface.distance;
+    if (needed.count == 0) {
+      if (needs) pbd::atomic_max(wanted[0], 1);
+      return;
+    }
+    needed[n] = needs;
+    if (needs) weights[n] = pbd::with_w(best.weights, 0);
+  }
+
+  MENISCUS_HD static FaceSample nothing() { return {{1, 0, 0}, {1e30f, {0, 1, 0}}}; }
+
+  /// Some vertex can move, and none is tied to a body: what is lies on it, and would always touch.
+  MENISCUS_HD bool may_meet(const SurfaceTriangle& t) const {
+    const uint32_t a = particles.sorted + t.a, b = particles.sorted + t.b, c = particles.sorted + t.c;
+    return particles.position[a].w + particles.position[b].w + particles.position[c].w > 0 &&
+           touches.body_of(a) == pbd::no_index && touches.body_of(b) == pbd::no_index &&
+           touches.body_of(c) == pbd::no_index;
+  }
+
+  /// The deepest point that is needed, over all shapes.
+  MENISCUS_HD FaceSample look(const FaceMotion& motion, const Touch& touch) const {
+    const Aabb box = bounds_of(motion);
+    const float reach = 2 * touch.radius;
+    FaceSample best = nothing();
+    if (!is_finite(box.lower) || !is_finite(box.upper)) return best;
+    for (uint32_t k = 0; k < set.shapes.count; ++k) {
+      const Shape& shape = set.shapes[k];
+      if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, reach)) continue;
+      if (!collide(shape, touch.filter)) continue;
+      const FaceSample found = look_at(shape, motion_beside(shape, shape.pose, motion), touch.radius, reach);
+      if (found.surface.distance < best.surface.distance) best = found;
+    }
+    return best;
+  }
+
+  MENISCUS_HD FaceSample look_at(const Shape& shape, const FaceMotion& motion, float radius,
+                                 float reach) const {
+    const FaceField field{set, shape, radius_of(motion.to) + way_of(motion) + reach};
+    if (!field.may_reach(motion)) return nothing();
+    const float touch = 0.5f * radius, dip = slack * radius;
+    if (way_of(motion) <= touch && !may_dip(field, motion.to, dip)) return nothing();
+    const FaceMeeting meeting = meet_face(field, motion, touch);
+    const float distance = meeting.sample.surface.distance;
+    const float corners = least(corners_of(field, meeting.face));
+    return distance < reach && distance < corners - dip ? meeting.sample : nothing();
+  }
+};
+
+/// What kernels know of the points in use.
+struct Points {
+  View<const SurfaceTriangle> triangles;
+  View<const uint32_t> needed;          ///< by triangle
+  View<const uint32_t> number;          ///< by triangle: of its point, where needed; and the total
+  View<const Vec4> weights;             ///< by triangle
+  View<const uint32_t> triangle_of;     ///< by point
+  View<const uint32_t> fan_start, fan;  ///< of each vertex its triangles' corners: 3 · triangle + corner
+  uint32_t first = 0;                   ///< the particle that is point 0
+  uint32_t room = 0;
+
+  MENISCUS_HD uint32_t count() const {
+    const uint32_t total = number[number.count - 1];
+    return total < room ? total : room;
+  }
+  MENISCUS_HD bool has_point(uint32_t triangle) const { return needed[triangle] && number[triangle] < room; }
+  /// The mean of the corners' values, by the point's weights.
+  MENISCUS_HD Vec3 mix(View<const Vec4> values, uint32_t sorted, uint32_t triangle) const {
+    const SurfaceTriangle t = triangles[triangle];
+    const Vec4 w = weights[triangle];
+    return w.x * values[sorted + t.a].xyz() + w.y * values[sorted + t.b].xyz() +
+           w.z * values[sorted + t.c].xyz();
+  }
+  /// Calls visit(particle, weight) for the points that touch a vertex, in a fixed order.
+  template <class Visit>
+  MENISCUS_HD void for_each_at(uint32_t vertex, const Visit& visit) const {
+    for (uint32_t k = fan_start[vertex]; k < fan_start[vertex + 1]; ++k) {
+      const uint32_t triangle = fan[k] / 3;
+      if (has_point(triangle))
+        visit(first + number[triangle], component(weights[triangle].xyz(), fan[k] % 3));
+    }
+  }
+};
+
+struct ListPoints {
+  View<const uint32_t> needed, number;
+  View<uint32_t> triangle_of, wanted;
+
+  MENISCUS_HD void operator()(uint32_t triangle) const {
+    if (triangle == 0) pbd::atomic_max(wanted[0], number[number.count - 1]);
+    if (needed[triangle] && number[triangle] < triangle_of.count) triangle_of[number[triangle]] = triangle;
+  }
+};
+
+/// Makes a particle of each point. Those that are not in use stand on some vertex and cannot move.
+struct MakeParticles {
+  Points points;
+  ParticleView particles;
+  View<Vec4> previous;
+  View<pbd::Phase> phase;
+  View<uint32_t> slot, number;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = points.first + n, sorted = particles.sorted;
+    const bool used = n < points.count();
+    const uint32_t triangle = used ? points.triangle_of[n] : 0;
+    const uint32_t corner = sorted + points.triangles[triangle].a;
+    particles.moved[i] = {0, 0, 0, 0};
+    phase[i] = pbd::phase_vertex | pbd::phase_face | pbd::phase_group(particles.phase[corner]) |
+               (of_any(points.triangles[triangle]) & pbd::phase_placed);
+    slot[i] = number[i] = pbd::vertex_slot + (i - sorted);
+    if (!used) {
+      particles.position[i] = previous[i] = pbd::with_w(particles.position[corner].xyz(), 0);
+      particles.velocity[i] = {0, 0, 0, 0};
+      return;
+    }
+    const Vec3 at = points.mix(particles.position, sorted, triangle);
+    const float w = inverse_mass(triangle);  // Weigh follows when contacts are known
+    particles.position[i] = pbd::with_w(at, w);
+    previous[i] = pbd::with_w(points.mix(previous, sorted, triangle), w);
+    particles.velocity[i] = pbd::with_w(points.mix(particles.velocity, sorted, triangle), 0);
+  }
+  /// Σ b² w over the corners; never 0, which means that a point is not in use.
+  MENISCUS_HD float inverse_mass(uint32_t triangle) const {
+    const uint32_t sorted = particles.sorted;
+    const SurfaceTriangle t = points.triangles[triangle];
+    const Vec4 b = points.weights[triangle];
+    const View<Vec4> x = particles.position;
+    return pbd::max(
+        b.x * b.x * x[sorted + t.a].w + b.y * b.y * x[sorted + t.b].w + b.z * b.z * x[sorted + t.c].w,
+        1e-30f);
+  }
+  MENISCUS_HD pbd::Phase of_any(const SurfaceTriangle& t) const {
+    const uint32_t sorted = particles.sorted;
+    return particles.phase[sorted + t.a] | particles.phase[sorted + t.b] | particles.phase[sorted + t.c];
+  }
+};
+
+/// How many points with contacts touch each vertex. While one of them is in a solid that its face was put
+/// into, the vertex is not out of it either.
+struct CountAtVertices {
+  Points points;
+  View<const uint32_t> contact_start;
+  View<uint32_t> at_vertex;
+  View<pbd::Phase> phase;
+  uint32_t sorted;
+
+  MENISCUS_HD void operator()(uint32_t vertex) const {
+    uint32_t count = 0;
+    pbd::Phase any = 0;
+    points.for_each_at(vertex, [&](uint32_t i, float) {
+      count += contact_start[i] != contact_start[i + 1];
+      any |= phase[i];
+    });
+    at_vertex[vertex] = count;
+    if (any & pbd::phase_placed) phase[sorted + vertex] |= pbd::phase_placed;
+  }
+};
+
+/// Whether a particle's contacts push it, or are about to.
+MENISCUS_HD inline bool is_pushed(const pbd::ContactView& contacts, uint32_t i, Vec3 at) {
+  for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
+    const pbd::Contact& c = contacts.contacts[k];
+    if (pbd::is_tie(c) || c.normal_multiplier != 0 || plane_distance(c, at) < c.radius) return true;
+  }
+  return false;
+}
+
+/// Whether its contacts have pushed a particle in the end: these alone make it bounce.
+MENISCUS_HD inline bool was_pushed(const pbd::ContactView& contacts, uint32_t i) {
+  for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k)
+    if (contacts.contacts[k].normal_multiplier > 0) return true;
+  return false;
+}
+
+/// Points go to where their triangles are.
+struct Place {
+  Points points;
+  ParticleView particles;
+  pbd::ContactView contacts;
+  View<uint32_t> pushed;  ///< by point, 1 or 0
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (n >= points.count()) return;
+    const uint32_t i = points.first + n;
+    const Vec3 at = points.mix(particles.position, particles.sorted, points.triangle_of[n]);
+    particles.position[i] = pbd::with_w(at, particles.position[i].w);
+    particles.moved[i] = {0, 0, 0, 0};
+    pushed[n] = is_pushed(contacts, i, at);
+  }
+};
+
+/// w = Σ b² n w over the corners: each vertex is split among the n points that push it, and its own contacts
+/// (mass splitting, Tonge, Benevolenski & Voroshilov 2012), so that all of them moving it at once do not move
+/// it too far. Points that do not push are not counted, or those that do would hardly get on.
+struct Weigh {
+  Points points;
+  ParticleView particles;
+  pbd::ContactView contacts;
+  View<const uint32_t> pushed;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (n >= points.count()) return;
+    const uint32_t triangle = points.triangle_of[n];
+    const SurfaceTriangle t = points.triangles[triangle];
+    const Vec4 b = points.weights[triangle];
+    const float w = b.x * b.x * share_of(t.a) + b.y * b.y * share_of(t.b) + b.z * b.z * share_of(t.c);
+    const uint32_t i = points.first + n;
+    particles.position[i] = pbd::with_w(particles.position[i].xyz(), w);
+  }
+  MENISCUS_HD float share_of(uint32_t vertex) const {
+    const uint32_t i = particles.sorted + vertex;
+    const Vec4 x = particles.position[i];
+    uint32_t count = is_pushed(contacts, i, x.xyz());
+    points.for_each_at(vertex, [&](uint32_t point, float) { count += pushed[point - points.first]; });
+    return static_cast<float>(count > 0 ? count : 1) * x.w;
+  }
+};
+
+/// What a point has been moved by is an impulse of so much over its w: its vertices share it by its weights.
+struct HandBack {
+  Points points;
+  ParticleView particles;
+  View<const uint32_t> at_vertex;
+
+  MENISCUS_HD void operator()(uint32_t vertex) const {
+    if (at_vertex[vertex] == 0) return;
+    Vec3 impulse{0, 0, 0};
+    points.for_each_at(vertex, [&](uint32_t i, float weight) {
+      const float w = particles.position[i].w;
+      if (w > 0) impulse += (weight / w) * particles.moved[i].xyz();
+    });
+    const uint32_t i = particles.sorted + vertex;
+    const Vec4 x = particles.position[i];
+    const Vec3 by = x.w > 0 ? x.w * impulse : impulse;  // what is held notes what it withstands
+    particles.moved[i] = pbd::with_w(particles.moved[i].xyz() + by, 0);
+    if (x.w > 0) particles.position[i] = pbd::with_w(x.xyz() + by, x.w);
+  }
+};
+
+/// Points take their triangles' velocities, and keep them in mind in `moved`, which nobody needs any more.
+struct PlaceVelocities {
+  Points points;
+  ParticleView particles;
+  pbd::ContactView contacts;
+  View<uint32_t> pushed;  ///< by point, 1 or 0
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (n >= points.count()) return;
+    const uint32_t i = points.first + n;
+    const Vec3 v = points.mix(particles.velocity, particles.sorted, points.triangle_of[n]);
+    particles.velocity[i] = particles.moved[i] = pbd::with_w(v, 0);
+    pushed[n] = was_pushed(contacts, i);
+  }
+};
+
+struct HandBackVelocities {
+  Points points;
+  ParticleView particles;
+  View<const uint32_t> at_vertex;
+
+  MENISCUS_HD void operator()(uint32_t vertex) const {
+    const uint32_t i = particles.sorted + vertex;
+    const float vertex_w = particles.position[i].w;
+    if (at_vertex[vertex] == 0 || vertex_w == 0) return;
+    Vec3 impulse{0, 0, 0};
+    points.for_each_at(vertex, [&](uint32_t point, float weight) {
+      const float w = particles.position[point].w;
+      if (w > 0) impulse += (weight / w) * (particles.velocity[point].xyz() - particles.moved[point].xyz());
+    });
+    particles.velocity[i] = pbd::with_w(particles.velocity[i].xyz() + vertex_w * impulse, 0);
+  }
+};
+
+}  // namespace meniscus::collision::face_kernels

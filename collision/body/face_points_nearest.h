@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The point of a triangle that is deepest in a shape, or nearest to it. After Macklin, Erleben, Müller,
+// Chentanez, Jeschke & Kim 2020, "Local optimization for robust signed distance field collision", with
+// projected gradient steps in place of Frank and Wolfe's: outside of the shape they are alternating
+// projections, which end at a box's corner or edge where Frank–Wolfe zigzags.
+#pragma once
+
+#include "collision/contact/shape.h"
+#include "collision/mesh/triangle.h"
+
+namespace meniscus::collision {
+
+/// A point of a triangle, and what it sees of a shape.
+struct FaceSample {
+  Vec3 weights;           ///< barycentric
+  SurfaceSample surface;  ///< in the frame of the triangle
+};
+
+/// A triangle on its straight way through a substep, in a shape's frame.
+struct FaceMotion {
+  Triangle from, to;
+};
+
+MENISCUS_HD inline Vec3 point_of(const Triangle& t, Vec3 weights) {
+  return weights.x * t.a + weights.y * t.b + weights.z * t.c;
+}
+
+MENISCUS_HD inline Triangle between(const FaceMotion& m, float share) {
+  return {m.from.a + share * (m.to.a - m.from.a), m.from.b + share * (m.to.b - m.from.b),
+          m.from.c + share * (m.to.c - m.from.c)};
+}
+
+/// The longest way of any of its points, m.
+MENISCUS_HD inline float way_of(const FaceMotion& m) {
+  return sqrtf(pbd::max(squared_length(m.to.a - m.from.a),
+                        pbd::max(squared_length(m.to.b - m.from.b), squared_length(m.to.c - m.from.c))));
+}
+
+/// How far the corners are from the centre, m.
+MENISCUS_HD inline float radius_of(const Triangle& t) {
+  const Vec3 centre = (1.0f / 3) * (t.a + t.b + t.c);
+  return sqrtf(pbd::max(squared_length(t.a - centre),
+                        pbd::max(squared_length(t.b - centre), squared_length(t.c - centre))));
+}
+
+/// Barycentric weights of the triangle's point that is nearest to p.
+MENISCUS_HD inline Vec3 nearest_weights(const Triangle& t, Vec3 p) {
+  const Vec3 q = p + offset_to_triangle(t, p), n = area_normal(t);
+  const Vec3 areas{pbd::max(dot(cross(t.b - q, t.c - q), n), 0.0f),
+                   pbd::max(dot(cross(t.c - q, t.a - q), n), 0.0f),
+                   pbd::max(dot(cross(t.a - q, t.b - q), n), 0.0f)};
+  const float sum = areas.x + areas.y + areas.z;
+  return sum > 0 ? areas / sum : Vec3{1, 0, 0};
+}
+
+/// What the triangle's points see of one shape that is not a plane.
+struct FaceField {
+  const ShapeSet& set;
+  const Shape& shape;
+  float reach;  ///< m, up to which distances must be exact
+
+  MENISCUS_HD FaceSample at(const Triangle& t, Vec3 weights) const {
+    return {weights, detail::local_surface(set, shape, point_of(t, weights), reach)};
+  }
+
+  /// Whether any part of the moving face may come within reach, at a glance: where the centre is too far away
+  /// at the end, it may not.
+  MENISCUS_HD bool may_reach(const FaceMotion& m) const {
+    constexpr float third = 1.0f / 3;
+    return at(m.to, {third, third, third}).surface.distance < reach;
+  }
+
+  /// The best of the corners, the centre and the middles of the sides.
+  MENISCUS_HD FaceSample seed(const Triangle& t) const {
+    FaceSample best = at(t, {1.0f / 3, 1.0f / 3, 1.0f / 3});
+    for (int k = 0; k < 6; ++k) {
+      const float on = k < 3 ? 1.0f : 0.0f, off = k < 3 ? 0.0f : 0.5f;
+      const int corner = k % 3;
+      const FaceSample other =
+          at(t, {corner == 0 ? on : off, corner == 1 ? on : off, corner == 2 ? on : off});
+      if (other.surface.distance < best.surface.distance) best = other;
+    }
+    return best;
+  }
+
+  /// Downhill from a sample, to `tolerance` (m). From outside the way to the surface, and back on to the
+  /// triangle, never leads up; what a step takes beyond that is shortened where it does. Where steps are
+  /// short and many, as along an edge, the way of the last two is gone on as far as it leads down (Hooke &
+  /// Jeeves 1961).
+  MENISCUS_HD FaceSample descend(const Triangle& t, FaceSample best, float tolerance) const {
+    constexpr int most_steps = 24;
+    float beyond = 0.5f * radius_of(t);
+    Vec3 last = best.weights, before_last = last;
+    for (int k = 0; k < most_steps; ++k) {
+      const float step = pbd::max(best.surface.distance, 0.0f) + beyond;
+      const FaceSample next =
+          at(t, nearest_weights(t, point_of(t, best.weights) - step * best.surface.normal));
+      if (next.surface.distance < best.surface.distance - 0.01f * tolerance) {
+        best = next;
+        best = go_on(t, best, best.weights - before_last);
+        before_last = last;
+        last = best.weights;
+        beyond = 1.5f * beyond;
+      } else {
+        if (beyond == 0) break;
+        beyond = beyond > tolerance ? 0.25f * beyond : 0;
+      }
+    }
+    return best;
+  }
+
+  MENISCUS_HD FaceSample go_on(const Triangle& t, FaceSample best, Vec3 way) const {
+    for (float far = 1; far < 100; far *= 2) {
+      const Vec3 weights = inside(best.weights + far * way);
+      const FaceSample next = at(t, weights);
+      if (!(next.surface.distance < best.surface.distance)) break;
+      best = next;
+    }
+    return best;
+  }
+
+  /// Of weights that add up to 1, others that are not negative.
+  MENISCUS_HD static Vec3 inside(Vec3 weights) {
+    const Vec3 w = max(weights, {0, 0, 0});
+    return w / (w.x + w.y + w.z);
+  }
+
+  /// The triangle's point of least signed distance.
+  MENISCUS_HD FaceSample nearest(const Triangle& t, float tolerance) const {
+    if (shape.kind == ShapeKind::sphere) return at(t, nearest_weights(t, {0, 0, 0}));
+    return descend(t, seed(t), tolerance);
+  }
+};
+
+/// What the corners of a face see.
+struct FaceCorners {
+  SurfaceSample a, b, c;
+};
+
+MENISCUS_HD inline FaceCorners corners_of(const FaceField& field, const Triangle& t) {
+  return {field.at(t, {1, 0, 0}).surface, field.at(t, {0, 1, 0}).surface, field.at(t, {0, 0, 1}).surface};
+}
+
+MENISCUS_HD inline float least(const FaceCorners& s) {
+  return pbd::min(s.a.distance, pbd::min(s.b.distance, s.c.distance));
+}
+
+/// Whether some point of a face may be nearer by `dip` (m) than all of its corners. Distance from what is
+/// convex is a convex function: it is above its tangents at the corners. Of those, mixed by a point's
+/// weights b, remain the corners' distances, less Σ bᵢ bⱼ (nᵢ − nⱼ)·(xᵢ − xⱼ) over the sides, which is a
+/// third of its largest factor at most. What may not be convex is looked at in more places besides.
+MENISCUS_HD inline bool may_dip(const FaceField& field, const Triangle& t, float dip) {
+  const FaceCorners s = corners_of(field, t);
+  const float largest =
+      pbd::max(dot(s.a.normal - s.b.normal, t.a - t.b),
+               pbd::max(dot(s.b.normal - s.c.normal, t.b - t.c), dot(s.c.normal - s.a.normal, t.c - t.a)));
+  if (largest > 3 * dip) return true;
+  const ShapeKind kind = field.shape.kind;
+  const bool convex = kind != ShapeKind::sdf && kind != ShapeKind::height_field;
+  return !convex && field.seed(t).surface.distance < least(s) - 0.25f * dip;
+}
+
+/// Where on its way a face meets a shape.
+struct FaceMeeting {
+  FaceSample sample;
+  Triangle face;  ///< then, in the shape's frame
+};
+
+/// Where the moving face first comes within `touch` (m) of the shape and goes on into it, by conservative
+/// advancement; where it does not, its nearest point at the end. Moving less than that, it is looked at there
+/// alone.
+MENISCUS_HD inline FaceMeeting meet_face(const FaceField& field, const FaceMotion& m, float touch) {
+  constexpr int most_steps = 32;
+  const float way = way_of(m), tolerance = 0.02f * touch;
+  float t = way > touch ? 0.0f : 1.0f;
+  for (int k = 0; k < most_steps && t < 1; ++k) {
+    const Triangle now = between(m, t);
+    const FaceSample s = field.nearest(now, tolerance);
+    const Vec3 path = point_of(m.to, s.weights) - point_of(m.from, s.weights);
+    if (s.surface.distance < touch && dot(s.surface.normal, path) < 0) return {s, now};
+    t += pbd::max(s.surface.distance - 0.5f * touch, 0.5f * touch) / way;
+  }
+  return {field.nearest(m.to, tolerance), m.to};
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collision/body/body_set.h"
+
+namespace meniscus::collision {
+
+namespace pressed_kernels {
+struct BodyContacts;
+}
+
+/// What cloth presses on bodies with. Cloth that bears a body may be thousands of times lighter where it
+/// does: to yarns its vertices seem to give way to any pull, and what contacts then push them back with moves
+/// the body by next to nothing in each iteration. A ball of fifteen times its weight fell through a sheet.
+///
+/// So a vertex that a contact pushes, or is about to, resists motion across its yarn by what is behind it as
+/// well, 1/w_b (Substep::pressed): its share of the body, as for contacts (BodySet). What it has pressed that
+/// with, the contact hands on to the body; along its yarn it slides as it did. Friction comes before the
+/// yarns, not after them: with the load of a heavy body it holds a light vertex wherever it is, and what
+/// comes last must leave yarns at their lengths. What lies between a body and something behind it is pinched
+/// (collision/contact/pinched_vertex.h).
+///
+/// Must come before the cloth; handing_on() after it, and before the contacts.
+template <class D>
+class PressedVertices final : public pbd::ConstraintSet<D> {
+ public:
+  PressedVertices(D& device, const BodySet<D>& bodies)
+      : device_(device), bodies_(bodies), handing_on_(*this) {}
+
+  pbd::ConstraintSet<D>& handing_on() { return handing_on_; }
+  /// Those of all cloth.
+  void set_vertices(uint32_t count) { vertices_ = count; }
+
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+
+ private:
+  struct HandingOn final : pbd::ConstraintSet<D> {
+    explicit HandingOn(PressedVertices& owner) : vertices(owner) {}
+    void project(pbd::Substep<D>& substep, int) override { vertices.hand_on(substep); }
+    PressedVertices& vertices;
+  };
+  void hand_on(pbd::Substep<D>& substep);
+  pressed_kernels::BodyContacts contacts(const pbd::Substep<D>& substep) const;
+
+  D& device_;
+  const BodySet<D>& bodies_;
+  HandingOn handing_on_;
+  uint32_t vertices_ = 0;
+  pbd::Buffer<pbd::Vec4> pressed_{device_, "pressed vertices"};
+};
+
+}  // namespace meniscus::collision

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collision/body/pressed_vertices.h"
+#include "collision/contact/pinched_vertex.h"
+
+namespace meniscus::collision {
+
+namespace pressed_kernels {
+
+using pbd::Contact;
+using pbd::Vec4;
+using pbd::View;
+
+/// Contacts with bodies that cloth can move.
+struct BodyContacts {
+  pbd::ContactView contacts;
+  View<const Vec4> position;
+  View<Vec4> pressed;
+  uint32_t sorted;  ///< see ParticleView
+
+  /// The particle of place n among those that touch, or no_index where that is no vertex.
+  MENISCUS_HD uint32_t vertex(uint32_t n) const {
+    const uint32_t i = contacts.touching_particle(n);
+    return i != pbd::no_index && i >= sorted && i - sorted < pressed.count ? i : pbd::no_index;
+  }
+  MENISCUS_HD static bool gives_way(const Contact& c) {
+    return c.body < pbd::on_sheet && c.body_inverse_mass > 0 && !is_tie(c);
+  }
+  MENISCUS_HD static float mass(const Contact& c) { return 1 / c.body_inverse_mass; }
+};
+
+/// What stands behind each vertex; and friction.
+struct Weigh {
+  BodyContacts of;
+  PinchedContacts pinched;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = of.vertex(n);
+    if (i == pbd::no_index) return;
+    const Vec3 x = of.position[i].xyz();
+    float mass = 0;
+    for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
+      const Contact& c = of.contacts.contacts[k];
+      if (BodyContacts::gives_way(c) && contact_presses(c, x)) mass += BodyContacts::mass(c);
+    }
+    of.pressed[i - of.sorted] = {0, 0, 0, mass};
+    if (mass > 0) pinched.hold_back(i);
+  }
+};
+
+/// Each contact bears its share. It may pull for an iteration as well, until yarns know that it need not
+/// push; and friction is not asked, for a vertex that goes aside takes what it lies on along.
+struct HandOn {
+  BodyContacts of;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = of.vertex(n);
+    if (i == pbd::no_index) return;
+    const Vec4 pressed = of.pressed[i - of.sorted];
+    if (pressed.xyz() == Vec3{0, 0, 0}) return;
+    float mass = 0;
+    for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
+      const Contact& c = of.contacts.contacts[k];
+      if (BodyContacts::gives_way(c)) mass += BodyContacts::mass(c);
+    }
+    for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
+      Contact& c = of.contacts.contacts[k];
+      if (!BodyContacts::gives_way(c)) continue;
+      const Vec3 push = -BodyContacts::mass(c) / mass * pressed.xyz();
+      const float normal = pbd::max(dot(push, c.normal), -c.normal_multiplier);
+      c.normal_multiplier += normal;
+      c.density_push += push - normal * c.normal;
+    }
+  }
+};
+
+}  // namespace pressed_kernels
+
+template <class D>
+pressed_kernels::BodyContacts PressedVertices<D>::contacts(const pbd::Substep<D>& substep) const {
+  return {substep.contacts, substep.particles.position, substep.pressed, substep.particles.sorted};
+}
+
+template <class D>
+void PressedVertices<D>::begin(pbd::Substep<D>& substep) {
+  if (!bodies_.any_moved() || vertices_ == 0) return;
+  pressed_.resize_discard(vertices_);
+  pressed_.fill(0);
+  substep.pressed = pressed_.view();
+}
+
+template <class D>
+void PressedVertices<D>::project(pbd::Substep<D>& substep, int) {
+  if (substep.pressed.count == 0) return;
+  device_.parallel_for("pressed/weigh", substep.contacts.contacts.count,
+                       pressed_kernels::Weigh{contacts(substep), pinched_contacts(substep)});
+}
+
+template <class D>
+void PressedVertices<D>::hand_on(pbd::Substep<D>& substep) {
+  if (substep.pressed.count == 0) return;
+  device_.parallel_for("pressed/hand on", substep.contacts.contacts.count,
+                       pressed_kernels::HandOn{contacts(substep)});
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Which shapes a particle may meet. Particles that are neighbours in memory are neighbours in space: 32 of
+// them share one list, a bit a shape.
+#pragma once
+
+#include "collision/contact/find_contact.h"
+#include "pbd/device/buffer.h"
+
+namespace meniscus::collision {
+
+inline constexpr uint32_t cluster_size = 32;  ///< particles; a warp's
+
+/// For kernels.
+struct CandidateView {
+  pbd::View<const uint32_t> masks;  ///< of each cluster so many words, a bit a shape
+  uint32_t words = 0;
+
+  /// Calls visit(shape) for each, in the order of their numbers.
+  template <class Visit>
+  MENISCUS_HD void for_each(uint32_t particle, const Visit& visit) const {
+    Walk walk = walk_from(particle);
+    for (uint32_t shape = walk.next(); shape != pbd::no_index; shape = walk.next()) visit(shape);
+  }
+
+  /// The same for those whose bounds are within `reach` (m) of the box of a motion, and for planes. Scattered
+  /// drops share hundreds of candidates, each of them near another few. So bounds are loaded several at a
+  /// time, and what is near is put aside first: then all threads of a warp visit their own at once.
+  template <class Visit>
+  MENISCUS_HD void for_each_near(const ShapeSet& set, uint32_t particle, const Motion& motion, float reach,
+                                 const Visit& visit) const {
+    constexpr uint32_t batch = 4, room = 32;
+    const Aabb box{min(motion.from, motion.to), max(motion.from, motion.to)};
+    uint32_t aside[room], count = 0;
+    Walk walk = walk_from(particle);
+    for (bool more = true; more;) {
+      uint32_t shapes[batch];
+      Bounds bounds[batch];
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) shapes[k] = walk.next();
+      more = shapes[batch - 1] != pbd::no_index;
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) bounds[k] = Bounds::of(set, shapes[k]);
+      MENISCUS_UNROLL
+      for (uint32_t k = 0; k < batch; ++k) {
+        if (bounds[k].are_near(box, reach)) aside[count++] = shapes[k];
+      }
+      if (more && count <= room - batch) continue;
+      for (uint32_t k = 0; k < count; ++k) visit(aside[k]);
+      count = 0;
+    }
+  }
+
+ private:
+  /// Goes through the bits of a cluster's words.
+  struct Walk {
+    const uint32_t *word, *end;
+    uint32_t mask, first;
+
+    MENISCUS_HD uint32_t next() {
+      while (mask == 0) {
+        if (word == end) return pbd::no_index;
+        mask = *word++;
+        first += 32;
+      }
+      const uint32_t bit = pbd::lowest_bit(mask);
+      mask &= mask - 1;
+      return first + bit;
+    }
+  };
+
+  MENISCUS_HD Walk walk_from(uint32_t particle) const {
+    const uint32_t* word = masks.data + particle / cluster_size * words;
+    return {word, word + words, 0, 0u - 32};
+  }
+  /// Of a shape all that the test needs, which comes at once: no load waits for what another has told.
+  struct Bounds {
+    Aabb box;
+    bool everywhere, nowhere;
+
+    MENISCUS_HD static Bounds of(const ShapeSet& set, uint32_t number) {
+      const bool nowhere = number == pbd::no_index;
+      const Shape& shape = set.shapes[nowhere ? 0 : number];
+      return {shape.bounds, shape.kind == ShapeKind::plane, nowhere};
+    }
+    MENISCUS_HD bool are_near(const Aabb& other, float reach) const {
+      return (everywhere | !are_apart(other, box, reach)) & !nowhere;
+    }
+  };
+};
+
+namespace candidate_kernels {
+
+MENISCUS_HD inline Aabb joined(const Aabb* boxes, uint32_t count) {
+  Aabb all = boxes[0];
+  for (uint32_t k = 1; k < count; ++k) all = {min(all.lower, boxes[k].lower), max(all.upper, boxes[k].upper)};
+  return all;
+}
+
+/// Boxes of motions while those of some clusters are joined.
+struct BoundScratch {
+  static constexpr uint32_t clusters = 4, parts = 8;  // of a cluster
+
+  Aabb motions[cluster_size * clusters], joined[parts * clusters];
+};
+
+/// The boxes of all motions of some clusters: at first each particle's, then joined by fours, then by eights.
+struct BoundClusters {
+  using Scratch = BoundScratch;
+
+  pbd::View<const pbd::Vec4> from, to;
+  pbd::View<Aabb> bounds;
+  uint32_t particles, clusters;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    constexpr uint32_t each = cluster_size / Scratch::parts;
+    const uint32_t begin = n * cluster_size * Scratch::clusters, first = n * Scratch::clusters;
+    group.for_each(cluster_size * Scratch::clusters, [&](uint32_t k) {
+      const uint32_t i = begin + k < particles ? begin + k : particles - 1;
+      const Vec3 a = pbd::load(from, i).xyz(), b = pbd::load(to, i).xyz();
+      scratch.motions[k] = {min(a, b), max(a, b)};
+    });
+    group.for_each(Scratch::parts * Scratch::clusters,
+                   [&](uint32_t k) { scratch.joined[k] = joined(scratch.motions + each * k, each); });
+    group.for_each(Scratch::clusters, [&](uint32_t k) {
+      if (first + k < clusters)
+        bounds[first + k] = joined(scratch.joined + Scratch::parts * k, Scratch::parts);
+    });
+  }
+};
+
+/// What some clusters that are neighbours may meet of some words of shapes.
+struct MarkScratch {
+  static constexpr uint32_t clusters = 32, words = 4, shapes = 32 * words, parts = 8;
+
+  Aabb boxes[clusters], joined[parts], all;
+  bool near_any[shapes];
+  uint32_t near_any_mask[words];
+};
+
+/// Shapes are first held against a box of all those clusters: few are left for each of them to look at.
+struct MarkCandidates {
+  using Scratch = MarkScratch;
+
+  ShapeSet set;
+  pbd::View<const Aabb> bounds;
+  pbd::View<uint32_t> masks;
+  uint32_t clusters, words;
+  float reach;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    const uint32_t cluster_groups = groups_of(clusters, Scratch::clusters);
+    const uint32_t first = n % cluster_groups * Scratch::clusters;
+    const uint32_t first_word = n / cluster_groups * Scratch::words;
+    find_near_any(group, scratch, first, first_word);
+    group.for_each(Scratch::clusters * Scratch::words, [&](uint32_t k) {
+      const uint32_t c = k % Scratch::clusters, w = k / Scratch::clusters;
+      if (first + c >= clusters || first_word + w >= words) return;
+      uint32_t near = 0;
+      for (uint32_t mask = scratch.near_any_mask[w]; mask; mask &= mask - 1) {
+        const uint32_t bit = pbd::lowest_bit(mask);
+        const Shape& shape = set.shapes[32 * (first_word + w) + bit];
+        near |= static_cast<uint32_t>(is_near(shape, scratch.boxes[c])) << bit;
+      }
+      masks[(first + c) * words + first_word + w] = near;
+    });
+  }
+
+  template <class Group>
+  MENISCUS_HD void find_near_any(const Group& group, Scratch& scratch, uint32_t first,
+                                 uint32_t first_word) const {
+    constexpr uint32_t each = Scratch::clusters / Scratch::parts;
+    group.for_each(Scratch::clusters, [&](uint32_t k) {
+      scratch.boxes[k] = bounds[first + k < clusters ? first + k : clusters - 1];
+    });
+    group.for_each(Scratch::parts,
+                   [&](uint32_t k) { scratch.joined[k] = joined(scratch.boxes + each * k, each); });
+    group.for_each(1, [&](uint32_t) { scratch.all = joined(scratch.joined, Scratch::parts); });
+    group.for_each(Scratch::shapes, [&](uint32_t k) {
+      const uint32_t number = 32 * first_word + k;
+      scratch.near_any[k] = number < set.shapes.count && is_near(set.shapes[number], scratch.all);
+    });
+    group.for_each(Scratch::words, [&](uint32_t w) {
+      uint32_t mask = 0;
+      for (uint32_t k = 0; k < 32; ++k) mask |= static_cast<uint32_t>(scratch.near_any[32 * w + k]) << k;
+      scratch.near_any_mask[w] = mask;
+    });
+  }
+
+  MENISCUS_HD bool is_near(const Shape& shape, const Aabb& box) const {
+    return shape.kind == ShapeKind::plane || !out_of_reach(shape, box.lower, box.upper, reach);
+  }
+  MENISCUS_HD static uint32_t groups_of(uint32_t count, uint32_t each) { return (count + each - 1) / each; }
+  MENISCUS_HD uint32_t groups() const {
+    return groups_of(clusters, Scratch::clusters) * groups_of(words, Scratch::words);
+  }
+};
+
+}  // namespace candidate_kernels
+
+/// Owns the lists.
+class Candidates {
+ public:
+  explicit Candidates(pbd::Device& device)
+      : bounds_(device, "cluster boxes"), masks_(device, "shape candidates") {}
+
+  void reserve(uint32_t particles, uint32_t shapes) {
+    const uint32_t clusters = (particles + cluster_size - 1) / cluster_size;
+    words_ = (shapes + 31) / 32;
+    bounds_.resize_discard(clusters);
+    masks_.resize_discard(size_t{clusters} * words_);
+  }
+
+  /// Finds the shapes within `reach` (m) of any motion of a cluster.
+  template <class D>
+  void find(D& device, const ShapeSet& set, pbd::View<const pbd::Vec4> from, pbd::View<const pbd::Vec4> to,
+            uint32_t particles, float reach) {
+    using namespace candidate_kernels;
+    clusters_ = (particles + cluster_size - 1) / cluster_size;
+    constexpr uint32_t each = BoundScratch::clusters;
+    device.parallel_for_groups("contacts/clusters", (clusters_ + each - 1) / each,
+                               BoundClusters{from, to, bounds_.view(), particles, clusters_});
+    const MarkCandidates mark{set, bounds_.view(), masks_.view(), clusters_, words_, reach};
+    device.parallel_for_groups("contacts/candidates", mark.groups(), mark);
+  }
+
+  CandidateView view() const { return {masks_.view(), words_}; }
+
+ private:
+  uint32_t words_ = 0, clusters_ = 0;
+  pbd::Buffer<Aabb> bounds_;
+  pbd::Buffer<uint32_t> masks_;
+};
+
+}  // namespace meniscus::collision

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+
+#include "collision/contact/contact_set.h"
+#include "collision/contact/pinched_vertex.h"
+#include "pbd/device/scalar.h"
+
+namespace meniscus::collision {
+
+namespace contact_kernels {
+
+using pbd::Contact;
+using pbd::ContactView;
+using pbd::Vec4;
+using pbd::View;
+
+struct Project {
+  PinchedContacts contacts;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = contacts.all.contacts.touching_particle(n);
+    if (i != pbd::no_index) contacts.project(i);
+  }
+};
+
+struct Bounce {
+  View<Vec4> velocity;
+  View<const Vec4> position;
+  ContactView contacts;
+  float dt;
+  float resting_speed;  ///< m/s: slower impacts do not bounce, or nothing would come to rest
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = contacts.touching_particle(n);
+    if (i == pbd::no_index) return;
+    const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
+    const float w = position[i].w;
+    const Vec4 before = velocity[i];
+    Vec3 v = before.xyz();
+    Contact next = contacts.contacts[begin];
+    for (uint32_t k = begin; k < end; ++k) {
+      const Contact c = next;
+      next = contacts.contacts[k + 1 < end ? k + 1 : k];
+      const float impulse = c.normal_multiplier > 0 ? parting_impulse(c, v, w) : 0;
+      if (impulse == 0) continue;
+      v += w * impulse * c.normal;
+      contacts.contacts[k].normal_multiplier = c.normal_multiplier + dt * impulse;
+    }
+    if (!(v == before.xyz())) velocity[i] = pbd::with_w(v, before.w);
+  }
+
+  /// kg·m/s, that the contact lacks for parting as it should.
+  MENISCUS_HD float parting_impulse(const Contact& c, Vec3 v, float w) const {
+    const float bounce = c.approach_speed < -resting_speed ? -c.restitution * c.approach_speed : 0;
+    const float lacking = bounce - dot(v - c.surface_motion / dt, c.normal);
+    return lacking > 0 ? lacking / (w + c.body_inverse_mass) : 0;
+  }
+};
+
+}  // namespace contact_kernels
+
+template <class D>
+void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
+  if (std::exchange(substep.are_contacts_projected, false)) return;
+  device_.parallel_for("contacts/project", substep.contacts.contacts.count,
+                       contact_kernels::Project{pinched_contacts(substep)});
+}
+
+template <class D>
+void ContactSet<D>::end(pbd::Substep<D>& substep) {
+  constexpr float gravity_scale = 9.81f;  // a contact at rest gathers about g·h_t within a substep
+  device_.parallel_for("contacts/bounce", substep.contacts.contacts.count,
+                       contact_kernels::Bounce{substep.particles.velocity, substep.particles.position,
+                                               substep.contacts, substep.dt, 4 * gravity_scale * substep.dt});
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collision/contact/sweep.h"
+
+namespace meniscus::collision {
+
+/// Where a particle meets a shape.
+struct FoundContact {
+  SurfaceSample surface;  ///< as seen from `at`
+  Vec3 at;                ///< m
+  bool found;             ///< near enough to have images (fluid/kernel/images.h)
+};
+
+MENISCUS_HD inline FoundContact no_contact() {
+  return {{0, {0, 1, 0}}, {0, 0, 0}, false};
+}
+
+/// Looks for the contact of one particle with a plane.
+MENISCUS_HD inline FoundContact find_plane_contact(const ShapeSet& set, const Shape& plane, const Motion& m,
+                                                   float radius, float h) {
+  const SurfaceSample s = plane_surface(plane, m.to);
+  // Images end where what touches the surface is a support radius away.
+  const bool near = s.distance < h - radius;
+  return {s, m.to, near && !left_through_opening(set, plane, m, radius)};
+}
+
+/// Looks for the contact of one particle with one shape, where the motion ends. With what moves it is where
+/// the two met on the way: so that the contact holds the particle back on its side, and both share the
+/// impulse.
+MENISCUS_HD inline FoundContact find_contact(const ShapeSet& set, const Shape& shape, const Motion& m,
+                                             float radius, float h) {
+  if (shape.kind == ShapeKind::plane) return find_plane_contact(set, shape, m, radius, h);
+  const bool moves = shape.body != pbd::no_index;
+  if (out_of_reach(shape, moves ? m.from : m.to, m.to, h)) return no_contact();
+  const SurfaceSample surface = sample_surface(set, shape, m.to, h);
+  if (moves && squared_length(m.to - m.from) > radius * radius) {
+    const Hit hit = sweep(set, shape, m, radius, surface.distance);
+    if (hit.found) return {sample_surface(set, shape, hit.at, h), hit.at, true};
+  }
+  return {surface, m.to, surface.distance < h - radius};
+}
+
+/// The same for a point of a face, whose motion nothing has cut short: on its way it may have met what is
+/// fixed as well, and where it ends in a solid, its way says which side it came from.
+MENISCUS_HD inline FoundContact find_face_contact(const ShapeSet& set, const Shape& shape, const Motion& m,
+                                                  float radius, float h) {
+  if (shape.kind == ShapeKind::plane) return find_plane_contact(set, shape, m, radius, h);
+  if (out_of_reach(shape, m.from, m.to, h)) return no_contact();
+  const SurfaceSample surface = sample_surface(set, shape, m.to, h);
+  if (surface.distance < 0.5f * radius || squared_length(m.to - m.from) > radius * radius) {
+    const Hit hit = sweep(set, shape, m, radius, surface.distance);
+    if (hit.found) return {sample_surface(set, shape, hit.at, h), hit.at, true};
+  }
+  return {surface, m.to, surface.distance < h - radius};
+}
+
+}  // namespace meniscus::collision

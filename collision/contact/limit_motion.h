@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collision/contact/sweep.h"
+
+namespace meniscus::collision {
+
+MENISCUS_HD inline Hit first_fixed_hit(const ShapeSet& set, const Motion& m, float radius, bool planes_too,
+                                       const CollisionFilter& filter) {
+  Hit first;
+  for (uint32_t k = 0; k < set.fixed; ++k) {
+    const Shape& shape = set.shapes[k];
+    if (!collide(shape, filter)) continue;
+    Hit hit;
+    if (shape.kind == ShapeKind::plane) {
+      if (planes_too) hit = cross_plane(set, shape, m, radius);
+    } else if (!out_of_reach(shape, m.from, m.to, radius)) {
+      hit = sweep(set, shape, m, radius, end_distance(set, shape, m, radius));
+    }
+    if (hit.found && hit.t <= first.t) first = hit;
+  }
+  return first;
+}
+
+/// What is left of the motion after a hit, without its part into the surface.
+MENISCUS_HD inline Vec3 slide(const Hit& hit, Vec3 to) {
+  const Vec3 rest = to - hit.at;
+  return hit.at + rest - pbd::min(0.0f, dot(rest, hit.normal)) * hit.normal;
+}
+
+/// Where the motion ends if nothing that is fixed is passed through. A half-space's plane counts with
+/// `planes_too` alone: on its way to the contact search nothing passes one unseen.
+MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radius, bool planes_too,
+                                       const CollisionFilter& filter) {
+  constexpr int most_hits = 4;
+  for (int k = 0; k < most_hits; ++k) {
+    const Vec3 path = m.to - m.from;
+    if (dot(path, path) < 1e-6f * radius * radius) return m.to;
+    const Hit hit = first_fixed_hit(set, m, radius, planes_too, filter);
+    if (!hit.found) return m.to;
+    m = {hit.at, slide(hit, m.to)};
+  }
+  return m.from;
+}
+
+/// Where the motion ends if nothing that moves is passed through. Each shape sees the motion from its own
+/// frame, so after a hit it is looked at anew as a whole. Where there is no way out, the particle goes along
+/// with the last shape that it met. The body that it is tied to takes it along as it is.
+template <class Candidates>
+MENISCUS_HD Vec3 limit_by_moving(const ShapeSet& set, const Candidates& candidates, uint32_t i, Motion m,
+                                 float radius, const CollisionFilter& filter, uint32_t tied_body) {
+  constexpr int most_hits = 8;
+  Vec3 carried = m.to;
+  for (int k = 0; k < most_hits; ++k) {
+    Hit first;
+    candidates.for_each_near(set, i, m, radius, [&](uint32_t number) {
+      const Shape& shape = set.shapes[number];
+      if (number < set.fixed || shape.body == tied_body || !collide(shape, filter)) return;
+      const Hit hit = meet(set, shape, m, radius);
+      if (!hit.found || hit.t > first.t) return;
+      first = hit;
+      carried = motion_beside(shape, m).from;
+    });
+    if (!first.found) return m.to;
+    m.to = slide(first, m.to);
+  }
+  return carried;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Motion that would pass through a shape is cut short where it meets it, and goes on along the surface:
+// nothing gets through, however thin, and what was on the way along the surface gets on.
+#pragma once
+
+#include "collision/contact/opening.h"
+
+namespace meniscus::collision {
+
+/// The first place at which a motion meets a surface.
+struct Hit {
+  float t = 1;  ///< of the motion
+  Vec3 at{0, 0, 0};
+  Vec3 normal{0, 1, 0};
+  bool found = false;
+};
+
+/// Conservative advancement: steps along the motion by the distance to the surface, which nothing can cut
+/// short. The motion ends half a particle's radius from the surface, unless it leaves. `end_distance` is the
+/// surface's from the motion's end, or less.
+MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Motion& m, float radius,
+                             float end_distance) {
+  constexpr int most_steps = 256;
+  const Vec3 path = m.to - m.from;
+  const float path_length = length(path), touch = 0.5f * radius;
+  float t = 0;
+  SurfaceSample s{};
+  for (int k = 0; k < most_steps; ++k) {
+    s = sample_surface(set, shape, m.from + t * path, path_length + radius);
+    // No distance changes by more than the way: from both ends too far, nothing is met. Twice as far as it
+    // takes, as fields are not exact.
+    if (k == 0 && s.distance + end_distance > path_length + 4 * touch) return {};
+    if (s.distance < touch && dot(s.normal, path) < 0) return {t, m.from + t * path, s.normal, true};
+    // What slides along the surface still has to get on.
+    t += pbd::max(s.distance - 0.5f * touch, 0.5f * touch) / path_length;
+    if (t >= 1) return {};
+  }
+  return {t, m.from + t * path, s.normal, true};  // too far to follow: it stops here
+}
+
+/// For a sweep.
+MENISCUS_HD inline float end_distance(const ShapeSet& set, const Shape& shape, const Motion& m,
+                                      float radius) {
+  return sample_surface(set, shape, m.to, length(m.to - m.from) + radius).distance;
+}
+
+/// The same for a plane, from its open side.
+MENISCUS_HD inline Hit cross_plane(const ShapeSet& set, const Shape& plane, const Motion& m, float radius) {
+  const float before = plane_surface(plane, m.from).distance, after = plane_surface(plane, m.to).distance;
+  const float touch = 0.5f * radius;
+  if (before < 0 || after >= touch || after >= before || left_through_opening(set, plane, m, radius))
+    return {};
+  const float t = before > touch ? (before - touch) / (before - after) : 0;
+  return {t, m.from + t * (m.to - m.from), plane_surface(plane, m.from).normal, true};
+}
+
+/// Where a motion meets one shape, as that shape sees it.
+MENISCUS_HD inline Hit meet(const ShapeSet& set, const Shape& shape, const Motion& m, float radius) {
+  // Its bounds hold it all the way: what stays away from them need not be looked at from the shape.
+  if (shape.kind != ShapeKind::plane && out_of_reach(shape, m.from, m.to, radius)) return {};
+  const Motion beside = motion_beside(shape, m);
+  if (shape.kind == ShapeKind::plane) return cross_plane(set, shape, beside, radius);
+  if (out_of_reach(shape, beside.from, beside.to, radius)) return {};
+  return sweep(set, shape, beside, radius, end_distance(set, shape, beside, radius));
+}
+
+}  // namespace meniscus::collision

@@ -1,8 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The Meniscus authors
-// SPDX-License-Identifier: MIT
-#include "collision/contact_set.inl"
-#include "collision/shape_contacts.inl"
-#include "pbd/device/cpu/cpu_device.h"
-
-template class meniscus::collision::ShapeContacts<meniscus::pbd::CpuDevice>;
-template class meniscus::collision::ContactSet<meniscus::pbd::CpuDevice>;

@@ -1,8 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The Meniscus authors
-// SPDX-License-Identifier: MIT
-#include "collision/contact_set.inl"
-#include "collision/shape_contacts.inl"
-#include "pbd/device/cuda/cuda_device.cuh"
-
-template class meniscus::collision::ShapeContacts<meniscus::pbd::CudaDevice>;
-template class meniscus::collision::ContactSet<meniscus::pbd::CudaDevice>;

@@ -1,6 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The Meniscus authors
-// SPDX-License-Identifier: MIT
-#include "collision/face_points.inl"
-#include "pbd/device/cuda/cuda_device.cuh"
-
-template class meniscus::collision::FacePoints<meniscus::pbd::CudaDevice>;

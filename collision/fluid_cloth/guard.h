@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The last resort of fluid and sheets: nothing goes through, whatever the solve has left.
+#pragma once
+
+#include "collision/fluid_cloth/find.h"
+
+namespace meniscus::collision::sheet_kernels {
+
+/// Takes a particle that would have passed through a triangle along with it, on its own side. Sheets are
+/// where they will be, so that each particle can be looked at alone. Its velocity is left to the contact.
+struct HoldBack {
+  Surface surface;
+  View<Vec4> position;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 from = surface.previous[i].xyz(), wanted = position[i].xyz();
+    Vec3 to = wanted;
+    constexpr int most_rounds = 6;
+    for (int round = 0; round < most_rounds; ++round) {
+      const Vec3 end = first_stop(i, from, to, round);
+      if (end == to) break;
+      to = end;
+    }
+    if (!(to == wanted)) position[i] = pbd::with_w(to, position[i].w);
+  }
+
+  /// Where the particle gets to beside the first triangle that it meets; in later rounds the nearer to it.
+  MENISCUS_HD Vec3 first_stop(uint32_t i, Vec3 from, Vec3 to, int round) const {
+    float first = 2;
+    Vec3 stop = to;
+    pbd::for_each_overlap(surface.tree, way_box(from, to, 0), 0, 0, [&](uint32_t place) {
+      const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
+      if (!surface.meets(i, t.part)) return;
+      const float radius = surface.parts[t.part].radius;
+      const pbd::FeaturePair pair = surface.pair(from, to, t);
+      const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
+      const float gap = pbd::min(0.5f * start, 1e-3f * radius);
+      if (start <= 0 || motion < start - gap) return;
+      const float time = time_of_nearness(pair, gap);
+      if (time >= first) return;
+      first = time;
+      stop = from + beside(pair, time, radius / static_cast<float>(2 << 2 * round));
+    });
+    return stop;
+  }
+
+  /// At the end of the motion, by what was met at that time, no further from it than `distance`.
+  MENISCUS_HD static Vec3 beside(const pbd::FeaturePair& pair, float time, float distance) {
+    const pbd::Nearest met = nearest(pair, time);
+    const Vec3 point = (1 - met.u - met.v) * pair.at(1, 1) + met.u * pair.at(2, 1) + met.v * pair.at(3, 1);
+    const Vec3 away = met.r / pbd::max(met.distance, 1e-30f);
+    return point + distance * turned_to_end(pair, away, time);
+  }
+};
+
+}  // namespace meniscus::collision::sheet_kernels

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What a sheet stands between are no neighbours: each side has the sheet's images instead.
+#pragma once
+
+#include "collision/fluid_cloth/find.h"
+#include "pbd/neighbours.h"
+
+namespace meniscus::collision::sheet_kernels {
+
+/// Takes those out of the near particles' lists that are on the other side of a triangle, at the substep's
+/// start, when nothing had passed through anything. Both ends of a pair see the same segment, computed in the
+/// same way, and part from one another. A warp works on a particle: its threads share out 32 neighbours, and
+/// all look for triangles together.
+struct PartNeighbours {
+  Surface surface;
+  NearList near;
+  pbd::NeighbourView neighbours;
+  float h;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    if (k >= near.count()) return;
+    const uint32_t i = near.particle[k], count = neighbours.size(i);
+    for (uint32_t first = 0; first < count; first += SearchTeam::most) part(i, first, count);
+  }
+
+ private:
+  static constexpr uint32_t own_count = SearchTeam::most / SearchTeam::count();
+
+  struct Neighbour {
+    uint32_t j;  // or the sentinel
+    Aabb box;    // of the segment to it
+  };
+
+  /// From those from the first on. What passes through the piece stays a neighbour of both sides.
+  MENISCUS_HD void part(uint32_t i, uint32_t first, uint32_t count) const {
+    Neighbour own[own_count];
+    for (uint32_t k = 0; k < own_count; ++k) own[k] = neighbour(i, place(first, k), count);
+    Aabb all = own[0].box;
+    for (uint32_t k = 1; k < own_count; ++k) all = pbd::joined(all, own[k].box);
+    all = {SearchTeam::least(all.lower), -SearchTeam::least(-all.upper)};
+    pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
+    for (uint32_t above, boxes; walk.next_group(above, boxes);) {
+      for (uint32_t k = 0; k < own_count; ++k) {
+        if (own[k].j == neighbours.sentinel || !are_parted_by(above, boxes, i, own[k])) continue;
+        neighbours.drop(i, place(first, k));
+        own[k].j = neighbours.sentinel;
+      }
+    }
+  }
+
+  MENISCUS_HD static uint32_t place(uint32_t first, uint32_t k) {
+    return first + SearchTeam::rank() + k * SearchTeam::count();
+  }
+
+  MENISCUS_HD Neighbour neighbour(uint32_t i, uint32_t n, uint32_t count) const {
+    const uint32_t sentinel = neighbours.sentinel, j = n < count ? neighbours.at(i, n) : sentinel;
+    const Vec3 p = load(surface.previous, i).xyz(), q = j == sentinel ? p : load(surface.previous, j).xyz();
+    constexpr float slack = 1e-4f;  // more than that of what goes through an edge
+    return {j, way_box(p, q, slack * h)};
+  }
+
+  /// By a triangle of some of eight groups.
+  MENISCUS_HD bool are_parted_by(uint32_t above, uint32_t boxes, uint32_t i, const Neighbour& own) const {
+    boxes &= pbd::overlap_mask(surface.tree.group(1, above), own.box);
+    for (; boxes; boxes &= boxes - 1)
+      if (are_parted_by(8 * above + pbd::lowest_bit(boxes), own.box, i, own.j)) return true;
+    return false;
+  }
+
+  /// By one of eight triangles.
+  MENISCUS_HD bool are_parted_by(uint32_t group, const Aabb& box, uint32_t i, uint32_t j) const {
+    const Vec3 p = load(surface.previous, i < j ? i : j).xyz(),
+               q = load(surface.previous, i < j ? j : i).xyz();
+    for (uint32_t left = pbd::overlap_mask(surface.tree.group(0, group), box); left; left &= left - 1) {
+      const pbd::SurfaceTriangle t = load(surface.tree.triangles, 8 * group + pbd::lowest_bit(left));
+      if (surface.meets(i, t.part) && surface.meets(j, t.part) && passes(p, q, t)) return true;
+    }
+    return false;
+  }
+
+  /// Whether the segment meets the triangle, within a support radius of both its ends.
+  MENISCUS_HD bool passes(Vec3 p, Vec3 q, const pbd::SurfaceTriangle& t) const {
+    const Vec3 a = surface.start(t.a), b = surface.start(t.b), c = surface.start(t.c);
+    const Vec3 n = cross(b - a, c - a);
+    const float above = dot(n, p - a), below = dot(n, q - a);
+    if ((above >= 0) == (below >= 0)) return false;
+    const Vec3 x = p + above / (above - below) * (q - p);
+    if (pbd::max(max_component(abs(x - p)), max_component(abs(x - q))) > h) return false;
+    const Vec3 way = q - p, ap = a - p, bp = b - p, cp = c - p;
+    const float u = dot(way, cross(bp, cp)), v = dot(way, cross(cp, ap)), w = dot(way, cross(ap, bp));
+    // What goes through an edge goes through one of its triangles at least.
+    const float slack = 1e-5f * (fabsf(u) + fabsf(v) + fabsf(w));
+    return (u >= -slack && v >= -slack && w >= -slack) || (u <= slack && v <= slack && w <= slack);
+  }
+};
+
+}  // namespace meniscus::collision::sheet_kernels

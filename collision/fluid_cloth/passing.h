@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Fluid that passes through permeable sheets by Darcy's law, q = ψ Δp/(ρ g), with the permittivity ψ (1/s)
+// and the water column Δp/(ρ g).
+//
+// Who passes is drawn: of the particles that press from the side of the greater pressure, one that presses
+// with the force F does in a substep with the chance ψ F hₜ/(ρ g s³), times the share of their push that
+// nothing on the other side withstands. What passes meets no permeable sheet until it is clear of all of
+// them, on whichever side the pressure has brought it to.
+#pragma once
+
+#include "collision/fluid_cloth/find.h"
+#include "collision/fluid_cloth/load.h"
+#include "pbd/math/random.h"
+
+namespace meniscus::collision::sheet_kernels {
+
+/// m: what passes is clear of a sheet at this distance, and what begins to is nearer. The second layer of
+/// particles is further off.
+MENISCUS_HD inline float clear_of_sheet(float radius) {
+  return 1.5f * radius;
+}
+
+/// Whether what touches there may begin to pass.
+MENISCUS_HD inline bool is_at_sheet(const pbd::Contact& c, Vec3 x) {
+  return plane_distance(c, x) < clear_of_sheet(c.radius);
+}
+
+/// Notes what each touch has pushed its particle with in the substep, and what of it those at the sheet have
+/// got: they pass for all.
+struct NotePushes {
+  NearList near;
+  View<const pbd::Contact> contacts;
+  View<const Vec4> position;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (n >= most_touches * near.count()) return;
+    SheetTouch& t = near.touches[n];
+    t.given = t.pending = {0, 0, 0};
+    if (!is_used(t) || t.contact >= contacts.count) return;
+    const pbd::Contact& c = contacts[t.contact];
+    t.given = multiplier_sum(c);
+    if (is_at_sheet(c, position[near.particle[n / most_touches]].xyz())) t.pending = t.given;
+  }
+};
+
+/// What is to pass at each vertex: the push that nothing on the other side withstands, over that of those who
+/// may pass.
+struct DrivePassing {
+  LoadedVertices vertices;
+  View<Vec4> drive;  // by vertex, towards the greater pressure
+
+  MENISCUS_HD void operator()(uint32_t v) const {
+    if (!vertices.any(v)) return;
+    const Vec3 net{vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.given.x; }),
+                   vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.given.y; }),
+                   vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.given.z; })};
+    const Vec3 up = normalized_or(net, {0, 0, 0});
+    const float greater =
+        vertices.sum(v, [&](const SheetTouch& t, float w) { return w * pbd::max(0, dot(t.pending, up)); });
+    if (!VertexTeam::leads()) return;
+    drive[v] = greater > 0 ? pbd::with_w(net / greater, 0) : Vec4{0, 0, 0, 0};
+  }
+};
+
+struct BeginPassing {
+  NearList near;
+  View<const pbd::Contact> contacts;
+  View<const SheetPart> parts;
+  View<const Vec4> drive;  // by vertex
+  View<const Vec4> position;
+  View<const uint32_t> number;
+  View<pbd::Phase> phase;
+  uint32_t draw;
+  float dt;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    if (k >= near.count()) return;
+    const uint32_t i = near.particle[k];
+    float chance = 0;
+    for (uint32_t n = 0; n < most_touches; ++n) {
+      const SheetTouch& t = near.touches[most_touches * k + n];
+      if (!is_used(t) || t.contact >= contacts.count) continue;
+      const pbd::Contact& c = contacts[t.contact];
+      if (!is_at_sheet(c, position[i].xyz())) continue;
+      const Vec3 driven = t.mean([&](uint32_t v) { return drive[v].xyz(); });
+      const float share = pbd::max(0, dot(driven, c.normal));
+      chance += parts[t.part].flow * share * pbd::max(0, dot(t.pending, c.normal)) / dt;
+    }
+    if (TouchTeam::leads() && chance > 0 && pbd::random_numbers(number[i], draw, 0).x < chance)
+      phase[i] = (phase[i] | pbd::phase_passing) & ~pbd::phase_pressing;
+  }
+};
+
+/// Before contacts are found.
+struct EndPassing {
+  Surface surface;
+  View<pbd::Phase> phase;
+  float largest_radius;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (!(phase[i] & pbd::phase_passing)) return;
+    const Vec3 at = surface.previous[i].xyz();
+    bool clear = true;
+    const Aabb box = way_box(at, at, clear_of_sheet(largest_radius));
+    pbd::for_each_overlap(surface.tree, box, 0, 0, [&](uint32_t place) {
+      const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
+      const SheetPart& part = surface.parts[t.part];
+      if (part.flow == 0 || !surface.may_meet(i, t.part)) return;
+      clear = clear && nearest(surface.pair(at, at, t), 0).distance >= clear_of_sheet(part.radius);
+    });
+    if (clear) phase[i] &= ~pbd::phase_passing;
+  }
+};
+
+}  // namespace meniscus::collision::sheet_kernels

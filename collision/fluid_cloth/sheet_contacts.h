@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "collision/fluid_cloth/sheet_shapes.h"
+#include "pbd/device/shared_buffer.h"
+#include "pbd/substep.h"
+#include "pbd/surface_tree/surface_tree.h"
+
+namespace meniscus::collision {
+
+/// Finds the contacts of fluid with cloth: one for each layer that a particle is near, at the nearest
+/// triangle, with the share of a whole plane that the layer has there (pbd::Contact::fraction).
+///
+/// The side is the one that the particle was on at the substep's start; motion that would lead through a
+/// triangle ends in a contact on that side. Neighbours that a triangle stands between are parted: the images
+/// of the sheet take their place.
+///
+/// Comes before ShapeContacts among the sources. SheetSet makes the contacts act on the cloth.
+template <class D>
+class SheetContacts final : public pbd::ContactSource<D> {
+ public:
+  SheetContacts(D& device, pbd::Particles& particles, float support_radius)
+      : device_(device), particles_(particles), support_radius_(support_radius), tree_(device) {}
+
+  /// All triangles of all pieces, and the pieces by number. `positions` are those of the vertices at rest.
+  void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> positions,
+                   std::span<const SheetPart> parts);
+  /// By fluid, or empty where all collide with everything. Must stay valid until it is set anew.
+  void set_filters(pbd::View<const CollisionFilter> filters) { filters_ = filters; }
+
+  bool any() const override { return tree_.places() > 0 && particles_.sorted() > 0; }
+  bool any_moving() const override { return any(); }
+  void count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) override;
+  void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
+  void part_neighbours(const pbd::Substep<D>& substep) override;
+
+  /// Takes back particles that would end on the other side. Their velocity is left to the contacts.
+  void hold_back(const pbd::Substep<D>& substep);
+
+  /// Particles that touched absorbent pieces at the end of the last substep, by slot.
+  std::vector<WettingTouch> read_wetting(pbd::View<const pbd::Contact> contacts);
+
+  /// Whether fluid passes through any piece.
+  bool permeable() const { return permeable_; }
+  pbd::View<const SheetPart> parts() const { return parts_.view(); }
+
+  // For SheetSet: what the last search found.
+  sheet_kernels::NearList near();
+  /// By vertex, and behind the last one the total: where its entries begin (sheet_kernels::EnterTouches).
+  pbd::View<const uint32_t> entry_start() const { return entry_start_.view(); }
+  pbd::View<const uint32_t> entries() const { return entries_.view(); }
+  uint32_t vertices() const { return vertices_; }
+  /// For launches over the near particles: all that there is room for, or, where the host is in step with the
+  /// device, all that there are.
+  uint32_t near_count();
+
+  void start_step();
+  bool had_room() const { return most_near() <= near_.size(); }
+  void make_room() { reserve_near(most_near() + most_near() / 4); }
+  /// In any substep of the last step: particles near sheets.
+  uint32_t most_near() const { return found_.host().empty() ? 0 : found_.host()[0]; }
+
+ private:
+  sheet_kernels::Surface surface(const pbd::Substep<D>& substep);
+  void reserve_near(uint32_t capacity);
+
+  D& device_;
+  pbd::Particles& particles_;
+  float support_radius_;
+  pbd::SurfaceTree<D> tree_;
+  uint32_t vertices_ = 0;
+  float largest_radius_ = 0;
+  bool permeable_ = false, absorbent_ = false;
+  pbd::View<const CollisionFilter> filters_;
+  pbd::Buffer<SheetPart> parts_{device_, "sheet parts"};
+  pbd::Buffer<uint32_t> marks_{device_, "sheet marks"};
+  pbd::Buffer<sheet_kernels::GroupShape> shapes_{device_, "shapes of sheets"};
+  pbd::Buffer<uint32_t> near_{device_, "particles near sheets"};
+  pbd::Buffer<uint32_t> counter_{device_, "particles near sheets"};
+  pbd::Buffer<sheet_kernels::SheetTouch> touches_{device_, "sheet touches"};
+  pbd::Buffer<uint32_t> entry_count_{device_, "touches of vertices"};
+  pbd::Buffer<uint32_t> entry_start_{device_, "touches of vertices"};
+  pbd::Buffer<uint32_t> entries_{device_, "touches of vertices"};
+  pbd::Buffer<WettingTouch> wetting_{device_, "wetting particles"};
+  pbd::Buffer<uint32_t> wetting_count_{device_, "wetting particles"};
+  pbd::SharedBuffer<uint32_t> found_{device_, "sheet counts"};
+};
+
+}  // namespace meniscus::collision

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "collision/fluid_cloth/find.h"
+#include "collision/fluid_cloth/guard.h"
+#include "collision/fluid_cloth/marks.h"
+#include "collision/fluid_cloth/parting.h"
+#include "collision/fluid_cloth/passing.h"
+#include "collision/fluid_cloth/sheet_contacts.h"
+#include "collision/fluid_cloth/sheet_shapes.h"
+#include "collision/fluid_cloth/wetting.h"
+#include "pbd/surface_tree/surface_tree.inl"
+
+namespace meniscus::collision {
+
+namespace sheet_kernels {
+
+/// Keeps the most that any substep of a step found.
+struct NoteNear {
+  View<const uint32_t> counter;
+  View<uint32_t> found;
+
+  MENISCUS_HD void operator()(uint32_t) const {
+    if (found[0] < counter[0]) found[0] = counter[0];
+  }
+};
+
+}  // namespace sheet_kernels
+
+template <class D>
+void SheetContacts<D>::count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) {
+  using namespace sheet_kernels;
+  if (!any()) return;
+  const pbd::ParticleView& p = substep.particles;
+  tree_.refit(pbd::WayBoxes(p, 0));
+  counter_.fill(0);
+  entry_count_.fill(0);
+  if (permeable_) {
+    device_.parallel_for("sheets/passed", p.sorted,
+                         EndPassing{surface(substep), particles_.phase.current.view(), largest_radius_});
+  }
+  device_.parallel_for("sheets/near", p.sorted,
+                       ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
+  device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
+  pbd::parallel_for_teams<pbd::GroupTeam>(device_, "sheets/shapes", static_cast<uint32_t>(shapes_.size()),
+                                          FitShapes{surface(substep), shapes_.view()});
+  pbd::parallel_for_teams<SearchTeam>(device_, "sheets/touches", near_count(),
+                                      FindTouches{surface(substep), near(), counter, entry_count_.view(),
+                                                  shapes_.view(), support_radius_, 0.51f * largest_radius_});
+  device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
+  pbd::parallel_for_teams<TouchTeam>(
+      device_, "sheets/entries", most_touches * near_count(),
+      EnterTouches{near(), entry_start_.view(), entry_count_.view(), entries_.view()});
+}
+
+template <class D>
+void SheetContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
+  using namespace sheet_kernels;
+  if (!any()) return;
+  pbd::parallel_for_teams<TouchTeam>(
+      device_, "sheets/contacts", near_count(),
+      WriteContacts{surface(substep), near(), substep.particles.velocity, writer, substep.dt});
+}
+
+template <class D>
+void SheetContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  if (!any()) return;
+  pbd::parallel_for_teams<SearchTeam>(
+      device_, "sheets/part", near_count(),
+      PartNeighbours{surface(substep), near(), substep.neighbours, support_radius_});
+}
+
+template <class D>
+void SheetContacts<D>::hold_back(const pbd::Substep<D>& substep) {
+  using namespace sheet_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  tree_.refit(pbd::WayBoxes(p, 2e-3f * largest_radius_));
+  device_.parallel_for("sheets/hold back", p.sorted, HoldBack{surface(substep), p.position});
+}
+
+template <class D>
+std::vector<WettingTouch> SheetContacts<D>::read_wetting(pbd::View<const pbd::Contact> contacts) {
+  using namespace sheet_kernels;
+  const uint32_t most = most_near();
+  if (!absorbent_ || most == 0) return {};
+  if (most > wetting_.size()) wetting_.resize_or_stay(most + most / 4);
+  wetting_count_.fill(0);
+  device_.parallel_for("sheets/wetting", near_count(),
+                       ListWetting{near(), contacts, parts_.view(), particles_.position.current.view(),
+                                   particles_.slot.current.view(), wetting_.view(), wetting_count_.view()});
+  uint32_t count = 0;
+  wetting_count_.read(std::span(&count, 1));
+  std::vector<WettingTouch> found = wetting_.read(count);
+  std::sort(found.begin(), found.end(),
+            [](const WettingTouch& a, const WettingTouch& b) { return a.slot < b.slot; });
+  return found;
+}
+
+template <class D>
+sheet_kernels::Surface SheetContacts<D>::surface(const pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), marks_.view(), filters_, p.phase};
+}
+
+template <class D>
+sheet_kernels::NearList SheetContacts<D>::near() {
+  return {near_.view(), touches_.view(), counter_.view()};
+}
+
+template <class D>
+uint32_t SheetContacts<D>::near_count() {
+  const auto room = static_cast<uint32_t>(near_.size());
+  return device_.kind() == pbd::DeviceKind::cpu ? std::min(counter_.view()[0], room) : room;
+}
+
+template <class D>
+void SheetContacts<D>::start_step() {
+  std::fill(found_.host().begin(), found_.host().end(), 0u);
+}
+
+template <class D>
+void SheetContacts<D>::reserve_near(uint32_t capacity) {
+  using namespace sheet_kernels;
+  near_.resize_discard(0);
+  touches_.resize_discard(most_touches * size_t{capacity});
+  entries_.resize_discard(SheetTouch::most_vertices * most_touches * size_t{capacity});
+  near_.resize_discard(capacity);  // last: its length is what counts
+}
+
+template <class D>
+void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles,
+                                   std::span<const Vec3> positions, std::span<const SheetPart> parts) {
+  device_.wait();
+  tree_.set_surface(triangles, positions);
+  vertices_ = triangles.empty() ? 0 : static_cast<uint32_t>(positions.size());
+  parts_.resize_discard(parts.size());
+  parts_.write(parts);
+  largest_radius_ = 0;
+  permeable_ = absorbent_ = false;
+  for (const SheetPart& part : parts) {
+    largest_radius_ = std::max(largest_radius_, part.radius);
+    permeable_ |= part.flow > 0;
+    absorbent_ |= part.absorbs != 0;
+  }
+  const std::vector<uint32_t> marks = triangle_marks(tree_.triangles());
+  marks_.resize_discard(marks.size());
+  marks_.write(marks);
+  shapes_.resize_discard(marks.size() / pbd::BoxGroup::size);
+  counter_.resize_discard(1);
+  wetting_count_.resize_discard(1);
+  found_.resize_discard(1);
+  start_step();
+  entry_count_.resize_discard(vertices_);
+  entry_start_.resize_discard(vertices_ + 1);
+  if (near_.size() == 0 && !triangles.empty()) reserve_near(4096);
+}
+
+}  // namespace meniscus::collision

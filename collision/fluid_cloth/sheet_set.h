@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "collision/fluid_cloth/load.h"
+#include "collision/fluid_cloth/sheet_contacts.h"
+
+namespace meniscus::collision {
+
+/// Makes fluid's contacts with cloth act on the cloth (see load.h). In an iteration
+///
+///   loading()   after the density constraint, before cloth's own: gives the vertices what the contacts have
+///               pushed; at the substep's start, the masses of what presses against them;
+///   carrying()  after cloth's constraints, before contacts are projected: moves what presses along.
+///
+/// Both must be registered in those places, and the set itself behind all that moves vertices: `settle` then
+/// makes sure that nothing has passed through, and `end` hands on what restitution has done. Impulses are
+/// handed on as they are: momentum is kept.
+template <class D>
+class SheetSet final : public pbd::ConstraintSet<D> {
+ public:
+  SheetSet(D& device, pbd::Particles& particles, SheetContacts<D>& contacts)
+      : device_(device), particles_(particles), contacts_(contacts), loading_(*this), carrying_(*this) {}
+
+  pbd::ConstraintSet<D>& loading() { return loading_; }
+  pbd::ConstraintSet<D>& carrying() { return carrying_; }
+
+  /// By vertex: inverse masses, 1/kg. `heaviest` (kg) of vertices and particles.
+  void set_vertices(std::span<const float> inverse_masses, float heaviest);
+  /// Those of the vertices from `first` on are different now.
+  void weigh(uint32_t first, std::span<const float> inverse_masses) {
+    if (own_weight_.size() > 0) own_weight_.write(inverse_masses, first);  // else nothing bears fluid
+  }
+
+  void start_step() override {
+    contacts_.start_step();
+    draws_before_ = draws_;
+  }
+  void undo_step() override { draws_ = draws_before_; }
+  void project(pbd::Substep<D>&, int) override {}
+  void settle(pbd::Substep<D>& substep) override;
+  void end(pbd::Substep<D>& substep) override;
+  bool had_room() override { return contacts_.had_room(); }
+  void make_room() override { contacts_.make_room(); }
+
+ private:
+  struct Loading final : pbd::ConstraintSet<D> {
+    explicit Loading(SheetSet& owner) : set(owner) {}
+    void begin(pbd::Substep<D>& substep) override { set.start(substep); }
+    void project(pbd::Substep<D>& substep, int) override { set.push_back(substep, false); }
+    void settle(pbd::Substep<D>& substep) override { set.push_back(substep, true); }
+    SheetSet& set;
+  };
+  struct Carrying final : pbd::ConstraintSet<D> {
+    explicit Carrying(SheetSet& owner) : set(owner) {}
+    void project(pbd::Substep<D>& substep, int) override { set.carry(substep); }
+    SheetSet& set;
+  };
+
+  void start(pbd::Substep<D>& substep);
+  void push_back(pbd::Substep<D>& substep, bool last);
+  void carry(pbd::Substep<D>& substep);
+  void pass(pbd::Substep<D>& substep);
+  template <class Kernel>
+  void at_particles(const char* name, const Kernel& kernel);
+  template <class Kernel>
+  void at_vertices(const char* name, const Kernel& kernel);
+  sheet_kernels::AtTouches at_touches(const pbd::Substep<D>& substep);
+  sheet_kernels::LoadedVertices loaded_vertices();
+
+  D& device_;
+  pbd::Particles& particles_;
+  SheetContacts<D>& contacts_;
+  Loading loading_;
+  Carrying carrying_;
+  uint32_t draws_ = 0, draws_before_ = 0;  // substeps: who passes through is drawn anew in each
+  float unit_ = 0;                         // kg or kg·m, of the integers that sums run in
+  pbd::Buffer<float> own_weight_{device_, "vertex masses"}, loaded_{device_, "loaded vertices"};
+  pbd::Buffer<pbd::Vec4> change_{device_, "vertex changes"};
+};
+
+}  // namespace meniscus::collision

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What a group of eight neighbouring triangles is like, so that most of those around a particle need no look.
+#pragma once
+
+#include "collision/fluid_cloth/marks.h"
+#include "collision/fluid_cloth/sheet_surface.h"
+
+namespace meniscus::collision::sheet_kernels {
+
+/// All corners lie within `radius` of the centre at the substep's end, and no unit normal is further than
+/// `bend` from the axis.
+struct alignas(16) GroupShape {
+  Vec3 centre;
+  float radius;  // m
+  Vec3 axis;     // unit
+  float bend;
+
+  /// Whether p may lie straight above or below one of the triangles, in the direction of its normal: then it
+  /// is, across the axis, no further from the centre than the corners, but for what the normals differ.
+  MENISCUS_HD bool may_be_over(Vec3 p) const {
+    const Vec3 d = p - centre, across = cross(d, axis);
+    const float far = 1.001f * radius + bend * length(d);
+    return dot(across, across) <= far * far;
+  }
+};
+
+/// By group, a team each. One with a border may be over anything: it is always looked at.
+struct FitShapes {
+  Surface surface;
+  View<GroupShape> shapes;
+
+  MENISCUS_HD void operator()(uint32_t g) const {
+    Vec3 centre{0, 0, 0}, axis{0, 0, 0};
+    float corners = 0;
+    for_each(g, [&](Vec3 a, Vec3 b, Vec3 c, uint32_t) {
+      centre += a + b + c;
+      corners += 3;
+      axis += cross(b - a, c - a);
+    });
+    centre = (1 / pbd::max(1, GroupTeam::sum(corners))) * GroupTeam::sum(centre);
+    axis = normalized_or(GroupTeam::sum(axis), {0, 0, 0});
+    float far2 = 0, bend2 = 0;
+    for_each(g, [&](Vec3 a, Vec3 b, Vec3 c, uint32_t marks) {
+      for (Vec3 x : {a, b, c}) far2 = pbd::max(far2, dot(x - centre, x - centre));
+      const Vec3 off = normalized_or(cross(b - a, c - a), {0, 0, 0}) - axis;
+      bend2 = pbd::max(bend2, marks & border_marks ? 1e10f : dot(off, off));
+    });
+    far2 = -GroupTeam::least(-far2), bend2 = -GroupTeam::least(-bend2);
+    if (GroupTeam::leads()) shapes[g] = {centre, sqrtf(far2), axis, sqrtf(bend2)};
+  }
+
+ private:
+  template <class Visit>
+  MENISCUS_HD void for_each(uint32_t g, const Visit& visit) const {
+    for (uint32_t k = GroupTeam::rank(); k < pbd::BoxGroup::size; k += GroupTeam::count()) {
+      const uint32_t place = pbd::BoxGroup::size * g + k;
+      const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
+      if (t.a != no_index) visit(surface.end(t.a), surface.end(t.b), surface.end(t.c), surface.marks[place]);
+    }
+  }
+};
+
+}  // namespace meniscus::collision::sheet_kernels

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What kernels know of sheets: triangles of cloth as fluid meets them, and where the two touch.
+#pragma once
+
+#include <meniscus/types.h>
+
+#include "pbd/device/teams.h"
+#include "pbd/feature_pair.h"
+#include "pbd/filter.h"
+#include "pbd/particles.h"
+#include "pbd/surface_tree/boxes.h"
+
+namespace meniscus::collision {
+
+/// How a piece of cloth meets fluid.
+struct SheetPart {
+  CollisionFilter filter{};
+  float radius = 0;    ///< m: particles' centres stop at this distance
+  float friction = 0;  ///< Coulomb's μ
+  float adhesion = 0;  ///< N: the most that it pulls one particle back with
+  float spread = 0;    ///< m: a particle acts on all vertices so near; 0: on those of one triangle
+  float flow = 0;      ///< 1/(N·s): particles that pass through a second, of those that press with a newton
+  uint32_t absorbs = 0;  ///< 1: it takes up what touches it
+};
+
+/// A particle that touches an absorbent sheet, and the vertex that is nearest to it.
+struct WettingTouch {
+  uint32_t slot;  ///< of the particle
+  uint32_t vertex;
+};
+
+namespace sheet_kernels {
+
+using pbd::GroupTeam;
+using pbd::no_index;
+using pbd::SearchTeam;
+using pbd::Vec4;
+using pbd::View;
+/// Works on one particle's touches.
+using TouchTeam = pbd::Team<8>;
+
+/// The surface, on its way from a substep's start to where it is now.
+struct Surface {
+  pbd::SurfaceTreeView tree;
+  View<const Vec4> previous, position;  // of all particles
+  uint32_t first_vertex;                // vertex v is this particle and v more
+  View<const SheetPart> parts;
+  View<const uint32_t> marks;            // by place in the tree: see triangle_marks()
+  View<const CollisionFilter> by_fluid;  // empty where all collide with everything
+  View<const pbd::Phase> phase;          // of all particles
+
+  /// Whether particle i collides with the piece.
+  MENISCUS_HD bool meets(uint32_t i, uint32_t part) const {
+    return !((phase[i] & pbd::phase_passing) && parts[part].flow > 0) && may_meet(i, part);
+  }
+  /// The same when it is not passing through.
+  MENISCUS_HD bool may_meet(uint32_t i, uint32_t part) const {
+    const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
+    return pbd::meet(parts[part].filter, filter);
+  }
+
+  MENISCUS_HD Vec3 start(uint32_t v) const { return load(previous, first_vertex + v).xyz(); }
+  MENISCUS_HD Vec3 end(uint32_t v) const { return load(position, first_vertex + v).xyz(); }
+
+  /// A particle's way beside a triangle's, both from the particle's start.
+  MENISCUS_HD pbd::FeaturePair pair(Vec3 from, Vec3 to, const pbd::SurfaceTriangle& t) const {
+    pbd::FeaturePair pair;
+    const uint32_t corner[3] = {t.a, t.b, t.c};
+    pair.start[0] = {0, 0, 0};
+    pair.motion[0] = to - from;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 x = start(corner[k]);
+      pair.start[k + 1] = x - from;
+      pair.motion[k + 1] = end(corner[k]) - x;
+    }
+    return pair;
+  }
+};
+
+/// Of a pair's triangle at time t, 0 to 1; unit.
+MENISCUS_HD inline Vec3 face_normal(const pbd::FeaturePair& p, float t) {
+  const Vec3 a = p.at(1, t);
+  return normalized_or(cross(p.at(2, t) - a, p.at(3, t) - a), {0, 0, 0});
+}
+
+/// A direction away from a triangle at time t, as it turns along with it until the end; unit.
+MENISCUS_HD inline Vec3 turned_to_end(const pbd::FeaturePair& p, Vec3 direction, float t) {
+  const Vec3 n = face_normal(p, t), turned = direction + dot(direction, n) * (face_normal(p, 1) - n);
+  return normalized_or(turned, direction);
+}
+
+/// A particle near a sheet. It has a contact for each layer of cloth that it is near, at most three. What it
+/// pushes is shared by the corners of the triangle that it touches, or by all vertices of a fine mesh that
+/// are as near as its neighbours.
+struct alignas(16) SheetTouch {
+  static constexpr uint32_t most_vertices = 32;
+
+  Vec3 point;         ///< m, on the surface
+  uint32_t vertices;  ///< how many share it; 0 where there is no contact
+  Vec3 normal;        ///< unit, towards the particle
+  float fraction;     ///< see pbd::Contact
+  uint32_t part;
+  uint32_t contact;  ///< its number among all contacts
+  float share;       ///< of the particle that the sheet carries: 1 over the number of sheets that do
+  float carried;     ///< kg, the same
+  Vec3 followed;     ///< m: how far the sheet had been moved here when the contact last followed it
+  Vec3 given;        ///< kg·m: what the vertices have got back so far, of what the contact has pushed
+  Vec3 pending;      ///< kg·m: what they are to get back now
+  uint32_t vertex[most_vertices];
+  float weight[most_vertices];  ///< their sum is 1
+
+  MENISCUS_HD void add(uint32_t v, float w) { set(vertices++, v, w); }
+  /// A touch that nothing has been done to. Its vertices are there.
+  MENISCUS_HD void begin(Vec3 at, Vec3 towards, float of_plane, uint32_t of_part, uint32_t count) {
+    point = at;
+    vertices = count;
+    normal = towards;
+    fraction = of_plane;
+    part = of_part;
+    contact = no_index;
+    share = carried = 0;
+    followed = given = pending = {0, 0, 0};
+  }
+  MENISCUS_HD void set(uint32_t k, uint32_t v, float w) {
+    vertex[k] = v;
+    weight[k] = w;
+  }
+  /// Σ weight · of(vertex), by a team.
+  template <class Of>
+  MENISCUS_HD Vec3 mean(const Of& of) const {
+    Vec3 sum{0, 0, 0};
+    for (uint32_t k = TouchTeam::rank(); k < vertices; k += TouchTeam::count())
+      sum += weight[k] * of(vertex[k]);
+    return TouchTeam::sum(sum);
+  }
+};
+
+inline constexpr uint32_t most_touches = 3;
+
+MENISCUS_HD inline bool is_used(const SheetTouch& t) {
+  return t.vertices > 0;
+}
+
+/// The particles that are near a sheet, in no order, and their touches: those of entry k stand at
+/// most_touches · k.
+struct NearList {
+  View<uint32_t> particle;
+  View<SheetTouch> touches;
+  View<uint32_t> counter;  // how many there are, which may be more than fit
+
+  MENISCUS_HD uint32_t count() const { return counter[0] < particle.count ? counter[0] : particle.count; }
+};
+
+}  // namespace sheet_kernels
+
+}  // namespace meniscus::collision

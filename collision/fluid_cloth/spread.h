@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What a particle does to a mesh finer than the particles are: vertices between those of the triangles that
+// are touched would else go unloaded.
+#pragma once
+
+#include "collision/fluid_cloth/area.h"
+#include "collision/fluid_cloth/marks.h"
+#include "collision/fluid_cloth/sheet_surface.h"
+
+namespace meniscus::collision::sheet_kernels {
+
+/// Where a touch is to be shared out from.
+struct SpreadAround {
+  Vec3 point, normal;
+  float radius;  // m
+  uint32_t part;
+};
+
+/// The vertices near a touch, each with a kernel's weight, as a warp gathers them in the touch. The weights
+/// are corrected so that they give back the point itself as well as a constant (moving least squares): then
+/// forces across the sheet turn nothing.
+class Spread {
+ public:
+  MENISCUS_HD Spread(const Surface& surface, const SpreadAround& around, SheetTouch& touch)
+      : surface_(surface), around_(around), axes_(around.normal), touch_(touch) {}
+
+  /// How many share it; 0 where they are too few, or to one side.
+  MENISCUS_HD uint32_t find() {
+    const float r = around_.radius;
+    pbd::for_each_place_in_warp(surface_.tree, pbd::inflated({around_.point, around_.point}, r),
+                                pbd::GroupsInBall{surface_.tree, around_.point, r},
+                                [&](uint32_t place, bool overlaps) { add(place, overlaps); });
+    SearchTeam::sync();
+    return count_ >= 4 && correct() ? count_ : 0;
+  }
+
+ private:
+  struct Offset {
+    float u, v;    // over the radius
+    float weight;  // not corrected; 0 or less beyond the radius
+  };
+
+  MENISCUS_HD Offset offset(uint32_t vertex) const {
+    const float r = around_.radius;
+    const Vec3 d = surface_.end(vertex) - around_.point;
+    const float left = pbd::max(0, 1 - dot(d, d) / (r * r));
+    return {dot(d, axes_.u) / r, dot(d, axes_.v) / r, left * left};
+  }
+
+  /// Those of a triangle's vertices that it is the first to use.
+  MENISCUS_HD void add(uint32_t place, bool overlaps) {
+    const pbd::SurfaceTriangle t = load(surface_.tree.triangles, place);
+    const uint32_t firsts = overlaps && t.part == around_.part ? surface_.marks[place] >> first_use_mark : 0;
+    const uint32_t corner[3] = {t.a, t.b, t.c};
+    uint32_t near = 0;
+    for (uint32_t k = 0; k < 3; ++k)
+      if ((firsts >> k & 1) && offset(corner[k]).weight > 0) near |= 1u << k;
+    const uint32_t many = pbd::bit_count(near);
+    uint32_t at = count_ + SearchTeam::sum_before(many);
+    for (uint32_t k = 0; k < 3; ++k) {
+      if (!(near >> k & 1) || at >= SheetTouch::most_vertices) continue;
+      const Offset o = offset(corner[k]);
+      touch_.set(at++, corner[k], o.weight);
+      one_ += o.weight, u_ += o.weight * o.u, v_ += o.weight * o.v;
+      uu_ += o.weight * o.u * o.u, uv_ += o.weight * o.u * o.v, vv_ += o.weight * o.v * o.v;
+    }
+    count_ += SearchTeam::sum(many);
+    if (count_ > SheetTouch::most_vertices) count_ = SheetTouch::most_vertices;
+  }
+
+  /// By the first row of the inverse of the moments.
+  MENISCUS_HD bool correct() const {
+    const float one = SearchTeam::sum(one_), u = SearchTeam::sum(u_), v = SearchTeam::sum(v_);
+    const float uu = SearchTeam::sum(uu_), uv = SearchTeam::sum(uv_), vv = SearchTeam::sum(vv_);
+    const float a = uu * vv - uv * uv, b = uv * v - u * vv, c = u * uv - uu * v;
+    const float determinant = one * a + u * b + v * c;
+    bool good = determinant > 1e-4f * one * one * one;
+    for (uint32_t k = SearchTeam::rank(); k < count_ && good; k += SearchTeam::count()) {
+      const Offset o = offset(touch_.vertex[k]);
+      touch_.weight[k] *= (a + b * o.u + c * o.v) / determinant;
+      good = touch_.weight[k] >= 0;
+    }
+    return !SearchTeam::any(!good);
+  }
+
+  const Surface& surface_;
+  const SpreadAround& around_;
+  const Tangents axes_;
+  SheetTouch& touch_;
+  uint32_t count_ = 0;
+  float one_ = 0, u_ = 0, v_ = 0, uu_ = 0, uv_ = 0, vv_ = 0;
+};
+
+/// Shares a touch among the vertices within the radius, or as far as a border allows. Returns how many they
+/// are; 0 where it does not.
+MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAround& around,
+                                       SheetTouch& touch) {
+  for (float r = around.radius; r > 0.4f * around.radius; r *= 0.75f) {
+    const SpreadAround within{around.point, around.normal, r, around.part};
+    const uint32_t vertices = Spread(surface, within, touch).find();
+    if (vertices > 0) return vertices;
+  }
+  return 0;
+}
+
+}  // namespace meniscus::collision::sheet_kernels

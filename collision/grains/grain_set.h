@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "collision/contact/contact_set.h"
+#include "collision/grains/rows.h"
+#include "pbd/chebyshev.h"
+#include "pbd/device/shared_buffer.h"
+#include "pbd/restorable_buffer.h"
+#include "pbd/substep.h"
+
+namespace meniscus::collision {
+
+/// One kind of particles, as grains see it.
+struct GrainMaterial {
+  bool is_grain = false;
+  float friction = 0;  ///< Coulomb's μ of a contact
+};
+
+/// The μ of contacts between which a heap comes to rest with this slope. Measured on columns of some 2000
+/// grains that collapse: tan φ = 0.18 + 1.4 μ for μ to 0.3, of frictionless grains 0.17.
+constexpr float contact_friction(float slope) {
+  return slope > 0.18f ? (slope - 0.18f) / 1.4f : 0.0f;
+}
+
+/// Contacts with Coulomb friction among grains: balls of one diameter d that do not turn (Macklin et al.
+/// 2014, section 6.1).
+///
+///   normal    C = |x_i − x_j| − d ≥ 0
+///   friction  the substep's slip along the contact is taken back, up to μ times the normal load
+///
+/// Where this departs from the paper:
+/// - A contact's impulse is accumulated over the substep, as a vector, and held in the friction cone: an
+///   iteration can take back what an earlier one overdid. One μ serves at rest and in motion.
+/// - Instead of averaging over its constraints, a grain is split among them (mass splitting, Tonge,
+///   Benevolenski & Voroshilov 2012): Δp = −(C n + slip)/(n_i w_i + n_j w_j), n_i being the number that
+///   presses on i. What both get of a pair is opposite and equal: momentum is kept. The spectrum is bounded
+///   by 1, for Chebyshev's weights.
+/// - The solve starts from the impulses of the last substep, so that a pile at rest is solved over many
+///   substeps. The paper makes grains lighter with their height instead, which does not keep momentum.
+/// - Overlaps that were there before are undone little by little, and not in a substep, which would throw
+///   grains apart.
+template <class D>
+class GrainSet final : public pbd::ConstraintSet<D> {
+ public:
+  /// `diameter` of all grains, m. `contacts` are those with solids.
+  GrainSet(D& device, float diameter, ContactSet<D>& contacts);
+
+  /// By group of the particles' phases.
+  void set_materials(std::span<const GrainMaterial> materials);
+
+  void reserve(uint32_t capacity, uint32_t kept) override;
+  void clear(uint32_t first, uint32_t count) override;
+  void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
+  void save() override;
+  void restore() override;
+
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+
+  bool had_room() override { return longest_row() <= row_capacity_; }
+  void make_room() override;
+
+ private:
+  static constexpr uint32_t block = D::interleaves_lists ? 32 : 1;  // see GrainRows
+  void reserve_arrays(uint32_t kept);
+  GrainRows current_rows();
+  GrainRows next_rows();
+  uint32_t longest_row() const { return found_.host().empty() ? 0 : found_.host()[0]; }
+
+  D& device_;
+  float diameter_;
+  ContactSet<D>& contacts_;
+  bool any_ = false;  // grains may be there
+  pbd::Chebyshev chebyshev_;
+  float last_dt_ = 0, saved_dt_ = 0;
+  uint32_t capacity_ = 0;       // particles that there is room for
+  uint32_t row_capacity_ = 16;  // a grain of a dense pile has about 12 contacts
+
+  pbd::Buffer<float> roughness_{device_, "grain materials"};
+  pbd::RestorableBuffer<uint32_t> partner_{device_, "grain contacts"};
+  pbd::RestorableBuffer<pbd::Vec4> impulse_{device_, "grain contact impulses"};
+  pbd::RestorableBuffer<uint32_t> count_{device_, "grain contact counts"};
+  pbd::RestorableBuffer<uint32_t> origin_{device_, "grain origins"};
+  pbd::Buffer<pbd::Vec4> change_{device_, "grain contact changes"};
+  pbd::Buffer<pbd::Vec4> staged_{device_, "staged grains"};
+  pbd::Buffer<float> pressing_{device_, "pressed grains"};
+  pbd::Buffer<uint32_t> longest_{device_, "longest row of grain contacts"};
+  pbd::SharedBuffer<uint32_t> found_{device_, "longest row of grain contacts"};  // for the host
+};
+
+}  // namespace meniscus::collision

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "collision/grains/grain_kernels.h"
+#include "collision/grains/grain_set.h"
+#include "pbd/gather.h"
+
+namespace meniscus::collision {
+
+namespace grain_tuning {
+
+/// Grains nearer than this, over their diameter, when contacts are found may touch before the substep's end.
+inline constexpr float reach = 1.15f;
+/// Share of the last substep's impulses to start from. What is lost has to be found anew from overlaps: the
+/// more is lost, the softer a pile.
+inline constexpr float warm_start = 0.985f;
+/// 1/s: the rate at which overlaps that were there before are undone.
+inline constexpr float recovery_rate = 15;
+/// The most of it in a substep. A mode of which the solve relieves a share ε is stable with the impulses
+/// started from while recovery < ε + 1 − warm_start.
+inline constexpr float most_recovery = 0.06f;
+/// Of the solve's spectrum: what else pushes on grains in between has its part in it.
+inline constexpr float spectral_bound = 1.1f;
+
+}  // namespace grain_tuning
+
+template <class D>
+GrainSet<D>::GrainSet(D& device, float diameter, ContactSet<D>& contacts)
+    : device_(device), diameter_(diameter), contacts_(contacts), chebyshev_(grain_tuning::spectral_bound) {}
+
+template <class D>
+void GrainSet<D>::set_materials(std::span<const GrainMaterial> materials) {
+  std::vector<float> roughness;
+  for (const GrainMaterial& m : materials) roughness.push_back(std::sqrt(m.friction));
+  roughness_.resize_discard(roughness.size());
+  roughness_.write(roughness);
+  if (any_ || std::none_of(materials.begin(), materials.end(), [](auto& m) { return m.is_grain; })) return;
+  reserve_arrays(0);
+  any_ = true;
+}
+
+template <class D>
+void GrainSet<D>::begin(pbd::Substep<D>& substep) {
+  using namespace grain_tuning;
+  if (!any_) return;
+  const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
+  last_dt_ = substep.dt;
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("grains/find", p.sorted,
+                       grain_kernels::FindTouching{
+                           .position = p.position,
+                           .previous = p.previous,
+                           .phase = p.phase,
+                           .neighbours = substep.neighbours,
+                           .roughness = roughness_.view(),
+                           .diameter = diameter_,
+                           .reach = reach * diameter_,
+                           .recovery = std::fmin(most_recovery, recovery_rate * substep.dt),
+                           .last = current_rows(),
+                           .origin = origin_.current(),
+                           .share = warm_start * std::fmin(1.0f, ratio * ratio),
+                           .rows = next_rows(),
+                           .change = change_.view(),
+                           .next_origin = origin_.next(),
+                           .pressing = pressing_.view(),
+                           .longest = longest_.view(),
+                       });
+  partner_.flip();
+  impulse_.flip();
+  count_.flip();
+  origin_.flip();
+  device_.parallel_for("grains/found", 1, grain_kernels::NoteLongest{longest_.view(), found_.view()});
+}
+
+template <class D>
+void GrainSet<D>::project(pbd::Substep<D>& substep, int iteration) {
+  using namespace grain_kernels;
+  if (!any_) return;
+  const pbd::ParticleView& p = substep.particles;
+  if (iteration == 0) {
+    device_.parallel_for("grains/start", p.sorted, Start{current_rows(), p.position, p.moved});
+    // Solids answer what grains start with. Else the lowest layer would have nothing to stand on, and give
+    // way.
+    pbd::Substep<D> grains = substep;  // vertices, and points of faces, have their turn
+    grains.contacts = substep.contacts.of_first(p.sorted);
+    contacts_.project(grains, iteration);
+  }
+  device_.parallel_for("grains/stage", p.sorted,
+                       Stage{current_rows(), change_.view(), p.position, pressing_.view(), staged_.view()});
+  const pbd::IterationWeights weights = chebyshev_.next(iteration, substep.iterations);
+  device_.parallel_for("grains/project", p.sorted,
+                       Project{.rows = current_rows(),
+                               .change = change_.view(),
+                               .staged = staged_.view(),
+                               .previous = p.previous,
+                               .position = p.position,
+                               .moved = p.moved,
+                               .momentum = weights.momentum,
+                               .step = weights.step});
+}
+
+// ---- arrays that follow the particles ----
+
+template <class D>
+GrainRows GrainSet<D>::current_rows() {
+  return {partner_.current(), impulse_.current(), count_.current(), row_capacity_, block};
+}
+
+template <class D>
+GrainRows GrainSet<D>::next_rows() {
+  return {partner_.next(), impulse_.next(), count_.next(), row_capacity_, block};
+}
+
+template <class D>
+void GrainSet<D>::reserve(uint32_t capacity, uint32_t) {
+  // Rows stand where particles stood in the last substep. Of those that stay some may have stood behind as
+  // many as there are now.
+  const uint32_t rows = std::min(capacity_, capacity);
+  capacity_ = capacity;
+  if (any_) reserve_arrays(rows);
+}
+
+/// Takes memory only where there may be grains. The first `kept` rows stay.
+template <class D>
+void GrainSet<D>::reserve_arrays(uint32_t kept) {
+  const size_t elements = row_elements(capacity_, row_capacity_, block);
+  const size_t kept_elements = row_elements(kept, row_capacity_, block);
+  partner_.reserve(elements, kept_elements);
+  impulse_.reserve(elements, kept_elements);
+  count_.reserve(capacity_, kept);
+  origin_.reserve(capacity_, kept);
+  change_.resize_discard(elements);
+  staged_.resize_discard(capacity_);
+  pressing_.resize_discard(capacity_);
+  if (longest_.size() == 0) {
+    longest_.resize_discard(1);
+    longest_.fill(0);
+    found_.resize_discard(1);
+    found_.host()[0] = 0;
+  }
+  const uint32_t more = capacity_ - kept;
+  if (more == 0) return;
+  device_.fill(count_.current().data + kept, 0, more * sizeof(uint32_t));
+  device_.fill(origin_.current().data + kept, 0xff, more * sizeof(uint32_t));
+}
+
+/// They have not touched anything, and have no rows. Those at their places may be others'.
+template <class D>
+void GrainSet<D>::clear(uint32_t first, uint32_t count) {
+  if (any_ && count > 0) device_.fill(origin_.current().data + first, 0xff, count * sizeof(uint32_t));
+}
+
+template <class D>
+void GrainSet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
+  if (!any_) return;
+  device_.parallel_for("grains/reorder", count,
+                       pbd::GatherInOrder<uint32_t>{origin_.current(), order, origin_.next()});
+  origin_.flip();
+}
+
+/// Longer rows start empty: the next solve starts from nothing.
+template <class D>
+void GrainSet<D>::make_room() {
+  const uint32_t before = std::exchange(row_capacity_, (longest_row() + 3) / 4 * 4);
+  try {
+    reserve_arrays(0);
+  } catch (...) {
+    row_capacity_ = before;
+    reserve_arrays(0);
+    throw;
+  }
+}
+
+template <class D>
+void GrainSet<D>::save() {
+  saved_dt_ = last_dt_;
+  partner_.save();
+  impulse_.save();
+  count_.save();
+  origin_.save();
+}
+
+template <class D>
+void GrainSet<D>::restore() {
+  last_dt_ = saved_dt_;
+  partner_.restore();
+  impulse_.restore();
+  count_.restore();
+  origin_.restore();
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/mesh/clean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace meniscus::collision {
+
+namespace {
+
+using Corners = std::array<uint32_t, 3>;
+
+constexpr double weld_fraction = 1e-6;  // of the box's diagonal
+constexpr double flat_fraction = 1e-7;  // height over longest edge; below it a float normal means nothing
+constexpr uint32_t none = 0xffffffff;
+
+struct Double3 {
+  double x, y, z;
+};
+
+Double3 difference(Vec3 a, Vec3 b) {
+  return {double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z};
+}
+double squared(const Double3& a) {
+  return a.x * a.x + a.y * a.y + a.z * a.z;
+}
+
+// Vertices kept so far, in cells as wide as the welding distance: a partner is in one of 27 cells.
+class Welder {
+ public:
+  Welder(const std::vector<Vec3>& vertices, const Aabb& box)
+      : vertices_(vertices),
+        lower_(box.lower),
+        reach_(weld_fraction * std::sqrt(squared(difference(box.upper, box.lower)))) {
+    next_.resize(vertices.size(), none);
+  }
+
+  /// The first vertex kept within reach of vertex i, or i itself, which then is kept.
+  uint32_t weld(uint32_t i) {
+    const Vec3 p = vertices_[i];
+    const std::array<int64_t, 3> cell = cell_of(p);
+    if (const uint32_t own = find(p, key(cell, 0, 0, 0)); own != none) return own;
+    for (int z = -1; z <= 1; ++z) {
+      for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+          if (const uint32_t near = find(p, key(cell, x, y, z)); near != none) return near;
+        }
+      }
+    }
+    auto [head, fresh] = heads_.try_emplace(key(cell, 0, 0, 0), i);
+    if (!fresh) next_[i] = std::exchange(head->second, i);
+    return i;
+  }
+
+ private:
+  std::array<int64_t, 3> cell_of(Vec3 p) const {
+    if (reach_ == 0) return {0, 0, 0};
+    const auto along = [&](float a, float lower) {
+      return static_cast<int64_t>((double{a} - lower) / reach_) + 1;
+    };
+    return {along(p.x, lower_.x), along(p.y, lower_.y), along(p.z, lower_.z)};
+  }
+
+  // A cell's number stays below 2^21, as the diagonal is a million cells long.
+  static uint64_t key(const std::array<int64_t, 3>& cell, int x, int y, int z) {
+    return static_cast<uint64_t>(cell[0] + x) | static_cast<uint64_t>(cell[1] + y) << 21 |
+           static_cast<uint64_t>(cell[2] + z) << 42;
+  }
+
+  uint32_t find(Vec3 p, uint64_t cell) const {
+    const auto head = heads_.find(cell);
+    if (head == heads_.end()) return none;
+    for (uint32_t j = head->second; j != none; j = next_[j]) {
+      if (squared(difference(vertices_[j], p)) <= reach_ * reach_) return j;
+    }
+    return none;
+  }
+
+  const std::vector<Vec3>& vertices_;
+  Vec3 lower_;
+  double reach_;
+  std::unordered_map<uint64_t, uint32_t> heads_;
+  std::vector<uint32_t> next_;
+};
+
+std::vector<uint32_t> weld_all(const TriangleMesh& mesh) {
+  Welder welder(mesh.vertices, bounds(mesh));
+  std::vector<uint32_t> kept(mesh.vertices.size());
+  for (uint32_t i = 0; i < kept.size(); ++i) kept[i] = welder.weld(i);
+  return kept;
+}
+
+bool is_flat(Vec3 a, Vec3 b, Vec3 c) {
+  const Double3 ab = difference(b, a), ac = difference(c, a), bc = difference(c, b);
+  const Double3 n{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x};
+  const double longest = std::max({squared(ab), squared(ac), squared(bc)});
+  return squared(n) <= flat_fraction * flat_fraction * longest * longest;
+}
+
+// The same triangle with its smallest corner first, so that equal ones compare equal. The side it faces is
+// kept.
+Corners turned(Corners t) {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+// The first of each kind, in their old order.
+std::vector<uint32_t> without_repeats(const std::vector<Corners>& triangles) {
+  std::vector<std::pair<Corners, uint32_t>> sorted;
+  for (uint32_t i = 0; i < triangles.size(); ++i) sorted.emplace_back(turned(triangles[i]), i);
+  std::sort(sorted.begin(), sorted.end());
+  const auto end =
+      std::unique(sorted.begin(), sorted.end(), [](auto& a, auto& b) { return a.first == b.first; });
+  std::vector<uint32_t> kept;
+  for (auto entry = sorted.begin(); entry != end; ++entry) kept.push_back(entry->second);
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+// Numbers the used vertices anew, in their old order.
+TriangleMesh compact(const std::vector<Vec3>& vertices, std::vector<Corners> triangles) {
+  std::vector<uint32_t> number(vertices.size(), none);
+  for (const Corners& t : triangles) {
+    for (uint32_t v : t) number[v] = 0;
+  }
+  TriangleMesh result;
+  for (uint32_t v = 0; v < vertices.size(); ++v) {
+    if (number[v] == none) continue;
+    number[v] = static_cast<uint32_t>(result.vertices.size());
+    result.vertices.push_back(vertices[v]);
+  }
+  for (Corners& t : triangles) t = {number[t[0]], number[t[1]], number[t[2]]};
+  result.triangles = std::move(triangles);
+  return result;
+}
+
+}  // namespace
+
+CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) return {};
+  const std::vector<uint32_t> kept = weld_all(mesh);
+  std::vector<Corners> welded;
+  std::vector<uint32_t> sources;
+  for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Corners& t = mesh.triangles[i];
+    const Corners corners{kept[t[0]], kept[t[1]], kept[t[2]]};
+    const auto& v = mesh.vertices;
+    if (is_flat(v[corners[0]], v[corners[1]], v[corners[2]])) continue;
+    welded.push_back(corners);
+    sources.push_back(i);
+  }
+  CleanedMesh result;
+  std::vector<Corners> triangles;
+  for (uint32_t i : without_repeats(welded)) {
+    triangles.push_back(welded[i]);
+    result.sources.push_back(sources[i]);
+  }
+  result.mesh = compact(mesh.vertices, std::move(triangles));
+  return result;
+}
+
+TriangleMesh clean_mesh(const TriangleMesh& mesh) {
+  return clean_mesh_with_sources(mesh).mesh;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/mesh/hull.h"
+
+#include <LinearMath/btConvexHullComputer.h>
+#include <meniscus/error.h>
+
+#include <cmath>
+
+#include "pbd/math/vec.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+/// Appends a face as a fan of triangles.
+void append_face(TriangleMesh& mesh, const btConvexHullComputer& hull, int face) {
+  const btConvexHullComputer::Edge* first = &hull.edges[hull.faces[face]];
+  const auto corner = static_cast<uint32_t>(first->getSourceVertex());
+  for (const auto* edge = first->getNextEdgeOfFace(); edge->getNextEdgeOfFace() != first;
+       edge = edge->getNextEdgeOfFace()) {
+    mesh.triangles.push_back({corner, static_cast<uint32_t>(edge->getSourceVertex()),
+                              static_cast<uint32_t>(edge->getTargetVertex())});
+  }
+}
+
+}  // namespace
+
+TriangleMesh hull_mesh(std::span<const Vec3> points) {
+  TriangleMesh mesh;
+  if (points.size() >= 4) {
+    btConvexHullComputer hull;
+    hull.compute(&points[0].x, sizeof(Vec3), static_cast<int>(points.size()), 0, 0);
+    // The points themselves: what Bullet gives back is rounded to a ten-thousandth of the size.
+    for (int v = 0; v < hull.vertices.size(); ++v)
+      mesh.vertices.push_back(points[static_cast<size_t>(hull.original_vertex_index[v])]);
+    for (int face = 0; face < hull.faces.size(); ++face) append_face(mesh, hull, face);
+  }
+  const double volume = mesh.triangles.size() >= 4 ? std::fabs(signed_volume(mesh)) : 0;
+  const Vec3 size = mesh.vertices.empty() ? Vec3{0, 0, 0} : bounds(mesh).upper - bounds(mesh).lower;
+  if (!(volume > 1e-6 * std::pow(double{length(size)}, 3))) {
+    throw Error(ErrorCode::invalid_argument,
+                "HullGeometry::points has " + std::to_string(points.size()) +
+                    " points that span no volume; it must have 4 or more that do not lie in a plane");
+  }
+  if (signed_volume(mesh) < 0) {
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/rigid/broadphase.h"
+
+#include <algorithm>
+
+namespace meniscus::collision {
+
+namespace {
+
+constexpr unsigned first_capacity = 256;
+
+btVector3 all(float x) {
+  return {x, x, x};
+}
+
+bool is_outside(const btVector3& lower, const btVector3& upper) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (upper[axis] < -RigidBroadphase::reach || lower[axis] > RigidBroadphase::reach) return true;
+  }
+  return false;
+}
+
+/// What is outside would all lie on the border of the space, on top of one another. It gets a place for
+/// itself there, along the edge at the low end of y and z.
+btVector3 parking_place(int unique_id) {
+  const float r = RigidBroadphase::reach;
+  return {-r + 0.1f * static_cast<float>(unique_id % 200'000), -r, -r};
+}
+
+/// Whether the part of a line from `from` on, as far as `length` times `direction`, meets a box.
+bool meets_box(const btVector3& from, const btBroadphaseRayCallback& ray, const btVector3& lower,
+               const btVector3& upper) {
+  const btVector3 bounds[2] = {lower, upper};
+  btScalar at;
+  return btRayAabb2(from, ray.m_rayDirectionInverse, ray.m_signs, bounds, at, 0, ray.m_lambda_max);
+}
+
+}  // namespace
+
+RigidBroadphase::RigidBroadphase(btOverlappingPairCache* pairs)
+    : bt32BitAxisSweep3(all(-reach), all(reach), first_capacity, pairs, true) {}
+
+btBroadphaseProxy* RigidBroadphase::createProxy(const btVector3& lower, const btVector3& upper,
+                                                int shape_type, void* owner, int group, int mask,
+                                                btDispatcher* dispatcher) {
+  if (m_firstFreeHandle == 0) grow();
+  btBroadphaseProxy* made =
+      bt32BitAxisSweep3::createProxy(lower, upper, shape_type, owner, group, mask, dispatcher);
+  setAabb(made, lower, upper, dispatcher);
+  return made;
+}
+
+void RigidBroadphase::setAabb(btBroadphaseProxy* proxy, const btVector3& lower, const btVector3& upper,
+                              btDispatcher* dispatcher) {
+  if (is_outside(lower, upper)) {
+    const btVector3 place = parking_place(proxy->m_uniqueId);
+    bt32BitAxisSweep3::setAabb(proxy, place, place, dispatcher);
+  } else {
+    bt32BitAxisSweep3::setAabb(proxy, lower, upper, dispatcher);
+  }
+}
+
+void RigidBroadphase::rayTest(const btVector3& from, const btVector3&, btBroadphaseRayCallback& callback,
+                              const btVector3& lower, const btVector3& upper) {
+  for (unsigned i = 1; i < m_numHandles * 2 + 1; ++i) {
+    if (!m_pEdges[0][i].IsMax()) continue;
+    Handle* handle = getHandle(m_pEdges[0][i].m_handle);
+    // As Bullet's tree does: what is cast may have a size, which widens the box.
+    if (meets_box(from, callback, handle->m_aabbMin - upper, handle->m_aabbMax - lower)) {
+      callback.process(handle);
+    }
+  }
+}
+
+/// Twice the room, everything where it was.
+void RigidBroadphase::grow() {
+  const unsigned capacity = 2 * m_maxHandles;
+  auto* handles = new Handle[capacity];
+  std::copy_n(m_pHandles, m_maxHandles, handles);
+  for (unsigned i = m_maxHandles; i < capacity; ++i) handles[i].SetNextFree(i + 1 < capacity ? i + 1 : 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    void* raw = btAlignedAlloc(sizeof(Edge) * capacity * 2, 16);
+    Edge* edges = static_cast<Edge*>(raw);
+    std::copy_n(m_pEdges[axis], 2 * m_maxHandles, edges);
+    btAlignedFree(m_pEdgesRawPtr[axis]);
+    m_pEdgesRawPtr[axis] = raw;
+    m_pEdges[axis] = edges;
+  }
+  m_firstFreeHandle = m_maxHandles;
+  m_maxHandles = capacity;
+  adopt(handles);
+}
+
+/// Handles have moved: whoever points at one is told.
+void RigidBroadphase::adopt(Handle* handles) {
+  for (unsigned i = 1; i < m_numHandles * 2 + 1; ++i) {
+    if (!m_pEdges[0][i].IsMax()) continue;
+    Handle& handle = handles[m_pEdges[0][i].m_handle];
+    static_cast<btCollisionObject*>(handle.m_clientObject)->setBroadphaseHandle(&handle);
+  }
+  btBroadphasePairArray& pairs = m_pairCache->getOverlappingPairArray();
+  for (int i = 0; i < pairs.size(); ++i) {
+    pairs[i].m_pProxy0 = handles + pairs[i].m_pProxy0->m_uniqueId;
+    pairs[i].m_pProxy1 = handles + pairs[i].m_pProxy1->m_uniqueId;
+  }
+  delete[] m_pHandles;
+  m_pHandles = handles;
+}
+
+void RigidBroadphase::save(State& state) const {
+  state.bounds.resize(m_maxHandles);
+  for (unsigned i = 0; i < m_maxHandles; ++i) {
+    const Handle& from = m_pHandles[i];
+    Bounds& to = state.bounds[i];
+    to.lower = from.m_aabbMin;
+    to.upper = from.m_aabbMax;
+    std::copy_n(from.m_minEdges, 3, to.first);
+    std::copy_n(from.m_maxEdges, 3, to.last);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    state.edges[axis].assign(m_pEdges[axis], m_pEdges[axis] + 2 * m_numHandles + 2);
+  }
+  state.first_free = m_firstFreeHandle;
+}
+
+void RigidBroadphase::restore(const State& state) {
+  for (unsigned i = 0; i < state.bounds.size(); ++i) {
+    const Bounds& from = state.bounds[i];
+    Handle& to = m_pHandles[i];
+    to.m_aabbMin = from.lower;
+    to.m_aabbMax = from.upper;
+    std::copy_n(from.first, 3, to.m_minEdges);
+    std::copy_n(from.last, 3, to.m_maxEdges);
+  }
+  for (int axis = 0; axis < 3; ++axis) std::ranges::copy(state.edges[axis], m_pEdges[axis]);
+  m_firstFreeHandle = state.first_free;
+}
+
+bool RigidFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
+  const auto* of_a = static_cast<const btCollisionObject*>(a->m_clientObject);
+  const auto* of_b = static_cast<const btCollisionObject*>(b->m_clientObject);
+  if (of_a->isStaticOrKinematicObject() && of_b->isStaticOrKinematicObject()) return false;
+  return (a->m_collisionFilterGroup & b->m_collisionFilterMask) != 0 &&
+         (b->m_collisionFilterGroup & a->m_collisionFilterMask) != 0;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Which solids are near one another: Bullet's sweep and prune along three axes. All of its state is in plain
+// arrays, so that it can be saved and put back as it was; a tree with fat boxes would depend on history.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/rigid/bullet.h"
+
+namespace meniscus::collision {
+
+class RigidBroadphase final : public bt32BitAxisSweep3 {
+ public:
+  /// Half the width of the space that is swept, m. What is wholly outside of it meets nothing but planes.
+  static constexpr float reach = 1e4f;
+
+  explicit RigidBroadphase(btOverlappingPairCache* pairs);
+
+  btBroadphaseProxy* createProxy(const btVector3& lower, const btVector3& upper, int shape_type, void* owner,
+                                 int group, int mask, btDispatcher* dispatcher) override;
+  void setAabb(btBroadphaseProxy* proxy, const btVector3& lower, const btVector3& upper,
+               btDispatcher* dispatcher) override;
+  void rayTest(const btVector3& from, const btVector3& to, btBroadphaseRayCallback& callback,
+               const btVector3& lower, const btVector3& upper) override;
+
+  btBroadphaseProxy* proxy(int unique_id) { return getHandle(static_cast<unsigned>(unique_id)); }
+
+  struct Bounds {
+    btVector3 lower, upper;
+    unsigned first[3], last[3];  ///< places of the two edges on each axis
+  };
+  struct State {
+    std::vector<Bounds> bounds;
+    std::vector<Edge> edges[3];
+    unsigned first_free = 0;
+  };
+  void save(State& state) const;
+  void restore(const State& state);  ///< the same proxies, and no pairs
+
+ private:
+  void grow();
+  void adopt(Handle* handles);
+};
+
+/// Masks as CollisionFilter means them; and of two solids one must be moved by forces.
+struct RigidFilter final : public btOverlapFilterCallback {
+  bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
+};
+
+}  // namespace meniscus::collision

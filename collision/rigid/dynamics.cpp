@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/rigid/dynamics.h"
+
+#include <algorithm>
+
+namespace meniscus::collision {
+
+RigidDispatcher::RigidDispatcher(btCollisionConfiguration* configuration, btOverlappingPairCache* pairs)
+    : btCollisionDispatcher(configuration), pairs_(pairs) {
+  // Compounds are tested part by part. Bullet's algorithm for two of them keeps a cache in the order of
+  // events.
+  registerCollisionCreateFunc(
+      COMPOUND_SHAPE_PROXYTYPE, COMPOUND_SHAPE_PROXYTYPE,
+      configuration->getCollisionAlgorithmCreateFunc(COMPOUND_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE));
+  for (int kind = 0; kind < MAX_BROADPHASE_COLLISION_TYPES; ++kind) {
+    if (!btBroadphaseProxy::isConvex(kind)) continue;
+    registerCollisionCreateFunc(kind, STATIC_PLANE_PROXYTYPE, &plane_second_);
+    registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, kind, &plane_first_);
+  }
+}
+
+bool RigidDispatcher::needsCollision(const btCollisionObject* a, const btCollisionObject* b) {
+  return every_pair_ || btCollisionDispatcher::needsCollision(a, b);
+}
+
+void RigidDispatcher::dispatchAllCollisionPairs(btOverlappingPairCache*, const btDispatcherInfo& info,
+                                                btDispatcher*) {
+  order_pairs();
+  btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
+  for (const PairPlace& place : order_) (*getNearCallback())(pairs[place.index], *this, info);
+  follow_order();
+}
+
+void RigidDispatcher::order_pairs() {
+  const btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
+  order_.clear();
+  for (int i = 0; i < pairs.size(); ++i) {
+    const auto a = static_cast<uint64_t>(pairs[i].m_pProxy0->m_uniqueId);
+    order_.push_back({a << 32 | static_cast<uint64_t>(pairs[i].m_pProxy1->m_uniqueId), i});
+  }
+  std::ranges::sort(order_, {}, &PairPlace::key);
+}
+
+void RigidDispatcher::order_manifolds() {
+  order_pairs();
+  follow_order();
+}
+
+void RigidDispatcher::follow_order() {
+  const btBroadphasePairArray& pairs = pairs_->getOverlappingPairArray();
+  ordered_.resizeNoInitialize(0);
+  touching_.clear();
+  for (const PairPlace& place : order_) {
+    if (!pairs[place.index].m_algorithm) continue;
+    int i = ordered_.size();
+    pairs[place.index].m_algorithm->getAllContactManifolds(ordered_);
+    for (; i < ordered_.size(); ++i) {
+      btPersistentManifold* manifold = ordered_[i];
+      manifold->m_index1a = i;
+      const auto points = static_cast<uint32_t>(manifold->getNumContacts());
+      if (points) touching_.push_back({manifold, &manifold->getContactPoint(0), points, place.key});
+    }
+  }
+  const int of_pairs = ordered_.size();
+  for (int i = 0; i < m_manifoldsPtr.size(); ++i) {
+    btPersistentManifold* other = m_manifoldsPtr[i];
+    if (other->m_index1a < of_pairs && ordered_[other->m_index1a] == other) continue;
+    other->m_index1a = ordered_.size();
+    ordered_.push_back(other);
+  }
+  m_manifoldsPtr.copyFromArray(ordered_);
+  in_order_ = true;
+}
+
+/// Bullet puts the last one in its place; and who touches whom is no longer known.
+void RigidDispatcher::releaseManifold(btPersistentManifold* manifold) {
+  btCollisionDispatcher::releaseManifold(manifold);
+  in_order_ = false;
+}
+
+void RigidDynamics::detect(float dt) {
+  releasePredictiveContacts();
+  getDispatchInfo().m_timeStep = dt;
+  performDiscreteCollisionDetection();
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) {
+    const btRigidBody& body = *m_nonStaticRigidBodies[i];
+    detected[static_cast<size_t>(body.getUserIndex())] = body.getWorldTransform();
+  }
+}
+
+/// What is left of Bullet's internalSingleStepSimulation once contacts are known.
+void RigidDynamics::advance(float dt) {
+  applyGravity();
+  predictUnconstraintMotion(dt);
+  createPredictiveContacts(dt);
+  prepare_contacts();
+  calculateSimulationIslands();
+  getSolverInfo().m_timeStep = dt;
+  solveConstraints(getSolverInfo());
+  integrateTransforms(dt);
+  updateActivationState(dt);
+}
+
+namespace {
+
+/// Velocity of a body's point at the end of a step, had it no contacts.
+btVector3 free_velocity(const btRigidBody& body, const btVector3& point, float dt) {
+  const btVector3 v = body.getLinearVelocity() + dt * body.getInvMass() * body.getTotalForce();
+  const btVector3 w =
+      body.getAngularVelocity() + dt * (body.getInvInertiaTensorWorld() * body.getTotalTorque());
+  return v + w.cross(point - body.getCenterOfMassPosition());
+}
+
+/// Bullet bounds friction along two directions apart. With the first one along the slip that is about to be,
+/// the bound is Coulomb's cone, also for what rests on a slope that runs askew to the axes.
+void aim_friction(btManifoldPoint& point, const btVector3& velocity) {
+  const btVector3& n = point.m_normalWorldOnB;
+  const btVector3 slip = velocity - n.dot(velocity) * n;
+  const float speed = slip.length();
+  if (speed > 1e-6f) {
+    point.m_lateralFrictionDir1 = slip / speed;
+    point.m_lateralFrictionDir2 = point.m_lateralFrictionDir1.cross(n);
+  } else {
+    btPlaneSpace1(n, point.m_lateralFrictionDir1, point.m_lateralFrictionDir2);
+  }
+  point.m_contactPointFlags |= BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
+}
+
+/// Bullet takes what would close a gap in one step off the speed of a bounce, so that it brakes what has not
+/// arrived, or stops what has. What arrives in this step bounces here as if the gap were closed; what does
+/// not has nothing to bounce off yet.
+void close_gap(btManifoldPoint& point, const btVector3& velocity, float dt, float resting_speed) {
+  const float approach = -point.m_normalWorldOnB.dot(velocity), gap = point.getDistance();
+  if (point.m_combinedRestitution == 0 || approach <= resting_speed || gap <= 0) return;
+  if (gap < approach * dt)
+    point.setDistance(0);
+  else
+    point.m_combinedRestitution = 0;
+}
+
+}  // namespace
+
+void RigidDynamics::prepare_contacts() {
+  const float dt = getDispatchInfo().m_timeStep;
+  for_each_touching([&](btPersistentManifold& manifold) {
+    const btRigidBody& a = *btRigidBody::upcast(manifold.getBody0());
+    const btRigidBody& b = *btRigidBody::upcast(manifold.getBody1());
+    const float restitution = btManifoldResult::calculateCombinedRestitution(&a, &b);
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+      btManifoldPoint& point = manifold.getContactPoint(p);
+      point.m_combinedRestitution = restitution;
+      const btVector3 velocity = free_velocity(a, point.getPositionWorldOnA(), dt) -
+                                 free_velocity(b, point.getPositionWorldOnB(), dt);
+      aim_friction(point, velocity);
+      close_gap(point, velocity, dt, getSolverInfo().m_restitutionVelocityThreshold);
+    }
+  });
+}
+
+}  // namespace meniscus::collision

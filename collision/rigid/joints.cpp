@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Joints, as Bullet's constraints. None of them keeps anything from one step to the next.
+#include <cassert>
+#include <cmath>
+
+#include "collision/rigid/rigid_impl.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+/// The joint's frame in each of the two bodies.
+struct Frames {
+  btRigidBody &a, &b;
+  btTransform in_a, in_b;
+};
+
+/// `turn` takes the axis that Bullet means to y.
+Frames frames_of(btRigidBody& a, btRigidBody& b, const Pose& frame, const btQuaternion& turn) {
+  const btTransform world = to_bullet(frame) * btTransform(turn);
+  return {a, b, a.getWorldTransform().inverse() * world, b.getWorldTransform().inverse() * world};
+}
+
+const btQuaternion z_to_y{{1, 0, 0}, -SIMD_HALF_PI};
+const btQuaternion x_to_y{{0, 0, 1}, SIMD_HALF_PI};
+
+using Constraint = std::unique_ptr<btTypedConstraint>;
+
+auto make_axes(const Frames& f) {
+  auto made = std::make_unique<btGeneric6DofSpring2Constraint>(f.a, f.b, f.in_a, f.in_b);
+  for (int axis = 0; axis < 6; ++axis) made->setLimit(axis, 0, 0);
+  return made;
+}
+
+Constraint make_slider(const Frames& f, const SliderJoint& slider) {
+  auto made = make_axes(f);
+  if (slider.lower) {
+    made->setLimit(0, *slider.lower, *slider.upper);
+  } else {
+    made->setLimit(0, 1, -1);  // the wrong way round: free
+  }
+  if (slider.motor_force > 0) {
+    made->enableMotor(0, true);
+    made->setTargetVelocity(0, -slider.motor_speed);  // Bullet's is of a along b
+    made->setMaxMotorForce(0, slider.motor_force / mass_unit);
+  }
+  return made;
+}
+
+Constraint make_springs(const Frames& f, const SpringJoint& spring) {
+  auto made = make_axes(f);
+  const Vec3 k[2] = {spring.stiffness, spring.angular_stiffness};
+  const Vec3 c[2] = {spring.damping, spring.angular_damping};
+  for (int axis = 0; axis < 6; ++axis) {
+    const btVector3 stiffness = to_bullet(k[axis / 3]), damping = to_bullet(c[axis / 3]);
+    if (std::isinf(stiffness[axis % 3])) continue;
+    made->setLimit(axis, 1, -1);
+    if (stiffness[axis % 3] <= 0) continue;
+    made->enableSpring(axis, true);
+    made->setStiffness(axis, stiffness[axis % 3] / mass_unit);
+    made->setDamping(axis, damping[axis % 3] / mass_unit);
+    made->setEquilibriumPoint(axis, 0);
+    made->setUserConstraintType(spring_constraint);
+  }
+  return made;
+}
+
+std::unique_ptr<btHingeConstraint> make_hinge(const Frames& f, const HingeJoint& hinge) {
+  auto made = std::make_unique<btHingeConstraint>(f.a, f.b, f.in_a, f.in_b, true);
+  if (hinge.lower) made->setLimit(*hinge.lower, *hinge.upper);
+  if (hinge.motor_torque > 0) made->enableAngularMotor(true, hinge.motor_speed, 0);
+  return made;
+}
+
+void make_constraint(RigidJointRecord& joint, btRigidBody& a, btRigidBody& b, const RigidJointDef& def) {
+  if (const auto* hinge = std::get_if<HingeJoint>(&def.kind)) {
+    auto made = make_hinge(frames_of(a, b, def.frame, z_to_y), *hinge);
+    joint.hinge = made.get();
+    joint.motor_torque = hinge->motor_torque;
+    joint.bullet = std::move(made);
+  } else if (const auto* slider = std::get_if<SliderJoint>(&def.kind)) {
+    joint.bullet = make_slider(frames_of(a, b, def.frame, x_to_y), *slider);
+  } else if (const auto* spring = std::get_if<SpringJoint>(&def.kind)) {
+    joint.bullet = make_springs(frames_of(a, b, def.frame, btQuaternion::getIdentity()), *spring);
+  } else {
+    const Frames f = frames_of(a, b, def.frame, btQuaternion::getIdentity());
+    if (std::holds_alternative<BallJoint>(def.kind)) {
+      joint.bullet = std::make_unique<btPoint2PointConstraint>(a, b, f.in_a.getOrigin(), f.in_b.getOrigin());
+    } else {
+      joint.bullet = make_axes(f);
+    }
+  }
+}
+
+}  // namespace
+
+uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
+  btRigidBody& a = *impl_->body(def.a).bullet;
+  btRigidBody& b = def.b == pbd::no_index ? impl_->ground : *impl_->body(def.b).bullet;
+  auto made = std::make_unique<RigidJointRecord>();
+  made->a = def.a;
+  made->b = def.b;
+  make_constraint(*made, a, b, def);
+  impl_->dynamics.addConstraint(made->bullet.get(), !def.bodies_collide);
+  if (!def.bodies_collide && def.b != pbd::no_index) {
+    // What they already have in contact would go on to push.
+    btBroadphasePair* pair = impl_->pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
+    if (pair) impl_->pairs.cleanOverlappingPair(*pair, &impl_->dispatcher);
+    impl_->dispatcher.order_manifolds();
+  }
+  wake_up(a);
+  if (def.b != pbd::no_index) wake_up(b);
+  return impl_->joints.add(std::move(made));
+}
+
+void RigidWorld::remove_joint(uint32_t number) {
+  assert(has_joint(number));
+  btTypedConstraint& joint = *impl_->joints.slots[number]->bullet;
+  joint.getRigidBodyA().activate();
+  joint.getRigidBodyB().activate();
+  impl_->dynamics.removeConstraint(&joint);
+  impl_->joints.remove(number);
+}
+
+bool RigidWorld::has_joint(uint32_t number) const {
+  return impl_->joints.has(number);
+}
+
+float RigidWorld::hinge_angle(uint32_t number) const {
+  assert(has_joint(number));
+  btHingeConstraint* hinge = impl_->joints.slots[number]->hinge;
+  return hinge ? hinge->getHingeAngle() : 0;
+}
+
+/// Bullet bounds a hinge's motor by an impulse, so that the bound depends on the step.
+void RigidWorld::Impl::limit_motors(float dt) {
+  for (const auto& joint : joints.slots) {
+    if (joint && joint->hinge) joint->hinge->setMaxMotorImpulse(joint->motor_torque / mass_unit * dt);
+  }
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What is behind RigidWorld. Its functions are spread over rigid_world.cpp (what there is), step.cpp
+// (how it moves), joints.cpp, queries.cpp and snapshot.cpp.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "collision/rigid/broadphase.h"
+#include "collision/rigid/dynamics.h"
+#include "collision/rigid/kinematics.h"
+#include "collision/rigid/rigid_shapes.h"
+#include "collision/rigid/rigid_solver.h"
+#include "collision/rigid/rigid_world.h"
+
+namespace meniscus::collision {
+
+/// Bullet's user type of joints with springs.
+inline constexpr int spring_constraint = 1;
+
+enum class KinematicDrive { still, keyframes, move };
+
+/// What a body remembers beside what Bullet does: plain data, so that it can be saved.
+struct RigidMemory {
+  Vec3 force{0, 0, 0}, torque{0, 0, 0};              ///< the user's, N and N·m, until end_step()
+  Vec3 usual_force{0, 0, 0}, usual_torque{0, 0, 0};  ///< smoothed, of the particles, while it was awake
+  Pose pose;                                         ///< kinematic bodies: of the geometry's frame
+  KinematicDrive drive = KinematicDrive::still;
+  KinematicMove move{};
+};
+
+struct RigidBodyRecord {
+  std::string name;
+  RigidShape shape;
+  std::unique_ptr<btRigidBody> bullet;
+  bool kinematic = false;
+  bool kept_awake = false;
+  std::vector<Keyframe> keyframes;
+  bool loop = false;
+  RigidMemory memory;
+  Pose from, to;                             ///< kinematic bodies: of the step that is under way
+  Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the step under way, where sprung
+};
+
+struct RigidFixedRecord {
+  RigidShape shape;
+  std::unique_ptr<btRigidBody> bullet;
+};
+
+struct RigidJointRecord {
+  uint32_t a, b;  ///< bodies; no_index is the world
+  std::unique_ptr<btTypedConstraint> bullet;
+  btHingeConstraint* hinge = nullptr;
+  float motor_torque = 0;  ///< N·m, of the hinge
+};
+
+/// Things by number: a free number is given out again, the lowest first.
+template <class T>
+struct Numbered {
+  std::vector<std::unique_ptr<T>> slots;
+
+  uint32_t add(std::unique_ptr<T> thing) {
+    size_t n = 0;
+    while (n < slots.size() && slots[n]) ++n;
+    if (n == slots.size()) slots.emplace_back();
+    slots[n] = std::move(thing);
+    return static_cast<uint32_t>(n);
+  }
+  void remove(uint32_t n) {
+    slots[n].reset();
+    while (!slots.empty() && !slots.back()) slots.pop_back();
+  }
+  bool has(uint32_t n) const { return n < slots.size() && slots[n]; }
+};
+
+struct RigidWorld::Impl {
+  explicit Impl(const RigidWorldDef& definition);
+  ~Impl();
+
+  RigidWorldDef def;
+  btHashedOverlappingPairCache pairs;
+  RigidFilter filter;
+  btDefaultCollisionConfiguration configuration;
+  RigidBroadphase broadphase;
+  RigidDispatcher dispatcher;
+  RigidSolver solver;
+  RigidDynamics dynamics;
+  btRigidBody ground;  ///< what joints with the world hold on to; it is not in the world
+  Numbered<RigidBodyRecord> bodies;
+  Numbered<RigidFixedRecord> fixed;
+  Numbered<RigidJointRecord> joints;
+  double time = 0;               ///< s
+  std::vector<RigidRef> solids;  ///< by the id of the proxy
+  std::vector<uint64_t> touching_keys;
+  std::vector<RigidTouch> touches;
+  bool knows_touches = false;
+
+  RigidBodyRecord& body(uint32_t n) const;
+  /// Calls visit(number, body) for each, with the next ones on their way.
+  template <class Visit>
+  void for_each_body(const Visit& visit) const {
+    constexpr size_t ahead = 4;
+    const auto& slots = bodies.slots;
+    const auto is_there = [&](size_t n) { return n < slots.size() && slots[n]; };
+    for (size_t n = 0; n < slots.size(); ++n) {
+      if (is_there(n + 2 * ahead)) fetch_soon(slots[n + 2 * ahead].get());
+      if (is_there(n + ahead)) fetch_soon(slots[n + ahead]->bullet.get());
+      if (slots[n]) visit(static_cast<uint32_t>(n), *slots[n]);
+    }
+  }
+  float acceleration_scale() const;  ///< m/s², of gravity, at least 1
+
+  /// To be called before something is changed that others may rest on.
+  void wake_around(const btRigidBody& body);
+  void drop_pairs();
+
+  Pose kinematic_pose(const RigidBodyRecord& body, double at) const;
+  void place_kinematic(RigidBodyRecord& body, const Pose& pose);
+
+  void take_impulses(float dt, std::span<const RigidImpulse> impulses);
+  void drive_kinematics(float dt);
+  void wake_driven();
+  void advance_kinematics(float share);
+  void apply_forces(float dt);
+  void limit_motors(float dt);
+
+  RigidRef solid_of(const btCollisionObject* object) const;
+  /// A body or fixed solid that has its number joins the world.
+  void add(btRigidBody& body, const CollisionFilter& filter);
+};
+
+/// What a step begins with: velocities of one that will be at `target` when dt has passed.
+struct KinematicVelocity {
+  Vec3 linear, angular;
+};
+KinematicVelocity velocity_to(const Pose& start, const Pose& target, float dt);
+
+void wake_up(btRigidBody& body);
+void set_speed(btRigidBody& body, Vec3 linear, Vec3 angular);
+
+}  // namespace meniscus::collision

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What a rigid world holds: solids, bodies, and their state.
+#include "collision/rigid/rigid_world.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "collision/rigid/rigid_impl.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+/// Slower than this share of √(g r) for two seconds, a body may fall asleep.
+constexpr float sleep_share = 0.01f;
+
+btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const RigidShape& shape,
+                                                 float mass) {
+  btRigidBody::btRigidBodyConstructionInfo info(mass / mass_unit, nullptr, shape.root,
+                                                in_mass_units(shape.inertia));
+  info.m_startWorldTransform = to_bullet(solid.pose) * to_bullet(shape.frame);
+  // Bullet multiplies the values of two solids.
+  info.m_friction = std::sqrt(solid.friction);
+  info.m_restitution = std::sqrt(solid.restitution);
+  return info;
+}
+
+/// Small bodies sleep at lower speeds than large ones, and none without gravity, which would have what drifts
+/// stop; and fast ones are swept, as by how far they may go in a step before they could pass through
+/// something.
+void scale_to_size(btRigidBody& body, const RigidShape& shape, float gravity) {
+  const float speed = sleep_share * std::sqrt(gravity * shape.radius);
+  body.setSleepingThresholds(speed, speed / shape.radius);
+  body.setCcdMotionThreshold(0.5f * shape.inner_radius);
+  body.setCcdSweptSphereRadius(0.4f * shape.inner_radius);
+}
+
+void place(btRigidBody& body, const btTransform& at) {
+  body.setWorldTransform(at);
+  body.setInterpolationWorldTransform(at);
+  body.updateInertiaTensor();
+}
+
+}  // namespace
+
+void set_speed(btRigidBody& body, Vec3 linear, Vec3 angular) {
+  body.setLinearVelocity(to_bullet(linear));
+  body.setAngularVelocity(to_bullet(angular));
+  body.setInterpolationLinearVelocity(to_bullet(linear));
+  body.setInterpolationAngularVelocity(to_bullet(angular));
+}
+
+void wake_up(btRigidBody& body) {
+  body.activate(true);
+}
+
+RigidWorld::Impl::Impl(const RigidWorldDef& definition)
+    : def(definition),
+      broadphase(&pairs),
+      dispatcher(&configuration, &pairs),
+      dynamics(&dispatcher, &broadphase, &solver, &configuration),
+      ground(0, nullptr, nullptr) {
+  pairs.setOverlapFilterCallback(&filter);
+  dynamics.setGravity(to_bullet(def.gravity));
+  dynamics.setForceUpdateAllAabbs(false);
+  dynamics.setApplySpeculativeContactRestitution(true);
+  dynamics.getDispatchInfo().m_deterministicOverlappingPairs = true;
+  dynamics.getDispatchInfo().m_allowedCcdPenetration = 0;
+  btContactSolverInfo& info = dynamics.getSolverInfo();
+  info.m_numIterations = def.iterations;
+  info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
+  // All of the last step's impulses to start from: with the usual 0.85 a stack must find the rest anew each
+  // time.
+  info.m_warmstartingFactor = 1;
+  // Overlaps are taken out apart from velocities, all of them and not just those beyond 4 cm, so that they
+  // give no energy.
+  info.m_splitImpulse = true;
+  info.m_splitImpulsePenetrationThreshold = 0;
+}
+
+/// From the last to the first, which moves none to another's place.
+void RigidWorld::Impl::drop_pairs() {
+  while (pairs.getNumOverlappingPairs() > 0) {
+    const btBroadphasePair last = pairs.getOverlappingPairArray()[pairs.getNumOverlappingPairs() - 1];
+    pairs.removeOverlappingPair(last.m_pProxy0, last.m_pProxy1, &dispatcher);
+  }
+}
+
+RigidWorld::Impl::~Impl() {
+  drop_pairs();  // else each body would look through all of them for its own
+  for (auto& joint : joints.slots) {
+    if (joint) dynamics.removeConstraint(joint->bullet.get());
+  }
+  for (auto& body : bodies.slots) {
+    if (body) dynamics.removeRigidBody(body->bullet.get());
+  }
+  for (auto& solid : fixed.slots) {
+    if (solid) dynamics.removeRigidBody(solid->bullet.get());
+  }
+  dynamics.release_predictive();
+}
+
+RigidBodyRecord& RigidWorld::Impl::body(uint32_t n) const {
+  assert(bodies.has(n));
+  return *bodies.slots[n];
+}
+
+float RigidWorld::Impl::acceleration_scale() const {
+  return pbd::max(length(def.gravity), 1.0f);
+}
+
+void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& meets) {
+  dynamics.addRigidBody(&body, static_cast<int>(meets.groups), static_cast<int>(meets.mask));
+  const auto proxy = static_cast<size_t>(body.getBroadphaseHandle()->m_uniqueId);
+  if (solids.size() <= proxy) solids.resize(proxy + 1);
+  solids[proxy] = solid_of(&body);
+}
+
+RigidRef RigidWorld::Impl::solid_of(const btCollisionObject* object) const {
+  return {!object->isStaticObject(), static_cast<uint32_t>(object->getUserIndex())};
+}
+
+void RigidWorld::Impl::wake_around(const btRigidBody& changed) {
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+    if (manifold.getNumContacts() == 0) continue;
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    if (a == &changed) b->activate();
+    if (b == &changed) a->activate();
+  }
+  for (int i = 0; i < dynamics.getNumConstraints(); ++i) {
+    btTypedConstraint& joint = *dynamics.getConstraint(i);
+    if (&joint.getRigidBodyA() == &changed) joint.getRigidBodyB().activate();
+    if (&joint.getRigidBodyB() == &changed) joint.getRigidBodyA().activate();
+  }
+}
+
+RigidWorld::RigidWorld(const RigidWorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+RigidWorld::~RigidWorld() = default;
+
+void RigidWorld::set_def(const RigidWorldDef& def) {
+  impl_->def = def;
+  impl_->dynamics.getSolverInfo().m_numIterations = def.iterations;
+  // Bullet tells those that are awake alone.
+  for (const auto& body : impl_->bodies.slots) {
+    if (!body) continue;
+    wake_up(*body->bullet);
+    scale_to_size(*body->bullet, body->shape, length(def.gravity));
+  }
+  impl_->dynamics.setGravity(to_bullet(def.gravity));
+}
+
+uint32_t RigidWorld::add_fixed(const RigidSolid& solid) {
+  auto made = std::make_unique<RigidFixedRecord>();
+  made->shape = make_rigid_shape(solid.parts, nullptr);
+  made->bullet = std::make_unique<btRigidBody>(info_of(solid, made->shape, 0));
+  btRigidBody& body = *made->bullet;
+  const uint32_t number = impl_->fixed.add(std::move(made));
+  body.setUserIndex(static_cast<int>(number));
+  impl_->add(body, solid.filter);
+  return number;
+}
+
+void RigidWorld::remove_fixed(uint32_t number) {
+  assert(impl_->fixed.has(number));
+  btRigidBody& body = *impl_->fixed.slots[number]->bullet;
+  impl_->wake_around(body);
+  impl_->dynamics.release_predictive();
+  impl_->dynamics.removeRigidBody(&body);
+  impl_->fixed.remove(number);
+  impl_->dispatcher.order_manifolds();
+  impl_->knows_touches = false;
+}
+
+uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
+  auto made = std::make_unique<RigidBodyRecord>();
+  made->name = def.name;
+  made->kinematic = def.motion == BodyMotion::kinematic;
+  made->shape = make_rigid_shape(def.solid.parts, made->kinematic ? nullptr : &def.mass);
+  const float mass = made->kinematic ? 0 : static_cast<float>(def.mass.mass);
+  btRigidBody::btRigidBodyConstructionInfo info = info_of(def.solid, made->shape, mass);
+  info.m_linearDamping = def.linear_damping;
+  info.m_angularDamping = def.angular_damping;
+  made->bullet = std::make_unique<btRigidBody>(info);
+  btRigidBody& bullet = *made->bullet;
+  if (made->kinematic) {
+    // Not static, which is how Bullet sees what has no mass.
+    bullet.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+    made->keyframes = def.keyframes;
+    made->loop = def.loop;
+    made->memory.drive = def.keyframes.empty() ? KinematicDrive::still : KinematicDrive::keyframes;
+    made->memory.pose = def.solid.pose;
+    impl_->place_kinematic(*made, impl_->kinematic_pose(*made, impl_->time));
+  } else {
+    set_speed(bullet, def.velocity, def.angular_velocity);
+    bullet.setFlags(bullet.getFlags() & ~BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);  // see tumbled()
+  }
+  scale_to_size(bullet, made->shape, length(impl_->def.gravity));
+  if (!def.can_sleep) bullet.setActivationState(DISABLE_DEACTIVATION);
+
+  const uint32_t number = impl_->bodies.add(std::move(made));
+  bullet.setUserIndex(static_cast<int>(number));
+  impl_->dynamics.detected.resize(impl_->bodies.slots.size(), btTransform::getIdentity());
+  impl_->dynamics.detected[number] = bullet.getWorldTransform();
+  impl_->add(bullet, def.solid.filter);
+  return number;
+}
+
+void RigidWorld::remove_body(uint32_t number) {
+  btRigidBody& bullet = *impl_->body(number).bullet;
+  impl_->wake_around(bullet);
+  for (uint32_t joint = 0; joint < impl_->joints.slots.size(); ++joint) {
+    if (!has_joint(joint)) continue;
+    const RigidJointRecord& record = *impl_->joints.slots[joint];
+    if (record.a == number || record.b == number) remove_joint(joint);
+  }
+  impl_->dynamics.release_predictive();
+  impl_->dynamics.removeRigidBody(&bullet);
+  impl_->bodies.remove(number);
+  impl_->dispatcher.order_manifolds();
+  impl_->knows_touches = false;
+}
+
+uint32_t RigidWorld::body_slots() const {
+  return static_cast<uint32_t>(impl_->bodies.slots.size());
+}
+
+uint32_t RigidWorld::body_count() const {
+  uint32_t count = 0;
+  for (const auto& body : impl_->bodies.slots) count += body != nullptr;
+  return count;
+}
+
+RigidMass RigidWorld::mass(uint32_t number) const {
+  if (!impl_->bodies.has(number)) return {0, {0, 0, 0}, {}};
+  const RigidBodyRecord& body = impl_->body(number);
+  return {body.bullet->getInvMass() / mass_unit,
+          from_bullet(body.bullet->getInvInertiaDiagLocal()) / mass_unit, body.shape.frame};
+}
+
+Pose RigidWorld::pose(uint32_t number) const {
+  const RigidBodyRecord& body = impl_->body(number);
+  if (body.kinematic) return body.memory.pose;
+  return from_bullet(body.bullet->getWorldTransform()) * inverse(body.shape.frame);
+}
+
+Vec3 RigidWorld::velocity(uint32_t number) const {
+  return from_bullet(impl_->body(number).bullet->getLinearVelocity());
+}
+
+Vec3 RigidWorld::angular_velocity(uint32_t number) const {
+  return from_bullet(impl_->body(number).bullet->getAngularVelocity());
+}
+
+Vec3 RigidWorld::centre_of_mass(uint32_t number) const {
+  return from_bullet(impl_->body(number).bullet->getCenterOfMassPosition());
+}
+
+bool RigidWorld::awake(uint32_t number) const {
+  return impl_->body(number).bullet->isActive();
+}
+
+void RigidWorld::set_pose(uint32_t number, const Pose& pose) {
+  RigidBodyRecord& body = impl_->body(number);
+  impl_->wake_around(*body.bullet);
+  if (body.kinematic) {
+    body.memory.drive = KinematicDrive::still;
+    impl_->place_kinematic(body, pose);
+    set_speed(*body.bullet, {0, 0, 0}, {0, 0, 0});
+  } else {
+    place(*body.bullet, to_bullet(pose) * to_bullet(body.shape.frame));
+  }
+  impl_->dynamics.updateSingleAabb(body.bullet.get());  // queries before the next step find it there
+  collision::wake_up(*body.bullet);
+}
+
+void RigidWorld::set_velocity(uint32_t number, Vec3 velocity, Vec3 angular_velocity) {
+  assert(!impl_->body(number).kinematic);
+  set_speed(*impl_->body(number).bullet, velocity, angular_velocity);
+  wake(number);
+}
+
+void RigidWorld::wake(uint32_t number) {
+  wake_up(*impl_->body(number).bullet);
+}
+
+void RigidWorld::keep_awake(std::span<const uint32_t> bodies) {
+  for (auto& body : impl_->bodies.slots) {
+    if (body) body->kept_awake = false;
+  }
+  for (uint32_t n : bodies) {
+    RigidBodyRecord& body = impl_->body(n);
+    body.kept_awake = true;
+    if (!body.bullet->isActive()) wake_up(*body.bullet);
+  }
+}
+
+void RigidWorld::apply_force(uint32_t number, Vec3 force, Vec3 point) {
+  RigidBodyRecord& body = impl_->body(number);
+  body.memory.force += force;
+  body.memory.torque += cross(point - from_bullet(body.bullet->getCenterOfMassPosition()), force);
+  wake(number);
+}
+
+void RigidWorld::apply_torque(uint32_t number, Vec3 torque) {
+  impl_->body(number).memory.torque += torque;
+  wake(number);
+}
+
+void RigidWorld::apply_impulse(uint32_t number, Vec3 impulse, Vec3 point) {
+  btRigidBody& bullet = *impl_->body(number).bullet;
+  bullet.applyImpulse(in_mass_units(impulse), to_bullet(point) - bullet.getCenterOfMassPosition());
+  wake(number);
+}
+
+double RigidWorld::time() const {
+  return impl_->time;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// State in memory. Bullet's collision algorithms cannot be copied. They are made anew: bodies are put where
+// they were when contacts were last looked for, and every pair is looked at again. That gives the same
+// manifolds in the same order, the contents of which are then overwritten with those that were saved.
+#include <algorithm>
+#include <cassert>
+
+#include "collision/rigid/rigid_impl.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+struct SavedBody {
+  btTransform pose, interpolated, detected;
+  btVector3 velocity, angular_velocity, interpolated_velocity, interpolated_angular_velocity;
+  float idle_time;  ///< s
+  int activation;
+  RigidMemory memory;
+};
+
+struct SavedPair {
+  int a, b;  ///< ids of the proxies
+  bool has_algorithm;
+};
+
+struct SavedManifold {
+  int index, points;
+};
+
+SavedBody saved(const RigidBodyRecord& body, const btTransform& detected) {
+  const btRigidBody& b = *body.bullet;
+  return {b.getWorldTransform(),
+          b.getInterpolationWorldTransform(),
+          detected,
+          b.getLinearVelocity(),
+          b.getAngularVelocity(),
+          b.getInterpolationLinearVelocity(),
+          b.getInterpolationAngularVelocity(),
+          b.getDeactivationTime(),
+          b.getActivationState(),
+          body.memory};
+}
+
+void put_back(RigidBodyRecord& body, const SavedBody& saved) {
+  btRigidBody& b = *body.bullet;
+  b.setWorldTransform(saved.pose);
+  b.updateInertiaTensor();
+  b.setInterpolationWorldTransform(saved.interpolated);
+  b.setLinearVelocity(saved.velocity);
+  b.setAngularVelocity(saved.angular_velocity);
+  b.setInterpolationLinearVelocity(saved.interpolated_velocity);
+  b.setInterpolationAngularVelocity(saved.interpolated_angular_velocity);
+  b.setDeactivationTime(saved.idle_time);
+  b.forceActivationState(saved.activation);
+  body.memory = saved.memory;
+}
+
+}  // namespace
+
+struct RigidWorld::Snapshot {
+  std::vector<SavedBody> bodies;
+  std::vector<SavedPair> pairs;
+  std::vector<SavedManifold> manifolds;
+  std::vector<btManifoldPoint> points;
+  std::vector<btPersistentManifold> predictions;
+  RigidBroadphase::State broadphase;
+  double time = 0;
+};
+
+void RigidWorld::DeleteSnapshot::operator()(Snapshot* snapshot) const {
+  delete snapshot;
+}
+
+RigidWorld::SnapshotPtr RigidWorld::make_snapshot() {
+  return SnapshotPtr(new Snapshot);
+}
+
+void RigidWorld::save_bodies(Snapshot& to) const {
+  to.bodies.clear();
+  impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
+    to.bodies.push_back(saved(body, impl_->dynamics.detected[n]));
+  });
+  to.time = impl_->time;
+}
+
+void RigidWorld::save_contacts(Snapshot& to) const {
+  to.pairs.clear();
+  const btBroadphasePairArray& pairs = impl_->pairs.getOverlappingPairArray();
+  for (int i = 0; i < pairs.size(); ++i) {
+    to.pairs.push_back(
+        {pairs[i].m_pProxy0->m_uniqueId, pairs[i].m_pProxy1->m_uniqueId, pairs[i].m_algorithm != nullptr});
+  }
+  to.manifolds.clear();
+  to.points.clear();
+  auto& predictive = impl_->dynamics.predictive();
+  impl_->dispatcher.for_each_touching([&](const btPersistentManifold& manifold, uint64_t) {
+    const int count = manifold.getNumContacts();
+    to.manifolds.push_back({manifold.m_index1a, count});
+    const btManifoldPoint* first = &manifold.getContactPoint(0);
+    to.points.insert(to.points.end(), first, first + count);
+  });
+  to.predictions.clear();
+  for (int i = 0; i < predictive.size(); ++i) to.predictions.push_back(*predictive[i]);
+  impl_->broadphase.save(to.broadphase);
+}
+
+namespace {
+
+/// The pairs in the order that they had, with algorithms for those that had one, and their manifolds.
+void remake_pairs(const std::vector<SavedPair>& saved, btHashedOverlappingPairCache& pairs,
+                  RigidBroadphase& broadphase, RigidDispatcher& dispatcher, const btDispatcherInfo& info) {
+  for (const SavedPair& pair : saved) {
+    pairs.addOverlappingPair(broadphase.proxy(pair.a), broadphase.proxy(pair.b));
+  }
+  assert(pairs.getNumOverlappingPairs() == static_cast<int>(saved.size()));
+  dispatcher.set_every_pair(true);
+  for (size_t i = 0; i < saved.size(); ++i) {
+    if (!saved[i].has_algorithm) continue;
+    (*dispatcher.getNearCallback())(pairs.getOverlappingPairArray()[static_cast<int>(i)], dispatcher, info);
+  }
+  dispatcher.set_every_pair(false);
+  dispatcher.order_manifolds();
+}
+
+void refill(btPersistentManifold& manifold, const btManifoldPoint* points, int count) {
+  manifold.setNumContacts(count);
+  for (int p = 0; p < count; ++p) manifold.getContactPoint(p) = points[p];
+}
+
+void refill_all(RigidDispatcher& dispatcher, const std::vector<SavedManifold>& saved,
+                const btManifoldPoint* points) {
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    dispatcher.getManifoldByIndexInternal(i)->setNumContacts(0);
+  }
+  for (const SavedManifold& manifold : saved) {
+    assert(manifold.index < dispatcher.getNumManifolds());
+    refill(*dispatcher.getManifoldByIndexInternal(manifold.index), points, manifold.points);
+    points += manifold.points;
+  }
+  dispatcher.order_manifolds();
+}
+
+}  // namespace
+
+void RigidWorld::restore(const Snapshot& from) {
+  RigidDynamics& dynamics = impl_->dynamics;
+  dynamics.release_predictive();
+  impl_->drop_pairs();
+  impl_->broadphase.restore(from.broadphase);
+  auto saved_body = from.bodies.begin();
+  for (size_t n = 0; n < impl_->bodies.slots.size(); ++n) {
+    if (!impl_->bodies.slots[n]) continue;
+    assert(saved_body != from.bodies.end());
+    dynamics.detected[n] = saved_body->detected;
+    impl_->bodies.slots[n]->bullet->setWorldTransform((saved_body++)->detected);
+  }
+  remake_pairs(from.pairs, impl_->pairs, impl_->broadphase, impl_->dispatcher, dynamics.getDispatchInfo());
+  refill_all(impl_->dispatcher, from.manifolds, from.points.data());
+  for (const btPersistentManifold& saved : from.predictions) {
+    btPersistentManifold* made = impl_->dispatcher.getNewManifold(saved.getBody0(), saved.getBody1());
+    refill(*made, &saved.getContactPoint(0), saved.getNumContacts());
+    dynamics.predictive().push_back(made);
+  }
+  saved_body = from.bodies.begin();
+  for (const auto& body : impl_->bodies.slots) {
+    if (body) put_back(*body, *saved_body++);
+  }
+  impl_->time = from.time;
+  impl_->knows_touches = false;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// How a rigid world moves: what it predicts, what impulses do, and its steps.
+#include <meniscus/error.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "collision/rigid/rigid_impl.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+constexpr float smoothing_time = 0.1f;  // s, over which a body's usual push is found
+constexpr float waking_share = 0.1f;    // of its weight, by which a push must differ from the usual
+
+/// Bullet turns a body by no more than this in a step, rad.
+constexpr float most_turn = ANGULAR_MOTION_THRESHOLD;
+
+/// Slower contacts than this many steps' gravity gives do not bounce: they rest.
+constexpr float resting_steps = 4;
+
+Vec3 limited_turn(Vec3 angular_velocity, float dt) {
+  const float speed = length(angular_velocity);
+  return speed * dt > most_turn ? most_turn / (speed * dt) * angular_velocity : angular_velocity;
+}
+
+/// The angular velocity of a free body after dt, as its axes turn: Euler's equation by the implicit midpoint
+/// rule, which keeps energy and momentum, in the body's frame. Bullet's own takes the tumbling out of fast
+/// bodies, and leaves out small ones, whose moments of inertia multiply to less than it would divide by.
+btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
+  const btMatrix3x3& axes = body.getWorldTransform().getBasis();
+  const btVector3 inertia = body.getLocalInertia(), inverse = body.getInvInertiaDiagLocal();
+  const btMatrix3x3 over_inertia(inverse.x(), 0, 0, 0, inverse.y(), 0, 0, 0, inverse.z());
+  const btVector3 before = angular * axes;
+  const float speed = before.length(), turning = btMin(dt, most_turn / btMax(speed, FLT_MIN));
+  btVector3 after = before;
+  constexpr int newton_steps = 3;
+  for (int i = 0; i < newton_steps; ++i) {
+    const btVector3 w = 0.5f * (before + after), momentum = inertia * w;
+    const btVector3 error = after - before + turning * inverse * w.cross(momentum);
+    if (error.length() <= FLT_EPSILON * speed) break;
+    btMatrix3x3 turn, spin;
+    w.getSkewSymmetricMatrix(&turn[0], &turn[1], &turn[2]);
+    momentum.getSkewSymmetricMatrix(&spin[0], &spin[1], &spin[2]);
+    const btMatrix3x3 slope =
+        btMatrix3x3::getIdentity() + over_inertia * (turn.scaled(inertia) - spin) * (0.5f * turning);
+    after -= slope.solve33(error);
+  }
+  return axes * after;
+}
+
+/// What Bullet's steps make of a body's velocity where nothing is in its way; the mean over the steps. The
+/// inertia's axes are taken as they are at the start.
+RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
+  const float share = 1 / static_cast<float>(substeps), h = share * dt;
+  const btVector3 gain = h * (body.getGravity() + body.getInvMass() * in_mass_units(memory.force));
+  const btVector3 spin = h * (body.getInvInertiaTensorWorld() * in_mass_units(memory.torque));
+  const float kept = btPow(1 - body.getLinearDamping(), h);
+  const float angular_kept = btPow(1 - body.getAngularDamping(), h);
+  btVector3 linear = body.getLinearVelocity(), angular = body.getAngularVelocity();
+  RigidMotion mean{from_bullet(body.getWorldTransform()), {0, 0, 0}, {0, 0, 0}};
+  for (int i = 0; i < substeps; ++i) {
+    linear = kept * linear + gain;
+    angular = angular_kept * tumbled(body, angular, h) + spin;
+    mean.velocity += share * from_bullet(linear);
+    mean.angular_velocity += share * limited_turn(from_bullet(angular), h);
+  }
+  return mean;
+}
+
+bool is_sprung(btRigidBody& body) {
+  for (int i = 0; i < body.getNumConstraintRefs(); ++i) {
+    if (body.getConstraintRef(i)->getUserConstraintType() == spring_constraint) return true;
+  }
+  return false;
+}
+
+/// Takes a particles' push in, unless the body sleeps through it.
+void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, float gravity) {
+  RigidMemory& memory = body.memory;
+  const Vec3 force = impulse.linear / dt, torque = impulse.angular / dt;
+  const float weight = gravity * mass_unit / body.bullet->getInvMass();
+  if (!body.bullet->isActive()) {
+    const bool as_usual = length(force - memory.usual_force) <= waking_share * weight &&
+                          length(torque - memory.usual_torque) <= waking_share * weight * body.shape.radius;
+    if (as_usual) return;
+    wake_up(*body.bullet);
+  }
+  const float share = dt / (smoothing_time + dt);
+  memory.usual_force += share * (force - memory.usual_force);
+  memory.usual_torque += share * (torque - memory.usual_torque);
+  if (is_sprung(*body.bullet)) {
+    // What had become motion before joints are solved for, a damper would resist for ever.
+    body.push = force;
+    body.push_torque = torque;
+  } else {
+    body.bullet->applyCentralImpulse(in_mass_units(impulse.linear));
+    body.bullet->applyTorqueImpulse(in_mass_units(impulse.angular));
+  }
+}
+
+}  // namespace
+
+KinematicVelocity velocity_to(const Pose& start, const Pose& target, float dt) {
+  return {(target.position - start.position) / dt, turn_between(start.rotation, target.rotation) / dt};
+}
+
+Pose RigidWorld::Impl::kinematic_pose(const RigidBodyRecord& body, double at) const {
+  switch (body.memory.drive) {
+    case KinematicDrive::keyframes:
+      return keyframe_pose(body.keyframes, body.loop, at);
+    case KinematicDrive::move:
+      return move_pose(body.memory.move, at);
+    case KinematicDrive::still:
+      break;
+  }
+  return body.memory.pose;
+}
+
+void RigidWorld::Impl::place_kinematic(RigidBodyRecord& body, const Pose& pose) {
+  body.memory.pose = pose;
+  const btTransform at = to_bullet(pose) * to_bullet(body.shape.frame);
+  body.bullet->setWorldTransform(at);
+  body.bullet->setInterpolationWorldTransform(at);
+}
+
+void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
+  assert(out.size() >= body_slots());
+  std::ranges::fill(out, RigidMotion{{}, {0, 0, 0}, {0, 0, 0}});
+  impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
+    if (dt == 0) {
+      out[n].start = from_bullet(body.bullet->getWorldTransform());
+    } else if (body.kinematic) {
+      const Pose start = body.memory.pose * body.shape.frame;
+      const Pose target = impl_->kinematic_pose(body, impl_->time + dt) * body.shape.frame;
+      const KinematicVelocity v = velocity_to(start, target, dt);
+      out[n] = {start, v.linear, v.angular};
+    } else if (body.bullet->isActive()) {
+      out[n] = free_flight(*body.bullet, body.memory, dt, impl_->def.substeps);
+    } else {
+      out[n].start = from_bullet(body.bullet->getWorldTransform());
+    }
+  });
+}
+
+void RigidWorld::Impl::take_impulses(float dt, std::span<const RigidImpulse> impulses) {
+  assert(impulses.empty() || impulses.size() >= bodies.slots.size());
+  for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
+    if (!bodies.has(n) || bodies.slots[n]->kinematic) continue;
+    bodies.slots[n]->push = bodies.slots[n]->push_torque = {0, 0, 0};
+    if (!impulses.empty()) take_impulse(*bodies.slots[n], impulses[n], dt, acceleration_scale());
+  }
+}
+
+/// Gives kinematic bodies the velocities that take them from where they are to where they must be.
+void RigidWorld::Impl::drive_kinematics(float dt) {
+  for (const auto& body : bodies.slots) {
+    if (!body || !body->kinematic) continue;
+    body->from = body->memory.pose;
+    body->to = kinematic_pose(*body, time + dt);
+    const Pose& frame = body->shape.frame;
+    const KinematicVelocity v = velocity_to(body->from * frame, body->to * frame, dt);
+    set_speed(*body->bullet, v.linear, v.angular);
+    // One that stands still may sleep, so that what lies on it may.
+    if (!(v.linear == Vec3{0, 0, 0} && v.angular == Vec3{0, 0, 0})) wake_up(*body->bullet);
+  }
+}
+
+/// Contacts wake what lies on a body that moves. What hangs from it by a joint is woken here.
+void RigidWorld::Impl::wake_driven() {
+  const auto moves = [&](uint32_t n) {
+    if (!bodies.has(n) || !bodies.slots[n]->kinematic) return false;
+    const btRigidBody& body = *bodies.slots[n]->bullet;
+    return !body.getLinearVelocity().isZero() || !body.getAngularVelocity().isZero();
+  };
+  for (const auto& joint : joints.slots) {
+    if (!joint) continue;
+    if (moves(joint->a) && bodies.has(joint->b)) wake_up(*bodies.slots[joint->b]->bullet);
+    if (moves(joint->b) && bodies.has(joint->a)) wake_up(*bodies.slots[joint->a]->bullet);
+  }
+}
+
+void RigidWorld::Impl::advance_kinematics(float share) {
+  for (const auto& body : bodies.slots) {
+    if (!body || !body->kinematic) continue;
+    place_kinematic(*body, share < 1 ? between(body->from, body->to, share) : body->to);
+  }
+}
+
+void RigidWorld::Impl::apply_forces(float dt) {
+  for (const auto& body : bodies.slots) {
+    if (!body || body->kinematic) continue;
+    btRigidBody& bullet = *body->bullet;
+    if (body->kept_awake) bullet.setDeactivationTime(0);
+    bullet.clearForces();
+    bullet.applyCentralForce(in_mass_units(body->memory.force + body->push));
+    bullet.applyTorque(in_mass_units(body->memory.torque + body->push_torque));
+    if (bullet.isActive()) bullet.setAngularVelocity(tumbled(bullet, bullet.getAngularVelocity(), dt));
+  }
+}
+
+void RigidWorld::begin_step(float dt) {
+  impl_->knows_touches = false;
+  impl_->drive_kinematics(dt);
+  impl_->wake_driven();
+  impl_->dynamics.detect(dt / static_cast<float>(impl_->def.substeps));
+}
+
+void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
+  Impl& world = *impl_;
+  const int substeps = world.def.substeps;
+  const float h = dt / static_cast<float>(substeps);
+  world.knows_touches = false;
+  world.take_impulses(dt, impulses);
+  world.limit_motors(h);
+  world.dynamics.getSolverInfo().m_restitutionVelocityThreshold =
+      resting_steps * h * length(world.def.gravity);
+  for (int i = 1; i <= substeps; ++i) {
+    if (i > 1) world.dynamics.detect(h);
+    world.apply_forces(h);
+    world.dynamics.advance(h);
+    world.advance_kinematics(i < substeps ? static_cast<float>(i) / static_cast<float>(substeps) : 1);
+  }
+  world.time += dt;
+}
+
+void RigidWorld::check_finite() const {
+  for (uint32_t n = 0; n < body_slots(); ++n) {
+    if (!impl_->bodies.has(n)) continue;
+    const btRigidBody& body = *impl_->body(n).bullet;
+    const btTransform& at = body.getWorldTransform();
+    btVector3 all = at.getOrigin() + body.getLinearVelocity() + body.getAngularVelocity();
+    for (int row = 0; row < 3; ++row) all += at.getBasis().getRow(row);
+    if (is_finite(from_bullet(all))) continue;
+    const std::string& name = impl_->body(n).name;
+    const std::string which = name.empty() ? "with the index " + std::to_string(n) : "\"" + name + "\"";
+    throw Error(ErrorCode::non_finite, "the rigid body " + which +
+                                           " became non-finite; the state is the one before the step. More "
+                                           "of RigidSolverDef::substeps may help");
+  }
+}
+
+void RigidWorld::set_time(double time) {
+  assert(body_count() == 0);
+  impl_->time = time;
+}
+
+void RigidWorld::end_step() {
+  for (auto& body : impl_->bodies.slots) {
+    if (body) body->memory.force = body->memory.torque = {0, 0, 0};
+  }
+}
+
+void RigidWorld::move(uint32_t number, const Pose& target, float duration) {
+  RigidBodyRecord& body = impl_->body(number);
+  assert(body.kinematic);
+  body.memory.move = {body.memory.pose, target, impl_->time, duration};
+  body.memory.drive = KinematicDrive::move;
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Three passes: the solid's share in the cube around each sample; means over larger cubes where the field is
+// finer than the quadrature needs; the sums at the nodes near the surface.
+#pragma once
+
+#include <meniscus/error.h>
+
+#include <cmath>
+#include <string>
+
+#include "collision/mesh/triangle_bvh_query.h"
+#include "collision/sdf/density_map.h"
+#include "collision/sdf/density_map_quadrature.h"
+
+namespace meniscus::collision {
+
+namespace density_map_kernels {
+
+struct SolidShares {
+  SdfView sdf;
+  TriangleBvhView mesh;
+  Lattice samples;
+  bool on_nodes;  // each sample is a node of the field
+  pbd::View<float> shares;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const float distance = on_nodes ? sdf.values[i] : distance_between_nodes(samples.point(i));
+    shares[i] = share_at(distance / samples.spacing);
+  }
+
+  // Edges are cut off by the trilinear field: near the surface the mesh itself is asked. What is further from
+  // the mesh than the field says is near the membrane over a hole, of which the field alone knows.
+  MENISCUS_HD float distance_between_nodes(Vec3 p) const {
+    const float from_field = sample_grid(sdf, p).value, doubt = 0.5f * sdf.nodes.spacing;
+    if (fabsf(from_field) > samples.spacing + doubt) return from_field;
+    const float reach = fabsf(from_field) + doubt, distance = distance_within(mesh, p, reach);
+    if (distance == reach) return from_field;
+    return is_inside(mesh, p) ? -distance : distance;
+  }
+
+  // Of the solid in a window of the shape of a tent, two samples wide. A box, one sample wide, shows the
+  // lattice: with cells of h/4 flat faces along it were measured to be off by 2.3 % of ½, with the tent by .6
+  // %.
+  MENISCUS_HD static float share_at(float x) {
+    const float rest = pbd::max(0, 1 - fabsf(x)), half = 0.5f * rest * rest;
+    return x < 0 ? 1 - half : half;
+  }
+};
+
+// The mean over `width` samples in a row; of an even number the ends count half.
+struct MeanAlong {
+  uint32_t stride, count;  // of the axis
+  uint32_t width;
+  pbd::View<const float> in;
+  pbd::View<float> out;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const uint32_t reach = width / 2, place = i / stride % count;
+    const uint32_t below = place < reach ? place : reach;
+    const uint32_t above = count - 1 - place < reach ? count - 1 - place : reach;
+    float sum = 0;
+    for (uint32_t k = i - below * stride; k <= i + above * stride; k += stride) sum += in[k];
+    if (width % 2 == 0) {  // beyond the lattice there is no solid
+      if (below == reach) sum -= 0.5f * in[i - reach * stride];
+      if (above == reach) sum -= 0.5f * in[i + reach * stride];
+    }
+    out[i] = sum / static_cast<float>(width);
+  }
+};
+
+struct Integrate {
+  SdfView sdf;
+  Lattice samples;
+  uint32_t refinement;
+  float h;
+  pbd::View<const float> shares;
+  pbd::View<const QuadraturePoint> points;
+  pbd::View<pbd::Vec4> density;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const float distance = sdf.values[node];
+    density[node] = fabsf(distance) < h ? sum_around(node) : pbd::Vec4{0, 0, 0, distance < 0 ? 1.0f : 0.0f};
+  }
+
+  MENISCUS_HD pbd::Vec4 sum_around(uint32_t node) const {
+    const Lattice& n = sdf.nodes;
+    const uint32_t i = node % n.nx * refinement, j = node / n.nx % n.ny * refinement,
+                   k = node / n.nx / n.ny * refinement;
+    float density_sum = 0;
+    Vec3 gradient{0, 0, 0};
+    for (uint32_t q = 0; q < points.count; ++q) {
+      const QuadraturePoint point = points[q];
+      // Below the first one a number wraps around, and is beyond the last.
+      const uint32_t x = i + static_cast<uint32_t>(point.x), y = j + static_cast<uint32_t>(point.y),
+                     z = k + static_cast<uint32_t>(point.z);
+      if (x >= samples.nx || y >= samples.ny || z >= samples.nz) continue;
+      const float share = shares[samples.index(x, y, z)], slope = point.slope * share;
+      density_sum += point.weight * share;
+      gradient +=
+          slope * Vec3{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
+    }
+    return pbd::with_w(gradient, pbd::clamp(density_sum, 0, 1));
+  }
+};
+
+}  // namespace density_map_kernels
+
+// How often the cells may be divided for at most as many samples: two arrays of half a gibibyte while it is
+// built.
+inline uint32_t most_refined(const Lattice& nodes) {
+  constexpr double most_samples = 1u << 27;
+  return static_cast<uint32_t>(std::cbrt(most_samples / nodes.count()));
+}
+
+inline Lattice refined(const Lattice& nodes, uint32_t refinement, float step) {
+  return {nodes.origin, step, (nodes.nx - 1) * refinement + 1, (nodes.ny - 1) * refinement + 1,
+          (nodes.nz - 1) * refinement + 1};
+}
+
+// Twice a box is a tent.
+template <class D>
+void take_means(D& device, const Lattice& samples, uint32_t width, pbd::Buffer<float>& shares) {
+  pbd::Buffer<float> means(device, "means of a solid's shares");
+  means.resize_discard(samples.count());
+  const uint32_t strides[] = {1, samples.nx, samples.nx * samples.ny};
+  const uint32_t counts[] = {samples.nx, samples.ny, samples.nz};
+  for (int pass = 0; pass < 6; ++pass) {
+    const int axis = pass % 3;
+    device.parallel_for(
+        "means of a solid's shares", samples.count(),
+        density_map_kernels::MeanAlong{strides[axis], counts[axis], width, shares.view(), means.view()});
+    shares.swap(means);
+  }
+  device.wait();  // one of the two goes now
+}
+
+template <class D>
+void build_density_map(D& device, const DeviceTriangleBvh& mesh, Sdf& sdf, float h) {
+  if (!(h > 0) || !std::isfinite(h)) {
+    throw Error(ErrorCode::invalid_argument,
+                "h is " + std::to_string(h) + " m: it must be positive, and finite");
+  }
+  using namespace density_map_kernels;
+  const DensityQuadrature quadrature = density_quadrature(sdf.nodes().spacing, h, most_refined(sdf.nodes()));
+  const Lattice samples = refined(sdf.nodes(), quadrature.refinement, quadrature.step);
+  pbd::Buffer<float> shares(device, "a solid's shares");
+  pbd::Buffer<QuadraturePoint> points(device, "quadrature of a density map");
+  shares.resize_discard(samples.count());
+  points.resize_discard(quadrature.points.size());
+  points.write(quadrature.points);
+  device.parallel_for(
+      "a solid's shares", samples.count(),
+      SolidShares{sdf.view(), mesh.view(), samples, quadrature.refinement == 1, shares.view()});
+  if (quadrature.stride > 1) take_means(device, samples, quadrature.stride, shares);
+  sdf.density().resize_discard(sdf.nodes().count());
+  device.parallel_for("density map", sdf.nodes().count(),
+                      Integrate{sdf.view(), samples, quadrature.refinement, h, shares.view(), points.view(),
+                                sdf.density().view()});
+  device.wait();  // the shares go now
+}
+
+}  // namespace meniscus::collision

@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/sdf/density_map.inl"
+#include "pbd/device/cuda/cuda_device.cuh"
+
+namespace meniscus::collision {
+
+template void build_density_map(pbd::CudaDevice&, const DeviceTriangleBvh&, Sdf&, float);
+
+}  // namespace meniscus::collision

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/sdf/mesh_sampling.inl"
+#include "pbd/device/cpu/cpu_device.h"
+
+namespace meniscus::collision {
+
+template std::vector<uint8_t> points_inside(pbd::CpuDevice&, const DeviceTriangleBvh&, std::span<const Vec3>);
+template std::vector<Vec3> lattice_points_inside(pbd::CpuDevice&, const DeviceTriangleBvh&, float);
+
+}  // namespace meniscus::collision

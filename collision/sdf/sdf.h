@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "collision/mesh/surface_sample.h"
+#include "collision/sdf/grid_view.h"
+
+namespace meniscus::collision {
+
+/// Signed distances to a solid, m, negative inside. The solid lies within the grid's box.
+struct SdfView : GridView {
+  pbd::View<const pbd::Vec4> density;  ///< the density map (density_map.h): ∇B in xyz, 1/m, B in w; or empty
+};
+
+/// Signed distance at a point of the field's frame; the normal is the field's gradient.
+/// Beyond the grid the distance is √(d² + e²), with d that at the nearest point of the grid and e the
+/// distance to it. As the grid's box is convex and holds the solid, no point of the solid is nearer: the
+/// extension is continuous and never says too much.
+MENISCUS_HD inline SurfaceSample sample_sdf(const SdfView& sdf, Vec3 p) {
+  const Vec3 up{0, 1, 0};
+  const Vec3 clamped_point = clamp_to_grid(sdf, p);
+  const Vec3 gap = p - clamped_point;
+  const GridSample sample = sample_grid(sdf, clamped_point);
+  const float gap2 = dot(gap, gap);
+  if (gap2 == 0) return {sample.value, normalized_or(sample.gradient, up)};
+  const float distance = sqrtf(sample.value * sample.value + gap2);
+  return {distance, normalized_or(gap + sample.value * sample.gradient, up)};
+}
+
+/// How much of a particle's kernel the solid fills.
+struct DensitySample {
+  float density;  ///< B = ∫ W over the solid, 0 to 1
+  Vec3 gradient;  ///< ∇B, 1/m, into the solid
+};
+
+/// From the density map, which must be there. The gradient is trilinear. B blends what each of the cell's
+/// nodes makes of it with half of its gradient: exact where B is of second order, at the price of the values
+/// alone. Beyond the grid there is nothing.
+MENISCUS_HD inline DensitySample sample_density(const SdfView& sdf, Vec3 p) {
+  const Lattice& n = sdf.nodes;
+  if (!(clamp_to_grid(sdf, p) == p)) return {0, {0, 0, 0}};
+  const Vec3 u = (p - n.origin) / n.spacing;
+  const GridPlace x = place_in_grid(u.x, n.nx), y = place_in_grid(u.y, n.ny), z = place_in_grid(u.z, n.nz);
+  float density = 0;
+  Vec3 gradient{0, 0, 0};
+  for (uint32_t corner = 0; corner < 8; ++corner) {
+    const uint32_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+    const Vec3 way = Vec3{x.fraction, y.fraction, z.fraction} -
+                     Vec3{static_cast<float>(i), static_cast<float>(j), static_cast<float>(k)};
+    const float weight = (1 - fabsf(way.x)) * (1 - fabsf(way.y)) * (1 - fabsf(way.z));
+    const pbd::Vec4 node = pbd::load(sdf.density, n.index(x.cell + i, y.cell + j, z.cell + k));
+    density += weight * (node.w + 0.5f * n.spacing * dot(node.xyz(), way));
+    gradient += weight * node.xyz();
+  }
+  return {clamped(density, 0, 1), gradient};
+}
+
+}  // namespace meniscus::collision

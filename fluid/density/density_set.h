@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "fluid/kernel/density_kernels.h"
+#include "pbd/chebyshev.h"
+#include "pbd/substep.h"
+
+namespace meniscus::fluid {
+
+template <class D>
+class DensityStop;
+template <class D>
+class PressureGrid;
+
+struct ArtificialPressure {
+  float pressure = 0;     ///< Pa, at the distance below
+  int exponent = 4;       ///< n
+  float distance = 0.2f;  ///< Δq over h
+};
+
+struct DensityParameters {
+  bool chebyshev = true;
+  bool pressure_grid = false;   ///< moves particles before the iterations (pressure_grid.h)
+  float relaxation = 0.3f;      ///< ω of damped Jacobi
+  float warm_start = 0.4f;      ///< share of the last substep's multipliers
+  float spectral_bound = 4.5f;  ///< of D⁻¹A, for Chebyshev
+  float tolerance = 0;        ///< mean of max(C, 0) that ends the iterations; 0: there are as many as may be
+  float compressibility = 0;  ///< 1/Pa
+  float correction_limit = 0.0125f;  ///< m, of one iteration
+  ArtificialPressure artificial_pressure;
+};
+
+/// The density constraint of Position Based Fluids, for every fluid particle: C_i = Σ_j V W(x_i − x_j) − 1 ≤
+/// 0, over neighbours and over the images of particles in the walls (fluid/kernel/images.h).
+///
+///   D_i  = w_i |Σ e_ij|² + Σ w_j |e_ij|²,  e_ij = V |∇W| (x_i − x_j)/r
+///   λ'_i = max(0, λ_i + step · (C_i − α̃ λ_i)/(D_i + α̃)),  Δλ = λ' − λ
+///   Δx_i = w_i Σ_j (Δλ_i + Δλ_j) e_ij
+///
+/// α̃ = α/h_t² is XPBD's compliance (Macklin, Müller & Chentanez 2016) with α = compressibility/V; it takes
+/// the place of the paper's ε. The multiplier of the whole substep is clamped, not its increments, so that an
+/// iteration can take back what an earlier one overdid.
+///
+/// `step` is ω for Jacobi, or the weights of the Chebyshev semi-iteration (on the spectrum of D⁻¹A), which
+/// reuse the last increment.
+///
+/// Grains count in the sums as fluid does, by their volume (Macklin et al. 2014, section 7.1), and keep λ =
+/// 0: they are moved by the pressure of the fluid around them, and float or sink by their mass.
+///
+/// The paper adds its repulsion (eq. 13) in every iteration, so that it grows with their number. Here it acts
+/// in the first alone, as a pressure: halving the step or doubling the iterations leaves the motion as it
+/// was.
+template <class D>
+class DensitySet final : public pbd::ConstraintSet<D> {
+ public:
+  DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters);
+  ~DensitySet() override;
+
+  /// From the next substep on.
+  void set_parameters(const DensityParameters& parameters);
+
+  /// Which kinds of particles there may be.
+  void set_kinds(bool any_fluid, bool any_grains) {
+    any_fluid_ = any_fluid;
+    any_grains_ = any_grains;
+  }
+
+  void reserve(uint32_t capacity, uint32_t kept) override;
+  void clear(uint32_t first, uint32_t count) override;
+  void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
+  void save() override;
+  void restore() override;
+
+  void start_step() override;
+  void begin(pbd::Substep<D>& substep) override;
+  void project(pbd::Substep<D>& substep, int iteration) override;
+
+  /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
+  pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
+  /// Iterations done in a step of so many planned; to be asked when the device is done with it.
+  uint32_t iterations_done(uint32_t planned) const;
+  /// C of each particle at the substep's present positions.
+  void measure(const pbd::Substep<D>& substep, pbd::View<float> error, pbd::View<float> full) const;
+
+  const Kernel& kernel() const { return kernel_; }
+
+ private:
+  template <bool any_moving, bool with_grains>
+  void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
+               const density_kernels::PairPressure& pair);
+  template <bool with_pair_pressure, bool any_moving>
+  void correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
+
+  template <class Kernel, class LongKernel>
+  void launch_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
+                   const LongKernel& long_kernel);
+
+  D& device_;
+  Kernel kernel_;
+  DensityParameters parameters_;
+  float last_dt_ = 0, saved_dt_ = 0;
+  bool saving_ = false;
+  float share_ = 0;  // of the last substep's multipliers
+  bool any_fluid_ = true, any_grains_ = false;
+  pbd::Chebyshev chebyshev_;
+  std::unique_ptr<PressureGrid<D>> pressure_grid_;  // where the parameters ask for one
+  std::unique_ptr<DensityStop<D>> stop_;            // where there is a tolerance
+
+  pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
+  pbd::Buffer<float> increment_{device_, "density increments"};
+  pbd::Buffer<pbd::Vec4> staged_{device_, "staged corrections"};
+  pbd::Buffer<density_kernels::Multiplier> saved_multiplier_{device_, "saved multipliers"};
+};
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "fluid/density/density_set.h"
+#include "fluid/density/stop.h"
+#include "fluid/kernel/density_wall_kernels.h"
+#include "fluid/pressure_grid/pressure_grid.h"
+#include "pbd/gather.h"
+
+namespace meniscus::fluid {
+
+template <class D>
+DensitySet<D>::DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
+    : device_(device), kernel_(kernel), chebyshev_(parameters.spectral_bound) {
+  set_parameters(parameters);
+}
+
+template <class D>
+void DensitySet<D>::set_parameters(const DensityParameters& parameters) {
+  if (!parameters.pressure_grid) {
+    pressure_grid_.reset();
+  } else if (!pressure_grid_) {
+    auto grid = std::make_unique<PressureGrid<D>>(device_, kernel_);
+    if (staged_.size()) grid->reserve(static_cast<uint32_t>(staged_.size()));
+    pressure_grid_ = std::move(grid);
+  }
+  if (!(parameters.tolerance > 0)) {
+    stop_.reset();
+  } else if (!stop_) {
+    auto stop = std::make_unique<DensityStop<D>>(device_);
+    stop->reserve(static_cast<uint32_t>(staged_.size()));
+    stop_ = std::move(stop);
+  }
+  parameters_ = parameters;
+  chebyshev_ = pbd::Chebyshev(parameters.spectral_bound);
+}
+
+template <class D>
+DensitySet<D>::~DensitySet() = default;
+
+template <class D>
+void DensitySet<D>::start_step() {
+  if (stop_) stop_->start_step();
+}
+
+template <class D>
+uint32_t DensitySet<D>::iterations_done(uint32_t planned) const {
+  return stop_ ? stop_->iterations() : planned;
+}
+
+template <class D>
+void DensitySet<D>::begin(pbd::Substep<D>& substep) {
+  const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
+  last_dt_ = substep.dt;
+  // A multiplier grows with the square of the step; but after a step that was short for the error that it
+  // met, it is greater than the longer one's will be.
+  // A pressure grid starts from nothing: its share of the multipliers is no guess for the rest.
+  share_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
+}
+
+template <class D>
+void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
+  using namespace density_kernels;
+  if (substep.particles.sorted == 0 || !any_fluid_) return;
+  if (pressure_grid_ && iteration == 0) {
+    pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view());
+  }
+  const pbd::IterationWeights weights = parameters_.chebyshev
+                                            ? chebyshev_.next(iteration, substep.iterations)
+                                            : pbd::IterationWeights{0, parameters_.relaxation};
+  const bool last = iteration + 1 == substep.iterations;
+  const Advancing advancing{
+      .position = substep.particles.position,
+      .multiplier = multiplier_.current.view(),
+      .increment = increment_.view(),
+      .staged = staged_.view(),
+      .momentum = weights.momentum,
+      .step = weights.step,
+      .compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt),
+      .limit = parameters_.correction_limit,
+      .first = iteration == 0,
+      .last = last || stop_ != nullptr,  // any may turn out to be
+      .share = share_,
+      .phase = substep.particles.phase,
+      .keeps_error = pressure_grid_ || stop_};
+  const ArtificialPressure& artificial = parameters_.artificial_pressure;
+  PairPressure pair;
+  if (iteration == 0 && artificial.pressure > 0) {
+    pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
+            1 / Kernel::weight_shape(artificial.distance * artificial.distance), artificial.exponent};
+  }
+  const bool is_over = stop_ && stop_->is_over();
+  if (!is_over && any_grains_) {
+    substep.contacts.any_moving ? iterate<true, true>(substep, advancing, pair)
+                                : iterate<false, true>(substep, advancing, pair);
+  } else if (!is_over) {
+    substep.contacts.any_moving ? iterate<true, false>(substep, advancing, pair)
+                                : iterate<false, false>(substep, advancing, pair);
+  }
+  if (stop_ && last)
+    stop_->finish(substep, multiplier_.current.view(), increment_.view(), pressure_grid_ || iteration == 0);
+  if (pressure_grid_ && last)
+    device_.parallel_for("density/pressure", substep.particles.sorted,
+                         AddPressure{pressure_grid_->multipliers(), multiplier_.current.view()});
+}
+
+template <class D>
+template <bool any_moving, bool with_grains>
+void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
+                            const density_kernels::PairPressure& pair) {
+  using namespace density_kernels;
+  const uint32_t fluid = substep.particles.sorted;
+  const pbd::ContactView contacts = substep.contacts.of_first(fluid);
+  launch_both("density/multipliers", fluid,
+              Advance<with_grains>{kernel_, substep.neighbours, contacts.start, advancing},
+              contacts.contacts.count,
+              AdvanceAtWalls<any_moving, with_grains>{kernel_, substep.neighbours, contacts, advancing});
+  // What has been started from is pushed with by the first iteration: it comes in any case.
+  if (stop_)
+    stop_->look(substep, multiplier_.current.view(), parameters_.tolerance, advancing.first,
+                pressure_grid_ || !advancing.first);
+  pair.multiplier > 0 ? correct<true, any_moving>(substep, pair) : correct<false, any_moving>(substep, pair);
+}
+
+template <class D>
+template <bool with_pair_pressure, bool any_moving>
+void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair) {
+  using namespace density_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  const pbd::ContactView contacts = substep.contacts.of_first(p.sorted);
+  pbd::ContactProjection walls = pbd::contact_projection(substep);
+  walls.contacts = contacts;
+  // Where nothing else moves fluid in an iteration, and each has all its corrections.
+  const bool projects = p.owned == p.sorted && !any_grains_ && !stop_;
+  launch_both("density/correct", p.sorted,
+              Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
+                                          p.position, p.moved},
+              contacts.contacts.count,
+              CorrectAtWalls<with_pair_pressure, any_moving>{kernel_, pair, staged_.view(),
+                                                             substep.neighbours, walls, projects});
+  substep.are_contacts_projected = projects;
+}
+
+template <class D>
+template <class Kernel, class LongKernel>
+void DensitySet<D>::launch_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
+                                const LongKernel& long_kernel) {
+  if (stop_) {
+    device_.parallel_for_both(name, count, stop_->unless_ended(kernel), long_count,
+                              stop_->unless_ended(long_kernel));
+  } else {
+    device_.parallel_for_both(name, count, kernel, long_count, long_kernel);
+  }
+}
+
+template <class D>
+void DensitySet<D>::measure(const pbd::Substep<D>& substep, pbd::View<float> error,
+                            pbd::View<float> full) const {
+  device_.parallel_for_long(
+      "density/measure", substep.particles.sorted,
+      density_kernels::Measure{kernel_, substep.particles.position, substep.neighbours, substep.contacts,
+                               substep.particles.slot, substep.particles.phase, error, full});
+}
+
+// ---- arrays that follow the particles ----
+
+template <class D>
+void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
+  const uint32_t size = capacity + pbd::Particles::padding;
+  multiplier_.reserve(size, kept);
+  increment_.resize_discard(size);
+  staged_.resize_discard(size);
+  if (pressure_grid_) pressure_grid_->reserve(size);
+  if (stop_) stop_->reserve(size);
+  saved_multiplier_.resize_discard(size);
+  constexpr float away = pbd::Particles::far_away;
+  const pbd::Vec4 sentinel[] = {{away, away, away, 0}};
+  staged_.write(sentinel, capacity);
+}
+
+template <class D>
+void DensitySet<D>::clear(uint32_t first, uint32_t count) {
+  if (count)
+    device_.fill(multiplier_.current.view().data + first, 0, count * sizeof(density_kernels::Multiplier));
+}
+
+template <class D>
+void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
+  pbd::gather_in_order(device_, "density/reorder", multiplier_, order, count);
+  if (saving_) multiplier_.next.swap(saved_multiplier_);
+  saving_ = false;
+}
+
+/// Nothing is copied: the next sort leaves the present values where they are, and takes other memory from
+/// then on.
+template <class D>
+void DensitySet<D>::save() {
+  saved_dt_ = last_dt_;
+  saving_ = true;
+}
+
+template <class D>
+void DensitySet<D>::restore() {
+  last_dt_ = saved_dt_;
+  if (!saving_) multiplier_.current.swap(saved_multiplier_);
+  saving_ = false;
+}
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fluid/density/stop_kernels.h"
+#include "pbd/device/shared_buffer.h"
+#include "pbd/substep.h"
+
+namespace meniscus::fluid {
+
+/// Ends a substep's density iterations where the mean of max(C, 0) over all particles of fluids is at most a
+/// tolerance. The device decides by itself: the host goes on launching until it hears of it, and what is
+/// launched in vain returns at once.
+///
+/// An iteration first finds C from the positions that the last one left, so looking costs half an iteration.
+/// While there may be an end, Multiplier::relieved holds C, and what it else holds is here.
+template <class D>
+class DensityStop {
+ public:
+  explicit DensityStop(D& device) : device_(device) {
+    progress_.resize_discard(1);
+    sum_.resize_discard(1);
+    progress_.fill(0);
+    done_.resize_discard(1);
+    ended_.resize_discard(1);
+    ended_.host()[0] = 0;
+    start_step();
+  }
+
+  void reserve(uint32_t size) { start_.resize_discard(size); }
+  void start_step() {
+    device_.parallel_for("density/begin", 1, density_kernels::Begin{progress_.view()});
+    ++number_;
+    done_.host()[0] = 0;
+  }
+
+  /// Wraps a kernel: it does nothing once the iterations have ended.
+  template <class Kernel>
+  density_kernels::UnlessEnded<Kernel> unless_ended(const Kernel& kernel) const {
+    return {progress_.view(), kernel};
+  }
+
+  /// Whether the host has heard that this substep's iterations have ended: then no more need be launched.
+  /// When it does is left to chance, and makes no difference to what comes of them.
+  bool is_over() const { return *static_cast<const volatile uint32_t*>(ended_.host().data()) == number_; }
+
+  /// The multipliers of an iteration are known, and have moved nothing yet.
+  void look(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
+            float tolerance, bool first, bool may_end) {
+    using namespace density_kernels;
+    const uint32_t fluid = substep.particles.sorted;
+    if (first) device_.parallel_for("density/start", fluid, KeepStart{multiplier, start_.view()});
+    device_.reduce("density/error", fluid, ErrorSum{},
+                   MeanError{multiplier, substep.particles.phase, progress_.view()}, AddErrors{},
+                   sum_.view());
+    device_.parallel_for("density/end", 1,
+                         Decide{sum_.view(), progress_.view(), ended_.view(), tolerance, may_end});
+  }
+
+  /// All iterations have been launched.
+  void finish(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
+              pbd::View<const float> increment, bool keeps_error) {
+    using namespace density_kernels;
+    device_.parallel_for("density/finish", substep.particles.sorted,
+                         Finish{multiplier, increment, start_.view(), progress_.view(), keeps_error});
+    device_.parallel_for("density/report", 1, Report{progress_.view(), done_.view()});
+    ++number_;
+  }
+
+  /// Iterations since the step's start, over its substeps; to be asked when the device is done.
+  uint32_t iterations() const { return done_.host()[0]; }
+
+ private:
+  D& device_;
+  pbd::Buffer<float> start_{device_, "density errors"};
+  pbd::Buffer<density_kernels::Progress> progress_{device_, "density progress"};
+  pbd::Buffer<density_kernels::ErrorSum> sum_{device_, "density error sum"};
+  pbd::SharedBuffer<uint32_t> done_{device_, "density iterations"}, ended_{device_, "density's end"};
+  uint32_t number_ = 0;  // of the substep: see Progress
+};
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fluid/diffuse/diffuse_kernels.h"
+
+namespace meniscus::fluid {
+
+template <class D>
+Diffuse<D>::Diffuse(D& device, const DiffuseParameters& parameters)
+    : device_(device), parameters_(parameters) {
+  const uint32_t capacity = parameters.def.capacity;
+  for (pbd::Buffer<DiffuseParticle>* b : {&present_, &moved_, &next_}) b->resize_discard(capacity);
+  alive_.resize_discard(capacity);
+  place_.resize_discard(capacity + 1);
+  totals_.resize_discard(2);
+}
+
+template <class D>
+void Diffuse<D>::reserve(uint32_t particles) {
+  if (particles <= born_.size()) return;
+  const size_t size = particles + particles / 4;
+  normal_.resize_or_stay(size);
+  normal_.fill(0);  // that of the sentinel stays so
+  birth_place_.resize_or_stay(size + 1);
+  born_.resize_or_stay(size);
+}
+
+template <class D>
+void Diffuse<D>::observe(const pbd::Substep<D>& substep) {
+  elapsed_ += substep.dt;
+  if (!substep.is_last) return;
+  move(substep);
+  make(substep);
+  any_pending_ = true;
+}
+
+/// Those that are there, into `next_` without gaps; how many is the last element of `place_`.
+template <class D>
+void Diffuse<D>::move(const pbd::Substep<D>& s) {
+  using namespace diffuse_kernels;
+  const pbd::View<DiffuseParticle> moved = moved_.view().first(count_);
+  device_.parallel_for("diffuse/move", count_,
+                       Move{parameters_, s.particles.position, s.particles.velocity, s.particles.phase,
+                            s.grid, s.particles.sorted, elapsed_, present_.view(), moved});
+  const pbd::View<uint32_t> alive = alive_.view().first(count_);
+  device_.parallel_for("diffuse/alive", count_, MarkAlive{moved, alive});
+  device_.exclusive_scan("diffuse/places", alive, place_.view());
+  device_.parallel_for("diffuse/keep", count_, KeepAlive{moved, place_.view(), next_.view()});
+}
+
+template <class D>
+void Diffuse<D>::make(const pbd::Substep<D>& s) {
+  using namespace diffuse_kernels;
+  const pbd::ParticleView& p = s.particles;
+  const uint32_t fluid = p.sorted;
+  reserve(s.neighbours.sentinel + 1);
+  device_.parallel_for("diffuse/surface", fluid,
+                       FindSurface<D>{parameters_, p.position, p.velocity, s.neighbours, normal_.view()});
+  const pbd::View<uint32_t> born = born_.view().first(fluid);
+  device_.parallel_for("diffuse/count", fluid,
+                       CountBirths<D>{parameters_, p.position, p.velocity, normal_.view(), s.neighbours,
+                                      p.phase, p.number, step_, elapsed_, born});
+  device_.exclusive_scan("diffuse/births", born, birth_place_.view());
+  device_.parallel_for("diffuse/make", fluid,
+                       MakeNew{parameters_, p.position, p.velocity, p.number, birth_place_.view(),
+                               place_.view().from(count_), step_, elapsed_, next_.view()});
+  device_.parallel_for("diffuse/totals", 1,
+                       NoteTotals{place_.view().from(count_), birth_place_.view().from(fluid),
+                                  parameters_.def.capacity, totals_.view()});
+  if (walls_) walls_({next_.view(), totals_.view().first(1)});
+}
+
+template <class D>
+void Diffuse<D>::accept() {
+  if (!any_pending_) return;
+  any_pending_ = false;
+  uint32_t totals[2];
+  totals_.read(std::span(totals));
+  count_ = totals[0];
+  refused_ = totals[1];
+  present_.swap(next_);
+  ++step_;
+}
+
+}  // namespace meniscus::fluid

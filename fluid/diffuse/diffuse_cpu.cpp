@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "fluid/diffuse/diffuse.inl"
+#include "pbd/device/cpu/cpu_device.h"
+
+template class meniscus::fluid::Diffuse<meniscus::pbd::CpuDevice>;

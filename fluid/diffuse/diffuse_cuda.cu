@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "fluid/diffuse/diffuse.inl"
+#include "pbd/device/cuda/cuda_device.cuh"
+
+template class meniscus::fluid::Diffuse<meniscus::pbd::CudaDevice>;

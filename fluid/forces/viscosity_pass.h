@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fluid/kernel/kernel.h"
+#include "fluid/kernel/material.h"
+#include "pbd/substep.h"
+
+namespace meniscus::fluid {
+
+/// What one fluid's parameters come to for a given step.
+struct ViscosityCoefficients {
+  float smoothing;    ///< c
+  float confinement;  ///< ε
+};
+
+/// XSPH viscosity (Schechter & Bridson 2012) and vorticity confinement (Fedkiw, Stam & Jensen 2001), as in
+/// Position Based Fluids, eqs. 15 to 17, with two changes that make the parameters independent of step and
+/// spacing.
+///
+///   XSPH         v_i += c Σ 2w_i/(w_i + w_j) V W (v_j − v_i)
+///                c = 1 − exp(−(xsph + 22 ν/h²) h_t)
+///   confinement  v_i += h_t ε h N × ω, N = ∇|ω|/|∇|ω||
+///
+/// N comes of the |ω| of the last substep, which particles have taken along: so one pass over the neighbours
+/// finds all. What is new to the fluid has none yet.
+///
+/// The second moment of poly6 is 3h²/11, so that c diffuses velocity with ν = c h²/(22 h_t). The mean of the
+/// masses keeps momentum between fluids of different density. The factor h makes confinement vanish with
+/// resolution.
+template <class D>
+class ViscosityPass final : public pbd::VelocityPass<D> {
+ public:
+  ViscosityPass(D& device, const Kernel& kernel) : device_(device), kernel_(kernel) {}
+
+  void set_materials(std::span<const Material> materials);
+  void apply(pbd::Substep<D>& substep, pbd::Particles& particles) override;
+  void reserve(uint32_t capacity) override;
+
+ private:
+  template <bool uniform, bool confines>
+  void smooth(pbd::Substep<D>& substep, pbd::Particles& particles);
+
+  D& device_;
+  Kernel kernel_;
+  std::vector<Material> materials_;
+  bool smooths_ = false, confines_ = false, uniform_ = true;
+  float table_dt_ = 0;
+  std::vector<ViscosityCoefficients> host_table_;
+  pbd::Buffer<ViscosityCoefficients> table_{device_, "fluid coefficients"};
+  pbd::Buffer<float> smoothing_{device_, "particle viscosities"};
+};
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "fluid/forces/viscosity_pass.h"
+#include "pbd/neighbours.h"
+
+namespace meniscus::fluid {
+
+namespace viscosity_kernels {
+
+using pbd::NeighbourView;
+using pbd::Vec3Of;
+using pbd::Vec4;
+using pbd::View;
+
+/// Copies each fluid's smoothing to its particles: a pair of fluids meets with the mean.
+struct SpreadSmoothing {
+  View<const pbd::Phase> phase;
+  View<const ViscosityCoefficients> table;
+  View<float> smoothing;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    smoothing[i] = table[pbd::phase_group(phase[i])].smoothing;
+  }
+};
+
+template <bool uniform, bool confines>
+struct Smooth {
+  static constexpr uint32_t resident_blocks = 8;  // see CudaDevice
+
+  Kernel kernel;
+  View<const Vec4> position;
+  View<const Vec4> velocity;  ///< w: |ω| of the last substep
+  NeighbourView neighbours;
+  View<const pbd::Phase> phase;
+  View<const ViscosityCoefficients> table;
+  View<const float> smoothing;
+  float common_smoothing, dt;
+  View<Vec4> smoothed;
+
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
+    using Real = typename D::Real;
+    const Vec4 p = position[i], v = velocity[i];
+    const float own = uniform ? common_smoothing : smoothing[i];
+    Vec3Of<Real> change{Real(0.0f), Real(0.0f), Real(0.0f)}, curl = change, rise = change;
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const auto other = gather(position, j);
+      const Vec3Of<Real> d = p.xyz() - other.xyz();
+      const Real t = kernel.distance_ratio2(d);
+      const auto its = gather(velocity, j);
+      const Vec3Of<Real> relative = its.xyz() - v.xyz();
+      Real factor = Kernel::weight_shape(t);
+      if constexpr (!uniform) {
+        factor = factor * (Real(own) + gather(smoothing, j)) * Real(p.w) / (Real(p.w) + other.w);
+      }
+      change += factor * relative;
+      if constexpr (confines) {
+        const Real inverse_root = inverse_sqrt(t);
+        const Vec3Of<Real> slope = (Kernel::slope_shape(t, inverse_root) * inverse_root) * d;
+        curl += cross(relative, slope);
+        rise += (Real(v.w) - its.w) * slope;
+      }
+    });
+    const float share = uniform ? kernel.peak_weight * own : kernel.peak_weight;
+    const Vec3 all_changes = sum(change), all_curls = sum(curl), all_rises = sum(rise);
+    if (!D::leads()) return;
+    const Vec3 smooth = v.xyz() + share * all_changes;
+    if constexpr (confines) {
+      const Vec3 w = kernel.peak_pull * all_curls;
+      const Vec3 direction = normalized_or(all_rises, {0, 0, 0});  // whatever the kernel's factor
+      const float strength = table[pbd::phase_group(phase[i])].confinement * kernel.h * dt;
+      smoothed[i] = pbd::with_w(smooth + strength * cross(direction, w), length(w));
+    } else {
+      smoothed[i] = pbd::with_w(smooth, 0);
+    }
+  }
+};
+
+}  // namespace viscosity_kernels
+
+template <class D>
+void ViscosityPass<D>::set_materials(std::span<const Material> materials) {
+  materials_.assign(materials.begin(), materials.end());
+  table_.resize_discard(static_cast<uint32_t>(materials.size()));
+  table_dt_ = 0;
+  smooths_ = confines_ = false;
+  uniform_ = true;
+  for (const Material& m : materials_) {
+    const Material& first = materials_.front();
+    smooths_ |= m.viscosity > 0 || m.xsph > 0;
+    confines_ |= m.vorticity_confinement > 0;
+    uniform_ &=
+        m.viscosity == first.viscosity && m.xsph == first.xsph && m.rest_density == first.rest_density;
+  }
+}
+
+template <class D>
+void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles) {
+  if (substep.particles.sorted == 0 || (!smooths_ && !confines_)) return;
+  if (table_dt_ != substep.dt) {
+    host_table_.clear();
+    for (const Material& m : materials_) {
+      const float rate = m.xsph + 22 * m.viscosity / kernel_.h2;
+      host_table_.push_back({-std::expm1(-rate * substep.dt), m.vorticity_confinement});
+    }
+    table_.write(host_table_);
+    table_dt_ = substep.dt;
+  }
+  if (uniform_) {
+    confines_ ? smooth<true, true>(substep, particles) : smooth<true, false>(substep, particles);
+  } else {
+    confines_ ? smooth<false, true>(substep, particles) : smooth<false, false>(substep, particles);
+  }
+}
+
+template <class D>
+template <bool uniform, bool confines>
+void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particles) {
+  using namespace viscosity_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  if (!uniform) {
+    device_.parallel_for("velocity/coefficients", p.sorted,
+                         SpreadSmoothing{p.phase, table_.view(), smoothing_.view()});
+  }
+  device_.parallel_for_neighbours(
+      "velocity/smooth", p.sorted,
+      Smooth<uniform, confines>{kernel_, p.position, p.velocity, substep.neighbours, p.phase, table_.view(),
+                                smoothing_.view(), host_table_.front().smoothing, substep.dt,
+                                particles.velocity.next.view()});
+  particles.keep_vertex_velocities();
+  particles.velocity.flip();
+  substep.particles = particles.view();
+}
+
+template <class D>
+void ViscosityPass<D>::reserve(uint32_t capacity) {
+  const uint32_t size = capacity + pbd::Particles::padding;
+  smoothing_.resize_discard(size);
+  smoothing_.fill(0);
+}
+
+}  // namespace meniscus::fluid

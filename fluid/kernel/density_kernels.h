@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of the density constraint, for particles in the open. Those that touch a wall are passed over
+// here; they have kernels of their own in density_wall_kernels.h, which see images too.
+#pragma once
+
+#include "fluid/kernel/kernel.h"
+#include "pbd/contacts.h"
+#include "pbd/neighbours.h"
+#include "pbd/particles.h"
+
+namespace meniscus::fluid::density_kernels {
+
+using pbd::ContactView;
+using pbd::NeighbourView;
+using pbd::Vec3Of;
+using pbd::Vec4;
+using pbd::View;
+
+/// C and D of one particle.
+struct Constraint {
+  float value;
+  float denominator;  ///< 1/(kg m²)
+  Vec3 gradient;      ///< Σ e, 1/m: near 0 where the support is full
+};
+
+/// Sums over neighbours from which C and D follow, of the kernels' shapes.
+template <class R>
+struct DensitySums {
+  R weight{0.0f}, gradient2{0.0f};
+  Vec3Of<R> gradient{R(0.0f), R(0.0f), R(0.0f)};
+
+  /// Adds what lies at x_i − x_j = d.
+  MENISCUS_HD void add(const Kernel& kernel, const Vec3Of<R>& d, const R& inverse_mass) {
+    const R t = kernel.distance_ratio2(d);
+    const R inverse_root = inverse_sqrt(t);
+    const R e = Kernel::slope_shape(t, inverse_root);
+    weight += Kernel::weight_shape(t);
+    gradient2 += inverse_mass * (e * e);
+    gradient += (e * inverse_root) * d;
+  }
+
+  MENISCUS_HD Constraint constraint(const Kernel& kernel, float own_inverse_mass) const {
+    const Vec3 g = kernel.peak_pull * sum(gradient);
+    return {kernel.peak_weight * (sum(weight) + 1) - 1,
+            own_inverse_mass * dot(g, g) + kernel.peak_slope * kernel.peak_slope * sum(gradient2), g};
+  }
+};
+
+template <class D>
+MENISCUS_HD Constraint density_constraint(const Kernel& kernel, View<const Vec4> position,
+                                          const NeighbourView& neighbours, uint32_t i) {
+  using Real = typename D::Real;
+  const Vec4 self = position[i];
+  DensitySums<Real> sums;
+  pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+    const auto other = gather(position, j);
+    sums.add(kernel, self.xyz() - other.xyz(), other.w);
+  });
+  return sums.constraint(kernel, self.w);
+}
+
+/// λ of a particle in the present or last substep.
+struct alignas(8) Multiplier {
+  float value;     ///< kg·m²
+  float relieved;  ///< how much C fell in the substep; while it runs, C at its start. With a pressure grid
+                   ///< what C was at last
+};
+
+/// Adds what a pressure grid has found before, so that the sum reads as pressure.
+struct AddPressure {
+  View<const float> found;  ///< kg·m²
+  View<Multiplier> multiplier;
+
+  MENISCUS_HD void operator()(uint32_t i) const { multiplier[i].value += found[i]; }
+};
+
+/// How the multipliers move on: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0. The first iteration
+/// starts from a share of the last substep's λ, and takes it that this share will relieve the same share of
+/// what it relieved then: so the start needs no pass of its own. It moves nothing further than an iteration
+/// may: in long substeps the last λ are of other places, and unbounded they grew until water at rest boiled.
+struct Advancing {
+  View<const Vec4> position;
+  View<Multiplier> multiplier;
+  View<float> increment;
+  View<Vec4> staged;  ///< position and, beside it, what Correct is to apply of λ
+  float momentum, step;
+  float compliance;  ///< α̃
+  float limit;       ///< m
+  bool first, last;  ///< iteration of the substep
+  float share;       ///< of the last substep's multiplier
+  View<const pbd::Phase> phase;
+  bool keeps_error;  ///< for a pressure grid
+
+  /// Grains have no density of their own to keep. They count in that of a fluid, and its pressure moves them.
+  MENISCUS_HD bool passes_over(uint32_t i) const {
+    if (!pbd::is_grain(phase[i])) return false;
+    multiplier[i] = {0, 0};
+    increment[i] = 0;
+    staged[i] = pbd::with_w(position[i].xyz(), 0);
+    return true;
+  }
+
+  /// What advance() needs of particle i besides: on its way while neighbours are summed up.
+  struct Own {
+    Vec4 position;
+    Multiplier multiplier;
+    float increment;
+  };
+  MENISCUS_HD Own own(uint32_t i) const { return {position[i], multiplier[i], first ? 0.0f : increment[i]}; }
+
+  MENISCUS_HD void advance(uint32_t i, const Own& own, const Constraint& c) const {
+    const Vec4 p = own.position;
+    const Multiplier before = own.multiplier;
+    // Both bounds hold for the pair: the same λ moves both sides, so momentum is kept.
+    const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
+    const float kept = first ? pbd::min(share, bound / pbd::max(before.value, 1e-30f)) : 1.0f;
+    const float old = kept * before.value;
+    const float expected = first ? c.value - kept * before.relieved : c.value;
+    const float denominator = c.denominator + compliance;
+    float change = first ? 0.0f : momentum * own.increment;
+    if (denominator > 0) change += step * (expected - compliance * old) / denominator;
+    change = pbd::clamp(change, -bound, bound);
+    const float next = pbd::max(0.0f, old + change);
+    const float start = first ? c.value : before.relieved;
+    multiplier[i] = {next, last && keeps_error ? c.value : last && !first ? start - c.value : start};
+    increment[i] = next - old;
+    staged[i] = pbd::with_w(p.xyz(), first ? next : next - old);
+  }
+};
+
+template <bool with_grains>
+struct Advance {
+  static constexpr uint32_t resident_blocks = 10;  // see CudaDevice
+
+  Kernel kernel;
+  NeighbourView neighbours;
+  View<const uint32_t> contact_start;
+  Advancing advancing;
+
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
+    if (contact_start[i] != contact_start[i + 1]) return;
+    if (with_grains && advancing.passes_over(i)) return;
+    const auto own = advancing.own(i);
+    const Constraint c = density_constraint<D>(kernel, advancing.position, neighbours, i);
+    if (D::leads()) advancing.advance(i, own, c);
+  }
+};
+
+/// The repulsion of eq. 13, as an extra multiplier between each pair.
+struct PairPressure {
+  float multiplier = 0;      ///< kg·m², where W = W(Δq)
+  float inverse_weight = 0;  ///< W(0) / W(Δq)
+  int exponent = 4;
+
+  template <class R>
+  MENISCUS_HD R at(const R& weight_shape) const {
+    const R ratio = weight_shape * R(inverse_weight);
+    R power = ratio;
+    for (int k = 1; k < exponent; ++k) power = power * ratio;
+    return R(multiplier) * power;
+  }
+};
+
+/// What one pair's multipliers push by, over peak_pull · (x_i − x_j), before the inverse mass.
+template <bool with_pair_pressure, class R>
+MENISCUS_HD R push_shape(const PairPressure& pair, const R& t, R multiplier) {
+  const R inverse_root = inverse_sqrt(t);
+  if constexpr (with_pair_pressure) multiplier += pair.at(Kernel::weight_shape(t));
+  return multiplier * Kernel::slope_shape(t, inverse_root) * inverse_root;
+}
+
+/// Moves each particle by what the staged multipliers of itself and its neighbours say.
+template <bool with_pair_pressure>
+struct Correct {
+  static constexpr uint32_t resident_blocks = 10;
+
+  Kernel kernel;
+  PairPressure pair;
+  View<const Vec4> staged;
+  NeighbourView neighbours;
+  View<const uint32_t> contact_start;
+  View<Vec4> position, moved;
+
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
+    if (contact_start[i] != contact_start[i + 1]) return;
+    using Real = typename D::Real;
+    const Vec4 self = staged[i], before = moved[i];
+    Vec3Of<Real> push{Real(0.0f), Real(0.0f), Real(0.0f)};
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const auto other = gather(staged, j);
+      const Vec3Of<Real> d = self.xyz() - other.xyz();
+      push +=
+          push_shape<with_pair_pressure, Real>(pair, kernel.distance_ratio2(d), Real(self.w) + other.w) * d;
+    });
+    const Vec3 total = sum(push);
+    if (!D::leads()) return;
+    const Vec3 step = (before.w * kernel.peak_pull) * total;
+    position[i] = pbd::with_w(self.xyz() + step, before.w);
+    moved[i] = pbd::shifted(before, step);
+  }
+};
+
+}  // namespace meniscus::fluid::density_kernels

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of the density constraint, for particles that touch a wall: as in density_kernels.h, with
+// images.
+#pragma once
+
+#include "fluid/kernel/density_kernels.h"
+#include "fluid/kernel/images.h"
+#include "pbd/contact_projection.h"
+
+namespace meniscus::fluid::density_kernels {
+
+/// What the bodies behind the mirrors add to D: where one gives way by δ along the normal, each image draws
+/// back by 2δ. Their inverse masses are split among their contacts, so that the bound on the spectrum of D⁻¹A
+/// stays.
+template <class Through>
+MENISCUS_HD float give_of_bodies(const ContactView& contacts, const Mirrors& mirrors, int n,
+                                 const Through& through) {
+  float give = 0;
+  MENISCUS_UNROLL
+  for (int k = 0; k < n; ++k) {
+    if (k >= mirrors.count) break;
+    const float e = 2 * through(k);
+    give += contacts.contacts[mirrors.contact[k]].body_inverse_mass * e * e;
+  }
+  return give;
+}
+
+/// D counts what each particle's own motion does to C, through its images as well: where i nears the wall, so
+/// does its image.
+template <class D, int n, bool any_moving>
+MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
+                                               const NeighbourView& neighbours, const ContactView& contacts,
+                                               const Mirrors& mirrors, uint32_t i) {
+  using Real = typename D::Real;
+  const Vec4 self = position[i];
+  const Vec3 x = self.xyz();
+  ImageSums<Real, n, false> sums;
+  Real weight(0.0f), gradient2(0.0f);
+  const auto term = [&](const Real& share, const Real& r2) {
+    const Real t = Real(kernel.inverse_h2) * r2, inverse_root = inverse_sqrt(t);
+    weight += share * Kernel::weight_shape(t);
+    return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
+  };
+  pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+    const auto other = gather(position, j);
+    const MirrorDistances<Real, n> distances(mirrors, other.xyz());
+    const Vec3Of<Real> d = x - other.xyz();
+    const Real r2 = dot(d, d) + Real(tiny_distance2);
+    PairTerms<Real, n, false> terms;
+    terms.total = term(Real(1.0f), r2);
+    terms.add_images(mirrors, distances, r2, term);
+    sums.add(mirrors, distances, d, terms);
+    const Vec3Of<Real> pull = terms.seen_by_other(mirrors, d);
+    gradient2 += other.w * dot(pull, pull);
+  });
+  float own_weight = 0;
+  const auto own = own_images<n, false>(mirrors, [&](float share, float r2) {
+    const float t = kernel.inverse_h2 * r2, inverse_root = inverse_sqrt(t);
+    own_weight += share * Kernel::weight_shape(t);
+    return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
+  });
+  const float pull = kernel.peak_pull;  // all but the weights have it for a factor
+  float give = 0;
+  if constexpr (any_moving) {
+    give = give_of_bodies(contacts, mirrors, n,
+                          [&](int k) { return pull * (sums.through(mirrors, k) + own.through(mirrors, k)); });
+  }
+  const Vec3 own_gradient = pull * own.vector(mirrors), gradient = pull * sums.vector(mirrors) + own_gradient;
+  const Vec3 with_motion = gradient + own_gradient;
+  return {kernel.peak_weight * (sum(weight) + own_weight + 1) - 1,
+          self.w * dot(with_motion, with_motion) + pull * pull * sum(gradient2) + give, gradient};
+}
+
+template <class D, bool any_moving>
+MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<const Vec4> position,
+                                                   const NeighbourView& neighbours,
+                                                   const ContactView& contacts, uint32_t i) {
+  const Mirrors mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
+  if (mirrors.count <= 1) {
+    return constraint_with_mirrors<D, 1, any_moving>(kernel, position, neighbours, contacts, mirrors, i);
+  }
+  return constraint_with_mirrors<D, Mirrors::most, any_moving>(kernel, position, neighbours, contacts,
+                                                               mirrors, i);
+}
+
+template <bool any_moving, bool with_grains>
+struct AdvanceAtWalls {
+  Kernel kernel;
+  NeighbourView neighbours;
+  ContactView contacts;
+  Advancing advancing;
+
+  template <class D>
+  MENISCUS_HD void run(uint32_t k) const {
+    const uint32_t i = contacts.touching_particle(k);
+    if (i == pbd::no_index) return;
+    if (with_grains && advancing.passes_over(i)) return;
+    const Constraint c =
+        density_constraint_at_walls<D, any_moving>(kernel, advancing.position, neighbours, contacts, i);
+    if (D::leads()) advancing.advance(i, advancing.own(i), c);  // loaded ahead it would take registers
+  }
+};
+
+/// With `any_moving`, all that the images push with is noted in the contacts; else what goes through the
+/// walls alone. What is along a fixed one comes to nothing, and takes registers.
+template <bool with_pair_pressure, bool any_moving>
+struct CorrectAtWalls {
+  Kernel kernel;
+  PairPressure pair;
+  View<const Vec4> staged;
+  NeighbourView neighbours;
+  pbd::ContactProjection walls;
+  bool projects;  ///< holds particles at their contacts as well
+
+  template <class D>
+  MENISCUS_HD void run(uint32_t k) const {
+    const uint32_t i = walls.contacts.touching_particle(k);
+    if (i == pbd::no_index) return;
+    const Mirrors mirrors = mirrors_at(walls.contacts, i, staged[i].xyz(), kernel.h);
+    mirrors.count <= 1 ? correct<D, 1>(i, mirrors) : correct<D, Mirrors::most>(i, mirrors);
+  }
+
+  template <class D, int n>
+  MENISCUS_HD void correct(uint32_t i, const Mirrors& mirrors) const {
+    using Real = typename D::Real;
+    const Vec4 self = staged[i];
+    const Vec3 x = self.xyz();
+    const Real pull(kernel.peak_pull);
+    ImageSums<Real, n, any_moving> pushes;
+    pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
+      const auto other = gather(staged, j);
+      const MirrorDistances<Real, n> distances(mirrors, other.xyz());
+      const Vec3Of<Real> d = x - other.xyz();
+      const Real r2 = dot(d, d) + Real(tiny_distance2), multiplier = Real(self.w) + other.w;
+      const auto term = [&](const Real& share, const Real& image_r2) {
+        return pull * share *
+               push_shape<with_pair_pressure>(pair, Real(kernel.inverse_h2) * image_r2, multiplier);
+      };
+      PairTerms<Real, n, any_moving> terms;
+      terms.total = term(Real(1.0f), r2);
+      terms.add_images(mirrors, distances, r2, term);
+      pushes.add(mirrors, distances, d, terms);
+    });
+    const auto own = own_images<n, any_moving>(mirrors, [&](float share, float r2) {
+      return kernel.peak_pull * share *
+             push_shape<with_pair_pressure>(pair, kernel.inverse_h2 * r2, 2 * self.w);
+    });
+    const auto others = pushes.in_one(mirrors);
+    if (!D::leads()) return;
+    note_pushes(mirrors, others, own);
+    const Vec4 before = walls.moved[i];
+    const Vec3 step = before.w * (others.vector(mirrors) + own.vector(mirrors));
+    Vec4 to = pbd::with_w(x + step, before.w), moved = pbd::shifted(before, step);
+    if (projects) walls.hold(i, to, moved);
+    walls.position[i] = to;
+    walls.moved[i] = moved;
+  }
+
+  /// The solids get back what their images push a particle with: each what its own mirror makes, and the
+  /// first what little of images of images is left over.
+  template <int n>
+  MENISCUS_HD void note_pushes(const Mirrors& mirrors, const ImageSums<float, n, any_moving>& others,
+                               const ImageSums<float, n, any_moving>& own) const {
+    Vec3 rest = others.vector(mirrors) - sum(others.along) + own.vector(mirrors) - sum(own.along);
+    MENISCUS_UNROLL
+    for (int k = n - 1; k >= 0; --k) {
+      if (k >= mirrors.count) continue;
+      Vec3 push = (others.through(mirrors, k) + own.through(mirrors, k)) * mirrors.normal[k];
+      if constexpr (any_moving) {
+        push += others.along_mirror(mirrors, k) + own.along_mirror(mirrors, k);
+        rest = rest - push;
+        if (k == 0) push += rest;
+      }
+      walls.contacts.contacts[mirrors.contact[k]].density_push += push;
+    }
+  }
+};
+
+struct Measure {
+  Kernel kernel;
+  View<const Vec4> position;
+  NeighbourView neighbours;
+  ContactView contacts;
+  View<const uint32_t> slot;
+  View<const pbd::Phase> phase;
+  View<float> error;  ///< C; of grains 0
+  View<float> full;   ///< 1 where the support is full, else 0
+
+  template <class D>
+  MENISCUS_HD void run(uint32_t i) const {
+    const Constraint c = density_constraint_at_walls<D, false>(kernel, position, neighbours, contacts, i);
+    if (!D::leads()) return;
+    if (pbd::is_grain(phase[i])) {
+      error[slot[i]] = full[slot[i]] = 0;
+      return;
+    }
+    error[slot[i]] = c.value;
+    // On a free surface |Σe| is about ½ over the spacing; in the inside it is the noise of disorder.
+    const float threshold2 = 0.04f / cbrtf(kernel.volume * kernel.volume);
+    full[slot[i]] = dot(c.gradient, c.gradient) < threshold2 && c.value > -0.3f ? 1.0f : 0.0f;
+  }
+};
+
+}  // namespace meniscus::fluid::density_kernels

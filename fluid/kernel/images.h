@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Walls by the method of images. Beside a wall a particle lacks the neighbours behind it. The wall gives it
+// the mirror images of those in front, and of itself, with the multipliers of the originals: density, the
+// push of a constant pressure and the pressure differences along the wall are then what they are in the
+// middle of the fluid. The more usual integral of the kernel over the solid gives the first alone. Without
+// the last, the layer at a wall weighs more than the pressure bears, and a vessel at rest stirs itself: down
+// along the walls, up in the middle.
+//
+// The image of j is farther from i than j is, so the neighbour list holds every image that counts. What i and
+// j get through a plane wall is opposite along it, and adds up away from it: the wall feels the pressure, and
+// no drag. Where walls meet there are images of images, exact for walls at right angles.
+//
+// With d the distances from mirror n,
+//   x_i − x_j' = x_i − x_j + 2 d_j n,   |x_i − x_j'|² = |x_i − x_j|² + 4 d_i d_j,
+// and so on for images of images: an image costs a few operations, and a pair sees the same from both sides.
+#pragma once
+
+#include "fluid/kernel/kernel.h"
+#include "pbd/contacts.h"
+#include "pbd/particles.h"
+
+namespace meniscus::fluid {
+
+/// The mirrors near one particle: at most the three nearest.
+struct Mirrors {
+  static constexpr int most = 3;
+  static constexpr int most_images = 1 << most;  ///< the thing itself, number 0, counted in
+
+  int count = 0;
+  uint32_t contact[most];
+  Vec3 normal[most];
+  float offset[most];        ///< m: the plane is normal · x = offset
+  float distance[most];      ///< m, of the particle; 0 if it has sunk in
+  float weight[most];        ///< how much of a half-space is behind it
+  float share[most_images];  ///< how much each image counts
+  float slack;               ///< m: what has sunk in no deeper counts as on the surface
+
+  /// Images are numbered 1 to image_count(): bit k says that mirror k takes part.
+  MENISCUS_HD int image_count() const { return (1 << count) - 1; }
+};
+
+// What follows is for at most n mirrors: most particles at walls have one, and one alone needs no tests.
+
+template <int n>
+MENISCUS_HD bool is_used(const Mirrors& m, int k) {
+  return n == 1 || k < m.count;
+}
+
+/// Where another thing is, as each mirror sees it.
+template <class R, int n>
+struct MirrorDistances {
+  R distance[n];
+  R present[n];  ///< 0 for what is behind the mirror, and has no image in it
+
+  MirrorDistances() = default;
+  MENISCUS_HD MirrorDistances(const Mirrors& m, const pbd::Vec3Of<R>& x) {
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      const R d = R(m.normal[k].x) * x.x + R(m.normal[k].y) * x.y + R(m.normal[k].z) * x.z - R(m.offset[k]);
+      distance[k] = max(d, R(0.0f));
+      present[k] = select_less(d, R(-m.slack), R(0.0f), R(1.0f));
+    }
+  }
+};
+
+/// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and images. With `apart` the
+/// images of different mirrors are told apart.
+template <class R, int n, bool apart>
+struct PairTerms {
+  R total{0.0f};   ///< of j; unless apart, and of its images
+  R by_first[n];   ///< if apart: of its images, by the first mirror that makes each
+  R by_mirror[n];  ///< of those that mirror k makes, alone or with others
+
+  MENISCUS_HD PairTerms() {
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) by_first[k] = by_mirror[k] = R(0.0f);
+  }
+
+  /// Adds those of the images; `coefficient(share, r²)` gives each. j: distances of the pair's other end.
+  template <class Coefficient>
+  MENISCUS_HD void add_images(const Mirrors& m, const MirrorDistances<R, n>& j, const R& r2,
+                              const Coefficient& coefficient) {
+    MENISCUS_UNROLL
+    for (int image = 1; image < 1 << n; ++image) {
+      if (n > 1 && image > m.image_count()) break;
+      R share(m.share[image]), image_r2 = r2;
+      MENISCUS_UNROLL
+      for (int k = 0; k < n; ++k) {
+        if (!(image >> k & 1)) continue;
+        share = share * j.present[k];
+        image_r2 += R(4 * m.distance[k]) * j.distance[k];
+      }
+      const R c = coefficient(share, image_r2);
+      if constexpr (!apart) total += c;
+      MENISCUS_UNROLL
+      for (int k = 0; k < n; ++k) {
+        if (!(image >> k & 1)) continue;
+        by_mirror[k] += c;
+        if constexpr (apart) by_first[k] += (image & ((1 << k) - 1)) == 0 ? c : R(0.0f);
+      }
+    }
+  }
+
+  /// Σ c (x_i' − x_j): as j sees it, with the images of i.
+  MENISCUS_HD pbd::Vec3Of<R> seen_by_other(const Mirrors& m, const pbd::Vec3Of<R>& d) const {
+    static_assert(!apart);
+    pbd::Vec3Of<R> v = total * d;
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      const Vec3 shift = (-2 * m.distance[k]) * m.normal[k];
+      v += by_mirror[k] * pbd::Vec3Of<R>{R(shift.x), R(shift.y), R(shift.z)};
+    }
+    return v;
+  }
+};
+
+/// Σ c (x_i − x_j) over neighbours and images.
+template <class R, int n, bool apart>
+struct ImageSums {
+  using Terms = PairTerms<R, n, apart>;
+
+  pbd::Vec3Of<R> along{R(0.0f), R(0.0f),
+                       R(0.0f)};  // Σ c (x_i − x_j): of neighbours if apart, else of images too
+  pbd::Vec3Of<R> to_images[n];    // if apart: the same of images, by their first mirror
+  R lift[n];                      // Σ c d_j over the images that mirror k makes
+  R weight[n];                    // Σ c
+
+  MENISCUS_HD ImageSums() {
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      lift[k] = weight[k] = R(0.0f);
+      to_images[k] = {R(0.0f), R(0.0f), R(0.0f)};
+    }
+  }
+
+  MENISCUS_HD void add(const Mirrors& m, const MirrorDistances<R, n>& j, const pbd::Vec3Of<R>& d,
+                       const Terms& terms) {
+    along += terms.total * d;
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      if constexpr (apart) to_images[k] += terms.by_first[k] * d;
+      lift[k] += terms.by_mirror[k] * j.distance[k];
+      weight[k] += terms.by_mirror[k];
+    }
+  }
+
+  /// The lanes' sums in one.
+  MENISCUS_HD ImageSums<float, n, apart> in_one(const Mirrors& m) const {
+    ImageSums<float, n, apart> one;
+    const auto vector_sum = [](const pbd::Vec3Of<R>& v) {
+      const Vec3 total = sum(v);
+      return pbd::Vec3Of<float>{total.x, total.y, total.z};
+    };
+    one.along = vector_sum(along);
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      if constexpr (apart) one.to_images[k] = vector_sum(to_images[k]);
+      one.lift[k] = sum(lift[k]);
+      one.weight[k] = sum(weight[k]);
+    }
+    return one;
+  }
+
+  /// How much of the images' vector mirror k makes, along its normal.
+  MENISCUS_HD float through(const Mirrors& m, int k) const {
+    return m.distance[k] * sum(weight[k]) + sum(lift[k]);
+  }
+
+  /// If apart: what the images of mirror k push along it.
+  MENISCUS_HD Vec3 along_mirror(const Mirrors& m, int k) const {
+    const Vec3 to = sum(to_images[k]);
+    return to - dot(to, m.normal[k]) * m.normal[k];
+  }
+
+  /// Of neighbours and images.
+  MENISCUS_HD Vec3 vector(const Mirrors& m) const {
+    Vec3 v = sum(along);
+    MENISCUS_UNROLL
+    for (int k = 0; k < n; ++k) {
+      if (!is_used<n>(m, k)) break;
+      v += (2 * sum(lift[k])) * m.normal[k];
+      if constexpr (apart) v += sum(to_images[k]);
+    }
+    return v;
+  }
+};
+
+/// Mirrors at right angles make an image of an image; parallel ones do not.
+MENISCUS_HD inline float share_of_image(const Mirrors& m, int image) {
+  float share = 1;
+  MENISCUS_UNROLL
+  for (int k = 0; k < Mirrors::most; ++k) {
+    if (!(image >> k & 1)) continue;
+    share *= m.weight[k];
+    MENISCUS_UNROLL
+    for (int l = 0; l < k; ++l) {
+      if (image >> l & 1) share *= 1 - fabsf(dot(m.normal[k], m.normal[l]));
+    }
+  }
+  return share;
+}
+
+/// Which mirror a contact at distance d takes the place of: a free one, or the farthest if that is farther.
+MENISCUS_HD inline int place_for(const Mirrors& m, float d) {
+  if (m.count < Mirrors::most) return m.count;
+  int at = 0;
+  float farthest = m.distance[0];
+  MENISCUS_UNROLL
+  for (int k = 1; k < Mirrors::most; ++k) {
+    if (m.distance[k] > farthest) {
+      at = k;
+      farthest = m.distance[k];
+    }
+  }
+  return farthest > d ? at : Mirrors::most;
+}
+
+/// The mirrors that the contacts of particle i at x make. Loops are unrolled, so that a GPU keeps them in
+/// registers.
+MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
+  Mirrors m{};
+  m.slack = 0.25f * h;
+  for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c) {
+    const pbd::Contact& contact = contacts.contacts[c];
+    const float d = plane_distance(contact, x);
+    if (d >= h || contact.fraction == 0) continue;
+    const int at = place_for(m, d);
+    MENISCUS_UNROLL
+    for (int k = 0; k < Mirrors::most; ++k) {
+      if (k != at) continue;
+      m.distance[k] = d;
+      m.contact[k] = c;
+      m.normal[k] = contact.normal;
+      m.offset[k] = dot(contact.normal, contact.point);
+      m.weight[k] = contact.fraction;
+    }
+    m.count = m.count < at + 1 && at < Mirrors::most ? at + 1 : m.count;
+  }
+  MENISCUS_UNROLL
+  for (int k = 1; k < Mirrors::most; ++k) {  // two solids that make up one wall share it
+    MENISCUS_UNROLL
+    for (int l = 0; l < k; ++l) {
+      if (dot(m.normal[k], m.normal[l]) > 0.9f) m.weight[k] = pbd::min(m.weight[k], 1 - m.weight[l]);
+    }
+  }
+  MENISCUS_UNROLL
+  for (int k = 0; k < Mirrors::most; ++k) m.distance[k] = pbd::max(m.distance[k], 0.0f);
+  MENISCUS_UNROLL
+  for (int image = 1; image < Mirrors::most_images; ++image) {
+    m.share[image] = image <= m.image_count() ? share_of_image(m, image) : 0;
+  }
+  return m;
+}
+
+/// The sums over the images of the particle itself.
+template <int n, bool apart, class Coefficient>
+MENISCUS_HD ImageSums<float, n, apart> own_images(const Mirrors& m, const Coefficient& coefficient) {
+  MirrorDistances<float, n> self;
+  MENISCUS_UNROLL
+  for (int k = 0; k < n; ++k) {
+    self.distance[k] = m.distance[k];
+    self.present[k] = 1;
+  }
+  PairTerms<float, n, apart> terms;
+  terms.add_images(m, self, float{tiny_distance2}, coefficient);
+  ImageSums<float, n, apart> sums;
+  sums.add(m, self, {0, 0, 0}, terms);
+  return sums;
+}
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the grid's pressure does to solids. Faces of a node that are not alike open leave a part of its
+// pressure to the solid between them; the contacts near the node take it, those with cloth as well, so that
+// fluid and solids exchange equal and opposite impulses.
+#pragma once
+
+#include "fluid/pressure_grid/motion_kernels.h"
+
+namespace meniscus::fluid::grid_kernels {
+
+/// The area, m², that a node's pressure pushes solids away with: the push on the fluid is along it.
+struct WallAreas {
+  NodeTable nodes;
+  View<const uint32_t> flags;
+  View<const NodeFaces> faces;
+  float width2;
+
+  MENISCUS_HD float area(uint32_t node, int axis) const {
+    const FaceState f = faces[node].face[axis];
+    return f.mass > 0 ? f.area : 0.0f;
+  }
+  MENISCUS_HD Vec3 at(uint32_t node) const {
+    if ((flags[node] & (node_fluid | node_touched)) != (node_fluid | node_touched)) return {0, 0, 0};
+    const NodeCoordinates c = nodes.coordinates(node);
+    float a[3];
+    for (int axis = 0; axis < 3; ++axis)
+      a[axis] = width2 * (area(node, axis) - area(nodes.beside(c, axis, -1), axis));
+    return {a[0], a[1], a[2]};
+  }
+};
+
+/// What a node's pressure does to the solids near it.
+struct NodeLoad {
+  Vec3 area;     ///< m²
+  Vec3 inverse;  ///< on each axis 1 over the sum of the contacts' weights
+};
+
+/// How contacts count among those of a node on each axis: the more, the nearer the particle is to both and
+/// the more the surface faces the push. Where none does, any will do, so that nothing is lost.
+MENISCUS_HD inline Vec3 contact_weights(const Contact& c, Vec3 particle, float at_node, Vec3 area,
+                                        float width) {
+  if (pbd::is_tie(c)) return {0, 0, 0};
+  const float near = pbd::clamp(1 - plane_distance(c, particle) / width, 0.01f, 1.0f);
+  const auto facing = [](float normal, float push) {
+    const float along_push = push < 0 ? -normal : normal;
+    return 1e-5f + (along_push > 0 ? along_push * along_push : 0.0f);
+  };
+  const float weight = at_node * near * near;
+  return weight * Vec3{facing(c.normal.x, area.x), facing(c.normal.y, area.y), facing(c.normal.z, area.z)};
+}
+
+MENISCUS_HD inline Vec3 product(Vec3 a, Vec3 b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+/// Adds up the weights of a node's contacts, and what their bodies give way under a pressure of 1.
+struct WeighContacts {
+  Space space;
+  WallAreas areas;
+  View<const Found> found;
+  View<const Vec4> position;
+  ContactView contacts;
+  View<NodeLoad> load;
+  View<float> give;  ///< m⁴/kg
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const Vec3 area = areas.at(node);
+    Vec3 weights{0, 0, 0}, gives{0, 0, 0};
+    if (dot(area, area) > 0) {
+      for_each_around(space, node, found, TouchingCells{contacts.start}, [&](uint32_t i, Vec3 away) {
+        for (uint32_t n = contacts.start[i]; n < contacts.start[i + 1]; ++n) {
+          const Contact& c = contacts.contacts[n];
+          const Vec3 w = contact_weights(c, position[i].xyz(), node_weight(away), area, space.width());
+          weights += w;
+          gives += c.body_inverse_mass * product(w, w);
+        }
+      });
+    }
+    const auto over = [](float x) { return x > 0 ? 1 / x : 0.0f; };
+    const Vec3 inverse{over(weights.x), over(weights.y), over(weights.z)};
+    load[node] = {area, inverse};
+    const Vec3 each = product(area, inverse);
+    give[node] = dot(product(each, each), gives);
+  }
+};
+
+/// Notes the push in the contacts: the solids take it as they do the density constraint's.
+struct PushSolids {
+  Space space;
+  View<const Found> found;
+  View<const Vec4> position;
+  ContactView contacts;
+  View<const NodeLoad> load;
+  PressureOf pressure;
+  float share;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const uint32_t i = contacts.touching_particle(n);
+    if (i == pbd::no_index) return;
+    const Vec3 p = position[i].xyz();
+    const float width = space.width();
+    for_each_node(space.nodes, space.place(p, found[i].xyz()), [&](uint32_t node, float weight) {
+      const NodeLoad at = load[node];
+      if (dot(at.area, at.area) == 0) return;
+      const Vec3 each = share * pressure(node) * product(at.area, at.inverse);
+      for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
+        Contact& c = contacts.contacts[k];
+        c.density_push += product(each, contact_weights(c, p, weight, at.area, width));
+      }
+    });
+  }
+};
+
+}  // namespace meniscus::fluid::grid_kernels

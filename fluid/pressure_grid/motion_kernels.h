@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// How the pressure that the grid has found moves faces, and faces move particles.
+#pragma once
+
+#include "fluid/pressure_grid/vessel_kernels.h"
+
+namespace meniscus::fluid::grid_kernels {
+
+/// How far each face moves its particles.
+struct FaceMoves {
+  NodeTable nodes;
+  View<const NodeFaces> faces;
+  View<const float> pressure;
+  float width2;
+  float share;  ///< of the whole motion
+  float limit;  ///< m
+
+  /// kg·m
+  MENISCUS_HD float impulse(const NodeCoordinates& c, uint32_t node, int axis) const {
+    const float fall = pressure[node] - pressure[nodes.beside(c, axis, 1)];
+    return share * faces[node].face[axis].area * width2 * fall;
+  }
+  /// m
+  MENISCUS_HD float way(const NodeCoordinates& c, uint32_t node, int axis) const {
+    return pbd::clamp(faces[node].face[axis].inverse_mass * impulse(c, node, axis), -limit, limit);
+  }
+};
+
+/// What faces do not hand on, as they move too little or nothing or their motion is bounded, and the mass
+/// that all move.
+struct Lost {
+  double impulse[3] = {0, 0, 0}, mass[3] = {0, 0, 0};
+};
+
+struct AddLost {
+  MENISCUS_HD Lost operator()(Lost a, const Lost& b) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      a.impulse[axis] += b.impulse[axis];
+      a.mass[axis] += b.mass[axis];
+    }
+    return a;
+  }
+};
+
+struct FindLost {
+  FaceMoves moves;
+  View<const uint32_t> flags;
+  PressureOf pressure;
+
+  MENISCUS_HD Lost operator()(uint32_t node) const {
+    const NodeCoordinates c = moves.nodes.coordinates(node);
+    Lost lost;
+    for (int axis = 0; axis < 3; ++axis) {
+      const FaceState face = moves.faces[node].face[axis];
+      if (face.mass > 0) {
+        lost.mass[axis] = double{face.mass};
+        lost.impulse[axis] =
+            double{moves.impulse(c, node, axis)} - double{face.mass} * double{moves.way(c, node, axis)};
+      } else if (face.area > 0) {
+        const float fall = in_the_open(node) - in_the_open(moves.nodes.beside(c, axis, 1));
+        lost.impulse[axis] = double{moves.share * face.area * moves.width2 * fall};
+      }
+    }
+    return lost;
+  }
+
+  /// What a face that moves nothing takes up of a node's pressure; near solids these do: see WallAreas.
+  MENISCUS_HD float in_the_open(uint32_t node) const {
+    return flags[node] & node_touched ? 0.0f : pressure(node);
+  }
+};
+
+/// All that is moved makes up for what is lost.
+struct MoveFaces {
+  FaceMoves moves;
+  View<const Lost> lost;
+  View<Vec4> motion;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = moves.nodes.coordinates(node);
+    const Lost& all = lost[0];
+    float way[3] = {0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (moves.faces[node].face[axis].mass > 0)
+        way[axis] = moves.way(c, node, axis) + static_cast<float>(all.impulse[axis] / all.mass[axis]);
+    }
+    motion[node] = {way[0], way[1], way[2], 0};
+  }
+};
+
+struct MoveParticles {
+  Space space;
+  View<const Found> found;
+  pbd::NeighbourView neighbours;
+  View<const Vec4> scale;
+  View<const Vec4> motion;
+  View<const uint32_t> flags;
+  PressureOf pressure;
+  float to_multiplier;  ///< m³
+  View<Vec4> position, moved;
+  View<float> multiplier;  ///< kg·m², as the density constraint would have it
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (neighbours.size(i) < least_neighbours) {
+      multiplier[i] = 0;
+      return;
+    }
+    const Vec4 p = position[i];
+    const Place place = space.place(p.xyz(), found[i].xyz());
+    const Vec3 way = way_of(place, scale[i]);
+    multiplier[i] = to_multiplier * pressure_at(place);
+    position[i] = pbd::with_w(p.xyz() + way, p.w);
+    moved[i] = pbd::shifted(moved[i], way);
+  }
+
+  MENISCUS_HD Vec3 way_of(const Place& place, const Vec4& own) const {
+    float way[3] = {0, 0, 0};
+    if (!(own.w > 0)) return {0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      for_each_face(space.nodes, place, axis,
+                    [&](uint32_t node, float weight) { way[axis] += weight * along(motion[node], axis); });
+      way[axis] *= along(own, axis);
+    }
+    return {way[0], way[1], way[2]};
+  }
+
+  MENISCUS_HD float pressure_at(const Place& place) const {
+    float sum = 0, weights = 0;
+    for_each_node(space.nodes, place, [&](uint32_t node, float weight) {
+      if (flags[node] & node_solid) return;
+      sum += weight * pressure(node);
+      weights += weight;
+    });
+    return weights > 0 ? sum / weights : 0.0f;
+  }
+};
+
+}  // namespace meniscus::fluid::grid_kernels

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of multigrid.h. At every node Σ_f c_f (p − p_f) + extra p = b, over its six faces.
+#pragma once
+
+#include "fluid/pressure_grid/node_table.h"
+#include "pbd/device/base/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::fluid::multigrid_kernels {
+
+using pbd::Vec4;
+using pbd::View;
+
+/// x, y, z: c of the faces towards the next node on each axis; w: the diagonal, 0 where the node is no
+/// unknown and p stays 0.
+using Coefficients = Vec4;
+
+MENISCUS_HD inline float along(const Vec4& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+struct Level {
+  NodeTable table;
+  View<Coefficients> coefficients;
+  View<float> pressure, right;
+
+  /// Calls visit(coordinates of the node beside, its number, c of the face between).
+  template <class Visit>
+  MENISCUS_HD void for_each_beside(const NodeCoordinates& c, const Coefficients& own,
+                                   const Visit& visit) const {
+    MENISCUS_UNROLL
+    for (int axis = 0; axis < 3; ++axis) {
+      NodeCoordinates before = c, after = c;
+      --before.at[axis];
+      ++after.at[axis];
+      const uint32_t node = table.index(before);
+      visit(before, node, along(coefficients[node], axis));
+      visit(after, table.index(after), along(own, axis));
+    }
+  }
+
+  /// b + Σ c p of the nodes beside, each p as pressure_of(coordinates, number) gives it.
+  template <class PressureOf>
+  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own,
+                         const PressureOf& pressure_of) const {
+    float sum = right[node];
+    for_each_beside(c, own, [&](const NodeCoordinates& at, uint32_t beside, float face) {
+      sum += face * pressure_of(at, beside);
+    });
+    return sum;
+  }
+  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own) const {
+    return pull(c, node, own, [&](const NodeCoordinates&, uint32_t beside) { return pressure[beside]; });
+  }
+};
+
+/// Of a chequerboard on which no two nodes beside one another have the same.
+MENISCUS_HD inline int colour(const NodeCoordinates& c) {
+  return (c.at[0] + c.at[1] + c.at[2]) & 1;
+}
+
+/// One half of a sweep of Gauss and Seidel's: the nodes of one colour.
+struct Relax {
+  Level level;
+  int turn;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = level.table.coordinates(node);
+    if (colour(c) != turn) return;
+    const Coefficients own = level.coefficients[node];
+    if (own.w > 0) level.pressure[node] = level.pull(c, node, own) / own.w;
+  }
+};
+
+/// A level's first sweep, from 0 everywhere: colour 0, then colour 1, whose nodes work out their neighbours
+/// of colour 0 for themselves.
+struct StartSweep {
+  Level level;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = level.table.coordinates(node);
+    const Coefficients own = level.coefficients[node];
+    float p = 0;
+    if (own.w > 0) {
+      p = colour(c) == 0 ? level.right[node]
+                         : level.pull(c, node, own, [&](const NodeCoordinates&, uint32_t beside) {
+                             const float w = level.coefficients[beside].w;
+                             return w > 0 ? level.right[beside] / w : 0.0f;
+                           });
+      p /= own.w;
+    }
+    level.pressure[node] = p;
+  }
+};
+
+/// A coarse node stands for two fine ones on each axis where the fine table has more than one.
+struct Parents {
+  NodeTable fine, coarse;
+
+  MENISCUS_HD int halves(int axis) const { return static_cast<int>(fine.bits[axis] - coarse.bits[axis]); }
+  MENISCUS_HD uint32_t parent(const NodeCoordinates& c) const {
+    return coarse.index(c.at[0] >> halves(0), c.at[1] >> halves(1), c.at[2] >> halves(2));
+  }
+  /// Calls visit(child, its coordinates).
+  template <class Visit>
+  MENISCUS_HD void for_each_child(const NodeCoordinates& c, const Visit& visit) const {
+    const int hx = halves(0), hy = halves(1), hz = halves(2);
+    for (int z = 0; z <= hz; ++z) {
+      for (int y = 0; y <= hy; ++y) {
+        for (int x = 0; x <= hx; ++x) {
+          const NodeCoordinates child{{(c.at[0] << hx) + x, (c.at[1] << hy) + y, (c.at[2] << hz) + z}};
+          visit(fine.index(child), child);
+        }
+      }
+    }
+  }
+};
+
+/// The coarse equation: sums of the fine ones under a p that is constant on a coarse node's children; but a
+/// coarse face's two nodes are twice as far apart, which halves its coefficient. What little is left where
+/// nothing holds p but the nodes beside is rounding: a closed vessel's p would be that of the sums, divided
+/// by it, and swamp whatever else is solved for.
+struct Coarsen {
+  static constexpr float rounding = 2e-6f;  // of the diagonals' sum
+
+  Level fine, coarse;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const Parents parents{fine.table, coarse.table};
+    const NodeCoordinates c = coarse.table.coordinates(node);
+    float extra = 0, faces = 0, whole = 0;
+    Coefficients own{0, 0, 0, 0};
+    parents.for_each_child(c, [&](uint32_t child, const NodeCoordinates& at) {
+      const Coefficients mine = fine.coefficients[child];
+      if (!(mine.w > 0)) return;
+      extra += mine.w;
+      whole += mine.w;
+      MENISCUS_UNROLL
+      for (int axis = 0; axis < 3; ++axis) {
+        const float scale = parents.halves(axis) ? 0.5f : 1.0f;
+        for (int step = -1; step <= 1; step += 2) {
+          NodeCoordinates other = at;
+          other.at[axis] += step;
+          const uint32_t beside = fine.table.index(other);
+          if (!(fine.coefficients[beside].w > 0)) continue;
+          const float face = along(step > 0 ? mine : fine.coefficients[beside], axis);
+          extra -= face;
+          if (parents.parent(other) == node) continue;
+          faces += scale * face;
+          if (step > 0) add(own, axis, scale * face);
+        }
+      }
+    });
+    own.w = faces + (extra > rounding * whole ? extra : 0.0f);
+    coarse.coefficients[node] = own;
+  }
+
+  MENISCUS_HD static void add(Coefficients& to, int axis, float value) {
+    if (axis == 0) to.x += value;
+    if (axis == 1) to.y += value;
+    if (axis == 2) to.z += value;
+  }
+};
+
+/// Hands what is left to do to the coarse level. After a sweep that is nothing at nodes of colour 1.
+struct Restrict {
+  Level fine, coarse;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    float sum = 0;
+    const Parents parents{fine.table, coarse.table};
+    parents.for_each_child(coarse.table.coordinates(node), [&](uint32_t child, const NodeCoordinates& c) {
+      const Coefficients own = fine.coefficients[child];
+      if (colour(c) == 0 && own.w > 0) sum += fine.pull(c, child, own) - own.w * fine.pressure[child];
+    });
+    coarse.right[node] = sum;
+  }
+};
+
+/// Adds the coarse level's answer, the same to all children (what restricts and what prolongs are each
+/// other's transpose, so that a cycle is symmetric), and does the half of a sweep that comes next, of
+/// colour 1. Nodes of colour 0 are left as they were: the other half takes nothing of theirs.
+struct ProlongAndRelax {
+  Level fine, coarse;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = fine.table.coordinates(node);
+    if (colour(c) == 0) return;
+    const Coefficients own = fine.coefficients[node];
+    if (!(own.w > 0)) return;
+    const Parents parents{fine.table, coarse.table};
+    const float sum = fine.pull(c, node, own, [&](const NodeCoordinates& at, uint32_t beside) {
+      if (!(fine.coefficients[beside].w > 0)) return 0.0f;
+      return fine.pressure[beside] + coarse.pressure[parents.parent(at)];
+    });
+    fine.pressure[node] = sum / own.w;
+  }
+};
+
+/// The levels that one group of threads solves by itself, where a launch would take longer than its work.
+struct SmallLevels {
+  static constexpr uint32_t most = 7;  // from 2^6 nodes on, halved on one axis at least
+  Level level[most];
+  uint32_t count;
+  int sweeps;
+
+  struct Scratch {};
+
+  /// Builds all but the first.
+  template <class Group>
+  MENISCUS_HD void coarsen(const Group& group) const {
+    for (uint32_t k = 0; k + 1 < count; ++k)
+      group.for_each(level[k + 1].table.count(), Coarsen{level[k], level[k + 1]});
+  }
+  template <class Group>
+  MENISCUS_HD void relax(const Group& group, uint32_t k, int turn) const {
+    group.for_each(level[k].table.count(), Relax{level[k], turn});
+  }
+  template <class Group>
+  MENISCUS_HD void sweep_down(const Group& group, uint32_t k) const {
+    group.for_each(level[k].table.count(), StartSweep{level[k]});
+    for (int sweep = 1; sweep < sweeps; ++sweep) {
+      relax(group, k, 0);
+      relax(group, k, 1);
+    }
+  }
+  template <class Group>
+  MENISCUS_HD void sweep_up(const Group& group, uint32_t k) const {
+    group.for_each(level[k].table.count(), ProlongAndRelax{level[k], level[k + 1]});
+    for (int sweep = 1; sweep < sweeps; ++sweep) {
+      relax(group, k, 0);
+      relax(group, k, 1);
+    }
+    relax(group, k, 0);
+  }
+  template <class Group>
+  MENISCUS_HD void solve(const Group& group) const {
+    for (uint32_t k = 0; k + 1 < count; ++k) {
+      sweep_down(group, k);
+      group.for_each(level[k + 1].table.count(), Restrict{level[k], level[k + 1]});
+    }
+    sweep_down(group, count - 1);
+    for (uint32_t k = count - 1; k-- > 0;) sweep_up(group, k);
+  }
+};
+
+struct CoarsenSmall {
+  using Scratch = SmallLevels::Scratch;
+  SmallLevels levels;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t) const {
+    levels.coarsen(group);
+  }
+};
+
+struct SolveSmall {
+  using Scratch = SmallLevels::Scratch;
+  SmallLevels levels;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t) const {
+    levels.solve(group);
+  }
+};
+
+// ---- conjugate gradients ----
+
+struct Sum {
+  MENISCUS_HD double operator()(double a, double b) const { return a + b; }
+};
+
+/// What the iteration has found and where it goes next.
+struct Search {
+  View<float> solution, direction, image;
+  View<double> products;  ///< r·z now and before, in turns; p·A p
+  uint32_t now, before;
+
+  static constexpr uint32_t curvature = 2;
+};
+
+/// The finest level's last half of a sweep, of colour 0. Gives r·z, where z is what the cycle makes of r.
+struct FinishCycle {
+  Level level;
+
+  MENISCUS_HD double operator()(uint32_t node) const {
+    const Coefficients own = level.coefficients[node];
+    if (!(own.w > 0)) return 0;
+    const NodeCoordinates c = level.table.coordinates(node);
+    if (colour(c) == 0) level.pressure[node] = level.pull(c, node, own) / own.w;
+    return double{level.right[node]} * double{level.pressure[node]};
+  }
+};
+
+/// q = A p; gives p·q.
+struct ApplyToDirection {
+  Level level;
+  Search search;
+
+  MENISCUS_HD double operator()(uint32_t node) const {
+    const Coefficients own = level.coefficients[node];
+    float image = 0;
+    if (own.w > 0) {
+      float pull = 0;
+      level.for_each_beside(level.table.coordinates(node), own,
+                            [&](const NodeCoordinates&, uint32_t beside, float face) {
+                              pull += face * search.direction[beside];
+                            });
+      image = own.w * search.direction[node] - pull;
+    }
+    search.image[node] = image;
+    return double{search.direction[node]} * double{image};
+  }
+};
+
+struct StepAlong {
+  Level level;
+  Search search;
+  bool first;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const double curvature = search.products[Search::curvature];
+    const float step = curvature > 0 ? static_cast<float>(search.products[search.now] / curvature) : 0.0f;
+    search.solution[node] = (first ? 0 : search.solution[node]) + step * search.direction[node];
+    level.right[node] -= step * search.image[node];
+  }
+};
+
+/// The next direction: the cycle's answer, and a share of the last direction.
+struct TurnDirection {
+  Level level;
+  Search search;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const double before = search.products[search.before];
+    const float kept = before > 0 ? static_cast<float>(search.products[search.now] / before) : 0.0f;
+    search.direction[node] = level.pressure[node] + kept * search.direction[node];
+  }
+};
+
+}  // namespace meniscus::fluid::multigrid_kernels

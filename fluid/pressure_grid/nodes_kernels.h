@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the nodes of the pressure grid are: in fluid, in a solid or in air.
+#pragma once
+
+#include "fluid/pressure_grid/space.h"
+
+namespace meniscus::fluid::grid_kernels {
+
+/// What lies around a node.
+enum NodeFlags : uint32_t {
+  node_fluid = 1,       ///< its pressure is an unknown
+  node_solid = 2,       ///< it is in a solid
+  node_touched = 4,     ///< near contacts
+  node_wall_below = 8,  ///< the node before it on x is in a solid; then after it; then y and z
+};
+
+MENISCUS_HD inline uint32_t wall_flag(int axis, bool after) {
+  return node_wall_below << (2 * axis + (after ? 1 : 0));
+}
+
+enum class Face { none, open, closed };
+
+struct NodeMap {
+  NodeTable nodes;
+  View<const uint32_t> flags;
+
+  /// A face is closed where there is fluid on one side and a solid on the other.
+  MENISCUS_HD Face face(uint32_t node, int axis) const {
+    const uint32_t other = nodes.beside(nodes.coordinates(node), axis, 1);
+    return between(flags[node], flags[other], axis);
+  }
+  MENISCUS_HD static Face between(uint32_t before, uint32_t after, int axis) {
+    const bool a = before & node_fluid, b = after & node_fluid;
+    if (a && b) return Face::open;
+    if (a) return before & wall_flag(axis, true) ? Face::closed : Face::open;
+    if (b) return after & wall_flag(axis, false) ? Face::closed : Face::open;
+    return Face::none;
+  }
+};
+
+/// How much of a node's share of space lies behind a plane that is this far away, in widths of a cell.
+MENISCUS_HD inline float share_behind(float distance) {
+  const float a = pbd::max(0.0f, 1 - fabsf(distance)), half = 0.5f * a * a;
+  return distance > 0 ? half : 1 - half;
+}
+
+/// How deep in solids a node may be, in widths of a cell, to be an unknown. Half a width deeper than fluid
+/// reaches there are no faces that move any.
+inline constexpr float deepest = -0.45f;
+
+/// Of a particle on a node: with less it has no say there. Where one that touches a solid has none, as at its
+/// cell's border, its contacts could not take what the node would leave to the solid.
+inline constexpr float least_weight = 1e-6f;
+
+/// What nodes are told by.
+struct NodeSources {
+  Space space;
+  View<const Found> found;
+  View<const Vec4> position;
+  ContactView contacts;
+  float volume;  ///< m³, of a particle
+};
+
+/// What a node is: fluid where particles fill half of what solids leave. Without `any_moving` there are no
+/// sheets.
+template <bool any_moving>
+struct GatherNodes {
+  NodeSources from;
+  View<uint32_t> flags;
+  View<float> filled;  ///< share of the node's space that particles fill
+
+  /// Surfaces around a node, as whoever touches most of them sees them. Lengths are in widths of a cell.
+  struct Walls {
+    float open = 1, distance = 1;
+    float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the nodes beside
+    bool touched = false;
+
+    MENISCUS_HD void add(float share_open, float plane, Vec3 normal) {
+      touched = true;
+      open = pbd::min(open, share_open);
+      distance = pbd::min(distance, plane);
+      MENISCUS_UNROLL
+      for (int b = 0; b < 6; ++b) {
+        const float step = component(normal, b / 2);
+        beside[b] = pbd::min(beside[b], plane + (b % 2 ? step : -step));
+      }
+    }
+    MENISCUS_HD void add(const Walls& other) {
+      touched = touched || other.touched;
+      open *= other.open;
+      distance = pbd::min(distance, other.distance);
+      MENISCUS_UNROLL
+      for (int b = 0; b < 6; ++b) beside[b] = pbd::min(beside[b], other.beside[b]);
+    }
+  };
+  /// What is seen from a node.
+  struct Sight {
+    float weight = 0;  ///< of all particles
+    float hidden = 0;  ///< of those that a sheet hides
+    Walls solids, sheets;
+  };
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    Sight sight;
+    for_each_around(from.space, node, from.found, AllCells{},
+                    [&](uint32_t, Vec3 away) { sight.weight += node_weight(away); });
+    for_each_around(from.space, node, from.found, TouchingCells{from.contacts.start},
+                    [&](uint32_t i, Vec3 away) { add(sight, i, away); });
+    const float inverse_width = from.space.cells.inverse_reach;
+    const float share = from.volume * inverse_width * inverse_width * inverse_width * sight.weight;
+    flags[node] = flags_of(sight, share);
+    filled[node] = share;
+  }
+
+  MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
+    const float weight = node_weight(away);
+    if (weight < least_weight) return;
+    float open = 1, open_by_sheets = 1;
+    bool hidden = false;
+    for (uint32_t k = from.contacts.start[i]; k < from.contacts.start[i + 1]; ++k) {
+      const Contact& c = from.contacts.contacts[k];
+      if (pbd::is_tie(c) || c.fraction < 0.5f) continue;
+      const float distance =
+          from.space.cells.inverse_reach * plane_distance(c, from.position[i].xyz()) + dot(c.normal, away);
+      const float share = 1 - share_behind(distance);
+      if (any_moving && c.body == pbd::on_sheet) {
+        sight.sheets.add(open_by_sheets *= share, distance, c.normal);
+        hidden = hidden || distance < 0;
+      } else {
+        sight.solids.add(open *= share, distance, c.normal);
+      }
+    }
+    if (hidden) sight.hidden += weight;
+  }
+
+  /// A sheet is a wall where there is fluid on one of its sides.
+  MENISCUS_HD static uint32_t flags_of(const Sight& sight, float share) {
+    constexpr float few = 0.05f;
+    Walls walls = sight.solids;
+    const float seen = sight.weight - sight.hidden;
+    if (any_moving && pbd::min(seen, sight.hidden) <= few * sight.weight) walls.add(sight.sheets);
+    uint32_t flags = walls.touched ? node_touched : 0u;
+    if (walls.distance < deepest)
+      flags |= node_solid;
+    else if (share > (walls.open < 0.5f ? 0.3f : 0.5f) * walls.open)
+      flags |= node_fluid;
+    for (int b = 0; b < 6; ++b) {
+      if (walls.beside[b] < deepest) flags |= wall_flag(b / 2, b % 2);
+    }
+    return flags;
+  }
+};
+
+/// Which nodes have fluid all around.
+struct MarkInside {
+  NodeTable nodes;
+  View<const uint32_t> flags;
+  View<uint32_t> inside;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    const NodeCoordinates c = nodes.coordinates(node);
+    uint32_t all = flags[node];
+    for (int axis = 0; axis < 3; ++axis)
+      all &= flags[nodes.beside(c, axis, -1)] & flags[nodes.beside(c, axis, 1)];
+    inside[node] = all & node_fluid;
+  }
+};
+
+}  // namespace meniscus::fluid::grid_kernels

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fluid/pressure_grid/excess_kernels.h"
+#include "fluid/pressure_grid/load_kernels.h"
+#include "fluid/pressure_grid/multigrid.h"
+#include "fluid/pressure_grid/vessels.h"
+#include "pbd/substep.h"
+
+namespace meniscus::fluid {
+
+/// Before the iterations of the density constraint, which carry pressure one support radius each, a coarse
+/// grid finds the pressure that reaches through the whole fluid, and moves the particles by its gradient.
+///
+/// Nodes are the corners of the cells that particles are sorted by, a support radius H apart; φ are the
+/// trilinear weights of particles on nodes, ψ those on the faces between two nodes, which stand half a cell
+/// along an axis.
+///
+///   too much volume  b_c = Σ_i V φ_c(x_i) C_i, where C_i ≥ −.1: less is a surface's
+///   faces            M_f = Σ_i m_i ψ_f(x_i); a_f is the share of the face that solids leave open
+///   equation         Σ_f a_f² H⁴/M_f (P_c − P_nb) = b_c, P = 0 in the air, faces towards solids closed,
+///                    and towards the dry side of a sheet
+///   motion           u_f = −a_f H² (P_nb − P_c)/M_f, Δx_i = ω Σ_f ψ_f(x_i) u_f
+///
+/// So a face hands its particles the impulse a_f H² ΔP whatever they weigh: fluids of different density need
+/// nothing more, and in the open the sum over all faces is 0. What faces that are not alike open leave over
+/// is what solids bear: their contacts take it (load_kernels.h). A wall that moves in makes C rise,
+/// and needs no flux of its own. Where a body gives way, P falls by that.
+///
+/// After the coarse-grid corrections that grid methods of fluids know as projection (Batty, Bertails &
+/// Bridson 2007 for the open shares of faces), with the density's error in the place of the divergence.
+template <class D>
+class PressureGrid {
+ public:
+  PressureGrid(D& device, const Kernel& kernel) : device_(device), kernel_(kernel), multigrid_(device) {}
+
+  /// Room for so many particles, their padding included.
+  void reserve(uint32_t size);
+  /// Moves the particles, and hands the contacts what solids bear. `compressibility` is in 1/Pa; `last` holds
+  /// what C was at the last substep's end.
+  void displace(pbd::Substep<D>& substep, float compressibility,
+                pbd::View<const density_kernels::Multiplier> last);
+  /// By particle: the pressure of the last displacement, kg·m², as Λ of the density constraint.
+  pbd::View<const float> multipliers() const { return multiplier_.view(); }
+
+ private:
+  void fit(const pbd::GridView& cells);
+  void find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last);
+  void gather(pbd::Substep<D>& substep, float compressibility);
+  void move(pbd::Substep<D>& substep);
+  grid_kernels::NodeMap map() const { return {space_.nodes, flags_.view()}; }
+  float width2() const { return space_.width() * space_.width(); }
+
+  D& device_;
+  Kernel kernel_;
+  Multigrid<D> multigrid_;
+  PressureGridVessels<D> vessels_{device_};
+  grid_kernels::Space space_;
+
+  pbd::Buffer<grid_kernels::Found> found_{device_, "density excess"};
+  pbd::Buffer<pbd::Vec4> scale_{device_, "weights on the grid"};
+  pbd::Buffer<float> multiplier_{device_, "grid multipliers"};
+  pbd::Buffer<uint32_t> flags_{device_, "grid nodes"};
+  pbd::Buffer<uint32_t> inside_{device_, "grid nodes"};
+  pbd::Buffer<float> filled_{device_, "grid shares"};
+  pbd::Buffer<float> give_{device_, "give of bodies"};
+  pbd::Buffer<grid_kernels::NodeFaces> faces_{device_, "grid faces"};
+  pbd::Buffer<grid_kernels::NodeLoad> load_{device_, "grid loads"};
+  pbd::Buffer<pbd::Vec4> motion_{device_, "grid motion"};
+  pbd::Buffer<grid_kernels::Lost> lost_{device_, "grid momentum"};
+};
+
+}  // namespace meniscus::fluid

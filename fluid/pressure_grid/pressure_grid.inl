@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#include "fluid/pressure_grid/multigrid.inl"
+#include "fluid/pressure_grid/pressure_grid.h"
+
+namespace meniscus::fluid {
+
+namespace grid_tuning {
+
+inline constexpr int iterations = 2;          ///< of conjugate gradients
+inline constexpr float share = 0.9f;          ///< ω
+inline constexpr float recovery = 30;         ///< 1/s: how fast old errors are undone
+inline constexpr float most_lacking = 0.02f;  ///< of a node's volume, that is still noise
+inline constexpr float farthest = 0.5f;       ///< spacings that a face may move particles by
+
+}  // namespace grid_tuning
+
+template <class D>
+void PressureGrid<D>::reserve(uint32_t size) {
+  found_.resize_discard(size);
+  scale_.resize_discard(size);
+  multiplier_.resize_discard(size);
+}
+
+template <class D>
+void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
+                               pbd::View<const density_kernels::Multiplier> last) {
+  fit(substep.grid);
+  find_excess(substep, last);
+  gather(substep, compressibility);
+  vessels_.level(space_.nodes, flags_.view(), multigrid_.finest(), filled_.view(), kernel_.volume);
+  multigrid_.solve(grid_tuning::iterations);
+  move(substep);
+}
+
+/// The table grows with the fluid's extent, as that of the cells does: by doubling, so seldom.
+template <class D>
+void PressureGrid<D>::fit(const pbd::GridView& cells) {
+  constexpr uint32_t bits_of_slices = 2;
+  space_ = {cells, {{cells.bits_x - bits_of_slices, cells.bits_y, cells.bits_z}}};
+  multigrid_.fit(space_.nodes);
+  const uint32_t count = space_.nodes.count();
+  if (flags_.size() >= count) return;
+  flags_.resize_discard(0);
+  inside_.resize_discard(count);
+  filled_.resize_discard(count);
+  give_.resize_discard(count);
+  faces_.resize_discard(count);
+  load_.resize_discard(count);
+  motion_.resize_discard(count);
+  vessels_.reserve(count);
+  lost_.resize_discard(1);
+  flags_.resize_discard(count);  // last: its length is what counts
+}
+
+template <class D>
+void PressureGrid<D>::find_excess(pbd::Substep<D>& substep,
+                                  pbd::View<const density_kernels::Multiplier> last) {
+  using namespace grid_kernels;
+  const ExcessOf excess_of{last, std::fmax(0.0f, 1 - grid_tuning::recovery * substep.dt)};
+  const pbd::ParticleView& p = substep.particles;
+  const ContactView contacts = substep.contacts.of_first(p.sorted);
+  device_.parallel_for_both("grid/excess", p.sorted,
+                            Excess{kernel_, space_, substep.neighbours, contacts.start, p.position, p.phase,
+                                   excess_of, found_.view()},
+                            contacts.contacts.count,
+                            ExcessAtWalls{kernel_, space_, substep.neighbours, contacts, p.position, p.phase,
+                                          excess_of, found_.view()});
+}
+
+template <class D>
+void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
+  using namespace grid_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  const ContactView contacts = substep.contacts.of_first(p.sorted);
+  const uint32_t nodes = space_.nodes.count();
+  const multigrid_kernels::Level finest = multigrid_.finest();
+  const auto gather_nodes = [&](auto kernel) { device_.parallel_for("grid/nodes", nodes, kernel); };
+  const NodeSources sources{space_, found_.view(), p.position, contacts, kernel_.volume};
+  contacts.any_moving ? gather_nodes(GatherNodes<true>{sources, flags_.view(), filled_.view()})
+                      : gather_nodes(GatherNodes<false>{sources, flags_.view(), filled_.view()});
+  device_.parallel_for("grid/inside", nodes, MarkInside{space_.nodes, flags_.view(), inside_.view()});
+  device_.parallel_for(
+      "grid/normalize", p.sorted,
+      Normalize{space_, map(), inside_.view(), p.position, substep.neighbours, scale_.view(), found_.view()});
+  device_.parallel_for("grid/sums", nodes,
+                       GatherExcess{space_, flags_.view(), found_.view(), kernel_.volume,
+                                    -grid_tuning::most_lacking * space_.width() * width2(), finest.right});
+  device_.parallel_for(
+      "grid/faces", 3 * nodes,
+      GatherFaces{space_, map(), found_.view(), scale_.view(), kernel_.volume, faces_.view()});
+  device_.parallel_for("grid/contacts", nodes,
+                       WeighContacts{space_,
+                                     {space_.nodes, flags_.view(), faces_.view(), width2()},
+                                     found_.view(),
+                                     p.position,
+                                     contacts,
+                                     load_.view(),
+                                     give_.view()});
+  const float width = space_.width(), compliance = compressibility / (substep.dt * substep.dt);
+  device_.parallel_for("grid/equation", nodes,
+                       MakeEquation{space_.nodes, flags_.view(), faces_.view(), filled_.view(), width2(),
+                                    compliance * width * width2(), give_.view(), finest.coefficients});
+}
+
+template <class D>
+void PressureGrid<D>::move(pbd::Substep<D>& substep) {
+  using namespace grid_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  const ContactView contacts = substep.contacts.of_first(p.sorted);
+  const View<const float> pressure = multigrid_.solution();
+  const FaceMoves moves{space_.nodes, faces_.view(),      pressure,
+                        width2(),     grid_tuning::share, grid_tuning::farthest * std::cbrt(kernel_.volume)};
+  const PressureOf from_least = vessels_.pressure(space_.nodes, pressure);
+  const uint32_t nodes = space_.nodes.count();
+  device_.reduce("grid/lost", nodes, Lost{}, FindLost{moves, flags_.view(), from_least}, AddLost{},
+                 lost_.view());
+  device_.parallel_for("grid/move faces", nodes, MoveFaces{moves, lost_.view(), motion_.view()});
+  device_.parallel_for(
+      "grid/push solids", contacts.contacts.count,
+      PushSolids{space_, found_.view(), p.position, contacts, load_.view(), from_least, grid_tuning::share});
+  device_.parallel_for("grid/move particles", p.sorted,
+                       MoveParticles{space_, found_.view(), substep.neighbours, scale_.view(), motion_.view(),
+                                     flags_.view(), from_least, grid_tuning::share * kernel_.volume,
+                                     p.position, p.moved, multiplier_.view()});
+}
+
+}  // namespace meniscus::fluid

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Where particles, nodes and faces of the pressure grid are. Nodes are the corners of the cells that
+// particles are sorted by; face (node, axis) lies half way to the next node on that axis.
+#pragma once
+
+#include "fluid/pressure_grid/node_table.h"
+#include "pbd/contacts.h"
+#include "pbd/device/base/view.h"
+#include "pbd/grid.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::fluid::grid_kernels {
+
+using pbd::Contact;
+using pbd::ContactView;
+using pbd::Vec4;
+using pbd::View;
+
+/// Where a particle is in its cell, on each axis from 0 to 1.
+struct Place {
+  NodeCoordinates cell;
+  Vec3 t;
+};
+
+struct Space {
+  pbd::GridView cells;
+  NodeTable nodes;
+
+  /// Where particle i is in the cell that it was sorted into. Moved out of it since, it counts at the cell's
+  /// border: what nodes and faces gather by cells must be what particles get from them.
+  MENISCUS_HD Vec3 part(Vec3 p, uint32_t i) const {
+    pbd::CellCoordinates c = cells.coordinates(p);
+    NodeCoordinates cell{{c.x >> 2, c.y, c.z}};  // floor of a quarter
+    for (int k = 0; k < 27 && !holds(cell, i); ++k)
+      cell = {{(c.x >> 2) + k % 3 - 1, c.y + k / 3 % 3 - 1, c.z + k / 9 - 1}};
+    const Vec3 x = cells.inverse_reach * p;
+    const auto part = [](float v, int32_t cell) {
+      return pbd::clamp(v - static_cast<float>(cell), 0.0f, 1.0f);
+    };
+    return {part(x.x, cell.at[0]), part(x.y, cell.at[1]), part(x.z, cell.at[2])};
+  }
+  /// Of a particle that is there in its cell.
+  MENISCUS_HD Place place(Vec3 p, Vec3 part) const {
+    const Vec3 x = cells.inverse_reach * p - part;
+    const auto nearest = [](float v) {
+      constexpr float limit = 1e9f;  // keeps the conversion defined for any float, NaN included
+      return static_cast<int32_t>(rintf(pbd::clamp(v, -limit, limit)));
+    };
+    return {{{nearest(x.x), nearest(x.y), nearest(x.z)}}, part};
+  }
+  MENISCUS_HD float width() const { return 1 / cells.inverse_reach; }
+  /// Of the cell behind a node: its slices lie side by side.
+  MENISCUS_HD pbd::Run particles_behind(uint32_t node) const {
+    return {cells.start[slices * node], cells.start[slices * (node + 1)]};
+  }
+
+  static constexpr uint32_t slices = pbd::GridView::slices;
+  static_assert(slices == 4);
+
+ private:
+  MENISCUS_HD bool holds(const NodeCoordinates& cell, uint32_t i) const {
+    const pbd::Run run = particles_behind(nodes.index(cell));
+    return run.begin <= i && i < run.end;
+  }
+};
+
+MENISCUS_HD inline float component(Vec3 v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// Calls visit(node, weight) for the eight nodes around a particle: weights are linear, and add up to 1.
+template <class Visit>
+MENISCUS_HD void for_each_node(const NodeTable& nodes, const Place& p, const Visit& visit) {
+  MENISCUS_UNROLL
+  for (int k = 0; k < 8; ++k) {
+    const int x = k & 1, y = k >> 1 & 1, z = k >> 2;
+    const float weight = (x ? p.t.x : 1 - p.t.x) * (y ? p.t.y : 1 - p.t.y) * (z ? p.t.z : 1 - p.t.z);
+    visit(nodes.index(p.cell.at[0] + x, p.cell.at[1] + y, p.cell.at[2] + z), weight);
+  }
+}
+
+/// The same for the eight faces of one axis.
+template <class Visit>
+MENISCUS_HD void for_each_face(const NodeTable& nodes, const Place& p, int axis, const Visit& visit) {
+  Place shifted = p;
+  const bool before = component(p.t, axis) < 0.5f;
+  float* t = axis == 0 ? &shifted.t.x : axis == 1 ? &shifted.t.y : &shifted.t.z;
+  *t += before ? 0.5f : -0.5f;
+  shifted.cell.at[axis] -= before ? 1 : 0;
+  for_each_node(nodes, shifted, visit);
+}
+
+/// Of one particle: x, y, z: where in its cell it is, from 0 to 1; w: its excess.
+using Found = Vec4;
+
+/// Calls visit(particle, way to the node in widths of a cell) for the particles in those of the eight cells
+/// around that `wanted(first, end)` takes, by their particles.
+template <class Wanted, class Visit>
+MENISCUS_HD void for_each_around(const Space& space, uint32_t node, View<const Found> found,
+                                 const Wanted& wanted, const Visit& visit) {
+  const NodeCoordinates c = space.nodes.coordinates(node);
+  for (int k = 0; k < 8; ++k) {
+    const int x = k & 1, y = k >> 1 & 1, z = k >> 2;  // 0: the cell lies before the node
+    const uint32_t cell = space.nodes.index(c.at[0] + x - 1, c.at[1] + y - 1, c.at[2] + z - 1);
+    const auto [first, end] = space.particles_behind(cell);
+    if (first == end || !wanted(first, end)) continue;
+    for (uint32_t i = first; i < end; ++i) {
+      const Vec3 t = found[i].xyz();
+      visit(i, Vec3{x ? -t.x : 1 - t.x, y ? -t.y : 1 - t.y, z ? -t.z : 1 - t.z});
+    }
+  }
+}
+
+struct AllCells {
+  MENISCUS_HD bool operator()(uint32_t, uint32_t) const { return true; }
+};
+
+/// Cells where particles touch something: contacts stand in the order of their particles.
+struct TouchingCells {
+  View<const uint32_t> contact_start;
+
+  MENISCUS_HD bool operator()(uint32_t first, uint32_t end) const {
+    return contact_start[first] != contact_start[end];
+  }
+};
+
+/// Of a particle at a node that is so far away, in widths of a cell.
+MENISCUS_HD inline float node_weight(Vec3 away) {
+  return (1 - fabsf(away.x)) * (1 - fabsf(away.y)) * (1 - fabsf(away.z));
+}
+
+}  // namespace meniscus::fluid::grid_kernels

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fluid/kernel/kernel.h"
+#include "fluid/surface/anisotropy.h"
+#include "fluid/surface/principal_axes.h"
+
+namespace meniscus::fluid::anisotropy_kernels {
+
+using pbd::Vec3Of;
+
+/// Sums over neighbours at the offsets d from a particle: Σ w, Σ w d and Σ w d dᵀ.
+template <class R>
+struct Moments {
+  float inverse_support;
+  R weight{0.0f}, xx{0.0f}, yy{0.0f}, zz{0.0f}, xy{0.0f}, xz{0.0f}, yz{0.0f};
+  Vec3Of<R> first{R(0.0f), R(0.0f), R(0.0f)};
+
+  MENISCUS_HD void add(const Vec3Of<R>& d) {
+    const R r2 = max(dot(d, d), R(tiny_distance2));
+    const R q = R(inverse_support) * (r2 * inverse_sqrt(r2));
+    const R w = max(R(1.0f) - q * q * q, R(0.0f));
+    const Vec3Of<R> wd = w * d;
+    weight += w;
+    first += wd;
+    xx += wd.x * d.x;
+    yy += wd.y * d.y;
+    zz += wd.z * d.z;
+    xy += wd.x * d.y;
+    xz += wd.x * d.z;
+    yz += wd.y * d.z;
+  }
+
+  /// Over all lanes.
+  MENISCUS_HD Moments<float> total() const {
+    const Vec3 f = sum(first);
+    return {inverse_support, sum(weight), sum(xx), sum(yy),        sum(zz),
+            sum(xy),         sum(xz),     sum(yz), {f.x, f.y, f.z}};
+  }
+};
+
+/// The ellipsoid of a particle at x with these sums over its neighbours, itself left out.
+MENISCUS_HD inline Ellipsoid ellipsoid_of(const AnisotropyParameters& p, Vec3 x, const Moments<float>& s) {
+  const float weight = 1 + s.weight, inverse = 1 / weight;  // with itself, at offset 0
+  const Vec3 m = inverse * Vec3{s.first.x, s.first.y, s.first.z};
+  const Symmetric3 c{inverse * s.xx - m.x * m.x, inverse * s.yy - m.y * m.y, inverse * s.zz - m.z * m.z,
+                     inverse * s.xy - m.x * m.y, inverse * s.xz - m.x * m.z, inverse * s.yz - m.y * m.z};
+  // From a sixth of what a flat surface has, about two neighbours, to more than half of it: a sheet has .6.
+  const float share = pbd::clamp(2.6f * (weight / p.surface_weight) - 0.44f, 0, 1);
+  const PrincipalAxes axes = principal_axes(c);
+  Vec3 radii{sqrtf(pbd::max(axes.values.x, 0)), sqrtf(pbd::max(axes.values.y, 0)),
+             sqrtf(pbd::max(axes.values.z, 0))};
+  const float longest = max_component(radii);
+  if (longest > 0) {
+    const float least = longest / p.ratio;
+    radii = max(radii, {least, least, least});
+    radii = radii / cbrtf(radii.x * radii.y * radii.z);
+  } else {
+    radii = {1, 1, 1};
+  }
+  const float lone = (1 - share) * p.lone_radius;
+  return {x + (share * p.smoothing) * m, (share * p.radius) * radii + Vec3{lone, lone, lone}, axes.rotation};
+}
+
+}  // namespace meniscus::fluid::anisotropy_kernels

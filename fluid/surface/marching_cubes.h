@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The triangles of a cube by which of its corners are inside (Lorensen & Cline 1987), made by rule so that
+// the surface is closed and manifold:
+//   on a face with two inside corners that are diagonal, each is cut off by itself, whichever cube looks;
+//   no triangle has an edge across a face, where the cube beyond might have the same.
+// So each edge of the mesh, on a face or inside a cube, belongs to two triangles.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pbd/device/base/qualifiers.h"
+
+namespace meniscus::fluid {
+
+/// Corner c is at x = c & 1, y = c >> 1 & 1, z = c >> 2. Edge e runs from its lower corner along an axis.
+struct CubeEdge {
+  uint32_t corner, axis;
+};
+
+MENISCUS_HD constexpr CubeEdge cube_edge(uint32_t e) {
+  const uint32_t axis = e / 4, n = e % 4;  // n: the corner's place on the other two axes
+  const uint32_t corner = axis == 0 ? n << 1 : axis == 1 ? (n & 1) | (n & 2) << 1 : n;
+  return {corner, axis};
+}
+
+/// Sixteen bytes, as one load takes them.
+struct alignas(16) CubeTriangles {
+  uint8_t edges[15];  ///< three each; corners turn counter-clockwise as seen from outside
+  uint8_t count;      ///< of triangles, at most five
+};
+
+/// One for each set of inside corners: bit c says that corner c is.
+std::vector<CubeTriangles> marching_cubes();
+
+}  // namespace meniscus::fluid

@@ -1,6 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The Meniscus authors
-// SPDX-License-Identifier: MIT
-#include "fluid/viscosity_pass.inl"
-#include "pbd/device/cpu/cpu_device.h"
-
-template class meniscus::fluid::ViscosityPass<meniscus::pbd::CpuDevice>;

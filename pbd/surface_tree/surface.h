@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Surfaces of triangles among the particles: what cloth collides with, and later the fluid.
+#pragma once
+
+#include <cstdint>
+
+#include "pbd/device/base/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::pbd {
+
+/// Vertex numbers: vertex v is the particle ParticleView::sorted + v.
+struct SurfaceTriangle {
+  uint32_t a, b, c;
+  uint32_t part;  ///< the piece of cloth that it belongs to
+};
+
+struct SurfaceView {
+  View<const SurfaceTriangle> triangles;
+  View<const Vec3> rest;  ///< m, of each vertex: the shape in which it is free of strain
+  /// Of each vertex its triangles' corners, 3 · triangle + corner: fan[fan_start[v]] to fan[fan_start[v + 1]
+  /// − 1].
+  View<const uint32_t> fan_start, fan;
+};
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include "pbd/surface_tree/order.h"
+#include "pbd/surface_tree/surface_tree.h"
+
+namespace meniscus::pbd {
+
+namespace surface_kernels {
+
+/// A level's boxes from those of the level below.
+template <class Boxes>
+struct FitLevel {
+  SurfaceTreeView tree;
+  Boxes boxes;
+  uint32_t level;
+
+  MENISCUS_HD void operator()(uint32_t b) const {
+    if (!boxes.wanted()) return;
+    Aabb box = empty_box;
+    if (b < tree.boxes[level]) {
+      const BoxGroup& below = tree.group(level - 1, b);
+      for (uint32_t k = 0; k < BoxGroup::size; ++k) box = joined(below.box(k), box);
+    }
+    tree.group(level, b / 8).set(b % 8, box.lower.x <= box.upper.x ? box : nowhere());
+  }
+};
+
+/// The boxes of triangles, and those above them up to level `top`, one of which each group of threads
+/// takes with all that is below it.
+template <class Boxes>
+struct FitSubtrees {
+  struct Scratch {};
+
+  SurfaceTreeView tree;
+  Boxes boxes;
+  uint32_t top;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch& /*scratch*/, uint32_t n) const {
+    if (!boxes.wanted()) return;
+    for (uint32_t level = 0; level <= top; ++level) {
+      const uint32_t count = 1u << 3 * (top - level), first = n * count, end = 8 * tree.groups_of(level);
+      group.for_each(count, [&](uint32_t k) {
+        if (first + k >= end) return;
+        if (level == 0)
+          fit_triangle(first + k);
+        else
+          FitLevel<Boxes>{tree, boxes, level}(first + k);
+      });
+    }
+  }
+
+  MENISCUS_HD void fit_triangle(uint32_t place) const {
+    const SurfaceTriangle t = load(tree.triangles, place);
+    Aabb box = nowhere();
+    if (t.a != no_index) box = joined(joined(boxes.of(t.a), boxes.of(t.b)), boxes.of(t.c));
+    tree.group(0, place / 8).set(place % 8, box);
+  }
+};
+
+}  // namespace surface_kernels
+
+template <class D>
+void SurfaceTree<D>::set_surface(std::span<const SurfaceTriangle> triangles,
+                                 std::span<const Vec3> positions) {
+  constexpr uint32_t most_roots = 64;  // fewer boxes than this are looked through one by one
+  order_ = tree_order(triangles, positions);
+  sorted_.clear();
+  for (uint32_t t : order_)
+    sorted_.push_back(t == no_index ? SurfaceTriangle{no_index, no_index, no_index, 0} : triangles[t]);
+
+  layout_ = {};
+  uint32_t groups = 0, boxes = places();
+  while (boxes > 0) {
+    layout_.start[layout_.levels] = groups;
+    layout_.boxes[layout_.levels] = boxes;
+    groups += layout_.groups_of(layout_.levels++);
+    const bool enough = layout_.levels > 1 && boxes <= most_roots;
+    if (enough || layout_.levels == SurfaceTreeView::most_levels) break;
+    boxes = (boxes + 7) / 8;
+  }
+  triangles_.resize_discard(sorted_.size());
+  triangles_.write(sorted_);
+  groups_.resize_discard(groups);
+}
+
+template <class D>
+template <class Boxes>
+void SurfaceTree<D>::refit(const Boxes& boxes) {
+  using namespace surface_kernels;
+  const SurfaceTreeView tree = view();
+  if (tree.levels == 0) return;
+  const uint32_t top = std::min(3u, tree.levels - 1);
+  device_.parallel_for_groups("surface/subtrees", 8 * tree.groups_of(top),
+                              FitSubtrees<Boxes>{tree, boxes, top});
+  for (uint32_t level = top + 1; level < tree.levels; ++level)
+    device_.parallel_for("surface/boxes", 8 * tree.groups_of(level), FitLevel<Boxes>{tree, boxes, level});
+}
+
+template <class D>
+SurfaceTreeView SurfaceTree<D>::view() {
+  SurfaceTreeView tree = layout_;
+  tree.groups = groups_.view();
+  tree.triangles = triangles_.view();
+  return tree;
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/cli/record/way_columns.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace meniscus::cli {
+namespace {
+
+float columns_per_metre(std::size_t columns, float extent) {
+  return extent > 0 ? static_cast<float>(columns) / extent : 0.0f;
+}
+
+std::size_t column(float at, std::size_t columns) {
+  // What is not finite stands with the first.
+  return static_cast<std::size_t>(std::fmin(std::fmax(at, 0.0f), static_cast<float>(columns - 1)));
+}
+
+}  // namespace
+
+// What is far from the region must not widen the columns: water that has run off falls for ever.
+WayColumns::WayColumns(const std::vector<Way>& ways, const Aabb& region)
+    : start_(each * each + 1, 0),
+      lower_(region.lower),
+      per_x_(columns_per_metre(each, region.upper.x - region.lower.x)),
+      per_z_(columns_per_metre(each, region.upper.z - region.lower.z)) {
+  std::vector<Way> inside;
+  for (const Way& way : ways) {
+    const Aabb box = around(way);
+    if (!pbd::overlap(box, region)) continue;
+    inside.push_back(way);
+    longest_ = max(longest_, box.upper - box.lower);
+  }
+  const auto column_of = [&](const Way& way) {
+    const Place place = place_of(around(way).lower);
+    return each * place.z + place.x;
+  };
+  for (const Way& way : inside) ++start_[column_of(way) + 1];
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  std::vector<std::size_t> next = start_;
+  ways_.resize(inside.size());
+  for (const Way& way : inside) ways_[next[column_of(way)]++] = way;
+}
+
+WayColumns::Place WayColumns::place_of(Vec3 point) const {
+  return {column((point.x - lower_.x) * per_x_, each), column((point.z - lower_.z) * per_z_, each)};
+}
+
+}  // namespace meniscus::cli

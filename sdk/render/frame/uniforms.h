@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "sdk/render/frame/view.h"
+
+namespace meniscus::render {
+
+using Float4 = std::array<float, 4>;
+
+constexpr Float4 float4(Vec3 v, float w = 0) {
+  return {v.x, v.y, v.z, w};
+}
+
+/// What all shaders know of a frame: the block Frame of shaders/shared/frame.glsl, member by member (std140).
+struct FrameUniforms {
+  Matrix4 view, projection, camera_to_world;
+  Matrix4 world_to_sun;  ///< clip space of the shadow map
+  Float4 eye;            ///< m; w: radius of the bars along the edges of vessels, m
+  Float4 to_sun;         ///< unit; w: radius of the ball that casts shadows, m
+  Float4 up;             ///< unit
+  Float4 lens;           ///< tangents of half the opening angles; near and far planes, m
+  Float4 viewport;       ///< width and height in pixels, and their inverses
+  Float4 ground;         ///< normal, and its offset, m
+  /// m: a tile; the scene's radius; the spacing of particles; how far from the scene's middle haze begins.
+  Float4 floor;
+  Float4 centre;  ///< of the scene, m; the path on which a fluid dyes light with its colour, m
+};
+
+inline constexpr unsigned frame_binding = 0;
+inline constexpr std::size_t most_fluids = 1024;  ///< what every driver has room for
+
+/// The looks of fluids and granular materials: the block Fluids of shaders/particles/fluids.glsl.
+struct FluidUniforms {
+  std::array<Float4, most_fluids> looks;  ///< linear RGB; w: 1 for grains
+};
+
+inline constexpr unsigned fluids_binding = 1;
+
+/// Texture units.
+namespace unit {
+inline constexpr unsigned shadow = 0, fluid_shadow = 1, color = 2, depth = 3, thickness = 5, values = 6,
+                          distances = 7, normals = 8;
+}
+
+}  // namespace meniscus::render

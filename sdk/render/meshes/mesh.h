@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Solids, cloth and ropes as triangles with colours.
+#pragma once
+
+#include <vector>
+
+#include "sdk/io/cloth_frame.h"
+#include "sdk/render/frame/uniforms.h"
+#include "sdk/render/gl/objects.h"
+
+namespace meniscus::render {
+
+/// How a surface looks, beside its colour; what solids/solid.frag.glsl reads from the colour's last
+/// component.
+enum class Look { glossy, cloth };
+
+struct Vertex {
+  Vec3 position, normal;
+  Float4 color;  ///< linear RGB, and the look
+};
+
+/// Three vertices a triangle.
+using Triangles = std::vector<Vertex>;
+
+/// The surface of a solid in its own frame, in `color` where a mesh has no materials. A container is its
+/// floors alone. May throw what solid_triangles throws.
+Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec3 color);
+/// Whether a face of a container turns up when placed so; `inwards`: its normal in the container's frame.
+bool is_floor(Vec3 inwards, const Pose& pose, Vec3 up);
+
+/// In the colours of the pieces, or in those of the triangles where there are any.
+Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors,
+                        std::span<const Vec3> triangle_colors = {});
+Triangles rope_surface(const io::RopeFrame& frame, const std::vector<Vec3>& colors);
+
+/// Triangles in the memory of the GPU.
+class Mesh {
+ public:
+  Mesh();
+  void set(const Triangles& triangles);
+  void draw() const;
+  bool empty() const { return count_ == 0; }
+
+ private:
+  DataBuffer vertices_;
+  VertexArrayHandle array_;
+  GLsizei count_ = 0;
+};
+
+}  // namespace meniscus::render

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/render/meshes/tube.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace meniscus::render {
+namespace {
+
+constexpr int around = 12;
+
+struct Ring {
+  Vec3 centre, along, across;
+
+  Vec3 normal(int k) const {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k % around) / around;
+    return std::cos(angle) * across + std::sin(angle) * cross(along, across);
+  }
+};
+
+/// One ring a point, across the bend there. Each takes over the one before, so that the tube does not twist.
+std::vector<Ring> rings_of(std::span<const Vec3> line) {
+  std::vector<Ring> rings;
+  const std::size_t last = line.size() - 1;
+  const bool closed = last > 1 && line.front() == line.back();
+  Vec3 along{0, 1, 0}, across{1, 0, 0};
+  for (std::size_t i = 0; i <= last; ++i) {
+    const Vec3 before = i > 0 ? line[i - 1] : closed ? line[last - 1] : line[0];
+    const Vec3 after = i < last ? line[i + 1] : closed ? line[1] : line[last];
+    along = normalized_or(after - before, along);
+    const Vec3 helper = std::abs(along.x) < 0.8f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    across = normalized_or(i > 0 ? across - dot(across, along) * along : cross(along, helper),
+                           cross(along, helper));
+    rings.push_back({line[i], along, across});
+  }
+  return rings;
+}
+
+void add_end(Triangles& all, const Ring& ring, float radius, float side, Float4 color) {
+  const Vec3 n = side * ring.along;
+  for (int k = 0; k < around; ++k) {
+    const Vec3 a = ring.centre + radius * ring.normal(k), b = ring.centre + radius * ring.normal(k + 1);
+    all.push_back({ring.centre, n, color});
+    all.push_back({side > 0 ? a : b, n, color});
+    all.push_back({side > 0 ? b : a, n, color});
+  }
+}
+
+}  // namespace
+
+void add_tube(Triangles& triangles, std::span<const Vec3> line, float radius, Float4 color) {
+  if (line.size() < 2) return;
+  const std::vector<Ring> rings = rings_of(line);
+  for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
+    const auto corner = [&](const Ring& ring, int k) {
+      const Vec3 n = ring.normal(k);
+      return Vertex{ring.centre + radius * n, n, color};
+    };
+    for (int k = 0; k < around; ++k) {
+      const Vertex a = corner(rings[i], k), b = corner(rings[i], k + 1);
+      const Vertex c = corner(rings[i + 1], k), d = corner(rings[i + 1], k + 1);
+      triangles.insert(triangles.end(), {a, b, c, b, d, c});
+    }
+  }
+  if (line.front() == line.back()) return;
+  add_end(triangles, rings.front(), radius, -1, color);
+  add_end(triangles, rings.back(), radius, 1, color);
+}
+
+}  // namespace meniscus::render

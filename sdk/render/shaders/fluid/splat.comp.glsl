@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+// The ellipsoids of one tile by ray casting: where the line of sight first enters one, and how much of the filter that
+// one is to get. Threads first take a particle each and write down the pictures of those that are not hidden; then a
+// row of threads draws one picture at a time.
+#include "shared/frame.glsl"
+#include "particles/fluids.glsl"
+#include "particles/quadric.glsl"
+#include "particles/particles.glsl"
+#include "particles/ellipsoid.glsl"
+#include "tiles/tiles.glsl"
+#include "fluid/found.glsl"
+layout(local_size_x = 256) in;
+layout(binding = 3) uniform sampler2D scene_distance;
+layout(std430, binding = 9) writeonly restrict buffer FoundSurface {
+  float found_surface[];
+};
+layout(location = 0) uniform ivec2 tiles;
+
+const uint group_size = 256u;
+const uint row = 32u;         // threads, 8 by 4 pixels
+const uint round_size = 64u;  // particles, between two looks at what is hidden
+const int size = 32;
+
+const int block = 8;                   // pixels
+const int blocks = size / block;
+
+// Of an ellipsoid, at the pixel that is d from where its centre is seen. In the space where it is the unit ball the
+// line of sight is D = D0 + E per unit of distance, where D0 leads to the centre and E is linear in d. It meets the
+// ball where M = D² − (away D0 × E)² ≥ 0, at the distance (away D0·D − √M) / D²: exact however far the eye is.
+struct Picture {
+  vec4 place;   // of the centre, pixels in the tile; its distance; D0²
+  vec4 slope;   // D0·E for a pixel along x, and along y; as whole numbers the least distance, and the filter's share
+  vec4 square;  // E² = x² d.x² + 2 xy d.x d.y + y² d.y²; w: the pixels of the tile, from first to last
+  vec4 across;  // (away D0 × E)², likewise
+};
+
+shared Picture pictures[round_size];
+shared uint picture_count;
+shared uint nearest[size * size];
+shared uint farthest[blocks * blocks];  // no pixel of the block shows anything further away
+
+// What the scene hides is further away; of equal ones the scene comes last.
+uint limit_at(ivec2 pixel) {
+  ivec2 last = ivec2(viewport.xy) - 1;
+  return floatBitsToUint(texelFetch(scene_distance, min(pixel, last), 0).r) | share_bits;
+}
+
+ivec4 in_tile(ivec4 pixels, ivec2 corner) {
+  return ivec4(max(pixels.xy - corner, 0), min(pixels.zw - corner, size - 1));
+}
+
+// Also where there are no pixels.
+bool is_hidden(ivec4 pixels, uint least) {
+  if (pixels.x > pixels.z || pixels.y > pixels.w) return true;
+  pixels /= block;
+  for (int y = pixels.y; y <= pixels.w; ++y) {
+    for (int x = pixels.x; x <= pixels.z; ++x) {
+      if (farthest[y * blocks + x] >= least) return false;
+    }
+  }
+  return true;
+}
+
+vec3 form(vec3 a, vec3 b) {
+  return vec3(dot(a, a), 2.0 * dot(a, b), dot(b, b));
+}
+
+// Of a particle that is not hidden.
+void look_at(uint i, ivec2 corner) {
+  Particle p = particle(i);
+  vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
+  float reach = longest(p.radii), away = -middle.z;
+  if (!is_seen(middle, reach)) return;
+  uint least = floatBitsToUint(0.9999 * (away - reach));
+  if (is_hidden(in_tile(pixels_of_ball(middle, reach), corner), least)) return;
+  mat3 turn = turn_of(p.rotation);
+  ivec4 pixels = in_tile(pixels_of(p, turn, middle), corner);
+  if (is_hidden(pixels, least)) return;
+
+  mat3 inverse_axes = transpose(mat3(turn[0] / p.radii.x, turn[1] / p.radii.y, turn[2] / p.radii.z));
+  vec2 pixel = 2.0 * viewport.zw * lens.xy, place = (middle.xy / away + lens.xy) / pixel - 0.5 - vec2(corner);
+  vec3 to_middle = inverse_axes * (middle / away), x = inverse_axes[0] * pixel.x, y = inverse_axes[1] * pixel.y;
+  // A drop on its own, which is smaller than what has neighbours, is to keep its shape.
+  float evenness = mix(0.2, 1.0, smoothstep(0.65, 0.95, pow(p.radii.x * p.radii.y * p.radii.z, 1.0 / 3.0) / floor_.z));
+  uint share = uint(evenness * float(share_bits) + 0.5);
+  uint rectangle = uint(pixels.x) | uint(pixels.y) << 8 | uint(pixels.z) << 16 | uint(pixels.w) << 24;
+  pictures[atomicAdd(picture_count, 1u)] =
+      Picture(vec4(place, away, dot(to_middle, to_middle)),
+              vec4(dot(to_middle, x), dot(to_middle, y), uintBitsToFloat(least), uintBitsToFloat(share)),
+              vec4(form(x, y), uintBitsToFloat(rectangle)),
+              vec4(form(away * cross(to_middle, x), away * cross(to_middle, y)), 0.0));
+}
+
+// A row's threads side by side.
+void draw(Picture p, int thread) {
+  ivec4 pixels = ivec4(uvec4(floatBitsToUint(p.square.w)) >> uvec4(0, 8, 16, 24) & 255u);
+  uint least = floatBitsToUint(p.slope.z), share = floatBitsToUint(p.slope.w);
+  for (int y = pixels.y + thread / 8; y <= pixels.w; y += 4) {
+    for (int x = pixels.x + thread % 8; x <= pixels.z; x += 8) {
+      if (nearest[y * size + x] < least) continue;
+      vec2 d = vec2(x, y) - p.place.xy;
+      vec3 products = vec3(d.x * d.x, d.x * d.y, d.y * d.y);
+      float along = p.place.w + dot(p.slope.xy, d), square = along + dot(p.slope.xy, d) + dot(p.square.xyz, products);
+      float inside = square - dot(p.across.xyz, products);
+      if (inside < 0.0) continue;
+      float distance = (p.place.z * along - sqrt(inside)) / square;
+      atomicMin(nearest[y * size + x], (floatBitsToUint(distance) & ~share_bits) | share);
+    }
+  }
+}
+
+void find_farthest() {
+  for (uint k = gl_LocalInvocationID.x; k < uint(blocks * blocks); k += group_size) farthest[k] = 0u;
+  if (gl_LocalInvocationID.x == 0u) picture_count = 0u;
+  barrier();
+  // Of four pixels a thread.
+  int x = int(gl_LocalInvocationID.x) % size, y = int(gl_LocalInvocationID.x) / size * 4;
+  uint most = 0u;
+  for (int k = 0; k < 4; ++k) most = max(most, nearest[(y + k) * size + x]);
+  atomicMax(farthest[y / block * blocks + x / block], most);
+  barrier();
+}
+
+// From front to back: after the first, most of what is inside of the fluid is hidden.
+void draw_list(int list, ivec2 corner) {
+  uint begin = list_begin(list), end = begin + list_count(list), self = gl_LocalInvocationID.x;
+  for (; begin < end; begin += round_size) {
+    if (self < min(round_size, end - begin)) look_at(tile_entries[begin + self], corner);
+    barrier();
+    uint count = picture_count;
+    for (uint k = self / row; k < count; k += group_size / row) draw(pictures[k], int(self % row));
+    barrier();
+    if (count > 0u) find_farthest();
+  }
+}
+
+void put(ivec2 pixel, float found) {
+  if (all(lessThan(pixel, ivec2(viewport.xy)))) found_surface[place_of(pixel)] = found;
+}
+
+float marked(ivec2 pixel, uint found) {
+  if (found >= limit_at(pixel)) return nothing;
+  return uintBitsToFloat(float(found & share_bits) < 0.6 * float(share_bits) ? found | drop_bit : found);
+}
+
+void main() {
+  int own = int(gl_WorkGroupID.y) * tiles.x + int(gl_WorkGroupID.x), all = tiles.x * tiles.y;
+  int first = int(gl_LocalInvocationID.x);
+  ivec2 corner = ivec2(gl_WorkGroupID.xy) * size;
+  if (list_count(own) + list_count(all) == 0u) {
+    for (int k = first; k < size * size; k += int(group_size))
+      put(corner + ivec2(k % size, k / size), nothing);
+    return;
+  }
+  for (int k = first; k < size * size; k += int(group_size)) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
+  barrier();
+  find_farthest();
+  draw_list(all, corner);
+  draw_list(own, corner);
+  for (int k = first; k < size * size; k += int(group_size)) {
+    ivec2 pixel = corner + ivec2(k % size, k / size);
+    put(pixel, marked(pixel, nearest[k]));
+  }
+}

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#version 450 core
+#include "shared/frame.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 color;  // a: 0 glossy, 1 cloth
+layout(location = 0) uniform mat4 model;
+
+out vec3 world, world_normal;
+flat out vec4 paint;
+
+void main() {
+  world = (model * vec4(position, 1.0)).xyz;
+  world_normal = mat3(model) * normal;
+  paint = color;
+  gl_Position = projection * view * vec4(world, 1.0);
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "sdk/world/cloth/cloth_table.h"
+
+#include <meniscus/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/build/tethers.h"
+#include "collision/mesh/mesh.h"
+#include "sdk/world/check/check.h"
+#include "sdk/world/cloth/cloth_shapes.h"
+#include "sdk/world/cloth/cloth_water.h"
+
+namespace meniscus {
+
+namespace {
+
+struct MakeMesh {
+  cloth::ClothMesh operator()(const SheetGeometry& g) const {
+    return cloth::make_sheet(g.width, g.depth, static_cast<uint32_t>(g.columns),
+                             static_cast<uint32_t>(g.rows));
+  }
+  cloth::ClothMesh operator()(const ClothFile& g) const {
+    const collision::TriangleMesh mesh = collision::load_mesh(g.file, g.scale);
+    return {mesh.vertices, mesh.triangles, {}};
+  }
+  cloth::ClothMesh operator()(const ClothTriangles& g) const {
+    cloth::ClothMesh mesh{g.vertices, {}, {}};
+    for (size_t k = 0; k + 2 < g.triangles.size(); k += 3)
+      mesh.triangles.push_back({g.triangles[k], g.triangles[k + 1], g.triangles[k + 2]});
+    return mesh;
+  }
+  cloth::ClothMesh operator()(const ClothSphere& g) const { return sphere_mesh(g); }
+  cloth::ClothMesh operator()(const ClothTube& g) const { return tube_mesh(g); }
+};
+
+cloth::FabricParameters parameters(const FabricDef& f) {
+  return {f.density,
+          f.warp_stiffness,
+          f.weft_stiffness,
+          f.shear_stiffness,
+          f.bending_stiffness,
+          f.stretch_model == StretchModel::triangles,
+          f.bending_model == BendingModel::dihedral};
+}
+
+/// The corners' way divided into equal parts.
+std::vector<Vec3> divided(const std::vector<Vec3>& corners, int segments, bool closed) {
+  std::vector<Vec3> way = corners;
+  if (closed) way.push_back(corners.front());
+  std::vector<double> at{0};
+  for (size_t k = 1; k < way.size(); ++k) at.push_back(at.back() + double{length(way[k] - way[k - 1])});
+  std::vector<Vec3> points;
+  size_t k = 1;
+  for (int n = 0; n < segments + (closed ? 0 : 1); ++n) {
+    const double s = at.back() * n / segments;
+    while (k + 1 < way.size() && at[k] < s) ++k;
+    const double part = at[k] - at[k - 1];
+    const auto share = static_cast<float>(part > 0 ? std::clamp((s - at[k - 1]) / part, 0.0, 1.0) : 0.0);
+    points.push_back(way[k - 1] + share * (way[k] - way[k - 1]));
+  }
+  return points;
+}
+
+/// Each closed part of its own.
+void turn_outwards(cloth::ClothMesh& mesh) {
+  const std::vector<uint32_t> part = cloth::connected_parts(mesh);
+  std::vector<double> volume(part.size());
+  const std::vector<Vec3>& x = mesh.vertices;
+  for (const auto& t : mesh.triangles)
+    volume[part[t[0]]] += double{dot(x[t[0]] - x[0], cross(x[t[1]] - x[0], x[t[2]] - x[0]))};
+  for (auto& t : mesh.triangles) {
+    if (volume[part[t[0]]] < 0) std::swap(t[1], t[2]);
+  }
+}
+
+}  // namespace
+
+float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positions) {
+  double six = 0;
+  const Vec3 o = positions[0];
+  for (const auto& t : mesh.triangles)
+    six += double{dot(positions[t[0]] - o, cross(positions[t[1]] - o, positions[t[2]] - o))};
+  return static_cast<float>(six / 6);
+}
+
+void build_constraints(ClothEntry& entry) {
+  entry.constraints = cloth::build_constraints(entry.mesh, parameters(entry.def.fabric));
+  entry.strand.masses = entry.constraints.masses;
+  if (entry.def.fabric.absorbency > 0) entry.graph = make_graph(entry.mesh);
+  entry.closed = cloth::is_closed(entry.mesh);
+  entry.tethers.clear();
+}
+
+void tie_to_held(ClothEntry& entry, const std::vector<uint32_t>& held) {
+  if (entry.held != held || entry.tethers.empty())
+    entry.tethers = cloth::build_tethers(entry.mesh, held, parameters(entry.def.fabric));
+  entry.held = held;
+}
+
+float mean_edge(const cloth::ClothMesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) sum += length(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]);
+  }
+  return static_cast<float>(sum / (3.0 * static_cast<double>(mesh.triangles.size())));
+}
+
+ClothEntry make_cloth(const ClothDef& def) {
+  check::cloth(def);
+  ClothEntry entry;
+  entry.def = def;
+  entry.mesh = std::visit(MakeMesh{}, def.geometry);
+  cloth::check_mesh(entry.mesh);
+  cloth::orient_triangles(entry.mesh);
+  entry.closed = cloth::is_closed(entry.mesh);
+  if (entry.closed) {
+    turn_outwards(entry.mesh);
+    entry.rest_volume = enclosed_volume(entry.mesh, entry.mesh.vertices);
+  } else if (def.inflation) {
+    throw Error(ErrorCode::mesh,
+                "ClothDef::inflation needs a closed mesh; \"" + def.name + "\" has a border");
+  }
+  build_constraints(entry);
+  if (def.fabric.absorbency > 0) entry.water.resize(entry.strand.masses.size());
+  entry.thickness = def.fabric.thickness > 0 ? def.fabric.thickness : 0.25f * mean_edge(entry.mesh);
+  Strand& strand = entry.strand;
+  strand.filter = def.filter;
+  strand.contact_radius = 0.5f * entry.thickness;
+  for (Vec3 x : entry.mesh.vertices) {
+    const Vec3 s = def.stretch;
+    strand.state.positions.push_back(to_world(def.pose, {s.x * x.x, s.y * x.y, s.z * x.z}));
+  }
+  strand.state.velocities.assign(strand.masses.size(), def.velocity);
+  return entry;
+}
+
+RopeEntry make_rope(const RopeDef& def) {
+  check::rope(def);
+  RopeEntry entry;
+  entry.def = def;
+  std::vector<Vec3> points = def.segments > 0 ? divided(def.points, def.segments, def.closed) : def.points;
+  for (Vec3& p : points) p = to_world(def.pose, p);
+  cloth::RodParameters p;
+  p.radius = def.radius;
+  p.density = def.density;
+  p.youngs_modulus = def.youngs_modulus;
+  p.shear_modulus = def.shear_modulus;
+  p.damping = def.damping;
+  p.bends_and_twists = def.bends_and_twists;
+  p.closed = def.closed;
+  p.straight_at_rest = def.straight_at_rest;
+  entry.model = cloth::build_rod(points, p);
+  for (const Quat& frame : entry.model.frames) entry.segments.push_back({frame, {0, 0, 0}, false});
+  Strand& strand = entry.strand;
+  strand.masses = entry.model.masses;
+  strand.filter = def.filter;
+  strand.contact_radius = def.radius;
+  strand.state.positions = std::move(points);
+  strand.state.velocities.assign(strand.masses.size(), def.velocity);
+  return entry;
+}
+
+}  // namespace meniscus

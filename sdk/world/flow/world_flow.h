@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Emitters and sinks as a World keeps them.
+#pragma once
+
+#include <meniscus/flow.h>
+
+#include <vector>
+
+#include "sdk/engine/engine.h"
+#include "sdk/world/flow/emitter_clock.h"
+#include "sdk/world/flow/emitter_sites.h"
+
+namespace meniscus {
+
+struct EmitterEntry {
+  EmitterDef def;
+  EmitterSites sites;
+  EmitterClock clock;
+  FlowCount count;
+  std::vector<Departure> departures;  // of the present step
+  Pose body_before;                   // at its start
+};
+
+struct SinkEntry {
+  SinkDef def;
+  FlowCount count;
+};
+
+/// What the emitters of a world make in a step. Kept, so that its memory is.
+struct Emission {
+  std::vector<Arrival> arrivals;
+  std::vector<uint8_t> has_room;
+  ParticleBatch batch;
+};
+
+}  // namespace meniscus

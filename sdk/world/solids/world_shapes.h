@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <meniscus/bodies.h>
+
+#include <vector>
+
+#include "collision/body/proxy.h"
+#include "collision/mesh/mass_properties.h"
+#include "collision/rigid/rigid_world.h"
+#include "sdk/engine/engine.h"
+
+namespace meniscus {
+
+/// What a geometry becomes: pieces for the particles, parts for Bullet, and masses; all in the geometry's
+/// frame.
+struct SolidPieces {
+  struct Piece {
+    collision::Shape shape;  ///< kind, size, table, surface, openings; first_opening counts within `openings`
+    collision::CarriedShape place;  ///< pose and extent
+  };
+  std::vector<Piece> pieces;
+  std::vector<collision::PlaneOpening> openings;
+  std::vector<collision::RigidPart> parts;
+  std::vector<collision::PlacedMass> masses;  ///< of a dynamic body alone
+};
+
+/// What the solid is to be.
+enum class SolidRole { fixed, kinematic, dynamic };
+
+struct SolidContext {
+  Engine& engine;
+  float spacing, reach;  ///< m: they set a mesh field's cell size and margin
+};
+
+/// Builds the pieces, with their fields in the engine; a dynamic body's masses are those of this density
+/// (kg/m³).
+SolidPieces make_solid(const Geometry& geometry, const SurfaceDef& surface, const CollisionFilter& filter,
+                       SolidRole role, float density, const SolidContext& context);
+/// Gives back the fields.
+void release_fields(const SolidPieces& solid, Engine& engine);
+
+/// The piece where it stands.
+collision::Shape placed(const SolidPieces::Piece& piece, const Pose& pose);
+/// As Bullet wants it.
+collision::RigidSolid rigid_solid(const SolidPieces& solid, const Pose& pose, const SurfaceDef& surface,
+                                  const CollisionFilter& filter);
+
+}  // namespace meniscus

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "pbd/device/cuda/cuda_device.cuh"
+#include "tests/bench/harness/device_bench.inl"
+
+namespace meniscus::tests {
+
+std::unique_ptr<DeviceBench> make_cuda_bench() {
+  return std::make_unique<DeviceBenchOn<pbd::CudaDevice>>();
+}
+
+}  // namespace meniscus::tests

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "tests/unit/collision/rigid_scene.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+constexpr float dt = 0.004f, weight = 8 * 9.81f;
+
+/// A cube of 8 kg that a steady push has put to rest in mid-air, as water does.
+struct Afloat {
+  RigidWorld world{RigidWorldDef{}};
+  uint32_t body = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0, 0}));
+
+  Afloat() {
+    for (int i = 0; i < 1000 && world.awake(body); ++i) push(weight);
+  }
+  void push(float force, float torque = 0) {
+    world.step(dt, std::vector<RigidImpulse>{{{0, force * dt, 0}, {0, 0, torque * dt}}});
+  }
+};
+
+}  // namespace
+
+TEST(RigidSleep, ABodyThatIsHeldUpFallsAsleep) {
+  Afloat afloat;
+  EXPECT_FALSE(afloat.world.awake(afloat.body));
+  std::vector<RigidMotion> motion(1);
+  afloat.world.predict(dt, motion);
+  EXPECT_EQ(length(motion[0].velocity), 0);
+  const Pose before = afloat.world.pose(afloat.body);
+  for (int i = 0; i < 100; ++i) afloat.push(weight * (i % 2 ? 1.05f : 0.95f));  // a little noise
+  EXPECT_FALSE(afloat.world.awake(afloat.body));
+  EXPECT_EQ(afloat.world.pose(afloat.body).position, before.position);
+}
+
+TEST(RigidSleep, AChangeOfThePushWakes) {
+  for (const float share : {0.0f, 0.85f, 1.15f}) {
+    Afloat afloat;
+    afloat.push(share * weight);
+    EXPECT_TRUE(afloat.world.awake(afloat.body));
+    EXPECT_NEAR(afloat.world.velocity(afloat.body).y, (share - 1) * 9.81f * dt, 2e-3f);
+  }
+  Afloat afloat;
+  afloat.push(weight, 0.2f * weight * 0.18f);
+  EXPECT_TRUE(afloat.world.awake(afloat.body));
+}
+
+TEST(RigidSleep, SoDoesTheUser) {
+  const auto wakes = [](auto&& call) {
+    Afloat afloat;
+    ASSERT_FALSE(afloat.world.awake(afloat.body));
+    call(afloat.world, afloat.body);
+    EXPECT_TRUE(afloat.world.awake(afloat.body));
+    afloat.push(weight);
+    EXPECT_TRUE(afloat.world.awake(afloat.body));
+  };
+  wakes([](RigidWorld& w, uint32_t b) { w.wake(b); });
+  wakes([](RigidWorld& w, uint32_t b) { w.apply_force(b, {1, 0, 0}, {0, 0, 0}); });
+  wakes([](RigidWorld& w, uint32_t b) { w.apply_torque(b, {1, 0, 0}); });
+  wakes([](RigidWorld& w, uint32_t b) { w.apply_impulse(b, {1, 0, 0}, {0, 0, 0}); });
+  wakes([](RigidWorld& w, uint32_t b) { w.set_velocity(b, {1, 0, 0}, {0, 0, 0}); });
+  wakes([](RigidWorld& w, uint32_t b) { w.set_pose(b, {{1, 0, 0}, no_turn}); });
+}
+
+TEST(RigidSleep, AnIslandSleepsAndWakesAsAWhole) {
+  RigidWorld world({});
+  world.add_fixed(fixed_solid(plane_part()));
+  for (int i = 0; i < 6; ++i) {
+    world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0.199f * static_cast<float>(i), 0.1f, 0}));
+  }
+  const uint32_t apart = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {5, 0.1f, 0}));
+  run(world, dt, 1500);
+  for (uint32_t body = 0; body <= apart; ++body) EXPECT_FALSE(world.awake(body)) << body;
+  world.apply_impulse(0, {0.5f, 0, 0}, {0, 0.1f, 0});
+  run(world, dt, 3);
+  for (uint32_t body = 0; body < apart; ++body) EXPECT_TRUE(world.awake(body)) << body;
+  EXPECT_FALSE(world.awake(apart));
+}
+
+TEST(RigidSleep, WhatLosesItsSupportFalls) {
+  for (const bool removed : {true, false}) {
+    RigidWorld world({});
+    const uint32_t table = world.add_fixed(fixed_solid(box_part({1, 0.1f, 1}), {{0, -0.1f, 0}, no_turn}));
+    const uint32_t lower = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.1f, 0}));
+    const uint32_t upper = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.3f, 0}));
+    run(world, dt, 1500);
+    ASSERT_FALSE(world.awake(upper));
+    if (removed) {
+      world.remove_body(lower);
+    } else {
+      world.set_pose(lower, {{5, 0.1f, 0}, no_turn});
+    }
+    run(world, dt, 50);
+    EXPECT_LT(world.pose(upper).position.y, 0.25f);
+    run(world, dt, 1500);
+    world.remove_fixed(table);
+    run(world, dt, 100);
+    EXPECT_LT(world.pose(upper).position.y, -0.1f);
+  }
+}
+
+TEST(RigidSleep, AMovingFloorWakesWhatLiesOnIt) {
+  RigidWorld world({});
+  const uint32_t floor = world.add_body(kinematic_def({box_part({1, 0.1f, 1})}, {{0, -0.1f, 0}, no_turn}));
+  const uint32_t box = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.1f, 0}));
+  run(world, dt, 1500);
+  EXPECT_FALSE(world.awake(box));
+  world.move(floor, {{0, 0.9f, 0}, no_turn}, 2);
+  run(world, dt, 250);
+  EXPECT_TRUE(world.awake(box));
+  EXPECT_NEAR(world.pose(box).position.y, 0.6f, 0.01f);
+}
+
+TEST(RigidSleep, AMovingCarrierWakesWhatHangsFromIt) {
+  RigidWorld world({});
+  const uint32_t crane = world.add_body(kinematic_def({box_part({0.1f, 0.1f, 0.1f})}, {{0, 2, 0}, no_turn}));
+  const uint32_t load = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 1, 0}));
+  RigidJointDef rope;
+  rope.a = crane;
+  rope.b = load;
+  rope.frame = {{0, 2, 0}, no_turn};
+  rope.kind = BallJoint{};
+  world.add_joint(rope);
+  run(world, dt, 1500);
+  EXPECT_FALSE(world.awake(load));
+  world.move(crane, {{0, 3, 0}, no_turn}, 2);
+  run(world, dt, 600);
+  EXPECT_NEAR(world.pose(load).position.y, 2, 0.02f);
+}
+
+TEST(RigidSleep, WhatDriftsWithoutGravityDriftsOn) {
+  RigidWorld world({.gravity = {0, 0, 0}});
+  RigidBodyDef def = body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0, 0});
+  def.velocity = {0.002f, 0, 0};
+  def.angular_velocity = {0, 0.01f, 0};
+  const uint32_t box = world.add_body(def);
+  run(world, dt, 2500);
+  EXPECT_TRUE(world.awake(box));
+  EXPECT_NEAR(world.pose(box).position.x, 0.02f, 1e-4f);
+  EXPECT_NEAR(2 * world.pose(box).rotation.y, 0.1f, 1e-3f);
+}
+
+TEST(RigidSleep, WhoIsKeptAwakeStaysSo) {
+  Afloat afloat;
+  afloat.world.keep_awake(std::vector{afloat.body});
+  EXPECT_TRUE(afloat.world.awake(afloat.body));
+  for (int i = 0; i < 1000; ++i) afloat.push(weight);
+  EXPECT_TRUE(afloat.world.awake(afloat.body));
+  afloat.world.keep_awake({});
+  for (int i = 0; i < 1000; ++i) afloat.push(weight);
+  EXPECT_FALSE(afloat.world.awake(afloat.body));
+}
+
+TEST(RigidSleep, SomeNeverDo) {
+  RigidWorld world({});
+  world.add_fixed(fixed_solid(plane_part()));
+  RigidBodyDef def = body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.1f, 0});
+  def.can_sleep = false;
+  const uint32_t box = world.add_body(def);
+  run(world, dt, 1500);
+  EXPECT_TRUE(world.awake(box));
+}
+
+}  // namespace meniscus::collision
