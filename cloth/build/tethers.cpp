@@ -175,12 +175,12 @@ std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_
   return tethers;
 }
 
-std::vector<Tether> tethers_beside(const Yarns& yarns, const ClothModel& model) {
+std::vector<Tether> tethers_beside(const Chains& chains, const ClothModel& model) {
   const size_t vertices = model.rest.size();
   std::vector<bool> held(vertices), ends_free(vertices), holds(vertices);
   for (uint32_t v : model.held) held[v] = true;
-  for (const Yarn& yarn : yarns.yarns) {
-    const std::span edges = std::span(yarns.edges).subspan(yarn.first, yarn.count);
+  for (const Chain& chain : chains.chains) {
+    const std::span edges = std::span(chains.edges).subspan(chain.first, chain.count);
     const bool leads = held[edges.front().a] ||
                        std::ranges::any_of(edges, [&](const EdgeConstraint& e) { return held[e.b]; });
     std::vector<bool>& kind = leads ? holds : ends_free;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "cloth/build/build_constraints.h"
+#include "cloth/build/chains.h"
 #include "cloth/build/cloth_mesh.h"
 #include "cloth/build/cloth_model.h"
-#include "cloth/build/yarns.h"
 
 namespace meniscus::cloth {
 
@@ -27,11 +27,11 @@ namespace meniscus::cloth {
 std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_t> held,
                                   const FabricParameters& fabric);
 
-/// With the own masses of those vertices alone whose yarns all end free: these bear hardly anything, and what
-/// lies on a few vertices would stretch what is around them. Under a load tethers there are as much stiffer
-/// as it is heavier than cloth, as if it were all over the strip. Who is in no yarn, and who is in one that
-/// leads to what is held, has tethers that go by the fabric alone: beside yarns that hold they would pull at
-/// each vertex by what lies on it, and stretch the edges between.
-std::vector<Tether> tethers_beside(const Yarns& yarns, const ClothModel& model);
+/// With the own masses of those vertices alone whose chains all end free: these bear hardly anything, and
+/// what lies on a few vertices would stretch what is around them. Under a load tethers there are as much
+/// stiffer as it is heavier than cloth, as if it were all over the strip. Who is in no chain, and who is in
+/// one that leads to what is held, has tethers that go by the fabric alone: beside chains that hold they
+/// would pull at each vertex by what lies on it, and stretch the edges between.
+std::vector<Tether> tethers_beside(const Chains& chains, const ClothModel& model);
 
 }  // namespace meniscus::cloth

@@ -45,7 +45,7 @@ struct NoteFluid {
   }
 };
 
-/// What edges outside yarns have pushed with, where their piece bears something.
+/// What edges outside chains have pushed with, where their piece bears something.
 struct Forget {
   View<const uint32_t> fan_start, fan;  ///< of each vertex its edges' ends: 2 · edge + end
   View<const uint32_t> bearing;

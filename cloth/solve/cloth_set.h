@@ -4,9 +4,9 @@
 
 #include <span>
 
+#include "cloth/build/chains.h"
 #include "cloth/build/cloth_model.h"
 #include "cloth/build/wind.h"
-#include "cloth/build/yarns.h"
 #include "cloth/solve/vertex_state.h"
 #include "cloth/solve/volume_kernels.h"
 #include "pbd/device/shared_buffer.h"
@@ -19,8 +19,8 @@ struct SolveEdge;
 }
 
 struct ClothSolverParameters {
-  float over_relaxation = 1.2f;  ///< ω of stretch and shear but for yarns, 1 to 1.3
-  float warm_start = 0.7f;       ///< share of the last multipliers of edges outside yarns, 0 to 0.95
+  float over_relaxation = 1.2f;  ///< ω of stretch and shear but for chains, 1 to 1.3
+  float warm_start = 0.7f;       ///< share of the last multipliers of edges outside chains, 0 to 0.95
   int stretch_rounds = 1;        ///< of stretch and shear in the last iteration, ≥ 1
 };
 
@@ -28,10 +28,10 @@ struct ClothSolverParameters {
 /// solved in the manner of Gauss and Seidel; and the air's force on it.
 ///
 ///   begin     adds the wind;
-///   project   starts from a share of what edges outside yarns last pulled with, which yarns take up before
+///   project   starts from a share of what edges outside chains last pulled with, which chains take up before
 ///             cloth moves; sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the
-///             lengths of whole yarns, layer by layer (yarns.h), stretch and yarns in a number of rounds in
-///             the last iteration; in the next iteration all of it backwards; gas; tethers last;
+///             lengths of whole chains, layer by layer (chains.h), stretch and chains in a number of rounds
+///             in the last iteration; in the next iteration all of it backwards; gas; tethers last;
 ///   settle    notes what pulled at vertices that nothing moves. Pieces that bear bodies forget what their
 ///             edges pulled with.
 ///
@@ -77,26 +77,26 @@ class ClothSet final : public pbd::ConstraintSet<D> {
     buffer.write(values);
   }
   void upload_constraints(const ClothModel& model);
-  void upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns);
+  void upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains);
   void upload_isometric(const std::vector<IsometricConstraint>& hinges);
   void reserve_bending_multipliers(int iterations);
   void upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
   VertexState vertices(const pbd::Substep<D>& substep) const {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
-  View<Vec4> yarn_multiplier() { return edge_multiplier_.view().from(first_yarn_edge_); }
+  View<Vec4> chain_multiplier() { return edge_multiplier_.view().from(first_chain_edge_); }
   /// How constraints are gone over.
   struct Turn {
     bool starts = false;      ///< the substep's multipliers
     bool backwards = false;   ///< through passes, colours and layers
     bool goes_on = false;     ///< from the round before
-    bool takes_over = false;  ///< what yarns were put aside
+    bool takes_over = false;  ///< what chains were put aside
     bool ends = false;        ///< what the substep does to edges
   };
   void bend(pbd::Substep<D>& substep, const Turn& turn);
   void stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn);
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
-  bool starts_from_last() const { return share_ > 0 && first_yarn_edge_ > 0; }
+  bool starts_from_last() const { return share_ > 0 && first_chain_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
   /// Whether any piece may bear something, so that what it pulls with has to be forgotten.
   static bool may_bear(const pbd::Substep<D>& substep) {
@@ -106,7 +106,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void sweep_colours(pbd::Substep<D>& substep, const Turn& turn);
   void note_bearing(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
-  void solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
+  void solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
   void blow_up(pbd::Substep<D>& substep, bool starts);
 
   D& device_;
@@ -128,15 +128,15 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<Batch> batches_{device_, "constraint batches"};
   pbd::Buffer<Cluster> clusters_{device_, "constraint clusters"};
   pbd::Buffer<uint32_t> cluster_vertices_{device_, "vertices of clusters"};
-  pbd::Buffer<Yarn> yarns_{device_, "yarns"};
-  std::vector<uint32_t> layer_starts_{0};  // of yarns
-  uint32_t first_yarn_edge_ = 0;
+  pbd::Buffer<Chain> chains_{device_, "chains"};
+  std::vector<uint32_t> layer_starts_{0};  // of chains
+  uint32_t first_chain_edge_ = 0;
   std::vector<uint32_t> pass_starts_{0};
   uint32_t bending_passes_ = 0;
-  std::vector<uint32_t> colour_starts_;  // of edges outside yarns, where they are solved by colours
+  std::vector<uint32_t> colour_starts_;  // of edges outside chains, where they are solved by colours
   pbd::Buffer<Vec4> edge_multiplier_{device_, "edge multipliers"};
   pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};
-  pbd::Buffer<float> saved_yarn_multiplier_{device_, "saved yarn multipliers"};
+  pbd::Buffer<float> saved_chain_multiplier_{device_, "saved chain multipliers"};
   pbd::Buffer<Vec4> strain_multiplier_{device_, "strain multipliers"};
   pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};

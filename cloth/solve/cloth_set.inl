@@ -7,13 +7,13 @@
 
 #include "cloth/build/tethers.h"
 #include "cloth/solve/bearing_kernels.h"
+#include "cloth/solve/chain_kernel.h"
 #include "cloth/solve/cloth_set.h"
 #include "cloth/solve/colour_kernel.h"
 #include "cloth/solve/sweep_kernel.h"
 #include "cloth/solve/tear_kernels.h"
 #include "cloth/solve/tether_kernels.h"
 #include "cloth/solve/wind_kernels.h"
-#include "cloth/solve/yarn_kernel.h"
 
 namespace meniscus::cloth {
 
@@ -58,10 +58,10 @@ void ClothSet<D>::set_model(const ClothModel& model) {
 template <class D>
 void ClothSet<D>::upload_constraints(const ClothModel& model) {
   ClothConstraints constraints = model.constraints;
-  const Yarns yarns = draw_yarns(constraints, model.rest, model.pieces);
-  upload(tethers_, tethers_beside(yarns, model));
+  const Chains chains = draw_chains(constraints, model.rest, model.pieces);
+  upload(tethers_, tethers_beside(chains, model));
   Clusters c = build_clusters(constraints, model.rest);
-  upload_edges(model, c, yarns);
+  upload_edges(model, c, chains);
   upload(strains_, c.strains);
   upload_isometric(c.isometric);
   upload(hinges_, c.hinges);
@@ -93,20 +93,20 @@ void ClothSet<D>::reserve_bending_multipliers(int iterations) {
   hinge_multiplier_.resize_discard(iterations > 1 ? hinges_.size() : 0);
 }
 
-/// First those of clusters, whose vertices become numbers within their cluster, then those of yarns.
+/// First those of clusters, whose vertices become numbers within their cluster, then those of chains.
 template <class D>
-void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Yarns& yarns) {
+void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains) {
   upload_fans(model, clusters.edges);
   number_locally(clusters);
   std::vector<EdgeConstraint> edges = clusters.edges;
-  edges.insert(edges.end(), yarns.edges.begin(), yarns.edges.end());
+  edges.insert(edges.end(), chains.edges.begin(), chains.edges.end());
   upload(edges_, edges);
-  first_yarn_edge_ = static_cast<uint32_t>(clusters.edges.size());
-  upload(yarns_, yarns.yarns);
-  layer_starts_ = yarns.layer_starts;
+  first_chain_edge_ = static_cast<uint32_t>(clusters.edges.size());
+  upload(chains_, chains.chains);
+  layer_starts_ = chains.layer_starts;
   edge_multiplier_.resize_discard(edges.size());
   saved_edge_multiplier_.resize_discard(clusters.edges.size());
-  saved_yarn_multiplier_.resize_discard(yarns.edges.size());
+  saved_chain_multiplier_.resize_discard(chains.edges.size());
   edge_multiplier_.fill(0);
 }
 
@@ -153,7 +153,7 @@ void ClothSet<D>::prepare(pbd::Substep<D>& substep) {
   feels_wind_ = true;
 }
 
-/// Yarns take up what the other edges start to push with, before cloth moves: by far the most of it is what
+/// Chains take up what the other edges start to push with, before cloth moves: by far the most of it is what
 /// they hold.
 template <class D>
 void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
@@ -163,7 +163,7 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   device_.parallel_for("cloth/start", vertex_count_,
                        StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
                                    pending_.view()});
-  solve_yarns(substep, {.starts = true}, pending_.view());
+  solve_chains(substep, {.starts = true}, pending_.view());
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
 
@@ -217,7 +217,7 @@ void ClothSet<D>::bend(pbd::Substep<D>& substep, const Turn& turn) {
 }
 
 /// Every other round runs through colours and layers in the other direction. What is left over between rounds
-/// is what sweeps and yarns undo of one another.
+/// is what sweeps and chains undo of one another.
 template <class D>
 void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn) {
   const size_t stretch_end = pass_starts_.size() - 1;
@@ -228,13 +228,13 @@ void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn
                      .goes_on = round > 0,
                      .ends = turn.ends && left == 0};
     const bool any_starts = !starts_from_last() || may_bear(substep);
-    const Turn yarns{.starts = edges.starts && any_starts,
-                     .backwards = edges.backwards,
-                     .takes_over = edges.starts && starts_from_last()};
-    if (turn.backwards) solve_yarns(substep, yarns);
+    const Turn chains{.starts = edges.starts && any_starts,
+                      .backwards = edges.backwards,
+                      .takes_over = edges.starts && starts_from_last()};
+    if (turn.backwards) solve_chains(substep, chains);
     colour_starts_.empty() ? sweep(substep, bending_passes_, stretch_end, edges)
                            : sweep_colours(substep, edges);
-    if (!turn.backwards) solve_yarns(substep, yarns);
+    if (!turn.backwards) solve_chains(substep, chains);
   }
 }
 
@@ -288,24 +288,24 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
 }
 
 template <class D>
-void ClothSet<D>::solve_yarns(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending) {
-  SolveYarns solve{.yarns = yarns_.view(),
-                   .edges = edges_.view().from(first_yarn_edge_),
-                   .multiplier = yarn_multiplier(),
-                   .all = vertices(substep),
-                   .pending = pending,
-                   .pressed = substep.pressed,
-                   .bearing = starts_from_last() && may_bear(substep) ? bearing_.view() : View<uint32_t>{},
-                   .starts = turn.starts,
-                   .takes_over = turn.takes_over,
-                   .first = 0,
-                   .end = 0};
+void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending) {
+  SolveChains solve{.chains = chains_.view(),
+                    .edges = edges_.view().from(first_chain_edge_),
+                    .multiplier = chain_multiplier(),
+                    .all = vertices(substep),
+                    .pending = pending,
+                    .pressed = substep.pressed,
+                    .bearing = starts_from_last() && may_bear(substep) ? bearing_.view() : View<uint32_t>{},
+                    .starts = turn.starts,
+                    .takes_over = turn.takes_over,
+                    .first = 0,
+                    .end = 0};
   const size_t layers = layer_starts_.size() - 1;
   for (size_t k = 0; k < layers; ++k) {
     const size_t layer = turn.backwards ? layers - 1 - k : k;
     solve.first = layer_starts_[layer];
     solve.end = layer_starts_[layer + 1];
-    device_.parallel_for_lane_groups("cloth/yarns", solve.end - solve.first, solve);
+    device_.parallel_for_lane_groups("cloth/chains", solve.end - solve.first, solve);
   }
 }
 
@@ -349,23 +349,23 @@ void ClothSet<D>::start_step() {
   if (tears_.host().size()) tears_.host()[0] = 0;
 }
 
-/// Yarns start from no push: of the last ones only their sizes count.
+/// Chains start from no push: of the last ones only their sizes count.
 template <class D>
 void ClothSet<D>::save() {
   saved_last_dt_ = last_dt_;
   device_.copy(saved_edge_multiplier_.view().data, edge_multiplier_.view().data,
-               first_yarn_edge_ * sizeof(Vec4));
-  device_.parallel_for("cloth/save yarns", static_cast<uint32_t>(saved_yarn_multiplier_.size()),
-                       KeepMultipliers{yarn_multiplier(), saved_yarn_multiplier_.view()});
+               first_chain_edge_ * sizeof(Vec4));
+  device_.parallel_for("cloth/save chains", static_cast<uint32_t>(saved_chain_multiplier_.size()),
+                       KeepMultipliers{chain_multiplier(), saved_chain_multiplier_.view()});
 }
 
 template <class D>
 void ClothSet<D>::restore() {
   last_dt_ = saved_last_dt_;
   device_.copy(edge_multiplier_.view().data, saved_edge_multiplier_.view().data,
-               first_yarn_edge_ * sizeof(Vec4));
-  device_.parallel_for("cloth/restore yarns", static_cast<uint32_t>(saved_yarn_multiplier_.size()),
-                       RestoreMultipliers{saved_yarn_multiplier_.view(), yarn_multiplier()});
+               first_chain_edge_ * sizeof(Vec4));
+  device_.parallel_for("cloth/restore chains", static_cast<uint32_t>(saved_chain_multiplier_.size()),
+                       RestoreMultipliers{saved_chain_multiplier_.view(), chain_multiplier()});
 }
 
 template <class D>

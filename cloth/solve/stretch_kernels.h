@@ -20,7 +20,7 @@ using pbd::square_root;
 /// pressed together somewhere; lengthened in full each substep it buckles to and fro, and does not rest.
 inline constexpr float compressed_relaxation = 0.2f;
 
-/// Heavy-ball momentum (Polyak 1964) of what pulls, from round to round. Yarns take back most of what a
+/// Heavy-ball momentum (Polyak 1964) of what pulls, from round to round. Chains take back most of what a
 /// diagonal's step does, so that its multiplier would take w/α̃ rounds to come to what shear's stiffness asks
 /// for; with momentum about the square root of that.
 inline constexpr float round_momentum = 0.85f;
@@ -32,7 +32,7 @@ struct SolveEdge {
   float relaxation;  ///< ω of successive over-relaxation
   float share;       ///< of the multiplier that there is
   float momentum;    ///< how much of the last round's step is made once more, where an edge pulls
-  /// Yarns hold the lengths around, and it starts with what it last did: what is left of it is shear, which
+  /// Chains hold the lengths around, and it starts with what it last did: what is left of it is shear, which
   /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals. Not in
   /// pieces that bear fluid, if `bearing` tells which do: these bulge, and must buckle.
   bool shears;

@@ -11,14 +11,15 @@ struct BodyContacts;
 }
 
 /// What cloth presses on bodies with. Cloth that bears a body may be thousands of times lighter where it
-/// does: to yarns its vertices seem to give way to any pull, and what contacts then push them back with moves
-/// the body by next to nothing in each iteration. A ball of fifteen times its weight fell through a sheet.
+/// does: to chains its vertices seem to give way to any pull, and what contacts then push them back with
+/// moves the body by next to nothing in each iteration. A ball of fifteen times its weight fell through a
+/// sheet.
 ///
-/// So a vertex that a contact pushes, or is about to, resists motion across its yarn by what is behind it as
+/// So a vertex that a contact pushes, or is about to, resists motion across its chain by what is behind it as
 /// well, 1/w_b (Substep::pressed): its share of the body, as for contacts (BodySet). What it has pressed that
-/// with, the contact hands on to the body; along its yarn it slides as it did. Friction comes before the
-/// yarns, not after them: with the load of a heavy body it holds a light vertex wherever it is, and what
-/// comes last must leave yarns at their lengths. What lies between a body and something behind it is pinched
+/// with, the contact hands on to the body; along its chain it slides as it did. Friction comes before the
+/// chains, not after them: with the load of a heavy body it holds a light vertex wherever it is, and what
+/// comes last must leave chains at their lengths. What lies between a body and something behind it is pinched
 /// (collision/contact/pinched_vertex.h).
 ///
 /// Must come before the cloth; handing_on() after it, and before the contacts.

@@ -50,7 +50,7 @@ struct Weigh {
   }
 };
 
-/// Each contact bears its share. It may pull for an iteration as well, until yarns know that it need not
+/// Each contact bears its share. It may pull for an iteration as well, until chains know that it need not
 /// push; and friction is not asked, for a vertex that goes aside takes what it lies on along.
 struct HandOn {
   BodyContacts of;

@@ -156,7 +156,7 @@ struct PinchedContacts {
   uint32_t sorted;                     ///< see ParticleView
 
   /// Of particle i, which has contacts. Vertices that are pressed against bodies have had their friction
-  /// before yarns.
+  /// before chains.
   MENISCUS_HD void project(uint32_t i) const {
     const uint32_t n = i - sorted;
     if (i < sorted || pressed.count == 0)

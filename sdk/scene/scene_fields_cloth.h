@@ -25,7 +25,7 @@ template <class V>
 void fields(V& v, ClothSolverDef& d) {
   v("over_relaxation", d.over_relaxation, between(1, 1.3), "", "ω of stretch and shear");
   v("warm_start", d.warm_start, between(0, 0.95), "",
-    "share of what edges outside yarns last pushed or pulled with, to start from: more makes shear stiffer "
+    "share of what edges outside chains last pushed or pulled with, to start from: more makes shear stiffer "
     "in few substeps, and fine sheets slower to come to rest");
   v("stretch_rounds", d.stretch_rounds, between(1, 32), "",
     "how many times a substep's last iteration goes over stretch and shear: cheaper than substeps where "

@@ -119,7 +119,7 @@ Json run_case(Sheet& sheet, const ClothOptions& o, const Case& c) {
     if (k < warm) continue;
     times.add(last);
     if (k % look_every == 0)
-      worst = std::max(worst, sheet.stretch.of_yarns(sheet.world.cloth_positions(sheet.cloth)).p99);
+      worst = std::max(worst, sheet.stretch.of_chains(sheet.world.cloth_positions(sheet.cloth)).p99);
   }
   const auto positions = sheet.world.cloth_positions(sheet.cloth);
   const ClothState state = sheet.world.cloth_state(sheet.cloth);
@@ -134,7 +134,7 @@ Json run_case(Sheet& sheet, const ClothOptions& o, const Case& c) {
          {"ms_per_step", times.median_ms()},
          {"ms_per_step_p99", times.p99_ms()}};
   write(r, "edge_stretch", sheet.stretch.of_all(positions));
-  write(r, "yarn_stretch", sheet.stretch.of_yarns(positions));
+  write(r, "yarn_stretch", sheet.stretch.of_chains(positions));
   r["yarn_stretch_p99_worst"] = worst;
   r["rms_speed"] = std::sqrt(2 * double(state.kinetic_energy) / state.mass);
   r["max_speed"] = last.max_speed;

@@ -24,7 +24,7 @@ struct Stretch {
   double mean = 0, p99 = 0, max = 0;  // of l/L
 };
 
-/// The lengths of a sheet's edges over those at rest. Those along the yarns are told apart from the
+/// The lengths of a sheet's edges over those at rest. Those along the chains are told apart from the
 /// diagonals, which lengthen where cloth shears, as it must over a sphere.
 class EdgeStretch {
  public:
@@ -41,12 +41,12 @@ class EdgeStretch {
     const auto diagonals = std::partition(edges_.begin(), edges_.end(), [&](const Edge& e) {
       return e[1] - e[0] == 1 || e[1] - e[0] == columns;
     });
-    yarns_ = static_cast<size_t>(diagonals - edges_.begin());
+    chains_ = static_cast<size_t>(diagonals - edges_.begin());
     for (const Edge& e : edges_) rest_.push_back(distance(rest[e[0]], rest[e[1]]));
   }
 
   Stretch of_all(std::span<const Vec3> now) const { return of(now, edges_.size()); }
-  Stretch of_yarns(std::span<const Vec3> now) const { return of(now, yarns_); }
+  Stretch of_chains(std::span<const Vec3> now) const { return of(now, chains_); }
 
  private:
   using Edge = std::array<uint32_t, 2>;
@@ -60,8 +60,8 @@ class EdgeStretch {
     return {sum / double(count), quantile(std::move(stretch), 0.99), max};
   }
 
-  std::vector<Edge> edges_;  // along the yarns first
-  size_t yarns_ = 0;
+  std::vector<Edge> edges_;  // along the chains first
+  size_t chains_ = 0;
   std::vector<double> rest_;  // m
 };
 

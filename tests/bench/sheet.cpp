@@ -86,14 +86,14 @@ Json run_case(const CommonOptions& common, const SheetOptions& o, const Case& c)
     const StepReport report = world.step(o.frame);
     if (world.time() < o.warm) continue;
     times.add(report);
-    q.stretch_worst = std::max(q.stretch_worst, stretch.of_yarns(vertices()).mean);
+    q.stretch_worst = std::max(q.stretch_worst, stretch.of_chains(vertices()).mean);
     if (++steps % 6) continue;
     const double error = world.diagnostics().density_error_mean;
     q.density_error += error;
     q.density_error_worst = std::max(q.density_error_worst, error);
     ++q.looks;
   }
-  const Stretch end = stretch.of_yarns(vertices());
+  const Stretch end = stretch.of_chains(vertices());
   const Diagnostics d = world.diagnostics();
   return {{"n", o.n},
           {"particles", d.particles},

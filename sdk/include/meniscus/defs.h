@@ -63,7 +63,7 @@ struct RigidSolverDef {
 /// How cloth is solved. Small steps do more for it than iterations.
 struct ClothSolverDef {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear, 1 to 1.3
-  /// Share of what edges outside yarns, such as diagonals, last pushed or pulled with, to start from; 0 to
+  /// Share of what edges outside chains, such as diagonals, last pushed or pulled with, to start from; 0 to
   /// 0.95. With more of it, shear is as stiff as it should be in fewer substeps, and fine sheets take longer
   /// to come to rest. Pieces near fluid or dynamic bodies start from nothing, whatever this is, as what they
   /// pulled with does not fit what they bear next.

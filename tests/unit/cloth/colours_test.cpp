@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "cloth/build/chains.h"
 #include "cloth/build/clusters.h"
-#include "cloth/build/yarns.h"
 #include "cloth/solve/colour_kernel.h"
 #include "pbd/device/cpu/cpu_device.h"
 #include "tests/unit/cloth/crumpled_vertices.h"
@@ -15,12 +15,12 @@
 namespace meniscus::cloth {
 namespace {
 
-/// What is left to clusters and colours of a sheet whose warp and weft are yarns.
+/// What is left to clusters and colours of a sheet whose warp and weft are chains.
 Clusters left_of(const ClothMesh& mesh) {
   ClothConstraints constraints =
       build_constraints(mesh, {.shear_stiffness = 100, .bending_stiffness = 1e-5f});
   const auto count = static_cast<uint32_t>(mesh.vertices.size());
-  draw_yarns(constraints, mesh.vertices, std::vector<Piece>{{.first_vertex = 0, .end_vertex = count}});
+  draw_chains(constraints, mesh.vertices, std::vector<Piece>{{.first_vertex = 0, .end_vertex = count}});
   return build_clusters(constraints, mesh.vertices);
 }
 

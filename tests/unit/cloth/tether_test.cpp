@@ -196,14 +196,14 @@ std::string what_counts(std::vector<uint32_t> held, float gas = 0) {
     model.tethers.push_back({t.vertex, t.anchor, t.length, t.compliance, 0.5f});
   const Piece piece{.first_vertex = 0, .end_vertex = 49, .inside = gas};
   std::string marks(49, 'o');
-  for (const Tether& t : tethers_beside(draw_yarns(constraints, model.rest, std::vector{piece}), model)) {
+  for (const Tether& t : tethers_beside(draw_chains(constraints, model.rest, std::vector{piece}), model)) {
     EXPECT_TRUE(t.own_mass == 0 || t.own_mass == 0.5f);
     marks[t.vertex] = t.own_mass > 0 ? 'x' : '.';
   }
   return marks;
 }
 
-TEST(Tethers, AreStiffenedByLoadsWhereNoYarnLeadsToWhatIsHeld) {
+TEST(Tethers, AreStiffenedByLoadsWhereNoChainLeadsToWhatIsHeld) {
   EXPECT_EQ(what_counts({0, 6, 42, 48}),
             "o.....o"
             ".xxxxx."
@@ -213,7 +213,7 @@ TEST(Tethers, AreStiffenedByLoadsWhereNoYarnLeadsToWhatIsHeld) {
             ".xxxxx."
             "o.....o");
   EXPECT_EQ(what_counts(first(7)), "ooooooo" + std::string(42, '.'));
-  EXPECT_EQ(what_counts({24}, 1).find('x'), std::string::npos) << "without yarns";
+  EXPECT_EQ(what_counts({24}, 1).find('x'), std::string::npos) << "without chains";
 }
 
 TEST(Tethers, OfWhatDoesNotResistPullAtNothing) {

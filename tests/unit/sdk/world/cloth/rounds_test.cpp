@@ -47,7 +47,7 @@ TEST_P(ClothRounds, GoWithIterations) {
   EXPECT_LT(stretch_on_a_ball(3, 2), 0.6 * stretch_on_a_ball(1, 2));
 }
 
-/// What diagonals pull with is all but taken back by yarns, round after round: it takes many rounds to add
+/// What diagonals pull with is all but taken back by chains, round after round: it takes many rounds to add
 /// up, or many substeps of which each starts from the last.
 TEST_P(ClothRounds, AreSavedByAStartFromTheLastSubstep) {
   const double many = stretch_on_a_ball(8, 1), afresh = stretch_on_a_ball(1, 1),

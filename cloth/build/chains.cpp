@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "cloth/build/yarns.h"
+#include "cloth/build/chains.h"
 
 #include <algorithm>
 #include <array>
@@ -44,19 +44,19 @@ class Drawing {
     }
   }
 
-  /// Yarns that share no vertex, each a list of edges, ends in order.
+  /// Chains that share no vertex, each a list of edges, ends in order.
   std::vector<std::vector<EdgeConstraint>> layer() {
     taken_.assign(rest_.size(), false);
-    std::vector<std::vector<EdgeConstraint>> yarns;
+    std::vector<std::vector<EdgeConstraint>> chains;
     for (uint32_t seed = 0; seed < rest_.size(); ++seed) {
-      visit(seed, {0, 0, 0}, yarns);
+      visit(seed, {0, 0, 0}, chains);
       while (!front_.empty()) {
         const auto [v, along] = front_.front();
         front_.pop_front();
-        visit(v, along, yarns);
+        visit(v, along, chains);
       }
     }
-    return yarns;
+    return chains;
   }
 
   bool left(uint32_t edge) const { return left_[edge]; }
@@ -98,7 +98,7 @@ class Drawing {
     return in_grain;
   }
 
-  /// See Yarns.
+  /// See Chains.
   static bool has_none(uint32_t v, std::span<const Piece> pieces) {
     return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
       return (p.inside > 0 || p.tear_strain > 0) && v >= p.first_vertex && v < p.end_vertex;
@@ -112,8 +112,8 @@ class Drawing {
     return normalized_or(rest_[other_end(edge, from)] - rest_[from], {0, 0, 0});
   }
 
-  /// A yarn through v in this direction, or the reverse; where there is none, along its first edge.
-  void visit(uint32_t v, Vec3 along, std::vector<std::vector<EdgeConstraint>>& yarns) {
+  /// A chain through v in this direction, or the reverse; where there is none, along its first edge.
+  void visit(uint32_t v, Vec3 along, std::vector<std::vector<EdgeConstraint>>& chains) {
     if (taken_[v]) return;
     if (dot(along, along) == 0) {
       for (uint32_t k : around_.at(v)) {
@@ -130,26 +130,26 @@ class Drawing {
     path.insert(path.end(), forth.begin(), forth.end());
     uint32_t at = v;
     for (uint32_t k : back) at = other_end(k, at);
-    std::vector<EdgeConstraint> yarn;
+    std::vector<EdgeConstraint> chain;
     for (uint32_t k : path) {
       const uint32_t next = other_end(k, at);
-      yarn.push_back({at, next, edges_[k].rest_length, edges_[k].compliance});
+      chain.push_back({at, next, edges_[k].rest_length, edges_[k].compliance});
       look_around(at, direction(k, at));
       at = next;
     }
     look_around(at, -direction(path.back(), at));
     for_each_part(path.size(), [&](size_t first, size_t count) {
-      if (count < Yarn::fewest_edges) return;
+      if (count < Chain::fewest_edges) return;
       for (size_t k = first; k < first + count; ++k) left_[path[k]] = false;
-      yarns.emplace_back(yarn.begin() + static_cast<std::ptrdiff_t>(first),
-                         yarn.begin() + static_cast<std::ptrdiff_t>(first + count));
+      chains.emplace_back(chain.begin() + static_cast<std::ptrdiff_t>(first),
+                          chain.begin() + static_cast<std::ptrdiff_t>(first + count));
     });
   }
 
   /// What is too long is cut; the edge at the cut is left out, so that the parts share no vertex.
   template <class Part>
   static void for_each_part(size_t count, const Part& part) {
-    const size_t parts = (count + 1 + Yarn::most_edges) / (Yarn::most_edges + 1);
+    const size_t parts = (count + 1 + Chain::most_edges) / (Chain::most_edges + 1);
     for (size_t p = 0, first = 0; p < parts; ++p) {
       const size_t end = (count + 1) * (p + 1) / parts - 1;
       part(first, end - first);
@@ -180,7 +180,7 @@ class Drawing {
     return path;
   }
 
-  /// What lies beside a yarn goes the same way.
+  /// What lies beside a chain goes the same way.
   void look_around(uint32_t v, Vec3 along) {
     for (uint32_t k : around_.at(v)) {
       const uint32_t w = other_end(k, v);
@@ -219,22 +219,22 @@ Coloured<EdgeConstraint> left_over(std::span<const EdgeConstraint> edges, const 
 
 }  // namespace
 
-Yarns draw_yarns(ClothConstraints& constraints, std::span<const Vec3> rest, std::span<const Piece> pieces) {
+Chains draw_chains(ClothConstraints& constraints, std::span<const Vec3> rest, std::span<const Piece> pieces) {
   const std::vector<EdgeConstraint>& edges = constraints.edges.items;
   Drawing drawing(edges, rest, pieces);
   std::vector<bool> stiff(edges.size()), stays(edges.size());
   for (uint32_t k = 0; k < edges.size(); ++k) stiff[k] = drawing.left(k);
-  Yarns out;
+  Chains out;
   for (uint32_t layer = 0; layer < most_layers; ++layer) {
-    auto yarns = drawing.layer();
-    if (yarns.empty()) break;
-    std::stable_sort(yarns.begin(), yarns.end(),
+    auto chains = drawing.layer();
+    if (chains.empty()) break;
+    std::stable_sort(chains.begin(), chains.end(),
                      [](const auto& a, const auto& b) { return a.size() > b.size(); });
-    for (const std::vector<EdgeConstraint>& yarn : yarns) {
-      out.yarns.push_back({static_cast<uint32_t>(out.edges.size()), static_cast<uint32_t>(yarn.size())});
-      out.edges.insert(out.edges.end(), yarn.begin(), yarn.end());
+    for (const std::vector<EdgeConstraint>& chain : chains) {
+      out.chains.push_back({static_cast<uint32_t>(out.edges.size()), static_cast<uint32_t>(chain.size())});
+      out.edges.insert(out.edges.end(), chain.begin(), chain.end());
     }
-    out.layer_starts.push_back(static_cast<uint32_t>(out.yarns.size()));
+    out.layer_starts.push_back(static_cast<uint32_t>(out.chains.size()));
   }
   for (uint32_t k = 0; k < edges.size(); ++k) stays[k] = !stiff[k] || drawing.left(k);
   constraints.edges = left_over(edges, stays, rest.size());

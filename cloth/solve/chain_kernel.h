@@ -3,9 +3,9 @@
 #pragma once
 
 #include "cloth/solve/bearing_kernels.h"
+#include "cloth/solve/chains_at_once.h"
 #include "cloth/solve/edge_compliance.h"
 #include "cloth/solve/vertex_state.h"
-#include "cloth/solve/yarns_at_once.h"
 
 namespace meniscus::cloth {
 
@@ -17,64 +17,65 @@ using pbd::square_root;
 using pbd::Vec3Of;
 using pbd::Vec4Of;
 
-/// XPBD for all edges of a yarn at once (the direct solve of Deul et al. 2018, for points), with the
+/// XPBD for all edges of a chain at once (the direct solve of Deul et al. 2018, for points), with the
 /// geometric stiffness of what is taut (Tournier et al. 2015): an edge with multiplier λ and length l that
-/// turns by Δd across itself pushes with λ Δd/l. Without it a taut yarn flies to the sides wherever λ/(m l)
+/// turns by Δd across itself pushes with λ Δd/l. Without it a taut chain flies to the sides wherever λ/(m l)
 /// is not small, and a light vertex between heavy ones would seem to give way to any pull.
 ///
-/// 1. Lengths. With n the edges' directions, t that of the yarn at a vertex, and W = w (t tᵀ + s (1 − t tᵀ)),
+/// 1. Lengths. With n the edges' directions, t that of the chain at a vertex, and W = w (t tᵀ + s (1 − t
+/// tᵀ)),
 ///    s = 1/(1 + w Σ|λ|/l) with the last λ, row k of (J W Jᵀ + A) Δλ = −C − A λ is
 ///
 ///      −n_k₋₁ᵀ W_k n_k Δλ_k₋₁ + (n_kᵀ (W_k + W_k₊₁) n_k + α̃) Δλ_k − n_kᵀ W_k₊₁ n_k₊₁ Δλ_k₊₁ = −C_k − α̃ λ_k
 ///
 ///    with damping as in xpbd_step.
-/// 2. Ways to the sides, y: (1 + w G) y = w f, with f the part of the vertices' pushes across the yarn, what
+/// 2. Ways to the sides, y: (1 + w G) y = w f, with f the part of the vertices' pushes across the chain, what
 ///    comes of λ having turned, and G the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy: in pairs,
 ///    so that momentum is kept.
 ///    Where a mass m stands behind a vertex (Substep::pressed), it resists as well: s has it beside Σ|λ|/l,
 ///    the row of y is (1 + w G + w m) y = w f, and the mass gets m y.
 ///
 /// 3. Both hold as long as edges hardly turn. Where a vertex would move further than its edge is long, as a
-///    light one between heavy ones may, the whole yarn takes the share of its step with which it just does.
+///    light one between heavy ones may, the whole chain takes the share of its step with which it just does.
 ///
-/// Where pushes are pending (ClothSet::start_from_last), the yarn takes up what these would do to its
+/// Where pushes are pending (ClothSet::start_from_last), the chain takes up what these would do to its
 /// lengths, and no more: its own pushes are added to them, and nothing moves. What lengths lack besides is
-/// left to the next solve, which turns edges as well: without that a taut yarn under a heavy body flies to
+/// left to the next solve, which turns edges as well: without that a taut chain under a heavy body flies to
 /// the sides.
 ///
 /// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
 /// fro, either alone would be left.
-struct SolveYarns {
+struct SolveChains {
   template <class Group>
-  using Scratch = YarnScratch<Group>;
+  using Scratch = ChainScratch<Group>;
   // See CudaDevice: many short steps, one after the other.
   static constexpr uint32_t group_threads = 256, resident_blocks = 4;
 
-  View<const Yarn> yarns;
+  View<const Chain> chains;
   View<const EdgeConstraint> edges;
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
   VertexState all;
   View<Vec4> pending;  ///< kg·m, by vertex, where any is
   View<Vec4> pressed;  ///< see Substep::pressed
-  /// By piece, see bearing_kernels::Bearing, if any may bear something: those yarns take up nothing that is
+  /// By piece, see bearing_kernels::Bearing, if any may bear something: those chains take up nothing that is
   /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
   View<const uint32_t> bearing;
   bool starts;
   /// The first after what was put aside, beside which λ of the last substep stands: only that says how taut
-  /// the yarn is.
+  /// the chain is.
   bool takes_over;
-  uint32_t first, end;  ///< yarns of the layer
+  uint32_t first, end;  ///< chains of the layer
 
   /// Brings constants near: of edges the lengths at rest, and as diagonals their compliances.
   template <class Group>
   MENISCUS_HD void prepare(const Group& group, Scratch<Group>& scratch, uint32_t number) const {
     if constexpr (!Group::is_one_thread) {
-      const Yarn yarn = yarns[first + number];
+      const Chain chain = chains[first + number];
       auto* const rows = scratch.template first_rows<typename Scratch<Group>::Length>();
-      group.for_each(yarn.count, [&](uint32_t k) {
-        const EdgeConstraint e = load(edges, yarn.first + k);
+      group.for_each(chain.count, [&](uint32_t k) {
+        const EdgeConstraint e = load(edges, chain.first + k);
         if (k == 0) {
-          scratch.yarn = yarn;
+          scratch.chain = chain;
           scratch.vertex[0] = e.a;
         }
         scratch.vertex[k + 1] = e.b;
@@ -101,23 +102,23 @@ struct RestoreMultipliers {
   MENISCUS_HD void operator()(uint32_t k) const { multiplier[k] = {0, 0, 0, kept[k]}; }
 };
 
-/// The same for as many yarns as the group's threads have lanes.
+/// The same for as many chains as the group's threads have lanes.
 template <class Group>
-class SolveYarnsAtOnce {
+class SolveChainsAtOnce {
   using D = typename Group::Device;
 
  public:
-  using Scratch = YarnScratch<Group>;
+  using Scratch = ChainScratch<Group>;
 
-  MENISCUS_HD SolveYarnsAtOnce(const SolveYarns& solve, Scratch& scratch, const YarnsAtOnce<D>& yarns)
+  MENISCUS_HD SolveChainsAtOnce(const SolveChains& solve, Scratch& scratch, const ChainsAtOnce<D>& chains)
       : s_(solve),
         scratch_(scratch),
-        yarns_(yarns),
+        chains_(chains),
         bears_(solve.starts && any_bears() ? bears() : Real(0)),
         kept_(kept()) {}
 
   MENISCUS_HD void run(const Group& group) const {
-    const uint32_t edges = yarns_.most, vertices = edges + 1;
+    const uint32_t edges = chains_.most, vertices = edges + 1;
     Length* lengths = scratch_.template first_rows<Length>();
     group.for_each(edges + 2, [&](uint32_t k) { linearize(lengths, k); });
     group.for_each(edges, [&](uint32_t k) { couple(lengths, k); });
@@ -151,7 +152,7 @@ class SolveYarnsAtOnce {
   /// has no solution.
   static constexpr float guard = 0.0003f;
 
-  /// Of the yarn at a vertex. Where it folds back, that of both its branches: across them nothing is
+  /// Of the chain at a vertex. Where it folds back, that of both its branches: across them nothing is
   /// shortened.
   MENISCUS_HD static Vector direction(const Vector& before, const Vector& after) {
     const Real turned = select_less(dot(before, after), Real(0), Real(-1), Real(1));
@@ -203,13 +204,13 @@ class SolveYarnsAtOnce {
   MENISCUS_HD auto moves() const { return s_.all.particles.moved.from(s_.all.particles.sorted); }
   MENISCUS_HD auto previous() const { return s_.all.particles.previous.from(s_.all.particles.sorted); }
   MENISCUS_HD Places start_of(uint32_t k) const {
-    Places vertices, at = yarns_.edge(k);
+    Places vertices, at = chains_.edge(k);
     for (uint32_t lane = 0; lane < D::lane_count; ++lane)
       vertices.at[lane] = Group::is_one_thread ? s_.edges[at.at[lane]].a : scratch_.vertex[k];
     return vertices;
   }
   MENISCUS_HD Places end_of(uint32_t k) const {
-    Places vertices, at = yarns_.edge(k);
+    Places vertices, at = chains_.edge(k);
     for (uint32_t lane = 0; lane < D::lane_count; ++lane)
       vertices.at[lane] = Group::is_one_thread ? s_.edges[at.at[lane]].b : scratch_.vertex[k + 1];
     return vertices;
@@ -219,7 +220,7 @@ class SolveYarnsAtOnce {
   };
   MENISCUS_HD Constants constants(const Length* rows, uint32_t k) const {
     if constexpr (Group::is_one_thread) {
-      const Vec4Of<Real> e = gather_words(s_.edges, yarns_.edge(k).index());
+      const Vec4Of<Real> e = gather_words(s_.edges, chains_.edge(k).index());
       return {e.z, e.w};
     } else {
       return {scratch_.rest_length[k], rows[k].diagonal};
@@ -231,16 +232,16 @@ class SolveYarnsAtOnce {
   MENISCUS_HD void linearize(Length* rows, uint32_t slot) const {
     const Real zero(0);
     const uint32_t k = slot - 1;
-    if (slot == 0 || slot > yarns_.most) {
+    if (slot == 0 || slot > chains_.most) {
       write_whole(scratch_.edges, slot, {{zero, zero, zero}, zero});
       stiffness(k) = zero;
       return;
     }
-    const Places at = yarns_.edge(k), from = start_of(k), to = end_of(k);
+    const Places at = chains_.edge(k), from = start_of(k), to = end_of(k);
     const Vec4Of<Real> a = gather(positions(), from.index()), b = gather(positions(), to.index());
     const auto [rest, soft] = constants(rows, k);
     const Vec4Of<Real> multiplier = gather(s_.multiplier, at.index());
-    const Real last = yarns_.if_edge(k, multiplier.w);
+    const Real last = chains_.if_edge(k, multiplier.w);
     const Vector d = b.xyz() - a.xyz();
     const Vector then = gather(previous(), to.index()).xyz() - gather(previous(), from.index()).xyz();
     const Real l = square_root(dot(d, d)), weight = a.w + b.w;
@@ -249,7 +250,7 @@ class SolveYarnsAtOnce {
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
                                             Real(opening_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
-    const Real before = kept_ * (s_.takes_over ? yarns_.if_edge(k, along(multiplier.xyz(), n)) : last);
+    const Real before = kept_ * (s_.takes_over ? chains_.if_edge(k, along(multiplier.xyz(), n)) : last);
     Real rate = dot(n, d - then);
     if (puts_aside()) {
       error = dot(n, b.w * pending(to) - a.w * pending(from));
@@ -257,7 +258,7 @@ class SolveYarnsAtOnce {
     }
     const Real gamma = damping_of(from) * compliance / (compliance + weight);
     // What has no direction, or cannot give way at all, is left alone.
-    const Real live = yarns_.if_edge(k, select_less(l, Real(1e-12f), zero, weight + compliance));
+    const Real live = chains_.if_edge(k, select_less(l, Real(1e-12f), zero, weight + compliance));
     const auto if_live = [&](const Real& x, const Real& otherwise) {
       return select_less(zero, live, x, otherwise);
     };
@@ -286,15 +287,15 @@ class SolveYarnsAtOnce {
     write_whole(rows, k, row);
   }
   MENISCUS_HD void take(const Real& step, uint32_t k) const {
-    const Real lambda = scratch_.edges[k + 1].lambda = yarns_.if_edge(k, edge(k).lambda + step);
+    const Real lambda = scratch_.edges[k + 1].lambda = chains_.if_edge(k, edge(k).lambda + step);
     stiffness(k) = resistance(lambda, scratch_.rest_length[k]);
   }
 
   /// kg·m, and λ: what edge k has pushed its end with in this substep.
   MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
     if (s_.starts && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
-    const Vec4Of<Real> v = gather(s_.multiplier, yarns_.edge(k).index());
-    const Real kept = yarns_.if_edge(k, kept_), lambda = s_.takes_over ? along(v.xyz(), edge(k).n) : v.w;
+    const Vec4Of<Real> v = gather(s_.multiplier, chains_.edge(k).index());
+    const Real kept = chains_.if_edge(k, kept_), lambda = s_.takes_over ? along(v.xyz(), edge(k).n) : v.w;
     return {kept * v.x, kept * v.y, kept * v.z, kept * lambda};
   }
   /// λ of an edge that pushes along itself, in whichever direction.
@@ -322,10 +323,10 @@ class SolveYarnsAtOnce {
   /// What both edges on vertex k do to it.
   MENISCUS_HD Change changes_on(uint32_t k) const {
     if (k == 0) return -change(0);
-    return k < yarns_.most ? change(k - 1) - change(k) : change(k - 1);
+    return k < chains_.most ? change(k - 1) - change(k) : change(k - 1);
   }
-  /// The row of vertex k's way to the sides, m. What turning λ pushes with belongs to it along the yarn as
-  /// well: the lengths know nothing of that, and where a yarn folds it would throw a light vertex between
+  /// The row of vertex k's way to the sides, m. What turning λ pushes with belongs to it along the chain as
+  /// well: the lengths know nothing of that, and where a chain folds it would throw a light vertex between
   /// heavy ones. Keeps what its edges do to the vertex.
   MENISCUS_HD Sideways turn(uint32_t k) const {
     const Real w = scratch_.weight[k], lower = w * stiffness(k - 1), upper = w * stiffness(k);
@@ -344,27 +345,27 @@ class SolveYarnsAtOnce {
   MENISCUS_HD Vector push_on(const Sideways* ways, uint32_t k) const {
     Vector push = scratch_.push[k];
     if (k > 0) push = push - taken_back(ways, k - 1);
-    if (k < yarns_.most) push += taken_back(ways, k);
+    if (k < chains_.most) push += taken_back(ways, k);
     return has_pressed() ? push - mass_behind(k) * ways[k].right : push;
   }
   /// How far that would move it, in lengths of an edge; keeps it.
   MENISCUS_HD Real reach(const Sideways* ways, uint32_t k) const {
     const Vector push = scratch_.push[k] = push_on(ways, k);
-    const Real rest = scratch_.rest_length[k < yarns_.most ? k : k - 1];
+    const Real rest = scratch_.rest_length[k < chains_.most ? k : k - 1];
     return select_less(Real(0), rest, scratch_.weight[k] * square_root(dot(push, push)) / rest, Real(0));
   }
   /// Adds lengths' pushes alone to what is pending: nothing has moved yet that could be turned, and the next
-  /// solve finds the yarn where it then is.
+  /// solve finds the chain where it then is.
   MENISCUS_HD void put_aside(uint32_t k) const {
     const Places at = vertex(k);
     const Vector now = pending(at) + changes_on(k).whole;
-    scatter(s_.pending, at.index(), {now.x, now.y, now.z, Real(0)}, yarns_.have_edge(k == 0 ? 0 : k - 1));
+    scatter(s_.pending, at.index(), {now.x, now.y, now.z, Real(0)}, chains_.have_edge(k == 0 ? 0 : k - 1));
   }
   MENISCUS_HD void note_aside(uint32_t k) const {
     const Vector push = change(k).whole;
-    const Real last = gather(s_.multiplier, yarns_.edge(k).index()).w;
-    scatter(s_.multiplier, yarns_.edge(k).index(), {push.x, push.y, push.z, last},
-            yarns_.have_edge(k) & ~less_mask(Real(0), bears_));
+    const Real last = gather(s_.multiplier, chains_.edge(k).index()).w;
+    scatter(s_.multiplier, chains_.edge(k).index(), {push.x, push.y, push.z, last},
+            chains_.have_edge(k) & ~less_mask(Real(0), bears_));
   }
   /// What is not there is pushed by nothing.
   MENISCUS_HD void move(uint32_t k, const Real& share) const {
@@ -377,32 +378,32 @@ class SolveYarnsAtOnce {
     const Places at = vertex(k);
     const Vec4Of<Real> before = gather(s_.pressed, at.index());
     const Vector now = before.xyz() + share * before.w * ways[k].right;
-    scatter(s_.pressed, at.index(), {now.x, now.y, now.z, before.w}, yarns_.have_edge(k == 0 ? 0 : k - 1));
+    scatter(s_.pressed, at.index(), {now.x, now.y, now.z, before.w}, chains_.have_edge(k == 0 ? 0 : k - 1));
   }
   MENISCUS_HD Places vertex(uint32_t k) const { return k == 0 ? start_of(0) : end_of(k - 1); }
   MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {
     const Edge e = edge(k);
     const Vec4Of<Real> last = given(k);
     const Vector push = last.xyz() + share * (change(e, last).whole - taken_back(ways, k));
-    scatter(s_.multiplier, yarns_.edge(k).index(),
-            {push.x, push.y, push.z, last.w + share * (e.lambda - last.w)}, yarns_.have_edge(k));
+    scatter(s_.multiplier, chains_.edge(k).index(),
+            {push.x, push.y, push.z, last.w + share * (e.lambda - last.w)}, chains_.have_edge(k));
   }
 
-  const SolveYarns& s_;
+  const SolveChains& s_;
   Scratch& scratch_;
-  const YarnsAtOnce<D> yarns_;
-  const Real bears_;  ///< 1 in lanes whose yarns bear something, where that counts; else 0
+  const ChainsAtOnce<D> chains_;
+  const Real bears_;  ///< 1 in lanes whose chains bear something, where that counts; else 0
   const Real kept_;   ///< 1 in lanes that go on from what they have pushed with, else 0
 };
 
 template <class Group>
-MENISCUS_HD void SolveYarns::operator()(const Group& group, Scratch<Group>& scratch, uint32_t number) const {
+MENISCUS_HD void SolveChains::operator()(const Group& group, Scratch<Group>& scratch, uint32_t number) const {
   using D = typename Group::Device;
   const uint32_t begin = first + number * D::lane_count;
   const bool is_near = !Group::is_one_thread;
-  const YarnsAtOnce<D> together(is_near ? View<const Yarn>{&scratch.yarn, 1} : yarns, is_near ? 0 : begin,
-                                is_near ? 1 : end);
-  SolveYarnsAtOnce<Group>(*this, scratch, together).run(group);
+  const ChainsAtOnce<D> together(is_near ? View<const Chain>{&scratch.chain, 1} : chains, is_near ? 0 : begin,
+                                 is_near ? 1 : end);
+  SolveChainsAtOnce<Group>(*this, scratch, together).run(group);
 }
 
 }  // namespace meniscus::cloth

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "cloth/build/yarns.h"
+#include "cloth/build/chains.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "cloth/build/topology.h"
+#include "cloth/solve/chain_kernel.h"
 #include "cloth/solve/tridiagonal.h"
-#include "cloth/solve/yarn_kernel.h"
 #include "pbd/device/cpu/cpu_device.h"
 #include "tests/unit/cloth/cloth_shapes.h"
 #include "tests/unit/cloth/one_lane.h"
@@ -38,98 +38,98 @@ std::map<Ends, float> lengths(const std::vector<EdgeConstraint>& edges) {
 
 struct Drawn {
   ClothConstraints before, left;
-  Yarns yarns;
+  Chains chains;
 };
 
-/// Edges are chained up in yarns, those of a layer share no vertex, and none is lost.
+/// Edges are chained up in chains, those of a layer share no vertex, and none is lost.
 Drawn draw(const ClothMesh& mesh, const FabricParameters& fabric, float gas = 0) {
   Drawn d{build_constraints(mesh, fabric), {}, {}};
   d.left = d.before;
   const auto count = static_cast<uint32_t>(mesh.vertices.size());
-  d.yarns = draw_yarns(d.left, mesh.vertices,
-                       std::vector<Piece>{{.first_vertex = 0, .end_vertex = count, .inside = gas}});
+  d.chains = draw_chains(d.left, mesh.vertices,
+                         std::vector<Piece>{{.first_vertex = 0, .end_vertex = count, .inside = gas}});
   std::vector<uint32_t> layer_of(mesh.vertices.size(), none);
-  for (uint32_t layer = 0; layer < d.yarns.layers(); ++layer) {
-    for (uint32_t y = d.yarns.layer_starts[layer]; y < d.yarns.layer_starts[layer + 1]; ++y) {
-      const Yarn yarn = d.yarns.yarns[y];
-      EXPECT_GE(yarn.count, Yarn::fewest_edges);
-      EXPECT_LE(yarn.count, Yarn::most_edges);
-      for (uint32_t k = yarn.first; k < yarn.first + yarn.count; ++k) {
-        const EdgeConstraint& e = d.yarns.edges[k];
-        if (k > yarn.first) {
-          EXPECT_EQ(e.a, d.yarns.edges[k - 1].b);
+  for (uint32_t layer = 0; layer < d.chains.layers(); ++layer) {
+    for (uint32_t y = d.chains.layer_starts[layer]; y < d.chains.layer_starts[layer + 1]; ++y) {
+      const Chain chain = d.chains.chains[y];
+      EXPECT_GE(chain.count, Chain::fewest_edges);
+      EXPECT_LE(chain.count, Chain::most_edges);
+      for (uint32_t k = chain.first; k < chain.first + chain.count; ++k) {
+        const EdgeConstraint& e = d.chains.edges[k];
+        if (k > chain.first) {
+          EXPECT_EQ(e.a, d.chains.edges[k - 1].b);
         }
         for (uint32_t v : {e.a, e.b}) {
-          if (v == e.a && k > yarn.first) continue;
-          EXPECT_NE(layer_of[v], layer) << "vertex " << v << " is in two yarns";
+          if (v == e.a && k > chain.first) continue;
+          EXPECT_NE(layer_of[v], layer) << "vertex " << v << " is in two chains";
           layer_of[v] = layer;
         }
       }
     }
   }
-  std::vector<EdgeConstraint> all = d.yarns.edges;
+  std::vector<EdgeConstraint> all = d.chains.edges;
   all.insert(all.end(), d.left.edges.items.begin(), d.left.edges.items.end());
   EXPECT_EQ(lengths(all), lengths(d.before.edges.items));
   return d;
 }
 
-TEST(Yarns, OfASheetAreItsWarpAndWeft) {
+TEST(Chains, OfASheetAreItsWarpAndWeft) {
   const Drawn d = draw(make_sheet(1, 0.8f, 20, 15), {.shear_stiffness = 100});
-  EXPECT_EQ(d.yarns.layers(), 2u);
-  EXPECT_EQ(d.yarns.yarns.size(), 20u + 15u);
-  EXPECT_EQ(d.yarns.edges.size(), 20u * 14u + 15u * 19u);
+  EXPECT_EQ(d.chains.layers(), 2u);
+  EXPECT_EQ(d.chains.chains.size(), 20u + 15u);
+  EXPECT_EQ(d.chains.edges.size(), 20u * 14u + 15u * 19u);
   std::multiset<uint32_t> counts;
-  for (const Yarn& y : d.yarns.yarns) counts.insert(y.count);
+  for (const Chain& y : d.chains.chains) counts.insert(y.count);
   EXPECT_EQ(counts.count(14), 20u);
   EXPECT_EQ(counts.count(19), 15u);
 }
 
-TEST(Yarns, OfAPatchOfTrianglesRunInThreeDirections) {
+TEST(Chains, OfAPatchOfTrianglesRunInThreeDirections) {
   const Drawn d = draw(equilateral_patch(0.1f, 30, 30), {});
-  EXPECT_EQ(d.yarns.layers(), 3u);
-  EXPECT_GT(d.yarns.edges.size(), 0.9 * static_cast<double>(d.before.edges.items.size()));
+  EXPECT_EQ(d.chains.layers(), 3u);
+  EXPECT_GT(d.chains.edges.size(), 0.9 * static_cast<double>(d.before.edges.items.size()));
 }
 
-TEST(Yarns, RingsOfATubeAreOpenAtOneEdge) {
+TEST(Chains, RingsOfATubeAreOpenAtOneEdge) {
   const Drawn d = draw(tube(0.3f, 1, 24, 9), {.shear_stiffness = 100});
-  EXPECT_GE(d.yarns.edges.size(), 9u * 23u + 24u * 8u);
+  EXPECT_GE(d.chains.edges.size(), 9u * 23u + 24u * 8u);
 }
 
-TEST(Yarns, LongOnesAreCut) {
-  const uint32_t columns = 2 * Yarn::most_edges + 100;
+TEST(Chains, LongOnesAreCut) {
+  const uint32_t columns = 2 * Chain::most_edges + 100;
   const Drawn d = draw(make_sheet(10, 0.05f, columns, 6), {.shear_stiffness = 100});
   uint32_t along = 0;
-  for (const Yarn& y : d.yarns.yarns) along += y.count > 5 ? 1 : 0;
+  for (const Chain& y : d.chains.chains) along += y.count > 5 ? 1 : 0;
   EXPECT_EQ(along, 3u * 6u);
-  EXPECT_EQ(d.yarns.edges.size(), 6u * (columns - 3) + 5u * columns);
+  EXPECT_EQ(d.chains.edges.size(), 6u * (columns - 3) + 5u * columns);
 }
 
-TEST(Yarns, AreCutWhereTheyAreLongerThanTheMost) {
+TEST(Chains, AreCutWhereTheyAreLongerThanTheMost) {
   for (const uint32_t edges : {511u, 512u, 513u, 514u, 515u, 1025u, 1026u, 1027u, 1028u}) {
     SCOPED_TRACE(edges);
     const Drawn d = draw(make_sheet(10, 0.02f, edges + 1, 2), {.shear_stiffness = 100});
-    const uint32_t cuts = edges / (Yarn::most_edges + 1);
-    EXPECT_EQ(d.yarns.yarns.size(), 2 * (cuts + 1));
-    EXPECT_EQ(d.yarns.edges.size(), 2 * (edges - cuts));
+    const uint32_t cuts = edges / (Chain::most_edges + 1);
+    EXPECT_EQ(d.chains.chains.size(), 2 * (cuts + 1));
+    EXPECT_EQ(d.chains.edges.size(), 2 * (edges - cuts));
   }
 }
 
-TEST(Yarns, OfAPatchWithoutAGrainAreSoftEdgesAsWell) {
+TEST(Chains, OfAPatchWithoutAGrainAreSoftEdgesAsWell) {
   const FabricParameters fabric{.warp_stiffness = 20000, .weft_stiffness = 20000, .shear_stiffness = 100};
   const Drawn d = draw(equilateral_patch(0.1f, 30, 30), fabric);
-  EXPECT_EQ(d.yarns.layers(), 3u);
-  EXPECT_GT(d.yarns.edges.size(), 0.9 * static_cast<double>(d.before.edges.items.size()));
+  EXPECT_EQ(d.chains.layers(), 3u);
+  EXPECT_GT(d.chains.edges.size(), 0.9 * static_cast<double>(d.before.edges.items.size()));
 }
 
-TEST(Yarns, OfASheetWithASoftWeftRunAlongThatAsWell) {
+TEST(Chains, OfASheetWithASoftWeftRunAlongThatAsWell) {
   const Drawn d = draw(make_sheet(1, 1, 12, 12), {.weft_stiffness = 10, .shear_stiffness = 10});
-  const auto of_weft = std::count_if(d.yarns.edges.begin(), d.yarns.edges.end(), [](const EdgeConstraint& e) {
-    return std::max(e.a, e.b) - std::min(e.a, e.b) == 12;
-  });
+  const auto of_weft =
+      std::count_if(d.chains.edges.begin(), d.chains.edges.end(),
+                    [](const EdgeConstraint& e) { return std::max(e.a, e.b) - std::min(e.a, e.b) == 12; });
   EXPECT_GT(of_weft, 12 * 11 * 3 / 4);
 }
 
-TEST(Yarns, PiecesHaveAGrainOrNoneEachOnItsOwn) {
+TEST(Chains, PiecesHaveAGrainOrNoneEachOnItsOwn) {
   ClothMesh both = make_sheet(1, 1, 12, 12);
   both.material.clear();
   const auto shift = static_cast<uint32_t>(both.vertices.size());
@@ -141,32 +141,32 @@ TEST(Yarns, PiecesHaveAGrainOrNoneEachOnItsOwn) {
   const auto of_sheet = [&](const std::vector<EdgeConstraint>& edges) {
     return std::count_if(edges.begin(), edges.end(), [&](const EdgeConstraint& e) { return e.a < shift; });
   };
-  const Yarns yarns = draw_yarns(all, both.vertices,
-                                 std::vector<Piece>{{.first_vertex = 0, .end_vertex = shift},
-                                                    {.first_vertex = shift, .end_vertex = 2 * shift}});
-  EXPECT_EQ(of_sheet(yarns.edges), 2 * 12 * 11);
+  const Chains chains = draw_chains(all, both.vertices,
+                                    std::vector<Piece>{{.first_vertex = 0, .end_vertex = shift},
+                                                       {.first_vertex = shift, .end_vertex = 2 * shift}});
+  EXPECT_EQ(of_sheet(chains.edges), 2 * 12 * 11);
   const std::vector<EdgeConstraint>& left = all.edges.items;
   EXPECT_LT(static_cast<double>(left.size()) - static_cast<double>(of_sheet(left)),
-            0.15 * static_cast<double>(yarns.edges.size()));
+            0.15 * static_cast<double>(chains.edges.size()));
 }
 
-TEST(Yarns, ThereAreNoneWhereThereIsGasInside) {
-  EXPECT_TRUE(draw(make_sheet(1, 1, 12, 12), {}, 1).yarns.edges.empty());
+TEST(Chains, ThereAreNoneWhereThereIsGasInside) {
+  EXPECT_TRUE(draw(make_sheet(1, 1, 12, 12), {}, 1).chains.edges.empty());
 }
 
-TEST(Yarns, ASeamIsPartOfNone) {
+TEST(Chains, ASeamIsPartOfNone) {
   const ClothMesh mesh = make_sheet(1, 1, 12, 12);
   ClothConstraints all = build_constraints(mesh, {.shear_stiffness = 100});
   all.edges.items.push_back({11, 132, 0.0f, 0});  // from corner to corner
   all.edges.colour_starts.push_back(static_cast<uint32_t>(all.edges.items.size()));
-  draw_yarns(all, mesh.vertices, {});
+  draw_chains(all, mesh.vertices, {});
   const std::vector<EdgeConstraint>& left = all.edges.items;
   EXPECT_TRUE(std::any_of(left.begin(), left.end(), [](const EdgeConstraint& e) { return e.b == 132; }));
 }
 
 using Row = TridiagonalRow<float>;
 
-/// As yarns have them; `own` is what each row has on its diagonal beyond what is beside it.
+/// As chains have them; `own` is what each row has on its diagonal beyond what is beside it.
 std::vector<Row> make_rows(uint32_t n, float own) {
   std::mt19937 bits(n);
   std::uniform_real_distribution<float> mass(0.5f, 2), turn(-1, 1);
@@ -207,9 +207,9 @@ TEST(Tridiagonal, IsSolvedByOneThreadAndByMany) {
   }
 }
 
-/// Yarns of all lengths in a layer, bent and pulled at random, some of their vertices held.
+/// Chains of all lengths in a layer, bent and pulled at random, some of their vertices held.
 struct Layer {
-  std::vector<Yarn> yarns;
+  std::vector<Chain> chains;
   std::vector<EdgeConstraint> edges;
   std::vector<pbd::Vec4> position, previous, moved, multiplier, pending;
 
@@ -217,7 +217,7 @@ struct Layer {
     std::mt19937 bits(7);
     std::uniform_real_distribution<float> any(-1, 1);
     for (uint32_t count : {40u, 40u, 33u, 20u, 20u, 11u, 9u, 8u, 8u, 5u, 4u}) {
-      yarns.push_back({static_cast<uint32_t>(edges.size()), count});
+      chains.push_back({static_cast<uint32_t>(edges.size()), count});
       for (uint32_t k = 0; k <= count; ++k) {
         const auto v = static_cast<uint32_t>(position.size());
         if (k < count) edges.push_back({v, v + 1, 0.1f, k % 3 ? 1e-5f : 0});
@@ -232,19 +232,19 @@ struct Layer {
       multiplier.push_back({1e-4f * any(bits), 1e-4f * any(bits), 1e-4f * any(bits), 2e-4f * any(bits)});
   }
 
-  SolveYarns solver(bool starts, bool puts_aside) {
+  SolveChains solver(bool starts, bool puts_aside) {
     const auto view = [](auto& values) {
       return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
     };
-    SolveYarns solve{.yarns = view(std::as_const(yarns)),
-                     .edges = view(std::as_const(edges)),
-                     .multiplier = view(multiplier),
-                     .all = {},
-                     .pending = puts_aside ? view(pending) : pbd::View<pbd::Vec4>{},
-                     .pressed = {},
-                     .starts = starts,
-                     .first = 0,
-                     .end = static_cast<uint32_t>(yarns.size())};
+    SolveChains solve{.chains = view(std::as_const(chains)),
+                      .edges = view(std::as_const(edges)),
+                      .multiplier = view(multiplier),
+                      .all = {},
+                      .pending = puts_aside ? view(pending) : pbd::View<pbd::Vec4>{},
+                      .pressed = {},
+                      .starts = starts,
+                      .first = 0,
+                      .end = static_cast<uint32_t>(chains.size())};
     solve.all.particles.position = view(position);
     solve.all.particles.previous = view(std::as_const(previous));
     solve.all.particles.moved = view(moved);
@@ -270,15 +270,15 @@ std::vector<float> solved(const Run& run) {
   return layer.results();
 }
 
-TEST(Yarns, SideBySideAreSolvedAsEachAlone) {
-  const std::vector<float> alone = solved([](const SolveYarns& solve) {
-    const auto scratch = std::make_unique<SolveYarns::Scratch<OneThread>>();
+TEST(Chains, SideBySideAreSolvedAsEachAlone) {
+  const std::vector<float> alone = solved([](const SolveChains& solve) {
+    const auto scratch = std::make_unique<SolveChains::Scratch<OneThread>>();
     for (uint32_t n = 0; n < solve.end; ++n) solve(OneThread{}, *scratch, n);
   });
   for (const auto registers : {pbd::CpuDevice::Registers::widest, pbd::CpuDevice::Registers::baseline}) {
     pbd::CpuDevice device(2, registers);
-    const std::vector<float> together =
-        solved([&](const SolveYarns& solve) { device.parallel_for_lane_groups("yarns", solve.end, solve); });
+    const std::vector<float> together = solved(
+        [&](const SolveChains& solve) { device.parallel_for_lane_groups("chains", solve.end, solve); });
     EXPECT_EQ(together, alone);
   }
   EXPECT_NE(alone, Layer().results());

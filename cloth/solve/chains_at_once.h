@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cloth/build/yarns.h"
+#include "cloth/build/chains.h"
 #include "cloth/solve/tridiagonal.h"
 #include "pbd/device/scalar.h"
 
@@ -12,10 +12,10 @@ using pbd::gather;
 using pbd::less_mask;
 using pbd::select_less;
 
-/// Yarns that are worked on side by side: as many as D::Real has lanes. The shorter ones wait at their ends
+/// Chains that are worked on side by side: as many as D::Real has lanes. The shorter ones wait at their ends
 /// for the longest.
 template <class D>
-struct YarnsAtOnce {
+struct ChainsAtOnce {
   using Real = typename D::Real;
   static constexpr uint32_t lanes = D::lane_count;
 
@@ -23,13 +23,13 @@ struct YarnsAtOnce {
   uint32_t most = 0;  ///< edges of the longest
   Real edges;
 
-  /// Those from yarns[begin] on, up to yarns[end − 1].
-  MENISCUS_HD YarnsAtOnce(pbd::View<const Yarn> yarns, uint32_t begin, uint32_t end) {
+  /// Those from chains[begin] on, up to chains[end − 1].
+  MENISCUS_HD ChainsAtOnce(pbd::View<const Chain> chains, uint32_t begin, uint32_t end) {
     for (uint32_t lane = 0; lane < lanes; ++lane) {
       const bool there = begin + lane < end;
-      const Yarn yarn = yarns[there ? begin + lane : begin];
-      first[lane] = yarn.first;
-      count[lane] = there ? yarn.count : 0;
+      const Chain chain = chains[there ? begin + lane : begin];
+      first[lane] = chain.first;
+      count[lane] = there ? chain.count : 0;
       most = count[lane] > most ? count[lane] : most;
     }
     edges = pbd::by_lane<D>([&](uint32_t lane) { return static_cast<float>(count[lane]); });
@@ -52,11 +52,11 @@ struct YarnsAtOnce {
   MENISCUS_HD static Real number(uint32_t k) { return Real(static_cast<float>(k)); }
 };
 
-/// Yarns while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
+/// Chains while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
 /// there; of each vertex w, and what pushes it; and the rows of a system, and of those that a group of
 /// threads makes of it.
 template <class Group>
-struct YarnScratch {
+struct ChainScratch {
   using Real = typename Group::Device::Real;
   using Length = TridiagonalRow<Real>;
   using Sideways = TridiagonalRow<Real, pbd::Vec3Of<Real>>;
@@ -66,14 +66,14 @@ struct YarnScratch {
     Real lambda;
   };
 
-  Edge edges[Yarn::most_edges + 2];
-  Real stiffness[Yarn::most_edges + 2], rest_length[Yarn::most_edges + 2];
-  Real weight[Yarn::most_edges + 1];
-  Yarn yarn;                                                         ///< that is alone
-  uint32_t vertex[Group::is_one_thread ? 1 : Yarn::most_edges + 1];  ///< of it
-  pbd::Vec3Of<Real> push[Yarn::most_edges + 1];
+  Edge edges[Chain::most_edges + 2];
+  Real stiffness[Chain::most_edges + 2], rest_length[Chain::most_edges + 2];
+  Real weight[Chain::most_edges + 1];
+  Chain chain;                                                        ///< that is alone
+  uint32_t vertex[Group::is_one_thread ? 1 : Chain::most_edges + 1];  ///< of it
+  pbd::Vec3Of<Real> push[Chain::most_edges + 1];
   struct alignas(64) {
-    unsigned char bytes[(Yarn::most_edges + 1) * sizeof(Sideways)];
+    unsigned char bytes[(Chain::most_edges + 1) * sizeof(Sideways)];
   } rows[Group::is_one_thread ? 1 : 2];
 
   template <class Row>
