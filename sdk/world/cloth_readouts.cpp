@@ -44,18 +44,18 @@ float principal_strain(const Vec3 rest[3], const Vec3 now[3]) {
 
 std::span<const Vec3> World::cloth_positions(ClothId id) const {
   impl_->fetch_cloth();
-  return impl_->cloths.get(id).strand.state.positions;
+  return impl_->cloths.get(id).range.state.positions;
 }
 
 std::span<const Vec3> World::cloth_velocities(ClothId id) const {
   impl_->fetch_cloth();
-  return impl_->cloths.get(id).strand.state.velocities;
+  return impl_->cloths.get(id).range.state.velocities;
 }
 
 std::span<const Vec3> World::cloth_normals(ClothId id) const {
   impl_->fetch_cloth();
   ClothEntry& entry = impl_->cloths.edit(id);
-  if (entry.normals.empty()) entry.normals = vertex_normals(entry.mesh, entry.strand.state.positions);
+  if (entry.normals.empty()) entry.normals = vertex_normals(entry.mesh, entry.range.state.positions);
   return entry.normals;
 }
 
@@ -68,7 +68,7 @@ std::span<const float> World::cloth_strains(ClothId id) const {
   impl_->fetch_cloth();
   ClothEntry& entry = impl_->cloths.edit(id);
   if (!entry.strains.empty()) return entry.strains;
-  const std::vector<Vec3>&rest = entry.mesh.vertices, &now = entry.strand.state.positions;
+  const std::vector<Vec3>&rest = entry.mesh.vertices, &now = entry.range.state.positions;
   for (const auto& t : entry.mesh.triangles) {
     const Vec3 before[] = {rest[t[0]], rest[t[1]], rest[t[2]]}, after[] = {now[t[0]], now[t[1]], now[t[2]]};
     entry.strains.push_back(principal_strain(before, after));
@@ -80,7 +80,7 @@ std::span<const float> World::cloth_wetness(ClothId id) const {
   ClothEntry& entry = impl_->cloths.edit(id);
   if (!entry.wetness.empty()) return entry.wetness;
   const FabricDef& f = entry.def.fabric;
-  entry.wetness.resize(entry.strand.count());
+  entry.wetness.resize(entry.range.count());
   for (size_t v = 0; v < entry.water.size(); ++v) {
     const double capacity = double{entry.constraints.masses[v]} / double{f.density} * double{f.absorbency};
     entry.wetness[v] = static_cast<float>(entry.water[v] / capacity);
@@ -91,12 +91,12 @@ std::span<const float> World::cloth_wetness(ClothId id) const {
 ClothState World::cloth_state(ClothId id) const {
   impl_->fetch_cloth();
   const ClothEntry& entry = impl_->cloths.get(id);
-  const std::vector<Vec3>&x = entry.strand.state.positions, &v = entry.strand.state.velocities;
+  const std::vector<Vec3>&x = entry.range.state.positions, &v = entry.range.state.velocities;
   ClothState state;
   state.closed = entry.closed;
   double mass = 0, kinetic = 0, sums[6] = {};
-  for (uint32_t i = 0; i < entry.strand.count(); ++i) {
-    const double m = entry.strand.masses[i];
+  for (uint32_t i = 0; i < entry.range.count(); ++i) {
+    const double m = entry.range.masses[i];
     mass += m;
     kinetic += 0.5 * m * double{dot(v[i], v[i])};
     const double parts[6] = {x[i].x, x[i].y, x[i].z, v[i].x, v[i].y, v[i].z};
@@ -140,12 +140,12 @@ const std::vector<TearEvent>& World::tear_events() const {
 
 std::span<const Vec3> World::rope_positions(RopeId id) const {
   impl_->fetch_cloth();
-  return impl_->ropes.get(id).strand.state.positions;
+  return impl_->ropes.get(id).range.state.positions;
 }
 
 std::span<const Vec3> World::rope_velocities(RopeId id) const {
   impl_->fetch_cloth();
-  return impl_->ropes.get(id).strand.state.velocities;
+  return impl_->ropes.get(id).range.state.velocities;
 }
 
 std::span<const Quat> World::rope_frames(RopeId id) const {
@@ -172,14 +172,14 @@ void World::Impl::read_reactions() {
   attachments.for_each([&](uint32_t, AttachmentEntry& entry) {
     entry.force = {0, 0, 0};
     if (!entry.seams.empty() || entry.first_tie == pbd::no_index) return;
-    const Strand& strand = strand_of(entry.def);
+    const VertexRange& range = range_of(entry.def);
     for (size_t k = 0; k < entry.anchors.size(); ++k) entry.force -= on_ties[entry.first_tie + k] / last_step;
     for (uint32_t v : entry.vertices) {
-      const auto at = std::lower_bound(held.begin(), held.end(), strand.first + v);
-      if (at == held.end() || *at != strand.first + v) continue;
+      const auto at = std::lower_bound(held.begin(), held.end(), range.first + v);
+      if (at == held.end() || *at != range.first + v) continue;
       // What nothing moves bears its own share of the cloth as well.
       entry.force +=
-          on_held[static_cast<size_t>(at - held.begin())] / last_step + strand.masses[v] * def.gravity;
+          on_held[static_cast<size_t>(at - held.begin())] / last_step + range.masses[v] * def.gravity;
     }
   });
   reactions_known = true;
@@ -195,7 +195,7 @@ std::string World::Impl::name_particle(uint32_t slot) const {
   const uint32_t vertex = slot - pbd::vertex_slot;
   std::string name;
   const auto look = [&](const char* what, const auto& entry) {
-    const Strand& s = entry.strand;
+    const VertexRange& s = entry.range;
     if (vertex >= s.first && vertex < s.first + s.count())
       name = "vertex " + std::to_string(vertex - s.first) + " of the " + what + " \"" + entry.def.name + "\"";
   };

@@ -12,7 +12,7 @@ void World::Impl::keep_off_cloth(std::vector<Vec3>& points, const CollisionFilte
   fetch_cloth();
   cloths.for_each([&](uint32_t, const ClothEntry& entry) {
     if (points.empty() || !pbd::meet(entry.def.filter, filter)) return;
-    const collision::TriangleBvh tree({entry.strand.state.positions, entry.mesh.triangles});
+    const collision::TriangleBvh tree({entry.range.state.positions, entry.mesh.triangles});
     std::erase_if(points, [&](Vec3 p) { return distance_within(tree.view(), p, clearance) < clearance; });
   });
 }

@@ -39,7 +39,7 @@ class Assembly {
       : spacing_(def.particle_spacing), radius_(def.contact_radius), fluids_(std::move(fluids)) {}
 
   void add(ClothId id, ClothEntry& entry, const std::vector<bool>& held) {
-    const uint32_t first = add_strand(entry.strand, held);
+    const uint32_t first = add_range(entry.range, held);
     const FabricDef& fabric = entry.def.fabric;
     pieces.push_back(id);
     const float distance = std::max(radius_ * spacing_, 0.5f * entry.thickness);
@@ -63,19 +63,19 @@ class Assembly {
       tie_to_held(entry, numbers_of(held));
       for (const cloth::Tether& t : entry.tethers)
         model.tethers.push_back(
-            {first + t.vertex, first + t.anchor, t.length, t.compliance, entry.strand.masses[t.vertex]});
+            {first + t.vertex, first + t.anchor, t.length, t.compliance, entry.range.masses[t.vertex]});
     }
   }
 
   void add(RopeEntry& entry, const std::vector<bool>& held, const std::vector<bool>& clamped) {
-    const uint32_t first = add_strand(entry.strand, held);
+    const uint32_t first = add_range(entry.range, held);
     pieces.emplace_back();
     cloth.sheets.emplace_back();
     const bool rod = entry.def.bends_and_twists;
     cloth::append(rod ? cloth.rods : cloth.ropes, entry.model, first);
-    rope_masses_.insert(rope_masses_.end(), entry.strand.masses.begin(), entry.strand.masses.end());
-    cloth.model.rest.insert(cloth.model.rest.end(), entry.strand.state.positions.begin(),
-                            entry.strand.state.positions.end());
+    rope_masses_.insert(rope_masses_.end(), entry.range.masses.begin(), entry.range.masses.end());
+    cloth.model.rest.insert(cloth.model.rest.end(), entry.range.state.positions.begin(),
+                            entry.range.state.positions.end());
     cloth.model.pieces.push_back(
         {.first_vertex = first, .end_vertex = vertices(), .stretch_damping = -1, .bending_damping = -1});
     cloth.contact_parts.push_back({.filter = {0, 0}, .self = false});
@@ -95,18 +95,18 @@ class Assembly {
   }
 
  private:
-  uint32_t add_strand(Strand& strand, const std::vector<bool>& held) {
+  uint32_t add_range(VertexRange& range, const std::vector<bool>& held) {
     const uint32_t first = vertices();
     const auto piece = static_cast<uint32_t>(cloth.touches.size());
-    for (uint32_t v = 0; v < strand.count(); ++v) {
+    for (uint32_t v = 0; v < range.count(); ++v) {
       const bool fast = held[v];
-      cloth.position.push_back(pbd::with_w(strand.state.positions[v], fast ? 0 : 1 / strand.masses[v]));
-      cloth.velocity.push_back(pbd::with_w(fast ? Vec3{0, 0, 0} : strand.state.velocities[v], 0));
-      cloth.phase.push_back(pbd::phase_vertex | (strand.placed ? pbd::phase_placed : 0) | piece);
+      cloth.position.push_back(pbd::with_w(range.state.positions[v], fast ? 0 : 1 / range.masses[v]));
+      cloth.velocity.push_back(pbd::with_w(fast ? Vec3{0, 0, 0} : range.state.velocities[v], 0));
+      cloth.phase.push_back(pbd::phase_vertex | (range.placed ? pbd::phase_placed : 0) | piece);
       if (fast) cloth.model.held.push_back(first + v);
     }
-    cloth.touches.push_back({strand.filter, strand.contact_radius});
-    strand.first = first;
+    cloth.touches.push_back({range.filter, range.contact_radius});
+    range.first = first;
     return first;
   }
 
@@ -123,7 +123,7 @@ class Assembly {
 
   cloth::Piece piece_of(const ClothEntry& entry) const {
     const FabricDef& f = entry.def.fabric;
-    cloth::Piece piece{.first_vertex = entry.strand.first,
+    cloth::Piece piece{.first_vertex = entry.range.first,
                        .end_vertex = vertices(),
                        .stretch_damping = f.stretch_damping,
                        .bending_damping = f.bending_damping,
@@ -160,24 +160,24 @@ void World::Impl::fetch_cloth() {
   VertexStates all{std::vector<Vec3>(vertex_count), std::vector<Vec3>(vertex_count)};
   engine->read_vertices(all.positions, all.velocities);
   const std::vector<cloth::SegmentState> segments = engine->read_segments();
-  const auto take = [&](Strand& strand) {
+  const auto take = [&](VertexRange& range) {
     const auto slice = [&](const std::vector<Vec3>& from, std::vector<Vec3>& to) {
-      to.assign(from.begin() + strand.first, from.begin() + strand.first + strand.count());
+      to.assign(from.begin() + range.first, from.begin() + range.first + range.count());
     };
-    if (!strand.uploaded) return;
-    slice(all.positions, strand.state.positions);
-    slice(all.velocities, strand.state.velocities);
+    if (!range.uploaded) return;
+    slice(all.positions, range.state.positions);
+    slice(all.velocities, range.state.velocities);
   };
   cloths.for_each([&](uint32_t, ClothEntry& entry) {
-    take(entry.strand);
+    take(entry.range);
     entry.normals.clear();
     entry.strains.clear();
     entry.wetness.clear();
   });
   auto next = segments.begin();
   ropes.for_each([&](uint32_t, RopeEntry& entry) {
-    take(entry.strand);
-    if (!entry.strand.uploaded) return;
+    take(entry.range);
+    if (!entry.range.uploaded) return;
     std::copy_n(next, entry.segments.size(), entry.segments.begin());
     next += static_cast<std::ptrdiff_t>(entry.segments.size());
   });
@@ -206,14 +206,14 @@ void World::Impl::upload_cloth() {
   std::vector<cloth::EdgeConstraint> seams;
   std::vector<uint32_t> tied;
   attachments.for_each([&](uint32_t, AttachmentEntry& a) {
-    const uint32_t here = strand_of(a.def).first;
+    const uint32_t here = range_of(a.def).first;
     a.first_tie = static_cast<uint32_t>(all.cloth.ties.size());
     for (size_t k = 0; k < a.anchors.size(); ++k)
       all.cloth.ties.push_back({here + a.vertices[k], a.def.body->index, a.anchors[k]});
     if (!a.anchors.empty()) tied.push_back(a.def.body->index);
     for (const cloth::EdgeConstraint& s : a.seams) {
-      const uint32_t there = a.def.other_cloth ? cloths.get(*a.def.other_cloth).strand.first
-                                               : ropes.get(*a.def.other_rope).strand.first;
+      const uint32_t there = a.def.other_cloth ? cloths.get(*a.def.other_cloth).range.first
+                                               : ropes.get(*a.def.other_rope).range.first;
       seams.push_back({here + s.a, there + s.b, s.rest_length, s.compliance});
     }
   });
@@ -223,7 +223,7 @@ void World::Impl::upload_cloth() {
   pieces = all.pieces;
   vertex_count = all.vertices();
   held = all.cloth.model.held;
-  const auto note = [](uint32_t, auto& entry) { entry.strand.uploaded = true; };
+  const auto note = [](uint32_t, auto& entry) { entry.range.uploaded = true; };
   cloths.for_each(note);
   ropes.for_each(note);
   cloth_is_on_device = true;
@@ -235,7 +235,7 @@ void World::Impl::note_cloth_step(float dt) {
   last_step = dt;
   cloth_is_on_host = false;
   reactions_known = false;
-  const auto note = [](uint32_t, auto& entry) { entry.strand.placed = false; };
+  const auto note = [](uint32_t, auto& entry) { entry.range.placed = false; };
   cloths.for_each(note);
   ropes.for_each(note);
 }
@@ -249,28 +249,28 @@ void World::Impl::tear_cloth() {
     const float limit = entry.def.fabric.tear_strain;
     if (limit == 0) return;
     std::vector<cloth::OverstretchedEdge> edges;
-    Strand& strand = entry.strand;
+    VertexRange& range = entry.range;
     for (const auto& t : entry.mesh.triangles) {
       for (int k = 0; k < 3; ++k) {
         const uint32_t a = t[k], b = t[(k + 1) % 3];
-        const float stretch = length(strand.state.positions[b] - strand.state.positions[a]) /
+        const float stretch = length(range.state.positions[b] - range.state.positions[a]) /
                               length(entry.mesh.vertices[b] - entry.mesh.vertices[a]);
         if (stretch > 1 + limit) edges.push_back({std::min(a, b), std::max(a, b), stretch});
       }
     }
-    const auto torn = cloth::tear_along(entry.mesh, strand.state.positions, edges, most_splits);
+    const auto torn = cloth::tear_along(entry.mesh, range.state.positions, edges, most_splits);
     if (torn.empty()) return;
     cloth_is_on_device = false;
     for (const cloth::TornVertex& t : torn) {
-      strand.state.positions.push_back(strand.state.positions[t.original]);
-      strand.state.velocities.push_back(strand.state.velocities[t.original]);
+      range.state.positions.push_back(range.state.positions[t.original]);
+      range.state.velocities.push_back(range.state.velocities[t.original]);
       tears.push_back({cloths.id(index), t.copy, t.original});
       if (entry.water.empty()) continue;
       entry.water[t.original] *= 0.5;
       entry.water.push_back(entry.water[t.original]);
     }
     build_constraints(entry);
-    for (size_t v = 0; v < entry.water.size(); ++v) strand.masses[v] += static_cast<float>(entry.water[v]);
+    for (size_t v = 0; v < entry.water.size(); ++v) range.masses[v] += static_cast<float>(entry.water[v]);
   });
 }
 

@@ -90,27 +90,27 @@ void World::apply_impulses(std::span<const ParticleId> targets, std::span<const 
 }
 
 void World::apply_impulses(ClothId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
-  impl_->push_vertices(impl_->cloths.get(id).strand, "cloth", vertices, impulses);
+  impl_->push_vertices(impl_->cloths.get(id).range, "cloth", vertices, impulses);
 }
 
 void World::apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
-  impl_->push_vertices(impl_->ropes.get(id).strand, "rope", vertices, impulses);
+  impl_->push_vertices(impl_->ropes.get(id).range, "rope", vertices, impulses);
 }
 
-void World::Impl::push_vertices(const Strand& strand, const char* kind, std::span<const uint32_t> vertices,
-                                std::span<const Vec3> impulses) {
+void World::Impl::push_vertices(const VertexRange& range, const char* kind,
+                                std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
   check_impulses(vertices.size(), impulses);
   for (const uint32_t k : ascending(vertices, "vertex")) {
-    if (vertices[k] >= strand.count())
+    if (vertices[k] >= range.count())
       throw Error(ErrorCode::invalid_argument,
                   "apply_impulses got the vertex " + std::to_string(vertices[k]) + ", but the " + kind +
-                      " has " + std::to_string(strand.count()) + ", counted from 0");
-    check::impulse(each_impulse, impulses[k], strand.masses[vertices[k]]);
+                      " has " + std::to_string(range.count()) + ", counted from 0");
+    check::impulse(each_impulse, impulses[k], range.masses[vertices[k]]);
   }
   if (vertices.empty()) return;
   Engine& with_cloth = with_all();
   std::vector<uint32_t> numbers(vertices.begin(), vertices.end());
-  for (uint32_t& v : numbers) v += strand.first;
+  for (uint32_t& v : numbers) v += range.first;
   with_cloth.push_vertices(numbers, impulses);
   cloth_is_on_host = false;
 }

@@ -14,16 +14,16 @@ namespace meniscus {
 
 namespace {
 
-std::vector<uint32_t> chosen_vertices(const AttachmentDef& def, const Strand& strand) {
+std::vector<uint32_t> chosen_vertices(const AttachmentDef& def, const VertexRange& range) {
   std::vector<uint32_t> vertices = def.vertices;
   for (uint32_t v : vertices) {
-    if (v >= strand.count()) {
+    if (v >= range.count()) {
       check::refuse("a vertex of AttachmentDef::vertices", std::to_string(v),
-                    "below " + std::to_string(strand.count()) + ", the number of vertices");
+                    "below " + std::to_string(range.count()) + ", the number of vertices");
     }
   }
-  for (uint32_t v = 0; def.region && v < strand.count(); ++v) {
-    if (inside(*def.region, strand.state.positions[v])) vertices.push_back(v);
+  for (uint32_t v = 0; def.region && v < range.count(); ++v) {
+    if (inside(*def.region, range.state.positions[v])) vertices.push_back(v);
   }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
@@ -35,15 +35,15 @@ std::vector<uint32_t> chosen_vertices(const AttachmentDef& def, const Strand& st
 }
 
 /// From each vertex to the nearest of the other piece within reach, at the distance that they have.
-std::vector<cloth::EdgeConstraint> sew(const AttachmentDef& def, const Strand& strand, const Strand& other,
-                                       std::span<const uint32_t> vertices) {
+std::vector<cloth::EdgeConstraint> sew(const AttachmentDef& def, const VertexRange& range,
+                                       const VertexRange& other, std::span<const uint32_t> vertices) {
   std::vector<cloth::EdgeConstraint> seams;
   for (uint32_t v : vertices) {
     cloth::EdgeConstraint nearest{v, 0, def.reach, def.compliance};
     bool found = false;
     for (uint32_t u = 0; u < other.count(); ++u) {
-      if (&other == &strand && u == v) continue;
-      const float gap = length(other.state.positions[u] - strand.state.positions[v]);
+      if (&other == &range && u == v) continue;
+      const float gap = length(other.state.positions[u] - range.state.positions[v]);
       if (gap > nearest.rest_length) continue;
       found = true;
       nearest.b = u;
@@ -53,7 +53,7 @@ std::vector<cloth::EdgeConstraint> sew(const AttachmentDef& def, const Strand& s
   }
   if (seams.empty()) {
     const std::string none =
-        &other == &strand ? "no other vertex of the same piece" : "no vertex of the other piece";
+        &other == &range ? "no other vertex of the same piece" : "no vertex of the other piece";
     throw Error(ErrorCode::invalid_argument, "AttachmentDef::reach of \"" + def.name + "\" is " +
                                                  std::to_string(def.reach) + " m; " + none + " is as near");
   }
@@ -62,8 +62,8 @@ std::vector<cloth::EdgeConstraint> sew(const AttachmentDef& def, const Strand& s
 
 }  // namespace
 
-const Strand& World::Impl::strand_of(const AttachmentDef& a) const {
-  return a.cloth ? cloths.get(*a.cloth).strand : ropes.get(*a.rope).strand;
+const VertexRange& World::Impl::range_of(const AttachmentDef& a) const {
+  return a.cloth ? cloths.get(*a.cloth).range : ropes.get(*a.rope).range;
 }
 
 template <class Gone>
@@ -107,16 +107,15 @@ AttachmentId World::create_attachment(const AttachmentDef& def) {
   impl_->fetch_cloth();
   AttachmentEntry entry;
   entry.def = def;
-  const Strand& strand = impl_->strand_of(def);
-  entry.vertices = chosen_vertices(def, strand);
+  const VertexRange& range = impl_->range_of(def);
+  entry.vertices = chosen_vertices(def, range);
   if (def.other_cloth)
-    entry.seams = sew(def, strand, impl_->cloths.get(*def.other_cloth).strand, entry.vertices);
-  if (def.other_rope)
-    entry.seams = sew(def, strand, impl_->ropes.get(*def.other_rope).strand, entry.vertices);
+    entry.seams = sew(def, range, impl_->cloths.get(*def.other_cloth).range, entry.vertices);
+  if (def.other_rope) entry.seams = sew(def, range, impl_->ropes.get(*def.other_rope).range, entry.vertices);
   if (def.body) {
     const BodyEntry& body = impl_->bodies.get(*def.body);
     const Pose pose = impl_->rigid.pose(def.body->index) * body.principal;
-    for (uint32_t v : entry.vertices) entry.anchors.push_back(to_local(pose, strand.state.positions[v]));
+    for (uint32_t v : entry.vertices) entry.anchors.push_back(to_local(pose, range.state.positions[v]));
   }
   if (def.clamped) {
     if (!def.rope || !impl_->ropes.get(*def.rope).def.bends_and_twists)
@@ -168,7 +167,7 @@ void mark_held(const AttachmentEntry& a, std::vector<bool>& held) {
 }  // namespace
 
 std::vector<bool> World::Impl::held_vertices(ClothId cloth) const {
-  std::vector<bool> fast(cloths.get(cloth).strand.count());
+  std::vector<bool> fast(cloths.get(cloth).range.count());
   attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
     if (a.def.cloth == cloth) mark_held(a, fast);
   });
@@ -176,7 +175,7 @@ std::vector<bool> World::Impl::held_vertices(ClothId cloth) const {
 }
 
 std::vector<bool> World::Impl::held_vertices(RopeId rope) const {
-  std::vector<bool> fast(ropes.get(rope).strand.count());
+  std::vector<bool> fast(ropes.get(rope).range.count());
   attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
     if (a.def.rope == rope) mark_held(a, fast);
   });

@@ -80,7 +80,7 @@ struct World::Impl {
   void probes_changed();
   void read_probes();
   void state_changed();
-  void push_vertices(const Strand& strand, const char* kind, std::span<const uint32_t> vertices,
+  void push_vertices(const VertexRange& range, const char* kind, std::span<const uint32_t> vertices,
                      std::span<const Vec3> impulses);
   void fetch_cloth();   // its latest state, to the host
   void upload_cloth();  // where it has changed by hand
@@ -95,13 +95,13 @@ struct World::Impl {
   void wet_cloth(float dt, StepReport& report);
   uint32_t take_up(std::span<const collision::WettingTouch> touches, std::vector<WetPiece>& wet);
   uint32_t drip(Vec3 down, std::vector<WetPiece>& wet);
-  void weigh(const Strand& strand);
+  void weigh(const VertexRange& range);
   void read_reactions();    // of the last step, to the attachments, while these fit what the device has
   void forget_reactions();  // after a step that failed
   std::string name_particle(uint32_t slot) const;
   std::vector<bool> held_vertices(ClothId cloth) const;
   std::vector<bool> held_vertices(RopeId rope) const;
-  const Strand& strand_of(const AttachmentDef& def) const;
+  const VertexRange& range_of(const AttachmentDef& def) const;
   /// Destroys the attachments of which this is true.
   template <class Gone>
   void drop_attachments(const Gone& gone);

@@ -112,7 +112,7 @@ uint64_t World::state_hash() const {
   impl_->fetch_cloth();
   const auto add_vertices = [&](Kind kind) {
     return [&add, kind](uint32_t owner, const auto& entry) {
-      const auto& state = entry.strand.state;
+      const auto& state = entry.range.state;
       for (size_t v = 0; v < state.positions.size(); ++v)
         add(kind, owner, v, state.positions[v], state.velocities[v]);
     };

@@ -69,7 +69,7 @@ void World::Impl::wet_cloth(float dt, StepReport& report) {
     report.dripped = drip(down, wet_pieces);
   }
   for (WetPiece& piece : wet_pieces) {
-    if (piece.water.finish() && cloth_is_on_device) weigh(cloths.get(piece.id).strand);
+    if (piece.water.finish() && cloth_is_on_device) weigh(cloths.get(piece.id).range);
   }
 }
 
@@ -80,11 +80,11 @@ uint32_t World::Impl::take_up(std::span<const collision::WettingTouch> wetting, 
   std::vector<bool> removed(ids.size());
   uint32_t count = 0;
   cloths.for_each([&](uint32_t index, ClothEntry& entry) {
-    const Strand& strand = entry.strand;
-    if (entry.water.empty() || !strand.uploaded) return;
+    const VertexRange& range = entry.range;
+    if (entry.water.empty() || !range.uploaded) return;
     std::vector<collision::WettingTouch> own;
     for (const collision::WettingTouch& t : wetting) {
-      if (t.vertex - strand.first < strand.count() && !removed[t.slot] &&
+      if (t.vertex - range.first < range.count() && !removed[t.slot] &&
           !fluids.get(fluids.id(group[t.slot])).grain.is_grain)
         own.push_back(t);
     }
@@ -95,7 +95,7 @@ uint32_t World::Impl::take_up(std::span<const collision::WettingTouch> wetting, 
                    ClothWater(entry, particle_mass(fluid), held_vertices(cloths.id(index))),
                    {}});
     for (const collision::WettingTouch& t : own) {
-      if (group[t.slot] != fluid.index || !wet.back().water.take(t.vertex - strand.first, at[t.slot]))
+      if (group[t.slot] != fluid.index || !wet.back().water.take(t.vertex - range.first, at[t.slot]))
         continue;
       entry.soaked_with = fluid;
       removed[t.slot] = true;
@@ -120,7 +120,7 @@ uint32_t World::Impl::drip(Vec3 down, std::vector<WetPiece>& wet) {
     const float below = 1.6f * std::max(def.contact_radius * def.particle_spacing, 0.5f * entry.thickness);
     piece.dripping.resize(std::min(piece.dripping.size(), planned_drips - places.size()));
     for (const uint32_t v : piece.dripping) {
-      const Vec3 to = entry.strand.state.positions[v] + below * down;
+      const Vec3 to = entry.range.state.positions[v] + below * down;
       places.push_back({to, to, {0, 0, 0}, fluids.get(piece.fluid).filter, 0});
       free.push_back(to);
     }
@@ -144,10 +144,10 @@ uint32_t World::Impl::drip(Vec3 down, std::vector<WetPiece>& wet) {
   return static_cast<uint32_t>(drops.position.size());
 }
 
-void World::Impl::weigh(const Strand& strand) {
+void World::Impl::weigh(const VertexRange& range) {
   std::vector<float> weights;
-  for (const float mass : strand.masses) weights.push_back(1 / mass);
-  engine->weigh_vertices(strand.first, weights, strand.state.velocities);
+  for (const float mass : range.masses) weights.push_back(1 / mass);
+  engine->weigh_vertices(range.first, weights, range.state.velocities);
 }
 
 }  // namespace meniscus

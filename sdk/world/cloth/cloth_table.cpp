@@ -88,7 +88,7 @@ float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positi
 
 void build_constraints(ClothEntry& entry) {
   entry.constraints = cloth::build_constraints(entry.mesh, parameters(entry.def.fabric));
-  entry.strand.masses = entry.constraints.masses;
+  entry.range.masses = entry.constraints.masses;
   if (entry.def.fabric.absorbency > 0) entry.graph = make_graph(entry.mesh);
   entry.closed = cloth::is_closed(entry.mesh);
   entry.tethers.clear();
@@ -124,16 +124,16 @@ ClothEntry make_cloth(const ClothDef& def) {
                 "ClothDef::inflation needs a closed mesh; \"" + def.name + "\" has a border");
   }
   build_constraints(entry);
-  if (def.fabric.absorbency > 0) entry.water.resize(entry.strand.masses.size());
+  if (def.fabric.absorbency > 0) entry.water.resize(entry.range.masses.size());
   entry.thickness = def.fabric.thickness > 0 ? def.fabric.thickness : 0.25f * mean_edge(entry.mesh);
-  Strand& strand = entry.strand;
-  strand.filter = def.filter;
-  strand.contact_radius = 0.5f * entry.thickness;
+  VertexRange& range = entry.range;
+  range.filter = def.filter;
+  range.contact_radius = 0.5f * entry.thickness;
   for (Vec3 x : entry.mesh.vertices) {
     const Vec3 s = def.stretch;
-    strand.state.positions.push_back(to_world(def.pose, {s.x * x.x, s.y * x.y, s.z * x.z}));
+    range.state.positions.push_back(to_world(def.pose, {s.x * x.x, s.y * x.y, s.z * x.z}));
   }
-  strand.state.velocities.assign(strand.masses.size(), def.velocity);
+  range.state.velocities.assign(range.masses.size(), def.velocity);
   return entry;
 }
 
@@ -154,12 +154,12 @@ RopeEntry make_rope(const RopeDef& def) {
   p.straight_at_rest = def.straight_at_rest;
   entry.model = cloth::build_rod(points, p);
   for (const Quat& frame : entry.model.frames) entry.segments.push_back({frame, {0, 0, 0}, false});
-  Strand& strand = entry.strand;
-  strand.masses = entry.model.masses;
-  strand.filter = def.filter;
-  strand.contact_radius = def.radius;
-  strand.state.positions = std::move(points);
-  strand.state.velocities.assign(strand.masses.size(), def.velocity);
+  VertexRange& range = entry.range;
+  range.masses = entry.model.masses;
+  range.filter = def.filter;
+  range.contact_radius = def.radius;
+  range.state.positions = std::move(points);
+  range.state.velocities.assign(range.masses.size(), def.velocity);
   return entry;
 }
 

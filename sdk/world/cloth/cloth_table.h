@@ -22,7 +22,7 @@ struct VertexStates {
 };
 
 /// What cloth and ropes have in common. Vertices are numbered from `first` on among all of the world.
-struct Strand {
+struct VertexRange {
   VertexStates state;     ///< when it is not the device that has the latest
   uint32_t first = 0;     ///< since the last upload
   bool uploaded = false;  ///< then the device has the latest state
@@ -50,7 +50,7 @@ struct VertexGraph {
 
 struct ClothEntry {
   ClothDef def;
-  Strand strand;
+  VertexRange range;
   cloth::ClothMesh mesh;  ///< at rest
   cloth::ClothConstraints constraints;
   float thickness = 0;  ///< m
@@ -69,7 +69,7 @@ struct ClothEntry {
 
 struct RopeEntry {
   RopeDef def;
-  Strand strand;
+  VertexRange range;
   cloth::RodModel model;  ///< its vertices numbered from 0
   std::vector<cloth::SegmentState> segments;
   std::vector<Quat> frames;  ///< of the segments, when they were asked for

@@ -63,14 +63,14 @@ ClothWater::ClothWater(ClothEntry& entry, double particle_mass, std::vector<bool
       dry_(entry.constraints.masses),
       water_(entry.water),
       held_(std::move(held)),
-      open_(open_pores(entry.mesh, entry.strand.state.positions)),
+      open_(open_pores(entry.mesh, entry.range.state.positions)),
       momentum_(dry_.size()),
       way_(dry_.size(), infinite) {
   // Half as far again as the circle that a particle fills.
   reach_ = 1.5 * std::sqrt(particle_ / (M_PI * double{entry.def.fabric.absorbency})) +
            double{mean_edge(entry.mesh)};
   for (uint32_t v = 0; v < dry_.size(); ++v) {
-    const Vec3 u = entry.strand.state.velocities[v];
+    const Vec3 u = entry.range.state.velocities[v];
     if (!held_[v]) momentum_[v].add(mass(v), {double{u.x}, double{u.y}, double{u.z}});
   }
 }
@@ -142,7 +142,7 @@ void ClothWater::move(uint32_t from, uint32_t to, double amount) {
 }
 
 void ClothWater::run_down(Vec3 down, double dt) {
-  const std::vector<Vec3>& x = entry_.strand.state.positions;
+  const std::vector<Vec3>& x = entry_.range.state.positions;
   std::vector<double> flowing(water_.size());
   for (uint32_t v = 0; v < water_.size(); ++v) flowing[v] = surplus(v);
   for (uint32_t v = 0; v < water_.size(); ++v) {
@@ -168,7 +168,7 @@ void ClothWater::run_down(Vec3 down, double dt) {
 }
 
 std::vector<uint32_t> ClothWater::dripping(Vec3 down) {
-  const std::vector<Vec3>& x = entry_.strand.state.positions;
+  const std::vector<Vec3>& x = entry_.range.state.positions;
   std::vector<uint32_t> lowest;
   for (uint32_t v = 0; v < water_.size(); ++v) {
     if (surplus(v) == 0) continue;
@@ -198,11 +198,11 @@ std::optional<Vec3> ClothWater::drip(uint32_t vertex) {
 
 bool ClothWater::finish() {
   if (!changed_) return false;
-  Strand& strand = entry_.strand;
+  VertexRange& range = entry_.range;
   for (uint32_t v = 0; v < water_.size(); ++v) {
     const MomentumSum u = velocity(v);
-    strand.masses[v] = static_cast<float>(mass(v));
-    strand.state.velocities[v] = {static_cast<float>(u.x), static_cast<float>(u.y), static_cast<float>(u.z)};
+    range.masses[v] = static_cast<float>(mass(v));
+    range.state.velocities[v] = {static_cast<float>(u.x), static_cast<float>(u.y), static_cast<float>(u.z)};
   }
   entry_.wetness.clear();
   return true;
