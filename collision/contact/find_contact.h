@@ -10,7 +10,7 @@ namespace meniscus::collision {
 struct FoundContact {
   SurfaceSample surface;  ///< as seen from `at`
   Vec3 at;                ///< m
-  bool found;             ///< near enough to have images (fluid/kernel/images.h)
+  bool found;             ///< near enough to have images (fluid/kernel/mirror_ghosts.h)
 };
 
 MENISCUS_HD inline FoundContact no_contact() {

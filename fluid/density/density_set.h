@@ -34,7 +34,7 @@ struct DensityParameters {
 };
 
 /// The density constraint of Position Based Fluids, for every fluid particle: C_i = Σ_j V W(x_i − x_j) − 1 ≤
-/// 0, over neighbours and over the images of particles in the walls (fluid/kernel/images.h).
+/// 0, over neighbours and over the images of particles in the walls (fluid/kernel/mirror_ghosts.h).
 ///
 ///   D_i  = w_i |Σ e_ij|² + Σ w_j |e_ij|²,  e_ij = V |∇W| (x_i − x_j)/r
 ///   λ'_i = max(0, λ_i + step · (C_i − α̃ λ_i)/(D_i + α̃)),  Δλ = λ' − λ

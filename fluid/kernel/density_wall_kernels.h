@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: MIT
 //
 // The kernels of the density constraint, for particles that touch a wall: as in density_kernels.h, with
-// images.
+// mirror ghosts.
 #pragma once
 
 #include "fluid/kernel/density_kernels.h"
-#include "fluid/kernel/images.h"
+#include "fluid/kernel/mirror_ghosts.h"
 #include "pbd/contact_projection.h"
 
 namespace meniscus::fluid::density_kernels {
 
-/// What the bodies behind the mirrors add to D: where one gives way by δ along the normal, each image draws
-/// back by 2δ. Their inverse masses are split among their contacts, so that the bound on the spectrum of D⁻¹A
-/// stays.
+/// What the bodies behind the mirrors add to D: where one gives way by δ along the normal, each mirror ghost
+/// draws back by 2δ. Their inverse masses are split among their contacts, so that the bound on the spectrum
+/// of D⁻¹A stays.
 template <class Through>
-MENISCUS_HD float give_of_bodies(const ContactView& contacts, const Mirrors& mirrors, int n,
+MENISCUS_HD float give_of_bodies(const ContactView& contacts, const MirrorPlanes& mirrors, int n,
                                  const Through& through) {
   float give = 0;
   MENISCUS_UNROLL
@@ -27,16 +27,16 @@ MENISCUS_HD float give_of_bodies(const ContactView& contacts, const Mirrors& mir
   return give;
 }
 
-/// D counts what each particle's own motion does to C, through its images as well: where i nears the wall, so
-/// does its image.
+/// D counts what each particle's own motion does to C, through its mirror ghosts as well: where i nears the
+/// wall, so does its mirror ghost.
 template <class D, int n, bool any_moving>
 MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
                                                const NeighbourView& neighbours, const ContactView& contacts,
-                                               const Mirrors& mirrors, uint32_t i) {
+                                               const MirrorPlanes& mirrors, uint32_t i) {
   using Real = typename D::Real;
   const Vec4 self = position[i];
   const Vec3 x = self.xyz();
-  ImageSums<Real, n, false> sums;
+  GhostSums<Real, n, false> sums;
   Real weight(0.0f), gradient2(0.0f);
   const auto term = [&](const Real& share, const Real& r2) {
     const Real t = Real(kernel.inverse_h2) * r2, inverse_root = inverse_sqrt(t);
@@ -50,13 +50,13 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
     const Real r2 = dot(d, d) + Real(tiny_distance2);
     PairTerms<Real, n, false> terms;
     terms.total = term(Real(1.0f), r2);
-    terms.add_images(mirrors, distances, r2, term);
+    terms.add_ghosts(mirrors, distances, r2, term);
     sums.add(mirrors, distances, d, terms);
     const Vec3Of<Real> pull = terms.seen_by_other(mirrors, d);
     gradient2 += other.w * dot(pull, pull);
   });
   float own_weight = 0;
-  const auto own = own_images<n, false>(mirrors, [&](float share, float r2) {
+  const auto own = self_ghosts<n, false>(mirrors, [&](float share, float r2) {
     const float t = kernel.inverse_h2 * r2, inverse_root = inverse_sqrt(t);
     own_weight += share * Kernel::weight_shape(t);
     return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
@@ -77,12 +77,12 @@ template <class D, bool any_moving>
 MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<const Vec4> position,
                                                    const NeighbourView& neighbours,
                                                    const ContactView& contacts, uint32_t i) {
-  const Mirrors mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
+  const MirrorPlanes mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
   if (mirrors.count <= 1) {
     return constraint_with_mirrors<D, 1, any_moving>(kernel, position, neighbours, contacts, mirrors, i);
   }
-  return constraint_with_mirrors<D, Mirrors::most, any_moving>(kernel, position, neighbours, contacts,
-                                                               mirrors, i);
+  return constraint_with_mirrors<D, MirrorPlanes::most, any_moving>(kernel, position, neighbours, contacts,
+                                                                    mirrors, i);
 }
 
 template <bool any_moving, bool with_grains>
@@ -103,8 +103,8 @@ struct AdvanceAtWalls {
   }
 };
 
-/// With `any_moving`, all that the images push with is noted in the contacts; else what goes through the
-/// walls alone. What is along a fixed one comes to nothing, and takes registers.
+/// With `any_moving`, all that the mirror ghosts push with is noted in the contacts; else what goes through
+/// the walls alone. What is along a fixed one comes to nothing, and takes registers.
 template <bool with_pair_pressure, bool any_moving>
 struct CorrectAtWalls {
   Kernel kernel;
@@ -118,32 +118,32 @@ struct CorrectAtWalls {
   MENISCUS_HD void run(uint32_t k) const {
     const uint32_t i = walls.contacts.touching_particle(k);
     if (i == pbd::no_index) return;
-    const Mirrors mirrors = mirrors_at(walls.contacts, i, staged[i].xyz(), kernel.h);
-    mirrors.count <= 1 ? correct<D, 1>(i, mirrors) : correct<D, Mirrors::most>(i, mirrors);
+    const MirrorPlanes mirrors = mirrors_at(walls.contacts, i, staged[i].xyz(), kernel.h);
+    mirrors.count <= 1 ? correct<D, 1>(i, mirrors) : correct<D, MirrorPlanes::most>(i, mirrors);
   }
 
   template <class D, int n>
-  MENISCUS_HD void correct(uint32_t i, const Mirrors& mirrors) const {
+  MENISCUS_HD void correct(uint32_t i, const MirrorPlanes& mirrors) const {
     using Real = typename D::Real;
     const Vec4 self = staged[i];
     const Vec3 x = self.xyz();
     const Real pull(kernel.peak_pull);
-    ImageSums<Real, n, any_moving> pushes;
+    GhostSums<Real, n, any_moving> pushes;
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
       const MirrorDistances<Real, n> distances(mirrors, other.xyz());
       const Vec3Of<Real> d = x - other.xyz();
       const Real r2 = dot(d, d) + Real(tiny_distance2), multiplier = Real(self.w) + other.w;
-      const auto term = [&](const Real& share, const Real& image_r2) {
+      const auto term = [&](const Real& share, const Real& ghost_r2) {
         return pull * share *
-               push_shape<with_pair_pressure>(pair, Real(kernel.inverse_h2) * image_r2, multiplier);
+               push_shape<with_pair_pressure>(pair, Real(kernel.inverse_h2) * ghost_r2, multiplier);
       };
       PairTerms<Real, n, any_moving> terms;
       terms.total = term(Real(1.0f), r2);
-      terms.add_images(mirrors, distances, r2, term);
+      terms.add_ghosts(mirrors, distances, r2, term);
       pushes.add(mirrors, distances, d, terms);
     });
-    const auto own = own_images<n, any_moving>(mirrors, [&](float share, float r2) {
+    const auto own = self_ghosts<n, any_moving>(mirrors, [&](float share, float r2) {
       return kernel.peak_pull * share *
              push_shape<with_pair_pressure>(pair, kernel.inverse_h2 * r2, 2 * self.w);
     });
@@ -158,11 +158,11 @@ struct CorrectAtWalls {
     walls.moved[i] = moved;
   }
 
-  /// The solids get back what their images push a particle with: each what its own mirror makes, and the
-  /// first what little of images of images is left over.
+  /// The solids get back what their mirror ghosts push a particle with: each what its own mirror makes, and
+  /// the first what little of mirror ghosts of mirror ghosts is left over.
   template <int n>
-  MENISCUS_HD void note_pushes(const Mirrors& mirrors, const ImageSums<float, n, any_moving>& others,
-                               const ImageSums<float, n, any_moving>& own) const {
+  MENISCUS_HD void note_pushes(const MirrorPlanes& mirrors, const GhostSums<float, n, any_moving>& others,
+                               const GhostSums<float, n, any_moving>& own) const {
     Vec3 rest = others.vector(mirrors) - sum(others.along) + own.vector(mirrors) - sum(own.along);
     MENISCUS_UNROLL
     for (int k = n - 1; k >= 0; --k) {

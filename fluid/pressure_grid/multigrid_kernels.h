@@ -274,7 +274,7 @@ struct Sum {
 
 /// What the iteration has found and where it goes next.
 struct Search {
-  View<float> solution, direction, image;
+  View<float> solution, direction, ghost;
   View<double> products;  ///< r·z now and before, in turns; p·A p
   uint32_t now, before;
 
@@ -301,17 +301,17 @@ struct ApplyToDirection {
 
   MENISCUS_HD double operator()(uint32_t node) const {
     const Coefficients own = level.coefficients[node];
-    float image = 0;
+    float ghost = 0;
     if (own.w > 0) {
       float pull = 0;
       level.for_each_beside(level.table.coordinates(node), own,
                             [&](const NodeCoordinates&, uint32_t beside, float face) {
                               pull += face * search.direction[beside];
                             });
-      image = own.w * search.direction[node] - pull;
+      ghost = own.w * search.direction[node] - pull;
     }
-    search.image[node] = image;
-    return double{search.direction[node]} * double{image};
+    search.ghost[node] = ghost;
+    return double{search.direction[node]} * double{ghost};
   }
 };
 
@@ -324,7 +324,7 @@ struct StepAlong {
     const double curvature = search.products[Search::curvature];
     const float step = curvature > 0 ? static_cast<float>(search.products[search.now] / curvature) : 0.0f;
     search.solution[node] = (first ? 0 : search.solution[node]) + step * search.direction[node];
-    level.right[node] -= step * search.image[node];
+    level.right[node] -= step * search.ghost[node];
   }
 };
 

@@ -48,8 +48,8 @@ class DensityReference {
     std::vector<Double3> next = positions;
     for (size_t i = 0; i < positions.size(); ++i) {
       multipliers[i] += change[i];
-      for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t image) {
-        if (image == 0 && j == i) return;
+      for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t ghost) {
+        if (ghost == 0 && j == i) return;
         const double push = inverse_masses_[i] * (change[i] + change[j]) * slope(r) / r;
         for (int k = 0; k < 3; ++k) next[i][k] += push * d[k];
       });
@@ -65,9 +65,9 @@ class DensityReference {
   /// moves, moves its images too.
   double multiplier_change(size_t i) const {
     std::vector<Double3> gradient(positions.size());
-    for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t image) {
-      if (image == 0 && j == i) return;
-      const Double3 seen = turned(d, image);
+    for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t ghost) {
+      if (ghost == 0 && j == i) return;
+      const Double3 seen = turned(d, ghost);
       for (int k = 0; k < 3; ++k) {
         gradient[i][k] += slope(r) / r * d[k];
         gradient[j][k] -= slope(r) / r * seen[k];
@@ -98,19 +98,19 @@ class DensityReference {
   /// every choice of walls that are at right angles. Who is near whom is settled before the first iteration.
   template <class Visit>
   void for_each_pair(size_t i, const Visit& visit) const {
-    for (size_t image = 0; image < (size_t{1} << planes_.size()); ++image) {
-      if (!near_walls(i, image)) continue;
+    for (size_t ghost = 0; ghost < (size_t{1} << planes_.size()); ++ghost) {
+      if (!near_walls(i, ghost)) continue;
       for (size_t j = 0; j < positions.size(); ++j) {
         if (norm(difference(start_[i], start_[j])) >= setup_.support_radius) continue;
-        const Double3 d = difference(positions[i], reflected(positions[j], image));
-        visit(j, d, norm(d), image);
+        const Double3 d = difference(positions[i], reflected(positions[j], ghost));
+        visit(j, d, norm(d), ghost);
       }
     }
   }
 
-  bool near_walls(size_t i, size_t image) const {
+  bool near_walls(size_t i, size_t ghost) const {
     for (size_t p = 0; p < planes_.size(); ++p) {
-      if ((image >> p & 1) && height(planes_[p], start_[i]) >= setup_.support_radius) return false;
+      if ((ghost >> p & 1) && height(planes_[p], start_[i]) >= setup_.support_radius) return false;
     }
     return true;
   }
@@ -123,18 +123,18 @@ class DensityReference {
   }
 
   /// A direction, as the image sees it.
-  Double3 turned(Double3 d, size_t image) const {
+  Double3 turned(Double3 d, size_t ghost) const {
     for (size_t p = 0; p < planes_.size(); ++p) {
-      if (!(image >> p & 1)) continue;
+      if (!(ghost >> p & 1)) continue;
       const double twice = 2 * dot(planes_[p].normal, d);
       for (int k = 0; k < 3; ++k) d[k] -= twice * planes_[p].normal[k];
     }
     return d;
   }
 
-  Double3 reflected(Double3 x, size_t image) const {
+  Double3 reflected(Double3 x, size_t ghost) const {
     for (size_t p = 0; p < planes_.size(); ++p) {
-      if (!(image >> p & 1)) continue;
+      if (!(ghost >> p & 1)) continue;
       const double twice = 2 * height(planes_[p], x);
       for (int k = 0; k < 3; ++k) x[k] -= twice * planes_[p].normal[k];
     }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float s = 0.05f;
 
-class ImagesTest : public OnDevice {
+class MirrorGhostsTest : public OnDevice {
  protected:
   struct Found {
     std::vector<Vec3> positions;
@@ -36,7 +36,7 @@ class ImagesTest : public OnDevice {
   static bool is_inner(float x) { return x < 0.5f - 0.001f; }
 };
 
-TEST_P(ImagesTest, AHalfLatticeAtAWallIsAtItsRestDensity) {
+TEST_P(MirrorGhostsTest, AHalfLatticeAtAWallIsAtItsRestDensity) {
   const Found f = measured({wall({1, 0, 0})});
   int seen = 0;
   for (size_t i = 0; i < f.positions.size(); ++i) {
@@ -48,7 +48,7 @@ TEST_P(ImagesTest, AHalfLatticeAtAWallIsAtItsRestDensity) {
   EXPECT_GT(seen, 500);
 }
 
-TEST_P(ImagesTest, SoItIsInAnEdgeAndInACorner) {
+TEST_P(MirrorGhostsTest, SoItIsInAnEdgeAndInACorner) {
   const Found f = measured({wall({1, 0, 0}), wall({0, 1, 0}), wall({0, 0, 1})});
   for (size_t i = 0; i < f.positions.size(); ++i) {
     const Vec3 p = f.positions[i];
@@ -58,12 +58,12 @@ TEST_P(ImagesTest, SoItIsInAnEdgeAndInACorner) {
   }
 }
 
-TEST_P(ImagesTest, AContainerFilledToItsWallsIsAtItsRestDensity) {
+TEST_P(MirrorGhostsTest, AContainerFilledToItsWallsIsAtItsRestDensity) {
   const Found f = measured({tank({0, 0, 0}, {0.6f, 0.6f, 0.6f})});
   for (size_t i = 0; i < f.positions.size(); ++i) EXPECT_NEAR(f.errors[i], 0, 5e-6);
 }
 
-TEST_P(ImagesTest, ATurnedContainerToo) {
+TEST_P(MirrorGhostsTest, ATurnedContainerToo) {
   ShapeDef container = tank({-0.3f, -0.3f, -0.3f}, {0.3f, 0.3f, 0.3f});
   container.pose.position = {0.7f, -0.4f, 0.2f};
   container.pose.rotation = about_z(31);
@@ -75,7 +75,7 @@ TEST_P(ImagesTest, ATurnedContainerToo) {
   for (float error : world.density_errors()) EXPECT_NEAR(error, 0, 2e-5);
 }
 
-TEST_P(ImagesTest, TwoSolidsThatMakeUpOneFloorCountOnce) {
+TEST_P(MirrorGhostsTest, TwoSolidsThatMakeUpOneFloorCountOnce) {
   const Found one = measured({wall({0, 1, 0})});
   const Found two = measured({shape(BoxGeometry{{1, 0.5f, 1}}, {-0.7f, -0.5f, 0}),
                               shape(BoxGeometry{{1, 0.5f, 1}}, {1.3f, -0.5f, 0})});
@@ -86,7 +86,7 @@ TEST_P(ImagesTest, TwoSolidsThatMakeUpOneFloorCountOnce) {
   }
 }
 
-TEST_P(ImagesTest, WithoutWallsTheSurfaceLacksDensity) {
+TEST_P(MirrorGhostsTest, WithoutWallsTheSurfaceLacksDensity) {
   const Found f = measured({});
   for (size_t i = 0; i < f.positions.size(); ++i) {
     if (f.positions[i].x < s) {
@@ -95,7 +95,7 @@ TEST_P(ImagesTest, WithoutWallsTheSurfaceLacksDensity) {
   }
 }
 
-MENISCUS_ON_EACH_DEVICE(ImagesTest);
+MENISCUS_ON_EACH_DEVICE(MirrorGhostsTest);
 
 }  // namespace
 }  // namespace meniscus::tests

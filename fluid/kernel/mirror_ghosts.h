@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: MIT
 //
 // Walls by the method of images. Beside a wall a particle lacks the neighbours behind it. The wall gives it
-// the mirror images of those in front, and of itself, with the multipliers of the originals: density, the
+// the mirror ghosts of those in front, and of itself, with the multipliers of the originals: density, the
 // push of a constant pressure and the pressure differences along the wall are then what they are in the
 // middle of the fluid. The more usual integral of the kernel over the solid gives the first alone. Without
 // the last, the layer at a wall weighs more than the pressure bears, and a vessel at rest stirs itself: down
 // along the walls, up in the middle.
 //
-// The image of j is farther from i than j is, so the neighbour list holds every image that counts. What i and
-// j get through a plane wall is opposite along it, and adds up away from it: the wall feels the pressure, and
-// no drag. Where walls meet there are images of images, exact for walls at right angles.
+// The mirror ghost of j is farther from i than j is, so the neighbour list holds every mirror ghost that
+// counts. What i and j get through a plane wall is opposite along it, and adds up away from it: the wall
+// feels the pressure, and no drag. Where walls meet there are mirror ghosts of mirror ghosts, exact for walls
+// at right angles.
 //
 // With d the distances from mirror n,
 //   x_i − x_j' = x_i − x_j + 2 d_j n,   |x_i − x_j'|² = |x_i − x_j|² + 4 d_i d_j,
-// and so on for images of images: an image costs a few operations, and a pair sees the same from both sides.
+// and so on for mirror ghosts of mirror ghosts: an mirror ghost costs a few operations, and a pair sees the
+// same from both sides.
 #pragma once
 
 #include "fluid/kernel/kernel.h"
@@ -24,9 +26,9 @@
 namespace meniscus::fluid {
 
 /// The mirrors near one particle: at most the three nearest.
-struct Mirrors {
+struct MirrorPlanes {
   static constexpr int most = 3;
-  static constexpr int most_images = 1 << most;  ///< the thing itself, number 0, counted in
+  static constexpr int most_ghosts = 1 << most;  ///< the thing itself, number 0, counted in
 
   int count = 0;
   uint32_t contact[most];
@@ -34,17 +36,17 @@ struct Mirrors {
   float offset[most];        ///< m: the plane is normal · x = offset
   float distance[most];      ///< m, of the particle; 0 if it has sunk in
   float weight[most];        ///< how much of a half-space is behind it
-  float share[most_images];  ///< how much each image counts
+  float share[most_ghosts];  ///< how much each mirror ghost counts
   float slack;               ///< m: what has sunk in no deeper counts as on the surface
 
   /// Images are numbered 1 to image_count(): bit k says that mirror k takes part.
-  MENISCUS_HD int image_count() const { return (1 << count) - 1; }
+  MENISCUS_HD int ghost_count() const { return (1 << count) - 1; }
 };
 
 // What follows is for at most n mirrors: most particles at walls have one, and one alone needs no tests.
 
 template <int n>
-MENISCUS_HD bool is_used(const Mirrors& m, int k) {
+MENISCUS_HD bool is_used(const MirrorPlanes& m, int k) {
   return n == 1 || k < m.count;
 }
 
@@ -52,10 +54,10 @@ MENISCUS_HD bool is_used(const Mirrors& m, int k) {
 template <class R, int n>
 struct MirrorDistances {
   R distance[n];
-  R present[n];  ///< 0 for what is behind the mirror, and has no image in it
+  R present[n];  ///< 0 for what is behind the mirror, and has no mirror ghost in it
 
   MirrorDistances() = default;
-  MENISCUS_HD MirrorDistances(const Mirrors& m, const pbd::Vec3Of<R>& x) {
+  MENISCUS_HD MirrorDistances(const MirrorPlanes& m, const pbd::Vec3Of<R>& x) {
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
       if (!is_used<n>(m, k)) break;
@@ -66,12 +68,12 @@ struct MirrorDistances {
   }
 };
 
-/// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and images. With `apart` the
-/// images of different mirrors are told apart.
+/// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and mirror ghosts. With `apart`
+/// the mirror ghosts of different mirrors are told apart.
 template <class R, int n, bool apart>
 struct PairTerms {
-  R total{0.0f};   ///< of j; unless apart, and of its images
-  R by_first[n];   ///< if apart: of its images, by the first mirror that makes each
+  R total{0.0f};   ///< of j; unless apart, and of its mirror ghosts
+  R by_first[n];   ///< if apart: of its mirror ghosts, by the first mirror that makes each
   R by_mirror[n];  ///< of those that mirror k makes, alone or with others
 
   MENISCUS_HD PairTerms() {
@@ -79,33 +81,34 @@ struct PairTerms {
     for (int k = 0; k < n; ++k) by_first[k] = by_mirror[k] = R(0.0f);
   }
 
-  /// Adds those of the images; `coefficient(share, r²)` gives each. j: distances of the pair's other end.
+  /// Adds those of the mirror ghosts; `coefficient(share, r²)` gives each. j: distances of the pair's other
+  /// end.
   template <class Coefficient>
-  MENISCUS_HD void add_images(const Mirrors& m, const MirrorDistances<R, n>& j, const R& r2,
+  MENISCUS_HD void add_ghosts(const MirrorPlanes& m, const MirrorDistances<R, n>& j, const R& r2,
                               const Coefficient& coefficient) {
     MENISCUS_UNROLL
-    for (int image = 1; image < 1 << n; ++image) {
-      if (n > 1 && image > m.image_count()) break;
-      R share(m.share[image]), image_r2 = r2;
+    for (int ghost = 1; ghost < 1 << n; ++ghost) {
+      if (n > 1 && ghost > m.ghost_count()) break;
+      R share(m.share[ghost]), ghost_r2 = r2;
       MENISCUS_UNROLL
       for (int k = 0; k < n; ++k) {
-        if (!(image >> k & 1)) continue;
+        if (!(ghost >> k & 1)) continue;
         share = share * j.present[k];
-        image_r2 += R(4 * m.distance[k]) * j.distance[k];
+        ghost_r2 += R(4 * m.distance[k]) * j.distance[k];
       }
-      const R c = coefficient(share, image_r2);
+      const R c = coefficient(share, ghost_r2);
       if constexpr (!apart) total += c;
       MENISCUS_UNROLL
       for (int k = 0; k < n; ++k) {
-        if (!(image >> k & 1)) continue;
+        if (!(ghost >> k & 1)) continue;
         by_mirror[k] += c;
-        if constexpr (apart) by_first[k] += (image & ((1 << k) - 1)) == 0 ? c : R(0.0f);
+        if constexpr (apart) by_first[k] += (ghost & ((1 << k) - 1)) == 0 ? c : R(0.0f);
       }
     }
   }
 
-  /// Σ c (x_i' − x_j): as j sees it, with the images of i.
-  MENISCUS_HD pbd::Vec3Of<R> seen_by_other(const Mirrors& m, const pbd::Vec3Of<R>& d) const {
+  /// Σ c (x_i' − x_j): as j sees it, with the mirror ghosts of i.
+  MENISCUS_HD pbd::Vec3Of<R> seen_by_other(const MirrorPlanes& m, const pbd::Vec3Of<R>& d) const {
     static_assert(!apart);
     pbd::Vec3Of<R> v = total * d;
     MENISCUS_UNROLL
@@ -118,40 +121,40 @@ struct PairTerms {
   }
 };
 
-/// Σ c (x_i − x_j) over neighbours and images.
+/// Σ c (x_i − x_j) over neighbours and mirror ghosts.
 template <class R, int n, bool apart>
-struct ImageSums {
+struct GhostSums {
   using Terms = PairTerms<R, n, apart>;
 
   pbd::Vec3Of<R> along{R(0.0f), R(0.0f),
-                       R(0.0f)};  // Σ c (x_i − x_j): of neighbours if apart, else of images too
-  pbd::Vec3Of<R> to_images[n];    // if apart: the same of images, by their first mirror
-  R lift[n];                      // Σ c d_j over the images that mirror k makes
+                       R(0.0f)};  // Σ c (x_i − x_j): of neighbours if apart, else of mirror ghosts too
+  pbd::Vec3Of<R> to_ghosts[n];    // if apart: the same of mirror ghosts, by their first mirror
+  R lift[n];                      // Σ c d_j over the mirror ghosts that mirror k makes
   R weight[n];                    // Σ c
 
-  MENISCUS_HD ImageSums() {
+  MENISCUS_HD GhostSums() {
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
       lift[k] = weight[k] = R(0.0f);
-      to_images[k] = {R(0.0f), R(0.0f), R(0.0f)};
+      to_ghosts[k] = {R(0.0f), R(0.0f), R(0.0f)};
     }
   }
 
-  MENISCUS_HD void add(const Mirrors& m, const MirrorDistances<R, n>& j, const pbd::Vec3Of<R>& d,
+  MENISCUS_HD void add(const MirrorPlanes& m, const MirrorDistances<R, n>& j, const pbd::Vec3Of<R>& d,
                        const Terms& terms) {
     along += terms.total * d;
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
       if (!is_used<n>(m, k)) break;
-      if constexpr (apart) to_images[k] += terms.by_first[k] * d;
+      if constexpr (apart) to_ghosts[k] += terms.by_first[k] * d;
       lift[k] += terms.by_mirror[k] * j.distance[k];
       weight[k] += terms.by_mirror[k];
     }
   }
 
   /// The lanes' sums in one.
-  MENISCUS_HD ImageSums<float, n, apart> in_one(const Mirrors& m) const {
-    ImageSums<float, n, apart> one;
+  MENISCUS_HD GhostSums<float, n, apart> in_one(const MirrorPlanes& m) const {
+    GhostSums<float, n, apart> one;
     const auto vector_sum = [](const pbd::Vec3Of<R>& v) {
       const Vec3 total = sum(v);
       return pbd::Vec3Of<float>{total.x, total.y, total.z};
@@ -160,71 +163,71 @@ struct ImageSums {
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
       if (!is_used<n>(m, k)) break;
-      if constexpr (apart) one.to_images[k] = vector_sum(to_images[k]);
+      if constexpr (apart) one.to_ghosts[k] = vector_sum(to_ghosts[k]);
       one.lift[k] = sum(lift[k]);
       one.weight[k] = sum(weight[k]);
     }
     return one;
   }
 
-  /// How much of the images' vector mirror k makes, along its normal.
-  MENISCUS_HD float through(const Mirrors& m, int k) const {
+  /// How much of the mirror ghosts' vector mirror k makes, along its normal.
+  MENISCUS_HD float through(const MirrorPlanes& m, int k) const {
     return m.distance[k] * sum(weight[k]) + sum(lift[k]);
   }
 
-  /// If apart: what the images of mirror k push along it.
-  MENISCUS_HD Vec3 along_mirror(const Mirrors& m, int k) const {
-    const Vec3 to = sum(to_images[k]);
+  /// If apart: what the mirror ghosts of mirror k push along it.
+  MENISCUS_HD Vec3 along_mirror(const MirrorPlanes& m, int k) const {
+    const Vec3 to = sum(to_ghosts[k]);
     return to - dot(to, m.normal[k]) * m.normal[k];
   }
 
-  /// Of neighbours and images.
-  MENISCUS_HD Vec3 vector(const Mirrors& m) const {
+  /// Of neighbours and mirror ghosts.
+  MENISCUS_HD Vec3 vector(const MirrorPlanes& m) const {
     Vec3 v = sum(along);
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) {
       if (!is_used<n>(m, k)) break;
       v += (2 * sum(lift[k])) * m.normal[k];
-      if constexpr (apart) v += sum(to_images[k]);
+      if constexpr (apart) v += sum(to_ghosts[k]);
     }
     return v;
   }
 };
 
-/// Mirrors at right angles make an image of an image; parallel ones do not.
-MENISCUS_HD inline float share_of_image(const Mirrors& m, int image) {
+/// Mirrors at right angles make an mirror ghost of an mirror ghost; parallel ones do not.
+MENISCUS_HD inline float fraction_of_ghost(const MirrorPlanes& m, int ghost) {
   float share = 1;
   MENISCUS_UNROLL
-  for (int k = 0; k < Mirrors::most; ++k) {
-    if (!(image >> k & 1)) continue;
+  for (int k = 0; k < MirrorPlanes::most; ++k) {
+    if (!(ghost >> k & 1)) continue;
     share *= m.weight[k];
     MENISCUS_UNROLL
     for (int l = 0; l < k; ++l) {
-      if (image >> l & 1) share *= 1 - fabsf(dot(m.normal[k], m.normal[l]));
+      if (ghost >> l & 1) share *= 1 - fabsf(dot(m.normal[k], m.normal[l]));
     }
   }
   return share;
 }
 
 /// Which mirror a contact at distance d takes the place of: a free one, or the farthest if that is farther.
-MENISCUS_HD inline int place_for(const Mirrors& m, float d) {
-  if (m.count < Mirrors::most) return m.count;
+MENISCUS_HD inline int place_for(const MirrorPlanes& m, float d) {
+  if (m.count < MirrorPlanes::most) return m.count;
   int at = 0;
   float farthest = m.distance[0];
   MENISCUS_UNROLL
-  for (int k = 1; k < Mirrors::most; ++k) {
+  for (int k = 1; k < MirrorPlanes::most; ++k) {
     if (m.distance[k] > farthest) {
       at = k;
       farthest = m.distance[k];
     }
   }
-  return farthest > d ? at : Mirrors::most;
+  return farthest > d ? at : MirrorPlanes::most;
 }
 
 /// The mirrors that the contacts of particle i at x make. Loops are unrolled, so that a GPU keeps them in
 /// registers.
-MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
-  Mirrors m{};
+MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
+  MirrorPlanes m{};
   m.slack = 0.25f * h;
   for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c) {
     const pbd::Contact& contact = contacts.contacts[c];
@@ -232,7 +235,7 @@ MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t
     if (d >= h || contact.fraction == 0) continue;
     const int at = place_for(m, d);
     MENISCUS_UNROLL
-    for (int k = 0; k < Mirrors::most; ++k) {
+    for (int k = 0; k < MirrorPlanes::most; ++k) {
       if (k != at) continue;
       m.distance[k] = d;
       m.contact[k] = c;
@@ -240,27 +243,27 @@ MENISCUS_HD inline Mirrors mirrors_at(const pbd::ContactView& contacts, uint32_t
       m.offset[k] = dot(contact.normal, contact.point);
       m.weight[k] = contact.fraction;
     }
-    m.count = m.count < at + 1 && at < Mirrors::most ? at + 1 : m.count;
+    m.count = m.count < at + 1 && at < MirrorPlanes::most ? at + 1 : m.count;
   }
   MENISCUS_UNROLL
-  for (int k = 1; k < Mirrors::most; ++k) {  // two solids that make up one wall share it
+  for (int k = 1; k < MirrorPlanes::most; ++k) {  // two solids that make up one wall share it
     MENISCUS_UNROLL
     for (int l = 0; l < k; ++l) {
       if (dot(m.normal[k], m.normal[l]) > 0.9f) m.weight[k] = pbd::min(m.weight[k], 1 - m.weight[l]);
     }
   }
   MENISCUS_UNROLL
-  for (int k = 0; k < Mirrors::most; ++k) m.distance[k] = pbd::max(m.distance[k], 0.0f);
+  for (int k = 0; k < MirrorPlanes::most; ++k) m.distance[k] = pbd::max(m.distance[k], 0.0f);
   MENISCUS_UNROLL
-  for (int image = 1; image < Mirrors::most_images; ++image) {
-    m.share[image] = image <= m.image_count() ? share_of_image(m, image) : 0;
+  for (int ghost = 1; ghost < MirrorPlanes::most_ghosts; ++ghost) {
+    m.share[ghost] = ghost <= m.ghost_count() ? fraction_of_ghost(m, ghost) : 0;
   }
   return m;
 }
 
-/// The sums over the images of the particle itself.
+/// The sums over the mirror ghosts of the particle itself.
 template <int n, bool apart, class Coefficient>
-MENISCUS_HD ImageSums<float, n, apart> own_images(const Mirrors& m, const Coefficient& coefficient) {
+MENISCUS_HD GhostSums<float, n, apart> self_ghosts(const MirrorPlanes& m, const Coefficient& coefficient) {
   MirrorDistances<float, n> self;
   MENISCUS_UNROLL
   for (int k = 0; k < n; ++k) {
@@ -268,8 +271,8 @@ MENISCUS_HD ImageSums<float, n, apart> own_images(const Mirrors& m, const Coeffi
     self.present[k] = 1;
   }
   PairTerms<float, n, apart> terms;
-  terms.add_images(m, self, float{tiny_distance2}, coefficient);
-  ImageSums<float, n, apart> sums;
+  terms.add_ghosts(m, self, float{tiny_distance2}, coefficient);
+  GhostSums<float, n, apart> sums;
   sums.add(m, self, {0, 0, 0}, terms);
   return sums;
 }
