@@ -248,7 +248,7 @@ class SolveChainsAtOnce {
     Real error = l - rest;
     const auto was = [&] { return square_root(dot(then, then)); };
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
-                                            Real(opening_rate / s_.all.inverse_dt), was);
+                                            Real(recovery_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
     const Real before = kept_ * (s_.takes_over ? chains_.if_edge(k, along(multiplier.xyz(), n)) : last);
     Real rate = dot(n, d - then);

@@ -10,10 +10,10 @@ namespace meniscus::cloth {
 /// 1/s: what has been pressed together opens by about this share of its length. Fabric that is pressed
 /// buckles, in folds that a mesh may be too coarse for; were its edges to regain their lengths within a
 /// substep, crumpled cloth would burst apart.
-inline constexpr float opening_rate = 10;
+inline constexpr float recovery_rate = 10;
 
 /// 1/s: the same for an edge that shears (SolveEdge), which buckling does not shorten before it has sheared.
-inline constexpr float shear_opening_rate = 40;
+inline constexpr float shear_recovery_rate = 40;
 
 /// 1/kg: what an edge with this compliance (m/N) yields with that is `error` (m) longer than at rest. What
 /// was pressed together as the substep began, when it had the length that was() returns, becomes as soft as

@@ -81,8 +81,8 @@ struct SolveEdge {
     const auto was = [&] { return vertices.previous(to) - vertices.previous(from); };
     const Real l = square_root(dot(d, d)), c = l - rest;
     const Real shearing = shearing_by_lane<D>(vertices, from);
-    const Real opens = select_less(zero, shearing, Real(shear_opening_rate / vertices.inverse_dt()),
-                                   Real(opening_rate / vertices.inverse_dt()));
+    const Real opens = select_less(zero, shearing, Real(shear_recovery_rate / vertices.inverse_dt()),
+                                   Real(recovery_rate / vertices.inverse_dt()));
     const Real compliance =
         edge_compliance(items.constants.w, rest, c, weight, vertices.inverse_dt(), opens, [&] {
           const Vector then = was();
