@@ -4,7 +4,7 @@
 // How the pressure that the grid has found moves faces, and faces move particles.
 #pragma once
 
-#include "fluid/pressure_grid/vessel_kernels.h"
+#include "fluid/pressure_grid/sealed_component_kernels.h"
 
 namespace meniscus::fluid::grid_kernels {
 

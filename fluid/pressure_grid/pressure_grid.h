@@ -5,7 +5,7 @@
 #include "fluid/pressure_grid/excess_kernels.h"
 #include "fluid/pressure_grid/load_kernels.h"
 #include "fluid/pressure_grid/multigrid.h"
-#include "fluid/pressure_grid/vessels.h"
+#include "fluid/pressure_grid/sealed_components.h"
 #include "pbd/substep.h"
 
 namespace meniscus::fluid {
@@ -55,7 +55,7 @@ class PressureGrid {
   D& device_;
   Kernel kernel_;
   Multigrid<D> multigrid_;
-  PressureGridVessels<D> vessels_{device_};
+  SealedComponents<D> components_{device_};
   grid_kernels::Space space_;
 
   pbd::Buffer<grid_kernels::Found> found_{device_, "density excess"};

@@ -32,7 +32,7 @@ void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
   fit(substep.grid);
   find_excess(substep, last);
   gather(substep, compressibility);
-  vessels_.level(space_.nodes, flags_.view(), multigrid_.finest(), filled_.view(), kernel_.volume);
+  components_.level(space_.nodes, flags_.view(), multigrid_.finest(), filled_.view(), kernel_.volume);
   multigrid_.solve(grid_tuning::iterations);
   move(substep);
 }
@@ -52,7 +52,7 @@ void PressureGrid<D>::fit(const pbd::GridView& cells) {
   faces_.resize_discard(count);
   load_.resize_discard(count);
   motion_.resize_discard(count);
-  vessels_.reserve(count);
+  components_.reserve(count);
   lost_.resize_discard(1);
   flags_.resize_discard(count);  // last: its length is what counts
 }
@@ -115,7 +115,7 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   const View<const float> pressure = multigrid_.solution();
   const FaceMoves moves{space_.nodes, faces_.view(),      pressure,
                         width2(),     grid_tuning::share, grid_tuning::farthest * std::cbrt(kernel_.volume)};
-  const PressureOf from_least = vessels_.pressure(space_.nodes, pressure);
+  const PressureOf from_least = components_.pressure(space_.nodes, pressure);
   const uint32_t nodes = space_.nodes.count();
   device_.reduce("grid/lost", nodes, Lost{}, FindLost{moves, flags_.view(), from_least}, AddLost{},
                  lost_.view());

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of vessels.h. Nodes that open faces join are one body of fluid, which is named by
+// The kernels of sealed components.h. Nodes that open faces join are one body of fluid, which is named by
 // the greatest of its nodes.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace meniscus::fluid::grid_kernels {
 
 /// What is known of a body of fluid, at the node that names it. Sums run in integers, which add up to the
 /// same in any order.
-struct VesselSums {
+struct ComponentSums {
   int64_t excess;  ///< in particles' volumes / `unit`
   int64_t filled;  ///< in nodes' volumes / `unit`
   uint32_t open;   ///< 1 where there is a way out
@@ -36,12 +36,12 @@ MENISCUS_HD inline float pressure_of(uint32_t key) {
   return pressure;
 }
 
-struct Vessels {
+struct Components {
   NodeTable nodes;
   View<const uint32_t> flags;
   View<const Coefficients> coefficients;
   View<uint32_t> label;
-  View<VesselSums> sums;
+  View<ComponentSums> sums;
 
   MENISCUS_HD bool is_fluid(uint32_t node) const { return (flags[node] & node_fluid) != 0; }
 
@@ -53,90 +53,92 @@ struct Vessels {
   MENISCUS_HD void unite(uint32_t a, uint32_t b) const { pbd::UnionFind{label}.unite(a, b); }
 };
 
-struct StartVessels {
-  Vessels vessels;
+struct StartComponents {
+  Components components;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    vessels.label[node] = first_above(node);
-    vessels.sums[node] = {0, 0, 0, 0};
+    components.label[node] = first_above(node);
+    components.sums[node] = {0, 0, 0, 0};
   }
 
   /// Most nodes are united by this already. The table wraps around, so what comes after may be below.
   MENISCUS_HD uint32_t first_above(uint32_t node) const {
-    const NodeCoordinates c = vessels.nodes.coordinates(node);
+    const NodeCoordinates c = components.nodes.coordinates(node);
     for (int axis = 0; axis < 3; ++axis) {
-      const uint32_t after = vessels.nodes.beside(c, axis, 1);
-      if (after > node && vessels.are_joined(node, axis, after)) return after;
+      const uint32_t after = components.nodes.beside(c, axis, 1);
+      if (after > node && components.are_joined(node, axis, after)) return after;
     }
     return node;
   }
 };
 
 struct UniteNodes {
-  Vessels vessels;
+  Components components;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    if (!vessels.is_fluid(node)) return;
-    const NodeCoordinates c = vessels.nodes.coordinates(node);
+    if (!components.is_fluid(node)) return;
+    const NodeCoordinates c = components.nodes.coordinates(node);
     for (int axis = 0; axis < 3; ++axis) {
-      const uint32_t after = vessels.nodes.beside(c, axis, 1);
-      if (vessels.are_joined(node, axis, after)) vessels.unite(node, after);
+      const uint32_t after = components.nodes.beside(c, axis, 1);
+      if (components.are_joined(node, axis, after)) components.unite(node, after);
     }
   }
 };
 
 struct MarkOpen {
-  Vessels vessels;
+  Components components;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    if (vessels.is_fluid(node) && is_open(node)) pbd::atomic_max(vessels.sums[vessels.name(node)].open, 1);
+    if (components.is_fluid(node) && is_open(node))
+      pbd::atomic_max(components.sums[components.name(node)].open, 1);
   }
 
   /// Whether a node's faces towards other fluid are not all that holds its pressure.
   MENISCUS_HD bool is_open(uint32_t node) const {
-    const NodeCoordinates c = vessels.nodes.coordinates(node);
-    const Coefficients own = vessels.coefficients[node];
+    const NodeCoordinates c = components.nodes.coordinates(node);
+    const Coefficients own = components.coefficients[node];
     float within = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const uint32_t before = vessels.nodes.beside(c, axis, -1), after = vessels.nodes.beside(c, axis, 1);
-      if (vessels.is_fluid(before)) within += along(vessels.coefficients[before], axis);
-      if (vessels.is_fluid(after)) within += along(own, axis);
+      const uint32_t before = components.nodes.beside(c, axis, -1),
+                     after = components.nodes.beside(c, axis, 1);
+      if (components.is_fluid(before)) within += along(components.coefficients[before], axis);
+      if (components.is_fluid(after)) within += along(own, axis);
     }
     return own.w - within > 1e-6f * own.w;
   }
 };
 
-inline constexpr uint32_t in_no_vessel = 0xffffffff;
+inline constexpr uint32_t in_no_component = 0xffffffff;
 
-/// Notes the closed vessel that a node is in, if any, and adds up what there is in it.
-struct AddUpVessels {
-  Vessels vessels;
+/// Notes the closed sealed component that a node is in, if any, and adds up what there is in it.
+struct AddUpComponents {
+  Components components;
   View<const float> right, filled;
-  float volume;           ///< m³, of a particle
-  View<uint32_t> vessel;  ///< by node
+  float volume;              ///< m³, of a particle
+  View<uint32_t> component;  ///< by node
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    vessel[node] = in_no_vessel;
-    if (!vessels.is_fluid(node)) return;
-    const uint32_t name = vessels.name(node);
-    VesselSums& sums = vessels.sums[name];
+    component[node] = in_no_component;
+    if (!components.is_fluid(node)) return;
+    const uint32_t name = components.name(node);
+    ComponentSums& sums = components.sums[name];
     if (sums.open) return;
-    vessel[node] = name;
-    pbd::atomic_add(sums.excess, static_cast<int64_t>(llrintf(VesselSums::unit * right[node] / volume)));
-    pbd::atomic_add(sums.filled, static_cast<int64_t>(llrintf(VesselSums::unit * filled[node])));
+    component[node] = name;
+    pbd::atomic_add(sums.excess, static_cast<int64_t>(llrintf(ComponentSums::unit * right[node] / volume)));
+    pbd::atomic_add(sums.filled, static_cast<int64_t>(llrintf(ComponentSums::unit * filled[node])));
   }
 };
 
 struct TakeSurplus {
-  View<const uint32_t> vessel;
-  View<const VesselSums> sums;
+  View<const uint32_t> component;
+  View<const ComponentSums> sums;
   View<const float> filled;
   float volume;
   View<float> right;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    if (vessel[node] == in_no_vessel) return;
-    const VesselSums& all = sums[vessel[node]];
+    if (component[node] == in_no_component) return;
+    const ComponentSums& all = sums[component[node]];
     if (all.filled <= 0) return;
     const double surplus = static_cast<double>(all.excess) / static_cast<double>(all.filled);
     right[node] -= volume * static_cast<float>(surplus) * filled[node];
@@ -144,24 +146,25 @@ struct TakeSurplus {
 };
 
 struct FindLeast {
-  View<const uint32_t> vessel;
+  View<const uint32_t> component;
   View<const float> pressure;
-  View<VesselSums> sums;
+  View<ComponentSums> sums;
 
   MENISCUS_HD void operator()(uint32_t node) const {
-    if (vessel[node] != in_no_vessel) pbd::atomic_max(sums[vessel[node]].least, key_of(pressure[node]));
+    if (component[node] != in_no_component)
+      pbd::atomic_max(sums[component[node]].least, key_of(pressure[node]));
   }
 };
 
-/// The pressure, in a closed vessel from where it is least.
+/// The pressure, in a closed sealed component from where it is least.
 struct PressureOf {
   View<const float> pressure;
-  View<const uint32_t> vessel;
-  View<const VesselSums> sums;
+  View<const uint32_t> component;
+  View<const ComponentSums> sums;
 
   MENISCUS_HD float operator()(uint32_t node) const {
     const float p = pressure[node];
-    return vessel[node] == in_no_vessel ? p : p - pressure_of(sums[vessel[node]].least);
+    return component[node] == in_no_component ? p : p - pressure_of(sums[component[node]].least);
   }
 };
 
