@@ -6,6 +6,7 @@
 
 #include "cloth/rods/band.h"
 #include "pbd/contacts.h"
+#include "pbd/particles.h"
 
 namespace meniscus::cloth::rod_kernels {
 

@@ -29,10 +29,10 @@ class SealedComponents {
     using namespace grid_kernels;
     const uint32_t count = nodes.count();
     const Components components{nodes, flags, finest.coefficients, label_.view(), sums_.view()};
-    device_.parallel_for("grid/start vessels", count, StartComponents{components});
+    device_.parallel_for("grid/start components", count, StartComponents{components});
     device_.parallel_for("grid/unite nodes", count, UniteNodes{components});
     device_.parallel_for("grid/mark open", count, MarkOpen{components});
-    device_.parallel_for("grid/add up vessels", count,
+    device_.parallel_for("grid/add up components", count,
                          AddUpComponents{components, finest.right, filled, volume, component_.view()});
     device_.parallel_for("grid/surplus", count,
                          TakeSurplus{component_.view(), sums_.view(), filled, volume, finest.right});
@@ -47,8 +47,8 @@ class SealedComponents {
  private:
   D& device_;
   pbd::Buffer<uint32_t> label_{device_, "grid labels"};
-  pbd::Buffer<uint32_t> component_{device_, "grid vessels"};
-  pbd::Buffer<grid_kernels::ComponentSums> sums_{device_, "grid vessels"};
+  pbd::Buffer<uint32_t> component_{device_, "grid components"};
+  pbd::Buffer<grid_kernels::ComponentSums> sums_{device_, "grid components"};
 };
 
 }  // namespace meniscus::fluid
