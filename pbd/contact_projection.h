@@ -50,7 +50,7 @@ struct ContactProjection {
     for (uint32_t k = begin; k < end; ++k) {
       Contact c = next;
       next = contacts.contacts[k + 1 < end ? k + 1 : k];
-      if (is_tie(c)) continue;
+      if (is_attachment(c)) continue;
       step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
       if (c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
       Contact& to = contacts.contacts[k];

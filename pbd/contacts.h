@@ -47,9 +47,9 @@ MENISCUS_HD inline float share_of_radius(uint32_t number) {
   return 1 - 0.01f * (static_cast<float>(x & 0xffff) * (1.0f / 65536));
 }
 
-/// Whether the particle is tied to the contact's point, in all directions: an attachment, not a touch. It is
-/// for BodyTies alone to solve.
-MENISCUS_HD inline bool is_tie(const Contact& c) {
+/// Whether the particle is attached to the contact's point, in all directions: an attachment, not a touch. It
+/// is for BodyAttachments alone to solve.
+MENISCUS_HD inline bool is_attachment(const Contact& c) {
   return c.radius < 0;
 }
 

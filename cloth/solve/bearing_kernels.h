@@ -13,8 +13,8 @@ namespace meniscus::cloth::bearing_kernels {
 /// What a piece bears; where it is both, fluid.
 enum Bearing : uint32_t { nothing, bodies, fluid };
 
-/// Of each vertex that is near a body that gives way, or tied to such a one, the piece. Where only touches
-/// counted, one that a heavy body has left for a substep would start from what it pulled with before.
+/// Of each vertex that is near a body that gives way, or attached to such a one, the piece. Where only
+/// touches counted, one that a heavy body has left for a substep would start from what it pulled with before.
 struct NoteBearing {
   pbd::ContactView contacts;
   VertexState vertices;

@@ -67,7 +67,7 @@ struct WithShapes {
 };
 
 /// What sorts a body's contacts, in this order. A key is so many times the body's number, and one of these.
-enum ContactKind : uint32_t { is_free, is_pinched, is_tied, contact_kinds };
+enum ContactKind : uint32_t { is_free, is_pinched, is_attached, contact_kinds };
 
 /// The body and the kind of each contact, as a key. What belongs to no body comes last.
 struct NoteBodies {
@@ -82,7 +82,9 @@ struct NoteBodies {
     if (n >= contacts.total()) return;
     const Contact& c = contacts.contacts[n];
     if (c.body >= body_count) return;
-    key[n] = contact_kinds * c.body + (is_tie(c) ? is_tied : has_no_room(n, c) ? is_pinched : is_free);
+    key[n] = contact_kinds * c.body + (is_attachment(c)    ? is_attached
+                                       : has_no_room(n, c) ? is_pinched
+                                                           : is_free);
   }
 
   /// Whether between the contact's surface and another there is less room than half of the particle.
@@ -112,11 +114,11 @@ struct FindGroups {
     const uint32_t before = n == 0 || sorted_key[n - 1] < none ? none : sorted_key[n - 1];
     if (n == 0 || sorted_key[n - 1] < none) body.first = n;
     if (key >= none + is_pinched && before < none + is_pinched) body.pinched = n;
-    if (key == none + is_tied && before != key) body.tied = n;
+    if (key == none + is_attached && before != key) body.attached = n;
     if (n + 1 < sorted_key.count && sorted_key[n + 1] / contact_kinds == b) return;
     body.end = n + 1;
     if (key == none + is_free) body.pinched = n + 1;
-    if (key != none + is_tied) body.tied = n + 1;
+    if (key != none + is_attached) body.attached = n + 1;
   }
 };
 
@@ -124,7 +126,7 @@ struct FindGroups {
 /// contacts, each of so much less mass (mass splitting, Tonge, Benevolenski & Voroshilov 2012). All of them
 /// moving at once then move the body no further than it can go. Half of the body is for pinched particles, if
 /// there are any: each of these may have to hold it by itself, for there is no place to give way to. And half
-/// is for its ties, which know their share (BodyTies).
+/// is for its attachments, which know their share (BodyAttachments).
 struct Split {
   View<const uint32_t> grouped;
   View<const BodyProxy> bodies;
@@ -135,12 +137,12 @@ struct Split {
     if (k >= contacts.total()) return;
     const uint32_t n = grouped[k];
     Contact& c = contacts.contacts[n];
-    if (c.body >= bodies.count || is_tie(c)) return;
+    if (c.body >= bodies.count || is_attachment(c)) return;
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
-    const uint32_t free = body.pinched - body.first, pinched = body.tied - body.pinched;
+    const uint32_t free = body.pinched - body.first, pinched = body.attached - body.pinched;
     const uint32_t alike = k < body.pinched ? free : pinched, kinds = free > 0 && pinched > 0 ? 2 : 1;
-    const float share = static_cast<float>(alike * kinds * (body.tied < body.end ? 2 : 1));
+    const float share = static_cast<float>(alike * kinds * (body.attached < body.end ? 2 : 1));
     c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
     c.body_inverse_mass += share * inverse_mass_at(body, c.arm, c.normal);
   }

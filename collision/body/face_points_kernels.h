@@ -77,7 +77,7 @@ struct Decide {
 
   MENISCUS_HD static FaceSample nothing() { return {{1, 0, 0}, {1e30f, {0, 1, 0}}}; }
 
-  /// Some vertex can move, and none is tied to a body: what is lies on it, and would always touch.
+  /// Some vertex can move, and none is attached to a body: what is lies on it, and would always touch.
   MENISCUS_HD bool may_meet(const SurfaceTriangle& t) const {
     const uint32_t a = particles.sorted + t.a, b = particles.sorted + t.b, c = particles.sorted + t.c;
     return particles.position[a].w + particles.position[b].w + particles.position[c].w > 0 &&
@@ -227,7 +227,7 @@ struct CountAtVertices {
 MENISCUS_HD inline bool is_pushed(const pbd::ContactView& contacts, uint32_t i, Vec3 at) {
   for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
     const pbd::Contact& c = contacts.contacts[k];
-    if (pbd::is_tie(c) || c.normal_multiplier != 0 || plane_distance(c, at) < c.radius) return true;
+    if (pbd::is_attachment(c) || c.normal_multiplier != 0 || plane_distance(c, at) < c.radius) return true;
   }
   return false;
 }

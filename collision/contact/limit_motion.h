@@ -46,17 +46,17 @@ MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radi
 
 /// Where the motion ends if nothing that moves is passed through. Each shape sees the motion from its own
 /// frame, so after a hit it is looked at anew as a whole. Where there is no way out, the particle goes along
-/// with the last shape that it met. The body that it is tied to takes it along as it is.
+/// with the last shape that it met. The body that it is attached to takes it along as it is.
 template <class Candidates>
 MENISCUS_HD Vec3 limit_by_moving(const ShapeSet& set, const Candidates& candidates, uint32_t i, Motion m,
-                                 float radius, const CollisionFilter& filter, uint32_t tied_body) {
+                                 float radius, const CollisionFilter& filter, uint32_t attached_body) {
   constexpr int most_hits = 8;
   Vec3 carried = m.to;
   for (int k = 0; k < most_hits; ++k) {
     Hit first;
     candidates.for_each_near(set, i, m, radius, [&](uint32_t number) {
       const Shape& shape = set.shapes[number];
-      if (number < set.fixed || shape.body == tied_body || !collide(shape, filter)) return;
+      if (number < set.fixed || shape.body == attached_body || !collide(shape, filter)) return;
       const Hit hit = meet(set, shape, m, radius);
       if (!hit.found || hit.t > first.t) return;
       first = hit;

@@ -19,7 +19,7 @@ struct PinchingPair {
 
 /// Whether the contact acts on a vertex at x, or is about to.
 MENISCUS_HD inline bool contact_presses(const pbd::Contact& c, Vec3 x) {
-  if (is_tie(c) || c.solid == pbd::no_index) return false;
+  if (is_attachment(c) || c.solid == pbd::no_index) return false;
   const float load = c.normal_multiplier + dot(c.density_push, c.normal);
   return load > 0 || !(c.tangent_multiplier == Vec3{0, 0, 0}) || plane_distance(c, x) < c.radius;
 }
@@ -215,7 +215,7 @@ struct PinchedContacts {
     const PinchingPair pair = find_pinching(contacts, begin, end, x);
     Vec3 step{0, 0, 0};
     for (uint32_t k = begin; k < end; ++k) {
-      if (!pair.has(k) && !is_tie(contacts[k])) step += p.w * one(contacts[k], x + step, p.w);
+      if (!pair.has(k) && !is_attachment(contacts[k])) step += p.w * one(contacts[k], x + step, p.w);
     }
     if (pair.is_there()) step += p.w * both(pinch_between(contacts[pair.a], contacts[pair.b], p.w), x + step);
     all.position[i] = pbd::with_w(x + step, p.w);

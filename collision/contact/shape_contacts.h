@@ -26,14 +26,15 @@ MENISCUS_HD inline float way_out(float contact_radius, float dt) {
   return contact_radius * dt / time;
 }
 
-/// How a particle meets solids, by its fluid or its piece of cloth. What is tied to a body does not touch it.
+/// How a particle meets solids, by its fluid or its piece of cloth. What is attached to a body does not touch
+/// it.
 struct Touches {
   pbd::View<const pbd::Phase> phase;
   pbd::View<const CollisionFilter> by_fluid;
   pbd::View<const Touch> by_piece;
   float fluid_radius;
-  pbd::View<const uint32_t> tied_body;  ///< by vertex; no_index: to none
-  uint32_t sorted = 0;                  ///< see ParticleView
+  pbd::View<const uint32_t> attached_body;  ///< by vertex; no_index: to none
+  uint32_t sorted = 0;                      ///< see ParticleView
 
   MENISCUS_HD Touch of(uint32_t i) const {
     if (by_piece.count && is_vertex(i)) return by_piece[pbd::phase_group(phase[i])];
@@ -42,9 +43,9 @@ struct Touches {
   MENISCUS_HD bool is_vertex(uint32_t i) const { return (phase[i] & pbd::phase_vertex) != 0; }
   MENISCUS_HD bool is_face(uint32_t i) const { return by_piece.count && (phase[i] & pbd::phase_face) != 0; }
   MENISCUS_HD bool was_placed(uint32_t i) const { return (phase[i] & pbd::phase_placed) != 0; }
-  /// The body that i is tied to, or no_index.
+  /// The body that i is attached to, or no_index.
   MENISCUS_HD uint32_t body_of(uint32_t i) const {
-    return i >= sorted && i - sorted < tied_body.count ? tied_body[i - sorted] : pbd::no_index;
+    return i >= sorted && i - sorted < attached_body.count ? attached_body[i - sorted] : pbd::no_index;
   }
 };
 
@@ -72,8 +73,8 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   pbd::View<const CollisionFilter> filters() const { return filters_.view(); }
   /// By piece of cloth.
   void set_pieces(std::span<const Touch> pieces);
-  /// By vertex: the body that it is tied to, or no_index. Must stay valid until it is set anew.
-  void set_tied_bodies(pbd::View<const uint32_t> bodies) { tied_body_ = bodies; }
+  /// By vertex: the body that it is attached to, or no_index. Must stay valid until it is set anew.
+  void set_attached_bodies(pbd::View<const uint32_t> bodies) { attached_body_ = bodies; }
 
   void reserve(uint32_t particles) override;
   bool any() const override { return shapes_.shapes.count > 0; }
@@ -89,7 +90,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   /// got to, by no more than `furthest` (m): so far a particle may be taken along, and meet another.
   void limit_beside_moving(const pbd::MotionView& motion, float furthest);
   shape_contact_kernels::Touches touches(pbd::View<const pbd::Phase> phase, uint32_t sorted) const {
-    return {phase, filters_.view(), pieces_.view(), contact_radius_, tied_body_, sorted};
+    return {phase, filters_.view(), pieces_.view(), contact_radius_, attached_body_, sorted};
   }
   /// Shapes that are within `reach` (m) of where particles are.
   CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
@@ -113,7 +114,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   Candidates candidates_;
   pbd::Buffer<CollisionFilter> filters_;
   pbd::Buffer<Touch> pieces_;
-  pbd::View<const uint32_t> tied_body_;
+  pbd::View<const uint32_t> attached_body_;
 };
 
 }  // namespace meniscus::collision

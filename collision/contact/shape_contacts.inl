@@ -61,11 +61,11 @@ struct Finder {
     const Touch touch = touches.of(i);
     const bool face = touches.is_face(i);
     if (face && position[i].w == 0) return;  // not in use
-    const uint32_t tied_body = touches.body_of(i);
+    const uint32_t attached_body = touches.body_of(i);
     const auto look_at = [&](uint32_t number) {
       const Shape& shape = set.shapes[number];
       if (!collide(shape, touch.filter)) return;
-      if (tied_body != pbd::no_index && shape.body == tied_body) return;
+      if (attached_body != pbd::no_index && shape.body == attached_body) return;
       const FoundContact found = find(shape, {previous[i].xyz(), position[i].xyz()}, touch.radius, face);
       if (found.found) visit(shape, found);
     };

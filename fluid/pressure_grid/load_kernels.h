@@ -41,7 +41,7 @@ struct NodeLoad {
 /// the more the surface faces the push. Where none does, any will do, so that nothing is lost.
 MENISCUS_HD inline Vec3 contact_weights(const Contact& c, Vec3 particle, float at_node, Vec3 area,
                                         float width) {
-  if (pbd::is_tie(c)) return {0, 0, 0};
+  if (pbd::is_attachment(c)) return {0, 0, 0};
   const float near = pbd::clamp(1 - plane_distance(c, particle) / width, 0.01f, 1.0f);
   const auto facing = [](float normal, float push) {
     const float along_push = push < 0 ? -normal : normal;

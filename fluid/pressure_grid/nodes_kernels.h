@@ -121,7 +121,7 @@ struct GatherNodes {
     bool hidden = false;
     for (uint32_t k = from.contacts.start[i]; k < from.contacts.start[i + 1]; ++k) {
       const Contact& c = from.contacts.contacts[k];
-      if (pbd::is_tie(c) || c.fraction < 0.5f) continue;
+      if (pbd::is_attachment(c) || c.fraction < 0.5f) continue;
       const float distance =
           from.space.cells.inverse_reach * plane_distance(c, from.position[i].xyz()) + dot(c.normal, away);
       const float share = 1 - share_behind(distance);

@@ -15,8 +15,8 @@
 #include "cloth/rods/rod.h"
 #include "cloth/self_contact/self_contacts.h"
 #include "cloth/solve/cloth_set.h"
+#include "collision/body/attachments.h"
 #include "collision/body/proxy.h"
-#include "collision/body/ties.h"
 #include "collision/contact/shape.h"
 #include "collision/contact/shape_contacts.h"
 #include "collision/fluid_cloth/sheet_surface.h"
@@ -109,7 +109,7 @@ struct EngineCloth {
   std::vector<collision::Touch> touches;          ///< by piece
   std::vector<cloth::ContactPart> contact_parts;  ///< by piece
   std::vector<collision::SheetPart> sheets;       ///< by piece
-  std::vector<collision::BodyTie> ties;
+  std::vector<collision::BodyAttachment> attachments;
   cloth::ClothModel model;
   cloth::RodModel rods, ropes;
   std::vector<cloth::SegmentState> segments;  ///< of the rods
@@ -177,8 +177,8 @@ class Engine {
   virtual std::vector<cloth::SegmentState> read_segments() = 0;
   /// By held vertex, N·s over the last step.
   virtual std::vector<Vec3> read_reactions() = 0;
-  /// By tie, N·s on its vertex over the last step.
-  virtual std::vector<Vec3> read_tie_impulses() = 0;
+  /// By attachment, N·s on its vertex over the last step.
+  virtual std::vector<Vec3> read_attachment_impulses() = 0;
   /// Particles that touched absorbent cloth at the last step's end, by slot: before any come or go.
   virtual std::vector<collision::WettingTouch> read_wetting() = 0;
   /// The vertices from `first` on, of which those that nothing moves stay as they are; 1/kg and m/s.

@@ -8,10 +8,10 @@
 
 #include "cloth/rods/rod_set.h"
 #include "cloth/rods/rope_set.h"
+#include "collision/body/attachments.h"
 #include "collision/body/body_set.h"
 #include "collision/body/face_points.h"
 #include "collision/body/pressed_vertices.h"
-#include "collision/body/ties.h"
 #include "collision/contact/contact_set.h"
 #include "collision/contact/shape_contacts.h"
 #include "collision/fluid_cloth/sheet_set.h"
@@ -44,7 +44,7 @@ class DeviceEngine final : public Engine {
         solver_(device_, particles_, def.solver),
         contacts_(device_, particles_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
-        ties_(device_, bodies_),
+        attachments_(device_, bodies_),
         pressed_(device_, bodies_),
         density_(device_, def.kernel, def.density),
         cloth_(device_, def.cloth),
@@ -100,7 +100,7 @@ class DeviceEngine final : public Engine {
   void read_vertices(std::span<Vec3> positions, std::span<Vec3> velocities) override;
   std::vector<cloth::SegmentState> read_segments() override { return rods_.states(0, rods_.segment_count()); }
   std::vector<Vec3> read_reactions() override { return cloth_.read_reactions(); }
-  std::vector<Vec3> read_tie_impulses() override { return ties_.read_impulses(); }
+  std::vector<Vec3> read_attachment_impulses() override { return attachments_.read_impulses(); }
   std::vector<collision::WettingTouch> read_wetting() override {
     return sheet_contacts_.read_wetting(solver_.contacts().contacts);
   }
@@ -140,7 +140,7 @@ class DeviceEngine final : public Engine {
   /// Registers all parts with the solver; throws std::logic_error where a phase is empty or taken twice.
   void assemble() {
     pbd::Pipeline<ContactPhase, pbd::ContactSource<D>>()
-        .place(ContactPhase::attachments, ties_)
+        .place(ContactPhase::attachments, attachments_)
         .place(ContactPhase::cloth, sheet_contacts_)
         .place(ContactPhase::solids, contacts_)
         .for_each([this](auto& source) { solver_.add(source); });
@@ -148,7 +148,7 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::surface_tension, tension_)
         .place(SetPhase::density, density_)
         .place(SetPhase::fluid_loads, sheets_.loading())
-        .place(SetPhase::attachments, ties_)
+        .place(SetPhase::attachments, attachments_)
         .place(SetPhase::body_loads, pressed_)
         .place(SetPhase::cloth, cloth_)
         .place(SetPhase::body_load_transfer, pressed_.handing_on())
@@ -159,7 +159,7 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::fluid_carry, sheets_.carrying())
         .place(SetPhase::contacts, face_points_)
         .place(SetPhase::ccd_failsafe, self_contacts_.guard())
-        .place(SetPhase::attachment_release, ties_.release())
+        .place(SetPhase::attachment_release, attachments_.release())
         .place(SetPhase::fluid_cloth, sheets_)
         .place(SetPhase::bodies, bodies_)
         .for_each([this](auto& set) { solver_.add(set); });
@@ -168,7 +168,7 @@ class DeviceEngine final : public Engine {
         .place(VelocityPhase::viscosity, viscosity_)
         .for_each([this](auto& pass) { solver_.add(pass); });
     solver_.add(probes_);
-    solver_.add(static_cast<pbd::Observer<D>&>(ties_));
+    solver_.add(static_cast<pbd::Observer<D>&>(attachments_));
   }
   void add_diffuse(const fluid::DiffuseParameters& parameters) {
     diffuse_.emplace(device_, parameters);
@@ -200,7 +200,7 @@ class DeviceEngine final : public Engine {
   pbd::Solver<D> solver_;
   collision::ShapeContacts<D> contacts_;
   collision::BodySet<D> bodies_;
-  collision::BodyTies<D> ties_;
+  collision::BodyAttachments<D> attachments_;
   collision::PressedVertices<D> pressed_;
   fluid::DensitySet<D> density_;
   cloth::ClothSet<D> cloth_;

@@ -17,8 +17,8 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   rods_.set_states(0, cloth.segments);
   ropes_.set_model(cloth.ropes);
   contacts_.set_pieces(cloth.touches);
-  ties_.set_ties(cloth.ties);
-  contacts_.set_tied_bodies(ties_.tied_bodies());
+  attachments_.set_attachments(cloth.attachments);
+  contacts_.set_attached_bodies(attachments_.attached_bodies());
   const std::span<const pbd::SurfaceTriangle> triangles = cloth.model.triangles;
   face_points_.set_surface(cloth_.surface());
   float heaviest = 0;

@@ -168,12 +168,14 @@ Vec3 World::attachment_force(AttachmentId id) const {
 
 void World::Impl::read_reactions() {
   if (reactions_known) return;
-  const std::vector<Vec3> on_held = engine->read_reactions(), on_ties = engine->read_tie_impulses();
+  const std::vector<Vec3> on_held = engine->read_reactions(),
+                          on_attachments = engine->read_attachment_impulses();
   attachments.for_each([&](uint32_t, AttachmentEntry& entry) {
     entry.force = {0, 0, 0};
-    if (!entry.seams.empty() || entry.first_tie == pbd::no_index) return;
+    if (!entry.seams.empty() || entry.first_attachment == pbd::no_index) return;
     const VertexRange& range = range_of(entry.def);
-    for (size_t k = 0; k < entry.anchors.size(); ++k) entry.force -= on_ties[entry.first_tie + k] / last_step;
+    for (size_t k = 0; k < entry.anchors.size(); ++k)
+      entry.force -= on_attachments[entry.first_attachment + k] / last_step;
     for (uint32_t v : entry.vertices) {
       const auto at = std::lower_bound(held.begin(), held.end(), range.first + v);
       if (at == held.end() || *at != range.first + v) continue;

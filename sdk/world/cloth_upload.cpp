@@ -60,7 +60,7 @@ class Assembly {
     cloth.contact_parts.push_back(
         {entry.thickness, entry.def.fabric.friction, entry.def.filter, entry.def.self_collision});
     if (entry.def.tethers) {
-      tie_to_held(entry, numbers_of(held));
+      attach_to_held(entry, numbers_of(held));
       for (const cloth::Tether& t : entry.tethers)
         model.tethers.push_back(
             {first + t.vertex, first + t.anchor, t.length, t.compliance, entry.range.masses[t.vertex]});
@@ -204,13 +204,13 @@ void World::Impl::upload_cloth() {
     all.add(entry, held_vertices(ropes.id(index)), clamped);
   });
   std::vector<cloth::EdgeConstraint> seams;
-  std::vector<uint32_t> tied;
+  std::vector<uint32_t> attached;
   attachments.for_each([&](uint32_t, AttachmentEntry& a) {
     const uint32_t here = range_of(a.def).first;
-    a.first_tie = static_cast<uint32_t>(all.cloth.ties.size());
+    a.first_attachment = static_cast<uint32_t>(all.cloth.attachments.size());
     for (size_t k = 0; k < a.anchors.size(); ++k)
-      all.cloth.ties.push_back({here + a.vertices[k], a.def.body->index, a.anchors[k]});
-    if (!a.anchors.empty()) tied.push_back(a.def.body->index);
+      all.cloth.attachments.push_back({here + a.vertices[k], a.def.body->index, a.anchors[k]});
+    if (!a.anchors.empty()) attached.push_back(a.def.body->index);
     for (const cloth::EdgeConstraint& s : a.seams) {
       const uint32_t there = a.def.other_cloth ? cloths.get(*a.def.other_cloth).range.first
                                                : ropes.get(*a.def.other_rope).range.first;
@@ -219,7 +219,7 @@ void World::Impl::upload_cloth() {
   });
   all.finish(seams);
   engine->set_cloth(all.cloth);
-  rigid.keep_awake(tied);
+  rigid.keep_awake(attached);
   pieces = all.pieces;
   vertex_count = all.vertices();
   held = all.cloth.model.held;

@@ -154,7 +154,7 @@ void World::Impl::drop_attachments_of(BodyId body) {
   });
   if (!any) return;
   cloth_changed();
-  upload_cloth();  // now: whatever looks for contacts must not meet ties to a body that is gone
+  upload_cloth();  // now: whatever looks for contacts must not meet attachments to a body that is gone
 }
 
 namespace {

@@ -69,14 +69,14 @@ TEST_P(ClothMomentum, ABallAndASheetExchangeIt) {
   EXPECT_LT(cloth_momentum(world_, id).linear.y, -0.02) << "they did not meet";
 }
 
-TEST_P(ClothMomentum, ABodyTiedToASheetExchangesIt) {
+TEST_P(ClothMomentum, ABodyAttachedToASheetExchangesIt) {
   const ClothId id = world_.create_cloth(sheet(0.6f, 0.6f, 21, 21));
   BodyDef def = body(BoxGeometry{{0.05f, 0.05f, 0.05f}}, {0, -0.06f, 0.3f}, 100);
   def.velocity = {0.5f, -1, 0};
   const BodyId box = world_.create_body(def);
-  AttachmentDef tie = attach(id, {429, 430, 431});
-  tie.body = box;
-  world_.create_attachment(tie);
+  AttachmentDef attachment = attach(id, {429, 430, 431});
+  attachment.body = box;
+  world_.create_attachment(attachment);
   expect_kept(60, 1e-5, 0.005, [&] { return cloth_momentum(world_, id) + body_momentum(world_, box); });
   EXPECT_LT(cloth_momentum(world_, id).linear.y, -0.005) << "it does not follow";
 }

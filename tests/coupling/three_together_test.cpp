@@ -111,7 +111,7 @@ TEST_P(ThreeTogether, KeepTheirMomentumWithEachSolver) {
   }
 }
 
-/// A sheet whose border is tied to a heavy frame stops a ball of water.
+/// A sheet whose border is attached to a heavy frame stops a ball of water.
 TEST_P(ThreeTogether, TiedToABodyClothHandsOnWhatWaterPushes) {
   World world(weightless(0.05f));
   world.set_wind({.air_density = 0});

@@ -94,7 +94,7 @@ void build_constraints(ClothEntry& entry) {
   entry.tethers.clear();
 }
 
-void tie_to_held(ClothEntry& entry, const std::vector<uint32_t>& held) {
+void attach_to_held(ClothEntry& entry, const std::vector<uint32_t>& held) {
   if (entry.held != held || entry.tethers.empty())
     entry.tethers = cloth::build_tethers(entry.mesh, held, parameters(entry.def.fabric));
   entry.held = held;

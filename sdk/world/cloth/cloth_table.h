@@ -77,12 +77,12 @@ struct RopeEntry {
 
 struct AttachmentEntry {
   AttachmentDef def;
-  std::vector<uint32_t> vertices;            ///< of its cloth or rope
-  std::vector<Vec3> anchors;                 ///< in the body's principal frame, of those that are tied to one
-  uint32_t first_tie = pbd::no_index;        ///< since the last upload; none yet: no_index
-  std::vector<cloth::EdgeConstraint> seams;  ///< from its vertex to the other's, each numbered on its own
-  std::vector<uint32_t> clamped;             ///< segments of a rod
-  Vec3 force{0, 0, 0};                       ///< N, in the last step, as far as it was read
+  std::vector<uint32_t> vertices;  ///< of its cloth or rope
+  std::vector<Vec3> anchors;       ///< in the body's principal frame, of those that are attached to one
+  uint32_t first_attachment = pbd::no_index;  ///< since the last upload; none yet: no_index
+  std::vector<cloth::EdgeConstraint> seams;   ///< from its vertex to the other's, each numbered on its own
+  std::vector<uint32_t> clamped;              ///< segments of a rod
+  Vec3 force{0, 0, 0};                        ///< N, in the last step, as far as it was read
 };
 
 /// m, at rest.
@@ -93,7 +93,7 @@ RopeEntry make_rope(const RopeDef& def);
 /// From the mesh, which has changed.
 void build_constraints(ClothEntry& entry);
 /// Finds its tethers, once for the vertices that are held.
-void tie_to_held(ClothEntry& entry, const std::vector<uint32_t>& held);
+void attach_to_held(ClothEntry& entry, const std::vector<uint32_t>& held);
 
 /// Of a closed mesh, m³.
 float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positions);

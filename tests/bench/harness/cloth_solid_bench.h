@@ -12,7 +12,7 @@
 
 #include "cloth/build/build_constraints.h"
 #include "cloth/build/cloth_mesh.h"
-#include "collision/body/ties.h"
+#include "collision/body/attachments.h"
 #include "collision/contact/shape.h"
 #include "collision/mesh/mesh.h"
 #include "collision/rigid/rigid_world.h"
@@ -41,12 +41,12 @@ struct ClothSolidSetup {
   int substeps = 4, iterations = 4;
   cloth::ClothMesh mesh;  ///< as it lies at first
   cloth::FabricParameters fabric;
-  float damping = 0.001f;                ///< s
-  float radius = 0.01f;                  ///< m: vertices stop at this distance from solids
-  std::vector<uint32_t> held;            ///< vertices
-  Vec3 velocity{0, 0, 0};                ///< m/s, of the cloth
-  std::vector<SolidSetup> solids;        ///< fixed ones first
-  std::vector<collision::BodyTie> ties;  ///< bodies are numbered as the solids that move
+  float damping = 0.001f;                              ///< s
+  float radius = 0.01f;                                ///< m: vertices stop at this distance from solids
+  std::vector<uint32_t> held;                          ///< vertices
+  Vec3 velocity{0, 0, 0};                              ///< m/s, of the cloth
+  std::vector<SolidSetup> solids;                      ///< fixed ones first
+  std::vector<collision::BodyAttachment> attachments;  ///< bodies are numbered as the solids that move
   bool face_points = true;
 };
 
@@ -57,8 +57,8 @@ class ClothSolidBench {
   virtual void step(float dt) = 0;
   virtual std::vector<Vec3> positions() = 0;
   virtual std::vector<Vec3> velocities() = 0;
-  virtual std::vector<Vec3> reactions() = 0;     ///< N·s, of held vertices in the last step
-  virtual std::vector<Vec3> tie_impulses() = 0;  ///< N·s, on the vertices in the last step
+  virtual std::vector<Vec3> reactions() = 0;            ///< N·s, of held vertices in the last step
+  virtual std::vector<Vec3> attachment_impulses() = 0;  ///< N·s, on the vertices in the last step
   virtual collision::RigidWorld& rigid() = 0;
   virtual uint32_t points_wanted() = 0;
   virtual pbd::MemoryUse memory() = 0;

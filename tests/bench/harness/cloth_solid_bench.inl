@@ -3,9 +3,9 @@
 #pragma once
 
 #include "cloth/solve/cloth_set.h"
+#include "collision/body/attachments.h"
 #include "collision/body/body_set.h"
 #include "collision/body/face_points.h"
-#include "collision/body/ties.h"
 #include "collision/sdf/mesh_fields.h"
 #include "pbd/solver.h"
 #include "tests/bench/harness/cloth_solid_bench.h"
@@ -19,28 +19,28 @@ class ClothSolidBenchOn final : public ClothSolidBench {
   template <class... Args>
   explicit ClothSolidBenchOn(const ClothSolidSetup& setup, Args... args)
       : device_(args...), rigid_({setup.gravity, 1, 10}), solver_(device_, particles_, parameters(setup)) {
-    solver_.add(static_cast<pbd::ContactSource<D>&>(ties_));
+    solver_.add(static_cast<pbd::ContactSource<D>&>(attachments_));
     solver_.add(shapes_);
-    solver_.add(static_cast<pbd::ConstraintSet<D>&>(ties_));
+    solver_.add(static_cast<pbd::ConstraintSet<D>&>(attachments_));
     solver_.add(cloth_);
     if (setup.face_points)
       solver_.add(faces_);
     else
       solver_.add(contacts_);
-    solver_.add(ties_.release());
+    solver_.add(attachments_.release());
     solver_.add(bodies_);
-    solver_.add(static_cast<pbd::Observer<D>&>(ties_));
+    solver_.add(static_cast<pbd::Observer<D>&>(attachments_));
     add_cloth(setup);
     add_solids(setup);
-    ties_.set_ties(setup.ties);
-    shapes_.set_tied_bodies(ties_.tied_bodies());
+    attachments_.set_attachments(setup.attachments);
+    shapes_.set_attached_bodies(attachments_.attached_bodies());
   }
 
   void step(float dt) override { solver_.step(dt); }
   std::vector<Vec3> positions() override { return read(particles_.position.current); }
   std::vector<Vec3> velocities() override { return read(particles_.velocity.current); }
   std::vector<Vec3> reactions() override { return cloth_.read_reactions(); }
-  std::vector<Vec3> tie_impulses() override { return ties_.read_impulses(); }
+  std::vector<Vec3> attachment_impulses() override { return attachments_.read_impulses(); }
   collision::RigidWorld& rigid() override { return rigid_; }
   uint32_t points_wanted() override { return faces_.wanted(); }
   pbd::MemoryUse memory() override { return device_.memory(); }
@@ -115,7 +115,7 @@ class ClothSolidBenchOn final : public ClothSolidBench {
   collision::BodySet<D> bodies_{device_, rigid_, shapes_};
   collision::ContactSet<D> contacts_{device_};
   collision::FacePoints<D> faces_{device_, particles_, shapes_, bodies_, contacts_};
-  collision::BodyTies<D> ties_{device_, bodies_};
+  collision::BodyAttachments<D> attachments_{device_, bodies_};
   cloth::ClothSet<D> cloth_{device_, {}};
   collision::MeshFields<D> fields_;
   pbd::Buffer<collision::Shape> shape_buffer_{device_, "shapes"};

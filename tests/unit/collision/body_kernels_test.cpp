@@ -203,9 +203,9 @@ TEST(BodyKernels, TiesStandApartAndLeaveHalfOfTheBody) {
   Bench bench;
   bench.add_body(1, {1, 1, 1}, {0, 0, 0});
   bench.add_body(1, {1, 1, 1}, {9, 0, 0});
-  for (bool is_tie : {true, false, true, false}) {
+  for (bool is_attachment : {true, false, true, false}) {
     bench.add_contact(0, {0, 0.2f, 0}, {0, 1, 0}, 1, 0);
-    if (!is_tie) continue;
+    if (!is_attachment) continue;
     bench.contacts.back().radius = -1;
     bench.contacts.back().body_inverse_mass = 7;
   }
@@ -215,7 +215,7 @@ TEST(BodyKernels, TiesStandApartAndLeaveHalfOfTheBody) {
   const uint32_t expected[2][4] = {{0, 2, 2, 4}, {4, 5, 5, 5}};
   for (int b = 0; b < 2; ++b) {
     const BodyProxy& body = bench.bodies[b];
-    const uint32_t found[] = {body.first, body.pinched, body.tied, body.end};
+    const uint32_t found[] = {body.first, body.pinched, body.attached, body.end};
     EXPECT_TRUE(std::equal(found, found + 4, expected[b])) << b;
   }
   EXPECT_EQ(bench.contacts[0].body_inverse_mass, 7);

@@ -239,7 +239,7 @@ TEST_P(FaceContacts, LetABallFollowClothThatGoes) {
   frame.keyframes = {{0, frame.pose}, {6, frame.pose}, {7, {{0, 0.7f, 0}, {0, 0, 0, 1}}}};
   setup.solids = {ball, frame};
   for (uint32_t v : {0u, 10u, 110u, 120u})
-    setup.ties.push_back({v, 1, setup.mesh.vertices[v] - frame.pose.position});
+    setup.attachments.push_back({v, 1, setup.mesh.vertices[v] - frame.pose.position});
   const auto bench = make_cloth_solid_bench(setup);
   for (int k = 0; k < 355; ++k) bench->step(dt);
   const float before = bench->rigid().pose(0).position.y;

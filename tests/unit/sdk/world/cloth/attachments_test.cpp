@@ -165,9 +165,9 @@ float deepest_fall(pbd::DeviceKind device, int substeps, int iterations) {
   line.damping = 0;
   const RopeId id = world.create_rope(line);
   world.create_attachment(attach(id, {0}));
-  AttachmentDef tie = attach(id, {20});
-  tie.body = load;
-  world.create_attachment(tie);
+  AttachmentDef attachment = attach(id, {20});
+  attachment.body = load;
+  world.create_attachment(attachment);
   float deepest = 0;
   for (int k = 0; k < 60; ++k) {
     world.step(1 / 60.0f);

@@ -97,8 +97,8 @@ TEST_P(ClothBearingTest, ASheetHeldByItsCornersBearsABallInItsMiddle) {
 
 enum class Elsewhere { nothing, body, fluid, fluid_on_cloth };
 
-/// 99th percentile of the stretch of a sheet that has fallen onto a ball, with a corner tied to a kinematic
-/// one.
+/// 99th percentile of the stretch of a sheet that has fallen onto a ball, with a corner attached to a
+/// kinematic one.
 double stretch_on_ball(pbd::DeviceKind device, Elsewhere elsewhere) {
   WorldDef def = world_def(device, 0.05f);
   def.substeps = 4;

@@ -18,7 +18,7 @@ class ClothFailureTest : public OnDevice {
     World world;
     ClothId cloth;
     RopeId rod;
-    AttachmentId held, tied;
+    AttachmentId held, attached;
     BodyId body;
   };
 
@@ -30,10 +30,10 @@ class ClothFailureTest : public OnDevice {
     rod.bends_and_twists = bends;
     p.rod = p.world.create_rope(rod);
     p.held = p.world.create_attachment(attach(p.cloth, vertices_from(0, 9)));
-    AttachmentDef tie = attach(p.cloth, {80});
+    AttachmentDef attachment = attach(p.cloth, {80});
     p.body = p.world.create_body(body(SphereGeometry{0.03f}, {0.27f, 0, 0.27f}));
-    tie.body = p.body;
-    p.tied = p.world.create_attachment(tie);
+    attachment.body = p.body;
+    p.attached = p.world.create_attachment(attachment);
     p.world.create_attachment(attach(p.rod, {0}));
     p.world.set_wind({.velocity = {3, 0, 1}, .gust_speed = 1});
     return p;
@@ -72,7 +72,7 @@ TEST_P(ClothFailureTest, AFailedStepLeavesNoTraceInWhatFollows) {
   run(twin.world, 7, dt);
   EXPECT_EQ(p.world.state_hash(), twin.world.state_hash());
   EXPECT_EQ(p.world.attachment_force(p.held), twin.world.attachment_force(twin.held));
-  EXPECT_EQ(p.world.attachment_force(p.tied), twin.world.attachment_force(twin.tied));
+  EXPECT_EQ(p.world.attachment_force(p.attached), twin.world.attachment_force(twin.attached));
 }
 
 TEST_P(ClothFailureTest, AfterAFailedStepAttachmentsReadNoForce) {
@@ -80,7 +80,7 @@ TEST_P(ClothFailureTest, AfterAFailedStepAttachmentsReadNoForce) {
   run(p.world, 10, dt);
   expect_failure(p.world);
   EXPECT_EQ(p.world.attachment_force(p.held), (Vec3{0, 0, 0}));
-  EXPECT_EQ(p.world.attachment_force(p.tied), (Vec3{0, 0, 0}));
+  EXPECT_EQ(p.world.attachment_force(p.attached), (Vec3{0, 0, 0}));
 }
 
 TEST_P(ClothFailureTest, NorDoTheyWhereABodyHasFailed) {
@@ -89,7 +89,7 @@ TEST_P(ClothFailureTest, NorDoTheyWhereABodyHasFailed) {
   p.world.apply_force(p.body, {3e38f, 0, 0}, {0.27f, 0, 0.27f});
   expect_failure(p.world, "body", 0.1f);
   EXPECT_EQ(p.world.attachment_force(p.held), (Vec3{0, 0, 0}));
-  EXPECT_EQ(p.world.attachment_force(p.tied), (Vec3{0, 0, 0}));
+  EXPECT_EQ(p.world.attachment_force(p.attached), (Vec3{0, 0, 0}));
 }
 
 TEST_P(ClothFailureTest, TheFirstStepMayFailAsWell) {

@@ -91,7 +91,7 @@ TEST_P(ClothFilterTest, RopesStopAtSolidsThatTheyName) {
 }
 
 // Else the solid that holds it would push it off.
-TEST_P(ClothFilterTest, ClothTouchesNotTheBodyThatItIsTiedTo) {
+TEST_P(ClothFilterTest, ClothTouchesNotTheBodyThatItIsAttachedTo) {
   const ClothId id = fall({0, 0, 0}, {});
   const BodyId ball = world_.create_body(kinematic(SphereGeometry{0.03f}));
   AttachmentDef def = attach(id, {24});

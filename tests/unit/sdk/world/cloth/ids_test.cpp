@@ -139,7 +139,7 @@ TEST_P(ClothIdTest, AttachmentsGoWithWhatTheyHoldAndWithWhatHolds) {
   world_.step(dt);
 }
 
-TEST_P(ClothIdTest, WhatWasTiedToABodyThatIsGoneCanBeLookedAtAndFalls) {
+TEST_P(ClothIdTest, WhatWasAttachedToABodyThatIsGoneCanBeLookedAtAndFalls) {
   const ClothId cloth = world_.create_cloth(sheet(0.4f, 0.4f, 3, 3));
   const BodyId bar = world_.create_body(kinematic(BoxGeometry{{0.05f, 0.05f, 0.05f}}, {0, 2, 0}));
   AttachmentDef def = attach(cloth, vertices_from(0, 9));

@@ -46,7 +46,7 @@ class ClothMeetings : public OnDevice {
     return def;
   }
 
-  static AttachmentDef tie(ClothId cloth, BodyId body) {
+  static AttachmentDef attachment(ClothId cloth, BodyId body) {
     AttachmentDef def = attach(cloth, column(0));
     def.body = body;
     return def;
@@ -61,30 +61,31 @@ ShapeDef upturned_box() {
   return def;
 }
 
-TEST_P(ClothMeetings, ABodyTakesItsTiesThroughClothThatIsHeldFast) {
+TEST_P(ClothMeetings, ABodyTakesItsAttachmentsThroughClothThatIsHeldFast) {
   World world = world_with({0, 0, 0});
   const BodyId body = world.create_body(holder());
-  const ClothId tied = world.create_cloth(small_sheet(0)), held = world.create_cloth(small_sheet(0.012f));
+  const ClothId attached = world.create_cloth(small_sheet(0)), held = world.create_cloth(small_sheet(0.012f));
   world.create_attachment(attach(held, column(0)));
   world.create_attachment(attach(held, column(rows - 1)));
-  world.create_attachment(tie(tied, body));
+  world.create_attachment(attachment(attached, body));
   world.step(dt);
-  const auto start = copy_of(world.cloth_positions(tied));
+  const auto start = copy_of(world.cloth_positions(attached));
   world.move_body(body, {{-away, 0.15f, 0}, {0, 0, 0, 1}}, 0.15f);
   for (int k = 0; k < 14; ++k) {
     world.step(dt);
     const float height = world.body_state(body).pose.position.y;
     for (uint32_t v : column(0))
-      ASSERT_LT(length(world.cloth_positions(tied)[v] - start[v] - Vec3{0, height, 0}), 1e-5f) << k;
+      ASSERT_LT(length(world.cloth_positions(attached)[v] - start[v] - Vec3{0, height, 0}), 1e-5f) << k;
   }
 }
 
 TEST_P(ClothMeetings, ManyRoundsOfTheGuardDoNotStopARelaxation) {
   World world = world_with({0, -9.81f, 0});
   const BodyId body = world.create_body(holder());
-  const ClothId tied = world.create_cloth(small_sheet(0)), above = world.create_cloth(small_sheet(0.012f));
+  const ClothId attached = world.create_cloth(small_sheet(0)),
+                above = world.create_cloth(small_sheet(0.012f));
   world.create_cloth(small_sheet(-0.012f));
-  world.create_attachment(tie(tied, body));
+  world.create_attachment(attachment(attached, body));
   world.create_attachment(attach(above, column(rows - 1)));
   world.step(dt);
   world.set_body_pose(body, {{-away + 0.02f, 0.05f, 0}, {0, 0, 0, 1}});

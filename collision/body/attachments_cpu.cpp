@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "collision/body/ties.inl"
+#include "collision/body/attachments.inl"
 #include "pbd/device/cpu/cpu_device.h"
 
-template class meniscus::collision::BodyTies<meniscus::pbd::CpuDevice>;
+template class meniscus::collision::BodyAttachments<meniscus::pbd::CpuDevice>;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "collision/body/ties.inl"
+#include "collision/body/attachments.inl"
 #include "pbd/device/cuda/cuda_device.cuh"
 
-template class meniscus::collision::BodyTies<meniscus::pbd::CudaDevice>;
+template class meniscus::collision::BodyAttachments<meniscus::pbd::CudaDevice>;

@@ -12,8 +12,8 @@ namespace {
 
 using collision::ShapeKind;
 
-class BodyTies : public OnDevice {};
-MENISCUS_ON_EACH_DEVICE(BodyTies);
+class BodyAttachments : public OnDevice {};
+MENISCUS_ON_EACH_DEVICE(BodyAttachments);
 
 constexpr float dt = 1 / 60.0f;
 
@@ -43,7 +43,7 @@ SolidSetup ball(float mass, Vec3 at) {
 
 /// Ties the lowest row to a body at this place.
 void tie_lowest_row(ClothSolidSetup& setup, Vec3 body) {
-  for (uint32_t v = 72; v < 81; ++v) setup.ties.push_back({v, 0, setup.mesh.vertices[v] - body});
+  for (uint32_t v = 72; v < 81; ++v) setup.attachments.push_back({v, 0, setup.mesh.vertices[v] - body});
 }
 
 Vec3 sum_of(const std::vector<Vec3>& values) {
@@ -52,7 +52,7 @@ Vec3 sum_of(const std::vector<Vec3>& values) {
   return sum;
 }
 
-TEST_P(BodyTies, HangABodyFromClothInBalance) {
+TEST_P(BodyAttachments, HangABodyFromClothInBalance) {
   for (float mass : {0.1f, 1.0f}) {
     ClothSolidSetup setup = hanging_sheet(GetParam());
     const Vec3 at{0, -0.3f, 0};
@@ -61,23 +61,23 @@ TEST_P(BodyTies, HangABodyFromClothInBalance) {
     tie_lowest_row(setup, at);
     const auto bench = make_cloth_solid_bench(setup);
     for (int k = 0; k < 180; ++k) bench->step(dt);
-    Vec3 ties{0, 0, 0}, held{0, 0, 0};
+    Vec3 attachments{0, 0, 0}, held{0, 0, 0};
     constexpr int steps = 30;
     for (int k = 0; k < steps; ++k) {
       bench->step(dt);
-      ties += sum_of(bench->tie_impulses());
+      attachments += sum_of(bench->attachment_impulses());
       held += sum_of(bench->reactions());
     }
     const float time = steps * dt;
     constexpr float rows = 8.5f / 9;  // about: of the cloth that is not held
-    EXPECT_NEAR(ties.y / time, -mass * 9.81f, 0.01f * mass * 9.81f) << mass;
+    EXPECT_NEAR(attachments.y / time, -mass * 9.81f, 0.01f * mass * 9.81f) << mass;
     EXPECT_NEAR(held.y / time, -(mass + 0.032f * rows) * 9.81f, 0.01f * (mass + 0.032f) * 9.81f) << mass;
     EXPECT_LT(length(bench->rigid().velocity(0)), 0.01f) << mass;
     EXPECT_NEAR(bench->rigid().pose(0).position.y, at.y, 0.02f) << mass;
   }
 }
 
-TEST_P(BodyTies, KeepMomentum) {
+TEST_P(BodyAttachments, KeepMomentum) {
   ClothSolidSetup setup = hanging_sheet(GetParam());
   setup.gravity = {0, 0, 0};
   setup.held.clear();
@@ -106,25 +106,25 @@ TEST_P(BodyTies, KeepMomentum) {
   EXPECT_LT(length(momentum() - before), 2e-6f * 0.13f);  // kg·m/s: of what moved
 }
 
-TEST_P(BodyTies, LetAKinematicBodyDragCloth) {
+TEST_P(BodyAttachments, LetAKinematicBodyDragCloth) {
   ClothSolidSetup setup = hanging_sheet(GetParam());
   setup.held.clear();
   const Vec3 at{0, 0.25f, 0};
   setup.solids = {ball(1, at)};
   setup.solids[0].motion = SolidSetup::Motion::kinematic;
   setup.solids[0].velocity = {1, 0, 0};
-  for (uint32_t v = 0; v < 9; ++v) setup.ties.push_back({v, 0, setup.mesh.vertices[v] - at});
+  for (uint32_t v = 0; v < 9; ++v) setup.attachments.push_back({v, 0, setup.mesh.vertices[v] - at});
   const auto bench = make_cloth_solid_bench(setup);
   for (int k = 0; k < 60; ++k) bench->step(dt);
   const Vec3 moved = bench->rigid().pose(0).position - at;
   EXPECT_NEAR(moved.x, 1, 1e-3f);
-  for (const collision::BodyTie& tie : setup.ties) {
-    const Vec3 off = bench->positions()[tie.vertex] - (setup.mesh.vertices[tie.vertex] + moved);
+  for (const collision::BodyAttachment& attachment : setup.attachments) {
+    const Vec3 off = bench->positions()[attachment.vertex] - (setup.mesh.vertices[attachment.vertex] + moved);
     EXPECT_LT(length(off), 1e-3f);
   }
 }
 
-TEST_P(BodyTies, StayCalmAtMassRatiosOfAThousand) {
+TEST_P(BodyAttachments, StayCalmAtMassRatiosOfAThousand) {
   const float cloth = 0.2f * 0.4f * 0.4f;
   for (float mass : {1e-3f * cloth, 1e3f * cloth}) {
     ClothSolidSetup setup = hanging_sheet(GetParam());
@@ -139,7 +139,7 @@ TEST_P(BodyTies, StayCalmAtMassRatiosOfAThousand) {
   }
 }
 
-TEST_P(BodyTies, OfOneVertexToTwoBodiesAreBothThere) {
+TEST_P(BodyAttachments, OfOneVertexToTwoBodiesAreBothThere) {
   ClothSolidSetup setup = hanging_sheet(GetParam());
   setup.gravity = {0, 0, 0};
   setup.held.clear();
@@ -147,14 +147,14 @@ TEST_P(BodyTies, OfOneVertexToTwoBodiesAreBothThere) {
   setup.solids[0].velocity = {-1, 0, 0};
   setup.solids[1].velocity = {1, 0, 0};
   const Vec3 v = setup.mesh.vertices[40];
-  setup.ties = {{40, 1, v - Vec3{1, 0, 0}}, {40, 0, v - Vec3{-1, 0, 0}}};
+  setup.attachments = {{40, 1, v - Vec3{1, 0, 0}}, {40, 0, v - Vec3{-1, 0, 0}}};
   const auto bench = make_cloth_solid_bench(setup);
   for (int k = 0; k < 30; ++k) bench->step(dt);
   EXPECT_LT(length(bench->rigid().velocity(0) - bench->rigid().velocity(1)), 0.2f);
   EXPECT_LT(length(bench->positions()[40] - v), 0.01f);
 }
 
-TEST_P(BodyTies, OfAHeldVertexHoldAFreeBody) {
+TEST_P(BodyAttachments, OfAHeldVertexHoldAFreeBody) {
   for (bool by_a_body : {true, false}) {
     ClothSolidSetup setup = hanging_sheet(GetParam());
     if (by_a_body) setup.held.clear();
@@ -162,14 +162,14 @@ TEST_P(BodyTies, OfAHeldVertexHoldAFreeBody) {
     setup.solids[0].can_sleep = false;
     setup.solids[1].motion = SolidSetup::Motion::kinematic;
     const Vec3 v = setup.mesh.vertices[4];
-    setup.ties = {{4, 0, v - Vec3{0, -1, 0}}};
-    if (by_a_body) setup.ties.push_back({4, 1, v - Vec3{1, 0, 0}});
+    setup.attachments = {{4, 0, v - Vec3{0, -1, 0}}};
+    if (by_a_body) setup.attachments.push_back({4, 1, v - Vec3{1, 0, 0}});
     const auto bench = make_cloth_solid_bench(setup);
     for (int k = 0; k < 30; ++k) bench->step(dt);
     EXPECT_LT(length(bench->rigid().pose(0).position - Vec3{0, -1, 0}), 2e-3f) << by_a_body;
-    EXPECT_NEAR(bench->tie_impulses()[0].y / dt, -0.5f * 9.81f, 0.05f * 0.5f * 9.81f) << by_a_body;
+    EXPECT_NEAR(bench->attachment_impulses()[0].y / dt, -0.5f * 9.81f, 0.05f * 0.5f * 9.81f) << by_a_body;
     // Here `moved` is all that a vertex withstands which the world holds; else its body gets it.
-    if (by_a_body) EXPECT_GT(bench->tie_impulses()[1].y / dt, 0.5f * 9.81f);
+    if (by_a_body) EXPECT_GT(bench->attachment_impulses()[1].y / dt, 0.5f * 9.81f);
   }
 }
 

@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "collision/body/attachments.h"
+
+namespace meniscus::collision {
+
+namespace attachment_kernels {
+
+using pbd::Vec4;
+using pbd::View;
+
+/// Ties in the order of their vertices. The first one of each vertex does the work for all of them.
+struct Attachments {
+  View<const BodyAttachment> attachments;
+  uint32_t sorted;  ///< see ParticleView
+
+  MENISCUS_HD bool leads(uint32_t n) const {
+    return n == 0 || attachments[n - 1].vertex != attachments[n].vertex;
+  }
+  MENISCUS_HD uint32_t particle_of(uint32_t n) const { return sorted + attachments[n].vertex; }
+  template <class Visit>
+  MENISCUS_HD void for_each_beside(uint32_t n, const Visit& visit) const {
+    for (uint32_t k = n; k < attachments.count && attachments[k].vertex == attachments[n].vertex; ++k)
+      visit(k);
+  }
+};
+
+struct Count {
+  Attachments attachments;
+  pbd::ContactCounter counter;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!attachments.leads(n)) return;
+    uint32_t found = 0;
+    attachments.for_each_beside(n, [&](uint32_t) { ++found; });
+    counter.add(attachments.particle_of(n), found);
+  }
+};
+
+/// In how many parts a body is: half of it is for what touches it.
+MENISCUS_HD inline float splits(View<const uint32_t> attachments_of_body, uint32_t body) {
+  return 2 * static_cast<float>(attachments_of_body[body]);
+}
+
+struct Fill {
+  Attachments attachments;
+  View<const uint32_t> attachments_of_body;
+  View<const BodyProxy> bodies;
+  pbd::ContactWriter writer;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!attachments.leads(n)) return;
+    attachments.for_each_beside(n, [&](uint32_t k) {
+      writer.write(attachments.particle_of(n), make_contact(attachments.attachments[k]));
+    });
+  }
+
+  /// Where the body will be. There is no normal: nothing is pushed out.
+  MENISCUS_HD pbd::Contact make_contact(const BodyAttachment& attachment) const {
+    const BodyProxy& body = bodies[attachment.body];
+    pbd::Contact c{};
+    c.point = to_world(body.pose, attachment.anchor);
+    c.solid = c.body = attachment.body;
+    c.radius = -1;
+    c.arm = c.point - body.pose.position;
+    c.body_inverse_mass = splits(attachments_of_body, attachment.body) * largest_inverse_mass_at(body, c.arm);
+    return c;
+  }
+};
+
+/// Ties with their vertices and contacts, while these are solved. A vertex's attachments are its first
+/// contacts.
+struct JoinedAttachments {
+  Attachments attachments;
+  View<const uint32_t> start;
+  View<pbd::Contact> contacts;
+  View<Vec4> position, moved;
+  /// By attachment that leads; w: the vertex's own, and `moved` when its bodies had last got their share of
+  /// that. Of a vertex that a body holds which nothing moves: the way that it makes, m.
+  View<Vec4> joined;
+
+  /// Without room for all contacts the step is done again.
+  template <class Visit>
+  MENISCUS_HD void for_each_contact(uint32_t n, const Visit& visit) const {
+    const uint32_t first = start[attachments.particle_of(n)];
+    attachments.for_each_beside(n, [&](uint32_t k) {
+      if (first + k - n < contacts.count) visit(contacts[first + k - n]);
+    });
+  }
+};
+
+/// Vertices get the weight of what they are attached to. What nothing moves holds them in their places.
+struct Join {
+  JoinedAttachments of;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.attachments.leads(n)) return;
+    const uint32_t i = of.attachments.particle_of(n);
+    const Vec4 x = of.position[i];
+    const Vec3 way = of.moved[i].xyz();
+    of.joined[n] = pbd::with_w(way, x.w);
+    if (x.w == 0) return;
+    float mass = 1 / x.w;
+    bool is_held = false;
+    Vec3 anchor{0, 0, 0};
+    of.for_each_contact(n, [&](const pbd::Contact& c) {
+      if (c.body_inverse_mass > 0) mass += 1 / c.body_inverse_mass;
+      if (c.body_inverse_mass == 0 && !is_held) {
+        is_held = true;
+        anchor = c.point;
+      }
+    });
+    of.position[i].w = is_held ? 0 : 1 / mass;
+    if (!is_held) return;
+    of.joined[n] = pbd::with_w(way + anchor - x.xyz(), x.w);
+    of.position[i] = pbd::with_w(anchor, 0);
+    of.moved[i] = {0, 0, 0, 0};  // from now on, what it withstands
+  }
+};
+
+/// Vertices and anchors are drawn to one another.
+struct Pull {
+  JoinedAttachments of;
+  View<const uint32_t> attachments_of_body;
+  View<const BodyProxy> bodies;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.attachments.leads(n)) return;
+    const uint32_t i = of.attachments.particle_of(n);
+    const Vec4 x = of.position[i], joined = of.joined[n];
+    const Vec3 moved = of.moved[i].xyz();
+    const bool moves = x.w > 0;
+    const float w = moves ? joined.w : 0;
+    // What it was moved by before the first iteration, its share of the body was as well.
+    const Vec3 together = moves ? x.xyz() - (moved - joined.xyz()) : x.xyz();
+    Vec3 pulled{0, 0, 0};  // kg·m
+    of.for_each_contact(n, [&](pbd::Contact& c) {
+      if (c.body_inverse_mass == 0) return;
+      const Sym3 mobility =
+          diagonal(w) + splits(attachments_of_body, c.body) * inverse_mass_matrix(bodies[c.body], c.arm);
+      const Vec3 pull = inverse(mobility) * (c.point - (together + w * pulled));
+      c.tangent_multiplier += pull;
+      pulled += pull;
+    });
+    of.moved[i] = pbd::with_w(moved + (moves ? w : 1) * pulled, 0);
+    if (!moves) return;
+    of.position[i] = pbd::with_w(x.xyz() + w * pulled, x.w);
+    of.joined[n] = pbd::with_w(joined.xyz() + w * pulled, w);
+  }
+};
+
+/// Bodies get what their vertices were moved by.
+struct HandOn {
+  JoinedAttachments of;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.attachments.leads(n)) return;
+    const uint32_t i = of.attachments.particle_of(n);
+    if (of.position[i].w == 0) return;
+    const Vec3 moved = of.moved[i].xyz(), way = moved - of.joined[n].xyz();
+    of.for_each_contact(n, [&](pbd::Contact& c) { c.tangent_multiplier -= way / c.body_inverse_mass; });
+    of.joined[n] = pbd::with_w(moved, of.joined[n].w);
+  }
+};
+
+/// Gives vertices their own weight back; and attachments by which they were held, what these have withstood.
+struct LetGo {
+  JoinedAttachments of;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.attachments.leads(n)) return;
+    const Vec4 joined = of.joined[n];
+    const uint32_t i = of.attachments.particle_of(n);
+    const bool is_held = of.position[i].w == 0;
+    of.position[i].w = joined.w;
+    if (!is_held || joined.w == 0) return;
+    Vec3 withstood = 1 / joined.w * joined.xyz() - of.moved[i].xyz();
+    of.for_each_contact(n, [&](pbd::Contact& c) {
+      if (c.body_inverse_mass > 0) return;
+      c.tangent_multiplier += withstood;
+      withstood = {0, 0, 0};  // by the first of several
+    });
+    of.moved[i] = pbd::with_w(joined.xyz(), 0);
+  }
+};
+
+struct AddImpulses {
+  JoinedAttachments of;
+  View<pbd::Vec4> impulse;
+  float inverse_dt;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!of.attachments.leads(n)) return;
+    uint32_t k = n;
+    of.for_each_contact(n, [&](const pbd::Contact& c) {
+      impulse[k] = pbd::with_w(impulse[k].xyz() + inverse_dt * c.tangent_multiplier, 0);
+      ++k;
+    });
+  }
+};
+
+}  // namespace attachment_kernels
+
+template <class D>
+void BodyAttachments<D>::set_attachments(std::span<const BodyAttachment> attachments) {
+  std::vector<uint32_t> order(attachments.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, {}, [&](uint32_t k) { return attachments[k].vertex; });
+  std::vector<BodyAttachment> by_vertex;
+  place_.resize(attachments.size());
+  for (uint32_t k : order) {
+    place_[k] = static_cast<uint32_t>(by_vertex.size());
+    by_vertex.push_back(attachments[k]);
+  }
+  std::vector<uint32_t> attached(attachments.empty() ? 0 : by_vertex.back().vertex + 1, pbd::no_index);
+  std::vector<uint32_t> attachments_of_body;
+  for (const BodyAttachment& attachment : by_vertex) {
+    attached[attachment.vertex] = attachment.body;
+    if (attachments_of_body.size() <= attachment.body) attachments_of_body.resize(attachment.body + 1);
+    ++attachments_of_body[attachment.body];
+  }
+
+  device_.wait();
+  attachments_.resize_discard(by_vertex.size());
+  attachments_.write(by_vertex);
+  impulse_.resize_discard(by_vertex.size());
+  impulse_.fill(0);
+  joined_.resize_discard(by_vertex.size());
+  attachments_of_body_.resize_discard(attachments_of_body.size());
+  attachments_of_body_.write(attachments_of_body);
+  attached_body_.resize_discard(attached.size());
+  attached_body_.write(attached);
+}
+
+template <class D>
+std::vector<Vec3> BodyAttachments<D>::read_impulses() const {
+  const std::vector<pbd::Vec4> by_vertex = impulse_.read(impulse_.size());
+  std::vector<Vec3> out;
+  for (uint32_t place : place_) out.push_back(by_vertex[place].xyz());
+  return out;
+}
+
+template <class D>
+attachment_kernels::JoinedAttachments BodyAttachments<D>::joined(const pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  return {{attachments_.view(), p.sorted},
+          substep.contacts.start,
+          substep.contacts.contacts,
+          p.position,
+          p.moved,
+          joined_.view()};
+}
+
+template <class D>
+void BodyAttachments<D>::count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) {
+  device_.parallel_for("attachments/count", attachments_.view().count,
+                       attachment_kernels::Count{{attachments_.view(), substep.particles.sorted}, counter});
+}
+
+template <class D>
+void BodyAttachments<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
+  device_.parallel_for("attachments/fill", attachments_.view().count,
+                       attachment_kernels::Fill{{attachments_.view(), substep.particles.sorted},
+                                                attachments_of_body_.view(),
+                                                bodies_.proxies(),
+                                                writer});
+}
+
+template <class D>
+void BodyAttachments<D>::begin(pbd::Substep<D>& substep) {
+  device_.parallel_for("attachments/join", attachments_.view().count,
+                       attachment_kernels::Join{joined(substep)});
+}
+
+template <class D>
+void BodyAttachments<D>::project(pbd::Substep<D>& substep, int) {
+  device_.parallel_for(
+      "attachments/pull", attachments_.view().count,
+      attachment_kernels::Pull{joined(substep), attachments_of_body_.view(), bodies_.proxies()});
+}
+
+template <class D>
+void BodyAttachments<D>::hand_on(pbd::Substep<D>& substep) {
+  device_.parallel_for("attachments/hand on", attachments_.view().count,
+                       attachment_kernels::HandOn{joined(substep)});
+}
+
+template <class D>
+void BodyAttachments<D>::let_go(pbd::Substep<D>& substep) {
+  device_.parallel_for("attachments/let go", attachments_.view().count,
+                       attachment_kernels::LetGo{joined(substep)});
+}
+
+template <class D>
+void BodyAttachments<D>::observe(const pbd::Substep<D>& substep) {
+  device_.parallel_for("attachments/impulses", attachments_.view().count,
+                       attachment_kernels::AddImpulses{joined(substep), impulse_.view(), 1 / substep.dt});
+}
+
+}  // namespace meniscus::collision
