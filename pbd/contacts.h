@@ -13,7 +13,7 @@ namespace meniscus::pbd {
 
 inline constexpr uint32_t no_index = 0xffffffff;
 /// In the place of a body: the surface is that of a sheet of triangles, whose vertices are particles.
-inline constexpr uint32_t on_sheet = 0xfffffffe;
+inline constexpr uint32_t on_cloth = 0xfffffffe;
 
 /// One particle near a surface. Found once a substep; the surface is taken as the plane through `point` while
 /// the substep's iterations run. Where the surface belongs to a body, the plane moves along with it.
@@ -32,7 +32,7 @@ struct alignas(16) Contact {
   float body_inverse_mass;  ///< 1/kg: how the body gives way along the normal, split among its contacts; 0:
                             ///< not at all. What was put into a solid meets one that gives way in any case
   Vec3 arm;                 ///< m, from the body's centre of mass to where impulses act
-  uint32_t body;            ///< the rigid body, no_index or on_sheet
+  uint32_t body;            ///< the rigid body, no_index or on_cloth
   float approach_speed;  ///< m/s along the normal, before the substep's solve; negative towards the surface
   float restitution;     ///< 0 to 1
   float adhesion;        ///< kg·m, the most that the surface pulls back with in this substep

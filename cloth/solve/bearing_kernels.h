@@ -29,7 +29,7 @@ struct NoteBearing {
     }
   }
   MENISCUS_HD static bool is_of_body(const pbd::Contact& c) {
-    return c.body < pbd::on_sheet && c.body_inverse_mass > 0;
+    return c.body < pbd::on_cloth && c.body_inverse_mass > 0;
   }
 };
 

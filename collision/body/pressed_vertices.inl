@@ -26,7 +26,7 @@ struct BodyContacts {
     return i != pbd::no_index && i >= sorted && i - sorted < pressed.count ? i : pbd::no_index;
   }
   MENISCUS_HD static bool gives_way(const Contact& c) {
-    return c.body < pbd::on_sheet && c.body_inverse_mass > 0 && !is_attachment(c);
+    return c.body < pbd::on_cloth && c.body_inverse_mass > 0 && !is_attachment(c);
   }
   MENISCUS_HD static float mass(const Contact& c) { return 1 / c.body_inverse_mass; }
 };

@@ -6,14 +6,14 @@
 #pragma once
 
 #include "collision/fluid_cloth/area.h"
+#include "collision/fluid_cloth/cloth_shapes.h"
+#include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/fluid_cloth/marks.h"
-#include "collision/fluid_cloth/sheet_shapes.h"
-#include "collision/fluid_cloth/sheet_surface.h"
 #include "collision/fluid_cloth/spread.h"
 #include "pbd/contacts.h"
 #include "pbd/device/base/atomics.h"
 
-namespace meniscus::collision::sheet_kernels {
+namespace meniscus::collision::fluid_cloth_kernels {
 
 /// What is within `by` (m) of a particle's way.
 MENISCUS_HD inline Aabb way_box(Vec3 from, Vec3 to, float by) {
@@ -143,7 +143,7 @@ struct FindTouches {
     layers.gather();
     if (layers.nearest() > 0) layers.add_edge(nearest_edge(i, to, pbd::min(h, layers.nearest())));
     for (uint32_t n = 0; n < most_touches; ++n) {
-      SheetTouch& touch = near.touches[most_touches * k + n];
+      FluidClothContact& touch = near.touches[most_touches * k + n];
       if (n < layers.count())
         write_touch(touch, layers[n], at_border);
       else if (SearchTeam::leads())
@@ -189,7 +189,7 @@ struct FindTouches {
     return edge;
   }
 
-  MENISCUS_HD void write_touch(SheetTouch& touch, const Place& place, bool at_border) const {
+  MENISCUS_HD void write_touch(FluidClothContact& touch, const Place& place, bool at_border) const {
     const pbd::SurfaceTriangle t = surface.tree.triangles[place.triangle];
     const float w = 1 - place.u - place.v;
     const Vec3 point = w * surface.end(t.a) + place.u * surface.end(t.b) + place.v * surface.end(t.c);
@@ -240,7 +240,7 @@ struct WriteContacts {
     if (k >= near.count()) return;
     const uint32_t i = near.particle[k];
     for (uint32_t n = 0; n < most_touches; ++n) {
-      SheetTouch& touch = near.touches[most_touches * k + n];
+      FluidClothContact& touch = near.touches[most_touches * k + n];
       if (!is_used(touch)) return;
       const pbd::Contact contact = contact_of(touch, i);
       if (!TouchTeam::leads()) continue;
@@ -251,8 +251,8 @@ struct WriteContacts {
     }
   }
 
-  MENISCUS_HD pbd::Contact contact_of(const SheetTouch& touch, uint32_t i) const {
-    const SheetPart part = surface.parts[touch.part];
+  MENISCUS_HD pbd::Contact contact_of(const FluidClothContact& touch, uint32_t i) const {
+    const FluidClothPiece part = surface.parts[touch.part];
     pbd::Contact c{};
     const Vec3 speed = touch.mean([&](uint32_t v) { return velocity[surface.first_vertex + v].xyz(); });
     c.point = touch.point;
@@ -262,7 +262,7 @@ struct WriteContacts {
     c.radius = part.radius;
     c.friction = part.friction;
     c.adhesion = part.adhesion * dt * dt;
-    c.body = pbd::on_sheet;
+    c.body = pbd::on_cloth;
     c.approach_speed = dot(touch.normal, velocity[i].xyz() - speed);
     c.surface_motion = touch.mean([&](uint32_t v) { return surface.end(v) - surface.start(v); });
     return c;
@@ -285,4 +285,4 @@ struct EnterTouches {
   }
 };
 
-}  // namespace meniscus::collision::sheet_kernels
+}  // namespace meniscus::collision::fluid_cloth_kernels

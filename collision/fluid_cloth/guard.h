@@ -6,7 +6,7 @@
 
 #include "collision/fluid_cloth/find.h"
 
-namespace meniscus::collision::sheet_kernels {
+namespace meniscus::collision::fluid_cloth_kernels {
 
 /// Takes a particle that would have passed through a triangle along with it, on its own side. Sheets are
 /// where they will be, so that each particle can be looked at alone. Its velocity is left to the contact.
@@ -55,4 +55,4 @@ struct HoldBack {
   }
 };
 
-}  // namespace meniscus::collision::sheet_kernels
+}  // namespace meniscus::collision::fluid_cloth_kernels

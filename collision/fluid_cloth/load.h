@@ -16,10 +16,10 @@
 // impact, or what a light vertex does alone would be done to heavy particles.
 #pragma once
 
-#include "collision/fluid_cloth/sheet_surface.h"
+#include "collision/fluid_cloth/cloth_surface.h"
 #include "pbd/contacts.h"
 
-namespace meniscus::collision::sheet_kernels {
+namespace meniscus::collision::fluid_cloth_kernels {
 
 /// Works on one vertex: of coarse cloth each has thousands of touches.
 using VertexTeam = pbd::Team<32>;
@@ -27,7 +27,7 @@ using VertexTeam = pbd::Team<32>;
 /// The vertices of sheets, and what is entered with them. A team asks.
 struct LoadedVertices {
   View<const uint32_t> start, entries;  // see EnterTouches
-  View<const SheetTouch> touches;
+  View<const FluidClothContact> touches;
   View<const float> own_weight;  // 1/kg
   float unit;                    // kg·m or kg, of the integers that sums run in; a power of 2
 
@@ -37,13 +37,13 @@ struct LoadedVertices {
   template <class Term>
   MENISCUS_HD float sum(uint32_t v, const Term& term) const {
     int64_t total = 0;
-    for_each(v, [&](const SheetTouch& t, float weight) { total += llrintf(term(t, weight) / unit); });
+    for_each(v, [&](const FluidClothContact& t, float weight) { total += llrintf(term(t, weight) / unit); });
     return unit * static_cast<float>(VertexTeam::sum(total));
   }
   /// Of the pending impulses, kg·m, which act against the sheet.
   MENISCUS_HD Vec3 pending(uint32_t v) const {
     int64_t x = 0, y = 0, z = 0;
-    for_each(v, [&](const SheetTouch& t, float weight) {
+    for_each(v, [&](const FluidClothContact& t, float weight) {
       const Vec3 push = (-weight / unit) * t.pending;
       x += llrintf(push.x);
       y += llrintf(push.y);
@@ -58,7 +58,7 @@ struct LoadedVertices {
   MENISCUS_HD void for_each(uint32_t v, const Visit& visit) const {
     const uint32_t end = start[v + 1] < entries.count ? start[v + 1] : entries.count;
     for (uint32_t e = start[v] + VertexTeam::rank(); e < end; e += VertexTeam::count()) {
-      const SheetTouch& t = touches[entries[e] >> 5];
+      const FluidClothContact& t = touches[entries[e] >> 5];
       visit(t, t.weight[entries[e] & 31]);
     }
   }
@@ -75,21 +75,25 @@ struct AtTouches {
   uint32_t first_vertex;
   Vec3 fall;  ///< m: what gravity alone moves by in the substep
 
-  MENISCUS_HD SheetTouch& touch(uint32_t k, uint32_t n) const { return near.touches[most_touches * k + n]; }
+  MENISCUS_HD FluidClothContact& touch(uint32_t k, uint32_t n) const {
+    return near.touches[most_touches * k + n];
+  }
   /// Whether there is a contact, and there was room for it.
-  MENISCUS_HD bool is_live(const SheetTouch& t) const { return is_used(t) && t.contact < contacts.count; }
+  MENISCUS_HD bool is_live(const FluidClothContact& t) const {
+    return is_used(t) && t.contact < contacts.count;
+  }
   MENISCUS_HD bool pressed(uint32_t i) const { return (phase[i] & pbd::phase_pressing) != 0; }
 
   /// m: how far the sheet has been moved in the substep. What nothing moves notes impulses in `moved`.
-  MENISCUS_HD Vec3 way_of_sheet(const SheetTouch& t) const {
+  MENISCUS_HD Vec3 motion_of_cloth(const FluidClothContact& t) const {
     return t.mean([&](uint32_t v) {
       return position[first_vertex + v].w > 0 ? moved[first_vertex + v].xyz() : Vec3{0, 0, 0};
     });
   }
 
   /// Takes the contact to where the sheet is; returns to the first thread how far.
-  MENISCUS_HD Vec3 follow_sheet(SheetTouch& t) const {
-    const Vec3 way = way_of_sheet(t);
+  MENISCUS_HD Vec3 follow_cloth(FluidClothContact& t) const {
+    const Vec3 way = motion_of_cloth(t);
     if (!TouchTeam::leads()) return {0, 0, 0};
     const Vec3 step = way - t.followed;
     t.followed = way;
@@ -100,8 +104,8 @@ struct AtTouches {
   }
 
   /// And the share of the particle that it carries.
-  MENISCUS_HD Vec3 follow(SheetTouch& t) const {
-    const Vec3 step = follow_sheet(t);
+  MENISCUS_HD Vec3 follow(FluidClothContact& t) const {
+    const Vec3 step = follow_cloth(t);
     if (!TouchTeam::leads()) return step;
     const Vec3 push = t.carried * step;
     contacts[t.contact].density_push += push;
@@ -113,7 +117,7 @@ struct AtTouches {
   MENISCUS_HD void carry(uint32_t k, uint32_t i) const {
     Vec3 step{0, 0, 0};
     for (uint32_t n = 0; n < most_touches; ++n) {
-      SheetTouch& t = touch(k, n);
+      FluidClothContact& t = touch(k, n);
       if (is_live(t)) step += t.share * follow(t);
     }
     if (TouchTeam::leads()) move(i, step);
@@ -126,7 +130,7 @@ struct AtTouches {
   /// Notes what the contacts have pushed since the last time.
   MENISCUS_HD void note_pushes(uint32_t k) const {
     for (uint32_t n = 0; n < most_touches; ++n) {
-      SheetTouch& t = touch(k, n);
+      FluidClothContact& t = touch(k, n);
       if (!is_live(t)) continue;
       const Vec3 sum = multiplier_sum(contacts[t.contact]);
       t.pending = sum - t.given;
@@ -135,14 +139,14 @@ struct AtTouches {
   }
 
   /// Whether particle i bears on the sheet.
-  MENISCUS_HD bool presses(const SheetTouch& t, uint32_t i) const {
+  MENISCUS_HD bool presses(const FluidClothContact& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
     return bears(c.normal, c.normal_multiplier + dot(c.density_push, c.normal), i);
   }
   /// Whether it is predicted to, or as good as that: what would stop just before the sheet is pressed against
   /// it by the layers behind.
-  MENISCUS_HD bool comes_to_press(const SheetTouch& t, uint32_t i) const {
+  MENISCUS_HD bool comes_to_press(const FluidClothContact& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
     const Vec3 x = position[i].xyz(), way = x - previous[i].xyz() - c.surface_motion;
@@ -177,10 +181,10 @@ struct StartTouches {
     }
     const Vec3 way = at.position[i].xyz() - at.previous[i].xyz();
     for (uint32_t n = 0; n < most_touches; ++n) {
-      SheetTouch& t = at.touch(k, n);
+      FluidClothContact& t = at.touch(k, n);
       const bool live = at.is_live(t);
       // The contact was found where that has taken the sheet already.
-      const Vec3 followed = live ? at.way_of_sheet(t) : Vec3{0, 0, 0};
+      const Vec3 followed = live ? at.motion_of_cloth(t) : Vec3{0, 0, 0};
       if (!TouchTeam::leads()) continue;
       t.followed = followed;
       t.share = carried && live ? 1.0f / static_cast<float>(carriers) : 0.0f;
@@ -200,7 +204,7 @@ struct ShareMomentum {
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
     const float own = vertices.own_weight[v];
-    const float carried = vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.carried; });
+    const float carried = vertices.sum(v, [](const FluidClothContact& t, float w) { return w * t.carried; });
     const Vec3 pending = vertices.pending(v);
     if (!VertexTeam::leads()) return;
     taken[v] = {0, 0, 0, 0};
@@ -224,11 +228,11 @@ struct GiveMomentum {
     if (k >= at.near.count()) return;
     Vec3 step{0, 0, 0};
     for (uint32_t n = 0; n < most_touches; ++n) {
-      SheetTouch& t = at.touch(k, n);
+      FluidClothContact& t = at.touch(k, n);
       if (TouchTeam::leads()) t.pending = {0, 0, 0};
       if (!at.is_live(t)) continue;
       const Vec3 took = t.mean([&](uint32_t v) { return taken[v].xyz(); });
-      at.follow_sheet(t);
+      at.follow_cloth(t);
       if (!TouchTeam::leads()) continue;
       step += -t.share * took;
       pbd::Contact& c = at.contacts[t.contact];
@@ -240,7 +244,7 @@ struct GiveMomentum {
 };
 
 /// Moves what the sheets carry, and the contacts; if `weighs`, notes what the sheets are to get back.
-struct FollowSheets {
+struct FollowCloth {
   AtTouches at;
   bool weighs;
 
@@ -289,7 +293,7 @@ struct NoteGive {
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (n >= most_touches * near.count()) return;
-    const SheetTouch& t = near.touches[n];
+    const FluidClothContact& t = near.touches[n];
     if (!is_used(t) || t.contact >= contacts.count) return;
     float give = 0;
     for (uint32_t k = TouchTeam::rank(); k < t.vertices; k += TouchTeam::count()) {
@@ -341,7 +345,7 @@ struct CarryVelocities {
     Vec3 step{0, 0, 0};
     bool presses = false;
     for (uint32_t n = 0; n < most_touches; ++n) {
-      const SheetTouch& t = at.touch(k, n);
+      const FluidClothContact& t = at.touch(k, n);
       presses |= at.presses(t, i);
       if (!is_used(t) || t.share == 0) continue;
       step += t.share * t.mean([&](uint32_t v) { return change[v].xyz(); });
@@ -352,4 +356,4 @@ struct CarryVelocities {
   }
 };
 
-}  // namespace meniscus::collision::sheet_kernels
+}  // namespace meniscus::collision::fluid_cloth_kernels

@@ -7,7 +7,7 @@
 #include "collision/fluid_cloth/find.h"
 #include "pbd/neighbours.h"
 
-namespace meniscus::collision::sheet_kernels {
+namespace meniscus::collision::fluid_cloth_kernels {
 
 /// Takes those out of the near particles' lists that are on the other side of a triangle, at the substep's
 /// start, when nothing had passed through anything. Both ends of a pair see the same segment, computed in the
@@ -96,4 +96,4 @@ struct PartNeighbours {
   }
 };
 
-}  // namespace meniscus::collision::sheet_kernels
+}  // namespace meniscus::collision::fluid_cloth_kernels

@@ -14,17 +14,17 @@
 #include "collision/fluid_cloth/load.h"
 #include "pbd/math/random.h"
 
-namespace meniscus::collision::sheet_kernels {
+namespace meniscus::collision::fluid_cloth_kernels {
 
 /// m: what passes is clear of a sheet at this distance, and what begins to is nearer. The second layer of
 /// particles is further off.
-MENISCUS_HD inline float clear_of_sheet(float radius) {
+MENISCUS_HD inline float clear_of_cloth(float radius) {
   return 1.5f * radius;
 }
 
 /// Whether what touches there may begin to pass.
-MENISCUS_HD inline bool is_at_sheet(const pbd::Contact& c, Vec3 x) {
-  return plane_distance(c, x) < clear_of_sheet(c.radius);
+MENISCUS_HD inline bool is_at_cloth(const pbd::Contact& c, Vec3 x) {
+  return plane_distance(c, x) < clear_of_cloth(c.radius);
 }
 
 /// Notes what each touch has pushed its particle with in the substep, and what of it those at the sheet have
@@ -36,12 +36,12 @@ struct NotePushes {
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (n >= most_touches * near.count()) return;
-    SheetTouch& t = near.touches[n];
+    FluidClothContact& t = near.touches[n];
     t.given = t.pending = {0, 0, 0};
     if (!is_used(t) || t.contact >= contacts.count) return;
     const pbd::Contact& c = contacts[t.contact];
     t.given = multiplier_sum(c);
-    if (is_at_sheet(c, position[near.particle[n / most_touches]].xyz())) t.pending = t.given;
+    if (is_at_cloth(c, position[near.particle[n / most_touches]].xyz())) t.pending = t.given;
   }
 };
 
@@ -53,12 +53,12 @@ struct DrivePassing {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
-    const Vec3 net{vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.given.x; }),
-                   vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.given.y; }),
-                   vertices.sum(v, [](const SheetTouch& t, float w) { return w * t.given.z; })};
+    const Vec3 net{vertices.sum(v, [](const FluidClothContact& t, float w) { return w * t.given.x; }),
+                   vertices.sum(v, [](const FluidClothContact& t, float w) { return w * t.given.y; }),
+                   vertices.sum(v, [](const FluidClothContact& t, float w) { return w * t.given.z; })};
     const Vec3 up = normalized_or(net, {0, 0, 0});
-    const float greater =
-        vertices.sum(v, [&](const SheetTouch& t, float w) { return w * pbd::max(0, dot(t.pending, up)); });
+    const float greater = vertices.sum(
+        v, [&](const FluidClothContact& t, float w) { return w * pbd::max(0, dot(t.pending, up)); });
     if (!VertexTeam::leads()) return;
     drive[v] = greater > 0 ? pbd::with_w(net / greater, 0) : Vec4{0, 0, 0, 0};
   }
@@ -67,7 +67,7 @@ struct DrivePassing {
 struct BeginPassing {
   NearList near;
   View<const pbd::Contact> contacts;
-  View<const SheetPart> parts;
+  View<const FluidClothPiece> parts;
   View<const Vec4> drive;  // by vertex
   View<const Vec4> position;
   View<const uint32_t> number;
@@ -80,10 +80,10 @@ struct BeginPassing {
     const uint32_t i = near.particle[k];
     float chance = 0;
     for (uint32_t n = 0; n < most_touches; ++n) {
-      const SheetTouch& t = near.touches[most_touches * k + n];
+      const FluidClothContact& t = near.touches[most_touches * k + n];
       if (!is_used(t) || t.contact >= contacts.count) continue;
       const pbd::Contact& c = contacts[t.contact];
-      if (!is_at_sheet(c, position[i].xyz())) continue;
+      if (!is_at_cloth(c, position[i].xyz())) continue;
       const Vec3 driven = t.mean([&](uint32_t v) { return drive[v].xyz(); });
       const float share = pbd::max(0, dot(driven, c.normal));
       chance += parts[t.part].flow * share * pbd::max(0, dot(t.pending, c.normal)) / dt;
@@ -103,15 +103,15 @@ struct EndPassing {
     if (!(phase[i] & pbd::phase_passing)) return;
     const Vec3 at = surface.previous[i].xyz();
     bool clear = true;
-    const Aabb box = way_box(at, at, clear_of_sheet(largest_radius));
+    const Aabb box = way_box(at, at, clear_of_cloth(largest_radius));
     pbd::for_each_overlap(surface.tree, box, 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      const SheetPart& part = surface.parts[t.part];
+      const FluidClothPiece& part = surface.parts[t.part];
       if (part.flow == 0 || !surface.may_meet(i, t.part)) return;
-      clear = clear && nearest(surface.pair(at, at, t), 0).distance >= clear_of_sheet(part.radius);
+      clear = clear && nearest(surface.pair(at, at, t), 0).distance >= clear_of_cloth(part.radius);
     });
     if (clear) phase[i] &= ~pbd::phase_passing;
   }
 };
 
-}  // namespace meniscus::collision::sheet_kernels
+}  // namespace meniscus::collision::fluid_cloth_kernels

@@ -6,10 +6,10 @@
 #pragma once
 
 #include "collision/fluid_cloth/area.h"
+#include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/fluid_cloth/marks.h"
-#include "collision/fluid_cloth/sheet_surface.h"
 
-namespace meniscus::collision::sheet_kernels {
+namespace meniscus::collision::fluid_cloth_kernels {
 
 /// Where a touch is to be shared out from.
 struct SpreadAround {
@@ -23,7 +23,7 @@ struct SpreadAround {
 /// forces across the sheet turn nothing.
 class Spread {
  public:
-  MENISCUS_HD Spread(const Surface& surface, const SpreadAround& around, SheetTouch& touch)
+  MENISCUS_HD Spread(const Surface& surface, const SpreadAround& around, FluidClothContact& touch)
       : surface_(surface), around_(around), axes_(around.normal), touch_(touch) {}
 
   /// How many share it; 0 where they are too few, or to one side.
@@ -60,14 +60,14 @@ class Spread {
     const uint32_t many = pbd::bit_count(near);
     uint32_t at = count_ + SearchTeam::sum_before(many);
     for (uint32_t k = 0; k < 3; ++k) {
-      if (!(near >> k & 1) || at >= SheetTouch::most_vertices) continue;
+      if (!(near >> k & 1) || at >= FluidClothContact::most_vertices) continue;
       const Offset o = offset(corner[k]);
       touch_.set(at++, corner[k], o.weight);
       one_ += o.weight, u_ += o.weight * o.u, v_ += o.weight * o.v;
       uu_ += o.weight * o.u * o.u, uv_ += o.weight * o.u * o.v, vv_ += o.weight * o.v * o.v;
     }
     count_ += SearchTeam::sum(many);
-    if (count_ > SheetTouch::most_vertices) count_ = SheetTouch::most_vertices;
+    if (count_ > FluidClothContact::most_vertices) count_ = FluidClothContact::most_vertices;
   }
 
   /// By the first row of the inverse of the moments.
@@ -88,7 +88,7 @@ class Spread {
   const Surface& surface_;
   const SpreadAround& around_;
   const Tangents axes_;
-  SheetTouch& touch_;
+  FluidClothContact& touch_;
   uint32_t count_ = 0;
   float one_ = 0, u_ = 0, v_ = 0, uu_ = 0, uv_ = 0, vv_ = 0;
 };
@@ -96,7 +96,7 @@ class Spread {
 /// Shares a touch among the vertices within the radius, or as far as a border allows. Returns how many they
 /// are; 0 where it does not.
 MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAround& around,
-                                       SheetTouch& touch) {
+                                       FluidClothContact& touch) {
   for (float r = around.radius; r > 0.4f * around.radius; r *= 0.75f) {
     const SpreadAround within{around.point, around.normal, r, around.part};
     const uint32_t vertices = Spread(surface, within, touch).find();
@@ -105,4 +105,4 @@ MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAroun
   return 0;
 }
 
-}  // namespace meniscus::collision::sheet_kernels
+}  // namespace meniscus::collision::fluid_cloth_kernels

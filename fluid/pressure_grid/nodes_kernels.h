@@ -117,7 +117,7 @@ struct GatherNodes {
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
     const float weight = node_weight(away);
     if (weight < least_weight) return;
-    float open = 1, open_by_sheets = 1;
+    float open = 1, open_by_cloth = 1;
     bool hidden = false;
     for (uint32_t k = from.contacts.start[i]; k < from.contacts.start[i + 1]; ++k) {
       const Contact& c = from.contacts.contacts[k];
@@ -125,8 +125,8 @@ struct GatherNodes {
       const float distance =
           from.space.cells.inverse_reach * plane_distance(c, from.position[i].xyz()) + dot(c.normal, away);
       const float share = 1 - share_behind(distance);
-      if (any_moving && c.body == pbd::on_sheet) {
-        sight.sheets.add(open_by_sheets *= share, distance, c.normal);
+      if (any_moving && c.body == pbd::on_cloth) {
+        sight.sheets.add(open_by_cloth *= share, distance, c.normal);
         hidden = hidden || distance < 0;
       } else {
         sight.solids.add(open *= share, distance, c.normal);

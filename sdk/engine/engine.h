@@ -19,7 +19,7 @@
 #include "collision/body/proxy.h"
 #include "collision/contact/shape.h"
 #include "collision/contact/shape_contacts.h"
-#include "collision/fluid_cloth/sheet_surface.h"
+#include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/grains/grain_set.h"
 #include "collision/mesh/mesh.h"
 #include "collision/rigid/rigid_world.h"
@@ -105,10 +105,10 @@ struct ParticleBatch {
 struct EngineCloth {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
-  std::vector<pbd::Phase> phase;                  ///< the group is the piece
-  std::vector<collision::Touch> touches;          ///< by piece
-  std::vector<cloth::ContactPart> contact_parts;  ///< by piece
-  std::vector<collision::SheetPart> sheets;       ///< by piece
+  std::vector<pbd::Phase> phase;                   ///< the group is the piece
+  std::vector<collision::Touch> touches;           ///< by piece
+  std::vector<cloth::ContactPart> contact_parts;   ///< by piece
+  std::vector<collision::FluidClothPiece> sheets;  ///< by piece
   std::vector<collision::BodyAttachment> attachments;
   cloth::ClothModel model;
   cloth::RodModel rods, ropes;

@@ -14,7 +14,7 @@
 #include "collision/body/pressed_vertices.h"
 #include "collision/contact/contact_set.h"
 #include "collision/contact/shape_contacts.h"
-#include "collision/fluid_cloth/sheet_set.h"
+#include "collision/fluid_cloth/fluid_cloth_set.h"
 #include "collision/grains/grain_set.h"
 #include "collision/sdf/mesh_fields.h"
 #include "collision/sdf/mesh_sampling.h"
@@ -55,8 +55,8 @@ class DeviceEngine final : public Engine {
         contact_set_(device_),
         grains_(device_, def.particle_spacing, contact_set_),
         face_points_(device_, particles_, contacts_, bodies_, contact_set_),
-        sheet_contacts_(device_, particles_, def.solver.support_radius),
-        sheets_(device_, particles_, sheet_contacts_),
+        fluid_cloth_contacts_(device_, particles_, def.solver.support_radius),
+        fluid_cloth_(device_, particles_, fluid_cloth_contacts_),
         tension_(device_, def.kernel, def.particle_spacing),
         viscosity_(device_, def.kernel),
         probes_(device_, density_),
@@ -102,7 +102,7 @@ class DeviceEngine final : public Engine {
   std::vector<Vec3> read_reactions() override { return cloth_.read_reactions(); }
   std::vector<Vec3> read_attachment_impulses() override { return attachments_.read_impulses(); }
   std::vector<collision::WettingTouch> read_wetting() override {
-    return sheet_contacts_.read_wetting(solver_.contacts().contacts);
+    return fluid_cloth_contacts_.read_wetting(solver_.contacts().contacts);
   }
   void weigh_vertices(uint32_t first, std::span<const float> inverse_masses,
                       std::span<const Vec3> velocities) override;
@@ -141,13 +141,13 @@ class DeviceEngine final : public Engine {
   void assemble() {
     pbd::Pipeline<ContactPhase, pbd::ContactSource<D>>()
         .place(ContactPhase::attachments, attachments_)
-        .place(ContactPhase::cloth, sheet_contacts_)
+        .place(ContactPhase::cloth, fluid_cloth_contacts_)
         .place(ContactPhase::solids, contacts_)
         .for_each([this](auto& source) { solver_.add(source); });
     pbd::Pipeline<SetPhase, pbd::ConstraintSet<D>>()
         .place(SetPhase::surface_tension, tension_)
         .place(SetPhase::density, density_)
-        .place(SetPhase::fluid_loads, sheets_.loading())
+        .place(SetPhase::fluid_loads, fluid_cloth_.loading())
         .place(SetPhase::attachments, attachments_)
         .place(SetPhase::body_loads, pressed_)
         .place(SetPhase::cloth, cloth_)
@@ -156,11 +156,11 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::ropes, ropes_)
         .place(SetPhase::self_contact, self_contacts_)
         .place(SetPhase::grains, grains_)
-        .place(SetPhase::fluid_carry, sheets_.carrying())
+        .place(SetPhase::fluid_carry, fluid_cloth_.carrying())
         .place(SetPhase::contacts, face_points_)
         .place(SetPhase::ccd_failsafe, self_contacts_.guard())
         .place(SetPhase::attachment_release, attachments_.release())
-        .place(SetPhase::fluid_cloth, sheets_)
+        .place(SetPhase::fluid_cloth, fluid_cloth_)
         .place(SetPhase::bodies, bodies_)
         .for_each([this](auto& set) { solver_.add(set); });
     pbd::Pipeline<VelocityPhase, pbd::VelocityPass<D>>()
@@ -211,8 +211,8 @@ class DeviceEngine final : public Engine {
   collision::ContactSet<D> contact_set_;
   collision::GrainSet<D> grains_;
   collision::FacePoints<D> face_points_;
-  collision::SheetContacts<D> sheet_contacts_;
-  collision::SheetSet<D> sheets_;
+  collision::FluidClothContacts<D> fluid_cloth_contacts_;
+  collision::FluidClothSet<D> fluid_cloth_;
   fluid::SurfaceTensionSet<D> tension_;
   fluid::ViscosityPass<D> viscosity_;
   fluid::Probes<D> probes_;

@@ -30,14 +30,14 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   const std::vector<cloth::Piece>& pieces = cloth.model.pieces;
   const bool bears_fluid =
       std::any_of(pieces.begin(), pieces.end(), [](const cloth::Piece& p) { return p.bears_fluid; });
-  sheet_contacts_.set_surface(bears_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
-                              cloth.model.rest, cloth.sheets);
+  fluid_cloth_contacts_.set_surface(bears_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
+                                    cloth.model.rest, cloth.sheets);
   std::vector<float> inverse_masses;
   if (bears_fluid) {
     for (const pbd::Vec4& x : cloth.position) inverse_masses.push_back(x.w);
   }
   const float s = def_.particle_spacing, water = 1000.0f * s * s * s;
-  sheets_.set_vertices(inverse_masses, std::max(heaviest, water));
+  fluid_cloth_.set_vertices(inverse_masses, std::max(heaviest, water));
   particles_.set_vertices(cloth.position, cloth.velocity, cloth.phase);
   any_placed_ = true;
   solver_.particles_changed(particles_.sorted(), 0);
@@ -58,7 +58,7 @@ void DeviceEngine<D>::weigh_vertices(uint32_t first, std::span<const float> inve
   }
   particles_.position.current.write(position, at);
   particles_.velocity.current.write(velocity, at);
-  sheets_.weigh(first, weights);
+  fluid_cloth_.weigh(first, weights);
   solver_.particles_changed(particles_.sorted(), 0);
 }
 

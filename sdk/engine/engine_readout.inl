@@ -123,7 +123,7 @@ void DeviceEngine<D>::fetch_contacts() {
     if (c.solid == pbd::no_index || impulse == Vec3{0, 0, 0}) continue;
     if (particle[n] >= sorted_in_step_) continue;  // vertices, and points of faces
     const TouchedKind kind = c.body == pbd::no_index   ? TouchedKind::shape
-                             : c.body == pbd::on_sheet ? TouchedKind::cloth
+                             : c.body == pbd::on_cloth ? TouchedKind::cloth
                                                        : TouchedKind::body;
     fetched_contacts_.push_back({slot[particle[n]], c.solid, kind, c.point, c.normal, impulse});
   }

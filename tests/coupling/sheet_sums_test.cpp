@@ -12,7 +12,7 @@
 namespace meniscus::tests {
 namespace {
 
-using namespace collision::sheet_kernels;
+using namespace collision::fluid_cloth_kernels;
 
 template <class T>
 pbd::View<T> view(std::vector<T>& values) {
@@ -25,12 +25,12 @@ TEST(SheetSums, TheVerticesGetTheOppositeOfAllPushesAtTheirLevers) {
   std::uniform_real_distribution<float> share(0, 1);
   std::vector<Vec3> x;
   for (uint32_t v = 0; v < vertices; ++v) x.push_back(random_vector(random, 2));
-  std::vector<SheetTouch> touches(700);
+  std::vector<FluidClothContact> touches(700);
   std::vector<std::vector<uint32_t>> of_vertex(vertices);
   Sum3 linear, angular;
   double gross = 0, gross_angular = 0;
   for (uint32_t n = 0; n < touches.size(); ++n) {
-    SheetTouch& t = touches[n];
+    FluidClothContact& t = touches[n];
     t = {};
     const float u = share(random), v = share(random) * (1 - u);
     const uint32_t first = static_cast<uint32_t>(random() % (vertices - 2));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What is known of eight triangles together, against each of them.
-#include "collision/fluid_cloth/sheet_shapes.h"
+#include "collision/fluid_cloth/cloth_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace meniscus::tests {
 namespace {
 
-using namespace collision::sheet_kernels;
+using namespace collision::fluid_cloth_kernels;
 
 constexpr uint32_t group = 8;
 

@@ -4,8 +4,8 @@
 
 #include <span>
 
+#include "collision/fluid_cloth/fluid_cloth_contacts.h"
 #include "collision/fluid_cloth/load.h"
-#include "collision/fluid_cloth/sheet_contacts.h"
 
 namespace meniscus::collision {
 
@@ -19,9 +19,9 @@ namespace meniscus::collision {
 /// makes sure that nothing has passed through, and `end` hands on what restitution has done. Impulses are
 /// handed on as they are: momentum is kept.
 template <class D>
-class SheetSet final : public pbd::ConstraintSet<D> {
+class FluidClothSet final : public pbd::ConstraintSet<D> {
  public:
-  SheetSet(D& device, pbd::Particles& particles, SheetContacts<D>& contacts)
+  FluidClothSet(D& device, pbd::Particles& particles, FluidClothContacts<D>& contacts)
       : device_(device), particles_(particles), contacts_(contacts), loading_(*this), carrying_(*this) {}
 
   pbd::ConstraintSet<D>& loading() { return loading_; }
@@ -47,16 +47,16 @@ class SheetSet final : public pbd::ConstraintSet<D> {
 
  private:
   struct Loading final : pbd::ConstraintSet<D> {
-    explicit Loading(SheetSet& owner) : set(owner) {}
+    explicit Loading(FluidClothSet& owner) : set(owner) {}
     void begin(pbd::Substep<D>& substep) override { set.start(substep); }
     void project(pbd::Substep<D>& substep, int) override { set.push_back(substep, false); }
     void settle(pbd::Substep<D>& substep) override { set.push_back(substep, true); }
-    SheetSet& set;
+    FluidClothSet& set;
   };
   struct Carrying final : pbd::ConstraintSet<D> {
-    explicit Carrying(SheetSet& owner) : set(owner) {}
+    explicit Carrying(FluidClothSet& owner) : set(owner) {}
     void project(pbd::Substep<D>& substep, int) override { set.carry(substep); }
-    SheetSet& set;
+    FluidClothSet& set;
   };
 
   void start(pbd::Substep<D>& substep);
@@ -67,12 +67,12 @@ class SheetSet final : public pbd::ConstraintSet<D> {
   void at_particles(const char* name, const Kernel& kernel);
   template <class Kernel>
   void at_vertices(const char* name, const Kernel& kernel);
-  sheet_kernels::AtTouches at_touches(const pbd::Substep<D>& substep);
-  sheet_kernels::LoadedVertices loaded_vertices();
+  fluid_cloth_kernels::AtTouches at_touches(const pbd::Substep<D>& substep);
+  fluid_cloth_kernels::LoadedVertices loaded_vertices();
 
   D& device_;
   pbd::Particles& particles_;
-  SheetContacts<D>& contacts_;
+  FluidClothContacts<D>& contacts_;
   Loading loading_;
   Carrying carrying_;
   uint32_t draws_ = 0, draws_before_ = 0;  // substeps: who passes through is drawn anew in each

@@ -4,10 +4,10 @@
 // What a group of eight neighbouring triangles is like, so that most of those around a particle need no look.
 #pragma once
 
+#include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/fluid_cloth/marks.h"
-#include "collision/fluid_cloth/sheet_surface.h"
 
-namespace meniscus::collision::sheet_kernels {
+namespace meniscus::collision::fluid_cloth_kernels {
 
 /// All corners lie within `radius` of the centre at the substep's end, and no unit normal is further than
 /// `bend` from the axis.
@@ -62,4 +62,4 @@ struct FitShapes {
   }
 };
 
-}  // namespace meniscus::collision::sheet_kernels
+}  // namespace meniscus::collision::fluid_cloth_kernels

@@ -15,7 +15,7 @@
 namespace meniscus::collision {
 
 /// How a piece of cloth meets fluid.
-struct SheetPart {
+struct FluidClothPiece {
   CollisionFilter filter{};
   float radius = 0;    ///< m: particles' centres stop at this distance
   float friction = 0;  ///< Coulomb's μ
@@ -31,7 +31,7 @@ struct WettingTouch {
   uint32_t vertex;
 };
 
-namespace sheet_kernels {
+namespace fluid_cloth_kernels {
 
 using pbd::GroupTeam;
 using pbd::no_index;
@@ -46,7 +46,7 @@ struct Surface {
   pbd::SurfaceTreeView tree;
   View<const Vec4> previous, position;  // of all particles
   uint32_t first_vertex;                // vertex v is this particle and v more
-  View<const SheetPart> parts;
+  View<const FluidClothPiece> parts;
   View<const uint32_t> marks;            // by place in the tree: see triangle_marks()
   View<const CollisionFilter> by_fluid;  // empty where all collide with everything
   View<const pbd::Phase> phase;          // of all particles
@@ -94,7 +94,7 @@ MENISCUS_HD inline Vec3 turned_to_end(const pbd::FeaturePair& p, Vec3 direction,
 /// A particle near a sheet. It has a contact for each layer of cloth that it is near, at most three. What it
 /// pushes is shared by the corners of the triangle that it touches, or by all vertices of a fine mesh that
 /// are as near as its neighbours.
-struct alignas(16) SheetTouch {
+struct alignas(16) FluidClothContact {
   static constexpr uint32_t most_vertices = 32;
 
   Vec3 point;         ///< m, on the surface
@@ -139,7 +139,7 @@ struct alignas(16) SheetTouch {
 
 inline constexpr uint32_t most_touches = 3;
 
-MENISCUS_HD inline bool is_used(const SheetTouch& t) {
+MENISCUS_HD inline bool is_used(const FluidClothContact& t) {
   return t.vertices > 0;
 }
 
@@ -147,12 +147,12 @@ MENISCUS_HD inline bool is_used(const SheetTouch& t) {
 /// most_touches · k.
 struct NearList {
   View<uint32_t> particle;
-  View<SheetTouch> touches;
+  View<FluidClothContact> touches;
   View<uint32_t> counter;  // how many there are, which may be more than fit
 
   MENISCUS_HD uint32_t count() const { return counter[0] < particle.count ? counter[0] : particle.count; }
 };
 
-}  // namespace sheet_kernels
+}  // namespace fluid_cloth_kernels
 
 }  // namespace meniscus::collision

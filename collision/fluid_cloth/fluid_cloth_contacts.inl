@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <vector>
 
+#include "collision/fluid_cloth/cloth_shapes.h"
 #include "collision/fluid_cloth/find.h"
+#include "collision/fluid_cloth/fluid_cloth_contacts.h"
 #include "collision/fluid_cloth/guard.h"
 #include "collision/fluid_cloth/marks.h"
 #include "collision/fluid_cloth/parting.h"
 #include "collision/fluid_cloth/passing.h"
-#include "collision/fluid_cloth/sheet_contacts.h"
-#include "collision/fluid_cloth/sheet_shapes.h"
 #include "collision/fluid_cloth/wetting.h"
 #include "pbd/surface_tree/surface_tree.inl"
 
 namespace meniscus::collision {
 
-namespace sheet_kernels {
+namespace fluid_cloth_kernels {
 
 /// Keeps the most that any substep of a step found.
 struct NoteNear {
@@ -29,68 +29,69 @@ struct NoteNear {
   }
 };
 
-}  // namespace sheet_kernels
+}  // namespace fluid_cloth_kernels
 
 template <class D>
-void SheetContacts<D>::count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) {
-  using namespace sheet_kernels;
+void FluidClothContacts<D>::count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) {
+  using namespace fluid_cloth_kernels;
   if (!any()) return;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(pbd::WayBoxes(p, 0));
   counter_.fill(0);
   entry_count_.fill(0);
   if (permeable_) {
-    device_.parallel_for("sheets/passed", p.sorted,
+    device_.parallel_for("fluid cloth/passed", p.sorted,
                          EndPassing{surface(substep), particles_.phase.current.view(), largest_radius_});
   }
-  device_.parallel_for("sheets/near", p.sorted,
+  device_.parallel_for("fluid cloth/near", p.sorted,
                        ListNear{surface(substep), near(), particles_.phase.current.view(), support_radius_});
-  device_.parallel_for("sheets/found", 1, NoteNear{counter_.view(), found_.view()});
-  pbd::parallel_for_teams<pbd::GroupTeam>(device_, "sheets/shapes", static_cast<uint32_t>(shapes_.size()),
+  device_.parallel_for("fluid cloth/found", 1, NoteNear{counter_.view(), found_.view()});
+  pbd::parallel_for_teams<pbd::GroupTeam>(device_, "fluid cloth/shapes",
+                                          static_cast<uint32_t>(shapes_.size()),
                                           FitShapes{surface(substep), shapes_.view()});
-  pbd::parallel_for_teams<SearchTeam>(device_, "sheets/touches", near_count(),
+  pbd::parallel_for_teams<SearchTeam>(device_, "fluid cloth/touches", near_count(),
                                       FindTouches{surface(substep), near(), counter, entry_count_.view(),
                                                   shapes_.view(), support_radius_, 0.51f * largest_radius_});
-  device_.exclusive_scan("sheets/offsets", entry_count_.view(), entry_start_.view());
+  device_.exclusive_scan("fluid cloth/offsets", entry_count_.view(), entry_start_.view());
   pbd::parallel_for_teams<TouchTeam>(
-      device_, "sheets/entries", most_touches * near_count(),
+      device_, "fluid cloth/entries", most_touches * near_count(),
       EnterTouches{near(), entry_start_.view(), entry_count_.view(), entries_.view()});
 }
 
 template <class D>
-void SheetContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
-  using namespace sheet_kernels;
+void FluidClothContacts<D>::fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) {
+  using namespace fluid_cloth_kernels;
   if (!any()) return;
   pbd::parallel_for_teams<TouchTeam>(
-      device_, "sheets/contacts", near_count(),
+      device_, "fluid cloth/contacts", near_count(),
       WriteContacts{surface(substep), near(), substep.particles.velocity, writer, substep.dt});
 }
 
 template <class D>
-void SheetContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
-  using namespace sheet_kernels;
+void FluidClothContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
+  using namespace fluid_cloth_kernels;
   if (!any()) return;
   pbd::parallel_for_teams<SearchTeam>(
-      device_, "sheets/part", near_count(),
+      device_, "fluid cloth/part", near_count(),
       PartNeighbours{surface(substep), near(), substep.neighbours, support_radius_});
 }
 
 template <class D>
-void SheetContacts<D>::hold_back(const pbd::Substep<D>& substep) {
-  using namespace sheet_kernels;
+void FluidClothContacts<D>::hold_back(const pbd::Substep<D>& substep) {
+  using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(pbd::WayBoxes(p, 2e-3f * largest_radius_));
-  device_.parallel_for("sheets/hold back", p.sorted, HoldBack{surface(substep), p.position});
+  device_.parallel_for("fluid cloth/hold back", p.sorted, HoldBack{surface(substep), p.position});
 }
 
 template <class D>
-std::vector<WettingTouch> SheetContacts<D>::read_wetting(pbd::View<const pbd::Contact> contacts) {
-  using namespace sheet_kernels;
+std::vector<WettingTouch> FluidClothContacts<D>::read_wetting(pbd::View<const pbd::Contact> contacts) {
+  using namespace fluid_cloth_kernels;
   const uint32_t most = most_near();
   if (!absorbent_ || most == 0) return {};
   if (most > wetting_.size()) wetting_.resize_or_stay(most + most / 4);
   wetting_count_.fill(0);
-  device_.parallel_for("sheets/wetting", near_count(),
+  device_.parallel_for("fluid cloth/wetting", near_count(),
                        ListWetting{near(), contacts, parts_.view(), particles_.position.current.view(),
                                    particles_.slot.current.view(), wetting_.view(), wetting_count_.view()});
   uint32_t count = 0;
@@ -102,39 +103,40 @@ std::vector<WettingTouch> SheetContacts<D>::read_wetting(pbd::View<const pbd::Co
 }
 
 template <class D>
-sheet_kernels::Surface SheetContacts<D>::surface(const pbd::Substep<D>& substep) {
+fluid_cloth_kernels::Surface FluidClothContacts<D>::surface(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), marks_.view(), filters_, p.phase};
 }
 
 template <class D>
-sheet_kernels::NearList SheetContacts<D>::near() {
+fluid_cloth_kernels::NearList FluidClothContacts<D>::near() {
   return {near_.view(), touches_.view(), counter_.view()};
 }
 
 template <class D>
-uint32_t SheetContacts<D>::near_count() {
+uint32_t FluidClothContacts<D>::near_count() {
   const auto room = static_cast<uint32_t>(near_.size());
   return device_.kind() == pbd::DeviceKind::cpu ? std::min(counter_.view()[0], room) : room;
 }
 
 template <class D>
-void SheetContacts<D>::start_step() {
+void FluidClothContacts<D>::start_step() {
   std::fill(found_.host().begin(), found_.host().end(), 0u);
 }
 
 template <class D>
-void SheetContacts<D>::reserve_near(uint32_t capacity) {
-  using namespace sheet_kernels;
+void FluidClothContacts<D>::reserve_near(uint32_t capacity) {
+  using namespace fluid_cloth_kernels;
   near_.resize_discard(0);
   touches_.resize_discard(most_touches * size_t{capacity});
-  entries_.resize_discard(SheetTouch::most_vertices * most_touches * size_t{capacity});
+  entries_.resize_discard(FluidClothContact::most_vertices * most_touches * size_t{capacity});
   near_.resize_discard(capacity);  // last: its length is what counts
 }
 
 template <class D>
-void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles,
-                                   std::span<const Vec3> positions, std::span<const SheetPart> parts) {
+void FluidClothContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles,
+                                        std::span<const Vec3> positions,
+                                        std::span<const FluidClothPiece> parts) {
   device_.wait();
   tree_.set_surface(triangles, positions);
   vertices_ = triangles.empty() ? 0 : static_cast<uint32_t>(positions.size());
@@ -142,7 +144,7 @@ void SheetContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangl
   parts_.write(parts);
   largest_radius_ = 0;
   permeable_ = absorbent_ = false;
-  for (const SheetPart& part : parts) {
+  for (const FluidClothPiece& part : parts) {
     largest_radius_ = std::max(largest_radius_, part.radius);
     permeable_ |= part.flow > 0;
     absorbent_ |= part.absorbs != 0;

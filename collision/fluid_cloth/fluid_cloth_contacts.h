@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "collision/fluid_cloth/sheet_shapes.h"
+#include "collision/fluid_cloth/cloth_shapes.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
 #include "pbd/surface_tree/surface_tree.h"
@@ -19,16 +19,16 @@ namespace meniscus::collision {
 /// triangle ends in a contact on that side. Neighbours that a triangle stands between are parted: the images
 /// of the sheet take their place.
 ///
-/// Comes before ShapeContacts among the sources. SheetSet makes the contacts act on the cloth.
+/// Comes before ShapeContacts among the sources. FluidClothSet makes the contacts act on the cloth.
 template <class D>
-class SheetContacts final : public pbd::ContactSource<D> {
+class FluidClothContacts final : public pbd::ContactSource<D> {
  public:
-  SheetContacts(D& device, pbd::Particles& particles, float support_radius)
+  FluidClothContacts(D& device, pbd::Particles& particles, float support_radius)
       : device_(device), particles_(particles), support_radius_(support_radius), tree_(device) {}
 
   /// All triangles of all pieces, and the pieces by number. `positions` are those of the vertices at rest.
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> positions,
-                   std::span<const SheetPart> parts);
+                   std::span<const FluidClothPiece> parts);
   /// By fluid, or empty where all collide with everything. Must stay valid until it is set anew.
   void set_filters(pbd::View<const CollisionFilter> filters) { filters_ = filters; }
 
@@ -46,11 +46,12 @@ class SheetContacts final : public pbd::ContactSource<D> {
 
   /// Whether fluid passes through any piece.
   bool permeable() const { return permeable_; }
-  pbd::View<const SheetPart> parts() const { return parts_.view(); }
+  pbd::View<const FluidClothPiece> parts() const { return parts_.view(); }
 
-  // For SheetSet: what the last search found.
-  sheet_kernels::NearList near();
-  /// By vertex, and behind the last one the total: where its entries begin (sheet_kernels::EnterTouches).
+  // For FluidClothSet: what the last search found.
+  fluid_cloth_kernels::NearList near();
+  /// By vertex, and behind the last one the total: where its entries begin
+  /// (fluid_cloth_kernels::EnterTouches).
   pbd::View<const uint32_t> entry_start() const { return entry_start_.view(); }
   pbd::View<const uint32_t> entries() const { return entries_.view(); }
   uint32_t vertices() const { return vertices_; }
@@ -65,7 +66,7 @@ class SheetContacts final : public pbd::ContactSource<D> {
   uint32_t most_near() const { return found_.host().empty() ? 0 : found_.host()[0]; }
 
  private:
-  sheet_kernels::Surface surface(const pbd::Substep<D>& substep);
+  fluid_cloth_kernels::Surface surface(const pbd::Substep<D>& substep);
   void reserve_near(uint32_t capacity);
 
   D& device_;
@@ -76,18 +77,18 @@ class SheetContacts final : public pbd::ContactSource<D> {
   float largest_radius_ = 0;
   bool permeable_ = false, absorbent_ = false;
   pbd::View<const CollisionFilter> filters_;
-  pbd::Buffer<SheetPart> parts_{device_, "sheet parts"};
-  pbd::Buffer<uint32_t> marks_{device_, "sheet marks"};
-  pbd::Buffer<sheet_kernels::GroupShape> shapes_{device_, "shapes of sheets"};
+  pbd::Buffer<FluidClothPiece> parts_{device_, "cloth parts"};
+  pbd::Buffer<uint32_t> marks_{device_, "cloth marks"};
+  pbd::Buffer<fluid_cloth_kernels::GroupShape> shapes_{device_, "shapes of sheets"};
   pbd::Buffer<uint32_t> near_{device_, "particles near sheets"};
   pbd::Buffer<uint32_t> counter_{device_, "particles near sheets"};
-  pbd::Buffer<sheet_kernels::SheetTouch> touches_{device_, "sheet touches"};
+  pbd::Buffer<fluid_cloth_kernels::FluidClothContact> touches_{device_, "cloth touches"};
   pbd::Buffer<uint32_t> entry_count_{device_, "touches of vertices"};
   pbd::Buffer<uint32_t> entry_start_{device_, "touches of vertices"};
   pbd::Buffer<uint32_t> entries_{device_, "touches of vertices"};
   pbd::Buffer<WettingTouch> wetting_{device_, "wetting particles"};
   pbd::Buffer<uint32_t> wetting_count_{device_, "wetting particles"};
-  pbd::SharedBuffer<uint32_t> found_{device_, "sheet counts"};
+  pbd::SharedBuffer<uint32_t> found_{device_, "cloth counts"};
 };
 
 }  // namespace meniscus::collision
