@@ -67,7 +67,7 @@ struct WithShapes {
 };
 
 /// What sorts a body's contacts, in this order. A key is so many times the body's number, and one of these.
-enum ContactKind : uint32_t { is_free, is_pinched, is_attached, contact_kinds };
+enum ContactKind : uint32_t { is_free, is_two_sided, is_attached, contact_kinds };
 
 /// The body and the kind of each contact, as a key. What belongs to no body comes last.
 struct NoteBodies {
@@ -83,7 +83,7 @@ struct NoteBodies {
     const Contact& c = contacts.contacts[n];
     if (c.body >= body_count) return;
     key[n] = contact_kinds * c.body + (is_attachment(c)    ? is_attached
-                                       : has_no_room(n, c) ? is_pinched
+                                       : has_no_room(n, c) ? is_two_sided
                                                            : is_free);
   }
 
@@ -113,11 +113,11 @@ struct FindGroups {
     const uint32_t none = contact_kinds * b;  // less than the kind that follows
     const uint32_t before = n == 0 || sorted_key[n - 1] < none ? none : sorted_key[n - 1];
     if (n == 0 || sorted_key[n - 1] < none) body.first = n;
-    if (key >= none + is_pinched && before < none + is_pinched) body.pinched = n;
+    if (key >= none + is_two_sided && before < none + is_two_sided) body.two_sided = n;
     if (key == none + is_attached && before != key) body.attached = n;
     if (n + 1 < sorted_key.count && sorted_key[n + 1] / contact_kinds == b) return;
     body.end = n + 1;
-    if (key == none + is_free) body.pinched = n + 1;
+    if (key == none + is_free) body.two_sided = n + 1;
     if (key != none + is_attached) body.attached = n + 1;
   }
 };
@@ -140,8 +140,8 @@ struct Split {
     if (c.body >= bodies.count || is_attachment(c)) return;
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
-    const uint32_t free = body.pinched - body.first, pinched = body.attached - body.pinched;
-    const uint32_t alike = k < body.pinched ? free : pinched, kinds = free > 0 && pinched > 0 ? 2 : 1;
+    const uint32_t free = body.two_sided - body.first, two_sided = body.attached - body.two_sided;
+    const uint32_t alike = k < body.two_sided ? free : two_sided, kinds = free > 0 && two_sided > 0 ? 2 : 1;
     const float share = static_cast<float>(alike * kinds * (body.attached < body.end ? 2 : 1));
     c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
     c.body_inverse_mass += share * inverse_mass_at(body, c.arm, c.normal);

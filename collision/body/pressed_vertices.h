@@ -20,7 +20,7 @@ struct BodyContacts;
 /// with, the contact hands on to the body; along its chain it slides as it did. Friction comes before the
 /// chains, not after them: with the load of a heavy body it holds a light vertex wherever it is, and what
 /// comes last must leave chains at their lengths. What lies between a body and something behind it is pinched
-/// (collision/contact/pinched_vertex.h).
+/// (collision/contact/two_sided_contact.h).
 ///
 /// Must come before the cloth; handing_on() after it, and before the contacts.
 template <class D>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "collision/body/pressed_vertices.h"
-#include "collision/contact/pinched_vertex.h"
+#include "collision/contact/two_sided_contact.h"
 
 namespace meniscus::collision {
 
@@ -34,7 +34,7 @@ struct BodyContacts {
 /// What stands behind each vertex; and friction.
 struct Weigh {
   BodyContacts of;
-  PinchedContacts pinched;
+  TwoSidedContacts two_sided;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = of.vertex(n);
@@ -46,7 +46,7 @@ struct Weigh {
       if (BodyContacts::gives_way(c) && contact_presses(c, x)) mass += BodyContacts::mass(c);
     }
     of.pressed[i - of.sorted] = {0, 0, 0, mass};
-    if (mass > 0) pinched.hold_back(i);
+    if (mass > 0) two_sided.hold_back(i);
   }
 };
 
@@ -95,7 +95,7 @@ template <class D>
 void PressedVertices<D>::project(pbd::Substep<D>& substep, int) {
   if (substep.pressed.count == 0) return;
   device_.parallel_for("pressed/weigh", substep.contacts.contacts.count,
-                       pressed_kernels::Weigh{contacts(substep), pinched_contacts(substep)});
+                       pressed_kernels::Weigh{contacts(substep), two_sided_contacts(substep)});
 }
 
 template <class D>

@@ -17,7 +17,7 @@ struct BodyProxy {
   float inverse_mass;
   Vec3 inverse_inertia;  ///< principal
   uint32_t first, end;   ///< of its contacts, among those that are grouped by body
-  uint32_t pinched;      ///< the first of those with particles that something holds on the other side
+  uint32_t two_sided;    ///< the first of those with particles that something holds on the other side
   uint32_t attached;     ///< the first of its attachments, which come last
 };
 

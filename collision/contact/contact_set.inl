@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "collision/contact/contact_set.h"
-#include "collision/contact/pinched_vertex.h"
+#include "collision/contact/two_sided_contact.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::collision {
@@ -18,7 +18,7 @@ using pbd::Vec4;
 using pbd::View;
 
 struct Project {
-  PinchedContacts contacts;
+  TwoSidedContacts contacts;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.all.contacts.touching_particle(n);
@@ -66,7 +66,7 @@ template <class D>
 void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
   if (std::exchange(substep.are_contacts_projected, false)) return;
   device_.parallel_for("contacts/project", substep.contacts.contacts.count,
-                       contact_kernels::Project{pinched_contacts(substep)});
+                       contact_kernels::Project{two_sided_contacts(substep)});
 }
 
 template <class D>

@@ -215,7 +215,7 @@ TEST(BodyKernels, TiesStandApartAndLeaveHalfOfTheBody) {
   const uint32_t expected[2][4] = {{0, 2, 2, 4}, {4, 5, 5, 5}};
   for (int b = 0; b < 2; ++b) {
     const BodyProxy& body = bench.bodies[b];
-    const uint32_t found[] = {body.first, body.pinched, body.attached, body.end};
+    const uint32_t found[] = {body.first, body.two_sided, body.attached, body.end};
     EXPECT_TRUE(std::equal(found, found + 4, expected[b])) << b;
   }
   EXPECT_EQ(bench.contacts[0].body_inverse_mass, 7);

@@ -10,7 +10,7 @@
 namespace meniscus::collision {
 
 /// Two contacts of a vertex that press on it from opposite sides.
-struct PinchingPair {
+struct OpposedPair {
   uint32_t a = pbd::no_index, b = pbd::no_index;
 
   MENISCUS_HD bool is_there() const { return a != pbd::no_index; }
@@ -25,9 +25,9 @@ MENISCUS_HD inline bool contact_presses(const pbd::Contact& c, Vec3 x) {
 }
 
 /// Of contacts first to end − 1 the two that press most straight against one another, one of which gives way.
-MENISCUS_HD inline PinchingPair find_pinching(pbd::View<const pbd::Contact> contacts, uint32_t first,
-                                              uint32_t end, Vec3 x) {
-  PinchingPair pair;
+MENISCUS_HD inline OpposedPair find_opposed(pbd::View<const pbd::Contact> contacts, uint32_t first,
+                                            uint32_t end, Vec3 x) {
+  OpposedPair pair;
   float least = -0.9f;
   for (uint32_t a = first; a + 1 < end; ++a) {
     if (!contact_presses(contacts[a], x)) continue;
@@ -44,7 +44,7 @@ MENISCUS_HD inline PinchingPair find_pinching(pbd::View<const pbd::Contact> cont
 
 /// Both contacts, taken as parallel planes: where they are not quite, what presses on them would squeeze a
 /// light vertex out as far as planes go on, and no real one slips before friction lets it.
-struct Pinch {
+struct TwoSidedContact {
   pbd::Contact &a, &b;
   float w;    ///< 1/kg, of the vertex
   Vec3 axis;  ///< unit, from b's surface to the vertex, and on to a's
@@ -144,13 +144,13 @@ struct Pinch {
   }
 };
 
-MENISCUS_HD inline Pinch pinch_between(pbd::Contact& a, pbd::Contact& b, float w) {
+MENISCUS_HD inline TwoSidedContact two_sided_between(pbd::Contact& a, pbd::Contact& b, float w) {
   const Vec3 across = b.normal - a.normal;
   return {a, b, w, across / length(across)};
 }
 
 /// Contacts where bodies may press on cloth, ropes and points of faces.
-struct PinchedContacts {
+struct TwoSidedContacts {
   pbd::ContactProjection all;
   pbd::View<const pbd::Vec4> pressed;  ///< see Substep::pressed
   uint32_t sorted;                     ///< see ParticleView
@@ -172,7 +172,7 @@ struct PinchedContacts {
     const Vec3 start = all.previous[i].xyz();
     solve(
         i, [&](Contact& c, Vec3 x, float w) { return pbd::hold_back(c, x - start, w); },
-        [&](const Pinch& pinch, Vec3 x) { return pinch.hold_back(x - start); });
+        [&](const TwoSidedContact& both_sides, Vec3 x) { return both_sides.hold_back(x - start); });
   }
 
  private:
@@ -183,9 +183,9 @@ struct PinchedContacts {
     const Vec3 start = all.previous[i].xyz();
     solve(
         i, [&](Contact& c, Vec3 x, float w) { return pbd::push_out(c, x, w, tighter * c.radius); },
-        [&](const Pinch& pinch, Vec3 x) {
-          const Vec3 push = pinch.push_apart(x, tighter);
-          pinch.hand_through(x + pinch.w * push - start);
+        [&](const TwoSidedContact& both_sides, Vec3 x) {
+          const Vec3 push = both_sides.push_apart(x, tighter);
+          both_sides.hand_through(x + both_sides.w * push - start);
           return push;
         });
   }
@@ -198,9 +198,9 @@ struct PinchedContacts {
           const Vec3 push = pbd::push_out(c, x, w, tighter * c.radius);
           return push + pbd::hold_back(c, x + w * push - start, w);
         },
-        [&](const Pinch& pinch, Vec3 x) {
-          const Vec3 push = pinch.push_apart(x, tighter);
-          return push + pinch.hold_back(x + pinch.w * push - start);
+        [&](const TwoSidedContact& both_sides, Vec3 x) {
+          const Vec3 push = both_sides.push_apart(x, tighter);
+          return push + both_sides.hold_back(x + both_sides.w * push - start);
         });
   }
 
@@ -212,19 +212,20 @@ struct PinchedContacts {
     const uint32_t begin = all.contacts.start[i], end = all.contacts.start[i + 1];
     const pbd::View<Contact> contacts = all.contacts.contacts;
     const Vec3 x = p.xyz();
-    const PinchingPair pair = find_pinching(contacts, begin, end, x);
+    const OpposedPair pair = find_opposed(contacts, begin, end, x);
     Vec3 step{0, 0, 0};
     for (uint32_t k = begin; k < end; ++k) {
       if (!pair.has(k) && !is_attachment(contacts[k])) step += p.w * one(contacts[k], x + step, p.w);
     }
-    if (pair.is_there()) step += p.w * both(pinch_between(contacts[pair.a], contacts[pair.b], p.w), x + step);
+    if (pair.is_there())
+      step += p.w * both(two_sided_between(contacts[pair.a], contacts[pair.b], p.w), x + step);
     all.position[i] = pbd::with_w(x + step, p.w);
     all.moved[i] = pbd::shifted(all.moved[i], step);
   }
 };
 
 template <class D>
-PinchedContacts pinched_contacts(const pbd::Substep<D>& substep) {
+TwoSidedContacts two_sided_contacts(const pbd::Substep<D>& substep) {
   return {contact_projection(substep), substep.pressed, substep.particles.sorted};
 }
 

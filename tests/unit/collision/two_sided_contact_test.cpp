@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A vertex between two surfaces, against sweeps over one contact after the other until nothing changes.
-#include "collision/contact/pinched_vertex.h"
+#include "collision/contact/two_sided_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr float radius = 0.004f;
 
-struct Pinched {
+struct TwoSided {
   pbd::Contact floor{}, body{};
   float w;  ///< 1/kg, of the vertex
   Vec3 x{0, 0, 0};
@@ -34,12 +34,12 @@ pbd::Contact contact(Vec3 normal, float lack, float give, float friction) {
 }
 
 /// From a vertex as heavy as what presses on it to one of a ten-thousandth.
-std::vector<Pinched> cases() {
+std::vector<TwoSided> cases() {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> share(-1, 1);
-  std::vector<Pinched> all;
+  std::vector<TwoSided> all;
   for (int k = 0; k < 400; ++k) {
-    Pinched p;
+    TwoSided p;
     p.w = 5000;
     const float body_give = p.w * std::pow(10.0f, -2 - 2 * share(random));
     const float floor_give = k % 2 ? 0 : p.w * std::pow(10.0f, -2 - 2 * share(random));
@@ -51,14 +51,14 @@ std::vector<Pinched> cases() {
 }
 
 /// How far the contact lacks its distance when it and the body behind it have moved, m.
-double lack(const pbd::Contact& c, const Pinched& before, double moved_y) {
+double lack(const pbd::Contact& c, const TwoSided& before, double moved_y) {
   const double distance = double{plane_distance(c, before.x)} + double{c.normal.y} * moved_y;
   return double{c.radius} - distance - double{c.body_inverse_mass} * double{c.normal_multiplier};
 }
 
 // Of two constraints with λ ≥ 0, C ≥ 0 and λ C = 0 there is one solution, which sweeps come to in the end.
-TEST(PinchedVertex, IsWhereSweepsWouldTakeIt) {
-  for (const Pinched& before : cases()) {
+TEST(TwoSidedContactTest, IsWhereSweepsWouldTakeIt) {
+  for (const TwoSided& before : cases()) {
     double floor = 0, body = 0;  // multipliers
     const double w = double{before.w};
     for (int sweep = 0; sweep < 200'000; ++sweep) {
@@ -67,8 +67,8 @@ TEST(PinchedVertex, IsWhereSweepsWouldTakeIt) {
       floor = std::max(0.0, (lack_floor + w * body) / (w + double{before.floor.body_inverse_mass}));
       body = std::max(0.0, (lack_body + w * floor) / (w + double{before.body.body_inverse_mass}));
     }
-    Pinched p = before;
-    const Vec3 push = pinch_between(p.floor, p.body, p.w).push_apart(p.x, 1);
+    TwoSided p = before;
+    const Vec3 push = two_sided_between(p.floor, p.body, p.w).push_apart(p.x, 1);
     const double scale = std::max({floor, body, 1e-9});
     EXPECT_NEAR(double{p.floor.normal_multiplier}, floor, 1e-3 * scale);
     EXPECT_NEAR(double{p.body.normal_multiplier}, body, 1e-3 * scale);
@@ -79,23 +79,23 @@ TEST(PinchedVertex, IsWhereSweepsWouldTakeIt) {
 }
 
 // Contacts take back what they pushed too far, and never pull.
-TEST(PinchedVertex, IsLetGoOf) {
-  for (const Pinched& before : cases()) {
-    Pinched p = before;
-    p.x += p.w * pinch_between(p.floor, p.body, p.w).push_apart(p.x, 1);
+TEST(TwoSidedContactTest, IsLetGoOf) {
+  for (const TwoSided& before : cases()) {
+    TwoSided p = before;
+    p.x += p.w * two_sided_between(p.floor, p.body, p.w).push_apart(p.x, 1);
     p.body.point -= 0.5f * radius * p.body.normal;  // it leaves
-    p.x += p.w * pinch_between(p.floor, p.body, p.w).push_apart(p.x, 1);
+    p.x += p.w * two_sided_between(p.floor, p.body, p.w).push_apart(p.x, 1);
     EXPECT_GE(p.floor.normal_multiplier, 0);
     EXPECT_EQ(p.body.normal_multiplier, 0);
     if (p.floor.body_inverse_mass == 0) EXPECT_GT(plane_distance(p.floor, p.x), 0.99f * radius);
   }
 }
 
-class PinchedFriction : public testing::Test {
+class TwoSidedFriction : public testing::Test {
  protected:
   /// Under a load of 1 kg·m on both, where the body has gone aside by `way`.
-  static Pinched under_load(float body_give, float way) {
-    Pinched p;
+  static TwoSided under_load(float body_give, float way) {
+    TwoSided p;
     p.w = 5000;
     p.floor = contact({0, 1, 0}, 0, 0, 0.8f);
     p.body = contact({0, -1, 0}, 0, body_give, 0.5f);
@@ -107,36 +107,36 @@ class PinchedFriction : public testing::Test {
 
 // What a body has slipped by is taken back at once, however light the vertex: it has pushed the body back by
 // that.
-TEST_F(PinchedFriction, TakesTheBodyBack) {
+TEST_F(TwoSidedFriction, TakesTheBodyBack) {
   constexpr float give = 0.1f, way = 0.02f;
-  Pinched p = under_load(give, way);
-  const Vec3 push = pinch_between(p.floor, p.body, p.w).hold_back({0, 0, 0});
+  TwoSided p = under_load(give, way);
+  const Vec3 push = two_sided_between(p.floor, p.body, p.w).hold_back({0, 0, 0});
   EXPECT_NEAR(p.body.tangent_multiplier.x, way / give, 1e-3f * way / give);
   EXPECT_NEAR(p.floor.tangent_multiplier.x, -way / give, 1e-3f * way / give);
   EXPECT_LT(length(p.w * push), 1e-3f * way) << "the vertex stays on the floor";
 }
 
 // With no more than Coulomb's law gives.
-TEST_F(PinchedFriction, EndsWithTheLoad) {
+TEST_F(TwoSidedFriction, EndsWithTheLoad) {
   constexpr float give = 0.1f, way = 0.2f;  // 2 kg·m would take it back
   for (const bool through : {false, true}) {
-    Pinched p = under_load(give, way);
-    const Pinch pinch = pinch_between(p.floor, p.body, p.w);
+    TwoSided p = under_load(give, way);
+    const TwoSidedContact both_sides = two_sided_between(p.floor, p.body, p.w);
     if (through)
-      pinch.hand_through({0, 0, 0});
+      both_sides.hand_through({0, 0, 0});
     else
-      EXPECT_LT(length(p.w * pinch.hold_back({0, 0, 0})), 1e-3f * way);
+      EXPECT_LT(length(p.w * both_sides.hold_back({0, 0, 0})), 1e-3f * way);
     EXPECT_NEAR(p.body.tangent_multiplier.x, 0.5f, 1e-4f);
     EXPECT_NEAR(p.floor.tangent_multiplier.x, -0.5f, 1e-4f);
   }
 }
 
 // On a floor that is smoother than the body it goes along with the body.
-TEST_F(PinchedFriction, LeavesTheVertexOnTheRougherOne) {
+TEST_F(TwoSidedFriction, LeavesTheVertexOnTheRougherOne) {
   constexpr float give = 0.1f, way = 0.2f;
-  Pinched p = under_load(give, way);
+  TwoSided p = under_load(give, way);
   p.floor.friction = 0.2f;
-  const Vec3 push = pinch_between(p.floor, p.body, p.w).hold_back({0, 0, 0});
+  const Vec3 push = two_sided_between(p.floor, p.body, p.w).hold_back({0, 0, 0});
   EXPECT_NEAR(p.floor.tangent_multiplier.x, -0.2f, 1e-4f);
   EXPECT_NEAR(p.body.tangent_multiplier.x, 0.2f, 1e-3f);
   EXPECT_NEAR(p.w * push.x, way - give * 0.2f, 1e-2f * way);
@@ -144,14 +144,14 @@ TEST_F(PinchedFriction, LeavesTheVertexOnTheRougherOne) {
 
 // Where neither holds the vertex, as where it is pulled through between the two, nothing is handed from one
 // to the other: each has its own friction.
-TEST_F(PinchedFriction, IsNotHandedThroughAVertexThatSlipsOnBoth) {
-  Pinched p = under_load(0.1f, 0.2f);
-  pinch_between(p.floor, p.body, p.w).hand_through({0.5f, 0, 0});
+TEST_F(TwoSidedFriction, IsNotHandedThroughAVertexThatSlipsOnBoth) {
+  TwoSided p = under_load(0.1f, 0.2f);
+  two_sided_between(p.floor, p.body, p.w).hand_through({0.5f, 0, 0});
   EXPECT_EQ(length(p.body.tangent_multiplier), 0);
   EXPECT_EQ(length(p.floor.tangent_multiplier), 0);
 }
 
-TEST(PinchingPair, IsOfContactsThatFaceEachOther) {
+TEST(OpposedPair, IsOfContactsThatFaceEachOther) {
   const float tilt = 0.3f;
   std::vector<pbd::Contact> contacts = {contact({0, 1, 0}, 0.1f * radius, 0, 0.5f),
                                         contact({1, 0, 0}, 0.1f * radius, 1, 0.5f),
@@ -159,7 +159,7 @@ TEST(PinchingPair, IsOfContactsThatFaceEachOther) {
                                         contact({0, -1, 0}, 0.1f * radius, 1, 0.5f)};
   const auto find = [&](uint32_t end) {
     const pbd::View<const pbd::Contact> all{contacts.data(), static_cast<uint32_t>(contacts.size())};
-    return find_pinching(all, 0, end, {0, 0, 0});
+    return find_opposed(all, 0, end, {0, 0, 0});
   };
   EXPECT_FALSE(find(2).is_there());
   EXPECT_TRUE(find(3).has(0) && find(3).has(2));
@@ -169,13 +169,13 @@ TEST(PinchingPair, IsOfContactsThatFaceEachOther) {
 }
 
 // A body whose edge is just past the vertex: what it presses with must not squeeze the vertex out.
-TEST(PinchedVertex, IsNotSqueezedOut) {
+TEST(TwoSidedContactTest, IsNotSqueezedOut) {
   const float tilt = 0.05f;
-  Pinched p;
+  TwoSided p;
   p.w = 5000;
   p.floor = contact({0, 1, 0}, 0.02f * radius, 0, 0.5f);
   p.body = contact({std::sin(tilt), -std::cos(tilt), 0}, 0.02f * radius, 1, 0.5f);
-  const Vec3 moved = p.w * pinch_between(p.floor, p.body, p.w).push_apart(p.x, 1);
+  const Vec3 moved = p.w * two_sided_between(p.floor, p.body, p.w).push_apart(p.x, 1);
   EXPECT_LT(length(moved), 0.05f * radius);
   EXPECT_GT(p.body.normal_multiplier, 0.03f * radius);
   const Vec3 on_vertex = multiplier_sum(p.floor) + multiplier_sum(p.body);
