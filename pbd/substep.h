@@ -24,8 +24,8 @@ struct Substep {
   GridView grid{};        ///< the cells that particles of fluids are sorted by, as they were predicted
   bool is_last = false;   ///< of its step
   /// By vertex of cloth, where bodies may be carried, in an iteration; w: the mass that stands behind it, kg;
-  /// and what chains have pressed that with, kg·m. See collision::PressedVertices.
-  View<Vec4> pressed{};
+  /// and what chains have pressed that with, kg·m. See collision::EffectiveMass.
+  View<Vec4> effective_mass{};
   /// Where fluid may lie on cloth: at v and v + 1 the same number, if none is near vertex v.
   View<const uint32_t> fluid_near{};
   /// In an iteration: what moved particles last has held them at their contacts as well.

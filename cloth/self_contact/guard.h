@@ -110,7 +110,7 @@ struct SumLost {
 /// Nothing moves against anything else in it by that; given to those around them it kept crumpled cloth
 /// stretched. Notes for the host what the substep found: the most of any, up to the first whose lists had no
 /// room.
-struct HandOn {
+struct TransferPush {
   View<const uint32_t> vertex_part;
   View<const Vec4> position;  // by vertex
   View<Vec4> moved;           // by vertex

@@ -143,7 +143,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                               SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
   device_.parallel_for(
       "self contacts/hand on", std::max<uint32_t>(vertices_, counter_count),
-      HandOn{vertex_part_.view(), position, moved, part_sums(), counters_.view(), found_.view()});
+      TransferPush{vertex_part_.view(), position, moved, part_sums(), counters_.view(), found_.view()});
 }
 
 // ---- room ----

@@ -55,8 +55,8 @@ struct SolveChains {
   View<const EdgeConstraint> edges;
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
   VertexState all;
-  View<Vec4> pending;  ///< kg·m, by vertex, where any is
-  View<Vec4> pressed;  ///< see Substep::pressed
+  View<Vec4> pending;         ///< kg·m, by vertex, where any is
+  View<Vec4> effective_mass;  ///< see Substep::pressed
   /// By piece, see bearing_kernels::Bearing, if any may bear something: those chains take up nothing that is
   /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
   View<const uint32_t> bearing;
@@ -136,7 +136,7 @@ class SolveChainsAtOnce {
                                             [&](uint32_t k) { return reach(ways, k); });
     const Real share = Real(1) / furthest;
     group.for_each(vertices, [&](uint32_t k) { move(k, share); });
-    if (has_pressed()) group.for_each(vertices, [&](uint32_t k) { press(ways, k, share); });
+    if (has_effective_mass()) group.for_each(vertices, [&](uint32_t k) { press(ways, k, share); });
     group.for_each(edges, [&](uint32_t k) { note(ways, k, share); });
   }
 
@@ -175,9 +175,9 @@ class SolveChainsAtOnce {
 
   /// kg
   MENISCUS_HD Real mass_behind(uint32_t k) const {
-    return has_pressed() ? gather(s_.pressed, vertex(k).index()).w : Real(0);
+    return has_effective_mass() ? gather(s_.effective_mass, vertex(k).index()).w : Real(0);
   }
-  MENISCUS_HD bool has_pressed() const { return s_.pressed.count > 0; }
+  MENISCUS_HD bool has_effective_mass() const { return s_.effective_mass.count > 0; }
   MENISCUS_HD bool puts_aside() const { return s_.pending.count > 0; }
   MENISCUS_HD bool any_bears() const { return s_.bearing.count > 0; }
   MENISCUS_HD Real bears() const {
@@ -346,7 +346,7 @@ class SolveChainsAtOnce {
     Vector push = scratch_.push[k];
     if (k > 0) push = push - taken_back(ways, k - 1);
     if (k < chains_.most) push += taken_back(ways, k);
-    return has_pressed() ? push - mass_behind(k) * ways[k].right : push;
+    return has_effective_mass() ? push - mass_behind(k) * ways[k].right : push;
   }
   /// How far that would move it, in lengths of an edge; keeps it.
   MENISCUS_HD Real reach(const Sideways* ways, uint32_t k) const {
@@ -376,9 +376,10 @@ class SolveChainsAtOnce {
   }
   MENISCUS_HD void press(const Sideways* ways, uint32_t k, const Real& share) const {
     const Places at = vertex(k);
-    const Vec4Of<Real> before = gather(s_.pressed, at.index());
+    const Vec4Of<Real> before = gather(s_.effective_mass, at.index());
     const Vector now = before.xyz() + share * before.w * ways[k].right;
-    scatter(s_.pressed, at.index(), {now.x, now.y, now.z, before.w}, chains_.have_edge(k == 0 ? 0 : k - 1));
+    scatter(s_.effective_mass, at.index(), {now.x, now.y, now.z, before.w},
+            chains_.have_edge(k == 0 ? 0 : k - 1));
   }
   MENISCUS_HD Places vertex(uint32_t k) const { return k == 0 ? start_of(0) : end_of(k - 1); }
   MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {

@@ -100,7 +100,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void start_from_last(pbd::Substep<D>& substep);
   /// Whether any piece may bear something, so that what it pulls with has to be forgotten.
   static bool may_bear(const pbd::Substep<D>& substep) {
-    return substep.pressed.count > 0 || substep.fluid_near.count > 0;
+    return substep.effective_mass.count > 0 || substep.fluid_near.count > 0;
   }
   stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const Turn& turn);
   void sweep_colours(pbd::Substep<D>& substep, const Turn& turn);

@@ -172,7 +172,7 @@ void ClothSet<D>::note_bearing(pbd::Substep<D>& substep) {
   using namespace bearing_kernels;
   if (!may_bear(substep)) return;
   bearing_.fill(0);
-  if (substep.pressed.count > 0) {
+  if (substep.effective_mass.count > 0) {
     device_.parallel_for("cloth/bearing", substep.contacts.contacts.count,
                          NoteBearing{substep.contacts, vertices(substep), vertex_count_, bearing_.view()});
   }
@@ -294,7 +294,7 @@ void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<
                     .multiplier = chain_multiplier(),
                     .all = vertices(substep),
                     .pending = pending,
-                    .pressed = substep.pressed,
+                    .effective_mass = substep.effective_mass,
                     .bearing = starts_from_last() && may_bear(substep) ? bearing_.view() : View<uint32_t>{},
                     .starts = turn.starts,
                     .takes_over = turn.takes_over,

@@ -155,7 +155,7 @@ struct Pull {
 };
 
 /// Bodies get what their vertices were moved by.
-struct HandOn {
+struct TransferPush {
   JoinedAttachments of;
 
   MENISCUS_HD void operator()(uint32_t n) const {
@@ -287,7 +287,7 @@ void BodyAttachments<D>::project(pbd::Substep<D>& substep, int) {
 template <class D>
 void BodyAttachments<D>::hand_on(pbd::Substep<D>& substep) {
   device_.parallel_for("attachments/hand on", attachments_.view().count,
-                       attachment_kernels::HandOn{joined(substep)});
+                       attachment_kernels::TransferPush{joined(substep)});
 }
 
 template <class D>

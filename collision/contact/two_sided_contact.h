@@ -152,16 +152,16 @@ MENISCUS_HD inline TwoSidedContact two_sided_between(pbd::Contact& a, pbd::Conta
 /// Contacts where bodies may press on cloth, ropes and points of faces.
 struct TwoSidedContacts {
   pbd::ContactProjection all;
-  pbd::View<const pbd::Vec4> pressed;  ///< see Substep::pressed
-  uint32_t sorted;                     ///< see ParticleView
+  pbd::View<const pbd::Vec4> effective_mass;  ///< see Substep::pressed
+  uint32_t sorted;                            ///< see ParticleView
 
   /// Of particle i, which has contacts. Vertices that are pressed against bodies have had their friction
   /// before chains.
   MENISCUS_HD void project(uint32_t i) const {
     const uint32_t n = i - sorted;
-    if (i < sorted || pressed.count == 0)
+    if (i < sorted || effective_mass.count == 0)
       all.project(i);
-    else if (n < pressed.count && pressed[n].w > 0)
+    else if (n < effective_mass.count && effective_mass[n].w > 0)
       push_out(i);
     else
       push_and_hold(i);
@@ -226,7 +226,7 @@ struct TwoSidedContacts {
 
 template <class D>
 TwoSidedContacts two_sided_contacts(const pbd::Substep<D>& substep) {
-  return {contact_projection(substep), substep.pressed, substep.particles.sorted};
+  return {contact_projection(substep), substep.effective_mass, substep.particles.sorted};
 }
 
 }  // namespace meniscus::collision

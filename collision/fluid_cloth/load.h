@@ -82,7 +82,7 @@ struct AtTouches {
   MENISCUS_HD bool is_live(const FluidClothContact& t) const {
     return is_used(t) && t.contact < contacts.count;
   }
-  MENISCUS_HD bool pressed(uint32_t i) const { return (phase[i] & pbd::phase_pressing) != 0; }
+  MENISCUS_HD bool effective_mass(uint32_t i) const { return (phase[i] & pbd::phase_pressing) != 0; }
 
   /// m: how far the sheet has been moved in the substep. What nothing moves notes impulses in `moved`.
   MENISCUS_HD Vec3 motion_of_cloth(const FluidClothContact& t) const {
@@ -174,7 +174,7 @@ struct StartTouches {
     if (k >= at.near.count()) return;
     const uint32_t i = at.near.particle[k];
     int carriers = 0;
-    bool carried = at.pressed(i);
+    bool carried = at.effective_mass(i);
     for (uint32_t n = 0; n < most_touches; ++n) {
       carriers += at.is_live(at.touch(k, n));
       carried |= at.comes_to_press(at.touch(k, n), i);

@@ -10,8 +10,8 @@
 #include "cloth/rods/rope_set.h"
 #include "collision/body/attachments.h"
 #include "collision/body/body_set.h"
+#include "collision/body/effective_mass.h"
 #include "collision/body/face_points.h"
-#include "collision/body/pressed_vertices.h"
 #include "collision/contact/contact_set.h"
 #include "collision/contact/shape_contacts.h"
 #include "collision/fluid_cloth/fluid_cloth_set.h"
@@ -45,7 +45,7 @@ class DeviceEngine final : public Engine {
         contacts_(device_, particles_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
         attachments_(device_, bodies_),
-        pressed_(device_, bodies_),
+        effective_mass_(device_, bodies_),
         density_(device_, def.kernel, def.density),
         cloth_(device_, def.cloth),
         rods_(device_),
@@ -149,9 +149,9 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::density, density_)
         .place(SetPhase::fluid_loads, fluid_cloth_.loading())
         .place(SetPhase::attachments, attachments_)
-        .place(SetPhase::body_loads, pressed_)
+        .place(SetPhase::body_loads, effective_mass_)
         .place(SetPhase::cloth, cloth_)
-        .place(SetPhase::body_load_transfer, pressed_.handing_on())
+        .place(SetPhase::body_load_transfer, effective_mass_.transfer())
         .place(SetPhase::rods, rods_)
         .place(SetPhase::ropes, ropes_)
         .place(SetPhase::self_contact, self_contacts_)
@@ -201,7 +201,7 @@ class DeviceEngine final : public Engine {
   collision::ShapeContacts<D> contacts_;
   collision::BodySet<D> bodies_;
   collision::BodyAttachments<D> attachments_;
-  collision::PressedVertices<D> pressed_;
+  collision::EffectiveMass<D> effective_mass_;
   fluid::DensitySet<D> density_;
   cloth::ClothSet<D> cloth_;
   cloth::RodSet<D> rods_;

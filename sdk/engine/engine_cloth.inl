@@ -12,7 +12,7 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   if (vertices > vertex_capacity_) reserve(fluid_capacity_, vertices);
   fetch_contacts();
   cloth_.set_model(cloth.model);
-  pressed_.set_vertices(vertices);
+  effective_mass_.set_vertices(vertices);
   rods_.set_model(cloth.rods);
   rods_.set_states(0, cloth.segments);
   ropes_.set_model(cloth.ropes);

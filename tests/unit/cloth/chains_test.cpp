@@ -241,7 +241,7 @@ struct Layer {
                       .multiplier = view(multiplier),
                       .all = {},
                       .pending = puts_aside ? view(pending) : pbd::View<pbd::Vec4>{},
-                      .pressed = {},
+                      .effective_mass = {},
                       .starts = starts,
                       .first = 0,
                       .end = static_cast<uint32_t>(chains.size())};

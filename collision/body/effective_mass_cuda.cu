@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
-#include "collision/body/pressed_vertices.inl"
+#include "collision/body/effective_mass.inl"
 #include "pbd/device/cuda/cuda_device.cuh"
 
-template class meniscus::collision::PressedVertices<meniscus::pbd::CudaDevice>;
+template class meniscus::collision::EffectiveMass<meniscus::pbd::CudaDevice>;

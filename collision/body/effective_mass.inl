@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "collision/body/pressed_vertices.h"
+#include "collision/body/effective_mass.h"
 #include "collision/contact/two_sided_contact.h"
 
 namespace meniscus::collision {
 
-namespace pressed_kernels {
+namespace effective_mass_kernels {
 
 using pbd::Contact;
 using pbd::Vec4;
@@ -17,13 +17,13 @@ using pbd::View;
 struct BodyContacts {
   pbd::ContactView contacts;
   View<const Vec4> position;
-  View<Vec4> pressed;
+  View<Vec4> effective_mass;
   uint32_t sorted;  ///< see ParticleView
 
   /// The particle of place n among those that touch, or no_index where that is no vertex.
   MENISCUS_HD uint32_t vertex(uint32_t n) const {
     const uint32_t i = contacts.touching_particle(n);
-    return i != pbd::no_index && i >= sorted && i - sorted < pressed.count ? i : pbd::no_index;
+    return i != pbd::no_index && i >= sorted && i - sorted < effective_mass.count ? i : pbd::no_index;
   }
   MENISCUS_HD static bool gives_way(const Contact& c) {
     return c.body < pbd::on_cloth && c.body_inverse_mass > 0 && !is_attachment(c);
@@ -45,21 +45,21 @@ struct Weigh {
       const Contact& c = of.contacts.contacts[k];
       if (BodyContacts::gives_way(c) && contact_presses(c, x)) mass += BodyContacts::mass(c);
     }
-    of.pressed[i - of.sorted] = {0, 0, 0, mass};
+    of.effective_mass[i - of.sorted] = {0, 0, 0, mass};
     if (mass > 0) two_sided.hold_back(i);
   }
 };
 
 /// Each contact bears its share. It may pull for an iteration as well, until chains know that it need not
 /// push; and friction is not asked, for a vertex that goes aside takes what it lies on along.
-struct HandOn {
+struct TransferPush {
   BodyContacts of;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = of.vertex(n);
     if (i == pbd::no_index) return;
-    const Vec4 pressed = of.pressed[i - of.sorted];
-    if (pressed.xyz() == Vec3{0, 0, 0}) return;
+    const Vec4 effective_mass = of.effective_mass[i - of.sorted];
+    if (effective_mass.xyz() == Vec3{0, 0, 0}) return;
     float mass = 0;
     for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
       const Contact& c = of.contacts.contacts[k];
@@ -68,7 +68,7 @@ struct HandOn {
     for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
       Contact& c = of.contacts.contacts[k];
       if (!BodyContacts::gives_way(c)) continue;
-      const Vec3 push = -BodyContacts::mass(c) / mass * pressed.xyz();
+      const Vec3 push = -BodyContacts::mass(c) / mass * effective_mass.xyz();
       const float normal = pbd::max(dot(push, c.normal), -c.normal_multiplier);
       c.normal_multiplier += normal;
       c.density_push += push - normal * c.normal;
@@ -76,33 +76,33 @@ struct HandOn {
   }
 };
 
-}  // namespace pressed_kernels
+}  // namespace effective_mass_kernels
 
 template <class D>
-pressed_kernels::BodyContacts PressedVertices<D>::contacts(const pbd::Substep<D>& substep) const {
-  return {substep.contacts, substep.particles.position, substep.pressed, substep.particles.sorted};
+effective_mass_kernels::BodyContacts EffectiveMass<D>::contacts(const pbd::Substep<D>& substep) const {
+  return {substep.contacts, substep.particles.position, substep.effective_mass, substep.particles.sorted};
 }
 
 template <class D>
-void PressedVertices<D>::begin(pbd::Substep<D>& substep) {
+void EffectiveMass<D>::begin(pbd::Substep<D>& substep) {
   if (!bodies_.any_moved() || vertices_ == 0) return;
-  pressed_.resize_discard(vertices_);
-  pressed_.fill(0);
-  substep.pressed = pressed_.view();
+  effective_mass_.resize_discard(vertices_);
+  effective_mass_.fill(0);
+  substep.effective_mass = effective_mass_.view();
 }
 
 template <class D>
-void PressedVertices<D>::project(pbd::Substep<D>& substep, int) {
-  if (substep.pressed.count == 0) return;
-  device_.parallel_for("pressed/weigh", substep.contacts.contacts.count,
-                       pressed_kernels::Weigh{contacts(substep), two_sided_contacts(substep)});
+void EffectiveMass<D>::project(pbd::Substep<D>& substep, int) {
+  if (substep.effective_mass.count == 0) return;
+  device_.parallel_for("effective mass/weigh", substep.contacts.contacts.count,
+                       effective_mass_kernels::Weigh{contacts(substep), two_sided_contacts(substep)});
 }
 
 template <class D>
-void PressedVertices<D>::hand_on(pbd::Substep<D>& substep) {
-  if (substep.pressed.count == 0) return;
-  device_.parallel_for("pressed/hand on", substep.contacts.contacts.count,
-                       pressed_kernels::HandOn{contacts(substep)});
+void EffectiveMass<D>::hand_on(pbd::Substep<D>& substep) {
+  if (substep.effective_mass.count == 0) return;
+  device_.parallel_for("effective mass/transfer", substep.contacts.contacts.count,
+                       effective_mass_kernels::TransferPush{contacts(substep)});
 }
 
 }  // namespace meniscus::collision

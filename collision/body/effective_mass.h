@@ -6,7 +6,7 @@
 
 namespace meniscus::collision {
 
-namespace pressed_kernels {
+namespace effective_mass_kernels {
 struct BodyContacts;
 }
 
@@ -22,14 +22,13 @@ struct BodyContacts;
 /// comes last must leave chains at their lengths. What lies between a body and something behind it is pinched
 /// (collision/contact/two_sided_contact.h).
 ///
-/// Must come before the cloth; handing_on() after it, and before the contacts.
+/// Must come before the cloth; transfer() after it, and before the contacts.
 template <class D>
-class PressedVertices final : public pbd::ConstraintSet<D> {
+class EffectiveMass final : public pbd::ConstraintSet<D> {
  public:
-  PressedVertices(D& device, const BodySet<D>& bodies)
-      : device_(device), bodies_(bodies), handing_on_(*this) {}
+  EffectiveMass(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies), transfer_(*this) {}
 
-  pbd::ConstraintSet<D>& handing_on() { return handing_on_; }
+  pbd::ConstraintSet<D>& transfer() { return transfer_; }
   /// Those of all cloth.
   void set_vertices(uint32_t count) { vertices_ = count; }
 
@@ -37,19 +36,19 @@ class PressedVertices final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& substep, int iteration) override;
 
  private:
-  struct HandingOn final : pbd::ConstraintSet<D> {
-    explicit HandingOn(PressedVertices& owner) : vertices(owner) {}
+  struct Transfer final : pbd::ConstraintSet<D> {
+    explicit Transfer(EffectiveMass& owner) : vertices(owner) {}
     void project(pbd::Substep<D>& substep, int) override { vertices.hand_on(substep); }
-    PressedVertices& vertices;
+    EffectiveMass& vertices;
   };
   void hand_on(pbd::Substep<D>& substep);
-  pressed_kernels::BodyContacts contacts(const pbd::Substep<D>& substep) const;
+  effective_mass_kernels::BodyContacts contacts(const pbd::Substep<D>& substep) const;
 
   D& device_;
   const BodySet<D>& bodies_;
-  HandingOn handing_on_;
+  Transfer transfer_;
   uint32_t vertices_ = 0;
-  pbd::Buffer<pbd::Vec4> pressed_{device_, "pressed vertices"};
+  pbd::Buffer<pbd::Vec4> effective_mass_{device_, "effective masses"};
 };
 
 }  // namespace meniscus::collision

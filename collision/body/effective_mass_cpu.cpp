@@ -1,0 +1,6 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+#include "collision/body/effective_mass.inl"
+#include "pbd/device/cpu/cpu_device.h"
+
+template class meniscus::collision::EffectiveMass<meniscus::pbd::CpuDevice>;
