@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cloth/solve/bearing_kernels.h"
 #include "cloth/solve/chains_at_once.h"
 #include "cloth/solve/edge_compliance.h"
+#include "cloth/solve/load_kernels.h"
 #include "cloth/solve/vertex_state.h"
 
 namespace meniscus::cloth {
@@ -57,9 +57,9 @@ struct SolveChains {
   VertexState all;
   View<Vec4> pending;         ///< kg·m, by vertex, where any is
   View<Vec4> effective_mass;  ///< see Substep::pressed
-  /// By piece, see bearing_kernels::Bearing, if any may bear something: those chains take up nothing that is
+  /// By piece, see load_kernels::Bearing, if any may bear something: those chains take up nothing that is
   /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
-  View<const uint32_t> bearing;
+  View<const uint32_t> loaded;
   bool starts;
   /// The first after what was put aside, beside which λ of the last substep stands: only that says how taut
   /// the chain is.
@@ -179,11 +179,11 @@ class SolveChainsAtOnce {
   }
   MENISCUS_HD bool has_effective_mass() const { return s_.effective_mass.count > 0; }
   MENISCUS_HD bool puts_aside() const { return s_.pending.count > 0; }
-  MENISCUS_HD bool any_bears() const { return s_.bearing.count > 0; }
+  MENISCUS_HD bool any_bears() const { return s_.loaded.count > 0; }
   MENISCUS_HD Real bears() const {
     const Places starts = start_of(0);
     return pbd::by_lane<D>([&](uint32_t lane) {
-      return s_.bearing[s_.all.piece_number(starts.at[lane])] == bearing_kernels::nothing ? 0.0f : 1.0f;
+      return s_.loaded[s_.all.piece_number(starts.at[lane])] == load_kernels::nothing ? 0.0f : 1.0f;
     });
   }
   MENISCUS_HD Real kept() const {

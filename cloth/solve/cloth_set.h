@@ -104,7 +104,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   }
   stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const Turn& turn);
   void sweep_colours(pbd::Substep<D>& substep, const Turn& turn);
-  void note_bearing(pbd::Substep<D>& substep);
+  void note_loads(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
   void solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
   void blow_up(pbd::Substep<D>& substep, bool starts);
@@ -142,7 +142,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
   pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
-  pbd::Buffer<uint32_t> bearing_{device_, "pieces that bear bodies"};
+  pbd::Buffer<uint32_t> loaded_{device_, "pieces that bear bodies"};
   pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};
   pbd::Buffer<Tether> tethers_{device_, "tethers"};
   pbd::Buffer<Vec4> tether_pull_{device_, "tether pulls"};

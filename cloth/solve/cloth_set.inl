@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "cloth/build/tethers.h"
-#include "cloth/solve/bearing_kernels.h"
 #include "cloth/solve/chain_kernel.h"
 #include "cloth/solve/cloth_set.h"
 #include "cloth/solve/colour_kernel.h"
+#include "cloth/solve/load_kernels.h"
 #include "cloth/solve/sweep_kernel.h"
 #include "cloth/solve/tear_kernels.h"
 #include "cloth/solve/tether_kernels.h"
@@ -42,7 +42,7 @@ void ClothSet<D>::set_model(const ClothModel& model) {
   reaction_.fill(0);
 
   upload(pieces_, model.pieces);
-  bearing_.resize_discard(model.pieces.size());
+  loaded_.resize_discard(model.pieces.size());
   upload(triangles_, model.triangles);
   upload(rest_, model.rest);
   volume_gradient_.resize_discard(any_gas_ ? vertex_count_ : 0);
@@ -158,7 +158,7 @@ void ClothSet<D>::prepare(pbd::Substep<D>& substep) {
 template <class D>
 void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   using namespace stretch_kernels;
-  note_bearing(substep);
+  note_loads(substep);
   forget_pulls(substep);
   device_.parallel_for("cloth/start", vertex_count_,
                        StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
@@ -168,17 +168,17 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
 }
 
 template <class D>
-void ClothSet<D>::note_bearing(pbd::Substep<D>& substep) {
-  using namespace bearing_kernels;
+void ClothSet<D>::note_loads(pbd::Substep<D>& substep) {
+  using namespace load_kernels;
   if (!may_bear(substep)) return;
-  bearing_.fill(0);
+  loaded_.fill(0);
   if (substep.effective_mass.count > 0) {
     device_.parallel_for("cloth/bearing", substep.contacts.contacts.count,
-                         NoteBearing{substep.contacts, vertices(substep), vertex_count_, bearing_.view()});
+                         NoteBodyLoads{substep.contacts, vertices(substep), vertex_count_, loaded_.view()});
   }
   if (substep.fluid_near.count > 0) {
     device_.parallel_for("cloth/bearing fluid", vertex_count_,
-                         NoteFluid{substep.fluid_near, vertices(substep), bearing_.view()});
+                         NoteFluidLoads{substep.fluid_near, vertices(substep), loaded_.view()});
   }
 }
 
@@ -187,8 +187,8 @@ template <class D>
 void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
   if (!may_bear(substep)) return;
   device_.parallel_for("cloth/forget", vertex_count_,
-                       bearing_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), bearing_.view(),
-                                               vertices(substep), edge_multiplier_.view()});
+                       load_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), loaded_.view(),
+                                            vertices(substep), edge_multiplier_.view()});
 }
 
 template <class D>
@@ -246,7 +246,7 @@ stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& subst
           .share = turn.starts ? share_ : 1,
           .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
           .shears = starts_from_last(),
-          .bearing = substep.fluid_near.count > 0 ? bearing_.view() : View<uint32_t>{},
+          .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},
           .ends = turn.ends,
           .next_share = parameters_.warm_start};
 }
@@ -295,7 +295,7 @@ void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<
                     .all = vertices(substep),
                     .pending = pending,
                     .effective_mass = substep.effective_mass,
-                    .bearing = starts_from_last() && may_bear(substep) ? bearing_.view() : View<uint32_t>{},
+                    .loaded = starts_from_last() && may_bear(substep) ? loaded_.view() : View<uint32_t>{},
                     .starts = turn.starts,
                     .takes_over = turn.takes_over,
                     .first = 0,

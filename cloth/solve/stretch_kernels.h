@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cloth/build/constraints.h"
-#include "cloth/solve/bearing_kernels.h"
 #include "cloth/solve/edge_compliance.h"
+#include "cloth/solve/load_kernels.h"
 #include "cloth/solve/vertex_state.h"
 #include "pbd/device/side_by_side.h"
 
@@ -36,8 +36,8 @@ struct SolveEdge {
   /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals. Not in
   /// pieces that bear fluid, if `bearing` tells which do: these bulge, and must buckle.
   bool shears;
-  View<const uint32_t> bearing;  ///< by piece, see bearing_kernels::Bearing
-  bool ends;                     ///< the substep: what is left is for the next one
+  View<const uint32_t> loaded;  ///< by piece, see load_kernels::Bearing
+  bool ends;                    ///< the substep: what is left is for the next one
   float next_share;  ///< for that, of what pulls (λ < 0) or shears; of what else pushes less, as it buckles
 
   MENISCUS_HD void prefetch(uint32_t k) const {
@@ -127,9 +127,9 @@ struct SolveEdge {
   template <class D, class Vertices>
   MENISCUS_HD typename D::Real shearing_by_lane(const Vertices& vertices, const pbd::Places<D>& v) const {
     using Real = typename D::Real;
-    if (!shears || bearing.count == 0) return Real(shears ? 1.0f : 0.0f);
+    if (!shears || loaded.count == 0) return Real(shears ? 1.0f : 0.0f);
     return pbd::by_lane<D>([&](uint32_t lane) {
-      return bearing[vertices.piece_number(v.at[lane])] == bearing_kernels::fluid ? 0.0f : 1.0f;
+      return loaded[vertices.piece_number(v.at[lane])] == load_kernels::fluid ? 0.0f : 1.0f;
     });
   }
 
