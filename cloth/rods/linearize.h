@@ -17,7 +17,7 @@ namespace meniscus::cloth::rod_kernels {
 struct Linearize {
   /// Added to the diagonal, as a share of it: it stands for the rounding of an elimination, where rods are
   /// unyielding and held at both ends. The iterations take back what it leaves.
-  static constexpr float guard = 2e-7f;
+  static constexpr float regularisation = 2e-7f;
 
   RodView rods;
 
@@ -105,12 +105,12 @@ struct Linearize {
   MENISCUS_HD float inverse_dt2() const { return 1 / (rods.dt * rods.dt); }
 
   MENISCUS_HD static void add_to_diagonal(Sym3& m, Vec3 added) {
-    m.xx = guarded(m.xx + added.x);
-    m.yy = guarded(m.yy + added.y);
-    m.zz = guarded(m.zz + added.z);
+    m.xx = regularised(m.xx + added.x);
+    m.yy = regularised(m.yy + added.y);
+    m.zz = regularised(m.zz + added.z);
   }
   /// Where nothing may move there is no equation: any Δλ does no harm.
-  MENISCUS_HD static float guarded(float m) { return m > 0 ? (1 + guard) * m : 1; }
+  MENISCUS_HD static float regularised(float m) { return m > 0 ? (1 + regularisation) * m : 1; }
 
   MENISCUS_HD static Vec3 right_side(Vec3 strain, Vec3 start, Vec3 compliance, Vec3 multiplier,
                                      float damping) {

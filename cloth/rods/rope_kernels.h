@@ -57,7 +57,7 @@ struct Begin {
 struct Linearize {
   /// The least yield along the segment, as a share of the masses' part: it bounds Δλ where a rope is
   /// unyielding, straight and held at both ends. The iterations take back what it leaves.
-  static constexpr float guard = 2e-7f;
+  static constexpr float regularisation = 2e-7f;
   /// The most to the side: it stands for infinity, and floats can still tell the yield along beside it.
   static constexpr float most = 100;
 
@@ -76,7 +76,7 @@ struct Linearize {
 
     const float strain = length(apart) - s.rest_length;
     const float residual = strain + compliance * tension + damping * (strain - ropes.start[k]);
-    const float along = compliance / (1 + damping) + guard * mass;
+    const float along = compliance / (1 + damping) + regularisation * mass;
     const float pull = ropes.pull[k];
     const float aside = pull * most * mass > s.rest_length ? s.rest_length / pull : most * mass;
     const Vec3 right = -residual / (1 + damping) * n - aside * (multiplier - tension * n);

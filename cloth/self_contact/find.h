@@ -4,8 +4,8 @@
 // From pairs of groups to pairs of features that may touch.
 #pragma once
 
+#include "cloth/self_contact/candidate_lifetime.h"
 #include "cloth/self_contact/features.h"
-#include "cloth/self_contact/keep.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 

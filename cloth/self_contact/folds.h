@@ -4,7 +4,7 @@
 // Where sheets have folded, whose groups were left out of the lists of pairs as they were smooth.
 #pragma once
 
-#include "cloth/self_contact/zones.h"
+#include "cloth/self_contact/impact_zones.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -47,7 +47,7 @@ struct FindFolds {
 
   ClothState cloth;
   SheetViews sheets;
-  Zones zones;
+  ImpactZones impact_zones;
   Folds folds;
   uint32_t round;
 
@@ -77,7 +77,8 @@ struct FindFolds {
   MENISCUS_HD bool has_moved(uint32_t place) const {
     const SurfaceTriangle t = load(cloth.tree.triangles, place);
     if (t.a == no_index) return false;
-    return zones.has_moved(t.a, round) || zones.has_moved(t.b, round) || zones.has_moved(t.c, round);
+    return impact_zones.has_moved(t.a, round) || impact_zones.has_moved(t.b, round) ||
+           impact_zones.has_moved(t.c, round);
   }
   /// What has not changed is as it was.
   MENISCUS_HD void note(Scratch& scratch, uint32_t k, uint32_t& state) const {

@@ -4,7 +4,7 @@
 // Pairs of groups of triangles that may touch, by the tree.
 #pragma once
 
-#include "cloth/self_contact/keep.h"
+#include "cloth/self_contact/candidate_lifetime.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 

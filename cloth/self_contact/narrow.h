@@ -4,7 +4,7 @@
 // From a pair of features to a contact, if it is one.
 #pragma once
 
-#include "cloth/self_contact/sieve.h"
+#include "cloth/self_contact/cull.h"
 #include "cloth/self_contact/views.h"
 
 namespace meniscus::cloth::self_contact_kernels {
@@ -20,13 +20,13 @@ struct MakeContacts {
   float separation;        // of a thickness: how much further apart overlaps are pushed in the substep
   uint32_t stride;
 
-  using Scratch = SieveScratch;
+  using Scratch = CullScratch;
   static constexpr uint32_t resident_blocks = 6;  ///< see CudaDevice
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (list.counters[doomed] != 0) return;
-    Sieve(listed(candidate_list, list.counters[candidates]), n, stride)
+    if (list.counters[overflowed] != 0) return;
+    Cull(listed(candidate_list, list.counters[candidates]), n, stride)
         .run(
             group, scratch, [&](uint32_t k) { return may_be_contact(load(candidate_list, k)); },
             [&](uint32_t k) { make(load(candidate_list, k)); });

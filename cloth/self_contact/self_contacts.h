@@ -37,9 +37,9 @@ template <class D>
 class SelfContacts final : public pbd::ConstraintSet<D> {
  public:
   /// Nobody else may fit the tree's boxes.
-  SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree), guard_(*this) {}
+  SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree), ccd_failsafe_(*this) {}
 
-  pbd::ConstraintSet<D>& guard() { return guard_; }
+  pbd::ConstraintSet<D>& ccd_failsafe() { return ccd_failsafe_; }
 
   /// All cloth from now on. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
   /// free of strain, also where it lies in the device's memory; that view must stay valid. `heaviest` is the
@@ -66,8 +66,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
 
  private:
-  struct Guard final : pbd::ConstraintSet<D> {
-    explicit Guard(SelfContacts& owner) : contacts(owner) {}
+  struct CcdFailsafe final : pbd::ConstraintSet<D> {
+    explicit CcdFailsafe(SelfContacts& owner) : contacts(owner) {}
     void project(pbd::Substep<D>&, int) override {}
     void settle(pbd::Substep<D>& substep) override { contacts.join_crossings(substep); }
     SelfContacts& contacts;
@@ -97,7 +97,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
   self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::SheetViews sheets();
-  self_contact_kernels::Zones zones();
+  self_contact_kernels::ImpactZones impact_zones();
   self_contact_kernels::PartSums part_sums();
   self_contact_kernels::Folds folds();
   self_contact_kernels::ContactList list();
@@ -105,7 +105,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
 
   D& device_;
   pbd::SurfaceTree<D>& tree_;
-  Guard guard_;
+  CcdFailsafe ccd_failsafe_;
   pbd::View<const Vec3> rest_;
   uint32_t vertices_ = 0, groups_ = 0, rounds_ = first_rounds;
   float least_distance_ = 0;  // m: see FindCrossings
@@ -122,11 +122,11 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
   pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"},
       wide_{device_, "places of cloth vertices"};
-  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // then: see TakenBack
+  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // then: see RolledBack
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
-  pbd::Buffer<uint32_t> zone_label_{device_, "cloth zones"}, zone_mark_{device_, "cloth zones"},
-      zone_anchor_{device_, "cloth zones"};
-  pbd::Buffer<int64_t> zone_mass_{device_, "cloth zones"};
+  pbd::Buffer<uint32_t> impact_zone_label_{device_, "cloth zones"}, impact_zone_mark_{device_, "cloth zones"},
+      impact_zone_anchor_{device_, "cloth zones"};
+  pbd::Buffer<int64_t> impact_zone_mass_{device_, "cloth zones"};
   pbd::Buffer<int64_t> part_sums_{device_, "momentum of cloth taken back"};
   pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"};
   pbd::Buffer<uint32_t> fold_state_{device_, "cloth folds"}, fold_noted_{device_, "cloth folds"},

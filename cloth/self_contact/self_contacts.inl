@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/self_contact/candidate_lifetime.h"
+#include "cloth/self_contact/ccd_failsafe.h"
 #include "cloth/self_contact/find.h"
 #include "cloth/self_contact/groups.h"
-#include "cloth/self_contact/guard.h"
-#include "cloth/self_contact/keep.h"
 #include "cloth/self_contact/narrow.h"
 #include "cloth/self_contact/self_contacts.h"
 #include "cloth/self_contact/solve.h"
@@ -37,8 +37,8 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
   const Listing listing{counters_.view()};
   device_.parallel_for("self contacts/keep", vertices_,
-                       Keep{listing, previous, foreseen_.view(), vertex_part_.view(), parts_.view(),
-                            kept_.view(), wide_.view(), counters_.view()});
+                       CandidateLifetime{listing, previous, foreseen_.view(), vertex_part_.view(),
+                                         parts_.view(), kept_.view(), wide_.view(), counters_.view()});
   tree_.refit(KeptBoxes{listing, {kept_.view()}});
   const pbd::SurfaceTreeView tree = tree_.view();
   device_.parallel_for_groups(
@@ -67,7 +67,7 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
               kept_.view(),
               wide_.view(),
               foreseen_.view(),
-              zones(),
+              impact_zones(),
               part_sums(),
               folds(),
               entries_.view(),
@@ -122,22 +122,22 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   const uint32_t blocks = std::min(most, most_threads) / threads_together + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
     device_.parallel_for_groups("self contacts/folds", blocks_of<FoldScratch>(),
-                                FindFolds{cloth(substep), sheets(), zones(), folds(), round});
+                                FindFolds{cloth(substep), sheets(), impact_zones(), folds(), round});
     device_.parallel_for_groups("self contacts/crossings", blocks,
-                                FindCrossings{cloth(substep), candidates_.view(), sheets(), zones(), folds(),
-                                              round, blocks, least_distance_});
+                                FindCrossings{cloth(substep), candidates_.view(), sheets(), impact_zones(),
+                                              folds(), round, blocks, least_distance_});
     device_.parallel_for("self contacts/zones", vertices_,
-                         GatherZones{previous, position, zones(), counters_.view(), round});
+                         GatherImpactZones{previous, position, impact_zones(), counters_.view(), round});
     device_.parallel_for("self contacts/move zones", vertices_,
-                         MoveZones{cloth(substep),
-                                   substep.contacts,
-                                   p.sorted,
-                                   position,
-                                   moved,
-                                   zones(),
-                                   {foreseen_.view(), counters_.view()},
-                                   counters_.view(),
-                                   round});
+                         MoveImpactZones{cloth(substep),
+                                         substep.contacts,
+                                         p.sorted,
+                                         position,
+                                         moved,
+                                         impact_zones(),
+                                         {foreseen_.view(), counters_.view()},
+                                         counters_.view(),
+                                         round});
   }
   device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
                               SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
@@ -224,11 +224,11 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   kept_.resize_discard(vertices_);
   wide_.resize_discard(vertices_);
   foreseen_.resize_discard(vertices_);
-  for (pbd::Buffer<uint32_t>* buffer : {&zone_label_, &zone_mark_, &zone_anchor_})
+  for (pbd::Buffer<uint32_t>* buffer : {&impact_zone_label_, &impact_zone_mark_, &impact_zone_anchor_})
     buffer->resize_discard(vertices_);
-  zone_mark_.fill(0);
-  zone_mass_.resize_discard(vertices_);
-  zone_mass_.fill(0);
+  impact_zone_mark_.fill(0);
+  impact_zone_mass_.resize_discard(vertices_);
+  impact_zone_mass_.fill(0);
   strayed_.resize_discard(vertices_);
   saved_strayed_.resize_discard(vertices_);
   entries_.resize_discard(vertices_);
@@ -313,12 +313,12 @@ self_contact_kernels::SheetViews SelfContacts<D>::sheets() {
 
 /// While zones are at work, nothing pushes: they share its sums.
 template <class D>
-self_contact_kernels::Zones SelfContacts<D>::zones() {
+self_contact_kernels::ImpactZones SelfContacts<D>::impact_zones() {
   constexpr float coarser = 1 << 9;  // as many vertices add up
-  return {zone_label_.view(),
-          zone_mark_.view(),
-          zone_anchor_.view(),
-          zone_mass_.view(),
+  return {impact_zone_label_.view(),
+          impact_zone_mark_.view(),
+          impact_zone_anchor_.view(),
+          impact_zone_mass_.view(),
           {push_sums_.view(), coarser * unit_},
           coarser * unit_};
 }

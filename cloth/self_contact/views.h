@@ -44,7 +44,7 @@ enum Counter : uint32_t {
   age,            // of the lists, substeps
   listings,       // since the step's start
   brief,          // of these, such as are made for a substep alone
-  doomed,         // not 0: a list had no room, and the step will be done again
+  overflowed,     // not 0: a list had no room, and the step will be done again
   lost,           // not 0: a vertex was taken back, and its momentum lost
   folded_sheets,  // groups whose sheets have folded, in this round of the guard
   crossings,
@@ -53,7 +53,7 @@ enum Counter : uint32_t {
 
 /// Whether a round of the guard has anything to do: whether the one before it has found anything.
 MENISCUS_HD inline bool is_round_needed(View<const uint32_t> found, uint32_t round) {
-  return found[doomed] == 0 && (round == 0 || found[crossings + round - 1] != 0);
+  return found[overflowed] == 0 && (round == 0 || found[crossings + round - 1] != 0);
 }
 
 /// A feature of the triangle at a place: 0 to 2 a vertex, 3 to 5 an edge, 6 the face.

@@ -107,7 +107,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void note_loads(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
   void solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
-  void blow_up(pbd::Substep<D>& substep, bool starts);
+  void apply_gas(pbd::Substep<D>& substep, bool starts);
 
   D& device_;
   ClothSolverParameters parameters_;

@@ -199,13 +199,13 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
   const Turn turn{
       .starts = iteration == 0, .backwards = turns % 2 != 0, .ends = iteration + 1 == substep.iterations};
-  if (any_gas_ && !turn.backwards) blow_up(substep, turn.starts);
+  if (any_gas_ && !turn.backwards) apply_gas(substep, turn.starts);
   // Rounds are for what the end leaves: iterations that more follow do without.
   const int rounds = turn.ends ? parameters_.stretch_rounds : 1;
   if (!turn.backwards) bend(substep, turn);
   stretch(substep, rounds, turn);
   if (turn.backwards) bend(substep, turn);
-  if (any_gas_ && turn.backwards) blow_up(substep, turn.starts);
+  if (any_gas_ && turn.backwards) apply_gas(substep, turn.starts);
   device_.parallel_for_lanes(
       "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
       tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), turn.starts});
@@ -310,7 +310,7 @@ void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<
 }
 
 template <class D>
-void ClothSet<D>::blow_up(pbd::Substep<D>& substep, bool starts) {
+void ClothSet<D>::apply_gas(pbd::Substep<D>& substep, bool starts) {
   using namespace volume_kernels;
   const auto pieces = static_cast<uint32_t>(pieces_.size());
   const VertexState state = vertices(substep);

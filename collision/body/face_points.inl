@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "collision/body/face_points.h"
-#include "collision/body/face_points_guard.h"
+#include "collision/body/face_points_ccd_failsafe.h"
 
 namespace meniscus::collision {
 

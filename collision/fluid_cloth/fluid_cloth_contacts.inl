@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "collision/fluid_cloth/ccd_failsafe.h"
 #include "collision/fluid_cloth/cloth_shapes.h"
 #include "collision/fluid_cloth/find.h"
 #include "collision/fluid_cloth/fluid_cloth_contacts.h"
-#include "collision/fluid_cloth/guard.h"
 #include "collision/fluid_cloth/marks.h"
 #include "collision/fluid_cloth/parting.h"
 #include "collision/fluid_cloth/passing.h"
@@ -81,7 +81,7 @@ void FluidClothContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(pbd::WayBoxes(p, 2e-3f * largest_radius_));
-  device_.parallel_for("fluid cloth/hold back", p.sorted, HoldBack{surface(substep), p.position});
+  device_.parallel_for("fluid cloth/hold back", p.sorted, ClampAtImpact{surface(substep), p.position});
 }
 
 template <class D>

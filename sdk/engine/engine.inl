@@ -158,7 +158,7 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::grains, grains_)
         .place(SetPhase::fluid_carry, fluid_cloth_.carrying())
         .place(SetPhase::contacts, face_points_)
-        .place(SetPhase::ccd_failsafe, self_contacts_.guard())
+        .place(SetPhase::ccd_failsafe, self_contacts_.ccd_failsafe())
         .place(SetPhase::attachment_release, attachments_.release())
         .place(SetPhase::fluid_cloth, fluid_cloth_)
         .place(SetPhase::bodies, bodies_)

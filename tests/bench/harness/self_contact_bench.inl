@@ -96,7 +96,7 @@ class SelfContactBenchOn final : public SelfContactBench {
       : device_(device_arguments...), solver_(device_, particles_, parameters(cloth)), edges_(cloth) {
     if (cloth.keeps_edges) solver_.add(edges_);
     solver_.add(contacts_);
-    solver_.add(contacts_.guard());
+    solver_.add(contacts_.ccd_failsafe());
     const auto count = static_cast<uint32_t>(cloth.vertices.size());
     solver_.reserve(count);
     std::vector<pbd::Vec4> velocities;

@@ -9,7 +9,7 @@
 namespace meniscus::cloth::self_contact_kernels {
 
 /// Elements of a part of a list while a group of threads looks through them.
-struct SieveScratch {
+struct CullScratch {
   static constexpr uint32_t most = 1024;
 
   uint16_t left[most];
@@ -18,15 +18,15 @@ struct SieveScratch {
 
 /// Visits the elements of a long list of which a quick look says that they deserve it: these are few, and all
 /// threads of a group share those of a part of the list. Else threads of a warp would wait for one.
-class Sieve {
+class Cull {
  public:
   /// Of a list of `count`, group n of so many takes every so many-th part.
-  MENISCUS_HD Sieve(uint32_t count, uint32_t n, uint32_t groups)
+  MENISCUS_HD Cull(uint32_t count, uint32_t n, uint32_t groups)
       : count_(count), part_(part_of(count)), first_(n * part_), stride_(groups * part_) {}
 
   /// Calls visit(k) for each k that deserves(k).
   template <class Group, class Deserves, class Visit>
-  MENISCUS_HD void run(const Group& group, SieveScratch& scratch, const Deserves& deserves,
+  MENISCUS_HD void run(const Group& group, CullScratch& scratch, const Deserves& deserves,
                        const Visit& visit) const {
     for (uint32_t first = first_; first < count_; first += stride_) {
       const uint32_t left = count_ - first;
@@ -43,7 +43,7 @@ class Sieve {
 
   MENISCUS_HD static uint32_t part_of(uint32_t count) {
     const uint32_t part = count / parts / fewest * fewest;
-    return part < fewest ? fewest : part < SieveScratch::most ? part : SieveScratch::most;
+    return part < fewest ? fewest : part < CullScratch::most ? part : CullScratch::most;
   }
 
   uint32_t count_, part_, first_, stride_;

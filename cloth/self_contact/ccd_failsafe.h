@@ -4,9 +4,9 @@
 // The last resort of cloth-to-cloth contacts: nothing goes through, whatever the solve has left.
 #pragma once
 
+#include "cloth/self_contact/cull.h"
 #include "cloth/self_contact/features.h"
 #include "cloth/self_contact/folds.h"
-#include "cloth/self_contact/sieve.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -16,7 +16,7 @@ struct Contain {
   View<const Vec4> previous;  // by vertex
   View<const uint32_t> vertex_part;
   KeptPlaces kept;
-  View<Vec4> foreseen;  // afterwards: see TakenBack
+  View<Vec4> foreseen;  // afterwards: see RolledBack
   View<Vec4> position, moved;
   View<float> strayed;
   View<uint32_t> counters;
@@ -28,7 +28,7 @@ struct Contain {
     const Vec3 from = previous[v].xyz(), to = ahead.xyz();
     const Vec3 lower = min(from, to), upper = max(from, to);
     strayed[v] = pbd::max(0, max_component(max(x.xyz() - upper, lower - x.xyz())));
-    const TakenBack taken{foreseen, counters};
+    const RolledBack taken{foreseen, counters};
     taken.begin(v);
     if (x.w == 0) return;
     const Aabb box = pbd::inflated({lower, upper}, ahead.w);
@@ -61,7 +61,7 @@ struct SumLost {
   using Scratch = LostScratch;
 
   ClothState cloth;
-  View<const Vec4> taken;  // by vertex, m: see TakenBack
+  View<const Vec4> taken;  // by vertex, m: see RolledBack
   PartSums sums;
   View<const uint32_t> counters;
 
@@ -120,7 +120,7 @@ struct TransferPush {
 
   /// For each vertex, and each counter.
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (v < counters.count && counters[doomed] == 0 && found[v] < counters[v]) found[v] = counters[v];
+    if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
     if (v >= vertex_part.count || counters[lost] == 0) return;
     if (vertex_part[v] == no_index || position[v].w == 0) return;
     moved[v] = pbd::shifted(moved[v], sums.way(vertex_part[v]));
@@ -131,7 +131,7 @@ struct TransferPush {
 struct CrossingScratch {
   static constexpr uint32_t hits_of_two = 64;
 
-  SieveScratch sieve;
+  CullScratch cull;
   uint32_t hits[hits_of_two];
   FeatureCode codes[PairsOfTwo::most * hits_of_two];
   uint32_t hit_count, code_count;
@@ -146,7 +146,7 @@ struct FindCrossings {
   ClothState cloth;
   View<const FeatureCode> candidate_list;
   SheetViews sheets;
-  Zones zones;
+  ImpactZones impact_zones;
   Folds folds;
   uint32_t round, stride;
   /// m: what is nearer hardly comes nearer still, and what is nearer than a tenth of it does not at all, as
@@ -157,9 +157,9 @@ struct FindCrossings {
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     if (!is_round_needed(folds.counters, round)) return;
     forget_sums(group, n);
-    Sieve(listed(candidate_list, folds.counters[candidates]), n, stride)
+    Cull(listed(candidate_list, folds.counters[candidates]), n, stride)
         .run(
-            group, scratch.sieve, [&](uint32_t k) { return may_cross(load(candidate_list, k)); },
+            group, scratch.cull, [&](uint32_t k) { return may_cross(load(candidate_list, k)); },
             [&](uint32_t k) { check(cloth.corners_of(load(candidate_list, k))); });
     check_folds(group, scratch, n);
   }
@@ -168,10 +168,10 @@ struct FindCrossings {
   template <class Group>
   MENISCUS_HD void forget_sums(const Group& group, uint32_t n) const {
     constexpr uint32_t together = 128;
-    const uint32_t all = zones.mark.count;
+    const uint32_t all = impact_zones.mark.count;
     for (uint32_t first = together * n; first < all; first += together * stride)
       group.for_each(all - first < together ? all - first : together,
-                     [&](uint32_t k) { zones.forget_sums(first + k); });
+                     [&](uint32_t k) { impact_zones.forget_sums(first + k); });
   }
 
   /// What was left out as sheets were smooth. There are few, which many threads share: each group of them
@@ -228,13 +228,13 @@ struct FindCrossings {
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
     if (nothing_moves(corners)) return;
     pbd::atomic_add(folds.counters[crossings + round], 1);
-    zones.unite(corners, round, nearly_lost || motion < rounding(corners));
+    impact_zones.unite(corners, round, nearly_lost || motion < rounding(corners));
   }
 
   /// In the last round.
   MENISCUS_HD bool has_changed(const Corners& corners) const {
     for (uint32_t k = 0; k < 4; ++k)
-      if (zones.has_moved(corners.vertex(k), round)) return true;
+      if (impact_zones.has_moved(corners.vertex(k), round)) return true;
     return false;
   }
   MENISCUS_HD bool nothing_moves(const Corners& corners) const {

@@ -10,7 +10,7 @@ namespace meniscus::collision::fluid_cloth_kernels {
 
 /// Takes a particle that would have passed through a triangle along with it, on its own side. Sheets are
 /// where they will be, so that each particle can be looked at alone. Its velocity is left to the contact.
-struct HoldBack {
+struct ClampAtImpact {
   Surface surface;
   View<Vec4> position;
 

@@ -12,7 +12,7 @@ namespace meniscus::cloth::self_contact_kernels {
 /// Vertices that share one motion for the rest of a substep (Provot 1997; Harmon et al. 2008, who have them
 /// turn as well): that of their centre of mass from where the substep began, when nothing had passed through.
 /// Momentum is kept, and nothing moves against anything within a zone. Zones only grow.
-struct Zones {
+struct ImpactZones {
   View<uint32_t> label;
   /// By vertex, 0 for what is in none; else, counted from 1, in bits 0 to 7 the last round in which its zone
   /// was found to need a new motion, and in bits 8 to 15 the last in which it went along with one. What could
@@ -66,33 +66,33 @@ struct Zones {
 };
 
 /// Sums up what zones weigh and their momentum, and finds their anchors.
-struct GatherZones {
+struct GatherImpactZones {
   View<const Vec4> previous, position;  // by vertex
-  Zones zones;
+  ImpactZones impact_zones;
   View<uint32_t> counters;
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v == 0) counters[folded_sheets] = 0;  // these have been looked at
-    const uint32_t mark = zones.mark_of(v);
+    const uint32_t mark = impact_zones.mark_of(v);
     if (counters[crossings + round] == 0 || mark == 0) return;
-    const uint32_t name = zones.name(v);
-    const bool stopped = Zones::is_stopped(mark);
-    if (stopped || Zones::is_needed(mark, round)) zones.need(name, round);
+    const uint32_t name = impact_zones.name(v);
+    const bool stopped = ImpactZones::is_stopped(mark);
+    if (stopped || ImpactZones::is_needed(mark, round)) impact_zones.need(name, round);
     const Vec4 x = position[v];
-    const uint32_t anchor = stopped ? Zones::the_start : x.w == 0 ? v + 1 : Zones::itself;
-    pbd::atomic_min(zones.anchor[name], anchor);
-    if (v != name) pbd::atomic_min(zones.anchor[name], zones.anchor[v]);
+    const uint32_t anchor = stopped ? ImpactZones::the_start : x.w == 0 ? v + 1 : ImpactZones::itself;
+    pbd::atomic_min(impact_zones.anchor[name], anchor);
+    if (v != name) pbd::atomic_min(impact_zones.anchor[name], impact_zones.anchor[v]);
     if (x.w == 0) return;
     const float m = 1 / x.w;
-    pbd::atomic_add(zones.mass[name], llrintf(m / zones.mass_unit));
-    zones.momentum.add(name, m * (x.xyz() - previous[v].xyz()));
+    pbd::atomic_add(impact_zones.mass[name], llrintf(m / impact_zones.mass_unit));
+    impact_zones.momentum.add(name, m * (x.xyz() - previous[v].xyz()));
   }
 };
 
 /// What was taken from vertices that would have gone where pairs were not looked for: their momentum is
 /// handed on once all is done.
-struct TakenBack {
+struct RolledBack {
   View<Vec4> ways;  // by vertex, m
   View<uint32_t> counters;
 
@@ -130,7 +130,7 @@ struct PartSums {
 /// Gives vertices the motion of their zones. Nothing leaves the place that its pairs were looked for in: a
 /// zone that would have to, stops in the next round, as does one that would go into a solid. Where the last
 /// round there is still finds something, all stay where they were.
-struct MoveZones {
+struct MoveImpactZones {
   /// Of its radius: no zone takes a vertex nearer than that to a solid that does not give way.
   static constexpr float least_distance = 0.25f;
 
@@ -138,21 +138,21 @@ struct MoveZones {
   pbd::ContactView contacts;   // of all particles
   uint32_t sorted;             // see ParticleView
   View<Vec4> position, moved;  // by vertex
-  Zones zones;
-  TakenBack taken;
+  ImpactZones impact_zones;
+  RolledBack taken;
   View<uint32_t> counters;
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (counters[crossings + round] == 0) return;
     const bool last = round + 1 == most_rounds;
-    const uint32_t mark = zones.mark_of(v);
+    const uint32_t mark = impact_zones.mark_of(v);
     if (mark == 0 && !last) return;
-    const uint32_t name = zones.name(v), of_name = zones.mark_of(name);
-    if (!last && !Zones::is_needed(of_name, round) && !Zones::is_stopped(of_name)) return;
+    const uint32_t name = impact_zones.name(v), of_name = impact_zones.mark_of(name);
+    if (!last && !ImpactZones::is_needed(of_name, round) && !ImpactZones::is_stopped(of_name)) return;
     const Vec4 x = position[v];
     if (x.w == 0) return;
-    const bool stays = last || zones.anchor[name] == Zones::the_start;
+    const bool stays = last || impact_zones.anchor[name] == ImpactZones::the_start;
     // Ways, not places: what rounding takes of places would be lost momentum.
     const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
     const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
@@ -163,8 +163,8 @@ struct MoveZones {
     const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
     if (due != way) taken.add(v, due - way);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
-    pbd::atomic_store(zones.mark[v], (round + 1) << Zones::moved_shift | (round + 1) |
-                                         (stops ? Zones::stopped : mark & Zones::stopped));
+    pbd::atomic_store(impact_zones.mark[v], (round + 1) << ImpactZones::moved_shift | (round + 1) |
+                                                (stops ? ImpactZones::stopped : mark & ImpactZones::stopped));
     position[v] = pbd::with_w(inside, x.w);
     moved[v] = pbd::shifted(moved[v], way - now);
   }
@@ -180,12 +180,13 @@ struct MoveZones {
     return false;
   }
   MENISCUS_HD Vec3 motion_of(uint32_t name) const {
-    const uint32_t anchor = zones.anchor[name];
-    if (anchor != Zones::itself) return position[anchor - 1].xyz() - cloth.previous[anchor - 1].xyz();
+    const uint32_t anchor = impact_zones.anchor[name];
+    if (anchor != ImpactZones::itself) return position[anchor - 1].xyz() - cloth.previous[anchor - 1].xyz();
     return mean_motion(name);
   }
   MENISCUS_HD Vec3 mean_motion(uint32_t name) const {
-    return 1 / (zones.mass_unit * static_cast<float>(zones.mass[name])) * zones.momentum.of(name);
+    return 1 / (impact_zones.mass_unit * static_cast<float>(impact_zones.mass[name])) *
+           impact_zones.momentum.of(name);
   }
 };
 

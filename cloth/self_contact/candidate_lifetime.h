@@ -29,7 +29,7 @@ struct Foresee {
   View<const float> strayed;    // m, in the last substep
   View<const Vec4> kept, wide;  // balls, see Keep
   View<Vec4> foreseen;          // w: the room, m
-  Zones zones;
+  ImpactZones impact_zones;
   PartSums sums;
   Folds folds;
   View<uint32_t> entries, counters;
@@ -39,16 +39,16 @@ struct Foresee {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (vertex_part[v] != no_index) foresee(v);
-    zones.begin(v);
+    impact_zones.begin(v);
     folds.begin(v, vertex_part.count);
     for (uint32_t part = v; part < parts.count; part += vertex_part.count) sums.begin(part);
     entries[v] = 0;
     if (v != 0) return;
     if (anew) {
-      counters[listings] = counters[brief] = counters[doomed] = 0;
+      counters[listings] = counters[brief] = counters[overflowed] = 0;
       counters[restless] = counters[age] = begin_brief;
     } else if (!room_for.sufficed(counters)) {
-      counters[doomed] = 1;
+      counters[overflowed] = 1;
     }
     counters[contacts] = counters[lost] = 0;
     for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
@@ -74,14 +74,14 @@ struct Foresee {
 struct Listing {
   View<const uint32_t> counters;
 
-  MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[doomed] == 0; }
+  MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[overflowed] == 0; }
 };
 
 /// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
 /// it goes on as it does. Where such places did not even hold for the next substep, they are chosen for this
 /// one alone, and with them are far fewer pairs. What has no finite way stays nowhere and meets nothing, so
 /// that the step fails.
-struct Keep {
+struct CandidateLifetime {
   Listing listing;
   View<const Vec4> previous, foreseen;
   View<const uint32_t> vertex_part;
