@@ -24,10 +24,10 @@ inline constexpr Phase phase_vertex = 1u << 17;  ///< of cloth or rods; the grou
 inline constexpr Phase phase_face = 1u
                                     << 18;  ///< a point of a face, there for one substep; with phase_vertex
 inline constexpr Phase phase_grain = 1u << 19;  ///< in the place of phase_fluid: a grain of sand or the like
-inline constexpr Phase phase_pressing = 1u << 20;  ///< a sheet bore it at the last substep's end
-inline constexpr Phase phase_passing = 1u << 21;   ///< it is on its way through permeable sheets
-inline constexpr Phase phase_placed = 1u << 22;  ///< it was put where it is, or a solid was, perhaps over it,
-                                                 ///< and it is not known to be out of all since
+inline constexpr Phase phase_pressing = 1u << 20;     ///< a sheet bore it at the last substep's end
+inline constexpr Phase phase_passing = 1u << 21;      ///< it is on its way through permeable sheets
+inline constexpr Phase phase_overlapping = 1u << 22;  ///< it was put where it is, or a solid was, perhaps
+                                                      ///< over it, and it is not known to be out of all since
 
 /// For how many more steps what has just left an opening keeps its velocity: in the top byte.
 inline constexpr uint32_t most_held = 255;
@@ -112,11 +112,11 @@ class Particles {
     previous.resize_discard(size);
     moved.resize_discard(size);
     predicted.resize_discard(size);
-    aside_position_.resize_discard(size);
-    aside_velocity_.resize_discard(size);
-    aside_phase_.resize_discard(size);
-    aside_slot_.resize_discard(size);
-    aside_number_.resize_discard(size);
+    saved_position_.resize_discard(size);
+    saved_velocity_.resize_discard(size);
+    saved_phase_.resize_discard(size);
+    saved_slot_.resize_discard(size);
+    saved_number_.resize_discard(size);
     capacity_ = capacity;
     write_sentinels();
   }
@@ -158,29 +158,29 @@ class Particles {
 
   /// Puts the present state aside; where it then is, the next sort takes it from (see source()). Costs
   /// nothing.
-  void put_aside() {
-    swap_with_aside();
-    aside_count_ = count_;
-    aside_sorted_ = sorted_;
-    from_aside_ = true;
+  void save() {
+    swap_with_saved();
+    saved_count_ = count_;
+    saved_sorted_ = sorted_;
+    from_saved_ = true;
   }
   /// Makes the state put aside the present one again.
-  void take_back() {
-    swap_with_aside();
-    count_ = aside_count_;
-    sorted_ = aside_sorted_;
-    from_aside_ = false;
+  void restore() {
+    swap_with_saved();
+    count_ = saved_count_;
+    sorted_ = saved_sorted_;
+    from_saved_ = false;
   }
   /// The state that is to be predicted, and sorted into target().
   ParticleView source() {
-    if (!from_aside_) return view();
-    return {aside_position_.view(),
+    if (!from_saved_) return view();
+    return {saved_position_.view(),
             previous.view(),
             moved.view(),
-            aside_velocity_.view(),
-            aside_phase_.view(),
-            aside_slot_.view(),
-            aside_number_.view(),
+            saved_velocity_.view(),
+            saved_phase_.view(),
+            saved_slot_.view(),
+            saved_number_.view(),
             count_,
             0,
             sorted_};
@@ -198,7 +198,7 @@ class Particles {
   }
   /// What was sorted into target() is the present state.
   void accept_sorted() {
-    from_aside_ = false;
+    from_saved_ = false;
     if (sorted_ == 0) return;
     position.flip();
     velocity.flip();
@@ -248,32 +248,32 @@ class Particles {
     const Vec4 away[] = {{far_away, far_away, far_away, 0}};
     const Vec4 still[] = {{0, 0, 0, 0}};
     const Phase none[] = {0};
-    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous, &predicted, &aside_position_})
+    for (Buffer<Vec4>* b : {&position.current, &position.next, &previous, &predicted, &saved_position_})
       if (b->size()) b->write(away, sentinel());
-    for (Buffer<Vec4>* b : {&velocity.current, &velocity.next, &aside_velocity_})
+    for (Buffer<Vec4>* b : {&velocity.current, &velocity.next, &saved_velocity_})
       if (b->size()) b->write(still, sentinel());
-    for (Buffer<Phase>* b : {&phase.current, &phase.next, &aside_phase_})
+    for (Buffer<Phase>* b : {&phase.current, &phase.next, &saved_phase_})
       if (b->size()) b->write(none, sentinel());
   }
 
-  void swap_with_aside() {
-    position.current.swap(aside_position_);
-    velocity.current.swap(aside_velocity_);
-    phase.current.swap(aside_phase_);
-    slot.current.swap(aside_slot_);
-    number.current.swap(aside_number_);
+  void swap_with_saved() {
+    position.current.swap(saved_position_);
+    velocity.current.swap(saved_velocity_);
+    phase.current.swap(saved_phase_);
+    slot.current.swap(saved_slot_);
+    number.current.swap(saved_number_);
   }
 
-  Buffer<Vec4> aside_position_{device_, "positions put aside"};
-  Buffer<Vec4> aside_velocity_{device_, "velocities put aside"};
-  Buffer<Phase> aside_phase_{device_, "phases put aside"};
-  Buffer<uint32_t> aside_slot_{device_, "slots put aside"};
-  Buffer<uint32_t> aside_number_{device_, "numbers put aside"};
+  Buffer<Vec4> saved_position_{device_, "saved positions"};
+  Buffer<Vec4> saved_velocity_{device_, "saved velocities"};
+  Buffer<Phase> saved_phase_{device_, "saved phases"};
+  Buffer<uint32_t> saved_slot_{device_, "saved slots"};
+  Buffer<uint32_t> saved_number_{device_, "saved numbers"};
   uint32_t count_ = 0, sorted_ = 0;
-  uint32_t aside_count_ = 0, aside_sorted_ = 0;
+  uint32_t saved_count_ = 0, saved_sorted_ = 0;
   uint32_t capacity_ = 0;
   uint32_t next_number_ = 0;  // wraps below vertex_slot, where vertices' numbers begin
-  bool from_aside_ = false;
+  bool from_saved_ = false;
 };
 
 }  // namespace meniscus::pbd

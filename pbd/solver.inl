@@ -364,7 +364,7 @@ template <class D>
 void Solver<D>::save_state() {
   summary();  // of the state while it is in place
   for (ConstraintSet<D>* set : sets_) set->save();
-  particles_.put_aside();
+  particles_.save();
 }
 
 template <class D>
@@ -375,7 +375,7 @@ void Solver<D>::undo_step() {
 
 template <class D>
 void Solver<D>::restore_state() {
-  particles_.take_back();
+  particles_.restore();
   for (ConstraintSet<D>* set : sets_) set->restore();
   summary_state_ = SummaryState::unknown;
 }

@@ -35,7 +35,7 @@ struct Demand {
     Vec3 step{0, 0, 0};
     const bool unchanged = stirred.count && !stirred[n];  // it asked for nothing, and would again
     if (n < points.count() && !unchanged && contacts.start[i] != contacts.start[i + 1] &&
-        !touches.was_placed(i))
+        !touches.may_overlap(i))
       step = step_of(points.triangle_of[n]);
     demand[n] = pbd::with_w(step, 0);
   }

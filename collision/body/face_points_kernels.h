@@ -173,7 +173,7 @@ struct MakeParticles {
     const uint32_t corner = sorted + points.triangles[triangle].a;
     particles.moved[i] = {0, 0, 0, 0};
     phase[i] = pbd::phase_vertex | pbd::phase_face | pbd::phase_group(particles.phase[corner]) |
-               (of_any(points.triangles[triangle]) & pbd::phase_placed);
+               (of_any(points.triangles[triangle]) & pbd::phase_overlapping);
     slot[i] = number[i] = pbd::vertex_slot + (i - sorted);
     if (!used) {
       particles.position[i] = previous[i] = pbd::with_w(particles.position[corner].xyz(), 0);
@@ -219,7 +219,7 @@ struct CountAtVertices {
       any |= phase[i];
     });
     at_vertex[vertex] = count;
-    if (any & pbd::phase_placed) phase[sorted + vertex] |= pbd::phase_placed;
+    if (any & pbd::phase_overlapping) phase[sorted + vertex] |= pbd::phase_overlapping;
   }
 };
 

@@ -42,7 +42,7 @@ struct Touches {
   }
   MENISCUS_HD bool is_vertex(uint32_t i) const { return (phase[i] & pbd::phase_vertex) != 0; }
   MENISCUS_HD bool is_face(uint32_t i) const { return by_piece.count && (phase[i] & pbd::phase_face) != 0; }
-  MENISCUS_HD bool was_placed(uint32_t i) const { return (phase[i] & pbd::phase_placed) != 0; }
+  MENISCUS_HD bool may_overlap(uint32_t i) const { return (phase[i] & pbd::phase_overlapping) != 0; }
   /// The body that i is attached to, or no_index.
   MENISCUS_HD uint32_t body_of(uint32_t i) const {
     return i >= sorted && i - sorted < attached_body.count ? attached_body[i - sorted] : pbd::no_index;

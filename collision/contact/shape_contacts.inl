@@ -39,7 +39,7 @@ struct LimitByMoving {
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
     // What was put into a solid would be held there by it.
-    if (!is_finite(motion.to) || touches.is_face(i) || touches.was_placed(i)) return;
+    if (!is_finite(motion.to) || touches.is_face(i) || touches.may_overlap(i)) return;
     const Touch touch = touches.of(i);
     const Vec3 end =
         limit_by_moving(set, candidates, i, motion, touch.radius, touch.filter, touches.body_of(i));
@@ -102,7 +102,7 @@ struct Count {
     uint32_t found = 0;
     find.for_each(i, [&](const Shape&, const FoundContact&) { ++found; });
     counter.add(i, found);
-    if (found == 0 && find.touches.was_placed(i)) phase[i] &= ~pbd::phase_placed;
+    if (found == 0 && find.touches.may_overlap(i)) phase[i] &= ~pbd::phase_overlapping;
   }
 };
 
@@ -122,7 +122,7 @@ struct Fill {
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = takes_touching ? writer.touching.at(n, writer.start) : n;
     if (i == pbd::no_index || writer.start[i] == writer.start[i + 1]) return;
-    const bool placed = find.touches.was_placed(i);
+    const bool placed = find.touches.may_overlap(i);
     float in = 0;  // a solid, m
     find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
       pbd::Contact c = make_contact(i, shape, found);
@@ -130,7 +130,7 @@ struct Fill {
       writer.write(i, c);
     });
     writer.finish(i, inert(i));
-    if (placed && in == 0) phase[i] &= ~pbd::phase_placed;
+    if (placed && in == 0) phase[i] &= ~pbd::phase_overlapping;
   }
 
   /// Moves the surface back to where it lets the particle out slowly; returns by how much, m. So far in, the

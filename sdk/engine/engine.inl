@@ -178,7 +178,7 @@ class DeviceEngine final : public Engine {
     });
     solver_.add(*diffuse_);
   }
-  void note_placed();
+  void note_overlapping();
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
   template <class Kernel>
@@ -227,7 +227,7 @@ class DeviceEngine final : public Engine {
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   bool contacts_fetched_ = true;
-  bool any_placed_ = true;       // since the last step began: see note_placed()
+  bool any_overlapping_ = true;  // since the last step began: see note_overlapping()
   uint32_t sorted_in_step_ = 0;  // particles of fluids in the last step: who was added since has no contacts
   collision::ShapeSet shape_set_;
   collision::MeshFields<D> mesh_fields_;

@@ -39,7 +39,7 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   const float s = def_.particle_spacing, water = 1000.0f * s * s * s;
   fluid_cloth_.set_vertices(inverse_masses, std::max(heaviest, water));
   particles_.set_vertices(cloth.position, cloth.velocity, cloth.phase);
-  any_placed_ = true;
+  any_overlapping_ = true;
   solver_.particles_changed(particles_.sorted(), 0);
 }
 

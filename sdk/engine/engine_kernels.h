@@ -82,7 +82,7 @@ struct SolidDistance {
   }
 };
 
-/// Finds who is in a solid, or nearer to it than any motion leads: see phase_placed.
+/// Finds who is in a solid, or nearer to it than any motion leads: see phase_overlapping.
 struct NotePlaced {
   collision::ShapeSet set;
   collision::CandidateView candidates;
@@ -102,7 +102,7 @@ struct NotePlaced {
       if (attached_body != pbd::no_index && shape.body == attached_body) return;
       is_in = collision::sample_surface(set, shape, p, touch.radius).distance < least;
     });
-    if (is_in) phase[i] |= pbd::phase_placed;
+    if (is_in) phase[i] |= pbd::phase_overlapping;
   }
 };
 

@@ -86,7 +86,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   std::iota(slot.begin(), slot.end(), first);
   particles_.append(batch.position, batch.velocity, batch.phase, slot);
   for (pbd::Phase phase : batch.phase) jets_.hold_for(pbd::held_steps(phase));
-  any_placed_ |= batch.by_hand;
+  any_overlapping_ |= batch.by_hand;
   solver_.particles_changed(first, added);
 }
 
@@ -159,7 +159,7 @@ EngineStep DeviceEngine<D>::step(float dt) {
   EngineStep done;
   fetched_contacts_.clear();  // after a step that fails there are none
   contacts_fetched_ = true;
-  note_placed();
+  note_overlapping();
   done.result = solver_.step(dt);
   if (done.result.summary.non_finite) return done;
   last_substep_ = dt / static_cast<float>(done.result.substeps);

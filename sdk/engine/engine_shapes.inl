@@ -46,19 +46,19 @@ void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
                   [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; });
   contacts_.set_shapes(shape_set_, fixed_are_planes);
   bodies_.set_shapes(solids.carried, shapes_.view());
-  any_placed_ = true;
+  any_overlapping_ = true;
 }
 
 template <class D>
 void DeviceEngine<D>::place_bodies() {
   bodies_.place();
-  any_placed_ = true;
+  any_overlapping_ = true;
 }
 
 /// Where solids, cloth or particles have been put into one another.
 template <class D>
-void DeviceEngine<D>::note_placed() {
-  if (!any_placed_ || shape_set_.shapes.count == 0) return;
+void DeviceEngine<D>::note_overlapping() {
+  if (!any_overlapping_ || shape_set_.shapes.count == 0) return;
   const pbd::View<const pbd::Vec4> position = particles_.position.current.view();
   device_.parallel_for(
       "shapes/placed", particles_.count(),
@@ -66,7 +66,7 @@ void DeviceEngine<D>::note_placed() {
           shape_set_, contacts_.find_near(position, particles_.count(), contacts_.largest_radius()),
           contacts_.touches(particles_.phase.current.view(), particles_.sorted()), position,
           particles_.phase.current.view()});
-  any_placed_ = false;
+  any_overlapping_ = false;
 }
 
 template <class D>
