@@ -19,9 +19,10 @@ MENISCUS_HD inline Vec3 push_out(Contact& c, Vec3 x, float w, float radius) {
 }
 
 /// What it adds to its friction, kg·m, where the particle has gone this way.
-MENISCUS_HD inline Vec3 hold_back(Contact& c, Vec3 way, float w) {
+MENISCUS_HD inline Vec3 hold_back(Contact& c, Vec3 displacement, float w) {
   const Vec3 old = c.tangent_multiplier;
-  c.tangent_multiplier = shortened_to(old - slip(c, way) / (w + c.body_inverse_mass), most_friction(c));
+  c.tangent_multiplier =
+      shortened_to(old - slip(c, displacement) / (w + c.body_inverse_mass), most_friction(c));
   return c.tangent_multiplier - old;
 }
 
@@ -33,13 +34,13 @@ struct ContactProjection {
 
   /// Of particle i, which has contacts.
   MENISCUS_HD void project(uint32_t i) const {
-    Vec4 p = position[i], way = moved[i];
-    hold(i, p, way);
+    Vec4 p = position[i], displacement = moved[i];
+    hold(i, p, displacement);
     position[i] = p;
-    moved[i] = way;
+    moved[i] = displacement;
   }
   /// The same where it is at p, which has gone this way.
-  MENISCUS_HD void hold(uint32_t i, Vec4& p, Vec4& way) const {
+  MENISCUS_HD void hold(uint32_t i, Vec4& p, Vec4& displacement) const {
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     if (p.w == 0) return;
     const float tighter = pbd::share_of_radius(number[i]);
@@ -58,7 +59,7 @@ struct ContactProjection {
       to.tangent_multiplier = c.tangent_multiplier;
     }
     p = pbd::with_w(x + step, p.w);
-    way = shifted(way, step);
+    displacement = shifted(displacement, step);
   }
 };
 

@@ -140,8 +140,8 @@ MENISCUS_HD inline float least_push(const Contact& contact, float distance) {
 }
 
 /// m: how far a particle that has gone this way has slipped along the surface.
-MENISCUS_HD inline Vec3 slip(const Contact& contact, Vec3 way) {
-  const Vec3 on_surface = way - contact.surface_motion;
+MENISCUS_HD inline Vec3 slip(const Contact& contact, Vec3 displacement) {
+  const Vec3 on_surface = displacement - contact.surface_motion;
   return on_surface - dot(on_surface, contact.normal) * contact.normal;
 }
 

@@ -116,11 +116,12 @@ MENISCUS_HD inline Nearest nearest_of_edges(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   Nearest best{};
   float best2 = 3e38f;
   const auto consider = [&](float u, float v) {
-    const Vec3 way = r + u * e - v * f;
-    const float d2 = dot(way, way);
+    const Vec3 displacement = r + u * e - v * f;
+    const float d2 = dot(displacement, displacement);
     if (d2 >= best2) return;
     best2 = d2;
-    best = {way, 0, u, v, (u < 1 ? 1u : 0u) | (u > 0 ? 2u : 0u) | (v < 1 ? 4u : 0u) | (v > 0 ? 8u : 0u)};
+    best = {displacement, 0, u, v,
+            (u < 1 ? 1u : 0u) | (u > 0 ? 2u : 0u) | (v < 1 ? 4u : 0u) | (v > 0 ? 8u : 0u)};
   };
   consider(0, nearest_detail::along_segment(c - a, d - a));
   consider(1, nearest_detail::along_segment(c - b, d - b));

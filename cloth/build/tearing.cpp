@@ -124,8 +124,8 @@ class Tearing {
     for (uint32_t t : around_.of(vertex)) {
       const auto& [a, b, c] = mesh_.triangles[t];
       const Vec3 x = positions_[vertex];
-      const Vec3 way = (positions_[a] - x) + (positions_[b] - x) + (positions_[c] - x);
-      result.push_back(dot(normal, way) > 0);
+      const Vec3 displacement = (positions_[a] - x) + (positions_[b] - x) + (positions_[c] - x);
+      result.push_back(dot(normal, displacement) > 0);
     }
     return result;
   }

@@ -132,11 +132,11 @@ class Strips {
 
   /// m/N, from `anchor` to v, with the area that v stands for. The direction is the straight one.
   float compliance(uint32_t anchor, uint32_t v, double length) const {
-    const Vector3d way = to_double(mesh_.vertices[v]) - to_double(mesh_.vertices[anchor]);
+    const Vector3d displacement = to_double(mesh_.vertices[v]) - to_double(mesh_.vertices[anchor]);
     double area = 0, cos2 = 0;
     for (uint32_t k : around_.of(v)) {
       const TriangleAtRest& t = triangles_[k];
-      const double cosine = (way - way.dot(t.normal) * t.normal).normalized().dot(t.warp);
+      const double cosine = (displacement - displacement.dot(t.normal) * t.normal).normalized().dot(t.warp);
       area += t.area / 3;
       cos2 += cosine * cosine / static_cast<double>(around_.of(v).size());
     }

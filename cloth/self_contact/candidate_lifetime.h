@@ -55,9 +55,9 @@ struct Foresee {
   }
 
   MENISCUS_HD void foresee(uint32_t v) const {
-    const Vec3 x = position[v].xyz(), way = x - previous[v].xyz();
+    const Vec3 x = position[v].xyz(), displacement = x - previous[v].xyz();
     const float thickness = parts[vertex_part[v]].thickness;
-    const float room = room_for_thickness * thickness + 0.25f * length(way) + 1.5f * strayed[v];
+    const float room = room_for_thickness * thickness + 0.25f * length(displacement) + 1.5f * strayed[v];
     foreseen[v] = pbd::with_w(x, room);
     if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
     if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[restless], 1);
@@ -105,14 +105,14 @@ struct CandidateLifetime {
   }
 
   MENISCUS_HD void keep(uint32_t v) const {
-    const Vec3 from = previous[v].xyz(), way = foreseen[v].xyz() - from;
-    const float thickness = parts[vertex_part[v]].thickness, far = length(way);
+    const Vec3 from = previous[v].xyz(), displacement = foreseen[v].xyz() - from;
+    const float thickness = parts[vertex_part[v]].thickness, far = length(displacement);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
     const float radius =
         0.5f * substeps * far + foreseen[v].w + leeway * thickness + to_and_fro * pbd::max(0, solve);
-    wide[v] = ball(from + 0.5f * substeps * way, radius);
-    kept[v] = is_brief() ? ball(from + 0.5f * way, 0.5f * far + foreseen[v].w) : wide[v];
+    wide[v] = ball(from + 0.5f * substeps * displacement, radius);
+    kept[v] = is_brief() ? ball(from + 0.5f * displacement, 0.5f * far + foreseen[v].w) : wide[v];
   }
 
  private:

@@ -123,7 +123,7 @@ struct TransferPush {
     if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
     if (v >= vertex_part.count || counters[lost] == 0) return;
     if (vertex_part[v] == no_index || position[v].w == 0) return;
-    moved[v] = pbd::shifted(moved[v], sums.way(vertex_part[v]));
+    moved[v] = pbd::shifted(moved[v], sums.displacement(vertex_part[v]));
   }
 };
 

@@ -97,8 +97,8 @@ struct RolledBack {
   View<uint32_t> counters;
 
   MENISCUS_HD void begin(uint32_t v) const { ways[v] = {0, 0, 0, 0}; }
-  MENISCUS_HD void add(uint32_t v, Vec3 way) const {
-    ways[v] = pbd::with_w(ways[v].xyz() + way, 0);
+  MENISCUS_HD void add(uint32_t v, Vec3 displacement) const {
+    ways[v] = pbd::with_w(ways[v].xyz() + displacement, 0);
     pbd::atomic_max(counters[lost], 1);
   }
 };
@@ -119,7 +119,7 @@ struct PartSums {
     pbd::atomic_add(sums[4 * part + 3], llrintf(mass / mass_unit));
   }
   /// Of the whole, m.
-  MENISCUS_HD Vec3 way(uint32_t part) const {
+  MENISCUS_HD Vec3 displacement(uint32_t part) const {
     const int64_t* sum = &sums[4 * part];
     if (sum[3] == 0) return {0, 0, 0};
     const float scale = unit / (mass_unit * static_cast<float>(sum[3]));
@@ -158,15 +158,15 @@ struct MoveImpactZones {
     const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
     const Vec3 inside = cloth.kept.inside(v, to);
     const bool leaves = inside != to, stops = leaves || (!stays && enters_solid(v, from, to));
-    const Vec3 way = leaves ? inside - from : wanted;
+    const Vec3 displacement = leaves ? inside - from : wanted;
     // Of a zone that stays each loses its share of the whole, as if the zone had gone on.
     const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
-    if (due != way) taken.add(v, due - way);
+    if (due != displacement) taken.add(v, due - displacement);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
     pbd::atomic_store(impact_zones.mark[v], (round + 1) << ImpactZones::moved_shift | (round + 1) |
                                                 (stops ? ImpactZones::stopped : mark & ImpactZones::stopped));
     position[v] = pbd::with_w(inside, x.w);
-    moved[v] = pbd::shifted(moved[v], way - now);
+    moved[v] = pbd::shifted(moved[v], displacement - now);
   }
 
   MENISCUS_HD bool enters_solid(uint32_t v, Vec3 from, Vec3 to) const {

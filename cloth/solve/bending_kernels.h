@@ -58,18 +58,18 @@ struct SolveIsometric {
     const bool damped = less_mask(zero, damping) != 0;
     LaneVertex<D> x[4];
     // From the first vertex, not the origin, from which far away all would be rounding.
-    Vector c{zero, zero, zero}, way{zero, zero, zero};
+    Vector c{zero, zero, zero}, displacement{zero, zero, zero};
     Real weight = zero;
     MENISCUS_UNROLL
     for (int i = 0; i < 4; ++i) {
       x[i] = vertices.at(number[i]);
       c += k_of[i] * (x[i].x.xyz() - x[0].x.xyz());
       weight += x[i].x.w * k_of[i] * k_of[i];
-      if (damped) way += k_of[i] * (x[i].x.xyz() - vertices.previous(number[i]));
+      if (damped) displacement += k_of[i] * (x[i].x.xyz() - vertices.previous(number[i]));
     }
     weight = together.if_any(weight);
     const Real compliance = h.w * Real(vertices.inverse_dt()) * Real(vertices.inverse_dt());
-    const Vector wanted = xpbd_step(c, way, weight, before, compliance, damping);
+    const Vector wanted = xpbd_step(c, displacement, weight, before, compliance, damping);
     const auto if_live = [&](const Real& s) { return select_less(zero, weight, s, zero); };
     const Vector step{if_live(wanted.x), if_live(wanted.y), if_live(wanted.z)};
     if (multiplier.count != 0) {

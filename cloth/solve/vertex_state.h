@@ -25,7 +25,7 @@ struct VertexState {
   MENISCUS_HD Vertex at(uint32_t v) const { return vertex_at(particles, v); }
   MENISCUS_HD Vec4 previous(uint32_t v) const { return particles.previous[particles.sorted + v]; }
   /// m, of the present position x of v since the substep began.
-  MENISCUS_HD Vec3 way(uint32_t v, const Vec4& x) const { return x.xyz() - previous(v).xyz(); }
+  MENISCUS_HD Vec3 displacement(uint32_t v, const Vec4& x) const { return x.xyz() - previous(v).xyz(); }
   MENISCUS_HD uint32_t piece_number(uint32_t v) const {
     return pbd::phase_group(particles.phase[particles.sorted + v]);
   }

@@ -58,7 +58,7 @@ struct SumLanes {
         const Vec4 g = gradient[v], x = vertices.position(v);
         sum.volume += g.w;
         sum.weight += x.w * dot(g.xyz(), g.xyz());
-        sum.rate += dot(g.xyz(), vertices.way(v, x));
+        sum.rate += dot(g.xyz(), vertices.displacement(v, x));
       }
     }
     partial[n] = sum;

@@ -102,8 +102,8 @@ struct Join {
     if (!of.attachments.leads(n)) return;
     const uint32_t i = of.attachments.particle_of(n);
     const Vec4 x = of.position[i];
-    const Vec3 way = of.moved[i].xyz();
-    of.joined[n] = pbd::with_w(way, x.w);
+    const Vec3 displacement = of.moved[i].xyz();
+    of.joined[n] = pbd::with_w(displacement, x.w);
     if (x.w == 0) return;
     float mass = 1 / x.w;
     bool is_held = false;
@@ -117,7 +117,7 @@ struct Join {
     });
     of.position[i].w = is_held ? 0 : 1 / mass;
     if (!is_held) return;
-    of.joined[n] = pbd::with_w(way + anchor - x.xyz(), x.w);
+    of.joined[n] = pbd::with_w(displacement + anchor - x.xyz(), x.w);
     of.position[i] = pbd::with_w(anchor, 0);
     of.moved[i] = {0, 0, 0, 0};  // from now on, what it withstands
   }
@@ -162,8 +162,9 @@ struct TransferPush {
     if (!of.attachments.leads(n)) return;
     const uint32_t i = of.attachments.particle_of(n);
     if (of.position[i].w == 0) return;
-    const Vec3 moved = of.moved[i].xyz(), way = moved - of.joined[n].xyz();
-    of.for_each_contact(n, [&](pbd::Contact& c) { c.tangent_multiplier -= way / c.body_inverse_mass; });
+    const Vec3 moved = of.moved[i].xyz(), displacement = moved - of.joined[n].xyz();
+    of.for_each_contact(n,
+                        [&](pbd::Contact& c) { c.tangent_multiplier -= displacement / c.body_inverse_mass; });
     of.joined[n] = pbd::with_w(moved, of.joined[n].w);
   }
 };

@@ -62,11 +62,11 @@ struct Demand {
                              float radius) const {
     const Pose pose = pose_of(shape);
     const FaceMotion motion = collision::face_kernels::motion_beside(shape, pose, world);
-    const FaceField field{set, shape, radius_of(motion.to) + way_of(motion) + radius};
+    const FaceField field{set, shape, radius_of(motion.to) + displacement_of(motion) + radius};
     if (!field.may_reach(motion)) return {0, 0, 0};
     FaceMeeting meeting = meet_face(field, motion, least * radius);
     float lacking = lacking_of(motion, meeting, radius);
-    if (lacking <= 0 && way_of(motion) > least * radius) {  // there; but elsewhere, at the end?
+    if (lacking <= 0 && displacement_of(motion) > least * radius) {  // there; but elsewhere, at the end?
       meeting = {field.nearest(motion.to, 0.01f * radius), motion.to};
       lacking = lacking_of(motion, meeting, radius);
     }
@@ -79,9 +79,9 @@ struct Demand {
   /// What the meeting's point lacks at the end, from the plane that it met, m.
   MENISCUS_HD static float lacking_of(const FaceMotion& motion, const FaceMeeting& meeting, float radius) {
     const FaceSample& s = meeting.sample;
-    const Vec3 way = point_of(motion.to, s.weights) - point_of(meeting.face, s.weights);
-    const float distance = s.surface.distance + dot(way, s.surface.normal);
-    const float wanted = way_of(motion) > radius ? enough_when_fast : enough;
+    const Vec3 displacement = point_of(motion.to, s.weights) - point_of(meeting.face, s.weights);
+    const float distance = s.surface.distance + dot(displacement, s.surface.normal);
+    const float wanted = displacement_of(motion) > radius ? enough_when_fast : enough;
     return distance < least * radius ? wanted * radius - distance : 0;
   }
 

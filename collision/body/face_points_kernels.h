@@ -103,10 +103,10 @@ struct Decide {
 
   MENISCUS_HD FaceSample look_at(const Shape& shape, const FaceMotion& motion, float radius,
                                  float reach) const {
-    const FaceField field{set, shape, radius_of(motion.to) + way_of(motion) + reach};
+    const FaceField field{set, shape, radius_of(motion.to) + displacement_of(motion) + reach};
     if (!field.may_reach(motion)) return nothing();
     const float touch = 0.5f * radius, dip = slack * radius;
-    if (way_of(motion) <= touch && !may_dip(field, motion.to, dip)) return nothing();
+    if (displacement_of(motion) <= touch && !may_dip(field, motion.to, dip)) return nothing();
     const FaceMeeting meeting = meet_face(field, motion, touch);
     const float distance = meeting.sample.surface.distance;
     const float corners = least(corners_of(field, meeting.face));

@@ -33,7 +33,7 @@ MENISCUS_HD inline Triangle between(const FaceMotion& m, float share) {
 }
 
 /// The longest way of any of its points, m.
-MENISCUS_HD inline float way_of(const FaceMotion& m) {
+MENISCUS_HD inline float displacement_of(const FaceMotion& m) {
   return sqrtf(pbd::max(squared_length(m.to.a - m.from.a),
                         pbd::max(squared_length(m.to.b - m.from.b), squared_length(m.to.c - m.from.c))));
 }
@@ -111,9 +111,9 @@ struct FaceField {
     return best;
   }
 
-  MENISCUS_HD FaceSample go_on(const Triangle& t, FaceSample best, Vec3 way) const {
+  MENISCUS_HD FaceSample go_on(const Triangle& t, FaceSample best, Vec3 displacement) const {
     for (float far = 1; far < 100; far *= 2) {
-      const Vec3 weights = inside(best.weights + far * way);
+      const Vec3 weights = inside(best.weights + far * displacement);
       const FaceSample next = at(t, weights);
       if (!(next.surface.distance < best.surface.distance)) break;
       best = next;
@@ -173,14 +173,14 @@ struct FaceMeeting {
 /// alone.
 MENISCUS_HD inline FaceMeeting meet_face(const FaceField& field, const FaceMotion& m, float touch) {
   constexpr int most_steps = 32;
-  const float way = way_of(m), tolerance = 0.02f * touch;
-  float t = way > touch ? 0.0f : 1.0f;
+  const float displacement = displacement_of(m), tolerance = 0.02f * touch;
+  float t = displacement > touch ? 0.0f : 1.0f;
   for (int k = 0; k < most_steps && t < 1; ++k) {
     const Triangle now = between(m, t);
     const FaceSample s = field.nearest(now, tolerance);
     const Vec3 path = point_of(m.to, s.weights) - point_of(m.from, s.weights);
     if (s.surface.distance < touch && dot(s.surface.normal, path) < 0) return {s, now};
-    t += pbd::max(s.surface.distance - 0.5f * touch, 0.5f * touch) / way;
+    t += pbd::max(s.surface.distance - 0.5f * touch, 0.5f * touch) / displacement;
   }
   return {field.nearest(m.to, tolerance), m.to};
 }

@@ -21,7 +21,7 @@ constexpr float face_radius = 0.7f;
 
 /// m: how far what was put into a solid comes out of it in a substep. Were it to come out at once, it would
 /// leave with the speed of that.
-MENISCUS_HD inline float way_out(float contact_radius, float dt) {
+MENISCUS_HD inline float exit_distance(float contact_radius, float dt) {
   constexpr float time = 0.02f;  // s, for a radius
   return contact_radius * dt / time;
 }

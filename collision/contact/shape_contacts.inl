@@ -140,8 +140,8 @@ struct Fill {
     const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
     const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;
     const float stop = pbd::share_of_radius(number[i]) * c.radius;
-    const float way = way_out(find.touches.of(i).radius, dt);
-    const float back = pbd::max(0.0f, stop - plane_distance(c, start) - way);
+    const float displacement = exit_distance(find.touches.of(i).radius, dt);
+    const float back = pbd::max(0.0f, stop - plane_distance(c, start) - displacement);
     c.point -= back * c.normal;
     if (back > 0) c.body_inverse_mass = find.position[i].w;
     return back;

@@ -75,9 +75,9 @@ struct TwoSidedContact {
 
   /// Solves friction on both, where the vertex has gone this way; what moves it, kg·m. The one that can bear
   /// less slips, and the vertex goes with the other.
-  MENISCUS_HD Vec3 hold_back(Vec3 way) const {
+  MENISCUS_HD Vec3 hold_back(Vec3 displacement) const {
     const Vec3 old_a = a.tangent_multiplier, old_b = b.tangent_multiplier;
-    const Vec3 slip_a = slip(a, way), slip_b = slip(b, way);
+    const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
     const Vec3 wanted_a = old_a - (1 / determinant()) * ((w + give_b()) * slip_a - w * slip_b);
     const Vec3 wanted_b = old_b - (1 / determinant()) * ((w + give_a()) * slip_b - w * slip_a);
     const float most_a = most_friction(a), most_b = most_friction(b);
@@ -90,16 +90,16 @@ struct TwoSidedContact {
       const bool is_a = !holds_a && (holds_b || most_a <= most_b);
       pbd::Contact &slipping = is_a ? a : b, &holding = is_a ? b : a;
       slipping.tangent_multiplier = shortened_to(is_a ? wanted_a : wanted_b, is_a ? most_a : most_b);
-      hold_back(holding, way + moved());
-      hold_back(slipping, way + moved());
+      hold_back(holding, displacement + moved());
+      hold_back(slipping, displacement + moved());
     }
     return moved() / w;
   }
 
   /// Friction between the two surfaces by way of a vertex that sticks to one of them, and is not moved: what
   /// each adds, the other takes back.
-  MENISCUS_HD void hand_through(Vec3 way) const {
-    const Vec3 slip_a = slip(a, way), slip_b = slip(b, way);
+  MENISCUS_HD void hand_through(Vec3 displacement) const {
+    const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
     const Vec3 more = (1 / (give_a() + give_b())) * (slip_b - slip_a);
     const float share = pbd::min(share_within(a.tangent_multiplier, more, most_friction(a)),
                                  share_within(b.tangent_multiplier, -1.0f * more, most_friction(b)));
@@ -133,13 +133,13 @@ struct TwoSidedContact {
     c.normal_multiplier += normal;
     c.density_push += push * along - normal * c.normal;
   }
-  MENISCUS_HD Vec3 slip(const pbd::Contact& c, Vec3 way) const {
-    const Vec3 on_surface = way - c.surface_motion;
+  MENISCUS_HD Vec3 slip(const pbd::Contact& c, Vec3 displacement) const {
+    const Vec3 on_surface = displacement - c.surface_motion;
     return on_surface - dot(on_surface, axis) * axis;
   }
   /// The one alone.
-  MENISCUS_HD void hold_back(pbd::Contact& c, Vec3 way) const {
-    const Vec3 wanted = c.tangent_multiplier - slip(c, way) / (w + c.body_inverse_mass);
+  MENISCUS_HD void hold_back(pbd::Contact& c, Vec3 displacement) const {
+    const Vec3 wanted = c.tangent_multiplier - slip(c, displacement) / (w + c.body_inverse_mass);
     c.tangent_multiplier = shortened_to(wanted, most_friction(c));
   }
 };

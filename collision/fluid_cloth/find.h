@@ -16,7 +16,7 @@
 namespace meniscus::collision::fluid_cloth_kernels {
 
 /// What is within `by` (m) of a particle's way.
-MENISCUS_HD inline Aabb way_box(Vec3 from, Vec3 to, float by) {
+MENISCUS_HD inline Aabb motion_box(Vec3 from, Vec3 to, float by) {
   return pbd::inflated({min(from, to), max(from, to)}, by);
 }
 
@@ -28,7 +28,7 @@ struct ListNear {
   float h;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const Aabb box = way_box(surface.previous[i].xyz(), surface.position[i].xyz(), h);
+    const Aabb box = motion_box(surface.previous[i].xyz(), surface.position[i].xyz(), h);
     if (!pbd::overlaps_any(surface.tree, box, 1)) {
       if (phase[i] & pbd::phase_pressing) phase[i] &= ~pbd::phase_pressing;
       return;
@@ -124,11 +124,11 @@ struct FindTouches {
     Layers layers;
     bool at_border = false;
     // What is not near the way is not met on it.
-    const Aabb on_way = way_box(from, to, largest_gap);
+    const Aabb on_way = motion_box(from, to, largest_gap);
     const auto wanted = [&](uint32_t group) {
       return shapes[group].may_be_over(to) || pbd::overlap(surface.tree.box(1, group), on_way);
     };
-    pbd::for_each_overlap_in_warp(surface.tree, way_box(from, to, h), wanted, [&](uint32_t place) {
+    pbd::for_each_overlap_in_warp(surface.tree, motion_box(from, to, h), wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.part)) return;
       const bool border = (surface.marks[place] & border_marks) != 0;
@@ -178,7 +178,7 @@ struct FindTouches {
   MENISCUS_HD Place nearest_edge(uint32_t i, Vec3 to, float reach) const {
     Place edge{3e38f, {0, 0, 0}, no_index, 0, 0};
     const pbd::GroupsInBall wanted{surface.tree, to, reach};
-    pbd::for_each_overlap_in_warp(surface.tree, way_box(to, to, reach), wanted, [&](uint32_t place) {
+    pbd::for_each_overlap_in_warp(surface.tree, motion_box(to, to, reach), wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.part)) return;
       const pbd::Nearest end =
@@ -215,7 +215,7 @@ struct FindTouches {
     const float reach = sqrtf(pbd::max(reach2, 0.01f * h * h));
     const Disc disc(foot, place.normal, reach);
     float sum = 0;
-    pbd::for_each_overlap_in_warp(surface.tree, way_box(foot, foot, reach),
+    pbd::for_each_overlap_in_warp(surface.tree, motion_box(foot, foot, reach),
                                   pbd::GroupsInBall{surface.tree, foot, reach}, [&](uint32_t n) {
                                     const pbd::SurfaceTriangle t = load(surface.tree.triangles, n);
                                     const Vec3 a = surface.end(t.a), b = surface.end(t.b),

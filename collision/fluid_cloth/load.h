@@ -93,10 +93,10 @@ struct AtTouches {
 
   /// Takes the contact to where the sheet is; returns to the first thread how far.
   MENISCUS_HD Vec3 follow_cloth(FluidClothContact& t) const {
-    const Vec3 way = motion_of_cloth(t);
+    const Vec3 displacement = motion_of_cloth(t);
     if (!TouchTeam::leads()) return {0, 0, 0};
-    const Vec3 step = way - t.followed;
-    t.followed = way;
+    const Vec3 step = displacement - t.followed;
+    t.followed = displacement;
     pbd::Contact& c = contacts[t.contact];
     c.point += step;
     c.surface_motion += step;
@@ -149,9 +149,9 @@ struct AtTouches {
   MENISCUS_HD bool comes_to_press(const FluidClothContact& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
-    const Vec3 x = position[i].xyz(), way = x - previous[i].xyz() - c.surface_motion;
+    const Vec3 x = position[i].xyz(), displacement = x - previous[i].xyz() - c.surface_motion;
     return dot(x - c.point, c.normal) < 1.1f * c.radius &&
-           bears(c.normal, -dot(way, c.normal) / position[i].w, i);
+           bears(c.normal, -dot(displacement, c.normal) / position[i].w, i);
   }
 
  private:
@@ -179,7 +179,7 @@ struct StartTouches {
       carriers += at.is_live(at.touch(k, n));
       carried |= at.comes_to_press(at.touch(k, n), i);
     }
-    const Vec3 way = at.position[i].xyz() - at.previous[i].xyz();
+    const Vec3 displacement = at.position[i].xyz() - at.previous[i].xyz();
     for (uint32_t n = 0; n < most_touches; ++n) {
       FluidClothContact& t = at.touch(k, n);
       const bool live = at.is_live(t);
@@ -189,7 +189,7 @@ struct StartTouches {
       t.followed = followed;
       t.share = carried && live ? 1.0f / static_cast<float>(carriers) : 0.0f;
       t.carried = t.share / at.position[i].w;
-      t.pending = -t.carried * way;
+      t.pending = -t.carried * displacement;
     }
   }
 };
@@ -210,9 +210,9 @@ struct ShareMomentum {
     taken[v] = {0, 0, 0, 0};
     if (own == 0 || !(carried > 0)) return;
     const Vec4 x = position[v];
-    const Vec3 way = x.xyz() - previous[v].xyz();
+    const Vec3 displacement = x.xyz() - previous[v].xyz();
     const float weight = own / (1 + own * carried);
-    const Vec3 step = weight * (pending - carried * way);
+    const Vec3 step = weight * (pending - carried * displacement);
     taken[v] = pbd::with_w(step / (own * carried), 0);
     position[v] = pbd::with_w(x.xyz() + step, weight);
     moved[v] = pbd::shifted(moved[v], step);

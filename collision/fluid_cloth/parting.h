@@ -58,7 +58,7 @@ struct PartNeighbours {
     const uint32_t sentinel = neighbours.sentinel, j = n < count ? neighbours.at(i, n) : sentinel;
     const Vec3 p = load(surface.previous, i).xyz(), q = j == sentinel ? p : load(surface.previous, j).xyz();
     constexpr float slack = 1e-4f;  // more than that of what goes through an edge
-    return {j, way_box(p, q, slack * h)};
+    return {j, motion_box(p, q, slack * h)};
   }
 
   /// By a triangle of some of eight groups.
@@ -88,8 +88,9 @@ struct PartNeighbours {
     if ((above >= 0) == (below >= 0)) return false;
     const Vec3 x = p + above / (above - below) * (q - p);
     if (pbd::max(max_component(abs(x - p)), max_component(abs(x - q))) > h) return false;
-    const Vec3 way = q - p, ap = a - p, bp = b - p, cp = c - p;
-    const float u = dot(way, cross(bp, cp)), v = dot(way, cross(cp, ap)), w = dot(way, cross(ap, bp));
+    const Vec3 displacement = q - p, ap = a - p, bp = b - p, cp = c - p;
+    const float u = dot(displacement, cross(bp, cp)), v = dot(displacement, cross(cp, ap)),
+                w = dot(displacement, cross(ap, bp));
     // What goes through an edge goes through one of its triangles at least.
     const float slack = 1e-5f * (fabsf(u) + fabsf(v) + fabsf(w));
     return (u >= -slack && v >= -slack && w >= -slack) || (u <= slack && v <= slack && w <= slack);

@@ -103,7 +103,7 @@ struct EndPassing {
     if (!(phase[i] & pbd::phase_passing)) return;
     const Vec3 at = surface.previous[i].xyz();
     bool clear = true;
-    const Aabb box = way_box(at, at, clear_of_cloth(largest_radius));
+    const Aabb box = motion_box(at, at, clear_of_cloth(largest_radius));
     pbd::for_each_overlap(surface.tree, box, 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       const FluidClothPiece& part = surface.parts[t.part];

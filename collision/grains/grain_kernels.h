@@ -151,10 +151,10 @@ struct Project {
       const Vec4 old = rows.impulse.data[at], last = change.data[at];
       const Vec4 other = staged[j];
       const Vec3 d = self.xyz() - other.xyz();
-      const Vec3 way = d - (start - previous[j].xyz());
+      const Vec3 displacement = d - (start - previous[j].xyz());
       const float distance = length(d);
       const Vec3 normal = contact_normal(d, distance, i, j);
-      const Vec3 slip = way - dot(way, normal) * normal;
+      const Vec3 slip = displacement - dot(displacement, normal) * normal;
       const Vec3 wanted = old.xyz() + momentum * last.xyz() -
                           (step / (self.w + other.w)) * ((distance - last.w) * normal + slip);
       const Vec3 now = within_cone(wanted, normal, old.w);

@@ -56,9 +56,9 @@ struct SurfaceHit final : btCollisionWorld::ClosestRayResultCallback {
 class NearestHit final : public btBroadphaseRayCallback {
  public:
   NearestHit(const btVector3& from, const btVector3& to) : from_(from), to_(to) {
-    const btVector3 way = to - from;
+    const btVector3 displacement = to - from;
     for (int axis = 0; axis < 3; ++axis) {
-      m_rayDirectionInverse[axis] = way[axis] == 0 ? BT_LARGE_FLOAT : 1 / way[axis];
+      m_rayDirectionInverse[axis] = displacement[axis] == 0 ? BT_LARGE_FLOAT : 1 / displacement[axis];
       m_signs[axis] = m_rayDirectionInverse[axis] < 0;
     }
     m_lambda_max = 1;

@@ -12,7 +12,7 @@ namespace {
 /// The stretch of a ray that lies in a convex set, as more and more of what bounds the set is taken into
 /// account.
 struct Stretch {
-  const btVector3 &from, way;
+  const btVector3 &from, displacement;
   float first = 0, last = 1;
   btVector3 normal{0, 0, 0};  ///< where it begins
 
@@ -24,7 +24,7 @@ struct Stretch {
   bool is_empty() const { return first > last; }
 
   void cut_by_plane(const btVector3& plane, float offset) {
-    const float height = plane.dot(from) - offset, speed = plane.dot(way);
+    const float height = plane.dot(from) - offset, speed = plane.dot(displacement);
     if (speed < 0) {
       enter(-height / speed, plane);
     } else if (speed > 0) {
@@ -37,7 +37,7 @@ struct Stretch {
   /// By a ball around `centre`, or, with the motion along `axis` left out, by a cylinder.
   void cut_by_round(const btVector3& centre, const btVector3& axis, float radius) {
     const btVector3 start = from - centre, p = start - start.dot(axis) * axis;
-    const btVector3 d = way - way.dot(axis) * axis;
+    const btVector3 d = displacement - displacement.dot(axis) * axis;
     const float a = d.length2(), b = p.dot(d);
     if (a == 0) {
       if (p.length2() > radius * radius) make_empty();

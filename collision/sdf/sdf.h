@@ -45,11 +45,12 @@ MENISCUS_HD inline DensitySample sample_density(const SdfView& sdf, Vec3 p) {
   Vec3 gradient{0, 0, 0};
   for (uint32_t corner = 0; corner < 8; ++corner) {
     const uint32_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-    const Vec3 way = Vec3{x.fraction, y.fraction, z.fraction} -
-                     Vec3{static_cast<float>(i), static_cast<float>(j), static_cast<float>(k)};
-    const float weight = (1 - fabsf(way.x)) * (1 - fabsf(way.y)) * (1 - fabsf(way.z));
+    const Vec3 displacement = Vec3{x.fraction, y.fraction, z.fraction} -
+                              Vec3{static_cast<float>(i), static_cast<float>(j), static_cast<float>(k)};
+    const float weight =
+        (1 - fabsf(displacement.x)) * (1 - fabsf(displacement.y)) * (1 - fabsf(displacement.z));
     const pbd::Vec4 node = pbd::load(sdf.density, n.index(x.cell + i, y.cell + j, z.cell + k));
-    density += weight * (node.w + 0.5f * n.spacing * dot(node.xyz(), way));
+    density += weight * (node.w + 0.5f * n.spacing * dot(node.xyz(), displacement));
     gradient += weight * node.xyz();
   }
   return {clamped(density, 0, 1), gradient};

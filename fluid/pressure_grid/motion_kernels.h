@@ -23,7 +23,7 @@ struct FaceMoves {
     return share * faces[node].face[axis].area * width2 * fall;
   }
   /// m
-  MENISCUS_HD float way(const NodeCoordinates& c, uint32_t node, int axis) const {
+  MENISCUS_HD float displacement(const NodeCoordinates& c, uint32_t node, int axis) const {
     return pbd::clamp(faces[node].face[axis].inverse_mass * impulse(c, node, axis), -limit, limit);
   }
 };
@@ -56,8 +56,8 @@ struct FindLost {
       const FaceState face = moves.faces[node].face[axis];
       if (face.mass > 0) {
         lost.mass[axis] = double{face.mass};
-        lost.impulse[axis] =
-            double{moves.impulse(c, node, axis)} - double{face.mass} * double{moves.way(c, node, axis)};
+        lost.impulse[axis] = double{moves.impulse(c, node, axis)} -
+                             double{face.mass} * double{moves.displacement(c, node, axis)};
       } else if (face.area > 0) {
         const float fall = in_the_open(node) - in_the_open(moves.nodes.beside(c, axis, 1));
         lost.impulse[axis] = double{moves.share * face.area * moves.width2 * fall};
@@ -81,12 +81,13 @@ struct MoveFaces {
   MENISCUS_HD void operator()(uint32_t node) const {
     const NodeCoordinates c = moves.nodes.coordinates(node);
     const Lost& all = lost[0];
-    float way[3] = {0, 0, 0};
+    float displacement[3] = {0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
       if (moves.faces[node].face[axis].mass > 0)
-        way[axis] = moves.way(c, node, axis) + static_cast<float>(all.impulse[axis] / all.mass[axis]);
+        displacement[axis] =
+            moves.displacement(c, node, axis) + static_cast<float>(all.impulse[axis] / all.mass[axis]);
     }
-    motion[node] = {way[0], way[1], way[2], 0};
+    motion[node] = {displacement[0], displacement[1], displacement[2], 0};
   }
 };
 
@@ -109,21 +110,22 @@ struct MoveParticles {
     }
     const Vec4 p = position[i];
     const Place place = space.place(p.xyz(), found[i].xyz());
-    const Vec3 way = way_of(place, scale[i]);
+    const Vec3 displacement = displacement_of(place, scale[i]);
     multiplier[i] = to_multiplier * pressure_at(place);
-    position[i] = pbd::with_w(p.xyz() + way, p.w);
-    moved[i] = pbd::shifted(moved[i], way);
+    position[i] = pbd::with_w(p.xyz() + displacement, p.w);
+    moved[i] = pbd::shifted(moved[i], displacement);
   }
 
-  MENISCUS_HD Vec3 way_of(const Place& place, const Vec4& own) const {
-    float way[3] = {0, 0, 0};
+  MENISCUS_HD Vec3 displacement_of(const Place& place, const Vec4& own) const {
+    float displacement[3] = {0, 0, 0};
     if (!(own.w > 0)) return {0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
-      for_each_face(space.nodes, place, axis,
-                    [&](uint32_t node, float weight) { way[axis] += weight * along(motion[node], axis); });
-      way[axis] *= along(own, axis);
+      for_each_face(space.nodes, place, axis, [&](uint32_t node, float weight) {
+        displacement[axis] += weight * along(motion[node], axis);
+      });
+      displacement[axis] *= along(own, axis);
     }
-    return {way[0], way[1], way[2]};
+    return {displacement[0], displacement[1], displacement[2]};
   }
 
   MENISCUS_HD float pressure_at(const Place& place) const {

@@ -163,8 +163,8 @@ MENISCUS_HD constexpr Vec4 with_w(Vec3 v, float w) {
   return {v.x, v.y, v.z, w};
 }
 /// p + way, with p's w.
-MENISCUS_HD constexpr Vec4 shifted(const Vec4& p, Vec3 way) {
-  return {p.x + way.x, p.y + way.y, p.z + way.z, p.w};
+MENISCUS_HD constexpr Vec4 shifted(const Vec4& p, Vec3 displacement) {
+  return {p.x + displacement.x, p.y + displacement.y, p.z + displacement.z, p.w};
 }
 
 template <class R>

@@ -91,7 +91,8 @@ class NearHalves {
 
   /// Both orders of a pair come to the same.
   __device__ void look_at_two(uint32_t x, uint32_t y, uint32_t z, bool* near) const {
-    const __half2 way = __habs2(__hsub2(halves(x), x_)), dx = __hmin2(way, __hsub2(period_, way));
+    const __half2 displacement = __habs2(__hsub2(halves(x), x_)),
+                  dx = __hmin2(displacement, __hsub2(period_, displacement));
     const __half2 dy = __hsub2(halves(y), y_), dz = __hsub2(halves(z), z_);
     const __half2 d2 = __hfma2(dx, dx, __hfma2(dy, dy, __hmul2(dz, dz)));
     uint32_t first, second;

@@ -38,8 +38,8 @@ class SurfaceTreeTest : public OnDevice {
     return c;
   }
 
-  static Aabb way_of(const SurfaceTriangle& t, std::span<const Vec4> from, std::span<const Vec4> to,
-                     float reach) {
+  static Aabb displacement_of(const SurfaceTriangle& t, std::span<const Vec4> from, std::span<const Vec4> to,
+                              float reach) {
     Aabb box = pbd::empty_box;
     for (uint32_t v : {t.a, t.b, t.c})
       for (Vec3 x : {from[v].xyz(), to[v].xyz()}) box = joined(box, {x, x});
@@ -61,7 +61,7 @@ class SurfaceTreeTest : public OnDevice {
     for (size_t b = 0; b < boxes.size(); ++b) {
       std::vector<uint32_t> expected;
       for (uint32_t t = 0; t < c.triangles.size(); ++t)
-        if (overlap(way_of(c.triangles[t], c.vertices, to, 0.004f), boxes[b])) expected.push_back(t);
+        if (overlap(displacement_of(c.triangles[t], c.vertices, to, 0.004f), boxes[b])) expected.push_back(t);
       EXPECT_EQ(found[b], expected) << "box " << b;
       total += expected.size();
     }

@@ -11,7 +11,7 @@
 namespace meniscus::tests {
 namespace {
 
-constexpr float thickness = 0.008f, way_out = 0.5f * thickness / 0.02f;  // m/s
+constexpr float thickness = 0.008f, exit_distance = 0.5f * thickness / 0.02f;  // m/s
 
 struct Place {
   const char* name;
@@ -69,7 +69,7 @@ TEST_P(PlacedCloth, RisesFromAFloor) {
       World world = world_with(substeps);
       world.create_shape(shape(place.geometry));
       const Found found = watch(world, place, 30);
-      EXPECT_LT(found.fastest, 1.5f * way_out) << place.name << ' ' << substeps;
+      EXPECT_LT(found.fastest, 1.5f * exit_distance) << place.name << ' ' << substeps;
       EXPECT_LT(found.max_stretch, place.max_stretch) << place.name << ' ' << substeps;
       EXPECT_GT(found.least, 0.4f * thickness) << place.name << ' ' << substeps;
     }
