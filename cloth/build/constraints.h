@@ -60,7 +60,7 @@ struct Tether {
   float length;      ///< m
   float compliance;  ///< m/N
   /// kg: what the vertex weighs beyond that stiffens the tether in proportion; 0: nothing does.
-  float own_mass = 0;
+  float self_mass = 0;
 };
 
 }  // namespace meniscus::cloth

@@ -47,10 +47,10 @@ Coloured<Constraint> joined(std::span<const ClothConstraints> pieces, std::span<
   for (const ClothConstraints& piece : pieces) colours = std::max(colours, (piece.*kind).colours());
   for (uint32_t c = 0; c < colours; ++c) {
     for (size_t p = 0; p < pieces.size(); ++p) {
-      const Coloured<Constraint>& own = pieces[p].*kind;
-      if (c >= own.colours()) continue;
-      for (uint32_t i = own.colour_starts[c]; i < own.colour_starts[c + 1]; ++i) {
-        all.items.push_back(own.items[i]);
+      const Coloured<Constraint>& self = pieces[p].*kind;
+      if (c >= self.colours()) continue;
+      for (uint32_t i = self.colour_starts[c]; i < self.colour_starts[c + 1]; ++i) {
+        all.items.push_back(self.items[i]);
         shift(all.items.back(), first_vertex[p]);
       }
     }

@@ -189,7 +189,7 @@ std::vector<Tether> tethers_beside(const Chains& chains, const ClothModel& model
   }
   std::vector<Tether> tethers = model.tethers;
   for (Tether& t : tethers) {
-    if (!ends_free[t.vertex] || holds[t.vertex]) t.own_mass = 0;
+    if (!ends_free[t.vertex] || holds[t.vertex]) t.self_mass = 0;
   }
   return tethers;
 }

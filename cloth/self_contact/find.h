@@ -62,7 +62,7 @@ struct TrianglesOfTwo {
     }
   }
 
-  MENISCUS_HD OwnFeatures own(uint32_t k) const {
+  MENISCUS_HD OwnFeatures self(uint32_t k) const {
     return {{vertex[3 * k], vertex[3 * k + 1], vertex[3 * k + 2], 0}, features[k]};
   }
   /// Of the k-th pair of features of the s-th and the t-th triangle.
@@ -168,7 +168,7 @@ struct FindCandidates {
     const TrianglesOfTwo& two = scratch.two[hit / 64];
     const uint32_t s = hit % 64 / 8, t = 8 + hit % 8;
     if (two.are_parted(s, t)) return;
-    uint32_t mask = PairsOfTwo(two.own(s), two.own(t)).mask, touching = 0;
+    uint32_t mask = PairsOfTwo(two.self(s), two.self(t)).mask, touching = 0;
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t k = pbd::lowest_bit(mask);
       if (two.balls(s, t, k).have_boxes_in_touch()) touching |= 1u << k;
@@ -185,7 +185,7 @@ struct FindCandidates {
     if (!two.balls(s, t, k).may_come_near()) return;
     const uint32_t place = pbd::append(pairs.counters[candidates], 1);
     if (place < candidate_list.count)
-      candidate_list[place] = PairsOfTwo(two.own(s), two.own(t)).code(places_of(two.groups, hit % 64), k);
+      candidate_list[place] = PairsOfTwo(two.self(s), two.self(t)).code(places_of(two.groups, hit % 64), k);
   }
 };
 

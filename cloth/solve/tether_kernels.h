@@ -39,8 +39,8 @@ struct ProjectTethers {
                      moved = vertices.particles.moved.from(vertices.particles.sorted);
     const pbd::Vec4Of<Real> end = gather(x, vertex.index());
     const Vector d = end.xyz() - gather(x, anchor.index()).xyz();
-    const Real l = square_root(dot(d, d)), w = end.w, own = w * of_each(&Tether::own_mass);
-    const Real loaded = select_less(zero, own, select_less(own, Real(1), own, Real(1)), Real(1));
+    const Real l = square_root(dot(d, d)), w = end.w, self = w * of_each(&Tether::self_mass);
+    const Real loaded = select_less(zero, self, select_less(self, Real(1), self, Real(1)), Real(1));
     const Real soft = square * loaded * of_each(&Tether::compliance);
     const pbd::Vec4Of<Real> before = starts ? pbd::Vec4Of<Real>{zero, zero, zero, zero} : gather(pull, at);
     const Real lacks = l - longest - soft * before.w;

@@ -167,12 +167,12 @@ struct Account {
   }
   MENISCUS_HD Vec3 given(uint32_t vertex, uint32_t i) const {
     const float w = particles.position[particles.sorted + vertex].w;
-    Vec3 own{0, 0, 0};
-    if (w == 0) return own;
+    Vec3 self{0, 0, 0};
+    if (w == 0) return self;
     obey(points, demand, vertex, [&](uint32_t point, Vec3 part) {
-      if (point == i) own = part / w;
+      if (point == i) self = part / w;
     });
-    return own;
+    return self;
   }
 };
 

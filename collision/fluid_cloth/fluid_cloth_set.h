@@ -31,7 +31,7 @@ class FluidClothSet final : public pbd::ConstraintSet<D> {
   void set_vertices(std::span<const float> inverse_masses, float heaviest);
   /// Those of the vertices from `first` on are different now.
   void weigh(uint32_t first, std::span<const float> inverse_masses) {
-    if (own_weight_.size() > 0) own_weight_.write(inverse_masses, first);  // else nothing bears fluid
+    if (self_weight_.size() > 0) self_weight_.write(inverse_masses, first);  // else nothing bears fluid
   }
 
   void start_step() override {
@@ -77,7 +77,7 @@ class FluidClothSet final : public pbd::ConstraintSet<D> {
   Carrying carrying_;
   uint32_t draws_ = 0, draws_before_ = 0;  // substeps: who passes through is drawn anew in each
   float unit_ = 0;                         // kg or kg·m, of the integers that sums run in
-  pbd::Buffer<float> own_weight_{device_, "vertex masses"}, loaded_{device_, "loaded vertices"};
+  pbd::Buffer<float> self_weight_{device_, "vertex masses"}, loaded_{device_, "loaded vertices"};
   pbd::Buffer<pbd::Vec4> change_{device_, "vertex changes"};
 };
 

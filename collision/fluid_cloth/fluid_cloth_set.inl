@@ -107,13 +107,13 @@ fluid_cloth_kernels::AtTouches FluidClothSet<D>::at_touches(const pbd::Substep<D
 
 template <class D>
 fluid_cloth_kernels::LoadedVertices FluidClothSet<D>::loaded_vertices() {
-  return {contacts_.entry_start(), contacts_.entries(), contacts_.near().touches, own_weight_.view(), unit_};
+  return {contacts_.entry_start(), contacts_.entries(), contacts_.near().touches, self_weight_.view(), unit_};
 }
 
 template <class D>
 void FluidClothSet<D>::set_vertices(std::span<const float> inverse_masses, float heaviest) {
-  own_weight_.resize_discard(inverse_masses.size());
-  own_weight_.write(inverse_masses);
+  self_weight_.resize_discard(inverse_masses.size());
+  self_weight_.write(inverse_masses);
   loaded_.resize_discard(inverse_masses.size());
   change_.resize_discard(inverse_masses.size());
   // A vertex can carry some 2¹³ times the heaviest, or take as many metres times it.

@@ -28,8 +28,8 @@ using VertexTeam = pbd::Team<32>;
 struct LoadedVertices {
   View<const uint32_t> start, entries;  // see EnterTouches
   View<const FluidClothContact> touches;
-  View<const float> own_weight;  // 1/kg
-  float unit;                    // kg·m or kg, of the integers that sums run in; a power of 2
+  View<const float> self_weight;  // 1/kg
+  float unit;                     // kg·m or kg, of the integers that sums run in; a power of 2
 
   MENISCUS_HD bool any(uint32_t v) const { return start[v] != start[v + 1]; }
 
@@ -203,17 +203,17 @@ struct ShareMomentum {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
-    const float own = vertices.own_weight[v];
+    const float self = vertices.self_weight[v];
     const float carried = vertices.sum(v, [](const FluidClothContact& t, float w) { return w * t.carried; });
     const Vec3 pending = vertices.pending(v);
     if (!VertexTeam::leads()) return;
     taken[v] = {0, 0, 0, 0};
-    if (own == 0 || !(carried > 0)) return;
+    if (self == 0 || !(carried > 0)) return;
     const Vec4 x = position[v];
     const Vec3 displacement = x.xyz() - previous[v].xyz();
-    const float weight = own / (1 + own * carried);
+    const float weight = self / (1 + self * carried);
     const Vec3 step = weight * (pending - carried * displacement);
-    taken[v] = pbd::with_w(step / (own * carried), 0);
+    taken[v] = pbd::with_w(step / (self * carried), 0);
     position[v] = pbd::with_w(x.xyz() + step, weight);
     moved[v] = pbd::shifted(moved[v], step);
   }
@@ -279,7 +279,7 @@ struct Unload {
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
     loaded[v] = position[v].w;
-    position[v].w = vertices.own_weight[v];
+    position[v].w = vertices.self_weight[v];
   }
 };
 

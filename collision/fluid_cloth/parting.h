@@ -35,17 +35,17 @@ struct PartNeighbours {
 
   /// From those from the first on. What passes through the piece stays a neighbour of both sides.
   MENISCUS_HD void part(uint32_t i, uint32_t first, uint32_t count) const {
-    Neighbour own[own_count];
-    for (uint32_t k = 0; k < own_count; ++k) own[k] = neighbour(i, place(first, k), count);
-    Aabb all = own[0].box;
-    for (uint32_t k = 1; k < own_count; ++k) all = pbd::joined(all, own[k].box);
+    Neighbour self[own_count];
+    for (uint32_t k = 0; k < own_count; ++k) self[k] = neighbour(i, place(first, k), count);
+    Aabb all = self[0].box;
+    for (uint32_t k = 1; k < own_count; ++k) all = pbd::joined(all, self[k].box);
     all = {SearchTeam::least(all.lower), -SearchTeam::least(-all.upper)};
     pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
     for (uint32_t above, boxes; walk.next_group(above, boxes);) {
       for (uint32_t k = 0; k < own_count; ++k) {
-        if (own[k].j == neighbours.sentinel || !are_parted_by(above, boxes, i, own[k])) continue;
+        if (self[k].j == neighbours.sentinel || !are_parted_by(above, boxes, i, self[k])) continue;
         neighbours.drop(i, place(first, k));
-        own[k].j = neighbours.sentinel;
+        self[k].j = neighbours.sentinel;
       }
     }
   }
@@ -62,10 +62,10 @@ struct PartNeighbours {
   }
 
   /// By a triangle of some of eight groups.
-  MENISCUS_HD bool are_parted_by(uint32_t above, uint32_t boxes, uint32_t i, const Neighbour& own) const {
-    boxes &= pbd::overlap_mask(surface.tree.group(1, above), own.box);
+  MENISCUS_HD bool are_parted_by(uint32_t above, uint32_t boxes, uint32_t i, const Neighbour& self) const {
+    boxes &= pbd::overlap_mask(surface.tree.group(1, above), self.box);
     for (; boxes; boxes &= boxes - 1)
-      if (are_parted_by(8 * above + pbd::lowest_bit(boxes), own.box, i, own.j)) return true;
+      if (are_parted_by(8 * above + pbd::lowest_bit(boxes), self.box, i, self.j)) return true;
     return false;
   }
 

@@ -42,7 +42,7 @@ class Welder {
   uint32_t weld(uint32_t i) {
     const Vec3 p = vertices_[i];
     const std::array<int64_t, 3> cell = cell_of(p);
-    if (const uint32_t own = find(p, key(cell, 0, 0, 0)); own != none) return own;
+    if (const uint32_t self = find(p, key(cell, 0, 0, 0)); self != none) return self;
     for (int z = -1; z <= 1; ++z) {
       for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {

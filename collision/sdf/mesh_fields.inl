@@ -28,11 +28,11 @@ uint32_t MeshFields<D>::acquire(D& device, const TriangleMesh& mesh, float cell_
   if (target_error > 0) cell_size = 0;  // as it does not count
   margin = std::max(margin, h);
   const Key key{hash_of(mesh), cell_size, target_error, margin, h};
-  const auto own = std::find_if(fields_.begin(), fields_.end(),
-                                [&](const auto& field) { return field && field->key == key; });
-  if (own != fields_.end()) {
-    ++(*own)->users;
-    return static_cast<uint32_t>(own - fields_.begin());
+  const auto self = std::find_if(fields_.begin(), fields_.end(),
+                                 [&](const auto& field) { return field && field->key == key; });
+  if (self != fields_.end()) {
+    ++(*self)->users;
+    return static_cast<uint32_t>(self - fields_.begin());
   }
   Field fresh{key, build_field(device, mesh, cell_size, target_error, margin, h), 1};
   auto place = std::find_if(fields_.begin(), fields_.end(), [](const auto& field) { return !field; });

@@ -68,9 +68,9 @@ struct CountBirths {
     const Vec3 v = velocity[i].xyz();
     const float energy = share_of(def.energy, 0.5f * dot(v, v));
     if (pbd::is_grain(phase[i]) || !(energy > 0)) return;
-    const Vec4 own = normal[i];
-    float rate = def.air_rate * share_of(def.air, own.w);
-    if (dot(own.xyz(), v) > 0.6f * length(v)) rate += def.crest_rate * share_of(def.crest, crest(i));
+    const Vec4 self = normal[i];
+    float rate = def.air_rate * share_of(def.air, self.w);
+    if (dot(self.xyz(), v) > 0.6f * length(v)) rate += def.crest_rate * share_of(def.crest, crest(i));
     const float n = pbd::min(rate * energy * dt, 64);
     const float whole = floorf(n);
     const float chance = random_numbers(number[i], step, 0).x;

@@ -46,7 +46,7 @@ struct Smooth {
   MENISCUS_HD void run(uint32_t i) const {
     using Real = typename D::Real;
     const Vec4 p = position[i], v = velocity[i];
-    const float own = uniform ? common_smoothing : smoothing[i];
+    const float self = uniform ? common_smoothing : smoothing[i];
     Vec3Of<Real> change{Real(0.0f), Real(0.0f), Real(0.0f)}, curl = change, rise = change;
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(position, j);
@@ -56,7 +56,7 @@ struct Smooth {
       const Vec3Of<Real> relative = its.xyz() - v.xyz();
       Real factor = Kernel::weight_shape(t);
       if constexpr (!uniform) {
-        factor = factor * (Real(own) + gather(smoothing, j)) * Real(p.w) / (Real(p.w) + other.w);
+        factor = factor * (Real(self) + gather(smoothing, j)) * Real(p.w) / (Real(p.w) + other.w);
       }
       change += factor * relative;
       if constexpr (confines) {
@@ -66,7 +66,7 @@ struct Smooth {
         rise += (Real(v.w) - its.w) * slope;
       }
     });
-    const float share = uniform ? kernel.peak_weight * own : kernel.peak_weight;
+    const float share = uniform ? kernel.peak_weight * self : kernel.peak_weight;
     const Vec3 all_changes = sum(change), all_curls = sum(curl), all_rises = sum(rise);
     if (!D::leads()) return;
     const Vec3 smooth = v.xyz() + share * all_changes;

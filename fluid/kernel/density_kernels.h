@@ -41,10 +41,10 @@ struct DensitySums {
     gradient += (e * inverse_root) * d;
   }
 
-  MENISCUS_HD Constraint constraint(const Kernel& kernel, float own_inverse_mass) const {
+  MENISCUS_HD Constraint constraint(const Kernel& kernel, float self_inverse_mass) const {
     const Vec3 g = kernel.peak_pull * sum(gradient);
     return {kernel.peak_weight * (sum(weight) + 1) - 1,
-            own_inverse_mass * dot(g, g) + kernel.peak_slope * kernel.peak_slope * sum(gradient2), g};
+            self_inverse_mass * dot(g, g) + kernel.peak_slope * kernel.peak_slope * sum(gradient2), g};
   }
 };
 

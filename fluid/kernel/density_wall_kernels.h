@@ -55,10 +55,10 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
     const Vec3Of<Real> pull = terms.seen_by_other(mirrors, d);
     gradient2 += other.w * dot(pull, pull);
   });
-  float own_weight = 0;
+  float self_weight = 0;
   const auto own = self_ghosts<n, false>(mirrors, [&](float share, float r2) {
     const float t = kernel.inverse_h2 * r2, inverse_root = inverse_sqrt(t);
-    own_weight += share * Kernel::weight_shape(t);
+    self_weight += share * Kernel::weight_shape(t);
     return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
   });
   const float pull = kernel.peak_pull;  // all but the weights have it for a factor
@@ -67,9 +67,10 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
     give = give_of_bodies(contacts, mirrors, n,
                           [&](int k) { return pull * (sums.through(mirrors, k) + own.through(mirrors, k)); });
   }
-  const Vec3 own_gradient = pull * own.vector(mirrors), gradient = pull * sums.vector(mirrors) + own_gradient;
-  const Vec3 with_motion = gradient + own_gradient;
-  return {kernel.peak_weight * (sum(weight) + own_weight + 1) - 1,
+  const Vec3 self_gradient = pull * own.vector(mirrors),
+             gradient = pull * sums.vector(mirrors) + self_gradient;
+  const Vec3 with_motion = gradient + self_gradient;
+  return {kernel.peak_weight * (sum(weight) + self_weight + 1) - 1,
           self.w * dot(with_motion, with_motion) + pull * pull * sum(gradient2) + give, gradient};
 }
 

@@ -98,10 +98,10 @@ struct GatherFaces {
   struct Sums {
     float mass = 0, filled = 0, heaviest = 0;
 
-    MENISCUS_HD void add(float weight, const Vec4& own, int axis) {
-      filled += weight * along(own, axis);
-      mass += weight * along(own, axis) * own.w;
-      heaviest = pbd::max(heaviest, own.w);
+    MENISCUS_HD void add(float weight, const Vec4& self, int axis) {
+      filled += weight * along(self, axis);
+      mass += weight * along(self, axis) * self.w;
+      heaviest = pbd::max(heaviest, self.w);
     }
   };
 
@@ -158,13 +158,13 @@ struct MakeEquation {
 
   MENISCUS_HD void operator()(uint32_t node) const {
     const NodeCoordinates c = nodes.coordinates(node);
-    Coefficients own{coefficient(node, 0), coefficient(node, 1), coefficient(node, 2), 0};
+    Coefficients self{coefficient(node, 0), coefficient(node, 1), coefficient(node, 2), 0};
     if (flags[node] & node_fluid) {
-      float sum = own.x + own.y + own.z;
+      float sum = self.x + self.y + self.z;
       for (int axis = 0; axis < 3; ++axis) sum += coefficient(nodes.beside(c, axis, -1), axis);
-      own.w = sum + compliance * filled[node] + give[node];
+      self.w = sum + compliance * filled[node] + give[node];
     }
-    coefficients[node] = own;
+    coefficients[node] = self;
   }
 };
 

@@ -116,14 +116,14 @@ struct MoveParticles {
     moved[i] = pbd::shifted(moved[i], displacement);
   }
 
-  MENISCUS_HD Vec3 displacement_of(const Place& place, const Vec4& own) const {
+  MENISCUS_HD Vec3 displacement_of(const Place& place, const Vec4& self) const {
     float displacement[3] = {0, 0, 0};
-    if (!(own.w > 0)) return {0, 0, 0};
+    if (!(self.w > 0)) return {0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
       for_each_face(space.nodes, place, axis, [&](uint32_t node, float weight) {
         displacement[axis] += weight * along(motion[node], axis);
       });
-      displacement[axis] *= along(own, axis);
+      displacement[axis] *= along(self, axis);
     }
     return {displacement[0], displacement[1], displacement[2]};
   }

@@ -28,7 +28,7 @@ struct Level {
 
   /// Calls visit(coordinates of the node beside, its number, c of the face between).
   template <class Visit>
-  MENISCUS_HD void for_each_beside(const NodeCoordinates& c, const Coefficients& own,
+  MENISCUS_HD void for_each_beside(const NodeCoordinates& c, const Coefficients& self,
                                    const Visit& visit) const {
     MENISCUS_UNROLL
     for (int axis = 0; axis < 3; ++axis) {
@@ -37,22 +37,22 @@ struct Level {
       ++after.at[axis];
       const uint32_t node = table.index(before);
       visit(before, node, along(coefficients[node], axis));
-      visit(after, table.index(after), along(own, axis));
+      visit(after, table.index(after), along(self, axis));
     }
   }
 
   /// b + Σ c p of the nodes beside, each p as pressure_of(coordinates, number) gives it.
   template <class PressureOf>
-  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own,
+  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& self,
                          const PressureOf& pressure_of) const {
     float sum = right[node];
-    for_each_beside(c, own, [&](const NodeCoordinates& at, uint32_t beside, float face) {
+    for_each_beside(c, self, [&](const NodeCoordinates& at, uint32_t beside, float face) {
       sum += face * pressure_of(at, beside);
     });
     return sum;
   }
-  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& own) const {
-    return pull(c, node, own, [&](const NodeCoordinates&, uint32_t beside) { return pressure[beside]; });
+  MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& self) const {
+    return pull(c, node, self, [&](const NodeCoordinates&, uint32_t beside) { return pressure[beside]; });
   }
 };
 
@@ -69,8 +69,8 @@ struct Relax {
   MENISCUS_HD void operator()(uint32_t node) const {
     const NodeCoordinates c = level.table.coordinates(node);
     if (colour(c) != turn) return;
-    const Coefficients own = level.coefficients[node];
-    if (own.w > 0) level.pressure[node] = level.pull(c, node, own) / own.w;
+    const Coefficients self = level.coefficients[node];
+    if (self.w > 0) level.pressure[node] = level.pull(c, node, self) / self.w;
   }
 };
 
@@ -81,15 +81,15 @@ struct StartSweep {
 
   MENISCUS_HD void operator()(uint32_t node) const {
     const NodeCoordinates c = level.table.coordinates(node);
-    const Coefficients own = level.coefficients[node];
+    const Coefficients self = level.coefficients[node];
     float p = 0;
-    if (own.w > 0) {
+    if (self.w > 0) {
       p = colour(c) == 0 ? level.right[node]
-                         : level.pull(c, node, own, [&](const NodeCoordinates&, uint32_t beside) {
+                         : level.pull(c, node, self, [&](const NodeCoordinates&, uint32_t beside) {
                              const float w = level.coefficients[beside].w;
                              return w > 0 ? level.right[beside] / w : 0.0f;
                            });
-      p /= own.w;
+      p /= self.w;
     }
     level.pressure[node] = p;
   }
@@ -131,7 +131,7 @@ struct Coarsen {
     const Parents parents{fine.table, coarse.table};
     const NodeCoordinates c = coarse.table.coordinates(node);
     float extra = 0, faces = 0, whole = 0;
-    Coefficients own{0, 0, 0, 0};
+    Coefficients self{0, 0, 0, 0};
     parents.for_each_child(c, [&](uint32_t child, const NodeCoordinates& at) {
       const Coefficients mine = fine.coefficients[child];
       if (!(mine.w > 0)) return;
@@ -149,12 +149,12 @@ struct Coarsen {
           extra -= face;
           if (parents.parent(other) == node) continue;
           faces += scale * face;
-          if (step > 0) add(own, axis, scale * face);
+          if (step > 0) add(self, axis, scale * face);
         }
       }
     });
-    own.w = faces + (extra > rounding * whole ? extra : 0.0f);
-    coarse.coefficients[node] = own;
+    self.w = faces + (extra > rounding * whole ? extra : 0.0f);
+    coarse.coefficients[node] = self;
   }
 
   MENISCUS_HD static void add(Coefficients& to, int axis, float value) {
@@ -172,8 +172,8 @@ struct Restrict {
     float sum = 0;
     const Parents parents{fine.table, coarse.table};
     parents.for_each_child(coarse.table.coordinates(node), [&](uint32_t child, const NodeCoordinates& c) {
-      const Coefficients own = fine.coefficients[child];
-      if (colour(c) == 0 && own.w > 0) sum += fine.pull(c, child, own) - own.w * fine.pressure[child];
+      const Coefficients self = fine.coefficients[child];
+      if (colour(c) == 0 && self.w > 0) sum += fine.pull(c, child, self) - self.w * fine.pressure[child];
     });
     coarse.right[node] = sum;
   }
@@ -188,14 +188,14 @@ struct ProlongAndRelax {
   MENISCUS_HD void operator()(uint32_t node) const {
     const NodeCoordinates c = fine.table.coordinates(node);
     if (colour(c) == 0) return;
-    const Coefficients own = fine.coefficients[node];
-    if (!(own.w > 0)) return;
+    const Coefficients self = fine.coefficients[node];
+    if (!(self.w > 0)) return;
     const Parents parents{fine.table, coarse.table};
-    const float sum = fine.pull(c, node, own, [&](const NodeCoordinates& at, uint32_t beside) {
+    const float sum = fine.pull(c, node, self, [&](const NodeCoordinates& at, uint32_t beside) {
       if (!(fine.coefficients[beside].w > 0)) return 0.0f;
       return fine.pressure[beside] + coarse.pressure[parents.parent(at)];
     });
-    fine.pressure[node] = sum / own.w;
+    fine.pressure[node] = sum / self.w;
   }
 };
 
@@ -286,10 +286,10 @@ struct FinishCycle {
   Level level;
 
   MENISCUS_HD double operator()(uint32_t node) const {
-    const Coefficients own = level.coefficients[node];
-    if (!(own.w > 0)) return 0;
+    const Coefficients self = level.coefficients[node];
+    if (!(self.w > 0)) return 0;
     const NodeCoordinates c = level.table.coordinates(node);
-    if (colour(c) == 0) level.pressure[node] = level.pull(c, node, own) / own.w;
+    if (colour(c) == 0) level.pressure[node] = level.pull(c, node, self) / self.w;
     return double{level.right[node]} * double{level.pressure[node]};
   }
 };
@@ -300,15 +300,15 @@ struct ApplyToDirection {
   Search search;
 
   MENISCUS_HD double operator()(uint32_t node) const {
-    const Coefficients own = level.coefficients[node];
+    const Coefficients self = level.coefficients[node];
     float ghost = 0;
-    if (own.w > 0) {
+    if (self.w > 0) {
       float pull = 0;
-      level.for_each_beside(level.table.coordinates(node), own,
+      level.for_each_beside(level.table.coordinates(node), self,
                             [&](const NodeCoordinates&, uint32_t beside, float face) {
                               pull += face * search.direction[beside];
                             });
-      ghost = own.w * search.direction[node] - pull;
+      ghost = self.w * search.direction[node] - pull;
     }
     search.ghost[node] = ghost;
     return double{search.direction[node]} * double{ghost};

@@ -96,15 +96,15 @@ struct MarkOpen {
   /// Whether a node's faces towards other fluid are not all that holds its pressure.
   MENISCUS_HD bool is_open(uint32_t node) const {
     const NodeCoordinates c = components.nodes.coordinates(node);
-    const Coefficients own = components.coefficients[node];
+    const Coefficients self = components.coefficients[node];
     float within = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const uint32_t before = components.nodes.beside(c, axis, -1),
                      after = components.nodes.beside(c, axis, 1);
       if (components.is_fluid(before)) within += along(components.coefficients[before], axis);
-      if (components.is_fluid(after)) within += along(own, axis);
+      if (components.is_fluid(after)) within += along(self, axis);
     }
-    return own.w - within > 1e-6f * own.w;
+    return self.w - within > 1e-6f * self.w;
   }
 };
 

@@ -212,15 +212,15 @@ MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb&
   OverlapWalk<TestTogether> walk(tree, box, 1);
   for (uint32_t above, boxes; walk.next_group(above, boxes);) {
     boxes = boxes_where(boxes, [&](uint32_t k) { return wanted(8 * above + k); });
-    uint32_t own = boxes_behind(boxes, SearchTeam::rank() / BoxGroup::size);
-    for (; boxes; boxes = boxes_behind(boxes, teams), own = boxes_behind(own, teams)) {
-      const uint32_t group = 8 * above + (own ? lowest_bit(own) : 0);
+    uint32_t self = boxes_behind(boxes, SearchTeam::rank() / BoxGroup::size);
+    for (; boxes; boxes = boxes_behind(boxes, teams), self = boxes_behind(self, teams)) {
+      const uint32_t group = 8 * above + (self ? lowest_bit(self) : 0);
       if constexpr (GroupTeam::count() == 1) {
         for (uint32_t left = overlap_mask(tree.group(0, group), box); left; left &= left - 1)
           visit(8 * group + lowest_bit(left), true);
       } else {
         const uint32_t place = 8 * group + GroupTeam::rank();
-        visit(place, own != 0 && overlap(tree.box(0, place), box));
+        visit(place, self != 0 && overlap(tree.box(0, place), box));
       }
     }
   }

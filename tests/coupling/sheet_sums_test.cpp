@@ -51,8 +51,8 @@ TEST(SheetSums, TheVerticesGetTheOppositeOfAllPushesAtTheirLevers) {
     entries.insert(entries.end(), list.begin(), list.end());
     start.push_back(static_cast<uint32_t>(entries.size()));
   }
-  std::vector<float> own_weight(vertices, 100);
-  const LoadedVertices loaded{view(start), view(entries), view(touches), view(own_weight),
+  std::vector<float> self_weight(vertices, 100);
+  const LoadedVertices loaded{view(start), view(entries), view(touches), view(self_weight),
                               std::ldexp(1.0f, -49)};
   Sum3 got, turned;
   for (uint32_t v = 0; v < vertices; ++v) {

@@ -197,8 +197,8 @@ std::string what_counts(std::vector<uint32_t> held, float gas = 0) {
   const Piece piece{.first_vertex = 0, .end_vertex = 49, .inside = gas};
   std::string marks(49, 'o');
   for (const Tether& t : tethers_beside(draw_chains(constraints, model.rest, std::vector{piece}), model)) {
-    EXPECT_TRUE(t.own_mass == 0 || t.own_mass == 0.5f);
-    marks[t.vertex] = t.own_mass > 0 ? 'x' : '.';
+    EXPECT_TRUE(t.self_mass == 0 || t.self_mass == 0.5f);
+    marks[t.vertex] = t.self_mass > 0 ? 'x' : '.';
   }
   return marks;
 }
