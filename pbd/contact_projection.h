@@ -43,7 +43,7 @@ struct ContactProjection {
   MENISCUS_HD void hold(uint32_t i, Vec4& p, Vec4& displacement) const {
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     if (p.w == 0) return;
-    const float tighter = pbd::share_of_radius(number[i]);
+    const float tighter = pbd::fraction_of_radius(number[i]);
     const Vec3 x = p.xyz(), start = previous[i].xyz();
     Vec3 step{0, 0, 0};
     // All of a contact is loaded at once, and the next one before what this one does is written.

@@ -41,7 +41,7 @@ struct alignas(16) Contact {
 
 /// Of a contact's radius, where a particle stops: a little less for each. Particles that a corner would hold
 /// on the very same point, where nothing could part them again, come to rest a little apart.
-MENISCUS_HD inline float share_of_radius(uint32_t number) {
+MENISCUS_HD inline float fraction_of_radius(uint32_t number) {
   uint32_t x = number * 2654435761u;
   x ^= x >> 15;
   return 1 - 0.01f * (static_cast<float>(x & 0xffff) * (1.0f / 65536));

@@ -18,10 +18,10 @@ namespace {
 
 constexpr uint32_t none = 0xffffffff;
 constexpr uint32_t most_layers = 3;
-constexpr float least_cosine = 0.7f;    // of the turn from an edge to the next
-constexpr float much_softer = 8;        // than the stiffest edge around
-constexpr float stiff = 5e-5f;          // m/N, of an edge
-constexpr float share_of_grain = 0.5f;  // of a piece's edges, that are stiff
+constexpr float least_cosine = 0.7f;       // of the turn from an edge to the next
+constexpr float much_softer = 8;           // than the stiffest edge around
+constexpr float stiff = 5e-5f;             // m/N, of an edge
+constexpr float fraction_of_grain = 0.5f;  // of a piece's edges, that are stiff
 
 using Ends = std::array<uint32_t, 2>;
 
@@ -93,7 +93,7 @@ class Drawing {
         return std::accumulate(each.begin() + p.first_vertex, each.begin() + p.end_vertex, 0u);
       };
       std::fill(in_grain.begin() + p.first_vertex, in_grain.begin() + p.end_vertex,
-                sum(stiff_from) > share_of_grain * static_cast<float>(sum(edges_from)));
+                sum(stiff_from) > fraction_of_grain * static_cast<float>(sum(edges_from)));
     }
     return in_grain;
   }

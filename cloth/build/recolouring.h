@@ -39,13 +39,13 @@ class Recolouring {
 
   /// Moves constraints from colours with more than their share to those with less.
   void balance() {
-    const auto share = static_cast<uint32_t>((corners_.size() + count_ - 1) / count_);
+    const auto fraction = static_cast<uint32_t>((corners_.size() + count_ - 1) / count_);
     for (uint32_t i = 0; i < corners_.size(); ++i) {
-      if (sizes_[colours_[i]] <= share) continue;
+      if (sizes_[colours_[i]] <= fraction) continue;
       uint32_t best = colours_[i];
       for (uint64_t free = free_for(i); free != 0; free &= free - 1) {
         const auto colour = static_cast<uint32_t>(std::countr_zero(free));
-        if (sizes_[colour] < share && sizes_[colour] < sizes_[best]) best = colour;
+        if (sizes_[colour] < fraction && sizes_[colour] < sizes_[best]) best = colour;
       }
       if (best != colours_[i]) move(i, best);
     }

@@ -17,8 +17,8 @@ float compliance_of(double stiffness) {
 }
 
 // share/k, where a share that is but rounding counts as none, whatever k is.
-double yield(double share, double stiffness) {
-  return share < 1e-9 ? 0 : share / stiffness;
+double yield(double fraction, double stiffness) {
+  return fraction < 1e-9 ? 0 : fraction / stiffness;
 }
 
 // Of an edge with its triangles.

@@ -134,10 +134,10 @@ class SolveChainsAtOnce {
     solve_tridiagonal<Coupling::loose>(group, ways, scratch_.template other_rows<Sideways>(), vertices);
     const Real furthest = greatest_from_one(group, scratch_.template other_rows<Real>(), vertices,
                                             [&](uint32_t k) { return reach(ways, k); });
-    const Real share = Real(1) / furthest;
-    group.for_each(vertices, [&](uint32_t k) { move(k, share); });
-    if (has_effective_mass()) group.for_each(vertices, [&](uint32_t k) { press(ways, k, share); });
-    group.for_each(edges, [&](uint32_t k) { note(ways, k, share); });
+    const Real fraction = Real(1) / furthest;
+    group.for_each(vertices, [&](uint32_t k) { move(k, fraction); });
+    if (has_effective_mass()) group.for_each(vertices, [&](uint32_t k) { press(ways, k, fraction); });
+    group.for_each(edges, [&](uint32_t k) { note(ways, k, fraction); });
   }
 
  private:
@@ -368,26 +368,26 @@ class SolveChainsAtOnce {
             chains_.have_edge(k) & ~less_mask(Real(0), bears_));
   }
   /// What is not there is pushed by nothing.
-  MENISCUS_HD void move(uint32_t k, const Real& share) const {
+  MENISCUS_HD void move(uint32_t k, const Real& fraction) const {
     const Places at = vertex(k);
     LaneVertex<D> vertex{gather(positions(), at.index()), gather(moves(), at.index())};
     vertex.x.w = scratch_.weight[k];
-    push_side_by_side(positions(), moves(), at, vertex, Real(1), share * scratch_.push[k]);
+    push_side_by_side(positions(), moves(), at, vertex, Real(1), fraction * scratch_.push[k]);
   }
-  MENISCUS_HD void press(const Sideways* ways, uint32_t k, const Real& share) const {
+  MENISCUS_HD void press(const Sideways* ways, uint32_t k, const Real& fraction) const {
     const Places at = vertex(k);
     const Vec4Of<Real> before = gather(s_.effective_mass, at.index());
-    const Vector now = before.xyz() + share * before.w * ways[k].right;
+    const Vector now = before.xyz() + fraction * before.w * ways[k].right;
     scatter(s_.effective_mass, at.index(), {now.x, now.y, now.z, before.w},
             chains_.have_edge(k == 0 ? 0 : k - 1));
   }
   MENISCUS_HD Places vertex(uint32_t k) const { return k == 0 ? start_of(0) : end_of(k - 1); }
-  MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& share) const {
+  MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& fraction) const {
     const Edge e = edge(k);
     const Vec4Of<Real> last = given(k);
-    const Vector push = last.xyz() + share * (change(e, last).whole - taken_back(ways, k));
+    const Vector push = last.xyz() + fraction * (change(e, last).whole - taken_back(ways, k));
     scatter(s_.multiplier, chains_.edge(k).index(),
-            {push.x, push.y, push.z, last.w + share * (e.lambda - last.w)}, chains_.have_edge(k));
+            {push.x, push.y, push.z, last.w + fraction * (e.lambda - last.w)}, chains_.have_edge(k));
   }
 
   const SolveChains& s_;

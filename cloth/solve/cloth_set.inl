@@ -243,7 +243,7 @@ stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& subst
   return {.edges = edges_.view(),
           .multiplier = edge_multiplier_.view(),
           .relaxation = parameters_.over_relaxation,
-          .share = turn.starts ? share_ : 1,
+          .fraction = turn.starts ? share_ : 1,
           .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
           .shears = starts_from_last(),
           .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},

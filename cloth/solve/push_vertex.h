@@ -57,7 +57,7 @@ template <class D, class R = typename D::Real>
 MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> moved,
                                    const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
                                    const pbd::Vec3Of<R>& impulse) {
-  const R zero(0), w = vertex.x.w, share = s * w, taken = select_less(zero, w, share, s);
+  const R zero(0), w = vertex.x.w, fraction = s * w, taken = select_less(zero, w, fraction, s);
   const auto times = [&](const R& by) {
     return pbd::Vec4Of<R>{by * impulse.x, by * impulse.y, by * impulse.z, zero};
   };
@@ -65,11 +65,11 @@ MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> 
     const auto sum = [](const pbd::Vec4Of<float>& a, const pbd::Vec4Of<float>& b) {
       return pbd::Vec4{a.x + b.x, a.y + b.y, a.z + b.z, a.w};
     };
-    x[v.at[0]] = sum(vertex.x, times(share));
+    x[v.at[0]] = sum(vertex.x, times(fraction));
     moved[v.at[0]] = sum(vertex.moved, times(taken));
   } else {
     // What is turned lane by lane is added where it belongs: `vertex` need not be turned back.
-    const auto step = rows(times(share));
+    const auto step = rows(times(fraction));
     add(x, v.index(), step);
     const bool all_move = less_mask(zero, w) == (1u << D::lane_count) - 1;
     add(moved, v.index(), all_move ? step : rows(times(taken)));

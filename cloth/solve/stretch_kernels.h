@@ -30,7 +30,7 @@ struct SolveEdge {
   /// kg·m: λ n, and λ. Until the substep's end the last round's step stands in place of the first.
   View<Vec4> multiplier;
   float relaxation;  ///< ω of successive over-relaxation
-  float share;       ///< of the multiplier that there is
+  float fraction;    ///< of the multiplier that there is
   float momentum;    ///< how much of the last round's step is made once more, where an edge pulls
   /// Chains hold the lengths around, and it starts with what it last did: what is left of it is shear, which
   /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals. Not in
@@ -74,7 +74,7 @@ struct SolveEdge {
     using Real = typename D::Real;
     using Vector = pbd::Vec3Of<Real>;
     const pbd::Places<D>&from = items.from, &to = items.to;
-    const Real zero(0), rest = items.constants.z, before = Real(share) * items.multiplier;
+    const Real zero(0), rest = items.constants.z, before = Real(fraction) * items.multiplier;
     const LaneVertex<D> a = vertices.at(from), b = vertices.at(to);
     const Real weight = a.x.w + b.x.w;
     const Vector d = b.x.xyz() - a.x.xyz();
@@ -148,13 +148,13 @@ struct SolveEdge {
 struct StartPushes {
   View<const uint32_t> fan_start, fan;
   View<const Vec4> multiplier;
-  float share;
+  float fraction;
   View<Vec4> pending;  ///< kg·m, by vertex; w is 0
 
   MENISCUS_HD void operator()(uint32_t v) const {
     Vec4 push{0, 0, 0, 0};
     for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k)
-      push = plus(push, fan[k] % 2 ? share : -share, load(multiplier, fan[k] / 2));
+      push = plus(push, fan[k] % 2 ? fraction : -fraction, load(multiplier, fan[k] / 2));
     push.w = 0;
     pending[v] = push;
   }

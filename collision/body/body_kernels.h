@@ -142,9 +142,9 @@ struct Split {
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
     const uint32_t free = body.two_sided - body.first, two_sided = body.attached - body.two_sided;
     const uint32_t alike = k < body.two_sided ? free : two_sided, kinds = free > 0 && two_sided > 0 ? 2 : 1;
-    const float share = static_cast<float>(alike * kinds * (body.attached < body.end ? 2 : 1));
+    const float fraction = static_cast<float>(alike * kinds * (body.attached < body.end ? 2 : 1));
     c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
-    c.body_inverse_mass += share * inverse_mass_at(body, c.arm, c.normal);
+    c.body_inverse_mass += fraction * inverse_mass_at(body, c.arm, c.normal);
   }
 };
 

@@ -27,9 +27,9 @@ MENISCUS_HD inline Vec3 point_of(const Triangle& t, Vec3 weights) {
   return weights.x * t.a + weights.y * t.b + weights.z * t.c;
 }
 
-MENISCUS_HD inline Triangle between(const FaceMotion& m, float share) {
-  return {m.from.a + share * (m.to.a - m.from.a), m.from.b + share * (m.to.b - m.from.b),
-          m.from.c + share * (m.to.c - m.from.c)};
+MENISCUS_HD inline Triangle between(const FaceMotion& m, float fraction) {
+  return {m.from.a + fraction * (m.to.a - m.from.a), m.from.b + fraction * (m.to.b - m.from.b),
+          m.from.c + fraction * (m.to.c - m.from.c)};
 }
 
 /// The longest way of any of its points, m.

@@ -139,7 +139,7 @@ struct Fill {
   MENISCUS_HD float give_way(uint32_t i, const Shape& shape, pbd::Contact& c) const {
     const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
     const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;
-    const float stop = pbd::share_of_radius(number[i]) * c.radius;
+    const float stop = pbd::fraction_of_radius(number[i]) * c.radius;
     const float displacement = exit_distance(find.touches.of(i).radius, dt);
     const float back = pbd::max(0.0f, stop - plane_distance(c, start) - displacement);
     c.point -= back * c.normal;

@@ -101,13 +101,13 @@ struct TwoSidedContact {
   MENISCUS_HD void hand_through(Vec3 displacement) const {
     const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
     const Vec3 more = (1 / (give_a() + give_b())) * (slip_b - slip_a);
-    const float share = pbd::min(share_within(a.tangent_multiplier, more, most_friction(a)),
-                                 share_within(b.tangent_multiplier, -1.0f * more, most_friction(b)));
+    const float fraction = pbd::min(fraction_within(a.tangent_multiplier, more, most_friction(a)),
+                                    fraction_within(b.tangent_multiplier, -1.0f * more, most_friction(b)));
     const float least = pbd::min(length(slip_a), length(slip_b)),
                 most = pbd::max(length(slip_a), length(slip_b));
-    if (share < 1 && least > sticking * most) return;
-    a.tangent_multiplier += share * more;
-    b.tangent_multiplier -= share * more;
+    if (fraction < 1 && least > sticking * most) return;
+    a.tangent_multiplier += fraction * more;
+    b.tangent_multiplier -= fraction * more;
   }
 
  private:
@@ -120,7 +120,7 @@ struct TwoSidedContact {
   MENISCUS_HD float determinant() const { return w * (give_a() + give_b()) + give_a() * give_b(); }
 
   /// The largest share, up to 1, with |old + share · more| ≤ most; 0 where there is none.
-  MENISCUS_HD static float share_within(Vec3 old, Vec3 more, float most) {
+  MENISCUS_HD static float fraction_within(Vec3 old, Vec3 more, float most) {
     if (length(old + more) <= most) return 1;
     const float room2 = most * most - dot(old, old);
     if (!(room2 > 0)) return 0;
@@ -179,7 +179,7 @@ struct TwoSidedContacts {
   using Contact = pbd::Contact;
 
   MENISCUS_HD void push_out(uint32_t i) const {
-    const float tighter = pbd::share_of_radius(all.number[i]);
+    const float tighter = pbd::fraction_of_radius(all.number[i]);
     const Vec3 start = all.previous[i].xyz();
     solve(
         i, [&](Contact& c, Vec3 x, float w) { return pbd::push_out(c, x, w, tighter * c.radius); },
@@ -190,7 +190,7 @@ struct TwoSidedContacts {
         });
   }
   MENISCUS_HD void push_and_hold(uint32_t i) const {
-    const float tighter = pbd::share_of_radius(all.number[i]);
+    const float tighter = pbd::fraction_of_radius(all.number[i]);
     const Vec3 start = all.previous[i].xyz();
     solve(
         i,

@@ -118,7 +118,7 @@ struct AtTouches {
     Vec3 step{0, 0, 0};
     for (uint32_t n = 0; n < most_touches; ++n) {
       FluidClothContact& t = touch(k, n);
-      if (is_live(t)) step += t.share * follow(t);
+      if (is_live(t)) step += t.fraction * follow(t);
     }
     if (TouchTeam::leads()) move(i, step);
   }
@@ -187,8 +187,8 @@ struct StartTouches {
       const Vec3 followed = live ? at.motion_of_cloth(t) : Vec3{0, 0, 0};
       if (!TouchTeam::leads()) continue;
       t.followed = followed;
-      t.share = carried && live ? 1.0f / static_cast<float>(carriers) : 0.0f;
-      t.carried = t.share / at.position[i].w;
+      t.fraction = carried && live ? 1.0f / static_cast<float>(carriers) : 0.0f;
+      t.carried = t.fraction / at.position[i].w;
       t.pending = -t.carried * displacement;
     }
   }
@@ -234,7 +234,7 @@ struct GiveMomentum {
       const Vec3 took = t.mean([&](uint32_t v) { return taken[v].xyz(); });
       at.follow_cloth(t);
       if (!TouchTeam::leads()) continue;
-      step += -t.share * took;
+      step += -t.fraction * took;
       pbd::Contact& c = at.contacts[t.contact];
       c.density_push += -t.carried * took;
       t.given += -t.carried * took;
@@ -347,8 +347,8 @@ struct CarryVelocities {
     for (uint32_t n = 0; n < most_touches; ++n) {
       const FluidClothContact& t = at.touch(k, n);
       presses |= at.presses(t, i);
-      if (!is_used(t) || t.share == 0) continue;
-      step += t.share * t.mean([&](uint32_t v) { return change[v].xyz(); });
+      if (!is_used(t) || t.fraction == 0) continue;
+      step += t.fraction * t.mean([&](uint32_t v) { return change[v].xyz(); });
     }
     if (!TouchTeam::leads()) return;
     velocity[i] = pbd::with_w(velocity[i].xyz() + step, velocity[i].w);

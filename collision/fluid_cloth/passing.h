@@ -85,8 +85,8 @@ struct BeginPassing {
       const pbd::Contact& c = contacts[t.contact];
       if (!is_at_cloth(c, position[i].xyz())) continue;
       const Vec3 driven = t.mean([&](uint32_t v) { return drive[v].xyz(); });
-      const float share = pbd::max(0, dot(driven, c.normal));
-      chance += parts[t.part].flow * share * pbd::max(0, dot(t.pending, c.normal)) / dt;
+      const float fraction = pbd::max(0, dot(driven, c.normal));
+      chance += parts[t.part].flow * fraction * pbd::max(0, dot(t.pending, c.normal)) / dt;
     }
     if (TouchTeam::leads() && chance > 0 && pbd::random_numbers(number[i], draw, 0).x < chance)
       phase[i] = (phase[i] | pbd::phase_passing) & ~pbd::phase_pressing;

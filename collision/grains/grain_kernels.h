@@ -34,7 +34,7 @@ struct FindTouching {
   float recovery;               ///< share of an overlap that is undone in this substep
   GrainRows last;
   View<const uint32_t> origin;  ///< where each grain was when the last rows were written
-  float share;
+  float fraction;
   GrainRows rows;
   View<Vec4> change;  ///< of impulses, in the last iteration; w: distance to keep, m
   View<uint32_t> next_origin;
@@ -67,7 +67,7 @@ struct FindTouching {
     const float keep = distance < diameter ? distance + recovery * (diameter - distance) : diameter;
     const float friction = roughness[pbd::phase_group(phase[i])] * roughness[pbd::phase_group(phase[j])];
     rows.partner.data[at] = j;
-    rows.impulse.data[at] = pbd::with_w(share * last_impulse(origin[i], origin[j]), friction);
+    rows.impulse.data[at] = pbd::with_w(fraction * last_impulse(origin[i], origin[j]), friction);
     change.data[at] = {0, 0, 0, keep};
   }
 

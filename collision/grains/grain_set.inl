@@ -64,7 +64,7 @@ void GrainSet<D>::begin(pbd::Substep<D>& substep) {
                            .recovery = std::fmin(most_recovery, recovery_rate * substep.dt),
                            .last = current_rows(),
                            .origin = origin_.current(),
-                           .share = warm_start * std::fmin(1.0f, ratio * ratio),
+                           .fraction = warm_start * std::fmin(1.0f, ratio * ratio),
                            .rows = next_rows(),
                            .change = change_.view(),
                            .next_origin = origin_.next(),

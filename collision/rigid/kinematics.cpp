@@ -17,9 +17,9 @@ Vec3 turn_between(Quat from, Quat to) {
   return 2 * std::atan2(sine, std::fabs(turn.w)) / sine * v;
 }
 
-Pose between(const Pose& from, const Pose& to, float share) {
-  const Quat turn = rotation_by(share * turn_between(from.rotation, to.rotation));
-  return {from.position + share * (to.position - from.position), normalized(turn * from.rotation)};
+Pose between(const Pose& from, const Pose& to, float fraction) {
+  const Quat turn = rotation_by(fraction * turn_between(from.rotation, to.rotation));
+  return {from.position + fraction * (to.position - from.position), normalized(turn * from.rotation)};
 }
 
 Pose keyframe_pose(const std::vector<Keyframe>& keyframes, bool loop, double time) {

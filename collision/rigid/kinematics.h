@@ -11,7 +11,7 @@
 namespace meniscus::collision {
 
 /// The pose a share of the way along: positions on a line, rotations about one axis at an even rate.
-Pose between(const Pose& from, const Pose& to, float share);
+Pose between(const Pose& from, const Pose& to, float fraction);
 
 /// Of keyframes, of which there must be one, at a time in s. With `loop` the time after the last is counted
 /// from the first again.

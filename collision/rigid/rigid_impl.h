@@ -122,7 +122,7 @@ struct RigidWorld::Impl {
   void take_impulses(float dt, std::span<const RigidImpulse> impulses);
   void drive_kinematics(float dt);
   void wake_driven();
-  void advance_kinematics(float share);
+  void advance_kinematics(float fraction);
   void apply_forces(float dt);
   void limit_motors(float dt);
 

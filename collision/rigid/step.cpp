@@ -57,7 +57,7 @@ btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
 /// What Bullet's steps make of a body's velocity where nothing is in its way; the mean over the steps. The
 /// inertia's axes are taken as they are at the start.
 RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
-  const float share = 1 / static_cast<float>(substeps), h = share * dt;
+  const float fraction = 1 / static_cast<float>(substeps), h = fraction * dt;
   const btVector3 gain = h * (body.getGravity() + body.getInvMass() * in_mass_units(memory.force));
   const btVector3 spin = h * (body.getInvInertiaTensorWorld() * in_mass_units(memory.torque));
   const float kept = btPow(1 - body.getLinearDamping(), h);
@@ -67,8 +67,8 @@ RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, floa
   for (int i = 0; i < substeps; ++i) {
     linear = kept * linear + gain;
     angular = angular_kept * tumbled(body, angular, h) + spin;
-    mean.velocity += share * from_bullet(linear);
-    mean.angular_velocity += share * limited_turn(from_bullet(angular), h);
+    mean.velocity += fraction * from_bullet(linear);
+    mean.angular_velocity += fraction * limited_turn(from_bullet(angular), h);
   }
   return mean;
 }
@@ -91,9 +91,9 @@ void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, 
     if (as_usual) return;
     wake_up(*body.bullet);
   }
-  const float share = dt / (smoothing_time + dt);
-  memory.usual_force += share * (force - memory.usual_force);
-  memory.usual_torque += share * (torque - memory.usual_torque);
+  const float fraction = dt / (smoothing_time + dt);
+  memory.usual_force += fraction * (force - memory.usual_force);
+  memory.usual_torque += fraction * (torque - memory.usual_torque);
   if (is_sprung(*body.bullet)) {
     // What had become motion before joints are solved for, a damper would resist for ever.
     body.push = force;
@@ -185,10 +185,10 @@ void RigidWorld::Impl::wake_driven() {
   }
 }
 
-void RigidWorld::Impl::advance_kinematics(float share) {
+void RigidWorld::Impl::advance_kinematics(float fraction) {
   for (const auto& body : bodies.slots) {
     if (!body || !body->kinematic) continue;
-    place_kinematic(*body, share < 1 ? between(body->from, body->to, share) : body->to);
+    place_kinematic(*body, fraction < 1 ? between(body->from, body->to, fraction) : body->to);
   }
 }
 

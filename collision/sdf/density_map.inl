@@ -27,7 +27,7 @@ struct SolidShares {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const float distance = on_nodes ? sdf.values[i] : distance_between_nodes(samples.point(i));
-    shares[i] = share_at(distance / samples.spacing);
+    shares[i] = fraction_at(distance / samples.spacing);
   }
 
   // Edges are cut off by the trilinear field: near the surface the mesh itself is asked. What is further from
@@ -43,7 +43,7 @@ struct SolidShares {
   // Of the solid in a window of the shape of a tent, two samples wide. A box, one sample wide, shows the
   // lattice: with cells of h/4 flat faces along it were measured to be off by 2.3 % of ½, with the tent by .6
   // %.
-  MENISCUS_HD static float share_at(float x) {
+  MENISCUS_HD static float fraction_at(float x) {
     const float rest = pbd::max(0, 1 - fabsf(x)), half = 0.5f * rest * rest;
     return x < 0 ? 1 - half : half;
   }
@@ -96,8 +96,8 @@ struct Integrate {
       const uint32_t x = i + static_cast<uint32_t>(point.x), y = j + static_cast<uint32_t>(point.y),
                      z = k + static_cast<uint32_t>(point.z);
       if (x >= samples.nx || y >= samples.ny || z >= samples.nz) continue;
-      const float share = shares[samples.index(x, y, z)], slope = point.slope * share;
-      density_sum += point.weight * share;
+      const float fraction = shares[samples.index(x, y, z)], slope = point.slope * fraction;
+      density_sum += point.weight * fraction;
       gradient +=
           slope * Vec3{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
     }

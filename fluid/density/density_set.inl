@@ -83,7 +83,7 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .limit = parameters_.correction_limit,
       .first = iteration == 0,
       .last = last || stop_ != nullptr,  // any may turn out to be
-      .share = share_,
+      .fraction = share_,
       .phase = substep.particles.phase,
       .keeps_error = pressure_grid_ || stop_};
   const ArtificialPressure& artificial = parameters_.artificial_pressure;

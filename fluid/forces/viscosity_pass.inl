@@ -66,10 +66,10 @@ struct Smooth {
         rise += (Real(v.w) - its.w) * slope;
       }
     });
-    const float share = uniform ? kernel.peak_weight * self : kernel.peak_weight;
+    const float fraction = uniform ? kernel.peak_weight * self : kernel.peak_weight;
     const Vec3 all_changes = sum(change), all_curls = sum(curl), all_rises = sum(rise);
     if (!D::leads()) return;
-    const Vec3 smooth = v.xyz() + share * all_changes;
+    const Vec3 smooth = v.xyz() + fraction * all_changes;
     if constexpr (confines) {
       const Vec3 w = kernel.peak_pull * all_curls;
       const Vec3 direction = normalized_or(all_rises, {0, 0, 0});  // whatever the kernel's factor

@@ -89,7 +89,7 @@ struct Advancing {
   float compliance;  ///< α̃
   float limit;       ///< m
   bool first, last;  ///< iteration of the substep
-  float share;       ///< of the last substep's multiplier
+  float fraction;    ///< of the last substep's multiplier
   View<const pbd::Phase> phase;
   bool keeps_error;  ///< for a pressure grid
 
@@ -115,7 +115,7 @@ struct Advancing {
     const Multiplier before = own.multiplier;
     // Both bounds hold for the pair: the same λ moves both sides, so momentum is kept.
     const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
-    const float kept = first ? pbd::min(share, bound / pbd::max(before.value, 1e-30f)) : 1.0f;
+    const float kept = first ? pbd::min(fraction, bound / pbd::max(before.value, 1e-30f)) : 1.0f;
     const float old = kept * before.value;
     const float expected = first ? c.value - kept * before.relieved : c.value;
     const float denominator = c.denominator + compliance;

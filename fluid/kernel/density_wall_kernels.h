@@ -38,10 +38,10 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
   const Vec3 x = self.xyz();
   GhostSums<Real, n, false> sums;
   Real weight(0.0f), gradient2(0.0f);
-  const auto term = [&](const Real& share, const Real& r2) {
+  const auto term = [&](const Real& fraction, const Real& r2) {
     const Real t = Real(kernel.inverse_h2) * r2, inverse_root = inverse_sqrt(t);
-    weight += share * Kernel::weight_shape(t);
-    return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
+    weight += fraction * Kernel::weight_shape(t);
+    return fraction * Kernel::slope_shape(t, inverse_root) * inverse_root;
   };
   pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
     const auto other = gather(position, j);
@@ -56,10 +56,10 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
     gradient2 += other.w * dot(pull, pull);
   });
   float self_weight = 0;
-  const auto own = self_ghosts<n, false>(mirrors, [&](float share, float r2) {
+  const auto own = self_ghosts<n, false>(mirrors, [&](float fraction, float r2) {
     const float t = kernel.inverse_h2 * r2, inverse_root = inverse_sqrt(t);
-    self_weight += share * Kernel::weight_shape(t);
-    return share * Kernel::slope_shape(t, inverse_root) * inverse_root;
+    self_weight += fraction * Kernel::weight_shape(t);
+    return fraction * Kernel::slope_shape(t, inverse_root) * inverse_root;
   });
   const float pull = kernel.peak_pull;  // all but the weights have it for a factor
   float give = 0;
@@ -135,8 +135,8 @@ struct CorrectAtWalls {
       const MirrorDistances<Real, n> distances(mirrors, other.xyz());
       const Vec3Of<Real> d = x - other.xyz();
       const Real r2 = dot(d, d) + Real(tiny_distance2), multiplier = Real(self.w) + other.w;
-      const auto term = [&](const Real& share, const Real& ghost_r2) {
-        return pull * share *
+      const auto term = [&](const Real& fraction, const Real& ghost_r2) {
+        return pull * fraction *
                push_shape<with_pair_pressure>(pair, Real(kernel.inverse_h2) * ghost_r2, multiplier);
       };
       PairTerms<Real, n, any_moving> terms;
@@ -144,8 +144,8 @@ struct CorrectAtWalls {
       terms.add_ghosts(mirrors, distances, r2, term);
       pushes.add(mirrors, distances, d, terms);
     });
-    const auto own = self_ghosts<n, any_moving>(mirrors, [&](float share, float r2) {
-      return kernel.peak_pull * share *
+    const auto own = self_ghosts<n, any_moving>(mirrors, [&](float fraction, float r2) {
+      return kernel.peak_pull * fraction *
              push_shape<with_pair_pressure>(pair, kernel.inverse_h2 * r2, 2 * self.w);
     });
     const auto others = pushes.in_one(mirrors);

@@ -113,8 +113,8 @@ struct GatherFaces {
     // what the other's pressure would leave over, no contact could take.
     const uint32_t both = map.flags[node] & map.flags[space.nodes.beside(c, axis, 1)];
     const float inverse_width = space.cells.inverse_reach;
-    const float share = sums.filled * volume * inverse_width * inverse_width * inverse_width;
-    return {both & node_touched ? pbd::min(1.0f, share) : 1.0f, sums.mass,
+    const float fraction = sums.filled * volume * inverse_width * inverse_width * inverse_width;
+    return {both & node_touched ? pbd::min(1.0f, fraction) : 1.0f, sums.mass,
             sums.mass > 0 ? 1 / pbd::max(sums.mass, 0.5f * sums.heaviest) : 0.0f};
   }
 

@@ -94,7 +94,7 @@ struct PushSolids {
   ContactView contacts;
   View<const NodeLoad> load;
   PressureOf pressure;
-  float share;
+  float fraction;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.touching_particle(n);
@@ -104,7 +104,7 @@ struct PushSolids {
     for_each_node(space.nodes, space.place(p, found[i].xyz()), [&](uint32_t node, float weight) {
       const NodeLoad at = load[node];
       if (dot(at.area, at.area) == 0) return;
-      const Vec3 each = share * pressure(node) * product(at.area, at.inverse);
+      const Vec3 each = fraction * pressure(node) * product(at.area, at.inverse);
       for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
         Contact& c = contacts.contacts[k];
         c.density_push += product(each, contact_weights(c, p, weight, at.area, width));

@@ -14,13 +14,13 @@ struct FaceMoves {
   View<const NodeFaces> faces;
   View<const float> pressure;
   float width2;
-  float share;  ///< of the whole motion
-  float limit;  ///< m
+  float fraction;  ///< of the whole motion
+  float limit;     ///< m
 
   /// kg·m
   MENISCUS_HD float impulse(const NodeCoordinates& c, uint32_t node, int axis) const {
     const float fall = pressure[node] - pressure[nodes.beside(c, axis, 1)];
-    return share * faces[node].face[axis].area * width2 * fall;
+    return fraction * faces[node].face[axis].area * width2 * fall;
   }
   /// m
   MENISCUS_HD float displacement(const NodeCoordinates& c, uint32_t node, int axis) const {
@@ -60,7 +60,7 @@ struct FindLost {
                              double{face.mass} * double{moves.displacement(c, node, axis)};
       } else if (face.area > 0) {
         const float fall = in_the_open(node) - in_the_open(moves.nodes.beside(c, axis, 1));
-        lost.impulse[axis] = double{moves.share * face.area * moves.width2 * fall};
+        lost.impulse[axis] = double{moves.fraction * face.area * moves.width2 * fall};
       }
     }
     return lost;

@@ -41,7 +41,7 @@ struct NodeMap {
 };
 
 /// How much of a node's share of space lies behind a plane that is this far away, in widths of a cell.
-MENISCUS_HD inline float share_behind(float distance) {
+MENISCUS_HD inline float fraction_behind(float distance) {
   const float a = pbd::max(0.0f, 1 - fabsf(distance)), half = 0.5f * a * a;
   return distance > 0 ? half : 1 - half;
 }
@@ -77,9 +77,9 @@ struct GatherNodes {
     float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the nodes beside
     bool touched = false;
 
-    MENISCUS_HD void add(float share_open, float plane, Vec3 normal) {
+    MENISCUS_HD void add(float fraction_open, float plane, Vec3 normal) {
       touched = true;
-      open = pbd::min(open, share_open);
+      open = pbd::min(open, fraction_open);
       distance = pbd::min(distance, plane);
       MENISCUS_UNROLL
       for (int b = 0; b < 6; ++b) {
@@ -124,7 +124,7 @@ struct GatherNodes {
       if (pbd::is_attachment(c) || c.fraction < 0.5f) continue;
       const float distance =
           from.space.cells.inverse_reach * plane_distance(c, from.position[i].xyz()) + dot(c.normal, away);
-      const float share = 1 - share_behind(distance);
+      const float share = 1 - fraction_behind(distance);
       if (any_moving && c.body == pbd::on_cloth) {
         sight.sheets.add(open_by_cloth *= share, distance, c.normal);
         hidden = hidden || distance < 0;

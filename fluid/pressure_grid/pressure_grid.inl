@@ -12,7 +12,7 @@ namespace meniscus::fluid {
 namespace grid_tuning {
 
 inline constexpr int iterations = 2;          ///< of conjugate gradients
-inline constexpr float share = 0.9f;          ///< ω
+inline constexpr float fraction = 0.9f;       ///< ω
 inline constexpr float recovery = 30;         ///< 1/s: how fast old errors are undone
 inline constexpr float most_lacking = 0.02f;  ///< of a node's volume, that is still noise
 inline constexpr float farthest = 0.5f;       ///< spacings that a face may move particles by
@@ -113,19 +113,20 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   const ContactView contacts = substep.contacts.of_first(p.sorted);
   const View<const float> pressure = multigrid_.solution();
-  const FaceMoves moves{space_.nodes, faces_.view(),      pressure,
-                        width2(),     grid_tuning::share, grid_tuning::farthest * std::cbrt(kernel_.volume)};
+  const FaceMoves moves{
+      space_.nodes, faces_.view(),         pressure,
+      width2(),     grid_tuning::fraction, grid_tuning::farthest * std::cbrt(kernel_.volume)};
   const PressureOf from_least = components_.pressure(space_.nodes, pressure);
   const uint32_t nodes = space_.nodes.count();
   device_.reduce("grid/lost", nodes, Lost{}, FindLost{moves, flags_.view(), from_least}, AddLost{},
                  lost_.view());
   device_.parallel_for("grid/move faces", nodes, MoveFaces{moves, lost_.view(), motion_.view()});
-  device_.parallel_for(
-      "grid/push solids", contacts.contacts.count,
-      PushSolids{space_, found_.view(), p.position, contacts, load_.view(), from_least, grid_tuning::share});
+  device_.parallel_for("grid/push solids", contacts.contacts.count,
+                       PushSolids{space_, found_.view(), p.position, contacts, load_.view(), from_least,
+                                  grid_tuning::fraction});
   device_.parallel_for("grid/move particles", p.sorted,
                        MoveParticles{space_, found_.view(), substep.neighbours, scale_.view(), motion_.view(),
-                                     flags_.view(), from_least, grid_tuning::share * kernel_.volume,
+                                     flags_.view(), from_least, grid_tuning::fraction * kernel_.volume,
                                      p.position, p.moved, multiplier_.view()});
 }
 

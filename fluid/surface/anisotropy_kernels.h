@@ -47,7 +47,7 @@ MENISCUS_HD inline Ellipsoid ellipsoid_of(const AnisotropyParameters& p, Vec3 x,
   const Symmetric3 c{inverse * s.xx - m.x * m.x, inverse * s.yy - m.y * m.y, inverse * s.zz - m.z * m.z,
                      inverse * s.xy - m.x * m.y, inverse * s.xz - m.x * m.z, inverse * s.yz - m.y * m.z};
   // From a sixth of what a flat surface has, about two neighbours, to more than half of it: a sheet has .6.
-  const float share = pbd::clamp(2.6f * (weight / p.surface_weight) - 0.44f, 0, 1);
+  const float fraction = pbd::clamp(2.6f * (weight / p.surface_weight) - 0.44f, 0, 1);
   const PrincipalAxes axes = principal_axes(c);
   Vec3 radii{sqrtf(pbd::max(axes.values.x, 0)), sqrtf(pbd::max(axes.values.y, 0)),
              sqrtf(pbd::max(axes.values.z, 0))};
@@ -59,8 +59,9 @@ MENISCUS_HD inline Ellipsoid ellipsoid_of(const AnisotropyParameters& p, Vec3 x,
   } else {
     radii = {1, 1, 1};
   }
-  const float lone = (1 - share) * p.lone_radius;
-  return {x + (share * p.smoothing) * m, (share * p.radius) * radii + Vec3{lone, lone, lone}, axes.rotation};
+  const float lone = (1 - fraction) * p.lone_radius;
+  return {x + (fraction * p.smoothing) * m, (fraction * p.radius) * radii + Vec3{lone, lone, lone},
+          axes.rotation};
 }
 
 }  // namespace meniscus::fluid::anisotropy_kernels

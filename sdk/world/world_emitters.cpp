@@ -17,11 +17,11 @@ namespace meniscus {
 namespace {
 
 /// Where what moves evenly from a to b is when a share of the time has gone by.
-Pose between(const Pose& a, const Pose& b, float share) {
+Pose between(const Pose& a, const Pose& b, float fraction) {
   const Quat p = a.rotation, q = b.rotation;
   const float cosine = p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w;
-  const float u = 1 - share, v = cosine < 0 ? -share : share;
-  return {u * a.position + share * b.position,
+  const float u = 1 - fraction, v = cosine < 0 ? -fraction : fraction;
+  return {u * a.position + fraction * b.position,
           normalized({u * p.x + v * q.x, u * p.y + v * q.y, u * p.z + v * q.z, u * p.w + v * q.w})};
 }
 

@@ -105,8 +105,8 @@ void pose(const char* name, const Pose& value) {
 }
 
 void color(const char* name, Vec3 value) {
-  for (const float share : {value.x, value.y, value.z}) {
-    if (!(share >= 0 && share <= 1)) refuse(name, text_of(value), "from 0 to 1 in each component");
+  for (const float fraction : {value.x, value.y, value.z}) {
+    if (!(fraction >= 0 && fraction <= 1)) refuse(name, text_of(value), "from 0 to 1 in each component");
   }
 }
 

@@ -84,8 +84,8 @@ class Disc {
     const int rings = std::max(1, static_cast<int>(std::lround(static_cast<float>(columns_) / two_pi)));
     Ring outer{static_cast<uint32_t>(mesh_.vertices.size()) - columns_, columns_};
     for (int k = 1; k <= rings; ++k) {
-      const float share = 1 - static_cast<float>(k) / static_cast<float>(rings);
-      const Ring inner = add_ring(share);
+      const float fraction = 1 - static_cast<float>(k) / static_cast<float>(rings);
+      const Ring inner = add_ring(fraction);
       join(outer, inner);
       outer = inner;
     }
@@ -101,12 +101,12 @@ class Disc {
   static constexpr float two_pi = 2 * std::numbers::pi_v<float>;
 
   /// At a share of the radius; the last one is a single vertex.
-  Ring add_ring(float share) {
-    const auto around = static_cast<uint32_t>(std::lround(share * static_cast<float>(columns_)));
-    const Ring ring{static_cast<uint32_t>(mesh_.vertices.size()), share > 0 ? std::max(3u, around) : 1};
+  Ring add_ring(float fraction) {
+    const auto around = static_cast<uint32_t>(std::lround(fraction * static_cast<float>(columns_)));
+    const Ring ring{static_cast<uint32_t>(mesh_.vertices.size()), fraction > 0 ? std::max(3u, around) : 1};
     for (uint32_t k = 0; k < ring.count; ++k) {
       const float angle = two_pi * static_cast<float>(k) / static_cast<float>(ring.count),
-                  r = share * radius_;
+                  r = fraction * radius_;
       mesh_.vertices.push_back({r * std::cos(angle), height_, r * std::sin(angle)});
     }
     return ring;

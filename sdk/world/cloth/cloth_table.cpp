@@ -58,8 +58,8 @@ std::vector<Vec3> divided(const std::vector<Vec3>& corners, int segments, bool c
     const double s = at.back() * n / segments;
     while (k + 1 < way.size() && at[k] < s) ++k;
     const double part = at[k] - at[k - 1];
-    const auto share = static_cast<float>(part > 0 ? std::clamp((s - at[k - 1]) / part, 0.0, 1.0) : 0.0);
-    points.push_back(way[k - 1] + share * (way[k] - way[k - 1]));
+    const auto fraction = static_cast<float>(part > 0 ? std::clamp((s - at[k - 1]) / part, 0.0, 1.0) : 0.0);
+    points.push_back(way[k - 1] + fraction * (way[k] - way[k - 1]));
   }
   return points;
 }

@@ -159,9 +159,9 @@ void ClothWater::run_down(Vec3 down, double dt) {
       edge = double{e.length};
     }
     if (all == 0) continue;
-    const double share = std::min(1.0, double{entry_.def.fabric.drainage} * dt * steepest / edge);
+    const double fraction = std::min(1.0, double{entry_.def.fabric.drainage} * dt * steepest / edge);
     for (const VertexGraph::Edge& e : entry_.graph.of(v)) {
-      const double part = flowing[v] * share * slope(e) / all;
+      const double part = flowing[v] * fraction * slope(e) / all;
       if (part > 0) move(v, e.to, part);
     }
   }
