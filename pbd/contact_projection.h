@@ -27,17 +27,17 @@ MENISCUS_HD inline Vec3 hold_back(Contact& c, Vec3 displacement, float w) {
 }
 
 struct ContactProjection {
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
   View<const Vec4> previous;
   View<const uint32_t> number;
   ContactView contacts;
 
   /// Of particle i, which has contacts.
   MENISCUS_HD void project(uint32_t i) const {
-    Vec4 p = position[i], displacement = moved[i];
+    Vec4 p = position[i], displacement = accumulated_delta[i];
     hold(i, p, displacement);
     position[i] = p;
-    moved[i] = displacement;
+    accumulated_delta[i] = displacement;
   }
   /// The same where it is at p, which has gone this way.
   MENISCUS_HD void hold(uint32_t i, Vec4& p, Vec4& displacement) const {
@@ -66,7 +66,7 @@ struct ContactProjection {
 template <class D>
 ContactProjection contact_projection(const Substep<D>& substep) {
   const ParticleView& p = substep.particles;
-  return {p.position, p.moved, p.previous, p.number, substep.contacts};
+  return {p.position, p.accumulated_delta, p.previous, p.number, substep.contacts};
 }
 
 }  // namespace meniscus::pbd

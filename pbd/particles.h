@@ -55,11 +55,11 @@ MENISCUS_HD constexpr bool is_vertex_slot(uint32_t slot) {
 
 /// What kernels see. Loops run over [0, owned) and may read [0, owned + ghosts).
 struct ParticleView {
-  View<Vec4> position;        ///< m; w: inverse mass, 1/kg, 0 for what nothing moves
-  View<const Vec4> previous;  ///< m, at the substep's start
-  View<Vec4> moved;     ///< m, by constraints in this substep: kept beside the position, which rounds it; of
-                        ///< what nothing moves the impulse that it took, kg·m. w: of fluids the inverse mass
-                        ///< again, for those that need not know the position
+  View<Vec4> position;           ///< m; w: inverse mass, 1/kg, 0 for what nothing moves
+  View<const Vec4> previous;     ///< m, at the substep's start
+  View<Vec4> accumulated_delta;  ///< m, by constraints in this substep: kept beside the position, which
+                                 ///< rounds it; of what nothing moves the impulse that it took, kg·m. w: of
+                                 ///< fluids the inverse mass again, for those that need not know the position
   View<Vec4> velocity;  ///< m/s; w: of fluids the size of the curl that the last substep left, 1/s, where
                         ///< vorticity is confined
   View<const Phase> phase;
@@ -110,7 +110,7 @@ class Particles {
     slot.reserve(size, count_, sorts);
     number.reserve(size, count_, sorts);
     previous.resize_discard(size);
-    moved.resize_discard(size);
+    accumulated_delta.resize_discard(size);
     predicted.resize_discard(size);
     saved_position_.resize_discard(size);
     saved_velocity_.resize_discard(size);
@@ -176,7 +176,7 @@ class Particles {
     if (!from_saved_) return view();
     return {saved_position_.view(),
             previous.view(),
-            moved.view(),
+            accumulated_delta.view(),
             saved_velocity_.view(),
             saved_phase_.view(),
             saved_slot_.view(),
@@ -210,7 +210,7 @@ class Particles {
   ParticleView view() {
     return {position.current.view(),
             previous.view(),
-            moved.view(),
+            accumulated_delta.view(),
             velocity.current.view(),
             phase.current.view(),
             slot.current.view(),
@@ -222,7 +222,7 @@ class Particles {
 
   DoubleBuffer<Vec4> position{device_, "particle positions"};
   Buffer<Vec4> previous{device_, "previous positions"};
-  Buffer<Vec4> moved{device_, "constraint displacements"};
+  Buffer<Vec4> accumulated_delta{device_, "constraint displacements"};
   Buffer<Vec4> predicted{device_, "predicted positions"};  ///< of motions that may be cut short, unsorted
   DoubleBuffer<Vec4> velocity{device_, "particle velocities"};
   DoubleBuffer<Phase> phase{device_, "particle phases"};

@@ -183,8 +183,9 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   device_.parallel_for(
       "reorder", p.count(),
       solver_kernels::Reorder{order, prediction, from.phase, from.slot, from.number, p.target(p.position),
-                              p.previous.view(), p.moved.view(), p.target(p.velocity), p.target(p.phase),
-                              p.target(p.slot), p.target(p.number), search_.coarse(), search_.grid()});
+                              p.previous.view(), p.accumulated_delta.view(), p.target(p.velocity),
+                              p.target(p.phase), p.target(p.slot), p.target(p.number), search_.coarse(),
+                              search_.grid()});
   p.accept_sorted();
 }
 
@@ -247,13 +248,13 @@ void Solver<D>::make_room() {
 template <class D>
 void Solver<D>::update_velocities(const Substep<D>& s) {
   device_.parallel_for("velocity/update", s.particles.owned,
-                       solver_kernels::UpdateVelocity{s.particles.position, s.particles.moved,
+                       solver_kernels::UpdateVelocity{s.particles.position, s.particles.accumulated_delta,
                                                       s.particles.velocity, 1.0f / s.dt, s.particles.sorted});
 }
 
 template <class D>
 MotionView Solver<D>::motion_of(const Substep<D>& s) {
-  return {s.particles.previous, s.particles.position, s.particles.moved,
+  return {s.particles.previous, s.particles.position, s.particles.accumulated_delta,
           s.particles.phase,    s.particles.owned,    s.particles.sorted};
 }
 

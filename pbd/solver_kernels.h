@@ -54,7 +54,7 @@ struct Reorder {
   Prediction prediction;
   View<const Phase> phase;
   View<const uint32_t> slot, number;
-  View<Vec4> sorted_predicted, previous, moved, sorted_velocity;
+  View<Vec4> sorted_predicted, previous, accumulated_delta, sorted_velocity;
   View<Phase> sorted_phase;
   View<uint32_t> sorted_slot, sorted_number;
   CoarsePositions coarse;  ///< to be filled in, if there are any
@@ -70,7 +70,7 @@ struct Reorder {
     const Vec3 p = prediction.limited.count ? load(prediction.limited, from).xyz() : unlimited;
     sorted_predicted[i] = with_w(p, x.w);
     previous[i] = x;
-    moved[i] = with_w(p - unlimited, x.w);
+    accumulated_delta[i] = with_w(p - unlimited, x.w);
     sorted_velocity[i] = with_w(v, before.w);
     sorted_phase[i] = present_phase;
     sorted_slot[i] = present_slot;
@@ -81,13 +81,13 @@ struct Reorder {
 
 /// v = (p − x)/h, without the rounding of p: far from the origin that would be a force of its own.
 struct UpdateVelocity {
-  View<const Vec4> position, moved;
+  View<const Vec4> position, accumulated_delta;
   View<Vec4> velocity;
   float inverse_dt;
   uint32_t sorted;  ///< see ParticleView
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const Vec4 m = load(moved, i);
+    const Vec4 m = load(accumulated_delta, i);
     if ((i < sorted ? m.w : position[i].w) == 0) return;
     velocity[i] = shifted(velocity[i], inverse_dt * m.xyz());
   }

@@ -117,7 +117,7 @@ class Observer {
 struct MotionView {
   View<const Vec4> from;
   View<Vec4> to;
-  View<Vec4> moved;  ///< what takes a motion back is added, where there is a view
+  View<Vec4> accumulated_delta;  ///< what takes a motion back is added, where there is a view
   View<const Phase> phase;
   uint32_t count = 0;
   uint32_t sorted = 0;  ///< see ParticleView

@@ -17,7 +17,7 @@ struct Contain {
   View<const uint32_t> vertex_part;
   KeptPlaces kept;
   View<Vec4> foreseen;  // afterwards: see RolledBack
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
   View<float> strayed;
   View<uint32_t> counters;
 
@@ -36,7 +36,7 @@ struct Contain {
     if (inside == x.xyz()) return;
     taken.add(v, x.xyz() - inside);
     position[v] = pbd::with_w(inside, x.w);
-    moved[v] = pbd::shifted(moved[v], inside - x.xyz());
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], inside - x.xyz());
   }
 
  private:
@@ -112,8 +112,8 @@ struct SumLost {
 /// room.
 struct TransferPush {
   View<const uint32_t> vertex_part;
-  View<const Vec4> position;  // by vertex
-  View<Vec4> moved;           // by vertex
+  View<const Vec4> position;     // by vertex
+  View<Vec4> accumulated_delta;  // by vertex
   PartSums sums;
   View<const uint32_t> counters;
   View<uint32_t> found;
@@ -123,7 +123,7 @@ struct TransferPush {
     if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
     if (v >= vertex_part.count || counters[lost] == 0) return;
     if (vertex_part[v] == no_index || position[v].w == 0) return;
-    moved[v] = pbd::shifted(moved[v], sums.displacement(vertex_part[v]));
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], sums.displacement(vertex_part[v]));
   }
 };
 

@@ -135,9 +135,9 @@ struct MoveImpactZones {
   static constexpr float least_distance = 0.25f;
 
   ClothState cloth;
-  pbd::ContactView contacts;   // of all particles
-  uint32_t sorted;             // see ParticleView
-  View<Vec4> position, moved;  // by vertex
+  pbd::ContactView contacts;               // of all particles
+  uint32_t sorted;                         // see ParticleView
+  View<Vec4> position, accumulated_delta;  // by vertex
   ImpactZones impact_zones;
   RolledBack taken;
   View<uint32_t> counters;
@@ -166,7 +166,7 @@ struct MoveImpactZones {
     pbd::atomic_store(impact_zones.mark[v], (round + 1) << ImpactZones::moved_shift | (round + 1) |
                                                 (stops ? ImpactZones::stopped : mark & ImpactZones::stopped));
     position[v] = pbd::with_w(inside, x.w);
-    moved[v] = pbd::shifted(moved[v], displacement - now);
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], displacement - now);
   }
 
   MENISCUS_HD bool enters_solid(uint32_t v, Vec3 from, Vec3 to) const {

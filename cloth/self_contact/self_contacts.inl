@@ -94,7 +94,8 @@ void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
   const uint32_t threads = launched(contacts, corners_.size());
   const PushApart push{list(),          position, vertices_of(p.previous, p.sorted, vertices_),
                        entries_.view(), sums,     threads};
-  const MoveVertices move{entries_.view(), position, vertices_of(p.moved, p.sorted, vertices_), sums};
+  const MoveVertices move{entries_.view(), position, vertices_of(p.accumulated_delta, p.sorted, vertices_),
+                          sums};
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     device_.parallel_for("self contacts/push", threads, push);
     device_.parallel_for("self contacts/move", vertices_, move);
@@ -108,14 +109,14 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
   const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
-  const View<Vec4> moved = vertices_of(p.moved, p.sorted, vertices_);
+  const View<Vec4> accumulated_delta = vertices_of(p.accumulated_delta, p.sorted, vertices_);
   device_.parallel_for("self contacts/contain", vertices_,
                        Contain{previous,
                                vertex_part_.view(),
                                {kept_.view()},
                                foreseen_.view(),
                                position,
-                               moved,
+                               accumulated_delta,
                                strayed_.view(),
                                counters_.view()});
   const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_);
@@ -133,7 +134,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                          substep.contacts,
                                          p.sorted,
                                          position,
-                                         moved,
+                                         accumulated_delta,
                                          impact_zones(),
                                          {foreseen_.view(), counters_.view()},
                                          counters_.view(),
@@ -141,9 +142,9 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   }
   device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
                               SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
-  device_.parallel_for(
-      "self contacts/hand on", std::max<uint32_t>(vertices_, counter_count),
-      TransferPush{vertex_part_.view(), position, moved, part_sums(), counters_.view(), found_.view()});
+  device_.parallel_for("self contacts/hand on", std::max<uint32_t>(vertices_, counter_count),
+                       TransferPush{vertex_part_.view(), position, accumulated_delta, part_sums(),
+                                    counters_.view(), found_.view()});
 }
 
 // ---- room ----

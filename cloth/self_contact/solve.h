@@ -89,7 +89,7 @@ struct PushApart {
 /// Moves vertices by what has pushed them.
 struct MoveVertices {
   View<const uint32_t> entries;  // by vertex
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
   PushSums sums;
 
   MENISCUS_HD void operator()(uint32_t v) const {
@@ -99,7 +99,7 @@ struct MoveVertices {
     if (x.w == 0 || push == Vec3{0, 0, 0}) return;
     const Vec3 step = x.w * push;
     position[v] = pbd::with_w(x.xyz() + step, x.w);
-    moved[v] = pbd::shifted(moved[v], step);
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], step);
   }
 };
 

@@ -201,7 +201,7 @@ class SolveChainsAtOnce {
     return select_less(Real(0), rest_length, max(lambda, -lambda) / rest_length, Real(0));
   }
   MENISCUS_HD auto positions() const { return s_.all.particles.position.from(s_.all.particles.sorted); }
-  MENISCUS_HD auto moves() const { return s_.all.particles.moved.from(s_.all.particles.sorted); }
+  MENISCUS_HD auto moves() const { return s_.all.particles.accumulated_delta.from(s_.all.particles.sorted); }
   MENISCUS_HD auto previous() const { return s_.all.particles.previous.from(s_.all.particles.sorted); }
   MENISCUS_HD Places start_of(uint32_t k) const {
     Places vertices, at = chains_.edge(k);

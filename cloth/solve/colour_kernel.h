@@ -21,7 +21,7 @@ struct SolveColour {
   MENISCUS_HD uint32_t piece_number(uint32_t v) const { return all.piece_number(v); }
   template <class D>
   MENISCUS_HD LaneVertex<D> at(const pbd::Places<D>& v) const {
-    return {gather(x(), v.index()), gather(moved(), v.index())};
+    return {gather(x(), v.index()), gather(accumulated_delta(), v.index())};
   }
   template <class D>
   MENISCUS_HD auto previous(const pbd::Places<D>& v) const {
@@ -34,12 +34,14 @@ struct SolveColour {
   template <class D, class R = typename D::Real>
   MENISCUS_HD void push(const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
                         const pbd::Vec3Of<R>& impulse) const {
-    push_side_by_side(x(), moved(), v, vertex, s, impulse);
+    push_side_by_side(x(), accumulated_delta(), v, vertex, s, impulse);
   }
 
  private:
   MENISCUS_HD View<Vec4> x() const { return all.particles.position.from(all.particles.sorted); }
-  MENISCUS_HD View<Vec4> moved() const { return all.particles.moved.from(all.particles.sorted); }
+  MENISCUS_HD View<Vec4> accumulated_delta() const {
+    return all.particles.accumulated_delta.from(all.particles.sorted);
+  }
 };
 
 }  // namespace meniscus::cloth

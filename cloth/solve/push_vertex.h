@@ -18,20 +18,20 @@ MENISCUS_HD inline pbd::Vec4 plus(const pbd::Vec4& a, float s, const pbd::Vec4& 
 /// A vertex as a constraint works on it. What has moved it is loaded along with the position, before anything
 /// is stored that it might be the same as.
 struct Vertex {
-  pbd::Vec4 x;      ///< m; w: inverse mass
-  pbd::Vec4 moved;  ///< see ParticleView
+  pbd::Vec4 x;                  ///< m; w: inverse mass
+  pbd::Vec4 accumulated_delta;  ///< see ParticleView
 };
 
 MENISCUS_HD inline Vertex vertex_at(const pbd::ParticleView& particles, uint32_t v) {
   const uint32_t i = particles.sorted + v;
-  return {particles.position[i], particles.moved[i]};
+  return {particles.position[i], particles.accumulated_delta[i]};
 }
 
 /// A vertex moved by w times s times an impulse over h, kg·m, of which w is 0. What is held stays, and notes
 /// what it withstands.
 MENISCUS_HD inline Vertex pushed(const Vertex& vertex, float s, const pbd::Vec4& impulse) {
   const float w = vertex.x.w;
-  return {plus(vertex.x, s * w, impulse), plus(vertex.moved, w > 0 ? s * w : s, impulse)};
+  return {plus(vertex.x, s * w, impulse), plus(vertex.accumulated_delta, w > 0 ? s * w : s, impulse)};
 }
 
 MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t v, const Vertex& vertex,
@@ -39,7 +39,7 @@ MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t
   const uint32_t i = particles.sorted + v;
   const Vertex after = pushed(vertex, s, impulse);
   particles.position[i] = after.x;
-  particles.moved[i] = after.moved;
+  particles.accumulated_delta[i] = after.accumulated_delta;
 }
 MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t v, Vec3 impulse) {
   push_vertex(particles, v, vertex_at(particles, v), 1, pbd::with_w(impulse, 0));
@@ -48,13 +48,13 @@ MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t
 /// A vertex in each of D's lanes.
 template <class D>
 struct LaneVertex {
-  pbd::Vec4Of<typename D::Real> x, moved;
+  pbd::Vec4Of<typename D::Real> x, accumulated_delta;
 };
 
 /// The same for these: what pushed() does, by s times an impulse. Lanes may have a vertex in common where all
 /// but one push it with nothing.
 template <class D, class R = typename D::Real>
-MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> moved,
+MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> accumulated_delta,
                                    const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
                                    const pbd::Vec3Of<R>& impulse) {
   const R zero(0), w = vertex.x.w, fraction = s * w, taken = select_less(zero, w, fraction, s);
@@ -66,13 +66,13 @@ MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> 
       return pbd::Vec4{a.x + b.x, a.y + b.y, a.z + b.z, a.w};
     };
     x[v.at[0]] = sum(vertex.x, times(fraction));
-    moved[v.at[0]] = sum(vertex.moved, times(taken));
+    accumulated_delta[v.at[0]] = sum(vertex.accumulated_delta, times(taken));
   } else {
     // What is turned lane by lane is added where it belongs: `vertex` need not be turned back.
     const auto step = rows(times(fraction));
     add(x, v.index(), step);
     const bool all_move = less_mask(zero, w) == (1u << D::lane_count) - 1;
-    add(moved, v.index(), all_move ? step : rows(times(taken)));
+    add(accumulated_delta, v.index(), all_move ? step : rows(times(taken)));
   }
 }
 

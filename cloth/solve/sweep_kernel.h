@@ -14,7 +14,7 @@ namespace meniscus::cloth {
 struct ClusterScratch {
   static constexpr uint32_t most_items = 640;
 
-  Vec4 x[Cluster::most_vertices], moved[Cluster::most_vertices], previous[Cluster::most_vertices];
+  Vec4 x[Cluster::most_vertices], accumulated_delta[Cluster::most_vertices], previous[Cluster::most_vertices];
   uint32_t number[Cluster::most_vertices];
   union {
     struct {
@@ -50,7 +50,7 @@ struct ClusterVertices {
 
   MENISCUS_HD float inverse_dt() const { return all.inverse_dt; }
 
-  MENISCUS_HD Vertex at(uint32_t v) const { return {scratch.x[v], scratch.moved[v]}; }
+  MENISCUS_HD Vertex at(uint32_t v) const { return {scratch.x[v], scratch.accumulated_delta[v]}; }
   MENISCUS_HD Vec4 previous(uint32_t v) const { return scratch.previous[v]; }
   MENISCUS_HD uint32_t piece_number(uint32_t v) const { return all.piece_number(scratch.number[v]); }
   MENISCUS_HD float stretch_damping(uint32_t v) const { return all.stretch_damping(scratch.number[v]); }
@@ -58,12 +58,12 @@ struct ClusterVertices {
   MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 impulse) const {
     const Vertex after = pushed(vertex, 1, pbd::with_w(impulse, 0));
     scratch.x[v] = after.x;
-    scratch.moved[v] = after.moved;
+    scratch.accumulated_delta[v] = after.accumulated_delta;
   }
 
   template <class D>
   MENISCUS_HD LaneVertex<D> at(const pbd::Places<D>& v) const {
-    return {gather(x(), v.index()), gather(moved(), v.index())};
+    return {gather(x(), v.index()), gather(accumulated_delta(), v.index())};
   }
   template <class D>
   MENISCUS_HD auto previous(const pbd::Places<D>& v) const {
@@ -80,12 +80,14 @@ struct ClusterVertices {
   template <class D, class R = typename D::Real>
   MENISCUS_HD void push(const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
                         const pbd::Vec3Of<R>& impulse) const {
-    push_side_by_side(x(), moved(), v, vertex, s, impulse);
+    push_side_by_side(x(), accumulated_delta(), v, vertex, s, impulse);
   }
 
  private:
   MENISCUS_HD View<Vec4> x() const { return {scratch.x, Cluster::most_vertices}; }
-  MENISCUS_HD View<Vec4> moved() const { return {scratch.moved, Cluster::most_vertices}; }
+  MENISCUS_HD View<Vec4> accumulated_delta() const {
+    return {scratch.accumulated_delta, Cluster::most_vertices};
+  }
 };
 
 /// The clusters of one pass, each by a group of threads, batch by batch.
@@ -136,14 +138,14 @@ struct SolveClusters {
       if (k >= vertices) return;
       const uint32_t i = all.particles.sorted + scratch.number[k];
       scratch.x[k] = all.particles.position[i];
-      scratch.moved[k] = all.particles.moved[i];
+      scratch.accumulated_delta[k] = all.particles.accumulated_delta[i];
       scratch.previous[k] = all.particles.previous[i];
     });
     sweep(group, cluster, scratch, near);
     group.for_each(vertices, [&](uint32_t v) {
       const uint32_t i = all.particles.sorted + scratch.number[v];
       all.particles.position[i] = scratch.x[v];
-      all.particles.moved[i] = scratch.moved[v];
+      all.particles.accumulated_delta[i] = scratch.accumulated_delta[v];
     });
   }
 

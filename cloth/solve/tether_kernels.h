@@ -36,7 +36,7 @@ struct ProjectTethers {
     const Real zero(0), square(vertices.inverse_dt * vertices.inverse_dt);
     const Real longest = of_each(&Tether::length);
     const View<Vec4> x = vertices.particles.position.from(vertices.particles.sorted),
-                     moved = vertices.particles.moved.from(vertices.particles.sorted);
+                     accumulated_delta = vertices.particles.accumulated_delta.from(vertices.particles.sorted);
     const pbd::Vec4Of<Real> end = gather(x, vertex.index());
     const Vector d = end.xyz() - gather(x, anchor.index()).xyz();
     const Real l = square_root(dot(d, d)), w = end.w, self = w * of_each(&Tether::self_mass);
@@ -55,7 +55,7 @@ struct ProjectTethers {
       return pbd::Vec4Of<Real>{v.x - w * impulse.x, v.y - w * impulse.y, v.z - w * impulse.z, v.w};
     };
     scatter(x, vertex.index(), moved_by(end), taut);
-    scatter(moved, vertex.index(), moved_by(gather(moved, vertex.index())), taut);
+    scatter(accumulated_delta, vertex.index(), moved_by(gather(accumulated_delta, vertex.index())), taut);
   }
 };
 
@@ -68,7 +68,7 @@ struct NoteReactions {
   View<Vec4> reaction;  ///< N·s
 
   MENISCUS_HD void operator()(uint32_t k) const {
-    Vec3 sum = vertices.particles.moved[vertices.particles.sorted + held[k]].xyz();
+    Vec3 sum = vertices.particles.accumulated_delta[vertices.particles.sorted + held[k]].xyz();
     for (uint32_t t = tether_start[k]; t < tether_start[k + 1]; ++t) sum += pull[t].xyz();
     reaction[k] = pbd::with_w(reaction[k].xyz() + vertices.inverse_dt * sum, 0);
   }

@@ -79,7 +79,7 @@ struct JoinedAttachments {
   Attachments attachments;
   View<const uint32_t> start;
   View<pbd::Contact> contacts;
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
   /// By attachment that leads; w: the vertex's own, and `moved` when its bodies had last got their share of
   /// that. Of a vertex that a body holds which nothing moves: the way that it makes, m.
   View<Vec4> joined;
@@ -102,7 +102,7 @@ struct Join {
     if (!of.attachments.leads(n)) return;
     const uint32_t i = of.attachments.particle_of(n);
     const Vec4 x = of.position[i];
-    const Vec3 displacement = of.moved[i].xyz();
+    const Vec3 displacement = of.accumulated_delta[i].xyz();
     of.joined[n] = pbd::with_w(displacement, x.w);
     if (x.w == 0) return;
     float mass = 1 / x.w;
@@ -119,7 +119,7 @@ struct Join {
     if (!is_held) return;
     of.joined[n] = pbd::with_w(displacement + anchor - x.xyz(), x.w);
     of.position[i] = pbd::with_w(anchor, 0);
-    of.moved[i] = {0, 0, 0, 0};  // from now on, what it withstands
+    of.accumulated_delta[i] = {0, 0, 0, 0};  // from now on, what it withstands
   }
 };
 
@@ -133,11 +133,11 @@ struct Pull {
     if (!of.attachments.leads(n)) return;
     const uint32_t i = of.attachments.particle_of(n);
     const Vec4 x = of.position[i], joined = of.joined[n];
-    const Vec3 moved = of.moved[i].xyz();
+    const Vec3 accumulated_delta = of.accumulated_delta[i].xyz();
     const bool moves = x.w > 0;
     const float w = moves ? joined.w : 0;
     // What it was moved by before the first iteration, its share of the body was as well.
-    const Vec3 together = moves ? x.xyz() - (moved - joined.xyz()) : x.xyz();
+    const Vec3 together = moves ? x.xyz() - (accumulated_delta - joined.xyz()) : x.xyz();
     Vec3 pulled{0, 0, 0};  // kg·m
     of.for_each_contact(n, [&](pbd::Contact& c) {
       if (c.body_inverse_mass == 0) return;
@@ -147,7 +147,7 @@ struct Pull {
       c.tangent_multiplier += pull;
       pulled += pull;
     });
-    of.moved[i] = pbd::with_w(moved + (moves ? w : 1) * pulled, 0);
+    of.accumulated_delta[i] = pbd::with_w(accumulated_delta + (moves ? w : 1) * pulled, 0);
     if (!moves) return;
     of.position[i] = pbd::with_w(x.xyz() + w * pulled, x.w);
     of.joined[n] = pbd::with_w(joined.xyz() + w * pulled, w);
@@ -162,10 +162,11 @@ struct TransferPush {
     if (!of.attachments.leads(n)) return;
     const uint32_t i = of.attachments.particle_of(n);
     if (of.position[i].w == 0) return;
-    const Vec3 moved = of.moved[i].xyz(), displacement = moved - of.joined[n].xyz();
+    const Vec3 accumulated_delta = of.accumulated_delta[i].xyz(),
+               displacement = accumulated_delta - of.joined[n].xyz();
     of.for_each_contact(n,
                         [&](pbd::Contact& c) { c.tangent_multiplier -= displacement / c.body_inverse_mass; });
-    of.joined[n] = pbd::with_w(moved, of.joined[n].w);
+    of.joined[n] = pbd::with_w(accumulated_delta, of.joined[n].w);
   }
 };
 
@@ -180,13 +181,13 @@ struct LetGo {
     const bool is_held = of.position[i].w == 0;
     of.position[i].w = joined.w;
     if (!is_held || joined.w == 0) return;
-    Vec3 withstood = 1 / joined.w * joined.xyz() - of.moved[i].xyz();
+    Vec3 withstood = 1 / joined.w * joined.xyz() - of.accumulated_delta[i].xyz();
     of.for_each_contact(n, [&](pbd::Contact& c) {
       if (c.body_inverse_mass > 0) return;
       c.tangent_multiplier += withstood;
       withstood = {0, 0, 0};  // by the first of several
     });
-    of.moved[i] = pbd::with_w(joined.xyz(), 0);
+    of.accumulated_delta[i] = pbd::with_w(joined.xyz(), 0);
   }
 };
 
@@ -253,7 +254,7 @@ attachment_kernels::JoinedAttachments BodyAttachments<D>::joined(const pbd::Subs
           substep.contacts.start,
           substep.contacts.contacts,
           p.position,
-          p.moved,
+          p.accumulated_delta,
           joined_.view()};
 }
 

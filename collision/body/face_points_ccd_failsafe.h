@@ -91,7 +91,7 @@ struct Demand {
     const BodyProxy& body = bodies[shape.body];
     if (body.first == body.end) return shape.pose;
     const ContactMotion motion = body_motion[shape.body];
-    return moved(body.pose, motion.shift, motion.turn) * (inverse(body.pose) * shape.pose);
+    return accumulated_delta(body.pose, motion.shift, motion.turn) * (inverse(body.pose) * shape.pose);
   }
 
   /// Of the way, what the vertices must go, as some of them may be held; the body goes the rest when it has
@@ -188,7 +188,7 @@ struct Obey {
     if (at_vertex[vertex] == 0 || x.w == 0) return;
     const Vec3 step = obey(points, demand, vertex, [](uint32_t, Vec3) {});
     particles.position[i] = pbd::with_w(x.xyz() + step, x.w);
-    particles.moved[i] = pbd::with_w(particles.moved[i].xyz() + step, 0);
+    particles.accumulated_delta[i] = pbd::with_w(particles.accumulated_delta[i].xyz() + step, 0);
   }
 };
 

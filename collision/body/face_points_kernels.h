@@ -171,7 +171,7 @@ struct MakeParticles {
     const bool used = n < points.count();
     const uint32_t triangle = used ? points.triangle_of[n] : 0;
     const uint32_t corner = sorted + points.triangles[triangle].a;
-    particles.moved[i] = {0, 0, 0, 0};
+    particles.accumulated_delta[i] = {0, 0, 0, 0};
     phase[i] = pbd::phase_vertex | pbd::phase_face | pbd::phase_group(particles.phase[corner]) |
                (of_any(points.triangles[triangle]) & pbd::phase_overlapping);
     slot[i] = number[i] = pbd::vertex_slot + (i - sorted);
@@ -251,7 +251,7 @@ struct Place {
     const uint32_t i = points.first + n;
     const Vec3 at = points.mix(particles.position, particles.sorted, points.triangle_of[n]);
     particles.position[i] = pbd::with_w(at, particles.position[i].w);
-    particles.moved[i] = {0, 0, 0, 0};
+    particles.accumulated_delta[i] = {0, 0, 0, 0};
     pushed[n] = is_pushed(contacts, i, at);
   }
 };
@@ -294,12 +294,12 @@ struct HandBack {
     Vec3 impulse{0, 0, 0};
     points.for_each_at(vertex, [&](uint32_t i, float weight) {
       const float w = particles.position[i].w;
-      if (w > 0) impulse += (weight / w) * particles.moved[i].xyz();
+      if (w > 0) impulse += (weight / w) * particles.accumulated_delta[i].xyz();
     });
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
     const Vec3 by = x.w > 0 ? x.w * impulse : impulse;  // what is held notes what it withstands
-    particles.moved[i] = pbd::with_w(particles.moved[i].xyz() + by, 0);
+    particles.accumulated_delta[i] = pbd::with_w(particles.accumulated_delta[i].xyz() + by, 0);
     if (x.w > 0) particles.position[i] = pbd::with_w(x.xyz() + by, x.w);
   }
 };
@@ -315,7 +315,7 @@ struct PlaceVelocities {
     if (n >= points.count()) return;
     const uint32_t i = points.first + n;
     const Vec3 v = points.mix(particles.velocity, particles.sorted, points.triangle_of[n]);
-    particles.velocity[i] = particles.moved[i] = pbd::with_w(v, 0);
+    particles.velocity[i] = particles.accumulated_delta[i] = pbd::with_w(v, 0);
     pushed[n] = was_pushed(contacts, i);
   }
 };
@@ -332,7 +332,9 @@ struct HandBackVelocities {
     Vec3 impulse{0, 0, 0};
     points.for_each_at(vertex, [&](uint32_t point, float weight) {
       const float w = particles.position[point].w;
-      if (w > 0) impulse += (weight / w) * (particles.velocity[point].xyz() - particles.moved[point].xyz());
+      if (w > 0)
+        impulse +=
+            (weight / w) * (particles.velocity[point].xyz() - particles.accumulated_delta[point].xyz());
     });
     particles.velocity[i] = pbd::with_w(particles.velocity[i].xyz() + vertex_w * impulse, 0);
   }

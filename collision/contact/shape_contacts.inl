@@ -26,7 +26,8 @@ struct LimitByFixed {
     if (!(dot(path, path) > touch.radius * touch.radius) || !is_finite(path)) return;
     const Vec3 end = limit_by_fixed(set, motion, touch.radius, planes_too, touch.filter);
     motions.to[i] = pbd::with_w(end, motions.to[i].w);
-    if (motions.moved.count) motions.moved[i] = pbd::shifted(motions.moved[i], end - motion.to);
+    if (motions.accumulated_delta.count)
+      motions.accumulated_delta[i] = pbd::shifted(motions.accumulated_delta[i], end - motion.to);
   }
 };
 

@@ -33,8 +33,8 @@ MENISCUS_HD inline OpposedPair find_opposed(pbd::View<const pbd::Contact> contac
     if (!contact_presses(contacts[a], x)) continue;
     for (uint32_t b = a + 1; b < end; ++b) {
       const float facing = dot(contacts[a].normal, contacts[b].normal);
-      const float give = contacts[a].body_inverse_mass + contacts[b].body_inverse_mass;
-      if (!(facing < least) || !(give > 0) || !contact_presses(contacts[b], x)) continue;
+      const float inverse_mass = contacts[a].body_inverse_mass + contacts[b].body_inverse_mass;
+      if (!(facing < least) || !(inverse_mass > 0) || !contact_presses(contacts[b], x)) continue;
       least = facing;
       pair = {a, b};
     }
@@ -55,10 +55,10 @@ struct TwoSidedContact {
     const float lack_b = tighter * b.radius - plane_distance(b, x);
     const float least_a = least_push(a, plane_distance(a, x)) - a.normal_multiplier;
     const float least_b = least_push(b, plane_distance(b, x)) - b.normal_multiplier;
-    float more_a = ((w + give_b()) * lack_a + w * lack_b) / determinant();
-    float more_b = ((w + give_a()) * lack_b + w * lack_a) / determinant();
-    const auto solve_a = [&] { more_a = pbd::max(least_a, (lack_a + w * more_b) / (w + give_a())); };
-    const auto solve_b = [&] { more_b = pbd::max(least_b, (lack_b + w * more_a) / (w + give_b())); };
+    float more_a = ((w + inverse_mass_b()) * lack_a + w * lack_b) / determinant();
+    float more_b = ((w + inverse_mass_a()) * lack_b + w * lack_a) / determinant();
+    const auto solve_a = [&] { more_a = pbd::max(least_a, (lack_a + w * more_b) / (w + inverse_mass_a())); };
+    const auto solve_b = [&] { more_b = pbd::max(least_b, (lack_b + w * more_a) / (w + inverse_mass_b())); };
     if (more_a < least_a) {
       more_a = least_a;
       solve_b();
@@ -78,8 +78,8 @@ struct TwoSidedContact {
   MENISCUS_HD Vec3 hold_back(Vec3 displacement) const {
     const Vec3 old_a = a.tangent_multiplier, old_b = b.tangent_multiplier;
     const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
-    const Vec3 wanted_a = old_a - (1 / determinant()) * ((w + give_b()) * slip_a - w * slip_b);
-    const Vec3 wanted_b = old_b - (1 / determinant()) * ((w + give_a()) * slip_b - w * slip_a);
+    const Vec3 wanted_a = old_a - (1 / determinant()) * ((w + inverse_mass_b()) * slip_a - w * slip_b);
+    const Vec3 wanted_b = old_b - (1 / determinant()) * ((w + inverse_mass_a()) * slip_b - w * slip_a);
     const float most_a = most_friction(a), most_b = most_friction(b);
     const bool holds_a = length(wanted_a) <= most_a, holds_b = length(wanted_b) <= most_b;
     const auto moved = [&] { return w * (a.tangent_multiplier - old_a + b.tangent_multiplier - old_b); };
@@ -100,7 +100,7 @@ struct TwoSidedContact {
   /// each adds, the other takes back.
   MENISCUS_HD void hand_through(Vec3 displacement) const {
     const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
-    const Vec3 more = (1 / (give_a() + give_b())) * (slip_b - slip_a);
+    const Vec3 more = (1 / (inverse_mass_a() + inverse_mass_b())) * (slip_b - slip_a);
     const float fraction = pbd::min(fraction_within(a.tangent_multiplier, more, most_friction(a)),
                                     fraction_within(b.tangent_multiplier, -1.0f * more, most_friction(b)));
     const float least = pbd::min(length(slip_a), length(slip_b)),
@@ -114,10 +114,12 @@ struct TwoSidedContact {
   /// What sticks to one surface slips on it by no more than this, of what it does on the other.
   static constexpr float sticking = 0.1f;
 
-  MENISCUS_HD float give_a() const { return a.body_inverse_mass; }
-  MENISCUS_HD float give_b() const { return b.body_inverse_mass; }
+  MENISCUS_HD float inverse_mass_a() const { return a.body_inverse_mass; }
+  MENISCUS_HD float inverse_mass_b() const { return b.body_inverse_mass; }
   /// Of the matrix {w + give_a, −w; −w, w + give_b}.
-  MENISCUS_HD float determinant() const { return w * (give_a() + give_b()) + give_a() * give_b(); }
+  MENISCUS_HD float determinant() const {
+    return w * (inverse_mass_a() + inverse_mass_b()) + inverse_mass_a() * inverse_mass_b();
+  }
 
   /// The largest share, up to 1, with |old + share · more| ≤ most; 0 where there is none.
   MENISCUS_HD static float fraction_within(Vec3 old, Vec3 more, float most) {

@@ -18,8 +18,9 @@ void FluidClothSet<D>::start(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   const pbd::View<pbd::Vec4> position = p.position.from(p.sorted);
   at_particles("fluid cloth/start", StartTouches{at_touches(substep)});
-  at_vertices("fluid cloth/share", ShareMomentum{loaded_vertices(), position, p.moved.from(p.sorted),
-                                                 p.previous.from(p.sorted), change_.view()});
+  at_vertices("fluid cloth/share",
+              ShareMomentum{loaded_vertices(), position, p.accumulated_delta.from(p.sorted),
+                            p.previous.from(p.sorted), change_.view()});
   at_particles("fluid cloth/give momentum", GiveMomentum{at_touches(substep), change_.view()});
   pbd::parallel_for_teams<TouchTeam>(
       device_, "fluid cloth/give", most_touches * contacts_.near_count(),
@@ -33,7 +34,7 @@ void FluidClothSet<D>::push_back(pbd::Substep<D>& substep, bool last) {
   const pbd::ParticleView& p = substep.particles;
   at_particles("fluid cloth/follow", FollowCloth{at_touches(substep), true});
   at_vertices("fluid cloth/push back",
-              PushVertices{loaded_vertices(), p.position.from(p.sorted), p.moved.from(p.sorted)});
+              PushVertices{loaded_vertices(), p.position.from(p.sorted), p.accumulated_delta.from(p.sorted)});
   if (last) carry(substep);
 }
 
@@ -100,7 +101,7 @@ template <class D>
 fluid_cloth_kernels::AtTouches FluidClothSet<D>::at_touches(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   return {contacts_.near(), substep.contacts.contacts,
-          p.position,       p.moved,
+          p.position,       p.accumulated_delta,
           p.previous,       p.phase,
           p.sorted,         substep.dt * substep.dt * substep.gravity};
 }

@@ -69,7 +69,7 @@ struct LoadedVertices {
 struct AtTouches {
   NearList near;
   View<pbd::Contact> contacts;
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
   View<const Vec4> previous;
   View<const pbd::Phase> phase;
   uint32_t first_vertex;
@@ -87,7 +87,7 @@ struct AtTouches {
   /// m: how far the sheet has been moved in the substep. What nothing moves notes impulses in `moved`.
   MENISCUS_HD Vec3 motion_of_cloth(const FluidClothContact& t) const {
     return t.mean([&](uint32_t v) {
-      return position[first_vertex + v].w > 0 ? moved[first_vertex + v].xyz() : Vec3{0, 0, 0};
+      return position[first_vertex + v].w > 0 ? accumulated_delta[first_vertex + v].xyz() : Vec3{0, 0, 0};
     });
   }
 
@@ -124,7 +124,7 @@ struct AtTouches {
   }
   MENISCUS_HD void move(uint32_t i, Vec3 step) const {
     position[i] = pbd::shifted(position[i], step);
-    moved[i] = pbd::shifted(moved[i], step);
+    accumulated_delta[i] = pbd::shifted(accumulated_delta[i], step);
   }
 
   /// Notes what the contacts have pushed since the last time.
@@ -197,9 +197,9 @@ struct StartTouches {
 /// Vertices and what they carry share their momentum.
 struct ShareMomentum {
   LoadedVertices vertices;
-  View<Vec4> position, moved;  // by vertex
-  View<const Vec4> previous;   // by vertex
-  View<Vec4> taken;            // by vertex, m: what it took of the motion of each of its particles
+  View<Vec4> position, accumulated_delta;  // by vertex
+  View<const Vec4> previous;               // by vertex
+  View<Vec4> taken;  // by vertex, m: what it took of the motion of each of its particles
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
@@ -215,7 +215,7 @@ struct ShareMomentum {
     const Vec3 step = weight * (pending - carried * displacement);
     taken[v] = pbd::with_w(step / (self * carried), 0);
     position[v] = pbd::with_w(x.xyz() + step, weight);
-    moved[v] = pbd::shifted(moved[v], step);
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], step);
   }
 };
 
@@ -258,7 +258,7 @@ struct FollowCloth {
 /// Pushes the vertices back. What nothing moves notes it.
 struct PushVertices {
   LoadedVertices vertices;
-  View<Vec4> position, moved;  // by vertex
+  View<Vec4> position, accumulated_delta;  // by vertex
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
@@ -266,7 +266,7 @@ struct PushVertices {
     if (!VertexTeam::leads()) return;
     const Vec4 x = position[v];
     position[v] = pbd::with_w(x.xyz() + x.w * push, x.w);
-    moved[v] = pbd::shifted(moved[v], (x.w > 0 ? x.w : 1) * push);
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], (x.w > 0 ? x.w : 1) * push);
   }
 };
 

@@ -92,7 +92,7 @@ struct NoteLongest {
 /// Grains move by the impulses that the solve starts from.
 struct Start {
   GrainRows rows;
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t count = rows.count[i];
@@ -102,7 +102,7 @@ struct Start {
     const Vec4 p = position[i];
     const Vec3 step = p.w * push;
     position[i] = pbd::with_w(p.xyz() + step, p.w);
-    moved[i] = pbd::shifted(moved[i], step);
+    accumulated_delta[i] = pbd::shifted(accumulated_delta[i], step);
   }
 };
 
@@ -136,7 +136,7 @@ struct Project {
   GrainRows rows;
   View<Vec4> change;
   View<const Vec4> staged, previous;
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
   float momentum, step;
 
   MENISCUS_HD void operator()(uint32_t i) const {
@@ -165,7 +165,7 @@ struct Project {
     const float w = position[i].w;
     const Vec3 shift = w * push;
     position[i] = pbd::with_w(self.xyz() + shift, w);
-    moved[i] = pbd::shifted(moved[i], shift);
+    accumulated_delta[i] = pbd::shifted(accumulated_delta[i], shift);
   }
 
   /// Grains never pull, and friction is at most μ times the load.

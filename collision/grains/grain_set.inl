@@ -84,7 +84,7 @@ void GrainSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (!any_) return;
   const pbd::ParticleView& p = substep.particles;
   if (iteration == 0) {
-    device_.parallel_for("grains/start", p.sorted, Start{current_rows(), p.position, p.moved});
+    device_.parallel_for("grains/start", p.sorted, Start{current_rows(), p.position, p.accumulated_delta});
     // Solids answer what grains start with. Else the lowest layer would have nothing to stand on, and give
     // way.
     pbd::Substep<D> grains = substep;  // vertices, and points of faces, have their turn
@@ -100,7 +100,7 @@ void GrainSet<D>::project(pbd::Substep<D>& substep, int iteration) {
                                .staged = staged_.view(),
                                .previous = p.previous,
                                .position = p.position,
-                               .moved = p.moved,
+                               .accumulated_delta = p.accumulated_delta,
                                .momentum = weights.momentum,
                                .step = weights.step});
 }

@@ -137,7 +137,7 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   const bool projects = p.owned == p.sorted && !any_grains_ && !stop_;
   launch_both("density/correct", p.sorted,
               Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
-                                          p.position, p.moved},
+                                          p.position, p.accumulated_delta},
               contacts.contacts.count,
               CorrectAtWalls<with_pair_pressure, any_moving>{kernel_, pair, staged_.view(),
                                                              substep.neighbours, walls, projects});

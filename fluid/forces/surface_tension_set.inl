@@ -103,13 +103,13 @@ struct Pull {
 
 /// p = x + h·v with the velocities that particles have now, less what cut their motion short.
 struct PredictAnew {
-  View<const Vec4> previous, velocity, moved;
+  View<const Vec4> previous, velocity, accumulated_delta;
   View<Vec4> position;
   float dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 x = previous[i].xyz() + dt * velocity[i].xyz();
-    position[i] = pbd::with_w(x + moved[i].xyz(), position[i].w);
+    position[i] = pbd::with_w(x + accumulated_delta[i].xyz(), position[i].w);
   }
 };
 
@@ -146,7 +146,7 @@ void SurfaceTensionSet<D>::accelerate(pbd::Substep<D>& substep) {
       Pull{kernel_, tension_, bends_, p.position, normal_.view(), cohesion_.view(), substep.neighbours,
            substep.contacts, p.velocity, substep.dt});
   device_.parallel_for("tension/predict", p.sorted,
-                       PredictAnew{p.previous, p.velocity, p.moved, p.position, substep.dt});
+                       PredictAnew{p.previous, p.velocity, p.accumulated_delta, p.position, substep.dt});
 }
 
 template <class D>

@@ -182,13 +182,13 @@ struct Correct {
   View<const Vec4> staged;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
 
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
     using Real = typename D::Real;
-    const Vec4 self = staged[i], before = moved[i];
+    const Vec4 self = staged[i], before = accumulated_delta[i];
     Vec3Of<Real> push{Real(0.0f), Real(0.0f), Real(0.0f)};
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
@@ -200,7 +200,7 @@ struct Correct {
     if (!D::leads()) return;
     const Vec3 step = (before.w * kernel.peak_pull) * total;
     position[i] = pbd::with_w(self.xyz() + step, before.w);
-    moved[i] = pbd::shifted(before, step);
+    accumulated_delta[i] = pbd::shifted(before, step);
   }
 };
 

@@ -151,12 +151,12 @@ struct CorrectAtWalls {
     const auto others = pushes.in_one(mirrors);
     if (!D::leads()) return;
     note_pushes(mirrors, others, own);
-    const Vec4 before = walls.moved[i];
+    const Vec4 before = walls.accumulated_delta[i];
     const Vec3 step = before.w * (others.vector(mirrors) + own.vector(mirrors));
-    Vec4 to = pbd::with_w(x + step, before.w), moved = pbd::shifted(before, step);
-    if (projects) walls.hold(i, to, moved);
+    Vec4 to = pbd::with_w(x + step, before.w), accumulated_delta = pbd::shifted(before, step);
+    if (projects) walls.hold(i, to, accumulated_delta);
     walls.position[i] = to;
-    walls.moved[i] = moved;
+    walls.accumulated_delta[i] = accumulated_delta;
   }
 
   /// The solids get back what their mirror ghosts push a particle with: each what its own mirror makes, and

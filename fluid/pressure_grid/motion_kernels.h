@@ -100,7 +100,7 @@ struct MoveParticles {
   View<const uint32_t> flags;
   PressureOf pressure;
   float to_multiplier;  ///< m³
-  View<Vec4> position, moved;
+  View<Vec4> position, accumulated_delta;
   View<float> multiplier;  ///< kg·m², as the density constraint would have it
 
   MENISCUS_HD void operator()(uint32_t i) const {
@@ -113,7 +113,7 @@ struct MoveParticles {
     const Vec3 displacement = displacement_of(place, scale[i]);
     multiplier[i] = to_multiplier * pressure_at(place);
     position[i] = pbd::with_w(p.xyz() + displacement, p.w);
-    moved[i] = pbd::shifted(moved[i], displacement);
+    accumulated_delta[i] = pbd::shifted(accumulated_delta[i], displacement);
   }
 
   MENISCUS_HD Vec3 displacement_of(const Place& place, const Vec4& self) const {

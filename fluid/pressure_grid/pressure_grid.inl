@@ -127,7 +127,7 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   device_.parallel_for("grid/move particles", p.sorted,
                        MoveParticles{space_, found_.view(), substep.neighbours, scale_.view(), motion_.view(),
                                      flags_.view(), from_least, grid_tuning::fraction * kernel_.volume,
-                                     p.position, p.moved, multiplier_.view()});
+                                     p.position, p.accumulated_delta, multiplier_.view()});
 }
 
 }  // namespace meniscus::fluid

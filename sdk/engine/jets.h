@@ -16,13 +16,13 @@ using pbd::View;
 /// Takes back what constraints did to the velocity.
 struct Hold {
   View<const pbd::Phase> phase;
-  View<const pbd::Vec4> moved;
+  View<const pbd::Vec4> accumulated_delta;
   View<pbd::Vec4> velocity;
   float inverse_dt;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (pbd::held_steps(phase[i]) == 0) return;
-    velocity[i] = pbd::with_w(velocity[i].xyz() - inverse_dt * moved[i].xyz(), velocity[i].w);
+    velocity[i] = pbd::with_w(velocity[i].xyz() - inverse_dt * accumulated_delta[i].xyz(), velocity[i].w);
   }
 };
 
@@ -48,7 +48,7 @@ class Jets final : public pbd::VelocityPass<D> {
     if (steps_left_ == 0) return;
     const pbd::ParticleView& p = substep.particles;
     device_.parallel_for("jets/hold", particles.sorted(),
-                         jet_kernels::Hold{p.phase, p.moved, p.velocity, 1 / substep.dt});
+                         jet_kernels::Hold{p.phase, p.accumulated_delta, p.velocity, 1 / substep.dt});
   }
 
   /// Some particle is held for so many steps.
