@@ -28,7 +28,7 @@ std::vector<EdgeUse> edge_uses(std::span<const std::array<uint32_t, 3>> triangle
   for (size_t v = 0; v < vertices; ++v) {
     std::sort(sorted.begin() + starts[v], sorted.begin() + starts[v + 1],
               [](const EdgeUse& a, const EdgeUse& b) {
-                return std::attachment(a.high, a.triangle) < std::attachment(b.high, b.triangle);
+                return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
               });
   }
   return sorted;

@@ -165,7 +165,7 @@ class Tearing {
 std::vector<OverstretchedEdge> by_stretch(std::span<const OverstretchedEdge> edges) {
   std::vector<OverstretchedEdge> sorted(edges.begin(), edges.end());
   std::sort(sorted.begin(), sorted.end(), [](const OverstretchedEdge& e, const OverstretchedEdge& f) {
-    return std::attachment(f.stretch, e.a, e.b) < std::attachment(e.stretch, f.a, f.b);
+    return std::tie(f.stretch, e.a, e.b) < std::tie(e.stretch, f.a, f.b);
   });
   return sorted;
 }

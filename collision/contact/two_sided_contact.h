@@ -222,7 +222,7 @@ struct TwoSidedContacts {
     if (pair.is_there())
       step += p.w * both(two_sided_between(contacts[pair.a], contacts[pair.b], p.w), x + step);
     all.position[i] = pbd::with_w(x + step, p.w);
-    all.moved[i] = pbd::shifted(all.moved[i], step);
+    all.accumulated_delta[i] = pbd::shifted(all.accumulated_delta[i], step);
   }
 };
 

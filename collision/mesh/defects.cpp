@@ -18,7 +18,7 @@ namespace {
 
 void sort_by_face(std::vector<MeshDefect>& defects) {
   std::sort(defects.begin(), defects.end(), [](const MeshDefect& a, const MeshDefect& b) {
-    return std::attachment(a.face, a.other) < std::attachment(b.face, b.other);
+    return std::tie(a.face, a.other) < std::tie(b.face, b.other);
   });
 }
 

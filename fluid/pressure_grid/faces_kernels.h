@@ -6,6 +6,7 @@
 
 #include "fluid/pressure_grid/multigrid_kernels.h"
 #include "fluid/pressure_grid/nodes_kernels.h"
+#include "pbd/neighbours.h"
 
 namespace meniscus::fluid::grid_kernels {
 

@@ -36,8 +36,8 @@ struct Space {
     for (int k = 0; k < 27 && !holds(cell, i); ++k)
       cell = {{(c.x >> 2) + k % 3 - 1, c.y + k / 3 % 3 - 1, c.z + k / 9 - 1}};
     const Vec3 x = cells.inverse_reach * p;
-    const auto part = [](float v, int32_t cell) {
-      return pbd::clamp(v - static_cast<float>(cell), 0.0f, 1.0f);
+    const auto part = [](float v, int32_t whole) {
+      return pbd::clamp(v - static_cast<float>(whole), 0.0f, 1.0f);
     };
     return {part(x.x, cell.at[0]), part(x.y, cell.at[1]), part(x.z, cell.at[2])};
   }

@@ -12,6 +12,7 @@
 #include <emmintrin.h>
 #endif
 
+#include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
 
 #define MENISCUS_LANE_FN inline __attribute__((always_inline))

@@ -51,7 +51,7 @@ void EmitterClock::due(double until, std::vector<Departure>& departures) const {
       departures.push_back({time, k, false});
   }
   std::sort(departures.begin(), departures.end(), [](const Departure& a, const Departure& b) {
-    return std::attachment(a.time, a.place) < std::attachment(b.time, b.place);
+    return std::tie(a.time, a.place) < std::tie(b.time, b.place);
   });
 }
 

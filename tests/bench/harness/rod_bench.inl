@@ -45,7 +45,7 @@ class RodBenchOn final : public RodBench {
   std::vector<float> tensions() override { return ropes_.tensions(0, ropes_.segment_count()); }
   std::vector<Vec3> reactions(float dt) override {
     const float h = dt / static_cast<float>(substeps_);
-    std::vector<Vec3> forces = vectors(particles_.view().moved);
+    std::vector<Vec3> forces = vectors(particles_.view().accumulated_delta);
     for (Vec3& f : forces) f = f / (h * h);
     return forces;
   }

@@ -59,7 +59,7 @@ class HostEdges final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& s, int) override {
     const size_t bytes = x_.size() * sizeof(pbd::Vec4);
     s.device.copy_out(x_.data(), s.particles.position.data + s.particles.sorted, bytes);
-    s.device.copy_out(moved_.data(), s.particles.moved.data + s.particles.sorted, bytes);
+    s.device.copy_out(moved_.data(), s.particles.accumulated_delta.data + s.particles.sorted, bytes);
     for (const Edge& e : edges_) {
       const Vec3 way = x_[e.b].xyz() - x_[e.a].xyz();
       const float l = length(way), w = x_[e.a].w + x_[e.b].w;
@@ -69,7 +69,7 @@ class HostEdges final : public pbd::ConstraintSet<D> {
       move(e.b, -impulse);
     }
     s.device.copy_in(s.particles.position.data + s.particles.sorted, x_.data(), bytes);
-    s.device.copy_in(s.particles.moved.data + s.particles.sorted, moved_.data(), bytes);
+    s.device.copy_in(s.particles.accumulated_delta.data + s.particles.sorted, moved_.data(), bytes);
   }
 
  private:

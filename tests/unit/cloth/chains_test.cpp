@@ -247,7 +247,7 @@ struct Layer {
                       .end = static_cast<uint32_t>(chains.size())};
     solve.all.particles.position = view(position);
     solve.all.particles.previous = view(std::as_const(previous));
-    solve.all.particles.moved = view(moved);
+    solve.all.particles.accumulated_delta = view(moved);
     solve.all.damping = {0.002f, 0.002f};
     solve.all.inverse_dt = 300;
     return solve;

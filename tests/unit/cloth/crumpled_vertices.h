@@ -42,7 +42,7 @@ struct CrumpledVertices {
     VertexState all;
     all.particles.position = view_of(position);
     all.particles.previous = view_of(std::as_const(previous));
-    all.particles.moved = view_of(moved);
+    all.particles.accumulated_delta = view_of(moved);
     all.particles.phase = view_of(std::as_const(phase));
     all.pieces = view_of(std::as_const(pieces));
     all.inverse_dt = 300;

@@ -4,6 +4,7 @@
 // Meshes with known answers, for tests.
 #pragma once
 
+#include <algorithm>
 #include <map>
 
 #include "collision/mesh/mesh.h"

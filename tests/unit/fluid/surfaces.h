@@ -4,6 +4,7 @@
 // What tests ask of a surface.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
