@@ -14,6 +14,7 @@
 #include "cloth/self_contact/narrow.h"
 #include "cloth/self_contact/self_contacts.h"
 #include "cloth/self_contact/solve.h"
+#include "pbd/device/launch_size.h"
 #include "pbd/filter.h"
 #include "pbd/surface_tree/surface_tree.inl"
 
@@ -340,13 +341,9 @@ self_contact_kernels::ContactList SelfContacts<D>::list() {
   return {corners_.view(), plane_.view(), multiplier_.view(), weights_.view(), counters_.view()};
 }
 
-/// How many threads are to look at a list: as many as it has elements, where the host is in step with the
-/// device; else as fill a GPU.
 template <class D>
 uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity) {
-  if (device_.kind() != pbd::DeviceKind::cpu)
-    return static_cast<uint32_t>(std::min(capacity, size_t{most_threads}));
-  return static_cast<uint32_t>(std::min(size_t{counters_.view()[counter]}, capacity));
+  return pbd::launch_size<D>(counters_.view()[counter], capacity, most_threads);
 }
 
 }  // namespace meniscus::cloth

@@ -13,6 +13,7 @@
 #include "collision/fluid_cloth/parting.h"
 #include "collision/fluid_cloth/passing.h"
 #include "collision/fluid_cloth/wetting.h"
+#include "pbd/device/launch_size.h"
 #include "pbd/surface_tree/surface_tree.inl"
 
 namespace meniscus::collision {
@@ -115,8 +116,7 @@ fluid_cloth_kernels::NearList FluidClothContacts<D>::near() {
 
 template <class D>
 uint32_t FluidClothContacts<D>::near_count() {
-  const auto room = static_cast<uint32_t>(near_.size());
-  return device_.kind() == pbd::DeviceKind::cpu ? std::min(counter_.view()[0], room) : room;
+  return pbd::launch_size<D>(counter_.view()[0], near_.size(), near_.size());
 }
 
 template <class D>
