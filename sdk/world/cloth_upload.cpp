@@ -102,7 +102,7 @@ class Assembly {
       const bool fast = held[v];
       cloth.position.push_back(pbd::with_w(range.state.positions[v], fast ? 0 : 1 / range.masses[v]));
       cloth.velocity.push_back(pbd::with_w(fast ? Vec3{0, 0, 0} : range.state.velocities[v], 0));
-      cloth.phase.push_back(pbd::phase_vertex | (range.placed ? pbd::phase_placed : 0) | piece);
+      cloth.phase.push_back(pbd::phase_vertex | (range.placed ? pbd::phase_overlapping : 0) | piece);
       if (fast) cloth.model.held.push_back(first + v);
     }
     cloth.touches.push_back({range.filter, range.contact_radius});
