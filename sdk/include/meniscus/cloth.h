@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth, ropes and rods, what holds them, and what can be read of them. Units as in defs.h.
+// Cloth, ropes and rods, their attachments and read-outs, and wind. Units as in defs.h.
 #pragma once
 
 #include <meniscus/defs.h>
@@ -12,21 +12,22 @@ namespace meniscus {
 
 // ---- fabric ----
 
-/// What stretch and shear act on.
+/// The elements that resist stretch and shear.
 enum class StretchModel {
-  /// The lengths of edges: the cheaper one. It takes edges along warp and weft; where there are none, what is
-  /// pulled along these shears as well, and a strip of the default fabric yields five to ten times as far.
+  /// The lengths of edges. This is the cheaper model. It needs edges along warp and weft. In a mesh without
+  /// such edges a pull along warp or weft also shears. A strip of the default fabric then stretches five to
+  /// ten times as far.
   edges,
-  triangles,  ///< strain along warp and weft, and shear, of each triangle (Müller et al. 2014)
+  triangles,  ///< strains of each triangle along warp and weft, and its shear (Müller et al. 2014)
 };
 
 /// How bending is measured.
 enum class BendingModel {
-  isometric,  ///< quadratic bending (Bergou et al. 2006) where cloth is flat at rest, dihedral elsewhere
-  dihedral,   ///< the angle between two triangles, from that at rest
+  isometric,  ///< quadratic bending (Bergou et al. 2006) for cloth that is flat at rest, else dihedral
+  dihedral,   ///< the angle between two triangles, relative to rest
 };
 
-/// Stiffnesses are per width of cloth, as tests of fabric give them, ≥ 0; infinity is unyielding.
+/// Stiffnesses are per width of cloth, as in tests of fabric, and ≥ 0. Infinity is unyielding.
 struct FabricDef {
   float density = 0.2f;  ///< kg/m², 1e-6 to 1e4; silk .05, cotton .15, denim .4, canvas .6
   StretchModel stretch_model = StretchModel::edges;
@@ -35,31 +36,31 @@ struct FabricDef {
   float shear_stiffness = 100.0f;   ///< N/m: shear force over the shear angle
   BendingModel bending_model = BendingModel::isometric;
   float bending_stiffness = 5e-5f;  ///< N·m: moment over curvature
-  /// s, Rayleigh's, 0 to 1e6: viscous forces are so many times the elastic ones' rate.
+  /// s, Rayleigh's, 0 to 1e6: the viscous force is this time multiplied by the rate of the elastic force.
   float stretch_damping = 0.002f;
   float bending_damping = 0.01f;  ///< s, likewise
-  float thickness = 0.0f;  ///< m, up to 1000: two layers keep this distance; 0: a quarter of the mean edge
-  float friction = 0.3f;   ///< Coulomb's μ between cloth and cloth; on solids SurfaceDef::friction counts
+  float thickness = 0.0f;  ///< m, up to 1000: distance that two layers keep; 0: a quarter of the mean edge
+  float friction = 0.3f;   ///< Coulomb's μ of cloth on cloth; on solids SurfaceDef::friction counts
   float fluid_friction = 0.0f;  ///< Coulomb's μ between fluid and cloth
-  float fluid_adhesion =
-      0.0f;  ///< Pa: the pull on a wet layer of particles, per area, as SurfaceDef::adhesion
-  /// 1/s: how much fluid passes through, in m/s for each metre of water column across it (ISO 11058, ASTM
-  /// D4491: Darcy's permeability over thickness); 0: tight. What is on its way through does not press: at
+  float fluid_adhesion = 0.0f;  ///< Pa: pull on a wet layer of particles, as SurfaceDef::adhesion
+  /// 1/s: the flow through the cloth, in m/s for each metre of water column across it (ISO 11058, ASTM D4491:
+  /// Darcy's permeability over thickness). 0 is tight. Particles on their way through do not press, so at
   /// 0.8/s a tenth less passes.
   float permittivity = 0.0f;
-  /// kg/m² of fluid that it takes up at most, of the first fluid that it touches; 0: none. Particles are
-  /// taken up whole, where the cloth around has room: one wets an area of its mass over this.
+  /// kg/m²: the most fluid that it absorbs, of the first fluid that it touches. 0: none. Whole particles are
+  /// absorbed, if the cloth around them has room. One particle wets an area of its mass divided by this.
   float absorbency = 0.0f;
-  /// 0 to 1: the share of it that is kept for good (as ISO 9073-6 measures it, hung up to drip); the rest
-  /// runs down, gathers at the lowest places and drips from there. Cloth that is strained keeps less.
+  /// 0 to 1: the fraction of the absorbency that stays in cloth that hangs to drip (ISO 9073-6). The rest
+  /// runs down, gathers at the lowest vertices and drips from there. Strained cloth keeps less.
   float retention = 0.8f;
-  float drainage = 0.05f;    ///< m/s: how fast what it does not keep runs down steep cloth
+  float drainage = 0.05f;    ///< m/s: speed of fluid that runs down steep cloth
   float drag = 1.0f;         ///< C_D of a flat plate in the world's wind; 0: no drag
   float lift = 0.5f;         ///< C_L of a flat plate
-  float tear_strain = 0.0f;  ///< edges stretched further than this tear; 0: never
+  float tear_strain = 0.0f;  ///< strain beyond which edges tear; 0: never
 };
 
-/// A flat sheet in the plane y = 0 of its frame, centred there: the warp along x, the weft along z.
+/// A flat sheet in the plane y = 0 of its frame, centred at the origin. The warp is along x and
+/// the weft along z.
 struct SheetGeometry {
   float width = 1.0f;  ///< m, along x
   float depth = 1.0f;  ///< m, along z
@@ -68,26 +69,25 @@ struct SheetGeometry {
   int rows = 33;
 };
 
-/// Any triangles: from a file that assimp reads, in which vertices at one place are one vertex.
+/// Any triangles, from a file that assimp reads. Vertices at the same position are merged.
 struct ClothFile {
   std::string file;
-  float scale =
-      1.0f;  ///< metres a file unit; where the file says how long its unit is, as FBX does, a factor
+  float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
 };
 
-/// Any triangles. Edges have at most two.
+/// Any triangles. An edge has at most two.
 struct ClothTriangles {
   std::vector<Vec3> vertices;       ///< m, at rest
   std::vector<uint32_t> triangles;  ///< three numbers each
 };
 
-/// A closed sphere about the origin, of nearly equal triangles: an icosahedron's, divided.
+/// A closed sphere about the origin, of nearly equal triangles: a subdivided icosahedron.
 struct ClothSphere {
   float radius = 0.5f;  ///< m
   int divisions = 8;    ///< of an edge of the icosahedron, 1 to 500; there are 10 · divisions² + 2 vertices
 };
 
-/// A tube or cone about the y axis, centred at the origin, open at both ends; or, with a bottom, a bag.
+/// A tube or cone about the y axis, centred at the origin and open at both ends. With a bottom it is a bag.
 struct ClothTube {
   float top_radius = 0.2f;     ///< m
   float bottom_radius = 0.5f;  ///< m
@@ -100,28 +100,29 @@ struct ClothTube {
 
 using ClothGeometry = std::variant<SheetGeometry, ClothFile, ClothTriangles, ClothSphere, ClothTube>;
 
-/// Gas inside a closed piece of cloth. Where the cloth tears, it escapes. Its overpressure is
-/// air_pressure · (fills − V)/V₀, with V₀ the volume at rest and fills = V₀ (1 + pressure/air_pressure): near
-/// V₀ that of an ideal gas at one temperature.
+/// Gas inside a closed piece of cloth. It escapes if the cloth tears. Its overpressure is
+/// air_pressure · (fills − V)/V₀, with V₀ the volume at rest and fills = V₀ (1 + pressure/air_pressure). Near
+/// V₀ this is the pressure of an ideal gas at constant temperature.
 struct InflationDef {
-  float pressure = 0.0f;           ///< Pa above the air outside, at the volume of the cloth's rest shape
-  float air_pressure = 101325.0f;  ///< Pa outside: how much the gas resists a change of its volume; > 0
+  float pressure = 0.0f;           ///< Pa above the air outside, at the volume of the rest shape
+  float air_pressure = 101325.0f;  ///< Pa outside, > 0: resistance of the gas to a change of volume
 };
 
-/// Where it starts in a solid it comes out by half its thickness in .02 s, and gains no more speed by that.
+/// Cloth that starts inside a solid is pushed out by half its thickness per 0.02 s and gains no
+/// further speed.
 struct ClothDef {
   std::string name;
   ClothGeometry geometry = SheetGeometry{};
   Pose pose{};             ///< of the geometry's frame
-  Vec3 stretch{1, 1, 1};   ///< at creation the geometry is scaled by this; at rest it is not
+  Vec3 stretch{1, 1, 1};   ///< scales the geometry at creation; the rest shape is unscaled
   Vec3 velocity{0, 0, 0};  ///< m/s
   FabricDef fabric{};
   CollisionFilter filter{};  ///< with solids, and with other cloth
   bool self_collision = true;
-  /// Whether each vertex is pulled, where it is further from the nearest vertex that is held fast than along
-  /// the cloth at rest (Kim, Chentanez & Müller 2012): cloth that is no grid then hangs with hardly more
-  /// stretch at few substeps than at many. All that pulls so is together as stiff as the fabric, so that
-  /// soft cloth hangs with half its stretch.
+  /// Whether tethers pull a vertex that is further from the nearest held vertex than along the cloth at rest
+  /// (Kim, Chentanez & Müller 2012). Cloth that is no grid then hangs with hardly more stretch at few
+  /// substeps than at many. All tethers together are as stiff as the fabric, so soft cloth hangs with half of
+  /// its stretch.
   bool tethers = true;
   std::optional<InflationDef> inflation{};  ///< closed pieces alone
   Vec3 color{0.75f, 0.2f, 0.2f};            ///< linear RGB, 0 to 1
@@ -129,53 +130,52 @@ struct ClothDef {
 
 // ---- ropes and rods ----
 
-/// A chain of straight segments, as thick as its radius. A rod bends and twists, each segment having a frame
-/// (Kugelstadt & Schömer 2016); a rope has a length alone.
+/// A row of straight segments with a radius. A rod bends and twists, and each of its segments has a frame
+/// (Kugelstadt & Schömer 2016). A rope has a length alone.
 struct RopeDef {
   std::string name;
-  std::vector<Vec3> points;  ///< m, in the frame below: the vertices at rest, or with `segments` corners
-  int segments = 0;  ///< when > 0, the way along the points is divided into so many; at most a million
+  std::vector<Vec3> points;  ///< m, in the frame of `pose`: vertices at rest, or corners with `segments`
+  int segments = 0;          ///< if > 0, the path along the points is divided into so many; at most a million
   Pose pose{};
   Vec3 velocity{0, 0, 0};         ///< m/s
   float radius = 0.005f;          ///< m, 1e-6 to 1000
   float density = 1000.0f;        ///< kg/m³, 0.001 to 1e6
   bool bends_and_twists = false;  ///< a rod; else a rope
   float youngs_modulus = 1e8f;    ///< Pa, ≥ 1e-6; infinity: unyielding
-  float shear_modulus = 3.5e7f;   ///< Pa, ≥ 1e-6: of rods' twist
+  float shear_modulus = 3.5e7f;   ///< Pa, ≥ 1e-6: for the twist of rods
   float damping = 0.001f;         ///< s, Rayleigh's
   bool closed = false;            ///< the last vertex is joined to the first
-  bool straight_at_rest = false;  ///< rods: however the points lie
+  bool straight_at_rest = false;  ///< for rods: whether they are straight at rest, however the points lie
   CollisionFilter filter{};       ///< with solids; ropes pass through ropes and cloth
   Vec3 color{0.6f, 0.5f, 0.3f};   ///< linear RGB, 0 to 1
 };
 
 // ---- attachments ----
 
-/// Holds vertices of a piece of cloth or of a rope where they are: to the world, to a body, or to other
-/// vertices of another piece or rope or of the same, which are then held at the distance that they have.
+/// Holds vertices of a piece of cloth or a rope where they are. They are held to the world, to a body, or to
+/// other vertices at their present distance. These may belong to another piece or rope or to the same one.
 /// Exactly one of `cloth` and `rope` is given, and at most one of `body`, `other_cloth` and `other_rope`.
 struct AttachmentDef {
   std::string name;
   std::optional<ClothId> cloth{};
   std::optional<RopeId> rope{};
   std::vector<uint32_t> vertices{};  ///< by number
-  std::optional<Aabb> region{};      ///< and those in this box of the world, as they lie now
+  std::optional<Aabb> region{};  ///< in addition those in this box of the world, at their present positions
   std::optional<BodyId> body{};
   std::optional<ClothId> other_cloth{};
   std::optional<RopeId> other_rope{};
-  /// Each vertex is sewn to the nearest vertex of the other piece no further away than this, m; the rest stay
-  /// free.
+  /// m: each vertex is sewn to the nearest vertex of the other piece within this distance, or stays free.
   float reach = 0.05f;
   float compliance = 0.0f;  ///< m/N, of a seam
-  bool clamped = false;     ///< a rod's segments between its held vertices keep their direction as well
+  bool clamped = false;     ///< segments of a rod between held vertices keep their directions as well
 };
 
 // ---- wind ----
 
-/// Air that moves. Gusts are a field of waves without divergence, the same for the same seed.
+/// Moving air. Gusts are a divergence-free field of waves, equal for equal seeds.
 struct WindDef {
   Vec3 velocity{0, 0, 0};    ///< m/s
-  float air_density = 1.2f;  ///< kg/m³; 0: no air at all, and no drag
+  float air_density = 1.2f;  ///< kg/m³; 0: no air and no drag
   float gust_speed = 0.0f;   ///< m/s, standard deviation, 0 to 1e6
   float gust_size = 2.0f;    ///< m
   uint32_t seed = 1;
@@ -187,7 +187,7 @@ struct ClothState {
   float mass = 0;        ///< kg, with the fluid that it holds
   float fluid_mass = 0;  ///< kg, of that fluid
   float area = 0;        ///< m², at rest
-  /// Mean of |l/L − 1| over the edges of all triangles, l their length and L that at rest: 0 is unstretched.
+  /// Mean of |l/L − 1| over the edges of all triangles, with length l and length at rest L. 0 is unstretched.
   /// An edge of two triangles counts twice.
   float mean_stretch = 0;
   float max_stretch = 0;     ///< largest l/L: 1 is unstretched
@@ -199,7 +199,7 @@ struct ClothState {
   bool closed = false;
 };
 
-/// A vertex that tore in two in the last step: `original` keeps its number, and `copy` is that of the new
+/// A vertex that tore in two in the last step. `original` keeps its number. `copy` is the number of the new
 /// one, at the end of the piece's read-outs.
 struct TearEvent {
   ClothId cloth{};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The exception that every failing call throws, and its codes.
 #pragma once
 
 #include <stdexcept>
@@ -8,19 +10,19 @@
 namespace meniscus {
 
 enum class ErrorCode {
-  invalid_argument,  ///< a value outside what the call allows
-  not_found,         ///< an id or a name that is not there
+  invalid_argument,  ///< a value that the call does not allow
+  not_found,         ///< an id or a name that does not exist
   io,                ///< a file that cannot be read or written
   parse,             ///< a scene file with a wrong, missing or unknown key
-  mesh,              ///< a mesh that cannot be used: empty, degenerate, no inside
-  capacity,          ///< a final limit was reached; the message names it and the remedy
-  non_finite,  ///< the step met NaN, infinity or more than 1.7·10¹⁹ m/s; the state is the one before
-  device,      ///< CUDA or the driver failed, or the asked device is not there
+  mesh,              ///< an unusable mesh: empty, degenerate or without an inside
+  capacity,          ///< a fixed limit was reached; the message names it and the remedy
+  non_finite,  ///< the step met NaN, infinity or more than 1.7·10¹⁹ m/s; the state before it is restored
+  device,      ///< CUDA or the driver failed, or the requested device does not exist
   out_of_memory,
 };
 
-/// What every failing call of the library throws. The message names the argument, its value and what is
-/// allowed. A call that throws has added nothing.
+/// Every failing call of the library throws this. The message names the argument, its value and the allowed
+/// values. A call that throws has added nothing.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What brings particles into a world while it runs, and what takes them out. Units as in defs.h.
+// Emitters add particles to a running world, and sinks remove them. Units as in defs.h.
 #pragma once
 
 #include <meniscus/defs.h>
@@ -23,38 +23,37 @@ struct RectangleOpening {
   float depth = 0.2f;  ///< m, along z
 };
 
-/// The surface of any triangle mesh. Particles leave each triangle along its normal, out of the solid.
+/// The surface of any triangle mesh. Particles leave each triangle along its outward normal.
 struct MeshOpening {
   std::string file;
-  float scale =
-      1.0f;  ///< metres a file unit; where the file says how long its unit is, as FBX does, a factor
+  float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
 };
 
 using EmitterOpening = std::variant<DiscOpening, RectangleOpening, MeshOpening>;
 
-/// Makes particles in front of an opening: in layers so far apart that the jet has its rest density, each
-/// where it has got to since it left, under gravity, at the step's end. The volume that leaves is exact,
-/// however few particles fit across the opening; a jet holds together from three spacings on.
-/// Over the first support radius a particle keeps its velocity, as if the pipe were still behind it.
+/// Makes particles in front of an opening, in layers that give the jet its rest density. Each particle is
+/// placed where it has moved to under gravity between its emission and the end of the step. The emitted
+/// volume is exact, however few particles fit across the opening. A jet stays together from three spacings
+/// on. Over the first support radius a particle keeps its velocity, as if the pipe were still behind it.
 ///
-/// A particle gets no place nearer than 0.7 spacings to another one or to a vertex of cloth, nor nearer than
-/// half a spacing to a solid that its fluid collides with, nor beyond one. Where there is no room, one
-/// particle waits in front of the opening until there is, and less leaves meanwhile; particles in its way are
-/// driven on as if they had left the opening themselves. So an opening under water works, and a closed vessel
-/// fills up without a burst. What leaves does not push a body back.
+/// A particle is not placed nearer than 0.7 spacings to another one or to a vertex of cloth. Nor is it placed
+/// nearer than half a spacing to a solid that its fluid collides with, or beyond one. Without room one
+/// particle waits in front of the opening, and less is emitted. Particles in its way get the velocity of the
+/// jet. So an opening under water works, and a closed vessel fills up without a burst. Emitted fluid exerts
+/// no recoil on a body.
 struct EmitterDef {
   std::string name;
   FluidId fluid{};  ///< or a granular material
   EmitterOpening opening = DiscOpening{};
   Pose pose{};                   ///< of the opening, in the world; with a body, in the body's frame
-  std::optional<BodyId> body{};  ///< carries the opening, and gives what leaves its own velocity on top
+  std::optional<BodyId> body{};  ///< carries the opening; its velocity is added to the emitted particles
   float speed = 1.0f;            ///< m/s, out of the opening, > 0
-  /// m³/s that leaves, at most speed · area of the opening; 0: as much as that. Half of it or less leaves as
-  /// an even spray, in place of a jet.
+  /// m³/s, at most speed · area of the opening. 0 means that maximum. At half of the maximum or less, an even
+  /// spray leaves in place of a jet.
   float rate = 0.0f;
   float start = 0.0f;                                   ///< s, of World::time, ≥ 0
   float stop = std::numeric_limits<float>::infinity();  ///< s, ≥ start
-  std::optional<uint32_t> most_particles{};             ///< it makes no more than these
+  std::optional<uint32_t> most_particles{};             ///< limit on the particles that it makes
 };
 
 // ---- sinks ----
@@ -67,8 +66,8 @@ struct HalfSpaceRegion {
 
 using SinkRegion = std::variant<BoxRegion, BallRegion, HalfSpaceRegion>;
 
-/// Takes every particle, of fluid or grain, inside the region at the end of a step; or, with `outside`, every
-/// one outside of it. A particle counts for one sink alone.
+/// Removes all particles of fluids and grains inside the region at the end of a step, or outside of it with
+/// `outside`. Each removed particle counts for one sink alone.
 struct SinkDef {
   std::string name;
   SinkRegion region = BoxRegion{{-1, -1, -1}, {1, 1, 1}};
@@ -79,7 +78,7 @@ struct SinkDef {
 
 // ---- read-outs ----
 
-/// Particles that an emitter made, or that a sink took.
+/// The number of particles that an emitter made or a sink removed.
 struct FlowCount {
   uint32_t last_step = 0;
   uint64_t total = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Particles for a renderer that draws on the GPU that simulates, with no way through the host.
+// Particles for a renderer on the GPU that simulates, without a copy through the host.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace meniscus {
 
-/// Two buffers of OpenGL's that worlds on CUDA write their particles to: see World::write_particles. The
-/// context that has them must be current wherever this is made, used and destroyed; they must outlive it, and
-/// keep their storage.
+/// Two OpenGL buffers that worlds on CUDA write their particles to: see World::write_particles. The context
+/// of the buffers must be current wherever this object is created, used and destroyed. The buffers must
+/// outlive it and keep their storage.
 class GlParticles {
  public:
-  /// By the names that OpenGL gave them: 40 bytes a particle as Ellipsoid has them, and 4 for FluidId::index.
-  /// Throws Error(device) where CUDA is not there, or cannot share them, as where another device draws than
-  /// the one that simulates.
+  /// Takes the OpenGL names of two buffers: one of 40 bytes a particle for Ellipsoid, and one of 4 bytes a
+  /// particle for FluidId::index. Throws Error(device) without CUDA, or if CUDA cannot share the buffers, as
+  /// when one device draws and another simulates.
   GlParticles(uint32_t ellipsoids, uint32_t fluids);
   ~GlParticles();
   GlParticles(GlParticles&&) noexcept;

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Ids of the objects in a world.
 #pragma once
 
 #include <cstdint>
 
 namespace meniscus {
 
-/// Names a thing in one world. Opaque: it comes from a create call. A stale or foreign id is refused, not
-/// followed.
+/// Names an object in one world. Opaque: a create call returns it. A stale or foreign id is an error.
 template <class Tag>
 struct Id {
   uint32_t index = 0xffffffff;
@@ -16,7 +17,7 @@ struct Id {
   friend bool operator==(Id, Id) = default;
 };
 
-using FluidId = Id<struct FluidTag>;  ///< what particles are made of: a fluid, or a granular material
+using FluidId = Id<struct FluidTag>;  ///< of a fluid or a granular material
 using ShapeId = Id<struct ShapeTag>;
 using BodyId = Id<struct BodyTag>;
 using JointId = Id<struct JointTag>;
@@ -27,7 +28,7 @@ using EmitterId = Id<struct EmitterTag>;
 using SinkId = Id<struct SinkTag>;
 using ProbeId = Id<struct ProbeTag>;
 
-/// Particles are numbered from 0 in the order of their making, and a number is never used again.
+/// Particles are numbered from 0 in the order of their creation. A number is never used again.
 using ParticleId = uint64_t;
 
 }  // namespace meniscus

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Values that a step and the read-outs return: reports, surfaces, diagnostics, devices, memory.
 #pragma once
 
 #include <meniscus/types.h>
@@ -12,15 +14,15 @@
 
 namespace meniscus {
 
-/// A particle as a piece of its fluid's surface (Yu & Turk 2013): see World::ellipsoids.
+/// A particle as a part of the surface of its fluid (Yu & Turk 2013): see World::ellipsoids.
 struct Ellipsoid {
   Vec3 centre{0, 0, 0};       ///< m
   Vec3 radii{0, 0, 0};        ///< m, along x, y and z of its frame
   Quat rotation{0, 0, 0, 1};  ///< from its frame to the world's
 };
 
-/// Where World::write_particles writes to, in the memory of the world's device: that of the GPU on CUDA. One
-/// element a particle, in the order of the ids.
+/// The arrays that World::write_particles writes, in the memory of the world's device. On CUDA that is the
+/// memory of the GPU. One element a particle, in the order of the ids.
 struct ParticleArrays {
   Ellipsoid* ellipsoids = nullptr;
   uint32_t* fluids = nullptr;  ///< FluidId::index
@@ -30,16 +32,16 @@ struct ParticleArrays {
 struct SurfaceMesh {
   std::vector<Vec3> vertices;                      ///< m
   std::vector<Vec3> normals;                       ///< unit, one a vertex, out of the fluid
-  std::vector<std::array<uint32_t, 3>> triangles;  ///< corners turn counter-clockwise as seen from outside
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise as seen from outside
 };
 
 enum class DiffuseKind : uint32_t { spray, foam, bubble };
 
-/// A piece of air and water: see DiffuseDef.
+/// A particle of spray, foam or a bubble: see DiffuseDef.
 struct DiffuseParticle {
   Vec3 position;     ///< m
   Vec3 velocity;     ///< m/s
-  float life;        ///< s that are left
+  float life;        ///< s, remaining
   DiffuseKind kind;  ///< as of the last step
 };
 
@@ -49,42 +51,42 @@ inline constexpr std::size_t stage_count = 7;
 
 const char* stage_name(Stage stage);
 
-/// What one step did and cost.
+/// Counts and times of one step.
 struct StepReport {
   int substeps = 0;
   int iterations = 0;  ///< per substep
-  /// Per substep, on average: fewer where DensitySolverDef::tolerance ends them.
+  /// Per substep, on average. DensitySolverDef::tolerance can end them early.
   double density_iterations = 0;
   double ms = 0;  ///< wall clock, host and device
-  /// On the device, summed over the substeps. Where there are fluids, a GPU finds contacts while it lists
-  /// neighbours: `neighbours` is then both.
+  /// On the device, summed over the substeps. With fluids, a GPU finds contacts while it lists neighbours.
+  /// `neighbours` then contains both.
   std::array<double, stage_count> stage_ms{};
-  double rigid_ms = 0;           ///< of ms, what Bullet took on the host
+  double rigid_ms = 0;           ///< time of Bullet on the host, contained in ms
   uint32_t contacts = 0;         ///< in the last substep
-  uint32_t max_neighbours = 0;   ///< the fullest neighbour list that a particle ever needed
-  uint32_t removed = 0;          ///< particles that sinks took
+  uint32_t max_neighbours = 0;   ///< the longest neighbour list that any particle has needed so far
+  uint32_t removed = 0;          ///< particles that sinks removed
   uint32_t emitted = 0;          ///< particles that emitters made
-  uint32_t absorbed = 0;         ///< particles that cloth took up
-  uint32_t dripped = 0;          ///< particles that fell from it
-  uint32_t diffuse = 0;          ///< spray, foam and bubbles, in all
-  uint32_t diffuse_refused = 0;  ///< that found no room: see DiffuseDef::capacity
+  uint32_t absorbed = 0;         ///< particles that cloth absorbed
+  uint32_t dripped = 0;          ///< particles that dripped from cloth
+  uint32_t diffuse = 0;          ///< all spray, foam and bubbles
+  uint32_t diffuse_refused = 0;  ///< those that were not made for lack of room: see DiffuseDef::capacity
   float max_speed = 0;           ///< m/s, of particles and of vertices of cloth and ropes
 };
 
-/// The state of the particles, measured afresh from their positions. Density error is C = ρ/ρ₀ − 1. What says
-/// `all` counts vertices of cloth and ropes as well; rigid bodies are in none.
+/// The state of the particles, measured from their present positions. The density error is C = ρ/ρ₀ − 1.
+/// "Of all" means particles and the vertices of cloth and ropes. Rigid bodies do not count.
 struct Diagnostics {
   std::size_t particles = 0;          ///< of fluids and granular materials
   double density_error_mean = 0;      ///< mean of max(C, 0) over all particles
   double density_error_max = 0;       ///< largest C
-  double density_error_interior = 0;  ///< mean of |C| over particles whose support is full
+  double density_error_interior = 0;  ///< mean of |C| over particles with a full support
   double neighbours_mean = 0;         ///< particles within the support radius of one
-  double kinetic_energy = 0;          ///< J, of all; what is held fast has none
-  double potential_energy = 0;        ///< J, of all, in the world's gravity, from the origin; likewise
+  double kinetic_energy = 0;          ///< J, of all; vertices that are held have none
+  double potential_energy = 0;        ///< J, of all, in the world's gravity, relative to the origin; likewise
   float max_speed = 0;                ///< m/s, of all
   std::size_t contacts = 0;           ///< between particles and solids near enough to count in the density
   std::size_t non_finite = 0;         ///< of all
-  std::size_t outside = 0;            ///< of all, beyond a container's wall, or inside a solid
+  std::size_t outside = 0;            ///< of all, beyond the wall of a container or inside a solid
 };
 
 /// A device as `meniscus devices` lists it.
@@ -98,7 +100,7 @@ struct DeviceInfo {
 
 std::vector<DeviceInfo> list_devices();
 
-/// Arrays of a world on its device, by what they are for.
+/// Memory of the arrays of a world on its device, by purpose.
 struct MemoryShare {
   std::string what;
   std::size_t bytes = 0;

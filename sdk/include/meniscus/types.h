@@ -29,10 +29,10 @@ struct Pose {
   Quat rotation{0, 0, 0, 1};
 };
 
-/// Two things collide where each one's group is in the other's mask.
+/// Two objects collide if each one's group is in the other's mask.
 struct CollisionFilter {
-  uint32_t groups = 1;          ///< bits: what it is
-  uint32_t mask = 0xffffffffu;  ///< bits: what it collides with
+  uint32_t groups = 1;          ///< bits: the groups of this object
+  uint32_t mask = 0xffffffffu;  ///< bits: the groups that it collides with
 
   friend bool operator==(const CollisionFilter&, const CollisionFilter&) = default;
 };
