@@ -32,7 +32,7 @@ using pbd::Vec4Of;
 /// 2. Ways to the sides, y: (1 + w G) y = w f, with f the part of the vertices' pushes across the chain, what
 ///    comes of λ having turned, and G the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy: in pairs,
 ///    so that momentum is kept.
-///    Where a mass m stands behind a vertex (Substep::pressed), it resists as well: s has it beside Σ|λ|/l,
+///    Where a mass m stands behind a vertex (Substep::effective_mass), it resists as well: s has it beside Σ|λ|/l,
 ///    the row of y is (1 + w G + w m) y = w f, and the mass gets m y.
 ///
 /// 3. Both hold as long as edges hardly turn. Where a vertex would move further than its edge is long, as a
@@ -56,7 +56,7 @@ struct SolveChains {
   View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
   VertexState all;
   View<Vec4> pending;         ///< kg·m, by vertex, where any is
-  View<Vec4> effective_mass;  ///< see Substep::pressed
+  View<Vec4> effective_mass;  ///< see Substep::effective_mass
   /// By piece, see load_kernels::Bearing, if any may bear something: those chains take up nothing that is
   /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
   View<const uint32_t> loaded;

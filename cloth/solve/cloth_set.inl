@@ -248,7 +248,7 @@ stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& subst
           .shears = starts_from_last(),
           .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},
           .ends = turn.ends,
-          .next_share = parameters_.warm_start};
+          .next_fraction = parameters_.warm_start};
 }
 
 template <class D>

@@ -38,7 +38,8 @@ struct SolveEdge {
   bool shears;
   View<const uint32_t> loaded;  ///< by piece, see load_kernels::Bearing
   bool ends;                    ///< the substep: what is left is for the next one
-  float next_share;  ///< for that, of what pulls (λ < 0) or shears; of what else pushes less, as it buckles
+  float
+      next_fraction;  ///< for that, of what pulls (λ < 0) or shears; of what else pushes less, as it buckles
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(edges, k);
@@ -138,8 +139,9 @@ struct SolveEdge {
   template <class Real>
   MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest,
                         const Real& shearing) const {
-    const Real of_push = select_less(Real(0), shearing, Real(next_share), Real(pushing_share * next_share));
-    const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_share), of_push);
+    const Real of_push =
+        select_less(Real(0), shearing, Real(next_fraction), Real(pushing_share * next_fraction));
+    const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_fraction), of_push);
     return max(-most, -max(-most, -part * lambda));
   }
 };

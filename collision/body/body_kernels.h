@@ -22,7 +22,7 @@ struct Predict {
 
   MENISCUS_HD BodyEnds ends(uint32_t b) const {
     const RigidMotion m = motion[b];
-    return {m.start, accumulated_delta(m.start, dt * m.velocity, dt * m.angular_velocity)};
+    return {m.start, displaced(m.start, dt * m.velocity, dt * m.angular_velocity)};
   }
   MENISCUS_HD void operator()(uint32_t b) const {
     const auto [start, pose] = ends(b);

@@ -16,11 +16,11 @@ struct BodyContacts;
 /// sheet.
 ///
 /// So a vertex that a contact pushes, or is about to, resists motion across its chain by what is behind it as
-/// well, 1/w_b (Substep::pressed): its share of the body, as for contacts (BodySet). What it has pressed that
-/// with, the contact hands on to the body; along its chain it slides as it did. Friction comes before the
-/// chains, not after them: with the load of a heavy body it holds a light vertex wherever it is, and what
-/// comes last must leave chains at their lengths. What lies between a body and something behind it is pinched
-/// (collision/contact/two_sided_contact.h).
+/// well, 1/w_b (Substep::effective_mass): its share of the body, as for contacts (BodySet). What it has
+/// pressed that with, the contact hands on to the body; along its chain it slides as it did. Friction comes
+/// before the chains, not after them: with the load of a heavy body it holds a light vertex wherever it is,
+/// and what comes last must leave chains at their lengths. What lies between a body and something behind it
+/// is pinched (collision/contact/two_sided_contact.h).
 ///
 /// Must come before the cloth; transfer() after it, and before the contacts.
 template <class D>

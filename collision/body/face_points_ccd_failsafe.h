@@ -91,7 +91,7 @@ struct Demand {
     const BodyProxy& body = bodies[shape.body];
     if (body.first == body.end) return shape.pose;
     const ContactMotion motion = body_motion[shape.body];
-    return accumulated_delta(body.pose, motion.shift, motion.turn) * (inverse(body.pose) * shape.pose);
+    return displaced(body.pose, motion.shift, motion.turn) * (inverse(body.pose) * shape.pose);
   }
 
   /// Of the way, what the vertices must go, as some of them may be held; the body goes the rest when it has

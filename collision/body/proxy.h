@@ -51,7 +51,7 @@ MENISCUS_HD inline float largest_inverse_mass_at(const BodyProxy& body, Vec3 r) 
 }
 
 /// Where a body gets to: the same map as Bullet's (btTransformUtil::integrateTransform).
-MENISCUS_HD inline Pose accumulated_delta(const Pose& from, Vec3 shift, Vec3 turn) {
+MENISCUS_HD inline Pose displaced(const Pose& from, Vec3 shift, Vec3 turn) {
   return {from.position + shift, normalized(rotation_by(turn) * from.rotation)};
 }
 

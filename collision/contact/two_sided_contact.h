@@ -154,7 +154,7 @@ MENISCUS_HD inline TwoSidedContact two_sided_between(pbd::Contact& a, pbd::Conta
 /// Contacts where bodies may press on cloth, ropes and points of faces.
 struct TwoSidedContacts {
   pbd::ContactProjection all;
-  pbd::View<const pbd::Vec4> effective_mass;  ///< see Substep::pressed
+  pbd::View<const pbd::Vec4> effective_mass;  ///< see Substep::effective_mass
   uint32_t sorted;                            ///< see ParticleView
 
   /// Of particle i, which has contacts. Vertices that are pressed against bodies have had their friction

@@ -102,12 +102,12 @@ struct alignas(16) FluidClothContact {
   Vec3 normal;        ///< unit, towards the particle
   float fraction;     ///< see pbd::Contact
   uint32_t part;
-  uint32_t contact;  ///< its number among all contacts
-  float share;       ///< of the particle that the sheet carries: 1 over the number of sheets that do
-  float carried;     ///< kg, the same
-  Vec3 followed;     ///< m: how far the sheet had been moved here when the contact last followed it
-  Vec3 given;        ///< kg·m: what the vertices have got back so far, of what the contact has pushed
-  Vec3 pending;      ///< kg·m: what they are to get back now
+  uint32_t contact;        ///< its number among all contacts
+  float carried_fraction;  ///< of the particle that the sheet carries: 1 over the number of sheets that do
+  float carried;           ///< kg, the same
+  Vec3 followed;           ///< m: how far the sheet had been moved here when the contact last followed it
+  Vec3 given;              ///< kg·m: what the vertices have got back so far, of what the contact has pushed
+  Vec3 pending;            ///< kg·m: what they are to get back now
   uint32_t vertex[most_vertices];
   float weight[most_vertices];  ///< their sum is 1
 
@@ -120,7 +120,7 @@ struct alignas(16) FluidClothContact {
     fraction = of_plane;
     part = of_part;
     contact = no_index;
-    share = carried = 0;
+    carried_fraction = carried = 0;
     followed = given = pending = {0, 0, 0};
   }
   MENISCUS_HD void set(uint32_t k, uint32_t v, float w) {

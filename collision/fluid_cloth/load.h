@@ -82,7 +82,7 @@ struct AtTouches {
   MENISCUS_HD bool is_live(const FluidClothContact& t) const {
     return is_used(t) && t.contact < contacts.count;
   }
-  MENISCUS_HD bool effective_mass(uint32_t i) const { return (phase[i] & pbd::phase_pressing) != 0; }
+  MENISCUS_HD bool is_pressing(uint32_t i) const { return (phase[i] & pbd::phase_pressing) != 0; }
 
   /// m: how far the sheet has been moved in the substep. What nothing moves notes impulses in `moved`.
   MENISCUS_HD Vec3 motion_of_cloth(const FluidClothContact& t) const {
@@ -118,7 +118,7 @@ struct AtTouches {
     Vec3 step{0, 0, 0};
     for (uint32_t n = 0; n < most_touches; ++n) {
       FluidClothContact& t = touch(k, n);
-      if (is_live(t)) step += t.fraction * follow(t);
+      if (is_live(t)) step += t.carried_fraction * follow(t);
     }
     if (TouchTeam::leads()) move(i, step);
   }
@@ -174,7 +174,7 @@ struct StartTouches {
     if (k >= at.near.count()) return;
     const uint32_t i = at.near.particle[k];
     int carriers = 0;
-    bool carried = at.effective_mass(i);
+    bool carried = at.is_pressing(i);
     for (uint32_t n = 0; n < most_touches; ++n) {
       carriers += at.is_live(at.touch(k, n));
       carried |= at.comes_to_press(at.touch(k, n), i);
@@ -187,8 +187,8 @@ struct StartTouches {
       const Vec3 followed = live ? at.motion_of_cloth(t) : Vec3{0, 0, 0};
       if (!TouchTeam::leads()) continue;
       t.followed = followed;
-      t.fraction = carried && live ? 1.0f / static_cast<float>(carriers) : 0.0f;
-      t.carried = t.fraction / at.position[i].w;
+      t.carried_fraction = carried && live ? 1.0f / static_cast<float>(carriers) : 0.0f;
+      t.carried = t.carried_fraction / at.position[i].w;
       t.pending = -t.carried * displacement;
     }
   }
@@ -234,7 +234,7 @@ struct GiveMomentum {
       const Vec3 took = t.mean([&](uint32_t v) { return taken[v].xyz(); });
       at.follow_cloth(t);
       if (!TouchTeam::leads()) continue;
-      step += -t.fraction * took;
+      step += -t.carried_fraction * took;
       pbd::Contact& c = at.contacts[t.contact];
       c.density_push += -t.carried * took;
       t.given += -t.carried * took;
@@ -347,8 +347,8 @@ struct CarryVelocities {
     for (uint32_t n = 0; n < most_touches; ++n) {
       const FluidClothContact& t = at.touch(k, n);
       presses |= at.presses(t, i);
-      if (!is_used(t) || t.fraction == 0) continue;
-      step += t.fraction * t.mean([&](uint32_t v) { return change[v].xyz(); });
+      if (!is_used(t) || t.carried_fraction == 0) continue;
+      step += t.carried_fraction * t.mean([&](uint32_t v) { return change[v].xyz(); });
     }
     if (!TouchTeam::leads()) return;
     velocity[i] = pbd::with_w(velocity[i].xyz() + step, velocity[i].w);

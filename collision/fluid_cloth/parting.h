@@ -26,7 +26,7 @@ struct PartNeighbours {
   }
 
  private:
-  static constexpr uint32_t own_count = SearchTeam::most / SearchTeam::count();
+  static constexpr uint32_t self_count = SearchTeam::most / SearchTeam::count();
 
   struct Neighbour {
     uint32_t j;  // or the sentinel
@@ -35,14 +35,14 @@ struct PartNeighbours {
 
   /// From those from the first on. What passes through the piece stays a neighbour of both sides.
   MENISCUS_HD void part(uint32_t i, uint32_t first, uint32_t count) const {
-    Neighbour self[own_count];
-    for (uint32_t k = 0; k < own_count; ++k) self[k] = neighbour(i, place(first, k), count);
+    Neighbour self[self_count];
+    for (uint32_t k = 0; k < self_count; ++k) self[k] = neighbour(i, place(first, k), count);
     Aabb all = self[0].box;
-    for (uint32_t k = 1; k < own_count; ++k) all = pbd::joined(all, self[k].box);
+    for (uint32_t k = 1; k < self_count; ++k) all = pbd::joined(all, self[k].box);
     all = {SearchTeam::least(all.lower), -SearchTeam::least(-all.upper)};
     pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
     for (uint32_t above, boxes; walk.next_group(above, boxes);) {
-      for (uint32_t k = 0; k < own_count; ++k) {
+      for (uint32_t k = 0; k < self_count; ++k) {
         if (self[k].j == neighbours.sentinel || !are_parted_by(above, boxes, i, self[k])) continue;
         neighbours.drop(i, place(first, k));
         self[k].j = neighbours.sentinel;

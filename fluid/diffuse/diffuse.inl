@@ -39,14 +39,14 @@ void Diffuse<D>::observe(const pbd::Substep<D>& substep) {
 template <class D>
 void Diffuse<D>::move(const pbd::Substep<D>& s) {
   using namespace diffuse_kernels;
-  const pbd::View<DiffuseParticle> accumulated_delta = moved_.view().first(count_);
+  const pbd::View<DiffuseParticle> advanced = moved_.view().first(count_);
   device_.parallel_for("diffuse/move", count_,
                        Move{parameters_, s.particles.position, s.particles.velocity, s.particles.phase,
-                            s.grid, s.particles.sorted, elapsed_, present_.view(), accumulated_delta});
+                            s.grid, s.particles.sorted, elapsed_, present_.view(), advanced});
   const pbd::View<uint32_t> alive = alive_.view().first(count_);
-  device_.parallel_for("diffuse/alive", count_, MarkAlive{accumulated_delta, alive});
+  device_.parallel_for("diffuse/alive", count_, MarkAlive{advanced, alive});
   device_.exclusive_scan("diffuse/places", alive, place_.view());
-  device_.parallel_for("diffuse/keep", count_, KeepAlive{accumulated_delta, place_.view(), next_.view()});
+  device_.parallel_for("diffuse/keep", count_, KeepAlive{advanced, place_.view(), next_.view()});
 }
 
 template <class D>

@@ -82,11 +82,11 @@ struct Crumpled {
             .edge = {.edges = view_of(std::as_const(clusters.edges)),
                      .multiplier = view_of(edge_multiplier),
                      .relaxation = 1.2f,
-                     .share = starts ? 0.9f : 1,
+                     .fraction = starts ? 0.9f : 1,
                      .momentum = starts ? 0 : stretch_kernels::round_momentum,
                      .shears = starts,
                      .ends = !starts,
-                     .next_share = 0.7f},
+                     .next_fraction = 0.7f},
             .first = clusters.pass_starts[pass],
             .bends = pass < clusters.bending_passes,
             .backwards = !starts};

@@ -64,11 +64,11 @@ struct Crumpled {
         run(SolveColour{{.edges = view_of(std::as_const(all.edges)).from(first),
                          .multiplier = view_of(multiplier).from(first),
                          .relaxation = 1.2f,
-                         .share = starts ? 0.9f : 1,
+                         .fraction = starts ? 0.9f : 1,
                          .momentum = starts ? 0 : stretch_kernels::round_momentum,
                          .shears = starts,
                          .ends = !starts,
-                         .next_share = 0.7f},
+                         .next_fraction = 0.7f},
                         vertices.state()},
             all.colour_starts[colour + 1] - first);
       }
