@@ -349,13 +349,13 @@ TEST(BodyKernels, ACarriedShapesBoundsHoldItAllTheWay) {
     BodyEnds body{};
     body.start = {noise.in_cube(2), rotation_by(noise.in_cube(3))};
     const Vec3 shift = noise.in_cube(1), turn = noise.in_cube(1.8f);
-    body.pose = moved(body.start, shift, turn);
+    body.pose = displaced(body.start, shift, turn);
     Shape shape;
     shape.kind = ShapeKind::box;
     carry(carried, body, shape);
     for (int k = 0; k <= 20; ++k) {
       const float t = float(k) / 20;
-      const Pose at = moved(body.start, t * shift, t * turn) * carried.pose;
+      const Pose at = displaced(body.start, t * shift, t * turn) * carried.pose;
       for (int c = 0; c < 8; ++c) {
         const Vec3 corner =
             to_world(at, {c & 1 ? half.x : -half.x, c & 2 ? half.y : -half.y, c & 4 ? half.z : -half.z});
