@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Weights of the Chebyshev semi-iteration, which accelerates Jacobi iterations.
 #pragma once
 
 #include <cmath>
@@ -11,8 +13,9 @@ struct IterationWeights {
   float momentum, step;
 };
 
-/// The Chebyshev semi-iteration on the interval [bound (1.5/m)², bound] of a spectrum, m iterations: the
-/// lower end is what m iterations can still resolve. Golub & Van Loan, Matrix Computations, section 11.2.8.
+/// The Chebyshev semi-iteration with m iterations, on the interval [bound (1.5/m)², bound] of a spectrum. The
+/// lower end is the least eigenvalue that m iterations still resolve. Golub & Van Loan, Matrix Computations,
+/// section 11.2.8.
 class Chebyshev {
  public:
   explicit Chebyshev(float bound) : bound_(bound) {}
@@ -35,7 +38,7 @@ class Chebyshev {
 
  private:
   float bound_;
-  float rho_ = 0;  // of the recurrence
+  float rho_ = 0;  // of the recurrence over iterations
 };
 
 }  // namespace meniscus::pbd

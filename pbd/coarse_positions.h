@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Positions in 16-bit floats, relative to grid cells, for the neighbour search on a GPU.
 #pragma once
 
 #include "pbd/device/cuda/half_blocks.h"
@@ -7,17 +9,17 @@
 
 namespace meniscus::pbd {
 
-/// Where sorted particles are in their cells, in six bytes for a position's sixteen: enough to tell who is in
-/// reach, give or take three thousandths. Kernels are next to nothing there, and who is left out is left out
-/// on both sides. All lengths are in reaches.
+/// Positions of sorted particles within their cells, in six bytes instead of sixteen. Distances err by up to
+/// three thousandths of the reach, which suffices to list neighbours. Kernels almost vanish there, and a pair
+/// that is left out is left out of both lists. All lengths are in reaches.
 struct CoarsePositions {
-  View<HalfBlock> blocks;  ///< particles 4 k to 4 k + 3; none where nobody will look
+  View<HalfBlock> blocks;  ///< particles 4 k to 4 k + 3; empty where coarse positions are not used
 
-  /// Along y and z who looks knows which row of cells it looks through; along x, where a run has several
-  /// cells, places come round after more than it is long.
+  /// Along y and z the search knows which row of cells it scans. Along x a run has several cells, so
+  /// positions repeat after this period, which is longer than a run.
   static constexpr float period = 4;
 
-  /// In multiples of 1/1024, which a half holds up to 2: differences along y and z are exact.
+  /// In multiples of 1/1024, which a half represents exactly up to 2. So differences along y and z are exact.
   MENISCUS_HD static Vec3 in_cell(const GridView& grid, Vec3 p) {
     const Vec3 q = grid.inverse_reach * p;
     const auto fraction = [](float x) { return x - floorf(x); };

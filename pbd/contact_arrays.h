@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The contacts of a substep, gathered from all contact sources.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 namespace meniscus::pbd {
 
 /// The contacts of one substep, gathered from all sources and packed particle by particle. The total stays on
-/// the device: what there is no room for is left out, and it is then noted as capacity().
+/// the device. Contacts beyond the capacity are left out, and the total is noted as capacity().
 template <class D>
 class ContactArrays {
  public:
@@ -26,10 +28,10 @@ class ContactArrays {
   void limit_motion(const MotionView& motion, bool planes_too) {
     for (ContactSource<D>* source : sources_) source->limit_motion(motion, planes_too);
   }
-  /// Counts the contacts of each particle, and writes those that there is room for. note[0], on the device,
-  /// takes note of how many there are.
+  /// Counts the contacts of each particle, and writes those for which there is room. note[0], on the device,
+  /// records their number.
   void find(const Substep<D>& substep, View<SumNote> note);
-  /// See ContactSource; when contacts and neighbours have been found.
+  /// See ContactSource. Call it when contacts and neighbours have been found.
   void part_neighbours(const Substep<D>& substep);
   uint32_t capacity() const { return static_cast<uint32_t>(contacts_.size()); }
   void grow() { resize(capacity() + capacity() / 4); }
@@ -43,7 +45,7 @@ class ContactArrays {
 
  private:
   void resize(uint32_t contacts);
-  /// Behind the counts, so that they are set to 0 with them.
+  /// The two counts follow the counts of the particles, so that one fill sets all of them to 0.
   TouchingView touching() { return {touching_.view(), {counts_.view().data + counted_, 2}}; }
 
   D& device_;

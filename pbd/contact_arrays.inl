@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Counts the contacts of each particle, sums the counts to offsets, and fills the array.
 #pragma once
 
 #include "pbd/contact_arrays.h"
@@ -8,7 +10,7 @@ namespace meniscus::pbd {
 
 namespace contact_array_kernels {
 
-/// For what a source that counts all has not listed.
+/// Lists the particles with contacts where the last source does not count all particles.
 struct ListTouching {
   ContactCounter counter;
 

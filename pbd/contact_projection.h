@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What holds a particle at its contacts, in an iteration of the solve. The formulas are in
+// The projection of contacts within an iteration of the solve. The formulas are in
 // collision/contact/contact_set.h.
 #pragma once
 
@@ -11,14 +11,14 @@
 
 namespace meniscus::pbd {
 
-/// What a contact adds to its normal push on a particle at x, kg·m.
+/// The increment of the normal multiplier, kg·m, for a particle at x.
 MENISCUS_HD inline Vec3 push_out(Contact& c, Vec3 x, float w, float radius) {
   const float old = c.normal_multiplier, distance = plane_distance(c, x);
   c.normal_multiplier = max(least_push(c, distance), old + (radius - distance) / (w + c.body_inverse_mass));
   return (c.normal_multiplier - old) * c.normal;
 }
 
-/// What it adds to its friction, kg·m, where the particle has gone this way.
+/// The increment of the friction, kg·m, for a particle with this displacement.
 MENISCUS_HD inline Vec3 hold_back(Contact& c, Vec3 displacement, float w) {
   const Vec3 old = c.tangent_multiplier;
   c.tangent_multiplier =
@@ -32,21 +32,21 @@ struct ContactProjection {
   View<const uint32_t> number;
   ContactView contacts;
 
-  /// Of particle i, which has contacts.
+  /// Projects the contacts of particle i, which has some.
   MENISCUS_HD void project(uint32_t i) const {
     Vec4 p = position[i], displacement = accumulated_delta[i];
     hold(i, p, displacement);
     position[i] = p;
     accumulated_delta[i] = displacement;
   }
-  /// The same where it is at p, which has gone this way.
+  /// The same for particle i at p, with this displacement.
   MENISCUS_HD void hold(uint32_t i, Vec4& p, Vec4& displacement) const {
     const uint32_t begin = contacts.start[i], end = contacts.start[i + 1];
     if (p.w == 0) return;
     const float tighter = pbd::fraction_of_radius(number[i]);
     const Vec3 x = p.xyz(), start = previous[i].xyz();
     Vec3 step{0, 0, 0};
-    // All of a contact is loaded at once, and the next one before what this one does is written.
+    // A contact is loaded as a whole, and the next one before this one is written.
     Contact next = contacts.contacts[begin];
     for (uint32_t k = begin; k < end; ++k) {
       Contact c = next;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Nearest places of a vertex and a triangle, or of two edges, which move along straight lines; and the time
-// at which they meet.
+// Nearest points of a vertex and a triangle, or of two edges, that move along straight lines; and the time at
+// which they meet.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,23 @@
 
 namespace meniscus::pbd {
 
-/// Four vertices: a vertex and the three of a triangle, or two edges of two.
+/// Four vertices: a vertex and the three corners of a triangle, or the ends of two edges.
 struct FeaturePair {
-  Vec3 start[4];   ///< m, from a place near them
+  Vec3 start[4];   ///< m, relative to a nearby origin
   Vec3 motion[4];  ///< m
   bool edges = false;
 
   MENISCUS_HD Vec3 at(int corner, float t) const { return start[corner] + t * motion[corner]; }
 };
 
-/// Where a pair is nearest: r = Σ weight · corner, from the triangle, or the second edge, to the other.
+/// The nearest points of a pair: r = Σ weight · corner, from the triangle, or the second edge, to the other
+/// feature.
 struct Nearest {
   Vec3 r;          ///< m
   float distance;  ///< m, |r|
-  float u, v;      ///< of the triangle's second and third corner; or along the first and the second edge
-  uint32_t on;     ///< bit k: corner k has a share (of a vertex and a triangle: of the triangle's corners)
+  float u, v;   ///< weights of the triangle's second and third corner; or positions along the first and the
+                ///< second edge
+  uint32_t on;  ///< bit k: corner k has a weight (of a vertex and a triangle: of the triangle's corners)
 };
 
 /// The weights of the four corners in r.
@@ -39,14 +41,14 @@ MENISCUS_HD inline void corner_weights(bool edges, float u, float v, float (&wei
 
 namespace nearest_detail {
 
-/// How far along the segment from a to b (from the origin) the origin is nearest, 0 to 1.
+/// Where the segment from a to b is nearest to the origin, 0 at a to 1 at b.
 MENISCUS_HD inline float along_segment(Vec3 a, Vec3 b) {
   const Vec3 ab = b - a;
   const float along = -dot(ab, a), whole = dot(ab, ab);
   return along <= 0 ? 0 : along < whole ? along / whole : 1;
 }
 
-/// The nearest of an edge of the triangle, if it is nearer than what was found.
+/// Updates the nearest point if the edge from corner k of the triangle is nearer.
 MENISCUS_HD inline void try_edge(const Vec3 (&corner)[3], uint32_t k, Nearest& best, float& best2) {
   const uint32_t next = k < 2 ? k + 1 : 0;
   const float t = along_segment(corner[k], corner[next]);
@@ -62,14 +64,15 @@ MENISCUS_HD inline void try_edge(const Vec3 (&corner)[3], uint32_t k, Nearest& b
 
 }  // namespace nearest_detail
 
-/// Whether a point lies on the inner side of a triangle's edges, seen along its normal: what is nearest to it
-/// is then no edge.
+/// Whether a point is on the inner side of all edges of a triangle, seen along its normal. Then its nearest
+/// point is not on an edge.
 MENISCUS_HD inline bool is_over_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2) {
   const Vec3 n = cross(t1 - t0, t2 - t0), a = t0 - p, b = t1 - p, c = t2 - p;
   return dot(cross(b - a, n), a) >= 0 && dot(cross(c - b, n), b) >= 0 && dot(cross(a - c, n), c) >= 0;
 }
 
-/// Of a triangle to a point. Its regions are told apart by a plane an edge, which holds for slivers in float.
+/// The point of a triangle nearest to p. A plane for each edge separates the regions, which is robust for
+/// slivers in float.
 MENISCUS_HD inline Nearest nearest_on_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2) {
   const Vec3 corner[3] = {t0 - p, t1 - p, t2 - p};
   const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
@@ -87,7 +90,8 @@ MENISCUS_HD inline Nearest nearest_on_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2
     best.v = dot(cross(corner[0], corner[1]), n) / nn;
     best.r = (-dot(n, corner[0]) / nn) * n;
   } else {
-    // It lies on an edge that the point is past; of a triangle without area all three are tried.
+    // The nearest point is on an edge whose outer side has p. For a triangle without area all three are
+    // tried.
     float best2 = 3e38f;
     MENISCUS_UNROLL
     for (uint32_t k = 0; k < 3; ++k)
@@ -101,7 +105,7 @@ MENISCUS_HD inline Nearest nearest_on_triangle(Vec3 p, Vec3 t0, Vec3 t1, Vec3 t2
   return best;
 }
 
-/// Of the edges from a to b and from c to d: at their insides, or else an end of one of them.
+/// The nearest points of the edges from a to b and from c to d: both inside the edges, or one at an end.
 MENISCUS_HD inline Nearest nearest_of_edges(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 e = b - a, f = d - c, r = a - c;
   const Vec3 n = cross(e, f);
@@ -136,12 +140,12 @@ MENISCUS_HD inline Nearest nearest(const FeaturePair& p, float t) {
   return nearest_on_triangle(p.at(0, t), p.at(1, t), p.at(2, t), p.at(3, t));
 }
 
-/// Of a vertex and a triangle at time t.
+/// For a vertex and a triangle, at time t.
 MENISCUS_HD inline bool is_over_triangle(const FeaturePair& p, float t) {
   return is_over_triangle(p.at(0, t), p.at(1, t), p.at(2, t), p.at(3, t));
 }
 
-/// Calls visit(a, b) for each corner a of the one with each corner b of the other.
+/// Calls visit(a, b) for each corner a of one feature with each corner b of the other.
 template <class Visit>
 MENISCUS_HD void for_each_across(const FeaturePair& p, const Visit& visit) {
   visit(0, 2);
@@ -151,7 +155,7 @@ MENISCUS_HD void for_each_across(const FeaturePair& p, const Visit& visit) {
   visit(1, 3);
 }
 
-/// m: no two points of the two features move further than this against one another.
+/// m, the greatest relative motion of any two points of the two features.
 MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
   float most2 = 0;
   for_each_across(p, [&](int a, int b) {
@@ -161,7 +165,7 @@ MENISCUS_HD inline float relative_motion(const FeaturePair& p) {
   return sqrtf(most2);
 }
 
-/// m, or less: along some axis the two stay this far apart all the way.
+/// m, a lower bound: along some axis the two stay this far apart during the whole motion.
 MENISCUS_HD inline float least_gap(const FeaturePair& p) {
   Vec3 low[4], high[4];
   MENISCUS_UNROLL
@@ -180,9 +184,9 @@ MENISCUS_HD inline float least_gap(const FeaturePair& p) {
 
 namespace nearest_detail {
 
-/// How much later than t, at the earliest, the two may be as near as `gap`: along the direction in which they
-/// are apart, every corner of the one is at least so far from every corner of the other, and comes nearer at
-/// a speed that does not change.
+/// How much later than t, at the earliest, the two may be as near as `gap`. Along the direction that
+/// separates them, every corner of one is at least this far from every corner of the other. Each pair of
+/// corners approaches at a constant speed.
 MENISCUS_HD inline float time_apart(const FeaturePair& p, const Nearest& now, float t, float gap) {
   const Vec3 away = now.r / now.distance;
   float time = 2;
@@ -197,10 +201,10 @@ MENISCUS_HD inline float time_apart(const FeaturePair& p, const Nearest& now, fl
 
 }  // namespace nearest_detail
 
-/// The part of the motion, 0 to 1, after which the two, which are further apart at the start, come as near as
-/// `gap`, and no nearer than 3/4 of it; 2 where they do not. By conservative advancement with bounds along
-/// the direction in which they are apart (Mirtich 1996; Tang, Kim & Manocha 2009): each step is as long as
-/// nothing can cut short, and there are no roots to be missed.
+/// The fraction of the motion, 0 to 1, after which the two are as near as `gap`, and no nearer than 3/4 of
+/// it; 2 where they never are. At the start they must be further apart. Conservative advancement with bounds
+/// along the direction that separates them (Mirtich 1996; Tang, Kim & Manocha 2009). Each step is as long as
+/// the bounds allow, and no root can be missed.
 MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float gap) {
   constexpr int most_steps = 64;
   float t = 0;
@@ -211,7 +215,7 @@ MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float gap) {
     now = nearest(p, t);
     if (now.distance <= gap) return t;
   }
-  return t;  // they have grazed: it stops here
+  return t;  // they graze: the motion stops here
 }
 
 }  // namespace meniscus::pbd

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Reorders an array by a permutation.
 #pragma once
 
 #include "pbd/particles.h"

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A uniform grid without bounds: cell coordinates are any integers, and the table wraps around on each axis.
-// Cells are as wide as the reach along y and z, and sliced along x, in which they lie side by side in memory:
-// from each row of cells a particle looks at no more than its sphere cuts out. Two cells that share an entry
-// lie at least four reaches apart, so that no pair is seen twice; the distance test drops what the wrap
-// brought in.
+// Along y and z cells are as wide as the reach. Along x they are thinner, and adjacent in memory, so a
+// particle scans little more of a row than its sphere covers. Two cells that share an entry are at least four
+// reaches apart, so no pair is found twice. The distance test rejects particles that wrapped around.
 #pragma once
 
 #include "pbd/device/scalar.h"
@@ -17,20 +16,22 @@ struct CellCoordinates {
   int32_t x, y, z;
 };
 
-/// Of sorted particles.
+/// A range of sorted particles.
 struct Run {
   uint32_t begin, end;
 };
 
 struct GridView {
-  static constexpr uint32_t slices = 4;  ///< along x, a reach
+  static constexpr uint32_t slices = 4;  ///< along x, in one reach
   static constexpr uint32_t least_bits_x = 4, least_bits = 2;
 
   float inverse_reach = 1;  ///< 1/m
   uint32_t bits_x = least_bits_x, bits_y = least_bits,
            bits_z = least_bits;  ///< the table is 2^bits cells wide
-  uint32_t strip_bits = 0;  ///< rows lie in strips of 2^strip_bits along y, one strip's layers after another
-  View<const uint32_t> start;  ///< of each cell's sorted particles, which end where the next one's start
+  uint32_t strip_bits =
+      0;  ///< rows form strips of 2^strip_bits along y; the layers of a strip follow one another
+  View<const uint32_t>
+      start;  ///< of each cell's sorted particles, which end where those of the next cell start
 
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
   MENISCUS_HD uint32_t cell_count() const { return 1u << key_bits(); }
@@ -55,7 +56,7 @@ struct GridView {
   }
 };
 
-/// What of the grid's rows is within reach of a point. All lengths are in reaches.
+/// The part of the grid's rows that is within reach of a point. All lengths are in reaches.
 class Surroundings {
  public:
   MENISCUS_HD Surroundings(const GridView& grid, Vec3 p) : grid_(grid) {
@@ -78,25 +79,24 @@ class Surroundings {
     wraps_ = most.first + most.count > width();
   }
 
-  /// What the coordinates have been rounded by, this point's and another's; the fractions are then as far
-  /// off.
+  /// The rounding error of the coordinates of this point and of another. The fractions err by as much.
   MENISCUS_HD static float slack_at(Vec3 q) {
     return pbd::min(1e-4f + 2.5e-7f * (fabsf(q.x) + fabsf(q.y) + fabsf(q.z)), 2.0f);
   }
 
   static constexpr uint32_t rows = 9, most_runs = 2 * rows;
 
-  /// Where a row lies; 1: this point's own.
+  /// The position of a row; 1: the row of the point.
   MENISCUS_HD static uint32_t row_y(uint32_t row) { return 0b10'00'10'00'01'01'10'00'01 >> 2 * row & 3; }
   MENISCUS_HD static uint32_t row_z(uint32_t row) { return 0b10'10'00'00'10'00'01'01'01 >> 2 * row & 3; }
 
   MENISCUS_HD uint32_t runs() const { return wraps_ ? most_runs : rows; }
 
-  /// Where the table wraps around, a row's cells are two runs, one after the other: so the order in which the
-  /// cells are listed does not depend on the table's width.
+  /// Where the table wraps around, a row's cells form two consecutive runs. So the order of the cells does
+  /// not depend on the table's width.
   MENISCUS_HD Run run(uint32_t n) const { return wraps_ ? run(n / 2, n % 2 == 1) : run(n, false); }
-  /// Rows with the most in reach come first: so neighbouring threads, which have a particle each, stay with
-  /// the same row longest as they go through their lists, and gather from the fewest lines of memory.
+  /// Rows with the most particles in reach come first. So adjacent threads, with a particle each, use the
+  /// same row longest while they read their lists, and gather from the fewest cache lines.
   MENISCUS_HD Run run(uint32_t row, bool second) const {
     const uint32_t dy = row_y(row), dz = row_z(row);
     const float y2 = dy == 1 ? 0.0f : dy == 0 ? below_y2_ : above_y2_;
@@ -109,19 +109,19 @@ class Surroundings {
   }
 
  private:
-  static constexpr float lift = 64;  ///< makes cells' numbers positive, so that conversion rounds down
+  static constexpr float lift = 64;  ///< makes cell numbers positive, so that conversion rounds down
 
   struct Cells {
     uint32_t first, count;
   };
 
   MENISCUS_HD uint32_t width() const { return 1u << grid_.bits_x; }
-  /// Squared, at least how far a row is whose edge lies at this distance.
+  /// A lower bound of a row's squared distance, if its edge is at this distance.
   MENISCUS_HD float away2(float edge) const {
     const float away = pbd::max(0.0f, edge - slack_);
     return away * away;
   }
-  /// The cells of a row that are within reach, where the row's distance squared is known.
+  /// The cells of a row that are within reach, given the row's squared distance.
   MENISCUS_HD Cells cut(float distance2) const {
     const float half = GridView::slices * (quick_root(pbd::max(1 - distance2, 0.0f)) + slack_);
     const auto before = static_cast<uint32_t>(x_ - half), after = static_cast<uint32_t>(x_ + half);
@@ -138,8 +138,7 @@ class Surroundings {
 /// The runs of sorted particles that together hold every particle within reach of a point.
 class RunsAround {
  public:
-  // All bounds are on their way at once; and found one after the other, a GPU's compiler would find what they
-  // have in common anew each time.
+  // All bounds are loaded at once. In a loop, a GPU's compiler would recompute their common terms for each.
   MENISCUS_HD RunsAround(const GridView& grid, Vec3 p) {
     const Surroundings around(grid, p);
     count_ = around.runs();
@@ -151,7 +150,7 @@ class RunsAround {
     }
   }
 
-  /// Whether no index in them is further than `most` from i.
+  /// Whether all indices in the runs are within `most` of i.
   MENISCUS_HD bool are_within(uint32_t most, uint32_t i) const {
     bool within = true;
     const auto look = [&](Run run) {
@@ -163,7 +162,8 @@ class RunsAround {
     return within;
   }
 
-  /// Calls visit(begin, end, y, z) for each, of a row that is so far from the point's own, in reaches.
+  /// Calls visit(begin, end, y, z) for each run, where y and z are the offset of its row from the point's
+  /// row, in reaches.
   template <class Visit>
   MENISCUS_HD void for_each_row(const Visit& visit) const {
     for (uint32_t n = 0; n < count_; ++n) {
@@ -173,7 +173,7 @@ class RunsAround {
     }
   }
 
-  /// Calls visit(begin, end) for each.
+  /// Calls visit(begin, end) for each run.
   template <class Visit>
   MENISCUS_HD void for_each(const Visit& visit) const {
     for (uint32_t n = 0; n < count_; ++n) visit(runs_[n].begin, runs_[n].end);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What writes a particle's list while it is built, in each of the forms that neighbours.h reads.
+// Writers of a particle's neighbour list, one for each of the forms that neighbours.h reads.
 #pragma once
 
 #include "pbd/device/cuda/own_row.h"
@@ -9,17 +9,16 @@
 
 namespace meniscus::pbd {
 
-/// Form::add(j) stores one, if it fits.
+/// Form::add(j) stores one index, if there is room.
 template <class Form>
 class ListBuilder {
  public:
-  /// Adds first + k for each bit k of `chosen`. All are counted; those that fit are stored.
+  /// Adds first + k for each bit k of `chosen`. All are counted; those for which there is room are stored.
   MENISCUS_HD void append(uint32_t first, uint32_t chosen) {
     for (; chosen; chosen &= chosen - 1) form().add(first + lowest_bit(chosen));
   }
 
-  /// Fills up with `sentinel` to a multiple of eight; returns the number found, which may be more than
-  /// fitted.
+  /// Pads with `sentinel` to a multiple of eight. Returns the number found, which may exceed the capacity.
   MENISCUS_HD uint32_t finish(uint32_t sentinel) {
     const uint32_t found = count_;
     while (count_ % 8) form().add(sentinel);
@@ -33,7 +32,7 @@ class ListBuilder {
   MENISCUS_HD Form& form() { return static_cast<Form&>(*this); }
 };
 
-/// To a row of its own.
+/// Writes a list in a row of its own.
 class RowWriter : public ListBuilder<RowWriter> {
  public:
   MENISCUS_HD RowWriter(const NeighbourView& list, uint32_t i)
@@ -49,7 +48,7 @@ class RowWriter : public ListBuilder<RowWriter> {
   uint32_t capacity_;
 };
 
-/// To a wide list, a group at a time.
+/// Writes a wide list, a group at a time.
 class WideWriter : public ListBuilder<WideWriter> {
  public:
   MENISCUS_HD WideWriter(const NeighbourView& list, uint32_t i)
@@ -63,7 +62,7 @@ class WideWriter : public ListBuilder<WideWriter> {
     *at_ = group_;
     at_ += stride_;
   }
-  // What a NarrowWriter has, for who writes to either.
+  // The interface of NarrowWriter, for code that is a template over both.
   MENISCUS_HD static bool has_room_for(uint32_t) { return true; }
   MENISCUS_HD void add_in_room(uint32_t j, uint32_t k) { add(j, k); }
 
@@ -73,8 +72,8 @@ class WideWriter : public ListBuilder<WideWriter> {
   IndexGroup group_{};
 };
 
-/// To a narrow list. A thread puts the offsets side by side first: its warp's other threads find theirs at
-/// other times, and each would wait for all that the others do to write a group.
+/// Writes a narrow list. A thread collects the offsets in shared memory first. The threads of a warp find
+/// their neighbours at different times, and each would wait for the others to write a group.
 class NarrowWriter {
  public:
   static constexpr uint32_t most = 64;  ///< entries
@@ -88,11 +87,11 @@ class NarrowWriter {
     place_ += Row::step;
   }
 
-  /// Whether so many more can be put aside.
+  /// Whether so many more entries fit.
   MENISCUS_HD bool has_room_for(uint32_t more) const {
     return place_ + more * Row::step <= row_.first() + most * Row::step;
   }
-  /// Where there is room.
+  /// Adds j + k without a check; see has_room_for().
   MENISCUS_HD void add_in_room(uint32_t j, uint32_t k = 0) {
     row_.put(place_, j - i_ + k);
     place_ += Row::step;
@@ -120,8 +119,8 @@ class NarrowWriter {
   uint32_t place_, end_;
 };
 
-/// To a wide list, by a team: append() takes the particle of each thread that found one, in the order of the
-/// threads.
+/// Writes a wide list, by a team. append() takes an index from each thread that found one, in the order of
+/// the threads.
 class TeamWriter {
  public:
   MENISCUS_HD TeamWriter(const NeighbourView& list, uint32_t i) : list_(list), i_(i) {}

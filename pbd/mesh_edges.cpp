@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Sorts the edges of a triangle mesh.
 #include "pbd/mesh_edges.h"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ std::vector<EdgeUse> edge_uses(std::span<const std::array<uint32_t, 3>> triangle
       uses.push_back({std::min(from, to), std::max(from, to), t, third, from < to});
     }
   }
-  // By low with counts, then each vertex's few by comparison.
+  // A counting sort by the lower vertex, then a comparison sort of the few edges of each vertex.
   std::vector<uint32_t> starts(vertices + 1, 0);
   for (const EdgeUse& u : uses) ++starts[u.low + 1];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());

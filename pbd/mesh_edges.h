@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The edges of a triangle mesh, with the triangles that share each.
 #pragma once
 
 #include <array>
@@ -18,7 +20,7 @@ struct EdgeUse {
   bool forward;       ///< the triangle runs from low to high
 };
 
-/// Three for each triangle, by edge and then by triangle.
+/// Three uses for each triangle, sorted by edge and then by triangle.
 std::vector<EdgeUse> edge_uses(std::span<const std::array<uint32_t, 3>> triangles, size_t vertices);
 
 template <class Mesh>
@@ -26,7 +28,7 @@ std::vector<EdgeUse> edge_uses(const Mesh& mesh) {
   return edge_uses(mesh.triangles, mesh.vertices.size());
 }
 
-/// Calls visit(std::span<const EdgeUse>) for each edge, with the triangles that meet there.
+/// Calls visit(std::span<const EdgeUse>) for each edge, with the triangles that share it.
 template <class Visit>
 void for_each_edge(std::span<const EdgeUse> uses, const Visit& visit) {
   for (size_t begin = 0, end = 0; begin < uses.size(); begin = end) {

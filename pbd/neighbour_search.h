@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The neighbour search: a counting sort of the particles by cell, and their neighbour lists.
 #pragma once
 
 #include <meniscus/types.h>
@@ -11,9 +13,8 @@
 
 namespace meniscus::pbd {
 
-/// Points in the order of their cells, and in each cell of their slots: the canonical order. It depends
-/// neither on where the points were before nor on the table's shape. They were placed in the cell as they
-/// happened to arrive there.
+/// Points sorted by cell, and within each cell by slot: the canonical order. It depends neither on the
+/// previous order of the points nor on the table's shape. Within a cell, `placed` is in the order of arrival.
 struct CellOrder {
   View<const uint32_t> key;     ///< by point: its cell
   View<const uint32_t> start;   ///< by cell
@@ -21,14 +22,14 @@ struct CellOrder {
   View<const uint32_t> slots;   ///< by place: that point's slot
   View<uint32_t> order;
 
-  /// The point that belongs at place i; notes it.
+  /// The point that belongs at place i; records it in `order`.
   MENISCUS_HD uint32_t find(uint32_t i) const {
     const uint32_t cell = load(key, load(placed, i)), begin = load(start, cell);
     return order[i] = load(placed, nth(begin, load(start, cell + 1), i - begin));
   }
 
  private:
-  /// Of the places in [begin, end) the one whose slot has n others below it.
+  /// The place in [begin, end) whose slot has n smaller ones.
   MENISCUS_HD uint32_t nth(uint32_t begin, uint32_t end, uint32_t n) const {
     constexpr uint32_t few = 16;
     if (end - begin > few) return nth_of_many(begin, end, n);
@@ -36,7 +37,7 @@ struct CellOrder {
     while (below(load(slots, k), begin, end) != n) ++k;
     return k;
   }
-  /// By bisection of the slot's value: the square of their number may take for ever.
+  /// By bisection of the slot's value, because a quadratic search could take very long.
   MENISCUS_HD uint32_t nth_of_many(uint32_t begin, uint32_t end, uint32_t n) const {
     uint32_t slot = 0;
     for (uint32_t bit = 1u << 31; bit > 0; bit /= 2) {
@@ -53,35 +54,35 @@ struct CellOrder {
   }
 };
 
-/// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep; a GPU
-/// by coarse positions, if there are many.
+/// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep. A GPU
+/// uses coarse positions if there are many particles.
 template <class D>
 class NeighbourSearch {
  public:
   NeighbourSearch(D& device, float support_radius);
 
-  /// Room for `capacity` particles.
+  /// Allocates for `capacity` particles.
   void reserve(uint32_t capacity);
 
-  /// Chooses the table's shape for so many particles inside `extent`. Particles elsewhere are found as well,
-  /// more slowly.
+  /// Chooses the table's shape for this number of particles inside `extent`. Particles outside are found as
+  /// well, but more slowly.
   void fit(const Aabb& extent, uint32_t count);
 
-  /// The canonical order of the points, for as long as nothing is listed. Point i is points(i), a Vec4, and
-  /// has a slot of its own.
+  /// The canonical order of the points, valid until the lists are built. points(i) is point i, a Vec4; each
+  /// point has a unique slot.
   template <class Points>
   CellOrder sort(const Points& points, View<const uint32_t> slot);
-  /// Of each place the point that belongs there, once the order has been asked for it.
+  /// The point of each place, after CellOrder::find was called for it.
   View<const uint32_t> order() const { return order_.view(); }
 
-  /// Whoever puts the particles in order is to fill these in, if there are any.
+  /// The reordering of the particles must fill these in, if there are any.
   CoarsePositions coarse() { return {is_coarse_ ? coarse_.view() : View<HalfBlock>{}}; }
 
-  /// Lists the neighbours of particles that are in order() already. `longest` is one element, on the device:
-  /// it becomes as long as the longest list needs to be, if it is less.
+  /// Lists the neighbours of particles that are already in order(). `longest` is one element, on the device.
+  /// It is raised to the length of the longest list.
   void list(const ParticleView& particles, uint32_t sentinel, View<uint32_t> longest);
   uint32_t row_capacity() const { return row_capacity_; }
-  /// Room for lists of this length; list() must run again.
+  /// Makes room for lists of this length; list() must run again.
   void grow_rows(uint32_t needed);
 
   NeighbourView view(uint32_t sentinel);
@@ -100,7 +101,8 @@ class NeighbourSearch {
   Buffer<uint32_t> order_{device_, "sorted order"};
   Buffer<uint32_t> cell_counts_{device_, "cell counts"};  // all 0 between sorts
   Buffer<uint32_t> cell_start_{device_, "cell starts"};
-  Buffer<uint32_t> index_{device_, "neighbour lists"};  // before there are lists, what is needed to sort
+  Buffer<uint32_t> index_{device_,
+                          "neighbour lists"};  // before there are lists, temporary memory of the sort
   Buffer<uint32_t> counts_{device_, "neighbour counts"};
   Buffer<HalfBlock> coarse_{device_, "coarse positions"};
 };

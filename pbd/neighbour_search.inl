@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels of the neighbour search, the shape of its grid, and its launches.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +16,10 @@ namespace meniscus::pbd {
 
 namespace neighbour_kernels {
 
-// The sort is a counting sort by cell. In each cell particles are first placed as they happen to arrive, then
-// in the order of their slots: so the result depends on nothing else.
+// The sort is a counting sort by cell. Particles of a cell are first placed in the order of arrival, then in
+// the order of their slots. So the result depends on nothing else.
 
-/// Notes each particle's cell, and counts the cell's particles.
+/// Records each particle's cell, and counts the particles of each cell.
 template <class Points>
 struct CountInCells {
   Points points;
@@ -26,14 +28,15 @@ struct CountInCells {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 p = points(i).xyz();
-    // What is not finite is near nothing; all in one cell it would take for ever.
+    // Particles that are not finite have no neighbours. They are spread over the cells, because a single cell
+    // would take very long.
     const uint32_t cell = is_finite(p) ? grid.key(grid.coordinates(p)) : i & (grid.cell_count() - 1);
     key[i] = cell;
     arrival[i] = atomic_add(counts[cell], 1);
   }
 };
 
-/// Empties the counts on the way, for the next time.
+/// Also resets the counts to 0, for the next sort.
 struct PlaceByArrival {
   View<const uint32_t> key, arrival, start, slot;
   View<uint32_t> placed, placed_slot, counts;
@@ -47,7 +50,7 @@ struct PlaceByArrival {
   }
 };
 
-/// `coarsely`: a thread that has a list to itself goes by coarse positions.
+/// `coarsely`: a thread that builds a list alone uses coarse positions.
 template <bool coarsely>
 struct ListNeighbours {
   static constexpr uint32_t resident_blocks = 9;  // see CudaDevice
@@ -124,7 +127,7 @@ struct ListNeighbours {
     });
   }
 
-  /// A run with i in it is looked through in two parts, so that nobody else need be told from it.
+  /// A run that contains i is scanned in two parts, so that i need not be compared with each candidate.
   template <class Writer>
   MENISCUS_HD void list_coarsely(uint32_t i, Vec3 self, const RunsAround& runs, Writer& writer) const {
     const Vec3 at = CoarsePositions::in_cell(grid, self);
@@ -145,8 +148,8 @@ struct ListNeighbours {
     });
   }
 
-  /// Each thread looks up bounds of its own; then the team goes through one run after the other, so that the
-  /// list is in the order of the runs, whatever else lies in them.
+  /// Each thread looks up some of the bounds. Then the team scans one run after another, so that the list has
+  /// the order of the runs.
   MENISCUS_HD void list_by_team(uint32_t i, Vec3 self, TeamWriter& writer) const {
     const Surroundings around(grid, self);
     const uint32_t rank = CudaTeam::rank(), runs = around.runs();
@@ -170,7 +173,7 @@ struct ListNeighbours {
   }
 
   /// Bit k is set where particle first + k, one of at most 32 before `end`, is in reach and is not i. Whole
-  /// masks keep the threads of a warp together: the rare hits are written out afterwards.
+  /// masks keep the threads of a warp converged: the rare hits are written afterwards.
   template <class D>
   MENISCUS_HD uint32_t near_ones(Vec3 self, uint32_t i, uint32_t first, uint32_t end) const {
     const uint32_t near = D::Lister::near(position, self, reach2, first, end - first < 32 ? end - first : 32);
@@ -184,7 +187,7 @@ inline uint32_t bits_for(float cells, uint32_t least) {
   return bits;
 }
 
-/// As many rows as leave neighbours' indices close to one another: all, where a layer's particles are few;
+/// As many rows as keep the indices of neighbours close to each other: all, if a layer has few particles;
 /// else as many as can be full, at h = 2 s.
 inline uint32_t strip_bits_for(Vec3 reaches, uint32_t count) {
   constexpr float close = NeighbourView::narrow_reach, in_cube = 8, unevenness = 1.5f;
@@ -204,7 +207,8 @@ NeighbourSearch<D>::NeighbourSearch(D& device, float support_radius)
 template <class D>
 void NeighbourSearch<D>::reserve(uint32_t capacity) {
   capacity_ = capacity;
-  if (row_capacity_ == 0) row_capacity_ = 48;  // at h = 2 s about 32 are usual, and more than 44 rare
+  if (row_capacity_ == 0)
+    row_capacity_ = 48;  // at h = 2 s a list usually has about 32, and rarely more than 44
   const uint32_t size = capacity + Particles::padding;
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
@@ -224,8 +228,7 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
                       bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
   const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cell_counts_.size())) - 1;
   if constexpr (D::interleaves_lists) {
-    // Coarse positions do not tell which of the cells that share an entry a particle is in, and far from the
-    // origin they are too coarse.
+    // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.
     const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
     is_coarse_ = count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
                  Surroundings::slack_at(far) < 0.004f;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Neighbour lists as constraints read them: through for_each_neighbour alone, so that the form of the list
-// can change. What D is says who reads: the CPU with eight lanes (CpuDevice), a thread of the GPU
-// (CudaDevice), or four, eight or a warp of them (CudaTeamOf).
+// Neighbour lists as constraints read them: only through for_each_neighbour, so that the form of the list can
+// change. D is the reader: the CPU with eight lanes (CpuDevice), a thread of the GPU (CudaDevice), or a team
+// of four, eight or 32 threads (CudaTeamOf).
 #pragma once
 
 #include <type_traits>
@@ -14,16 +14,16 @@
 
 namespace meniscus::pbd {
 
-/// One list a particle, padded with a sentinel to a multiple of eight. On the CPU each particle has a row of
-/// its own. On the GPU groups of sixteen bytes lie interleaved over the particles, so that a warp's loads
-/// coalesce. Wide lists have four indices in a group. Where all neighbours' indices are close to the
-/// particle's own its list may be narrow: eight offsets in a group, 0 for the sentinel.
+/// One list for each particle, padded with a sentinel to a multiple of eight. On the CPU each particle has a
+/// row of its own. On the GPU groups of sixteen bytes are interleaved over the particles, so that a warp's
+/// loads coalesce. Wide lists have four indices in a group. A list may be narrow if all its indices are close
+/// to the particle's: eight offsets in a group, 0 for the sentinel.
 struct NeighbourView {
   View<uint32_t> index;
-  View<uint32_t> count;       ///< and, in the top bit, whether the list is narrow; see size()
-  uint32_t row_capacity = 0;  ///< entries a particle, a multiple of eight
-  uint32_t stride = 0;        ///< particles a row of groups; 0 where each has a row of its own
-  uint32_t sentinel = 0;      ///< the particle that fills lists up
+  View<uint32_t> count;       ///< the top bit: whether the list is narrow; see size()
+  uint32_t row_capacity = 0;  ///< entries for each particle, a multiple of eight
+  uint32_t stride = 0;        ///< particles in a row of groups; 0 where each particle has a row of its own
+  uint32_t sentinel = 0;      ///< the particle that pads lists
 
   static constexpr uint32_t narrow_bit = 1u << 31, narrow_reach = 0x7fff;
 
@@ -35,7 +35,7 @@ struct NeighbourView {
   MENISCUS_HD uint32_t at(uint32_t i, uint32_t k) const {
     return is_narrow(i) ? index_at(i, offset(i, k)) : entry(i, k);
   }
-  /// Takes entry k out of it.
+  /// Replaces entry k by the sentinel.
   MENISCUS_HD void drop(uint32_t i, uint32_t k) const {
     if (is_narrow(i)) {
       offset(i, k) = 0;
@@ -44,17 +44,17 @@ struct NeighbourView {
     }
   }
 
-  // ---- what a list is made of ----
+  // ---- the representation of a list ----
 
-  /// What an offset from particle i means.
+  /// The index that an offset from particle i represents.
   MENISCUS_HD uint32_t index_at(uint32_t i, int from_i) const {
     return from_i ? i + static_cast<uint32_t>(from_i) : sentinel;
   }
-  /// Where a narrow list has entry k.
+  /// Entry k of a narrow list.
   MENISCUS_HD int16_t& offset(uint32_t i, uint32_t k) const {
     return reinterpret_cast<int16_t*>(index.data)[(size_t{k / 8} * stride + i) * 8 + k % 8];
   }
-  /// Where a wide one has it.
+  /// Entry k of a wide list.
   MENISCUS_HD uint32_t& entry(uint32_t i, uint32_t k) const {
     return index.data[stride ? (size_t{k / 4} * stride + i) * 4 + k % 4 : size_t{i} * row_capacity + k];
   }
@@ -64,8 +64,8 @@ struct alignas(16) IndexGroup {
   uint32_t a, b, c, d;
 };
 
-/// Rows are apart, so that no processor guesses which part of them is read: unasked, half of a loop over
-/// neighbours is spent waiting for the list.
+/// The hardware prefetcher does not predict where the next row is read, as rows have gaps between them.
+/// Without explicit prefetches, half of a loop over neighbours is spent waiting for the list.
 inline constexpr size_t rows_ahead = 8;
 
 inline void prefetch_row(const uint32_t* row, uint32_t count) {
@@ -75,7 +75,7 @@ inline void prefetch_row(const uint32_t* row, uint32_t count) {
 
 namespace neighbour_loops {
 
-/// By one thread of a GPU. The next group is on its way while this one's neighbours are.
+/// For one thread of a GPU. The next group is loaded while this group's neighbours are.
 template <uint32_t in_group, class VisitGroup>
 MENISCUS_HD void for_each_group(const NeighbourView& list, uint32_t i, uint32_t count,
                                 const VisitGroup& visit_group) {
@@ -114,8 +114,8 @@ MENISCUS_HD void by_thread(const NeighbourView& list, uint32_t i, const Visit& v
   }
 }
 
-/// By a team: of eight entries each thread takes as many, one after the other, and has the next ones on their
-/// way. Of a warp each takes one, and all of a list is on its way in two turns.
+/// For a team: of eight entries each thread takes as many consecutive ones as it must, and loads the next
+/// ones early. In a warp each thread takes one, so a list is loaded in two rounds.
 template <class D, class Entry, class Visit>
 MENISCUS_HD void by_team(uint32_t count, const Entry& entry, const Visit& visit) {
   if constexpr (D::lane_count > 8) {
@@ -139,8 +139,8 @@ MENISCUS_HD void by_team(uint32_t count, const Entry& entry, const Visit& visit)
 
 }  // namespace neighbour_loops
 
-/// Calls visit(j) for each neighbour of i within the list's reach, in an order that is the same every time. j
-/// is one index, or eight where D has eight lanes; it goes to gather(). i itself is not among them.
+/// Calls visit(j) for each neighbour of i within the list's reach, in a reproducible order. j is one index,
+/// or eight where D has eight lanes, for gather(). i itself is not included.
 template <class D, class Visit>
 MENISCUS_HD void for_each_neighbour(const NeighbourView& list, uint32_t i, const Visit& visit) {
   if constexpr (D::lane_count == 1) {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The particles of a world, as arrays in a device's memory. First come those of fluids, sorted by grid cell,
-// so that neighbours in space are neighbours in memory. `slot` says which element of the user's arrays each
-// one is; `number` names it for as long as it lives, whatever comes and goes. Behind them come the vertices
-// of cloth and rods, in an order that stays, so that what joins them can name them by number.
+// The particles of a world, as arrays in a device's memory. Fluid particles come first, sorted by grid cell,
+// so that neighbours in space are neighbours in memory. `slot` is the element of the user's arrays that a
+// particle corresponds to. `number` identifies it for its whole life. The vertices of cloth and rods follow
+// in a fixed order, so that constraints can refer to them by index.
 #pragma once
 
 #include <algorithm>
@@ -24,12 +24,14 @@ inline constexpr Phase phase_vertex = 1u << 17;  ///< of cloth or rods; the grou
 inline constexpr Phase phase_face = 1u
                                     << 18;  ///< a point of a face, there for one substep; with phase_vertex
 inline constexpr Phase phase_grain = 1u << 19;  ///< in the place of phase_fluid: a grain of sand or the like
-inline constexpr Phase phase_pressing = 1u << 20;     ///< a sheet bore it at the last substep's end
-inline constexpr Phase phase_passing = 1u << 21;      ///< it is on its way through permeable sheets
-inline constexpr Phase phase_overlapping = 1u << 22;  ///< it was put where it is, or a solid was, perhaps
-                                                      ///< over it, and it is not known to be out of all since
+inline constexpr Phase phase_pressing = 1u << 20;  ///< cloth carried it at the end of the last substep
+inline constexpr Phase phase_passing = 1u << 21;   ///< it is passing through permeable cloth
+inline constexpr Phase phase_overlapping =
+    1u << 22;  ///< it may have overlapped a solid when it, or the solid, was created or placed, and has not
+               ///< been found outside of all solids since
 
-/// For how many more steps what has just left an opening keeps its velocity: in the top byte.
+/// The number of steps for which a particle that has just left an emitter's opening keeps its velocity: in
+/// the top byte.
 inline constexpr uint32_t most_held = 255;
 
 MENISCUS_HD constexpr Phase held_for(uint32_t steps) {
@@ -46,38 +48,39 @@ MENISCUS_HD constexpr bool is_grain(Phase phase) {
   return (phase & phase_grain) != 0;
 }
 
-/// Slots of vertices start here: they are numbers of their own.
+/// Slots of vertices start here: vertices have numbers of their own.
 inline constexpr uint32_t vertex_slot = 1u << 31;
 
 MENISCUS_HD constexpr bool is_vertex_slot(uint32_t slot) {
   return slot >= vertex_slot;
 }
 
-/// What kernels see. Loops run over [0, owned) and may read [0, owned + ghosts).
+/// The particles as kernels see them. Loops run over [0, owned) and may read [0, owned + ghosts).
 struct ParticleView {
-  View<Vec4> position;           ///< m; w: inverse mass, 1/kg, 0 for what nothing moves
+  View<Vec4> position;           ///< m; w: inverse mass, 1/kg, 0 for fixed particles
   View<const Vec4> previous;     ///< m, at the substep's start
-  View<Vec4> accumulated_delta;  ///< m, by constraints in this substep: kept beside the position, which
-                                 ///< rounds it; of what nothing moves the impulse that it took, kg·m. w: of
-                                 ///< fluids the inverse mass again, for those that need not know the position
-  View<Vec4> velocity;  ///< m/s; w: of fluids the size of the curl that the last substep left, 1/s, where
-                        ///< vorticity is confined
+  View<Vec4> accumulated_delta;  ///< m, by constraints in this substep, kept separately because the position
+                                 ///< rounds it; of fixed particles the accumulated impulse, kg·m. w: of
+                                 ///< fluids the inverse mass again, for kernels that do not need the position
+  View<Vec4> velocity;  ///< m/s; w: of fluids, the magnitude of the last substep's curl, 1/s, for vorticity
+                        ///< confinement
   View<const Phase> phase;
   View<const uint32_t> slot;
   View<const uint32_t> number;  ///< persistent: random choices are hashed from it
   uint32_t owned = 0;
   uint32_t ghosts = 0;
-  uint32_t sorted = 0;  ///< those of fluids come first; vertex v is the particle sorted + v
+  uint32_t sorted =
+      0;  ///< the number of fluid particles, which come first; vertex v is the particle sorted + v
 };
 
-/// Two arrays of which one is current: a reordering reads one and writes the other.
+/// Two arrays of which one is current: a reordering reads that one and writes the other.
 template <class T>
 struct DoubleBuffer {
   Buffer<T> current, next;
 
   DoubleBuffer(Device& device, const char* what) : current(device, what), next(device, what) {}
   void flip() { current.swap(next); }
-  /// Those that stay in their places need no next one.
+  /// An array that is never reordered needs no `next`.
   void reserve(uint32_t size, uint32_t kept, bool flips = true) {
     current.resize_keep(size, kept);
     next.resize_discard(flips ? size : 0);
@@ -88,7 +91,7 @@ class Particles {
   Device& device_;  // before the arrays, which are made on it
 
  public:
-  /// A neighbour row is filled up with the index of a particle that is too far away to count. Room beyond it
+  /// Neighbour lists are padded with the index of a particle that is too far away to matter. Room after it
   /// lets a loop read eight at a time.
   static constexpr uint32_t padding = 16;
   static constexpr float far_away = 1e15f;
@@ -101,7 +104,7 @@ class Particles {
   uint32_t capacity() const { return capacity_; }
   uint32_t sentinel() const { return capacity_; }
 
-  /// Room for `capacity` particles; those that are there stay. `sorts`: whether any may be of fluids.
+  /// Makes room for `capacity` particles, and keeps the existing ones. `sorts`: whether any may be of fluids.
   void reserve(uint32_t capacity, bool sorts) {
     const uint32_t size = capacity + padding;
     position.reserve(size, count_, sorts);
@@ -121,7 +124,7 @@ class Particles {
     write_sentinels();
   }
 
-  /// Adds fluid particles, in front of the vertices. They get the next numbers.
+  /// Adds fluid particles before the vertices. They get the next numbers.
   void append(std::span<const Vec4> new_position, std::span<const Vec4> new_velocity,
               std::span<const Phase> new_phase, std::span<const uint32_t> new_slot) {
     const auto added = static_cast<uint32_t>(new_position.size());
@@ -137,7 +140,7 @@ class Particles {
     set_sorted(sorted_ + added);
   }
 
-  /// Puts these in the place of all vertices.
+  /// Replaces all vertices.
   void set_vertices(std::span<const Vec4> new_position, std::span<const Vec4> new_velocity,
                     std::span<const Phase> new_phase) {
     std::vector<uint32_t> new_slot(new_position.size());
@@ -150,28 +153,28 @@ class Particles {
     count_ = sorted_ + static_cast<uint32_t>(new_position.size());
   }
 
-  /// How many of fluids there are now, the vertices' number staying.
+  /// Sets the number of fluid particles; the number of vertices does not change.
   void set_sorted(uint32_t sorted) {
     count_ = sorted + vertices();
     sorted_ = sorted;
   }
 
-  /// Puts the present state aside; where it then is, the next sort takes it from (see source()). Costs
-  /// nothing.
+  /// Saves the present state. The next sort reads it from where it then is (see source()). No data are
+  /// copied.
   void save() {
     swap_with_saved();
     saved_count_ = count_;
     saved_sorted_ = sorted_;
     from_saved_ = true;
   }
-  /// Makes the state put aside the present one again.
+  /// Makes the saved state the present one again.
   void restore() {
     swap_with_saved();
     count_ = saved_count_;
     sorted_ = saved_sorted_;
     from_saved_ = false;
   }
-  /// The state that is to be predicted, and sorted into target().
+  /// The state to predict from, which is then sorted into target().
   ParticleView source() {
     if (!from_saved_) return view();
     return {saved_position_.view(),
@@ -185,18 +188,18 @@ class Particles {
             0,
             sorted_};
   }
-  /// Before velocity.flip() where only the fluids' next velocities were written.
+  /// Call it before velocity.flip() if only the fluids' next velocities were written.
   void keep_vertex_velocities() {
     if (vertices() == 0) return;
     device_.copy(velocity.next.view().data + sorted_, velocity.current.view().data + sorted_,
                  vertices() * sizeof(Vec4));
   }
-  /// The next buffers; where there are no fluids, and each element stays in its place, the present ones.
+  /// The next buffers. Without fluids all elements keep their places, so the present buffers.
   template <class T>
   View<T> target(DoubleBuffer<T>& values) {
     return (sorted_ ? values.next : values.current).view();
   }
-  /// What was sorted into target() is the present state.
+  /// Makes what was sorted into target() the present state.
   void accept_sorted() {
     from_saved_ = false;
     if (sorted_ == 0) return;
@@ -223,14 +226,14 @@ class Particles {
   DoubleBuffer<Vec4> position{device_, "particle positions"};
   Buffer<Vec4> previous{device_, "previous positions"};
   Buffer<Vec4> accumulated_delta{device_, "constraint displacements"};
-  Buffer<Vec4> predicted{device_, "predicted positions"};  ///< of motions that may be cut short, unsorted
+  Buffer<Vec4> predicted{device_, "predicted positions"};  ///< of motions that may be limited, unsorted
   DoubleBuffer<Vec4> velocity{device_, "particle velocities"};
   DoubleBuffer<Phase> phase{device_, "particle phases"};
   DoubleBuffer<uint32_t> slot{device_, "particle slots"};
   DoubleBuffer<uint32_t> number{device_, "particle numbers"};
 
  private:
-  /// Makes room in front of the vertices.
+  /// Moves the vertices, so that they begin at `first`.
   void move_vertices(uint32_t first) {
     const uint32_t moving = vertices();
     if (moving == 0 || first == sorted_) return;
@@ -272,7 +275,7 @@ class Particles {
   uint32_t count_ = 0, sorted_ = 0;
   uint32_t saved_count_ = 0, saved_sorted_ = 0;
   uint32_t capacity_ = 0;
-  uint32_t next_number_ = 0;  // wraps below vertex_slot, where vertices' numbers begin
+  uint32_t next_number_ = 0;  // wraps below vertex_slot, where the numbers of vertices begin
   bool from_saved_ = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Parts of a solver in the order of named phases, whatever the order in which they are given.
+// Parts of a solver, ordered by named phases, in whatever order they are added.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace meniscus::pbd {
 template <class Phase, class Part>
 class Pipeline {
  public:
-  /// Throws std::logic_error where the phase has a part.
+  /// Throws std::logic_error if the phase already has a part.
   Pipeline& place(Phase phase, Part& part) {
     Part*& at = parts_[static_cast<std::size_t>(phase)];
     if (at) throw std::logic_error(std::string("two parts for the phase ") + phase_name(phase));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Taking particles of fluids out: the rest close up, in memory and in the user's order.
+// Removes fluid particles. The others are compacted, in memory and in the user's order.
 #pragma once
 
 #include "pbd/gather.h"
@@ -54,10 +54,11 @@ class Removal {
  public:
   explicit Removal(D& device) : device_(device) {}
 
-  /// How many particles there may be. Most worlds never remove any: memory is taken at the first removal.
+  /// Sets the maximum number of particles. Most worlds never remove any: memory is allocated at the first
+  /// removal.
   void reserve(uint32_t capacity) { capacity_ = capacity; }
 
-  /// By index: 1 for who stays, as vertices always do, 0 for who goes. To be filled before apply().
+  /// By index: 1 for particles that stay, as vertices always do, else 0. Fill it before apply().
   View<uint32_t> keep() {
     allocate();
     return keep_.view();
@@ -72,7 +73,7 @@ class Removal {
         removal_kernels::PickBySlot{keep_by_slot_.view(), particles.slot.current.view(), keep_.view()});
   }
 
-  /// How many of the fluids' particles stay.
+  /// The number of fluid particles that stay.
   uint32_t count_kept(const Particles& particles) {
     const uint32_t n = particles.count();
     device_.exclusive_scan("removal/offsets", View<const uint32_t>(keep_.view().first(n)), offset_.view());
@@ -81,7 +82,7 @@ class Removal {
     return kept - particles.vertices();
   }
 
-  /// Removes who does not stay, after count_kept; reorder(order, count) is called for arrays that live
+  /// Removes the other particles, after count_kept. Calls reorder(order, count) for arrays that are stored
   /// elsewhere. Returns keep() by slot as it was before.
   template <class Reorder>
   std::vector<uint32_t> apply(Particles& particles, uint32_t kept, const Reorder& reorder) {

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A double buffer whose contents can be saved and restored without a copy.
 #pragma once
 
 #include "pbd/particles.h"
 
 namespace meniscus::pbd {
 
-/// Two arrays of which one is current, and a third that keeps the current one from save() on. Nothing is
-/// copied: the first flip after save() leaves the values where they are, and takes other memory from then on.
+/// Two arrays of which one is current, and a third that keeps the values of save(). Nothing is copied: the
+/// first flip after save() keeps the memory with the values, and uses other memory from then on.
 template <class T>
 class RestorableBuffer {
  public:

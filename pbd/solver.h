@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The position-based solver: parameters, results and interface. solver.inl has the algorithm.
 #pragma once
 
 #include <functional>
@@ -22,11 +24,11 @@ struct SolverParameters {
   float contact_radius = 0.0125f;  ///< m
   int substeps = 4;
   int iterations = 10;
-  float cfl_number = 0;  ///< when > 0, substeps follow from it, within the limits
+  float cfl_number = 0;  ///< when > 0, it determines the number of substeps, within the limits
   int min_substeps = 1, max_substeps = 16;
 };
 
-/// One pass over the particles: what the host must know of them.
+/// A reduction over the particles, for the host.
 struct ParticleSummary {
   Vec3 lower, upper;        ///< m, of the finite ones
   float max_speed2;         ///< m²/s²
@@ -34,10 +36,10 @@ struct ParticleSummary {
   uint32_t first_bad_slot;  ///< no_index when there is none
 };
 
-/// What the substeps found. The host learns of it at the end of the step.
+/// The results of the substeps' searches. The host reads them at the end of the step.
 struct Found {
-  SumNote contacts;       ///< of the last substep, and the most of any
-  uint32_t longest_list;  ///< of neighbours
+  SumNote contacts;       ///< of the last substep, and the maximum over all
+  uint32_t longest_list;  ///< of the neighbour lists
 };
 
 struct StepReadout {
@@ -52,42 +54,42 @@ struct StepResult {
   ParticleSummary summary{};
 };
 
-/// The position-based solver on device D. It owns how a step runs; what is constrained comes from the sets.
+/// The position-based solver on device D. It defines how a step runs; the sets define the constraints.
 template <class D>
 class Solver {
  public:
   Solver(D& device, Particles& particles, const SolverParameters& parameters);
 
-  /// From the next step on; the radii stay.
+  /// Applies from the next step on; the radii do not change.
   void set_parameters(const SolverParameters& parameters) { parameters_ = parameters; }
-  /// Registered parts must outlive the solver. They run in the order in which they were added.
+  /// Added parts must outlive the solver. They run in the order in which they were added.
   void add(ContactSource<D>& source) { contacts_.add(source); }
   void add(ConstraintSet<D>& set) { sets_.push_back(&set); }
   void add(VelocityPass<D>& pass) { passes_.push_back(&pass); }
   void add(Observer<D>& observer) { observers_.push_back(&observer); }
 
-  /// Room for so many particles of fluids, and vertices, here and in all parts.
+  /// Makes room for this many fluid particles and vertices, here and in all parts.
   void reserve(uint32_t fluid, uint32_t vertices = 0);
-  /// The particles [first, first + count) are new, or all have changed by hand.
+  /// The particles [first, first + count) are new, or all were changed from outside.
   void particles_changed(uint32_t first, uint32_t count);
 
   /// Advances by dt. When the result's summary counts non-finite particles, the state is the one before the
   /// call.
   StepResult step(float dt);
-  /// Solves for positions and drops the motion: dissolves overlaps.
+  /// Solves for positions and discards the velocities: resolves overlaps.
   void relax(float dt, int times);
 
-  /// Calls measure(substep, found) with neighbours and contacts found afresh at the present positions, and
-  /// leaves no trace.
+  /// Calls measure(substep, found) with neighbours and contacts of the present positions. The state does not
+  /// change.
   void measure(const std::function<void(Substep<D>&, const Found&)>& measure);
 
-  /// Calls look(substep) with the neighbours and contacts that the last substep found, which lack no more
-  /// than what came near within it, and waits for nothing. False, and not called, where they are not of the
-  /// present particles.
+  /// Calls look(substep) with the neighbours and contacts of the last substep, and does not wait. They lack
+  /// only pairs that came into reach within that substep. Returns false, without a call, if they do not
+  /// belong to the present particles.
   bool look(const std::function<void(Substep<D>&)>& look);
 
   const ParticleSummary& summary();
-  /// Of the last substep, or measurement.
+  /// The contacts of the last substep, or measurement.
   ContactView contacts() { return contacts_.view(); }
   StageTimer& timer() { return timer_; }
 
@@ -126,9 +128,9 @@ class Solver {
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
   uint32_t fluid_room_ = 0, vertex_room_ = 0, extra_room_ = 0;
-  bool has_found_ = false;  // neighbours and contacts are of the last step's end, and of all particles
-  bool fresh_ = true;       // particles were added or changed by hand since the last step
-  float step_speed_ = 0;    // m/s, that a particle can reach in the present step
+  bool has_found_ = false;  // neighbours and contacts are of the end of the last step, and of all particles
+  bool fresh_ = true;       // particles were added or changed from outside since the last step
+  float step_speed_ = 0;    // m/s, the upper limit of a particle's speed in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };
 

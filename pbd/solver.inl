@@ -4,11 +4,11 @@
 // How a step runs. Read substep() first: it is the algorithm.
 //
 // A substep follows Position Based Fluids (Macklin & Müller 2013, algorithm 1) with the small steps of
-// Macklin et al. 2019: positions are predicted, neighbours and contacts are found once, the constraint sets
-// correct the positions in turn for a number of iterations, and the velocity is what the positions did.
-// The host waits at the step's end, and where there are rigid bodies once a substep. If neighbours or
-// contacts were too many for the room that they had, there is made more, and the step is done again from the
-// saved state.
+// Macklin et al. 2019. Positions are predicted, and neighbours and contacts are found once. The constraint
+// sets then correct the positions in turn for a number of iterations. The velocity follows from the change of
+// the positions. The host waits at the end of the step, and with rigid bodies once in each substep. If
+// neighbours or contacts exceeded their capacity, the capacity grows, and the step is repeated from the saved
+// state.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ void Solver<D>::substep(float dt, bool is_first, bool is_last) {
   timer_.enter(StageId::predict);
   for (ConstraintSet<D>* set : sets_) set->predict(dt);
   sort(predict(dt, parameters_.gravity));
-  // The device is idle, and may begin while the rest is put together.
+  // The device is idle, and can begin while the other launches are collected.
   if (is_first && particles_.sorted()) device_.send_off();
 
   Substep<D> s = make_substep(dt);
@@ -75,8 +75,8 @@ StepResult Solver<D>::step(float dt) {
   }
 }
 
-/// The substeps of a step of length dt, and what has come of them. Whatever goes wrong, the state is the one
-/// from before.
+/// Runs the substeps of a step of length dt, and returns their results. After an exception the state is the
+/// one before.
 template <class D>
 StepResult Solver<D>::run(float dt) {
   timer_.start_step();
@@ -105,7 +105,7 @@ void Solver<D>::relax(float dt, int times) {
     try {
       for (ConstraintSet<D>* set : sets_) set->start_step();
       relax_once(dt);
-      device_.wait();  // sets find what they have no room for while they work
+      device_.wait();  // some sets find only while they work that they lack room
     } catch (...) {
       undo_step();
       throw;
@@ -213,7 +213,7 @@ void Solver<D>::find(Substep<D>& s, bool prepares) {
   s.contacts = contacts_.view();
 }
 
-/// Finds what is near at the present positions, with room for all of it.
+/// Finds neighbours and contacts at the present positions, with room for all of them.
 template <class D>
 Substep<D> Solver<D>::find_at_rest(float dt) {
   for (;;) {
@@ -227,7 +227,7 @@ Substep<D> Solver<D>::find_at_rest(float dt) {
   }
 }
 
-/// Whether all that was found fitted.
+/// Whether everything that was found had room.
 template <class D>
 bool Solver<D>::had_room() {
   const Found& found = readout_.found;
@@ -258,8 +258,9 @@ MotionView Solver<D>::motion_of(const Substep<D>& s) {
           s.particles.phase,    s.particles.owned,    s.particles.sorted};
 }
 
-/// Whether a substep is so long for the speeds in it that the solve may carry a particle through a surface
-/// which was out of its reach when contacts were found. New particles may overlap, and be thrown apart.
+/// Whether a substep is long relative to the speeds. The solve may then move a particle through a surface
+/// that was out of its reach when contacts were found. New particles may overlap, and be separated at high
+/// speed.
 template <class D>
 bool Solver<D>::is_fast(float dt) const {
   return fresh_ || step_speed_ * dt > 0.5f * (parameters_.support_radius - parameters_.contact_radius);
@@ -315,7 +316,7 @@ void Solver<D>::reserve_all(uint32_t fluid, uint32_t vertices) {
   contacts_.reserve(capacity);
 }
 
-/// Room for the particles that sets add to a substep. The state is in place, nothing is put aside.
+/// Makes room for the particles that sets add in a substep. The state must be in place, not saved.
 template <class D>
 void Solver<D>::reserve_extra() {
   uint32_t extra = 0;
@@ -363,7 +364,7 @@ Substep<D> Solver<D>::make_substep(float dt) {
 
 template <class D>
 void Solver<D>::save_state() {
-  summary();  // of the state while it is in place
+  summary();  // of the present state, before it is saved
   for (ConstraintSet<D>* set : sets_) set->save();
   particles_.save();
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates Solver for the CPU.
 #include "pbd/device/cpu/cpu_device.h"
 #include "pbd/solver.inl"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The solver's own kernels: prediction, reordering, velocity update and the summary of the state.
 #pragma once
 
 #include "pbd/contacts.h"
@@ -10,12 +12,12 @@
 
 namespace meniscus::pbd::solver_kernels {
 
-/// a + h·b, with the same bits in each kernel: a particle must be in the cell that it has been sorted by.
+/// a + h·b, with the same bits in each kernel: a particle must be in the cell by which it was sorted.
 MENISCUS_HD inline Vec3 after(Vec3 a, Vec3 b, float dt) {
   return {multiply_add(dt, b.x, a.x), multiply_add(dt, b.y, a.y), multiply_add(dt, b.z, a.z)};
 }
 
-/// v + h·g; what nothing moves is not drawn either.
+/// v + h·g; fixed particles are not accelerated.
 MENISCUS_HD inline Vec3 drawn(const Vec4& position, const Vec4& velocity, Vec3 gravity, float dt) {
   return position.w > 0 ? after(velocity.xyz(), gravity, dt) : velocity.xyz();
 }
@@ -25,12 +27,12 @@ MENISCUS_HD inline Vec3 advanced(const Vec4& position, Vec3 velocity, float dt) 
   return after(position.xyz(), velocity, dt);
 }
 
-/// Where particles will be if nothing moves them: p = x + h·(v + h·g).
+/// The positions of particles without constraints: p = x + h·(v + h·g).
 struct Prediction {
   View<const Vec4> position, velocity;
   Vec3 gravity;
   float dt;
-  View<const Vec4> limited{};  ///< the same, where motions may have been cut short
+  View<const Vec4> limited{};  ///< the same, with the motions that were limited
 
   MENISCUS_HD Vec3 velocity_of(const Vec4& x, const Vec4& v) const { return drawn(x, v, gravity, dt); }
   MENISCUS_HD Vec4 unlimited(uint32_t i) const {
@@ -47,8 +49,8 @@ struct Predict {
   MENISCUS_HD void operator()(uint32_t i) const { predicted[i] = prediction.unlimited(i); }
 };
 
-/// Brings the state into sorted order, in which everything is from here on; v += h·g on the way. What is not
-/// sorted stays where it is, and may be written over what it was read from.
+/// Reorders the state into the sorted order, which holds from here on, and adds v += h·g. Unsorted particles
+/// keep their places, and may be written over their own input.
 struct Reorder {
   CellOrder order;
   Prediction prediction;
@@ -79,7 +81,7 @@ struct Reorder {
   }
 };
 
-/// v = (p − x)/h, without the rounding of p: far from the origin that would be a force of its own.
+/// v = (p − x)/h, without the rounding of p, which would act as a force far from the origin.
 struct UpdateVelocity {
   View<const Vec4> position, accumulated_delta;
   View<Vec4> velocity;
@@ -93,7 +95,7 @@ struct UpdateVelocity {
   }
 };
 
-/// Drops the motion of a substep.
+/// Discards the motion of a substep.
 struct StopMotion {
   View<Vec4> velocity;
 
@@ -105,7 +107,7 @@ MENISCUS_HD inline ParticleSummary empty_summary() {
   return {corner, -corner, 0, 0, no_index};
 }
 
-/// What is so fast that a float does not hold its speed squared counts as non-finite.
+/// A speed whose square exceeds the range of a float counts as non-finite.
 struct Summarize {
   View<const Vec4> position, velocity;
   View<const uint32_t> slot;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Measures the device time of each stage of a step.
 #pragma once
 
 #include <array>
@@ -13,19 +15,19 @@ namespace meniscus::pbd {
 enum class StageId { predict, neighbours, contacts, solve, velocity, exchange, finish };
 inline constexpr size_t stage_ids = 7;
 
-/// Splits the device's time among the stages of a step.
+/// Divides the device's time among the stages of a step.
 class StageTimer {
  public:
   explicit StageTimer(Device& device) : device_(device) {}
 
   void start_step() { marks_.clear(); }
-  /// What is launched from here on belongs to `stage`.
+  /// Later launches belong to `stage`.
   void enter(StageId stage) {
     device_.mark_time(static_cast<uint32_t>(marks_.size()));
     marks_.push_back(stage);
   }
-  /// Likewise, where the host turns to something else before it launches anything: the second mark has the
-  /// first launched, which would wait for a launch.
+  /// The same, if the host turns to other work before it launches anything. The first launch notes the second
+  /// mark; with one mark alone, it would wait for a launch.
   void enter_now(StageId stage) {
     enter(stage);
     enter(stage);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Disjoint sets that threads unite concurrently.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +11,9 @@
 
 namespace meniscus::pbd {
 
-/// Sets of numbers, each named by the greatest of its own: labels lead from number to number upwards, to the
-/// name (union-find; who walks along halves the way for those who follow, as in ECL-CC, Jaiganesh & Burtscher
-/// 2018). Any number of threads may unite at once; what the names are in the end does not depend on the
-/// order.
+/// Disjoint sets of numbers, each named by its greatest member. Labels lead from number to number upwards, to
+/// the name. A find shortens the path for later ones (path halving, as in ECL-CC, Jaiganesh & Burtscher
+/// 2018). Any number of threads may unite concurrently; the final names do not depend on the order.
 struct UnionFind {
   View<uint32_t> label;
 
@@ -33,7 +34,7 @@ struct UnionFind {
       b = name(b);
       if (a == b) return;
       const uint32_t lower = a < b ? a : b, upper = a < b ? b : a;
-      // Else it has been led elsewhere meanwhile.
+      // Else another thread has changed the label meanwhile.
       if (atomic_exchange_if(label[lower], lower, upper) == lower) return;
     }
   }

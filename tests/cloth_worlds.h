@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth for tests of worlds, and what is measured of it.
+// Worlds with cloth for tests, and measurements of that cloth.
 #pragma once
 
 #include <algorithm>

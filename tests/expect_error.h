@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Expects that a call throws an Error with a given code and message.
 #pragma once
 
 #include <gtest/gtest.h>

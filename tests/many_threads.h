@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Lets a test use more threads than there are cores.
 #pragma once
 
 #include <tbb/global_control.h>

@@ -74,7 +74,7 @@ class SheetCrossings {
            b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
   }
 
-  // Points stand in columns along y, each in all that its way leads through.
+  // Points are in columns along y, each in all columns that its displacement passes through.
   static constexpr size_t columns = 64;  // on each of the two axes
 
   struct Range {
@@ -91,7 +91,7 @@ class SheetCrossings {
             column(box.upper.z, extent_.lower.z, extent_.upper.z)};
   }
 
-  /// Of the sheet, on its way.
+  /// The extent of the sheet over its displacement.
   Aabb extent_of(std::span<const Vec3> vertices) const {
     Aabb extent{vertices[0], vertices[0]};
     for (std::span<const Vec3> some : {vertices, std::span<const Vec3>(vertices_)}) {

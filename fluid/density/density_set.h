@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The density constraint of Position Based Fluids: its parameters and its constraint set.
 #pragma once
 
 #include <memory>
@@ -23,46 +25,46 @@ struct ArtificialPressure {
 
 struct DensityParameters {
   bool chebyshev = true;
-  bool pressure_grid = false;   ///< moves particles before the iterations (pressure_grid.h)
-  float relaxation = 0.3f;      ///< ω of damped Jacobi
-  float warm_start = 0.4f;      ///< share of the last substep's multipliers
-  float spectral_bound = 4.5f;  ///< of D⁻¹A, for Chebyshev
-  float tolerance = 0;        ///< mean of max(C, 0) that ends the iterations; 0: there are as many as may be
-  float compressibility = 0;  ///< 1/Pa
-  float correction_limit = 0.0125f;  ///< m, of one iteration
+  bool pressure_grid = false;        ///< moves particles before the iterations (pressure_grid.h)
+  float relaxation = 0.3f;           ///< ω of damped Jacobi
+  float warm_start = 0.4f;           ///< fraction of the last substep's multipliers
+  float spectral_bound = 4.5f;       ///< of D⁻¹A, for Chebyshev
+  float tolerance = 0;               ///< mean of max(C, 0) at which the iterations end; 0: all iterations run
+  float compressibility = 0;         ///< 1/Pa
+  float correction_limit = 0.0125f;  ///< m, in one iteration
   ArtificialPressure artificial_pressure;
 };
 
 /// The density constraint of Position Based Fluids, for every fluid particle: C_i = Σ_j V W(x_i − x_j) − 1 ≤
-/// 0, over neighbours and over the images of particles in the walls (fluid/kernel/mirror_ghosts.h).
+/// 0. The sum is over neighbours and their mirror ghosts in the walls (fluid/kernel/mirror_ghosts.h).
 ///
 ///   D_i  = w_i |Σ e_ij|² + Σ w_j |e_ij|²,  e_ij = V |∇W| (x_i − x_j)/r
 ///   λ'_i = max(0, λ_i + step · (C_i − α̃ λ_i)/(D_i + α̃)),  Δλ = λ' − λ
 ///   Δx_i = w_i Σ_j (Δλ_i + Δλ_j) e_ij
 ///
-/// α̃ = α/h_t² is XPBD's compliance (Macklin, Müller & Chentanez 2016) with α = compressibility/V; it takes
-/// the place of the paper's ε. The multiplier of the whole substep is clamped, not its increments, so that an
-/// iteration can take back what an earlier one overdid.
+/// α̃ = α/h_t² is XPBD's compliance (Macklin, Müller & Chentanez 2016) with α = compressibility/V. It replaces
+/// the paper's ε. The multiplier of the whole substep is clamped, not its increments, so that an iteration
+/// can undo the excess of an earlier one.
 ///
 /// `step` is ω for Jacobi, or the weights of the Chebyshev semi-iteration (on the spectrum of D⁻¹A), which
 /// reuse the last increment.
 ///
-/// Grains count in the sums as fluid does, by their volume (Macklin et al. 2014, section 7.1), and keep λ =
-/// 0: they are moved by the pressure of the fluid around them, and float or sink by their mass.
+/// Grains count in the sums like fluid, by their volume (Macklin et al. 2014, section 7.1), and keep λ = 0.
+/// The pressure of the fluid around them moves them, and they float or sink by their mass.
 ///
 /// The paper adds its repulsion (eq. 13) in every iteration, so that it grows with their number. Here it acts
-/// in the first alone, as a pressure: halving the step or doubling the iterations leaves the motion as it
-/// was.
+/// in the first iteration alone, as a pressure. So the motion does not depend on the step or the number of
+/// iterations.
 template <class D>
 class DensitySet final : public pbd::ConstraintSet<D> {
  public:
   DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters);
   ~DensitySet() override;
 
-  /// From the next substep on.
+  /// Applies from the next substep on.
   void set_parameters(const DensityParameters& parameters);
 
-  /// Which kinds of particles there may be.
+  /// Sets which kinds of particles may exist.
   void set_kinds(bool any_fluid, bool any_grains) {
     any_fluid_ = any_fluid;
     any_grains_ = any_grains;
@@ -80,7 +82,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
 
   /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
   pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
-  /// Iterations done in a step of so many planned; to be asked when the device is done with it.
+  /// Iterations done in a step with `planned` iterations. Call it when the device has finished the step.
   uint32_t iterations_done(uint32_t planned) const;
   /// C of each particle at the substep's present positions.
   void measure(const pbd::Substep<D>& substep, pbd::View<float> error, pbd::View<float> full) const;
@@ -103,11 +105,11 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   DensityParameters parameters_;
   float last_dt_ = 0, saved_dt_ = 0;
   bool saving_ = false;
-  float share_ = 0;  // of the last substep's multipliers
+  float share_ = 0;  // the fraction of the last substep's multipliers
   bool any_fluid_ = true, any_grains_ = false;
   pbd::Chebyshev chebyshev_;
-  std::unique_ptr<PressureGrid<D>> pressure_grid_;  // where the parameters ask for one
-  std::unique_ptr<DensityStop<D>> stop_;            // where there is a tolerance
+  std::unique_ptr<PressureGrid<D>> pressure_grid_;  // exists if the parameters ask for it
+  std::unique_ptr<DensityStop<D>> stop_;            // exists if there is a tolerance
 
   pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The iterations of the density constraint, as launches of kernels, and its buffers.
 #pragma once
 
 #include <cmath>
@@ -55,9 +57,9 @@ template <class D>
 void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   last_dt_ = substep.dt;
-  // A multiplier grows with the square of the step; but after a step that was short for the error that it
-  // met, it is greater than the longer one's will be.
-  // A pressure grid starts from nothing: its share of the multipliers is no guess for the rest.
+  // A multiplier grows with the square of the step. But after a step that was short for its error, the
+  // multiplier exceeds that of a longer step. With a pressure grid the multipliers include its pressure, so
+  // they are no estimate for the remaining iterations.
   share_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
 }
 
@@ -82,7 +84,7 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt),
       .limit = parameters_.correction_limit,
       .first = iteration == 0,
-      .last = last || stop_ != nullptr,  // any may turn out to be
+      .last = last || stop_ != nullptr,  // any iteration may turn out to be the last
       .fraction = share_,
       .phase = substep.particles.phase,
       .keeps_error = pressure_grid_ || stop_};
@@ -118,7 +120,7 @@ void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Adv
               Advance<with_grains>{kernel_, substep.neighbours, contacts.start, advancing},
               contacts.contacts.count,
               AdvanceAtWalls<any_moving, with_grains>{kernel_, substep.neighbours, contacts, advancing});
-  // What has been started from is pushed with by the first iteration: it comes in any case.
+  // The first iteration applies the initial multipliers, so it always runs.
   if (stop_)
     stop_->look(substep, multiplier_.current.view(), parameters_.tolerance, advancing.first,
                 pressure_grid_ || !advancing.first);
@@ -133,7 +135,7 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   const pbd::ContactView contacts = substep.contacts.of_first(p.sorted);
   pbd::ContactProjection walls = pbd::contact_projection(substep);
   walls.contacts = contacts;
-  // Where nothing else moves fluid in an iteration, and each has all its corrections.
+  // True if nothing else moves fluid within an iteration, and every iteration applies all corrections.
   const bool projects = p.owned == p.sorted && !any_grains_ && !stop_;
   launch_both("density/correct", p.sorted,
               Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
@@ -194,8 +196,8 @@ void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
   saving_ = false;
 }
 
-/// Nothing is copied: the next sort leaves the present values where they are, and takes other memory from
-/// then on.
+/// Nothing is copied: the next sort keeps the memory with the present values, and uses other memory from then
+/// on.
 template <class D>
 void DensitySet<D>::save() {
   saved_dt_ = last_dt_;

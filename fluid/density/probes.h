@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Probes: places where the pressure, or the force of the fluid on a solid, is averaged over a step.
 #pragma once
 
 #include <span>
@@ -18,13 +20,13 @@ struct Probe {
   Aabb patch{{0, 0, 0}, {0, 0, 0}};  ///< contacts whose point lies inside count
 };
 
-/// What a probe gathers: sums for a weighted mean of the pressure, or a force.
+/// The sums of a probe: for a weighted mean of the pressure, or a force.
 struct ProbeSum {
   double pressure, weight;  ///< Σ p V W and Σ V W, in Pa and 1
   double x, y, z;           ///< N, of the fluid on the shape
 };
 
-/// Measures the probes in every substep, and gives the mean over a step.
+/// Measures the probes in every substep, and averages over a step.
 template <class D>
 class Probes final : public pbd::Observer<D> {
  public:
@@ -33,7 +35,7 @@ class Probes final : public pbd::Observer<D> {
   void set_probes(std::span<const Probe> probes);
   void start_step() override;
   void observe(const pbd::Substep<D>& substep) override;
-  /// One element a probe: the mean over the last step's substeps.
+  /// One element for each probe: the mean over the last step's substeps.
   void read(std::span<ProbeSum> means) const;
 
  private:

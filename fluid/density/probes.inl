@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels that sum up what probes measure.
 #pragma once
 
 #include "fluid/density/probes.h"
@@ -25,7 +27,7 @@ struct PointPressure {
   }
 };
 
-/// What the contacts of particle i with one fixed shape take up, as a force on the shape.
+/// The force on one fixed shape through the contacts of particle i.
 struct WallForce {
   pbd::ContactView contacts;
   uint32_t shape;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The test that ends the density iterations of a substep on the device.
 #pragma once
 
 #include "fluid/density/stop_kernels.h"
@@ -8,12 +10,12 @@
 
 namespace meniscus::fluid {
 
-/// Ends a substep's density iterations where the mean of max(C, 0) over all particles of fluids is at most a
-/// tolerance. The device decides by itself: the host goes on launching until it hears of it, and what is
-/// launched in vain returns at once.
+/// Ends a substep's density iterations when the mean of max(C, 0) over all fluid particles is at most a
+/// tolerance. The device decides. The host continues to launch until it learns of the end, and superfluous
+/// launches return at once.
 ///
-/// An iteration first finds C from the positions that the last one left, so looking costs half an iteration.
-/// While there may be an end, Multiplier::relieved holds C, and what it else holds is here.
+/// An iteration first computes C from the positions of the previous one, so the test costs half an iteration.
+/// Until the end, Multiplier::relieved holds C, and its usual value is stored here.
 template <class D>
 class DensityStop {
  public:
@@ -34,17 +36,17 @@ class DensityStop {
     done_.host()[0] = 0;
   }
 
-  /// Wraps a kernel: it does nothing once the iterations have ended.
+  /// Wraps a kernel, so that it does nothing once the iterations have ended.
   template <class Kernel>
   density_kernels::UnlessEnded<Kernel> unless_ended(const Kernel& kernel) const {
     return {progress_.view(), kernel};
   }
 
-  /// Whether the host has heard that this substep's iterations have ended: then no more need be launched.
-  /// When it does is left to chance, and makes no difference to what comes of them.
+  /// Whether the host knows that this substep's iterations have ended, so that no more launches are needed.
+  /// The moment varies from run to run, without an effect on the results.
   bool is_over() const { return *static_cast<const volatile uint32_t*>(ended_.host().data()) == number_; }
 
-  /// The multipliers of an iteration are known, and have moved nothing yet.
+  /// Call it when the multipliers of an iteration are known, and have not moved any particle.
   void look(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
             float tolerance, bool first, bool may_end) {
     using namespace density_kernels;
@@ -57,7 +59,7 @@ class DensityStop {
                          Decide{sum_.view(), progress_.view(), ended_.view(), tolerance, may_end});
   }
 
-  /// All iterations have been launched.
+  /// Call it when all iterations have been launched.
   void finish(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
               pbd::View<const float> increment, bool keeps_error) {
     using namespace density_kernels;
@@ -67,7 +69,7 @@ class DensityStop {
     ++number_;
   }
 
-  /// Iterations since the step's start, over its substeps; to be asked when the device is done.
+  /// Iterations since the step's start, over its substeps. Call it when the device has finished.
   uint32_t iterations() const { return done_.host()[0]; }
 
  private:
@@ -76,7 +78,7 @@ class DensityStop {
   pbd::Buffer<density_kernels::Progress> progress_{device_, "density progress"};
   pbd::Buffer<density_kernels::ErrorSum> sum_{device_, "density error sum"};
   pbd::SharedBuffer<uint32_t> done_{device_, "density iterations"}, ended_{device_, "density's end"};
-  uint32_t number_ = 0;  // of the substep: see Progress
+  uint32_t number_ = 0;  // the number of the substep: see Progress
 };
 
 }  // namespace meniscus::fluid

@@ -8,14 +8,14 @@
 
 namespace meniscus::fluid::density_kernels {
 
-/// Where the iterations stand.
+/// The progress of the iterations.
 struct Progress {
-  uint32_t ended;       ///< 1 once this substep's are at their end
-  uint32_t iterations;  ///< since the step's start
-  uint32_t number;      ///< of the substep, counted from the first one on
+  uint32_t ended;       ///< 1 once the iterations of this substep have ended
+  uint32_t iterations;  ///< since the start of the step
+  uint32_t number;      ///< the number of the substep, counted from the first one
 };
 
-/// Begins a step, whatever has become of the last one.
+/// Begins a step, whatever the state after the last one.
 struct Begin {
   View<Progress> progress;
 
@@ -33,7 +33,7 @@ struct UnlessEnded {
   }
 };
 
-/// Puts C at the substep's start aside.
+/// Saves C at the substep's start.
 struct KeepStart {
   View<const Multiplier> multiplier;
   View<float> start;
@@ -43,7 +43,7 @@ struct KeepStart {
 
 struct ErrorSum {
   double error = 0;
-  uint32_t fluid = 0;  ///< particles
+  uint32_t fluid = 0;  ///< number of particles
 };
 
 struct AddErrors {
@@ -66,9 +66,9 @@ struct MeanError {
 struct Decide {
   View<const ErrorSum> sum;
   View<Progress> progress;
-  View<uint32_t> ended;  ///< the number of the substep that has; the host looks there
+  View<uint32_t> ended;  ///< the number of the substep that has ended, for the host
   float tolerance;
-  bool may_end;  ///< at this iteration
+  bool may_end;  ///< whether this iteration may end
 
   MENISCUS_HD void operator()(uint32_t) const {
     Progress& p = progress[0];
@@ -82,8 +82,8 @@ struct Decide {
   }
 };
 
-/// Takes back what the iteration that found the end had wanted to add, and leaves the multipliers as the next
-/// substep expects them.
+/// Undoes the increments of the iteration at which the end was found, and prepares the multipliers for the
+/// next substep.
 struct Finish {
   View<Multiplier> multiplier;
   View<const float> increment, start;
@@ -97,7 +97,7 @@ struct Finish {
   }
 };
 
-/// Makes ready for the next substep, and tells the host.
+/// Prepares the next substep, and informs the host.
 struct Report {
   View<Progress> progress;
   View<uint32_t> iterations;

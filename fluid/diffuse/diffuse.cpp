@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Turns the user's definition of spray, foam and bubbles into the parameters of the kernels.
 #include "fluid/diffuse/diffuse.h"
 
 #include <cmath>

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Spray, foam and bubbles: particles of air and water mixed, too small for the solver, which go along with
-// the fluid and have no effect on it (Ihmsen, Akinci, Akinci & Teschner 2012). A particle of fluid makes
+// Spray, foam and bubbles: particles of mixed air and water, too small for the solver. The fluid moves them,
+// and they have no effect on it (Ihmsen, Akinci, Akinci & Teschner 2012). A fluid particle creates
 //   n = (k_ta Φ(I_ta) + k_wc Φ(I_wc)) Φ(I_k) Δt       (eq. 8)
-// of them, where Φ goes from 0 to 1 over a range, and
+// diffuse particles, where Φ rises from 0 to 1 over a range, and
 //   I_ta = Σ |v_ij| (1 − v̂_ij · x̂_ij) w               trapped air (eq. 2), m/s
 //   I_wc = Σ (1 − n_i · n_j) w over x̂_ji · n_i < 0     wave crests (eqs. 4 to 6), where v̂_i · n_i > 0.6
 //   I_k  = v²/2                                        J/kg
-// By how much fluid is around it, one is spray, which flies; foam, which goes with the fluid; or a bubble,
-// which rises (eqs. 9 to 13).
-// Departures from the paper: the weights w = 1 − r/h are over their sum inside of a fluid, and energy is by
-// mass, so that the ranges mean the same at every resolution; all kinds age; n is rounded up or down at
-// random, in its proportion.
+// The amount of fluid around a diffuse particle determines its kind: spray, which flies; foam, which moves
+// with the fluid; or a bubble, which rises (eqs. 9 to 13). Departures from the paper: the weights w = 1 − r/h
+// are divided by their sum inside a fluid, and energy is per mass. So the ranges have the same meaning at
+// every resolution. All kinds age. n is rounded up or down at random, in proportion to its fraction.
 #pragma once
 
 #include <meniscus/defs.h>
@@ -28,37 +27,38 @@ namespace meniscus::fluid {
 struct DiffuseParameters {
   DiffuseDef def;
   float support = 0;      ///< h, m
-  float radius = 0;       ///< m, around a particle of fluid where it makes others
+  float radius = 0;       ///< m, the radius around a fluid particle in which it creates others
   float full_weight = 1;  ///< Σ w inside a fluid
   Vec3 gravity{0, 0, 0};  ///< m/s²
 };
 
 DiffuseParameters diffuse_parameters(const DiffuseDef& def, float spacing, float support, Vec3 gravity);
 
-/// The next state, of a step that has not ended.
+/// The next state, within a step that has not ended.
 struct PendingDiffuse {
-  pbd::View<DiffuseParticle> particles;  ///< as many as there is room for
-  pbd::View<const uint32_t> count;       ///< one element, on the device: so many are there
+  pbd::View<DiffuseParticle> particles;  ///< as many as the capacity
+  pbd::View<const uint32_t> count;       ///< one element, on the device: the number of particles
 };
 
-/// Advances them in a step's last substep. What it makes counts when the step is accepted.
+/// Advances the particles in a step's last substep. New particles count once the step is accepted.
 template <class D>
 class Diffuse final : public pbd::Observer<D> {
  public:
   Diffuse(D& device, const DiffuseParameters& parameters);
 
-  /// Who keeps them out of solids; runs when they have moved and new ones are made.
+  /// Sets the function that keeps them out of solids. It runs after they have moved and new ones were
+  /// created.
   void set_walls(std::function<void(const PendingDiffuse&)> walls) { walls_ = std::move(walls); }
 
   void set_gravity(Vec3 gravity) { parameters_.gravity = gravity; }
 
   void start_step() override { elapsed_ = 0; }
   void observe(const pbd::Substep<D>& substep) override;
-  /// The step is done, and stays so.
+  /// Accepts the step.
   void accept();
 
   uint32_t count() const { return count_; }
-  uint32_t refused() const { return refused_; }  ///< in the last step, for want of room
+  uint32_t refused() const { return refused_; }  ///< in the last step, beyond the capacity
   void read(std::span<DiffuseParticle> out) const { present_.read(out); }
 
  private:
@@ -70,7 +70,7 @@ class Diffuse final : public pbd::Observer<D> {
   DiffuseParameters parameters_;
   std::function<void(const PendingDiffuse&)> walls_;
   uint32_t count_ = 0, refused_ = 0, step_ = 0;
-  float elapsed_ = 0;  // s, of the present step
+  float elapsed_ = 0;  // s, in the present step
   bool any_pending_ = false;
   pbd::Buffer<DiffuseParticle> present_{device_, "spray, foam and bubbles"};
   pbd::Buffer<DiffuseParticle> moved_{device_, "spray, foam and bubbles"};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A step of the diffuse particles, as launches of the kernels in diffuse_kernels.h.
 #pragma once
 
 #include "fluid/diffuse/diffuse_kernels.h"
@@ -21,7 +23,7 @@ void Diffuse<D>::reserve(uint32_t particles) {
   if (particles <= born_.size()) return;
   const size_t size = particles + particles / 4;
   normal_.resize_or_stay(size);
-  normal_.fill(0);  // that of the sentinel stays so
+  normal_.fill(0);  // the element of the sentinel stays 0
   birth_place_.resize_or_stay(size + 1);
   born_.resize_or_stay(size);
 }
@@ -35,7 +37,7 @@ void Diffuse<D>::observe(const pbd::Substep<D>& substep) {
   any_pending_ = true;
 }
 
-/// Those that are there, into `next_` without gaps; how many is the last element of `place_`.
+/// Compacts the remaining particles into `next_`. Their number is the last element of `place_`.
 template <class D>
 void Diffuse<D>::move(const pbd::Substep<D>& s) {
   using namespace diffuse_kernels;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels that create, advect and remove diffuse particles. diffuse.h has the equations.
 #pragma once
 
 #include "fluid/diffuse/diffuse.h"
@@ -14,15 +16,15 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
-/// Φ: from 0 to 1 over a range.
+/// Φ: rises from 0 to 1 over a range.
 MENISCUS_HD inline float share_of(const Range& range, float value) {
   return pbd::clamp((value - range.low) / (range.high - range.low), 0, 1);
 }
 
-/// Of Σ x w, in support radii: where it is less there is no surface.
+/// The least |Σ x w|, in support radii, at a surface.
 inline constexpr float least_normal = 0.05f;
 
-/// The outward normal, where a particle is at a surface, and the air that it traps.
+/// The outward normal of a particle at a surface, and its trapped air.
 template <class D>
 struct FindSurface {
   DiffuseParameters parameters;
@@ -50,7 +52,7 @@ struct FindSurface {
   }
 };
 
-/// How many a particle of fluid makes.
+/// The number of diffuse particles that a fluid particle creates.
 template <class D>
 struct CountBirths {
   DiffuseParameters parameters;
@@ -87,7 +89,7 @@ struct CountBirths {
       const Vec3Of<Real> d = x - gather(position, j).xyz(), other = gather(normal, j).xyz();
       const Real r2 = dot(d, d) + Real(tiny_distance2);
       const Real w = max(Real(1.0f) - Real(inverse_h) * (r2 * inverse_sqrt(r2)), Real(0.0f));
-      // Those without a normal are inside, and say nothing of the surface.
+      // Neighbours without a normal are inside the fluid, and do not describe the surface.
       const Real turned = dot(other, other) - dot(n, other);
       total += select_less(Real(0.0f), dot(n, d), w * turned, Real(0.0f));
     });
@@ -95,19 +97,19 @@ struct CountBirths {
   }
 };
 
-/// What a piece of air or water meets around it.
+/// The fluid around a diffuse particle.
 struct Surroundings {
-  float weight = 0;  ///< of fluid, 1 inside of it
+  float weight = 0;  ///< of fluid, 1 inside it
   Vec3 velocity{0, 0, 0};
 };
 
-/// Moves each by its kind, and ages it.
+/// Moves each particle according to its kind, and ages it.
 struct Move {
   DiffuseParameters parameters;
   View<const Vec4> position, velocity;
   View<const pbd::Phase> phase;
   pbd::GridView grid;
-  uint32_t fluid;  ///< how many particles; the grid knows nothing of it where there are none
+  uint32_t fluid;  ///< number of fluid particles; without any the grid is not valid
   float dt;
   View<const DiffuseParticle> from;
   View<DiffuseParticle> to;
@@ -171,11 +173,11 @@ struct KeepAlive {
   }
 };
 
-/// In a cylinder around the way that a particle of fluid goes in the step (section 4.1).
+/// Creates particles in a cylinder around the path of a fluid particle in the step (section 4.1).
 struct MakeNew {
   DiffuseParameters parameters;
   View<const Vec4> position, velocity;
-  View<const uint32_t> number, born_before, kept;  ///< kept: one element, behind which the new ones come
+  View<const uint32_t> number, born_before, kept;  ///< kept: one element, the index at which new ones begin
   uint32_t step;
   float dt;
   View<DiffuseParticle> to;
@@ -208,7 +210,7 @@ struct MakeNew {
 struct NoteTotals {
   View<const uint32_t> kept, born;  ///< one element each
   uint32_t capacity;
-  View<uint32_t> totals;  ///< how many there are now, and how many found no room
+  View<uint32_t> totals;  ///< the present number, and the number beyond the capacity
 
   MENISCUS_HD void operator()(uint32_t) const {
     const uint32_t room = capacity - kept[0], refused = born[0] > room ? born[0] - room : 0;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Calibrates the surface tension forces on the rest lattice, so that tensions are in N/m.
 #include "fluid/forces/surface_tension.h"
 
 #include <algorithm>
@@ -9,8 +11,8 @@ namespace meniscus::fluid {
 
 namespace {
 
-/// Kirkwood & Buff's sum over the pairs at a flat surface of the rest lattice, N/m: Σ (r² − 3z²)/(2r) F a
-/// unit of surface. From twice the reach on all is as inside, where the terms cancel.
+/// The sum of Kirkwood & Buff over the pairs at a flat surface of the rest lattice, N/m: Σ (r² − 3z²)/(2r) F,
+/// per area. Beyond twice the reach, particles are as inside the fluid, where the terms cancel.
 template <class F>
 double flat_tension(double spacing, int reach, F force) {
   double sum = 0;
@@ -30,10 +32,10 @@ double flat_tension(double spacing, int reach, F force) {
 
 }  // namespace
 
-// Curvature, in the continuum: Σ V W (n_j − n_i) is (h²/22) ∇²n, with poly6's second moment, so that the
+// The curvature term in the continuum: Σ V W (n_j − n_i) is (h²/22) ∇²n, with poly6's second moment. So the
 // force is that of Korteweg's stress, (B h³/22V) ∇∇²φ. Integrated into a ball it gives 2σ/R with σ = (B
-// h³/44V) |φ'|, where φ' = −315/ (256 h) is the slope of the smoothed edge. The drop's period then shows a
-// tension that is a sixth too high, for both terms together: taken off both.
+// h³/44V) |φ'|, where φ' = −315/ (256 h) is the slope of the smoothed edge. The measured period of a drop
+// shows a tension that is a sixth too high, for both terms together. Both are divided by that.
 TensionKernel calibrate_tension(const Kernel& kernel, double spacing) {
   constexpr double measured_over_asked = 1.17;
   const double h = kernel.h;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set that applies surface tension before the solve.
 #pragma once
 
 #include <span>
@@ -9,13 +11,14 @@
 
 namespace meniscus::fluid {
 
-/// The forces of fluid/forces/surface_tension.h. They are opposite and equal, and explicit: a substep must be
+/// The forces of fluid/forces/surface_tension.h. They are opposite and equal, and explicit. A substep must be
 /// shorter than about √(ρ₀ s³/(2πσ)), for the shortest capillary wave (Brackbill, Kothe & Zemach 1992). They
-/// act before the solve, as the pressure that they make belongs to the same substep: a sheet that was pulled
-/// first and pressed later would be thrown to and fro.
+/// act before the solve, because the pressure that they cause belongs to the same substep. Otherwise a thin
+/// layer would be pulled first and pressed later, and would oscillate.
 ///
-/// A wall completes a surface like a mirror, so that fluid meets it at a right angle: its images take back
-/// what would pull away from it, and its contacts note that, so that the solid is pulled as much.
+/// A wall extends a surface like a mirror, so that fluid meets it at a right angle. The wall's mirror ghosts
+/// cancel forces that point away from it. The contacts record these forces, so that the solid receives the
+/// opposite.
 template <class D>
 class SurfaceTensionSet final : public pbd::ConstraintSet<D> {
  public:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels of surface tension, and their launches.
 #pragma once
 
 #include <vector>
@@ -18,7 +20,8 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
-/// v without what points away from the walls near particle i; hold(contact, what was taken from v).
+/// v without the components that point away from the walls near particle i. Calls hold(contact, what was
+/// removed from v).
 template <class Hold>
 MENISCUS_HD Vec3 held_by_walls(const ContactView& contacts, uint32_t i, Vec3 v, const Hold& hold) {
   for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c) {
@@ -44,7 +47,7 @@ struct Spread {
   }
 };
 
-/// n, which points into the fluid, and b beside it.
+/// The normal n, which points into the fluid, and b beside it.
 struct SurfaceNormal {
   Kernel kernel;
   View<const Vec4> position;
@@ -101,7 +104,7 @@ struct Pull {
   }
 };
 
-/// p = x + h·v with the velocities that particles have now, less what cut their motion short.
+/// p = x + h·v with the present velocities, minus the part by which motions were limited.
 struct PredictAnew {
   View<const Vec4> previous, velocity, accumulated_delta;
   View<Vec4> position;
@@ -155,7 +158,7 @@ void SurfaceTensionSet<D>::reserve(uint32_t capacity, uint32_t) {
   make_room();
 }
 
-/// Takes memory only where a fluid has a use for it.
+/// Allocates memory only if a fluid needs it.
 template <class D>
 void SurfaceTensionSet<D>::make_room() {
   const uint32_t size = capacity_ + pbd::Particles::padding;
@@ -163,7 +166,7 @@ void SurfaceTensionSet<D>::make_room() {
   cohesion_.resize_discard(0);
   curvature_.resize_discard(size);
   normal_.resize_discard(size);
-  cohesion_.resize_discard(size);  // last: its length is what counts
+  cohesion_.resize_discard(size);  // last: its length is the one that is tested
   cohesion_.fill(0);
   curvature_.fill(0);
   normal_.fill(0);

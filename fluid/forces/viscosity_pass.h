@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The velocity pass for XSPH viscosity and vorticity confinement.
 #pragma once
 
 #include <span>
@@ -11,7 +13,7 @@
 
 namespace meniscus::fluid {
 
-/// What one fluid's parameters come to for a given step.
+/// The coefficients of one fluid for a given step.
 struct ViscosityCoefficients {
   float smoothing;    ///< c
   float confinement;  ///< ε
@@ -25,12 +27,12 @@ struct ViscosityCoefficients {
 ///                c = 1 − exp(−(xsph + 22 ν/h²) h_t)
 ///   confinement  v_i += h_t ε h N × ω, N = ∇|ω|/|∇|ω||
 ///
-/// N comes of the |ω| of the last substep, which particles have taken along: so one pass over the neighbours
-/// finds all. What is new to the fluid has none yet.
+/// N uses |ω| of the last substep, which moves with the particles, so that one pass over the neighbours
+/// suffices. Particles that are new have none yet.
 ///
-/// The second moment of poly6 is 3h²/11, so that c diffuses velocity with ν = c h²/(22 h_t). The mean of the
-/// masses keeps momentum between fluids of different density. The factor h makes confinement vanish with
-/// resolution.
+/// The second moment of poly6 is 3h²/11, so c diffuses velocity with ν = c h²/(22 h_t). The mean of the
+/// masses conserves momentum between fluids of different density. Because of the factor h, confinement
+/// vanishes with resolution.
 template <class D>
 class ViscosityPass final : public pbd::VelocityPass<D> {
  public:

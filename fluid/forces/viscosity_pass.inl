@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels of viscosity and vorticity confinement, and their launches.
 #pragma once
 
 #include <cmath>
@@ -17,7 +19,7 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
-/// Copies each fluid's smoothing to its particles: a pair of fluids meets with the mean.
+/// Copies each fluid's smoothing to its particles. A pair of fluids uses the mean.
 struct SpreadSmoothing {
   View<const pbd::Phase> phase;
   View<const ViscosityCoefficients> table;
@@ -72,7 +74,8 @@ struct Smooth {
     const Vec3 smooth = v.xyz() + fraction * all_changes;
     if constexpr (confines) {
       const Vec3 w = kernel.peak_pull * all_curls;
-      const Vec3 direction = normalized_or(all_rises, {0, 0, 0});  // whatever the kernel's factor
+      const Vec3 direction =
+          normalized_or(all_rises, {0, 0, 0});  // the kernel's constant factor does not matter
       const float strength = table[pbd::phase_group(phase[i])].confinement * kernel.h * dt;
       smoothed[i] = pbd::with_w(smooth + strength * cross(direction, w), length(w));
     } else {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of the density constraint, for particles in the open. Those that touch a wall are passed over
-// here; they have kernels of their own in density_wall_kernels.h, which see images too.
+// The kernels of the density constraint, for particles that touch no wall. Particles that touch a wall are
+// skipped here. density_wall_kernels.h has kernels for them, with mirror ghosts.
 #pragma once
 
 #include "fluid/kernel/kernel.h"
@@ -25,13 +25,13 @@ struct Constraint {
   Vec3 gradient;      ///< Σ e, 1/m: near 0 where the support is full
 };
 
-/// Sums over neighbours from which C and D follow, of the kernels' shapes.
+/// Sums over neighbours, in terms of the kernels' shapes, from which C and D follow.
 template <class R>
 struct DensitySums {
   R weight{0.0f}, gradient2{0.0f};
   Vec3Of<R> gradient{R(0.0f), R(0.0f), R(0.0f)};
 
-  /// Adds what lies at x_i − x_j = d.
+  /// Adds a neighbour at x_i − x_j = d.
   MENISCUS_HD void add(const Kernel& kernel, const Vec3Of<R>& d, const R& inverse_mass) {
     const R t = kernel.distance_ratio2(d);
     const R inverse_root = inverse_sqrt(t);
@@ -64,11 +64,11 @@ MENISCUS_HD Constraint density_constraint(const Kernel& kernel, View<const Vec4>
 /// λ of a particle in the present or last substep.
 struct alignas(8) Multiplier {
   float value;     ///< kg·m²
-  float relieved;  ///< how much C fell in the substep; while it runs, C at its start. With a pressure grid
-                   ///< what C was at last
+  float relieved;  ///< the decrease of C in the substep; during the substep, C at its start. With a pressure
+                   ///< grid, the last C
 };
 
-/// Adds what a pressure grid has found before, so that the sum reads as pressure.
+/// Adds the multipliers of the pressure grid, so that the sum is the pressure.
 struct AddPressure {
   View<const float> found;  ///< kg·m²
   View<Multiplier> multiplier;
@@ -76,15 +76,16 @@ struct AddPressure {
   MENISCUS_HD void operator()(uint32_t i) const { multiplier[i].value += found[i]; }
 };
 
-/// How the multipliers move on: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0. The first iteration
-/// starts from a share of the last substep's λ, and takes it that this share will relieve the same share of
-/// what it relieved then: so the start needs no pass of its own. It moves nothing further than an iteration
-/// may: in long substeps the last λ are of other places, and unbounded they grew until water at rest boiled.
+/// The update of the multipliers: Δλ = momentum · last Δλ + step · (C − α̃λ)/(D + α̃), λ ≥ 0. The first
+/// iteration starts from a fraction of the last substep's λ. It assumes that this fraction reduces C by the
+/// same fraction as then, so the start needs no pass of its own. The start is subject to the limit of an
+/// iteration. In long substeps the last λ belong to other positions, and without a limit they grew until
+/// water at rest became unstable.
 struct Advancing {
   View<const Vec4> position;
   View<Multiplier> multiplier;
   View<float> increment;
-  View<Vec4> staged;  ///< position and, beside it, what Correct is to apply of λ
+  View<Vec4> staged;  ///< the position, and in w the part of λ that Correct is to apply
   float momentum, step;
   float compliance;  ///< α̃
   float limit;       ///< m
@@ -93,7 +94,8 @@ struct Advancing {
   View<const pbd::Phase> phase;
   bool keeps_error;  ///< for a pressure grid
 
-  /// Grains have no density of their own to keep. They count in that of a fluid, and its pressure moves them.
+  /// Grains have no density constraint of their own. They count in that of the fluid, and its pressure moves
+  /// them.
   MENISCUS_HD bool passes_over(uint32_t i) const {
     if (!pbd::is_grain(phase[i])) return false;
     multiplier[i] = {0, 0};
@@ -102,7 +104,7 @@ struct Advancing {
     return true;
   }
 
-  /// What advance() needs of particle i besides: on its way while neighbours are summed up.
+  /// Other inputs of advance() for particle i, loaded while the sums over neighbours are computed.
   struct Own {
     Vec4 position;
     Multiplier multiplier;
@@ -113,7 +115,7 @@ struct Advancing {
   MENISCUS_HD void advance(uint32_t i, const Own& own, const Constraint& c) const {
     const Vec4 p = own.position;
     const Multiplier before = own.multiplier;
-    // Both bounds hold for the pair: the same λ moves both sides, so momentum is kept.
+    // Both limits hold for the pair: the same λ moves both particles, so momentum is conserved.
     const float bound = limit / sqrtf(pbd::max(p.w * c.denominator, 1e-30f));
     const float kept = first ? pbd::min(fraction, bound / pbd::max(before.value, 1e-30f)) : 1.0f;
     const float old = kept * before.value;
@@ -164,7 +166,7 @@ struct PairPressure {
   }
 };
 
-/// What one pair's multipliers push by, over peak_pull · (x_i − x_j), before the inverse mass.
+/// The push of one pair's multipliers, divided by peak_pull · (x_i − x_j), before the inverse mass.
 template <bool with_pair_pressure, class R>
 MENISCUS_HD R push_shape(const PairPressure& pair, const R& t, R multiplier) {
   const R inverse_root = inverse_sqrt(t);
@@ -172,7 +174,7 @@ MENISCUS_HD R push_shape(const PairPressure& pair, const R& t, R multiplier) {
   return multiplier * Kernel::slope_shape(t, inverse_root) * inverse_root;
 }
 
-/// Moves each particle by what the staged multipliers of itself and its neighbours say.
+/// Moves each particle by the staged multipliers of itself and its neighbours.
 template <bool with_pair_pressure>
 struct Correct {
   static constexpr uint32_t resident_blocks = 10;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of the density constraint, for particles that touch a wall: as in density_kernels.h, with
-// mirror ghosts.
+// The kernels of the density constraint for particles that touch a wall, as in density_kernels.h, with mirror
+// ghosts.
 #pragma once
 
 #include "fluid/kernel/density_kernels.h"
@@ -11,9 +11,9 @@
 
 namespace meniscus::fluid::density_kernels {
 
-/// What the bodies behind the mirrors add to D: where one gives way by δ along the normal, each mirror ghost
-/// draws back by 2δ. Their inverse masses are split among their contacts, so that the bound on the spectrum
-/// of D⁻¹A stays.
+/// The contribution to D of the bodies behind the mirrors. When a body moves by δ along the normal, each
+/// mirror ghost recedes by 2δ. A body's inverse mass is split among its contacts, so that the bound on the
+/// spectrum of D⁻¹A holds.
 template <class Through>
 MENISCUS_HD float give_of_bodies(const ContactView& contacts, const MirrorPlanes& mirrors, int n,
                                  const Through& through) {
@@ -27,7 +27,7 @@ MENISCUS_HD float give_of_bodies(const ContactView& contacts, const MirrorPlanes
   return give;
 }
 
-/// D counts what each particle's own motion does to C, through its mirror ghosts as well: where i nears the
+/// D includes the effect of each particle's motion on C through its mirror ghosts: when i approaches the
 /// wall, so does its mirror ghost.
 template <class D, int n, bool any_moving>
 MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
@@ -61,7 +61,7 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
     self_weight += fraction * Kernel::weight_shape(t);
     return fraction * Kernel::slope_shape(t, inverse_root) * inverse_root;
   });
-  const float pull = kernel.peak_pull;  // all but the weights have it for a factor
+  const float pull = kernel.peak_pull;  // a common factor of all terms except the weights
   float give = 0;
   if constexpr (any_moving) {
     give = give_of_bodies(contacts, mirrors, n,
@@ -100,12 +100,12 @@ struct AdvanceAtWalls {
     if (with_grains && advancing.passes_over(i)) return;
     const Constraint c =
         density_constraint_at_walls<D, any_moving>(kernel, advancing.position, neighbours, contacts, i);
-    if (D::leads()) advancing.advance(i, advancing.own(i), c);  // loaded ahead it would take registers
+    if (D::leads()) advancing.advance(i, advancing.own(i), c);  // loading it earlier would take registers
   }
 };
 
-/// With `any_moving`, all that the mirror ghosts push with is noted in the contacts; else what goes through
-/// the walls alone. What is along a fixed one comes to nothing, and takes registers.
+/// With `any_moving`, the contacts record all pushes of the mirror ghosts; else only the components through
+/// the walls. Along a fixed wall the components have no effect, and would take registers.
 template <bool with_pair_pressure, bool any_moving>
 struct CorrectAtWalls {
   Kernel kernel;
@@ -113,7 +113,7 @@ struct CorrectAtWalls {
   View<const Vec4> staged;
   NeighbourView neighbours;
   pbd::ContactProjection walls;
-  bool projects;  ///< holds particles at their contacts as well
+  bool projects;  ///< also projects the particles' contacts
 
   template <class D>
   MENISCUS_HD void run(uint32_t k) const {
@@ -159,8 +159,8 @@ struct CorrectAtWalls {
     walls.accumulated_delta[i] = accumulated_delta;
   }
 
-  /// The solids get back what their mirror ghosts push a particle with: each what its own mirror makes, and
-  /// the first what little of mirror ghosts of mirror ghosts is left over.
+  /// The solids receive the opposite of their mirror ghosts' push on a particle. Each receives that of its
+  /// own mirror. The first also receives the small remainder of mirror ghosts of mirror ghosts.
   template <int n>
   MENISCUS_HD void note_pushes(const MirrorPlanes& mirrors, const GhostSums<float, n, any_moving>& others,
                                const GhostSums<float, n, any_moving>& own) const {
@@ -198,7 +198,7 @@ struct Measure {
       return;
     }
     error[slot[i]] = c.value;
-    // On a free surface |Σe| is about ½ over the spacing; in the inside it is the noise of disorder.
+    // At a free surface |Σe| is about ½ over the spacing; inside it is the noise of disorder.
     const float threshold2 = 0.04f / cbrtf(kernel.volume * kernel.volume);
     full[slot[i]] = dot(c.gradient, c.gradient) < threshold2 && c.value > -0.3f ? 1.0f : 0.0f;
   }

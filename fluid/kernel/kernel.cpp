@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Calibrates the smoothing kernels on the rest lattice.
 #include "fluid/kernel/kernel.h"
 
 #include <cmath>

@@ -5,8 +5,8 @@
 // gradients.
 //   W_poly6(r) = 315 / (64 π h⁹) (h² − r²)³        |∇W_spiky(r)| = 45 / (π h⁶) (h − r)²
 //
-// They are calibrated on the rest lattice, the cubic one with spacing s, so that a fluid at rest has C = 0 to
-// rounding, and so that the multiplier reads as pressure:
+// They are calibrated on the rest lattice, the cubic one with spacing s. So a fluid at rest has C = 0 to
+// rounding, and the multiplier corresponds to pressure:
 //   volume V      Σ V W_poly6 = 1, the particle itself included;
 //   gradient      Σ V |∇W| z²/r = 1, so that a linear pressure gives its exact gradient.
 #pragma once
@@ -22,8 +22,8 @@ using pbd::sum;
 using pbd::unit_part;
 using pbd::Vec3Of;
 
-/// Keeps 1/r finite for particles that sit on one another; far below a float's step at any length that
-/// matters. In m², and in h².
+/// Keeps 1/r finite for coincident particles. It is far below a float's resolution at any relevant length. In
+/// m², and in h².
 inline constexpr float tiny_distance2 = 1e-12f, tiny_ratio2 = 1e-10f;
 
 struct Kernel {
@@ -37,12 +37,12 @@ struct Kernel {
   float peak_slope;      ///< V |∇W| at r = 0, 1/m
   float peak_pull;       ///< peak_slope / h, 1/m²
 
-  // Loops over neighbours add up the kernels' shapes over t = (r/h)², and take the factors, which are the
-  // same for all pairs, out of the sums:
+  // Loops over neighbours sum the kernels' shapes over t = (r/h)². The factors are the same for all pairs, so
+  // they are applied to the sums:
   //   V W = peak_weight · weight_shape(t)        V |∇W| = peak_slope · slope_shape(t, 1/√t)
   //   V |∇W| (x_i − x_j)/r = peak_pull · slope_shape(t, 1/√t)/√t · (x_i − x_j)
 
-  /// t at x_i − x_j = d, and a little more, so that 1/√t is finite.
+  /// t at x_i − x_j = d, plus a small offset, so that 1/√t is finite.
   template <class R>
   MENISCUS_HD R distance_ratio2(const Vec3Of<R>& d) const {
     return R(inverse_h2) * dot(d, d) + R(tiny_ratio2);
@@ -65,7 +65,7 @@ struct Kernel {
     return R(poly6) * (u * u * u);
   }
 
-  /// V·∇W over x_i − x_j, of poly6 as well, 1/m².
+  /// V·∇W over x_i − x_j, also of poly6, 1/m².
   template <class R>
   MENISCUS_HD R weight_slope(const R& r2) const {
     const R u = max(R(h2) - r2, R(0.0f));

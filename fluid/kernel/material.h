@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The material parameters of a fluid.
 #pragma once
 
 namespace meniscus::fluid {
 
-/// One fluid of a world. Every fluid has the same rest spacing, hence the same volume a particle; they differ
-/// in mass.
+/// One fluid of a world. All fluids have the same rest spacing, hence the same volume for each particle; they
+/// differ in mass.
 struct Material {
   float rest_density = 1000;        ///< kg/m³
   float viscosity = 0;              ///< kinematic, m²/s
   float xsph = 0;                   ///< 1/s
-  float vorticity_confinement = 0;  ///< ε, no unit
+  float vorticity_confinement = 0;  ///< ε, dimensionless
   float cohesion = 0;               ///< N/m
   float surface_tension = 0;        ///< N/m
 };

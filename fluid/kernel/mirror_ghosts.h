@@ -1,22 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Walls by the method of images. Beside a wall a particle lacks the neighbours behind it. The wall gives it
-// the mirror ghosts of those in front, and of itself, with the multipliers of the originals: density, the
-// push of a constant pressure and the pressure differences along the wall are then what they are in the
-// middle of the fluid. The more usual integral of the kernel over the solid gives the first alone. Without
-// the last, the layer at a wall weighs more than the pressure bears, and a vessel at rest stirs itself: down
-// along the walls, up in the middle.
+// Walls by the method of images. A particle beside a wall lacks neighbours behind it. The wall supplies
+// mirror ghosts of the particles in front of it, the particle itself included, with the multipliers of the
+// originals. Then three quantities are as inside the fluid: density, the push of a constant pressure, and the
+// pressure differences along the wall. The usual integral of the kernel over the solid gives the first alone.
+// Without the last, the layer at a wall is heavier than the pressure supports. Then fluid at rest circulates:
+// down along the walls, up in the middle.
 //
-// The mirror ghost of j is farther from i than j is, so the neighbour list holds every mirror ghost that
-// counts. What i and j get through a plane wall is opposite along it, and adds up away from it: the wall
-// feels the pressure, and no drag. Where walls meet there are mirror ghosts of mirror ghosts, exact for walls
-// at right angles.
+// The mirror ghost of j is farther from i than j is, so the neighbour list contains all relevant mirror
+// ghosts. The forces on i and j through a plane wall are opposite along it, and add up normal to it. So the
+// wall receives pressure but no drag. Where walls meet there are mirror ghosts of mirror ghosts, exact for
+// walls at right angles.
 //
 // With d the distances from mirror n,
 //   x_i − x_j' = x_i − x_j + 2 d_j n,   |x_i − x_j'|² = |x_i − x_j|² + 4 d_i d_j,
-// and so on for mirror ghosts of mirror ghosts: an mirror ghost costs a few operations, and a pair sees the
-// same from both sides.
+// and so on for mirror ghosts of mirror ghosts. A mirror ghost costs a few operations, and a pair has the
+// same values from both sides.
 #pragma once
 
 #include "fluid/kernel/kernel.h"
@@ -28,33 +28,33 @@ namespace meniscus::fluid {
 /// The mirrors near one particle: at most the three nearest.
 struct MirrorPlanes {
   static constexpr int most = 3;
-  static constexpr int most_ghosts = 1 << most;  ///< the thing itself, number 0, counted in
+  static constexpr int most_ghosts = 1 << most;  ///< including the original, number 0
 
   int count = 0;
   uint32_t contact[most];
   Vec3 normal[most];
   float offset[most];        ///< m: the plane is normal · x = offset
-  float distance[most];      ///< m, of the particle; 0 if it has sunk in
-  float weight[most];        ///< how much of a half-space is behind it
-  float share[most_ghosts];  ///< how much each mirror ghost counts
-  float slack;               ///< m: what has sunk in no deeper counts as on the surface
+  float distance[most];      ///< m, of the particle; 0 if it is behind the plane
+  float weight[most];        ///< the fraction of a half-space behind it
+  float share[most_ghosts];  ///< the weight of each mirror ghost
+  float slack;               ///< m: a penetration up to this depth counts as on the surface
 
-  /// Images are numbered 1 to image_count(): bit k says that mirror k takes part.
+  /// Mirror ghosts are numbered 1 to ghost_count(): bit k is set if mirror k takes part.
   MENISCUS_HD int ghost_count() const { return (1 << count) - 1; }
 };
 
-// What follows is for at most n mirrors: most particles at walls have one, and one alone needs no tests.
+// The following is for at most n mirrors. Most particles at walls have one, and one alone needs no tests.
 
 template <int n>
 MENISCUS_HD bool is_used(const MirrorPlanes& m, int k) {
   return n == 1 || k < m.count;
 }
 
-/// Where another thing is, as each mirror sees it.
+/// The position of another particle relative to each mirror.
 template <class R, int n>
 struct MirrorDistances {
   R distance[n];
-  R present[n];  ///< 0 for what is behind the mirror, and has no mirror ghost in it
+  R present[n];  ///< 0 for a particle behind the mirror, which has no mirror ghost in it
 
   MirrorDistances() = default;
   MENISCUS_HD MirrorDistances(const MirrorPlanes& m, const pbd::Vec3Of<R>& x) {
@@ -69,20 +69,20 @@ struct MirrorDistances {
 };
 
 /// The coefficients c of one pair in a sum of c (x_i − x_j) over neighbours and mirror ghosts. With `apart`
-/// the mirror ghosts of different mirrors are told apart.
+/// the mirror ghosts of different mirrors are kept separate.
 template <class R, int n, bool apart>
 struct PairTerms {
   R total{0.0f};   ///< of j; unless apart, and of its mirror ghosts
-  R by_first[n];   ///< if apart: of its mirror ghosts, by the first mirror that makes each
-  R by_mirror[n];  ///< of those that mirror k makes, alone or with others
+  R by_first[n];   ///< if apart: of its mirror ghosts, by the first mirror of each
+  R by_mirror[n];  ///< of the mirror ghosts in mirror k, alone or with others
 
   MENISCUS_HD PairTerms() {
     MENISCUS_UNROLL
     for (int k = 0; k < n; ++k) by_first[k] = by_mirror[k] = R(0.0f);
   }
 
-  /// Adds those of the mirror ghosts; `coefficient(share, r²)` gives each. j: distances of the pair's other
-  /// end.
+  /// Adds the coefficients of the mirror ghosts; `coefficient(share, r²)` gives each. j: distances of the
+  /// pair's other particle.
   template <class Coefficient>
   MENISCUS_HD void add_ghosts(const MirrorPlanes& m, const MirrorDistances<R, n>& j, const R& r2,
                               const Coefficient& coefficient) {
@@ -107,7 +107,7 @@ struct PairTerms {
     }
   }
 
-  /// Σ c (x_i' − x_j): as j sees it, with the mirror ghosts of i.
+  /// Σ c (x_i' − x_j): from the view of j, with the mirror ghosts of i.
   MENISCUS_HD pbd::Vec3Of<R> seen_by_other(const MirrorPlanes& m, const pbd::Vec3Of<R>& d) const {
     static_assert(!apart);
     pbd::Vec3Of<R> v = total * d;
@@ -128,8 +128,8 @@ struct GhostSums {
 
   pbd::Vec3Of<R> along{R(0.0f), R(0.0f),
                        R(0.0f)};  // Σ c (x_i − x_j): of neighbours if apart, else of mirror ghosts too
-  pbd::Vec3Of<R> to_ghosts[n];    // if apart: the same of mirror ghosts, by their first mirror
-  R lift[n];                      // Σ c d_j over the mirror ghosts that mirror k makes
+  pbd::Vec3Of<R> to_ghosts[n];    // if apart: the same for mirror ghosts, by their first mirror
+  R lift[n];                      // Σ c d_j over the mirror ghosts in mirror k
   R weight[n];                    // Σ c
 
   MENISCUS_HD GhostSums() {
@@ -152,7 +152,7 @@ struct GhostSums {
     }
   }
 
-  /// The lanes' sums in one.
+  /// The sums over all lanes.
   MENISCUS_HD GhostSums<float, n, apart> in_one(const MirrorPlanes& m) const {
     GhostSums<float, n, apart> one;
     const auto vector_sum = [](const pbd::Vec3Of<R>& v) {
@@ -170,18 +170,18 @@ struct GhostSums {
     return one;
   }
 
-  /// How much of the mirror ghosts' vector mirror k makes, along its normal.
+  /// The contribution of mirror k to the mirror ghosts' vector, along its normal.
   MENISCUS_HD float through(const MirrorPlanes& m, int k) const {
     return m.distance[k] * sum(weight[k]) + sum(lift[k]);
   }
 
-  /// If apart: what the mirror ghosts of mirror k push along it.
+  /// If apart: the push of the mirror ghosts of mirror k parallel to it.
   MENISCUS_HD Vec3 along_mirror(const MirrorPlanes& m, int k) const {
     const Vec3 to = sum(to_ghosts[k]);
     return to - dot(to, m.normal[k]) * m.normal[k];
   }
 
-  /// Of neighbours and mirror ghosts.
+  /// The vector of neighbours and mirror ghosts.
   MENISCUS_HD Vec3 vector(const MirrorPlanes& m) const {
     Vec3 v = sum(along);
     MENISCUS_UNROLL
@@ -194,7 +194,7 @@ struct GhostSums {
   }
 };
 
-/// Mirrors at right angles make an mirror ghost of an mirror ghost; parallel ones do not.
+/// Mirrors at right angles have mirror ghosts of mirror ghosts; parallel mirrors do not.
 MENISCUS_HD inline float fraction_of_ghost(const MirrorPlanes& m, int ghost) {
   float share = 1;
   MENISCUS_UNROLL
@@ -209,7 +209,7 @@ MENISCUS_HD inline float fraction_of_ghost(const MirrorPlanes& m, int ghost) {
   return share;
 }
 
-/// Which mirror a contact at distance d takes the place of: a free one, or the farthest if that is farther.
+/// The mirror that a contact at distance d replaces: a free one, or the farthest if that is farther.
 MENISCUS_HD inline int place_for(const MirrorPlanes& m, float d) {
   if (m.count < MirrorPlanes::most) return m.count;
   int at = 0;
@@ -224,7 +224,7 @@ MENISCUS_HD inline int place_for(const MirrorPlanes& m, float d) {
   return farthest > d ? at : MirrorPlanes::most;
 }
 
-/// The mirrors that the contacts of particle i at x make. Loops are unrolled, so that a GPU keeps them in
+/// The mirrors of the contacts of particle i at x. Loops are unrolled, so that a GPU keeps the mirrors in
 /// registers.
 MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
   MirrorPlanes m{};
@@ -246,7 +246,7 @@ MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uin
     m.count = m.count < at + 1 && at < MirrorPlanes::most ? at + 1 : m.count;
   }
   MENISCUS_UNROLL
-  for (int k = 1; k < MirrorPlanes::most; ++k) {  // two solids that make up one wall share it
+  for (int k = 1; k < MirrorPlanes::most; ++k) {  // two solids that form one wall share it
     MENISCUS_UNROLL
     for (int l = 0; l < k; ++l) {
       if (dot(m.normal[k], m.normal[l]) > 0.9f) m.weight[k] = pbd::min(m.weight[k], 1 - m.weight[l]);

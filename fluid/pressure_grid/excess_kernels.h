@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How much volume is too much: of each particle, and around each node.
+// The excess volume: of each particle, and around each node.
 #pragma once
 
 #include "fluid/kernel/density_wall_kernels.h"
@@ -9,17 +9,17 @@
 
 namespace meniscus::fluid::grid_kernels {
 
-/// Too much volume at a particle, of a particle's own volume. What was too much or too little already at the
-/// last substep's end is undone at a rate, not at once: short steps would make great speeds of small errors.
+/// The excess volume at a particle, relative to a particle's volume. The excess or lack that existed at the
+/// end of the last substep is corrected at a rate, not at once. Otherwise short steps would turn small errors
+/// into high speeds.
 struct ExcessOf {
   View<const density_kernels::Multiplier> last;
-  float kept;  ///< share of the old error that stays
+  float kept;  ///< the fraction of the old error that stays
 
   MENISCUS_HD float operator()(uint32_t i, float constraint) const {
-    // Nothing holds up what closes a gap, until it is closed.
+    // A motion that closes a gap is not resisted until the gap is closed.
     const float change = pbd::min(constraint - kept * last[i].relieved, pbd::max(constraint, 0.0f));
-    // Where the density lacks by little, the lattice is loose there, and the sign counts; where it lacks by
-    // much there is a surface.
+    // A slightly low density is disorder of the lattice, so its sign counts. A very low density is a surface.
     return change * pbd::clamp(5 * constraint + 1.5f, 0.0f, 1.0f);
   }
 };
@@ -67,13 +67,13 @@ struct ExcessAtWalls {
   }
 };
 
-/// How much volume around a node is too much, m³.
+/// The excess volume around a node, m³.
 struct GatherExcess {
   Space space;
   View<const uint32_t> flags;
   View<const Found> found;
   float volume;  ///< m³, of a particle
-  float least;   ///< m³: what lacks more is no longer noise, and for gravity to close
+  float least;   ///< m³: a greater lack is not noise, and is left to gravity
   View<float> right;
 
   MENISCUS_HD void operator()(uint32_t node) const {

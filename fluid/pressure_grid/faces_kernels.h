@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The faces between the nodes of the pressure grid, and the equation that they make.
+// The faces between the nodes of the pressure grid, and the equation that they form.
 #pragma once
 
 #include "fluid/pressure_grid/multigrid_kernels.h"
@@ -13,20 +13,20 @@ namespace meniscus::fluid::grid_kernels {
 using multigrid_kernels::along;
 using multigrid_kernels::Coefficients;
 
-/// Fewer neighbours than this have a few drops that fly by themselves: they take no part. Where the table
-/// wraps around they may lie among the nodes of fluid that is far away.
+/// Particles with fewer neighbours than this are separate drops, and take no part. Where the table wraps
+/// around they could be among the nodes of distant fluid.
 inline constexpr uint32_t least_neighbours = 4;
 
-/// By what to multiply a particle's weights on the faces of each axis, so that those which can move it add up
-/// to 1; 0 where there are next to none.
+/// The factors for a particle's weights on the faces of each axis, such that the weights of faces that can
+/// move it add up to 1. The factor is 0 if these weights almost vanish.
 struct Normalize {
   Space space;
   NodeMap map;
   View<const uint32_t> inside;
   View<const Vec4> position;
   pbd::NeighbourView neighbours;
-  View<Vec4> scale;   ///< w: mass, kg; 0 for who takes no part
-  View<Found> found;  ///< what would count at nodes in solids counts at the others
+  View<Vec4> scale;   ///< w: mass, kg; 0 for particles that take no part
+  View<Found> found;  ///< weights on nodes in solids are moved to the other nodes
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (neighbours.size(i) < least_neighbours) {
@@ -68,11 +68,11 @@ struct Normalize {
   }
 };
 
-/// A face as the pressure sees it.
+/// A face as the pressure solve sees it.
 struct FaceState {
-  float area = 0;  ///< share that is open
+  float area = 0;  ///< the open fraction
   float mass = 0;  ///< kg, of the particles that it moves
-  /// 1/kg; of a face that moves next to nothing less than its mass's, or spray would be thrown about.
+  /// 1/kg. For a face with very little mass it is less than 1/mass; otherwise spray would get high speeds.
   float inverse_mass = 0;
 };
 
@@ -95,7 +95,7 @@ struct GatherFaces {
     faces[node].face[axis] = map.face(node, axis) == Face::open ? gather(node, axis) : FaceState{};
   }
 
-  /// What a face takes from its particles.
+  /// The sums of a face over its particles.
   struct Sums {
     float mass = 0, filled = 0, heaviest = 0;
 
@@ -110,8 +110,8 @@ struct GatherFaces {
     const NodeCoordinates c = space.nodes.coordinates(node);
     Sums sums;
     for (int k = 0; k < 12; ++k) gather_cell(c, axis, {k % 3 - 1, k / 3 % 2 - 1, k / 6 - 1}, sums);
-    // Where solids are near one of both nodes alone, they are too far from the face to close any of it; and
-    // what the other's pressure would leave over, no contact could take.
+    // If solids are near only one of the two nodes, they are too far away to close any part of the face. No
+    // contact could take the rest of the other node's pressure.
     const uint32_t both = map.flags[node] & map.flags[space.nodes.beside(c, axis, 1)];
     const float inverse_width = space.cells.inverse_reach;
     const float fraction = sums.filled * volume * inverse_width * inverse_width * inverse_width;
@@ -119,7 +119,7 @@ struct GatherFaces {
             sums.mass > 0 ? 1 / pbd::max(sums.mass, 0.5f * sums.heaviest) : 0.0f};
   }
 
-  /// How far a cell is from that behind the face's node: along the face's axis, and across it.
+  /// The offset of a cell from the cell behind the face's node: along the face's axis, and across it.
   struct Offset {
     int along_axis, side, other;
   };
@@ -141,7 +141,7 @@ struct GatherFaces {
   }
 };
 
-/// The equation: what a pressure P, in kg·m/m², drives through a face is a² H⁴ P/M.
+/// The equation: the flux that a pressure P, in kg·m/m², drives through a face is a² H⁴ P/M.
 struct MakeEquation {
   NodeTable nodes;
   View<const uint32_t> flags;

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the grid's pressure does to solids. Faces of a node that are not alike open leave a part of its
-// pressure to the solid between them; the contacts near the node take it, those with cloth as well, so that
-// fluid and solids exchange equal and opposite impulses.
+// The load of the grid's pressure on solids. If the faces of a node are not equally open, part of its
+// pressure acts on the solid between them. The contacts near the node receive it, including those with cloth,
+// so that fluid and solids exchange equal and opposite impulses.
 #pragma once
 
 #include "fluid/pressure_grid/motion_kernels.h"
 
 namespace meniscus::fluid::grid_kernels {
 
-/// The area, m², that a node's pressure pushes solids away with: the push on the fluid is along it.
+/// The area, m², on which a node's pressure pushes solids. The push on the fluid points along it.
 struct WallAreas {
   NodeTable nodes;
   View<const uint32_t> flags;
@@ -31,14 +31,14 @@ struct WallAreas {
   }
 };
 
-/// What a node's pressure does to the solids near it.
+/// The load of a node's pressure on the solids near it.
 struct NodeLoad {
   Vec3 area;     ///< m²
-  Vec3 inverse;  ///< on each axis 1 over the sum of the contacts' weights
+  Vec3 inverse;  ///< on each axis the reciprocal of the sum of the contacts' weights
 };
 
-/// How contacts count among those of a node on each axis: the more, the nearer the particle is to both and
-/// the more the surface faces the push. Where none does, any will do, so that nothing is lost.
+/// The weights of contacts at a node on each axis. They grow as the particle nears the node and the surface,
+/// and as the surface faces the push. If all of these are 0, any contact counts, so that no load is lost.
 MENISCUS_HD inline Vec3 contact_weights(const Contact& c, Vec3 particle, float at_node, Vec3 area,
                                         float width) {
   if (pbd::is_attachment(c)) return {0, 0, 0};
@@ -55,7 +55,7 @@ MENISCUS_HD inline Vec3 product(Vec3 a, Vec3 b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
-/// Adds up the weights of a node's contacts, and what their bodies give way under a pressure of 1.
+/// Sums the weights of a node's contacts, and the compliance of their bodies.
 struct WeighContacts {
   Space space;
   WallAreas areas;
@@ -86,7 +86,7 @@ struct WeighContacts {
   }
 };
 
-/// Notes the push in the contacts: the solids take it as they do the density constraint's.
+/// Adds the push to the contacts: the solids receive it like that of the density constraint.
 struct PushSolids {
   Space space;
   View<const Found> found;

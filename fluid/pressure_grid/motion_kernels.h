@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How the pressure that the grid has found moves faces, and faces move particles.
+// How the pressure of the grid moves faces, and how faces move particles.
 #pragma once
 
 #include "fluid/pressure_grid/sealed_component_kernels.h"
 
 namespace meniscus::fluid::grid_kernels {
 
-/// How far each face moves its particles.
+/// The displacement of particles by each face.
 struct FaceMoves {
   NodeTable nodes;
   View<const NodeFaces> faces;
   View<const float> pressure;
   float width2;
-  float fraction;  ///< of the whole motion
+  float fraction;  ///< of the whole displacement
   float limit;     ///< m
 
   /// kg·m
@@ -28,8 +28,8 @@ struct FaceMoves {
   }
 };
 
-/// What faces do not hand on, as they move too little or nothing or their motion is bounded, and the mass
-/// that all move.
+/// The impulse that faces do not transfer, because they move little or nothing or their displacement is
+/// limited, and the mass of all moving faces.
 struct Lost {
   double impulse[3] = {0, 0, 0}, mass[3] = {0, 0, 0};
 };
@@ -66,13 +66,14 @@ struct FindLost {
     return lost;
   }
 
-  /// What a face that moves nothing takes up of a node's pressure; near solids these do: see WallAreas.
+  /// The pressure of a node on faces that move no particle. Near solids it is 0, as the solids take it up:
+  /// see WallAreas.
   MENISCUS_HD float in_the_open(uint32_t node) const {
     return flags[node] & node_touched ? 0.0f : pressure(node);
   }
 };
 
-/// All that is moved makes up for what is lost.
+/// Distributes the lost impulse over everything that moves.
 struct MoveFaces {
   FaceMoves moves;
   View<const Lost> lost;
@@ -101,7 +102,7 @@ struct MoveParticles {
   PressureOf pressure;
   float to_multiplier;  ///< m³
   View<Vec4> position, accumulated_delta;
-  View<float> multiplier;  ///< kg·m², as the density constraint would have it
+  View<float> multiplier;  ///< kg·m², in the units of the density constraint's multipliers
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (neighbours.size(i) < least_neighbours) {

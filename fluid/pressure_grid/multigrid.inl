@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The V-cycle and the conjugate gradients of the multigrid, as launches of kernels.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +13,16 @@ namespace meniscus::fluid {
 
 namespace multigrid_tuning {
 
-inline constexpr uint32_t small_bits = 6;  ///< tables up to this size are one group's work
-inline constexpr int small_sweeps = 2;     ///< before and after each visit of the coarser level; else one
+inline constexpr uint32_t small_bits = 6;  ///< one group of threads solves tables up to this size
+inline constexpr int small_sweeps =
+    2;  ///< before and after each visit of the coarser level; on other levels one
 
 }  // namespace multigrid_tuning
 
 template <class D>
 void Multigrid<D>::fit(const NodeTable& table) {
   using namespace multigrid_kernels;
-  // Halved down to one node: the sum is at most twice the first.
+  // The table is halved down to one node: the sum is at most twice the first.
   const size_t most = 2 * size_t{table.count()};
   if (coefficients_.size() < most) {
     coefficients_.resize_discard(0);
@@ -29,7 +32,7 @@ void Multigrid<D>::fit(const NodeTable& table) {
     direction_.resize_discard(table.count());
     image_.resize_discard(table.count());
     products_.resize_discard(3);
-    coefficients_.resize_discard(most);  // last: its length is what counts
+    coefficients_.resize_discard(most);  // last: its length is the one that is tested
   }
   levels_.clear();
   NodeTable present = table;
@@ -66,7 +69,7 @@ void Multigrid<D>::solve(int iterations) {
     cycle(0);
     device_.reduce("multigrid/finish", nodes, 0.0, FinishCycle{finest}, Sum{}, product(search.now));
     if (k == 0)
-      std::swap(finest.pressure, search.direction);  // the first answer is where to go
+      std::swap(finest.pressure, search.direction);  // the first result is the direction
     else
       device_.parallel_for("multigrid/turn", nodes, TurnDirection{finest, search});
     device_.reduce("multigrid/apply", nodes, 0.0, ApplyToDirection{finest, search}, Sum{},
@@ -85,7 +88,7 @@ void Multigrid<D>::coarsen() {
   device_.parallel_for_groups("multigrid/coarsen small", 1, CoarsenSmall{small()});
 }
 
-/// On the finest level all but the last half of a sweep: see FinishCycle.
+/// A V-cycle without the last half of the finest level's sweep: see FinishCycle.
 template <class D>
 void Multigrid<D>::cycle(size_t level) {
   using namespace multigrid_kernels;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of multigrid.h. At every node Σ_f c_f (p − p_f) + extra p = b, over its six faces.
+// The kernels of multigrid.h. The equation of a node is Σ_f c_f (p − p_f) + extra p = b, over its six faces.
 #pragma once
 
 #include "fluid/pressure_grid/node_table.h"
@@ -13,8 +13,8 @@ namespace meniscus::fluid::multigrid_kernels {
 using pbd::Vec4;
 using pbd::View;
 
-/// x, y, z: c of the faces towards the next node on each axis; w: the diagonal, 0 where the node is no
-/// unknown and p stays 0.
+/// x, y, z: c of the faces towards the next node on each axis. w: the diagonal, 0 if the node is not an
+/// unknown, so that p stays 0.
 using Coefficients = Vec4;
 
 MENISCUS_HD inline float along(const Vec4& v, int axis) {
@@ -26,7 +26,7 @@ struct Level {
   View<Coefficients> coefficients;
   View<float> pressure, right;
 
-  /// Calls visit(coordinates of the node beside, its number, c of the face between).
+  /// Calls visit(coordinates, number, c) for each adjacent node, where c belongs to the face between.
   template <class Visit>
   MENISCUS_HD void for_each_beside(const NodeCoordinates& c, const Coefficients& self,
                                    const Visit& visit) const {
@@ -41,7 +41,7 @@ struct Level {
     }
   }
 
-  /// b + Σ c p of the nodes beside, each p as pressure_of(coordinates, number) gives it.
+  /// b + Σ c p of the adjacent nodes, where p is pressure_of(coordinates, number).
   template <class PressureOf>
   MENISCUS_HD float pull(const NodeCoordinates& c, uint32_t node, const Coefficients& self,
                          const PressureOf& pressure_of) const {
@@ -56,12 +56,12 @@ struct Level {
   }
 };
 
-/// Of a chequerboard on which no two nodes beside one another have the same.
+/// The colour of a node on a chequerboard: adjacent nodes have different colours.
 MENISCUS_HD inline int colour(const NodeCoordinates& c) {
   return (c.at[0] + c.at[1] + c.at[2]) & 1;
 }
 
-/// One half of a sweep of Gauss and Seidel's: the nodes of one colour.
+/// One half of a Gauss–Seidel sweep: the nodes of one colour.
 struct Relax {
   Level level;
   int turn;
@@ -74,8 +74,8 @@ struct Relax {
   }
 };
 
-/// A level's first sweep, from 0 everywhere: colour 0, then colour 1, whose nodes work out their neighbours
-/// of colour 0 for themselves.
+/// A level's first sweep, from 0 everywhere: colour 0, then colour 1, whose nodes compute their neighbours of
+/// colour 0 themselves.
 struct StartSweep {
   Level level;
 
@@ -95,7 +95,7 @@ struct StartSweep {
   }
 };
 
-/// A coarse node stands for two fine ones on each axis where the fine table has more than one.
+/// A coarse node represents two fine ones on each axis on which the fine table has more than one.
 struct Parents {
   NodeTable fine, coarse;
 
@@ -103,7 +103,7 @@ struct Parents {
   MENISCUS_HD uint32_t parent(const NodeCoordinates& c) const {
     return coarse.index(c.at[0] >> halves(0), c.at[1] >> halves(1), c.at[2] >> halves(2));
   }
-  /// Calls visit(child, its coordinates).
+  /// Calls visit(child, coordinates of the child).
   template <class Visit>
   MENISCUS_HD void for_each_child(const NodeCoordinates& c, const Visit& visit) const {
     const int hx = halves(0), hy = halves(1), hz = halves(2);
@@ -118,12 +118,12 @@ struct Parents {
   }
 };
 
-/// The coarse equation: sums of the fine ones under a p that is constant on a coarse node's children; but a
-/// coarse face's two nodes are twice as far apart, which halves its coefficient. What little is left where
-/// nothing holds p but the nodes beside is rounding: a closed vessel's p would be that of the sums, divided
-/// by it, and swamp whatever else is solved for.
+/// The coarse equation: sums of the fine equations for a p that is constant on a coarse node's children. The
+/// two nodes of a coarse face are twice as far apart, which halves its coefficient. A small remainder, where
+/// only the adjacent nodes determine p, is rounding. In a sealed component, p would be that of the sums
+/// divided by the remainder, and would dominate the solution.
 struct Coarsen {
-  static constexpr float rounding = 2e-6f;  // of the diagonals' sum
+  static constexpr float rounding = 2e-6f;  // relative to the sum of the diagonals
 
   Level fine, coarse;
 
@@ -164,7 +164,7 @@ struct Coarsen {
   }
 };
 
-/// Hands what is left to do to the coarse level. After a sweep that is nothing at nodes of colour 1.
+/// Transfers the residual to the coarse level. After a sweep it is 0 at nodes of colour 1.
 struct Restrict {
   Level fine, coarse;
 
@@ -179,9 +179,9 @@ struct Restrict {
   }
 };
 
-/// Adds the coarse level's answer, the same to all children (what restricts and what prolongs are each
-/// other's transpose, so that a cycle is symmetric), and does the half of a sweep that comes next, of
-/// colour 1. Nodes of colour 0 are left as they were: the other half takes nothing of theirs.
+/// Adds the coarse level's solution, the same to all children, and does the next half of a sweep, of
+/// colour 1. Restriction and prolongation are each other's transpose, so that a cycle is symmetric. Nodes of
+/// colour 0 are not updated, because the other half does not read them.
 struct ProlongAndRelax {
   Level fine, coarse;
 
@@ -199,7 +199,7 @@ struct ProlongAndRelax {
   }
 };
 
-/// The levels that one group of threads solves by itself, where a launch would take longer than its work.
+/// The levels that one group of threads solves alone, as a launch would take longer than its work.
 struct SmallLevels {
   static constexpr uint32_t most = 7;  // from 2^6 nodes on, halved on one axis at least
   Level level[most];
@@ -208,7 +208,7 @@ struct SmallLevels {
 
   struct Scratch {};
 
-  /// Builds all but the first.
+  /// Builds all levels but the first.
   template <class Group>
   MENISCUS_HD void coarsen(const Group& group) const {
     for (uint32_t k = 0; k + 1 < count; ++k)
@@ -272,16 +272,16 @@ struct Sum {
   MENISCUS_HD double operator()(double a, double b) const { return a + b; }
 };
 
-/// What the iteration has found and where it goes next.
+/// The state of the conjugate gradient iteration.
 struct Search {
   View<float> solution, direction, ghost;
-  View<double> products;  ///< r·z now and before, in turns; p·A p
+  View<double> products;  ///< r·z of this and the last iteration, alternating; p·A p
   uint32_t now, before;
 
   static constexpr uint32_t curvature = 2;
 };
 
-/// The finest level's last half of a sweep, of colour 0. Gives r·z, where z is what the cycle makes of r.
+/// The last half of the finest level's sweep, of colour 0. Computes r·z, where z is the cycle's result for r.
 struct FinishCycle {
   Level level;
 
@@ -294,7 +294,7 @@ struct FinishCycle {
   }
 };
 
-/// q = A p; gives p·q.
+/// q = A p; computes p·q.
 struct ApplyToDirection {
   Level level;
   Search search;
@@ -328,7 +328,7 @@ struct StepAlong {
   }
 };
 
-/// The next direction: the cycle's answer, and a share of the last direction.
+/// The next direction: the cycle's result, plus a fraction of the last direction.
 struct TurnDirection {
   Level level;
   Search search;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Nodes of a grid without bounds, in a table that wraps around on each axis as that of the particles' cells
-// does (pbd/grid.h).
+// Nodes of a grid without bounds, in a table that wraps around on each axis like that of the particles' cells
+// (pbd/grid.h).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct NodeTable {
   }
   MENISCUS_HD uint32_t index(const NodeCoordinates& c) const { return index(c.at[0], c.at[1], c.at[2]); }
 
-  /// The node next to c.
+  /// The node `step` away from c along an axis.
   MENISCUS_HD uint32_t beside(NodeCoordinates c, int axis, int32_t step) const {
     c.at[axis] += step;
     return index(c);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the nodes of the pressure grid are: in fluid, in a solid or in air.
+// Classifies the nodes of the pressure grid: in fluid, in a solid or in air.
 #pragma once
 
 #include "fluid/pressure_grid/space.h"
 
 namespace meniscus::fluid::grid_kernels {
 
-/// What lies around a node.
+/// Flags of a node and its surroundings.
 enum NodeFlags : uint32_t {
   node_fluid = 1,       ///< its pressure is an unknown
   node_solid = 2,       ///< it is in a solid
@@ -40,21 +40,21 @@ struct NodeMap {
   }
 };
 
-/// How much of a node's share of space lies behind a plane that is this far away, in widths of a cell.
+/// The fraction of a node's volume behind a plane at this distance, in widths of a cell.
 MENISCUS_HD inline float fraction_behind(float distance) {
   const float a = pbd::max(0.0f, 1 - fabsf(distance)), half = 0.5f * a * a;
   return distance > 0 ? half : 1 - half;
 }
 
-/// How deep in solids a node may be, in widths of a cell, to be an unknown. Half a width deeper than fluid
-/// reaches there are no faces that move any.
+/// The greatest depth in a solid, in widths of a cell, at which a node is an unknown. Half a width deeper
+/// than the fluid, no face moves any particle.
 inline constexpr float deepest = -0.45f;
 
-/// Of a particle on a node: with less it has no say there. Where one that touches a solid has none, as at its
-/// cell's border, its contacts could not take what the node would leave to the solid.
+/// The least weight of a particle on a node at which the particle counts there. If a particle that touches a
+/// solid has no weight, as at its cell's border, its contacts could not receive the node's load.
 inline constexpr float least_weight = 1e-6f;
 
-/// What nodes are told by.
+/// The inputs of the classification.
 struct NodeSources {
   Space space;
   View<const Found> found;
@@ -63,18 +63,19 @@ struct NodeSources {
   float volume;  ///< m³, of a particle
 };
 
-/// What a node is: fluid where particles fill half of what solids leave. Without `any_moving` there are no
-/// sheets.
+/// Classifies a node: it is fluid if particles fill half of the volume that solids leave. Without
+/// `any_moving` there is no cloth.
 template <bool any_moving>
 struct GatherNodes {
   NodeSources from;
   View<uint32_t> flags;
-  View<float> filled;  ///< share of the node's space that particles fill
+  View<float> filled;  ///< the fraction of the node's volume that particles fill
 
-  /// Surfaces around a node, as whoever touches most of them sees them. Lengths are in widths of a cell.
+  /// The surfaces around a node, as seen from the particle that touches most of them. Lengths are in widths
+  /// of a cell.
   struct Walls {
     float open = 1, distance = 1;
-    float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the nodes beside
+    float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the adjacent nodes
     bool touched = false;
 
     MENISCUS_HD void add(float fraction_open, float plane, Vec3 normal) {
@@ -95,10 +96,10 @@ struct GatherNodes {
       for (int b = 0; b < 6; ++b) beside[b] = pbd::min(beside[b], other.beside[b]);
     }
   };
-  /// What is seen from a node.
+  /// What is visible from a node.
   struct Sight {
     float weight = 0;  ///< of all particles
-    float hidden = 0;  ///< of those that a sheet hides
+    float hidden = 0;  ///< of particles hidden by cloth
     Walls solids, sheets;
   };
 
@@ -135,7 +136,7 @@ struct GatherNodes {
     if (hidden) sight.hidden += weight;
   }
 
-  /// A sheet is a wall where there is fluid on one of its sides.
+  /// Cloth is a wall where there is fluid on one of its sides.
   MENISCUS_HD static uint32_t flags_of(const Sight& sight, float share) {
     constexpr float few = 0.05f;
     Walls walls = sight.solids;
@@ -153,7 +154,7 @@ struct GatherNodes {
   }
 };
 
-/// Which nodes have fluid all around.
+/// Marks the nodes with fluid on all sides.
 struct MarkInside {
   NodeTable nodes;
   View<const uint32_t> flags;

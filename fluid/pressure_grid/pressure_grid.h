@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The coarse grid that solves for the pressure of the whole fluid before the density iterations.
 #pragma once
 
 #include "fluid/pressure_grid/excess_kernels.h"
@@ -10,38 +12,38 @@
 
 namespace meniscus::fluid {
 
-/// Before the iterations of the density constraint, which carry pressure one support radius each, a coarse
-/// grid finds the pressure that reaches through the whole fluid, and moves the particles by its gradient.
+/// Iterations of the density constraint transport pressure by one support radius each. Before them, a coarse
+/// grid solves for the pressure of the whole fluid, and moves the particles by its gradient.
 ///
-/// Nodes are the corners of the cells that particles are sorted by, a support radius H apart; φ are the
-/// trilinear weights of particles on nodes, ψ those on the faces between two nodes, which stand half a cell
-/// along an axis.
+/// Nodes are the corners of the cells by which particles are sorted, a support radius H apart. φ are the
+/// trilinear weights of particles on nodes. ψ are those on the faces between two nodes, which are offset by
+/// half a cell along an axis.
 ///
-///   too much volume  b_c = Σ_i V φ_c(x_i) C_i, where C_i ≥ −.1: less is a surface's
-///   faces            M_f = Σ_i m_i ψ_f(x_i); a_f is the share of the face that solids leave open
+///   excess volume    b_c = Σ_i V φ_c(x_i) C_i, where C_i ≥ −.1: less is a surface's
+///   faces            M_f = Σ_i m_i ψ_f(x_i); a_f is the fraction of the face that solids leave open
 ///   equation         Σ_f a_f² H⁴/M_f (P_c − P_nb) = b_c, P = 0 in the air, faces towards solids closed,
-///                    and towards the dry side of a sheet
+///                    and towards the dry side of cloth
 ///   motion           u_f = −a_f H² (P_nb − P_c)/M_f, Δx_i = ω Σ_f ψ_f(x_i) u_f
 ///
-/// So a face hands its particles the impulse a_f H² ΔP whatever they weigh: fluids of different density need
-/// nothing more, and in the open the sum over all faces is 0. What faces that are not alike open leave over
-/// is what solids bear: their contacts take it (load_kernels.h). A wall that moves in makes C rise,
-/// and needs no flux of its own. Where a body gives way, P falls by that.
+/// So a face transfers the impulse a_f H² ΔP to its particles, whatever their mass. Fluids of different
+/// density need no special case, and without solids the sum over all faces is 0. Where faces are not equally
+/// open, solids take up the difference through their contacts (load_kernels.h). A wall that moves in
+/// increases C, and needs no flux of its own. A movable body reduces P.
 ///
-/// After the coarse-grid corrections that grid methods of fluids know as projection (Batty, Bertails &
-/// Bridson 2007 for the open shares of faces), with the density's error in the place of the divergence.
+/// This follows the pressure projection of grid methods (Batty, Bertails & Bridson 2007 for the open
+/// fractions of faces), with the density error instead of the divergence.
 template <class D>
 class PressureGrid {
  public:
   PressureGrid(D& device, const Kernel& kernel) : device_(device), kernel_(kernel), multigrid_(device) {}
 
-  /// Room for so many particles, their padding included.
+  /// Makes room for this many particles, including their padding.
   void reserve(uint32_t size);
-  /// Moves the particles, and hands the contacts what solids bear. `compressibility` is in 1/Pa; `last` holds
-  /// what C was at the last substep's end.
+  /// Moves the particles, and adds the loads of solids to the contacts. `compressibility` is in 1/Pa; `last`
+  /// holds C at the end of the last substep.
   void displace(pbd::Substep<D>& substep, float compressibility,
                 pbd::View<const density_kernels::Multiplier> last);
-  /// By particle: the pressure of the last displacement, kg·m², as Λ of the density constraint.
+  /// By particle: the pressure of the last displacement, kg·m², in the units of the density constraint's Λ.
   pbd::View<const float> multipliers() const { return multiplier_.view(); }
 
  private:

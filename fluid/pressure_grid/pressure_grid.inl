@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A solve of the pressure grid, from the particles' excess volume to their motion.
 #pragma once
 
 #include <cmath>
@@ -13,9 +15,9 @@ namespace grid_tuning {
 
 inline constexpr int iterations = 2;          ///< of conjugate gradients
 inline constexpr float fraction = 0.9f;       ///< ω
-inline constexpr float recovery = 30;         ///< 1/s: how fast old errors are undone
-inline constexpr float most_lacking = 0.02f;  ///< of a node's volume, that is still noise
-inline constexpr float farthest = 0.5f;       ///< spacings that a face may move particles by
+inline constexpr float recovery = 30;         ///< 1/s: the rate at which old errors are corrected
+inline constexpr float most_lacking = 0.02f;  ///< of a node's volume; a lack up to this counts as noise
+inline constexpr float farthest = 0.5f;       ///< spacings, the greatest displacement of particles by a face
 
 }  // namespace grid_tuning
 
@@ -37,7 +39,7 @@ void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
   move(substep);
 }
 
-/// The table grows with the fluid's extent, as that of the cells does: by doubling, so seldom.
+/// The table grows with the extent of the fluid, like that of the cells: by doubling, so rarely.
 template <class D>
 void PressureGrid<D>::fit(const pbd::GridView& cells) {
   constexpr uint32_t bits_of_slices = 2;
@@ -54,7 +56,7 @@ void PressureGrid<D>::fit(const pbd::GridView& cells) {
   motion_.resize_discard(count);
   components_.reserve(count);
   lost_.resize_discard(1);
-  flags_.resize_discard(count);  // last: its length is what counts
+  flags_.resize_discard(count);  // last: its length is the one that is tested
 }
 
 template <class D>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of sealed components.h. Nodes that open faces join are one body of fluid, which is named by
-// the greatest of its nodes.
+// The kernels of sealed_components.h. Nodes that are joined by open faces form a component of fluid, which is
+// named by its greatest node.
 #pragma once
 
 #include <cstring>
@@ -12,18 +12,17 @@
 
 namespace meniscus::fluid::grid_kernels {
 
-/// What is known of a body of fluid, at the node that names it. Sums run in integers, which add up to the
-/// same in any order.
+/// The sums of a component, at the node that names it. They are integers, so they do not depend on the order.
 struct ComponentSums {
   int64_t excess;  ///< in particles' volumes / `unit`
   int64_t filled;  ///< in nodes' volumes / `unit`
-  uint32_t open;   ///< 1 where there is a way out
+  uint32_t open;   ///< 1 where the component is not sealed
   uint32_t least;  ///< the key of the least pressure
 
   static constexpr float unit = 1 << 20;
 };
 
-/// Greater for lesser pressures; never 0.
+/// Greater for lower pressures; never 0.
 MENISCUS_HD inline uint32_t key_of(float pressure) {
   uint32_t bits;
   memcpy(&bits, &pressure, sizeof bits);
@@ -61,7 +60,7 @@ struct StartComponents {
     components.sums[node] = {0, 0, 0, 0};
   }
 
-  /// Most nodes are united by this already. The table wraps around, so what comes after may be below.
+  /// Most nodes are united by this alone. The table wraps around, so the next node may have a lower number.
   MENISCUS_HD uint32_t first_above(uint32_t node) const {
     const NodeCoordinates c = components.nodes.coordinates(node);
     for (int axis = 0; axis < 3; ++axis) {
@@ -93,7 +92,7 @@ struct MarkOpen {
       pbd::atomic_max(components.sums[components.name(node)].open, 1);
   }
 
-  /// Whether a node's faces towards other fluid are not all that holds its pressure.
+  /// Whether anything but the faces towards other fluid nodes determines the pressure of a node.
   MENISCUS_HD bool is_open(uint32_t node) const {
     const NodeCoordinates c = components.nodes.coordinates(node);
     const Coefficients self = components.coefficients[node];
@@ -110,7 +109,7 @@ struct MarkOpen {
 
 inline constexpr uint32_t in_no_component = 0xffffffff;
 
-/// Notes the closed sealed component that a node is in, if any, and adds up what there is in it.
+/// Records the sealed component of a node, if any, and adds the node to its sums.
 struct AddUpComponents {
   Components components;
   View<const float> right, filled;
@@ -156,7 +155,7 @@ struct FindLeast {
   }
 };
 
-/// The pressure, in a closed sealed component from where it is least.
+/// The pressure; in a sealed component, relative to its least pressure.
 struct PressureOf {
   View<const float> pressure;
   View<const uint32_t> component;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Sealed components of the pressure grid, in which the pressure has no absolute value.
 #pragma once
 
 #include "fluid/pressure_grid/multigrid.h"
@@ -8,10 +10,10 @@
 
 namespace meniscus::fluid {
 
-/// Finds sealed components that are full to the brim. Where none of a body of fluid's nodes touches air and
-/// nothing gives way, the equation has a solution only if there is nothing too much in all, and leaves the
-/// pressure's constant open. So what there is too much in all is taken from each node by its share, and the
-/// pressure counts from where it is least.
+/// Finds sealed components: completely filled parts of the fluid. If no node of a component touches air, and
+/// no solid can move, the equation has a solution only if the total excess is 0. The pressure then has an
+/// undetermined constant. So the total excess is subtracted, in proportion to each node's volume, and the
+/// pressure is relative to its minimum.
 template <class D>
 class SealedComponents {
  public:
@@ -23,7 +25,7 @@ class SealedComponents {
     sums_.resize_discard(nodes);
   }
 
-  /// Makes the right side one that has a solution. `volume` is that of a particle, m³.
+  /// Makes the right side one with a solution. `volume` is that of a particle, m³.
   void level(const NodeTable& nodes, pbd::View<const uint32_t> flags, const multigrid_kernels::Level& finest,
              pbd::View<const float> filled, float volume) {
     using namespace grid_kernels;

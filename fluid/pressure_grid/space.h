@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Where particles, nodes and faces of the pressure grid are. Nodes are the corners of the cells that
-// particles are sorted by; face (node, axis) lies half way to the next node on that axis.
+// The positions of particles, nodes and faces in the pressure grid. Nodes are the corners of the cells by
+// which particles are sorted. Face (node, axis) is half way to the next node on that axis.
 #pragma once
 
 #include "fluid/pressure_grid/node_table.h"
@@ -18,7 +18,7 @@ using pbd::ContactView;
 using pbd::Vec4;
 using pbd::View;
 
-/// Where a particle is in its cell, on each axis from 0 to 1.
+/// The position of a particle in its cell, on each axis from 0 to 1.
 struct Place {
   NodeCoordinates cell;
   Vec3 t;
@@ -28,8 +28,8 @@ struct Space {
   pbd::GridView cells;
   NodeTable nodes;
 
-  /// Where particle i is in the cell that it was sorted into. Moved out of it since, it counts at the cell's
-  /// border: what nodes and faces gather by cells must be what particles get from them.
+  /// The position of particle i in the cell by which it was sorted, clamped to the cell. Nodes and faces
+  /// gather by cells, so both directions of the transfer must use the same cell.
   MENISCUS_HD Vec3 part(Vec3 p, uint32_t i) const {
     pbd::CellCoordinates c = cells.coordinates(p);
     NodeCoordinates cell{{c.x >> 2, c.y, c.z}};  // floor of a quarter
@@ -41,7 +41,7 @@ struct Space {
     };
     return {part(x.x, cell.at[0]), part(x.y, cell.at[1]), part(x.z, cell.at[2])};
   }
-  /// Of a particle that is there in its cell.
+  /// The place of a particle that has this position in its cell.
   MENISCUS_HD Place place(Vec3 p, Vec3 part) const {
     const Vec3 x = cells.inverse_reach * p - part;
     const auto nearest = [](float v) {
@@ -51,7 +51,7 @@ struct Space {
     return {{{nearest(x.x), nearest(x.y), nearest(x.z)}}, part};
   }
   MENISCUS_HD float width() const { return 1 / cells.inverse_reach; }
-  /// Of the cell behind a node: its slices lie side by side.
+  /// The particles of the cell behind a node: its slices are adjacent.
   MENISCUS_HD pbd::Run particles_behind(uint32_t node) const {
     return {cells.start[slices * node], cells.start[slices * (node + 1)]};
   }
@@ -70,7 +70,7 @@ MENISCUS_HD inline float component(Vec3 v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-/// Calls visit(node, weight) for the eight nodes around a particle: weights are linear, and add up to 1.
+/// Calls visit(node, weight) for the eight nodes around a particle. Weights are trilinear, and add up to 1.
 template <class Visit>
 MENISCUS_HD void for_each_node(const NodeTable& nodes, const Place& p, const Visit& visit) {
   MENISCUS_UNROLL
@@ -92,11 +92,11 @@ MENISCUS_HD void for_each_face(const NodeTable& nodes, const Place& p, int axis,
   for_each_node(nodes, shifted, visit);
 }
 
-/// Of one particle: x, y, z: where in its cell it is, from 0 to 1; w: its excess.
+/// Of one particle: x, y, z: its position in its cell, from 0 to 1; w: its excess.
 using Found = Vec4;
 
-/// Calls visit(particle, way to the node in widths of a cell) for the particles in those of the eight cells
-/// around that `wanted(first, end)` takes, by their particles.
+/// Calls visit(particle, offset to the node in widths of a cell) for the particles of the eight cells around.
+/// Skips cells for which `wanted(first, end)`, called with their range of particles, is false.
 template <class Wanted, class Visit>
 MENISCUS_HD void for_each_around(const Space& space, uint32_t node, View<const Found> found,
                                  const Wanted& wanted, const Visit& visit) {
@@ -117,7 +117,7 @@ struct AllCells {
   MENISCUS_HD bool operator()(uint32_t, uint32_t) const { return true; }
 };
 
-/// Cells where particles touch something: contacts stand in the order of their particles.
+/// The contacts of cells: contacts are in the order of their particles.
 struct TouchingCells {
   View<const uint32_t> contact_start;
 
@@ -126,7 +126,7 @@ struct TouchingCells {
   }
 };
 
-/// Of a particle at a node that is so far away, in widths of a cell.
+/// The weight of a particle on a node at this offset, in widths of a cell.
 MENISCUS_HD inline float node_weight(Vec3 away) {
   return (1 - fabsf(away.x)) * (1 - fabsf(away.y)) * (1 - fabsf(away.z));
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Calibrates the sizes of the ellipsoids on the cubic lattice.
 #include "fluid/surface/anisotropy.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 namespace meniscus::fluid {
 namespace {
 
-/// What Anisotropy finds, `layer` layers below the flat surface of the cubic lattice with spacing 1.
+/// The results of Anisotropy `layer` layers below the flat surface of the cubic lattice with spacing 1.
 struct Layer {
   double weight = 1;  // Σ w
   double mean = 0;    // of the height

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Particles as the surface of their fluid: ellipsoids that lie flat along it (Yu & Turk 2013). From the
-// neighbours, weighted by w = 1 − (r/h)³, come the mean m and the covariance C (eqs. 9 and 10):
+// The surface of a fluid as ellipsoids, one for each particle, which are flat along the surface (Yu & Turk
+// 2013). From the neighbours, weighted by w = 1 − (r/h)³, follow the mean m and the covariance C (eqs. 9 and
+// 10):
 //   centre  x + λ (m − x)                                   (eq. 6)
 //   axes    the eigenvectors of C; radii in proportion to the roots of its eigenvalues, none below 1/k of the
 //           largest
 // Departures from the paper: radii follow standard deviations, which are lengths, rather than variances.
-// Every ellipsoid has the volume of a ball of radius `radius`, so that a sheet, however thin, gets wider as
-// it gets flatter. And what has few neighbours goes over to a small ball step by step, so that a drop does
-// not change its size at once.
+// Every ellipsoid has the volume of a ball of radius `radius`, so that a thin layer gets wider as it gets
+// flatter. With few neighbours the ellipsoid changes gradually to a small ball, so that a drop does not
+// change its size suddenly.
 #pragma once
 
 #include <meniscus/outputs.h>
@@ -22,15 +23,14 @@ struct AnisotropyParameters {
   float support = 0;         ///< h, m
   float smoothing = 0.9f;    ///< λ
   float ratio = 4;           ///< k: the longest radius over the shortest, at most
-  float radius = 0;          ///< m: among neighbours
-  float lone_radius = 0;     ///< m: of a particle on its own
+  float radius = 0;          ///< m: with neighbours
+  float lone_radius = 0;     ///< m: of a single particle
   float grain_radius = 0;    ///< m
   float surface_weight = 0;  ///< Σ w of a particle at a flat surface, itself included
 };
 
-/// For rest spacing s and support radius h, m. The radius is such that the surface of water at rest lies half
-/// a spacing above the centres of its topmost particles, where it is; a lone particle is a ball of the volume
-/// s³.
+/// For rest spacing s and support radius h, m. The radius is such that the surface of water at rest is half a
+/// spacing above the centres of its topmost particles. A single particle is a ball of volume s³.
 AnisotropyParameters calibrate_anisotropy(double spacing, double support_radius);
 
 template <class D>
@@ -38,7 +38,7 @@ class Anisotropy {
  public:
   Anisotropy(D& device, const AnisotropyParameters& parameters) : device_(device), parameters_(parameters) {}
 
-  /// One ellipsoid a particle, by slot; grains are the balls that they are.
+  /// One ellipsoid for each particle, by slot; grains are balls of their own size.
   void measure(const pbd::Substep<D>& substep, pbd::View<Ellipsoid> ellipsoids) const {
     measure(substep, substep.particles.slot, ellipsoids);
   }

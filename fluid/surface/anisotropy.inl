@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds the ellipsoids of all particles, as launches of the kernels in anisotropy_kernels.h.
 #pragma once
 
 #include "fluid/surface/anisotropy_kernels.h"
@@ -14,7 +16,7 @@ struct Measure {
   pbd::View<const pbd::Vec4> position;
   pbd::NeighbourView neighbours;
   pbd::View<const pbd::Phase> phase;
-  pbd::View<const uint32_t> slot;  ///< none: the sorted order is kept
+  pbd::View<const uint32_t> slot;  ///< if empty: the sorted order is kept
   pbd::View<Ellipsoid> ellipsoids;
 
   MENISCUS_HD void operator()(uint32_t i) const {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels that fit an ellipsoid to the neighbours of a particle.
 #pragma once
 
 #include "fluid/kernel/kernel.h"
@@ -32,7 +34,7 @@ struct Moments {
     yz += wd.y * d.z;
   }
 
-  /// Over all lanes.
+  /// The sums over all lanes.
   MENISCUS_HD Moments<float> total() const {
     const Vec3 f = sum(first);
     return {inverse_support, sum(weight), sum(xx), sum(yy),        sum(zz),
@@ -40,13 +42,14 @@ struct Moments {
   }
 };
 
-/// The ellipsoid of a particle at x with these sums over its neighbours, itself left out.
+/// The ellipsoid of a particle at x, from the sums over its neighbours without itself.
 MENISCUS_HD inline Ellipsoid ellipsoid_of(const AnisotropyParameters& p, Vec3 x, const Moments<float>& s) {
-  const float weight = 1 + s.weight, inverse = 1 / weight;  // with itself, at offset 0
+  const float weight = 1 + s.weight, inverse = 1 / weight;  // with the particle itself, at offset 0
   const Vec3 m = inverse * Vec3{s.first.x, s.first.y, s.first.z};
   const Symmetric3 c{inverse * s.xx - m.x * m.x, inverse * s.yy - m.y * m.y, inverse * s.zz - m.z * m.z,
                      inverse * s.xy - m.x * m.y, inverse * s.xz - m.x * m.z, inverse * s.yz - m.y * m.z};
-  // From a sixth of what a flat surface has, about two neighbours, to more than half of it: a sheet has .6.
+  // It rises from a sixth of a flat surface's weight, about two neighbours, to more than half of it. A thin
+  // layer has 0.6.
   const float fraction = pbd::clamp(2.6f * (weight / p.surface_weight) - 0.44f, 0, 1);
   const PrincipalAxes axes = principal_axes(c);
   Vec3 radii{sqrtf(pbd::max(axes.values.x, 0)), sqrtf(pbd::max(axes.values.y, 0)),

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A grid of nodes without bounds that has memory only where there is something: blocks of 4³ nodes, found
-// through a hash table. Blocks are numbered in the order of their places, whoever asked for them first.
+// A sparse grid of nodes without bounds: blocks of 4³ nodes, found through a hash table. Blocks are numbered
+// in the order of their places, independent of the order of insertion.
 #pragma once
 
 #include "pbd/device/base/atomics.h"
@@ -15,10 +15,10 @@ inline constexpr int32_t block_width = 4;
 inline constexpr uint32_t block_nodes = 64;
 inline constexpr uint32_t no_block = ~0u;
 inline constexpr uint64_t no_key = ~uint64_t{0};
-/// Blocks are fewer than this away from the origin, on each axis.
+/// Blocks are less than this far from the origin, on each axis.
 inline constexpr int32_t most_blocks_out = 1 << 20;
 
-/// Of a node, or of a block.
+/// Coordinates of a node, or of a block.
 struct GridPlace {
   int32_t x, y, z;
 };
@@ -26,17 +26,18 @@ struct GridPlace {
 MENISCUS_HD constexpr GridPlace block_of(GridPlace node) {
   return {node.x >> 2, node.y >> 2, node.z >> 2};
 }
-/// Of a node in its block.
+/// The number of a node within its block.
 MENISCUS_HD constexpr uint32_t node_in_block(GridPlace node) {
   return static_cast<uint32_t>((node.x & 3) | (node.y & 3) << 2 | (node.z & 3) << 4);
 }
 
-/// Where blocks are. While they are inserted, a table that is full takes no more.
+/// The table of blocks. During insertion, a full table accepts no more.
 struct BlockTable {
   pbd::View<uint64_t> keys;     ///< by hash; the number of slots is a power of two
-  pbd::View<uint32_t> numbers;  ///< likewise, when all blocks are in
-  pbd::View<uint32_t> slots;    ///< those in use, in any order
-  pbd::View<uint32_t> size;     ///< one element: how many; as many as there is room for, or more: it was full
+  pbd::View<uint32_t> numbers;  ///< the same, once all blocks are inserted
+  pbd::View<uint32_t> slots;    ///< of blocks, in any order
+  pbd::View<uint32_t>
+      size;  ///< one element: the number of blocks; at or above the capacity the table was full
 
   MENISCUS_HD static uint64_t key_of(GridPlace block) {
     const auto part = [](int32_t v) { return static_cast<uint64_t>(v + most_blocks_out); };
@@ -86,7 +87,8 @@ struct BlockTable {
 /// All blocks, by number.
 struct BlockView {
   pbd::View<const GridPlace> places;
-  pbd::View<const uint32_t> around;  ///< 27 each, x fastest: the numbers of those around, or no_block
+  pbd::View<const uint32_t>
+      around;  ///< 27 for each block, x fastest: the numbers of the adjacent blocks, or no_block
 
   MENISCUS_HD uint32_t count() const { return places.count; }
   MENISCUS_HD GridPlace place_of_node(uint32_t i) const {
@@ -94,7 +96,7 @@ struct BlockView {
     const auto within = [&](int shift) { return static_cast<int32_t>(i >> shift & 3); };
     return {4 * b.x + within(0), 4 * b.y + within(2), 4 * b.z + within(4)};
   }
-  /// The node that is so far from node i, at most four on each axis; no_block where there is none.
+  /// The node at this offset from node i, at most four on each axis; no_block where there is none.
   MENISCUS_HD uint32_t neighbour(uint32_t i, GridPlace away) const {
     const auto at = [&](int shift, int32_t step) { return static_cast<int32_t>(i >> shift & 3) + step; };
     const GridPlace node{at(0, away.x), at(2, away.y), at(4, away.z)};
@@ -110,8 +112,8 @@ class BlockGrid {
  public:
   explicit BlockGrid(D& device) : device_(device) {}
 
-  /// Finds the blocks again: mark(table) launches kernels that insert them, and may be called again, until
-  /// there is room for all. Throws Error(out_of_memory), and Error(capacity) beyond 2²⁵ blocks.
+  /// Rebuilds the blocks. mark(table) launches kernels that insert them, and may be called again, until there
+  /// is room for all. Throws Error(out_of_memory), and Error(capacity) beyond 2²⁵ blocks.
   template <class Mark>
   void build(const Mark& mark);
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the sparse grid of blocks: marks, sorts and numbers them, and links neighbours.
 #pragma once
 
 #include <meniscus/error.h>
@@ -86,10 +88,10 @@ void BlockGrid<D>::reserve(uint32_t blocks) {
   places_.resize_or_stay(blocks);
   around_.resize_or_stay(27 * blocks);
   size_.resize_or_stay(1);
-  slots_.resize_or_stay(blocks);  // the last, as it says how much room there is
+  slots_.resize_or_stay(blocks);  // last, as its length is the capacity
 }
 
-/// By their keys, which are too long for one sort.
+/// Sorts by the keys, which are too long for one sort.
 template <class D>
 void BlockGrid<D>::number_blocks(uint32_t count) {
   using namespace block_kernels;

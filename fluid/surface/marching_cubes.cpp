@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the table of triangles of the 256 cases of marching cubes.
 #include "fluid/surface/marching_cubes.h"
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 namespace meniscus::fluid {
 namespace {
 
-using Loop = std::vector<uint8_t>;  // edges of the cube, one after the other around a piece of surface
+using Loop = std::vector<uint8_t>;  // edges of the cube, in order around a piece of the surface
 
 constexpr uint8_t no_edge = 0xff;
 
@@ -42,7 +44,7 @@ bool share_a_face(uint8_t a, uint8_t b) {
   return false;
 }
 
-/// For each edge that the surface cuts, the next one around: segments run along the faces, with inside on
+/// For each edge that the surface cuts, the next one around. Segments run along the faces, with the inside on
 /// their right as seen from outside.
 std::array<uint8_t, 12> next_edges(uint32_t inside) {
   std::array<uint8_t, 12> next;
@@ -75,8 +77,8 @@ std::vector<Loop> loops_of(uint32_t inside) {
   return loops;
 }
 
-/// Divides loop[from … to] into triangles none of whose inner edges lies in a face. False where there is no
-/// way to.
+/// Divides loop[from … to] into triangles whose inner edges do not lie in a face. False where this is
+/// impossible.
 bool divide(const Loop& loop, size_t from, size_t to, std::vector<std::array<uint8_t, 3>>& triangles) {
   if (to - from < 2) return true;
   const auto may_join = [&](size_t a, size_t b) { return b - a == 1 || !share_a_face(loop[a], loop[b]); };

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The triangles of a cube by which of its corners are inside (Lorensen & Cline 1987), made by rule so that
+// The triangles of a cube for each set of inside corners (Lorensen & Cline 1987), built by rules such that
 // the surface is closed and manifold:
-//   on a face with two inside corners that are diagonal, each is cut off by itself, whichever cube looks;
-//   no triangle has an edge across a face, where the cube beyond might have the same.
+//   on a face with two inside corners that are diagonal, each is cut off separately, in both adjacent cubes;
+//   no triangle has an edge across a face, where the adjacent cube might have the same.
 // So each edge of the mesh, on a face or inside a cube, belongs to two triangles.
 #pragma once
 
@@ -26,13 +26,13 @@ MENISCUS_HD constexpr CubeEdge cube_edge(uint32_t e) {
   return {corner, axis};
 }
 
-/// Sixteen bytes, as one load takes them.
+/// Sixteen bytes, so that one load reads them.
 struct alignas(16) CubeTriangles {
-  uint8_t edges[15];  ///< three each; corners turn counter-clockwise as seen from outside
-  uint8_t count;      ///< of triangles, at most five
+  uint8_t edges[15];  ///< three for each triangle; corners are counter-clockwise as seen from outside
+  uint8_t count;      ///< number of triangles, at most five
 };
 
-/// One for each set of inside corners: bit c says that corner c is.
+/// One element for each set of inside corners: bit c is set if corner c is inside.
 std::vector<CubeTriangles> marching_cubes();
 
 }  // namespace meniscus::fluid

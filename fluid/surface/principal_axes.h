@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix, for kernels.
 #pragma once
 
 #include "pbd/math/vec.h"
@@ -18,8 +20,8 @@ struct PrincipalAxes {
 
 namespace principal_axes_detail {
 
-/// The turn about one axis that takes `off` to 0 between the diagonal elements a and b; o1 and o2 are what
-/// couples the two to the third axis. `axis` is the part of the quaternion that the turn adds to.
+/// A rotation about one axis that makes `off` 0 between the diagonal elements a and b. o1 and o2 couple the
+/// two to the third axis. `axis` is the component of the quaternion that the rotation changes.
 MENISCUS_HD inline void turn(float& a, float& b, float& off, float& o1, float& o2, Quat& q, Vec3 axis) {
   if (fabsf(off) <= 1e-12f * (fabsf(a) + fabsf(b))) return;
   const float theta = 0.5f * (b - a) / off;
@@ -37,7 +39,7 @@ MENISCUS_HD inline void turn(float& a, float& b, float& off, float& o1, float& o
 
 }  // namespace principal_axes_detail
 
-/// By Jacobi's method: cyclic, with as many sweeps as floats need.
+/// Jacobi's method: cyclic, with as many sweeps as floats need.
 MENISCUS_HD inline PrincipalAxes principal_axes(Symmetric3 m) {
   using principal_axes_detail::turn;
   Quat q{0, 0, 0, 1};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Calibrates the scalar field of which the surface is a level set.
 #include "fluid/surface/surface_mesh.h"
 
 #include <cmath>
@@ -11,9 +13,9 @@
 namespace meniscus::fluid {
 namespace {
 
-/// The cubic lattice with spacing 1 below a plane through the origin, as far as `radius` from there. Where
-/// the plane's indices add up to an odd number, the origin is midway between two layers: the cells of the
-/// points end there, on the whole.
+/// The cubic lattice with spacing 1 below a plane through the origin, up to `radius` from it. If the plane's
+/// indices add up to an odd number, the origin is midway between two layers, where the cells of the points
+/// end on average.
 std::vector<Vec3> half_lattice(Vec3 normal, float radius) {
   const int n = static_cast<int>(radius) + 1;
   std::vector<Vec3> points;
@@ -41,7 +43,7 @@ std::vector<Ellipsoid> ellipsoids_of(const std::vector<Vec3>& points, const Anis
   return ellipsoids;
 }
 
-/// Σ (1 − u²)³ on the plane, the mean over a piece of it about the origin.
+/// The mean of Σ (1 − u²)³ on the plane, over an area around the origin.
 double mean_sum(Vec3 normal, const std::vector<Ellipsoid>& ellipsoids, float reach) {
   const Vec3 along = normalized_or(cross(normal, {0.3f, 0.5f, -0.8f}), {0, 0, 1}),
              across = cross(normal, along);
@@ -65,7 +67,7 @@ SurfaceField calibrate_surface(double spacing, double support_radius) {
   SurfaceField f;
   const AnisotropyParameters p = calibrate_anisotropy(1, support_radius / spacing);
   const double reach = double{f.reach};
-  // Inside of a fluid, Σ (1 − u²)³ is the integral of it.
+  // Inside a fluid, Σ (1 − u²)³ is its integral.
   const double weight = 315 / (64 * std::numbers::pi) / std::pow(reach * double{p.radius}, 3);
   double iso = 0;
   const Vec3 directions[] = {{0, 1, 0}, {1, 1, 1}, {1, 2, 2}, {1, 3, 1}};
@@ -75,7 +77,7 @@ SurfaceField calibrate_surface(double spacing, double support_radius) {
     iso += weight * mean_sum(normal, ellipsoids_of(half_lattice(normal, radius), p), f.reach) /
            static_cast<double>(std::size(directions));
   }
-  // A drop on its own ends at u = 1/reach.
+  // A single drop ends at u = 1/reach.
   const double lone_weight = iso / std::pow(1 - 1 / (reach * reach), 3);
   f.weight = static_cast<float>(weight);
   f.power =

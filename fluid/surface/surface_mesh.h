@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The surface of a fluid as triangles, by marching cubes over a field of its ellipsoids (Yu & Turk 2013):
+// The surface of a fluid as triangles, by marching cubes over a scalar field of its ellipsoids (Yu & Turk
+// 2013):
 //   φ(x) = Σ a (1 − u²)³,   u² = |G (x − c)|² ≤ 1
-// where G takes an ellipsoid that is `reach` times as large as the particle's to the unit ball. It is sampled
-// at the nodes of a grid that is there around particles alone (block_grid.h), in integers, whose sum does not
-// depend on the order. The iso level is such that fluid whose particles end at a plane, on the whole, ends
-// there: the mean over planes that cut the lattice smoothly and roughly, as one gives a surface .1 s further
-// out than the other. The weight a goes with a power of the ellipsoid's volume: such that the sum inside of a
-// fluid is 1, and that a drop on its own keeps its volume.
+// where G maps an ellipsoid that is `reach` times as large as the particle's to the unit ball. The field is
+// sampled at the nodes of a sparse grid around particles (block_grid.h). It uses integers, whose sum does not
+// depend on the order. The iso level is such that fluid whose particles end at a plane, on average, ends
+// there. It is the mean over planes that cut the lattice smoothly and roughly, whose surfaces differ by 0.1
+// s. The weight a is a power of the ellipsoid's volume, such that the sum inside a fluid is 1, and a single
+// drop keeps its volume.
 #pragma once
 
 #include <meniscus/outputs.h>
@@ -24,22 +25,22 @@ namespace meniscus::fluid {
 
 struct SurfaceField {
   float cell = 0;         ///< m, between nodes
-  float reach = 1.5f;     ///< of a particle, in radii of its ellipsoid
+  float reach = 1.5f;     ///< of a particle's influence, in radii of its ellipsoid
   float weight = 0;       ///< a at unit_volume
-  float power = 0;        ///< of unit_volume over an ellipsoid's own
+  float power = 0;        ///< exponent of unit_volume over an ellipsoid's own volume
   float unit_volume = 0;  ///< m³, the product of the radii inside a fluid
   float iso = 0;          ///< φ at the surface
 };
 
-/// For rest spacing s and support radius h, m; all but the cell. Takes milliseconds.
+/// For rest spacing s and support radius h, m; sets all fields but the cell. Takes milliseconds.
 SurfaceField calibrate_surface(double spacing, double support_radius);
 
 inline constexpr uint32_t all_fluids = ~0u;
 
-/// Which particles count.
+/// Which particles belong to the surface.
 struct SurfaceMembers {
   pbd::View<const pbd::Phase> phase;
-  uint32_t group = all_fluids;  ///< or one material's, which may be grains
+  uint32_t group = all_fluids;  ///< or the group of one material, which may be grains
 
   MENISCUS_HD bool count(uint32_t i) const {
     return group == all_fluids ? !pbd::is_grain(phase[i]) : pbd::phase_group(phase[i]) == group;
@@ -51,8 +52,8 @@ class SurfaceMesher {
  public:
   explicit SurfaceMesher(D& device) : device_(device), blocks_(device) {}
 
-  /// Of the ellipsoids that count; those that are not finite, or further than 2²¹ cells from the origin, are
-  /// left out. Throws what BlockGrid throws. Its arrays are kept for the next time.
+  /// Builds the surface of the ellipsoids that belong to it. Leaves out those that are not finite, or further
+  /// than 2²¹ cells from the origin. Throws what BlockGrid throws. Its arrays are kept for the next call.
   void build(pbd::View<const Ellipsoid> ellipsoids, const SurfaceMembers& members, const SurfaceField& field);
   SurfaceMesh read() const;
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the triangle mesh of a surface, as launches of the kernels in surface_mesh_kernels.h.
 #pragma once
 
 #include "fluid/surface/block_grid.inl"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels that sample the scalar field and extract its level set as triangles.
 #pragma once
 
 #include "fluid/surface/surface_mesh.h"
@@ -8,10 +10,10 @@ namespace meniscus::fluid::surface_kernels {
 
 using pbd::View;
 
-/// The field is counted in these.
+/// The unit of the integers in which the field is summed.
 inline constexpr float field_unit = 1.0f / (1 << 20);
 
-/// An ellipsoid as it reaches into the field, with lengths in cells: u² = a x² + … of the offset from its
+/// An ellipsoid's contribution to the field, with lengths in cells: u² = a x² + … of the offset from its
 /// centre.
 struct Splat {
   Vec3 centre, extent;  ///< half of its box
@@ -44,12 +46,12 @@ MENISCUS_HD inline Splat splat_of(const Ellipsoid& e, const SurfaceField& field)
   constexpr float limit = 2.0f * most_blocks_out;  // in nodes, half of what blocks hold
   const float furthest = max_component(abs(centre) + s.extent);
   const float volume = e.radii.x * e.radii.y * e.radii.z;
-  if (furthest < limit && volume > 0)  // neither is so where a number is not finite
+  if (furthest < limit && volume > 0)  // false if a number is not finite
     s.weight = field.weight / field_unit * powf(field.unit_volume / volume, field.power);
   return s;
 }
 
-/// Along an axis: the nodes inside of a splat's box.
+/// The nodes inside a splat's box, along an axis.
 struct NodeRange {
   int32_t first, last;
 };
@@ -58,8 +60,8 @@ MENISCUS_HD inline NodeRange nodes_within(float middle, float extent) {
   return {static_cast<int32_t>(ceilf(middle - extent)), static_cast<int32_t>(floorf(middle + extent))};
 }
 
-/// All blocks with a node that is inside a splat's box, or just below it: the cubes that its surface may cut
-/// have their lowest corners there.
+/// Marks all blocks with a node inside a splat's box, or just below it: cubes that its surface may cut have
+/// their lowest corners there.
 struct MarkBlocks {
   View<const Ellipsoid> ellipsoids;
   SurfaceMembers members;
@@ -85,7 +87,7 @@ struct MarkBlocks {
   }
 };
 
-/// Adds each splat to the nodes that it reaches.
+/// Adds each splat to the nodes within its reach.
 struct AddSplats {
   View<const Ellipsoid> ellipsoids;
   SurfaceMembers members;
@@ -135,13 +137,13 @@ struct AddSplats {
   }
 };
 
-/// The field at the nodes, as the cubes see it.
+/// The field at the nodes, as the cubes read it.
 struct FieldView {
   BlockView blocks;
   View<const uint32_t> values;
   uint32_t iso;
 
-  /// Of node i, and of those so far from it; 0 where there is no block.
+  /// The value at the node at this offset from node i; 0 where there is no block.
   MENISCUS_HD uint32_t at(uint32_t i, GridPlace away) const {
     const uint32_t node = blocks.neighbour(i, away);
     return node == no_block ? 0 : values[node];
@@ -201,7 +203,7 @@ struct WriteVertices {
     for (uint32_t a = 0; a < 3; ++a) {
       if (!(cut >> a & 1)) continue;
       const GridPlace end = FieldView::corner(1u << a);
-      // Kept off the nodes, where vertices of several edges would be one.
+      // Kept away from the nodes, where the vertices of several edges would coincide.
       const float t = pbd::clamp(crossing(field.values[i], field.at(i, end)), 1e-3f, 1 - 1e-3f);
       const Vec3 along{static_cast<float>(end.x), static_cast<float>(end.y), static_cast<float>(end.z)};
       vertices[to] = cell * (place + t * along);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// An owned array in a device's memory.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +15,7 @@
 
 namespace meniscus::pbd {
 
-/// Owns an array in a device's memory. Its length is set by hand and is never changed inside a warm step.
+/// Owns an array in a device's memory. Its length is set explicitly and never changes within a warm step.
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -40,11 +42,11 @@ class Buffer {
   }
 
   size_t size() const { return size_; }
-  /// A view counts up to 2³² − 1 elements: who has more goes by the pointer.
+  /// A view counts up to 2³² − 1 elements. Larger arrays are accessed by the pointer.
   View<T> view() { return {data_, viewed()}; }
   View<const T> view() const { return {data_, viewed()}; }
 
-  /// New length; what was inside is gone.
+  /// Sets a new length; the contents are lost.
   void resize_discard(size_t size) {
     if (size == size_) return;
     free_memory();
@@ -52,7 +54,7 @@ class Buffer {
     size_ = size;
   }
 
-  /// The same, but when there is no memory for it the length stays as it was.
+  /// The same, but the length is unchanged if there is not enough memory.
   void resize_or_stay(size_t size) {
     const size_t before = size_;
     try {
@@ -63,7 +65,7 @@ class Buffer {
     }
   }
 
-  /// New length; the first `kept` elements stay.
+  /// Sets a new length; the first `kept` elements are kept.
   void resize_keep(size_t size, size_t kept) {
     if (size == size_) return;
     Buffer next(*device_, what_);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The accounts of a device's memory.
 #include "pbd/device/device.h"
 
 #include <meniscus/error.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A device as the host sees it: memory, copies, marks in time. The parallel algorithms (parallel_for, sort,
-// scan, reduce) are members of CpuDevice and CudaDevice, over which the orchestration is a template.
+// A device as the host sees it: memory, copies and time marks. The parallel algorithms (parallel_for, sort,
+// scan, reduce) are members of CpuDevice and CudaDevice; the host code is a template over these.
 #pragma once
 
 #include <cstddef>
@@ -34,26 +34,26 @@ class Device {
   void* allocate(size_t bytes, const char* what);
   void release(void* memory, size_t bytes, const char* what) noexcept;
   const MemoryUse& memory() const { return memory_; }
-  /// Bytes held now, by what they are for.
+  /// Bytes held now, by purpose.
   const std::map<std::string, size_t, std::less<>>& held() const { return held_; }
 
-  /// Memory of the host that kernels can use as well. Throws Error(out_of_memory), naming `what`.
+  /// Host memory that kernels can use as well. Throws Error(out_of_memory), naming `what`.
   void* allocate_shared(size_t bytes, const char* what);
   void release_shared(void* memory) noexcept;
 
-  /// Copies are ordered with the kernels launched before and after; copy_out alone waits for the result.
+  /// Copies are ordered with the kernels launched before and after. Only copy_out waits for the result.
   virtual void copy_in(void* device_memory, const void* host, size_t bytes) = 0;
   virtual void copy_out(void* host, const void* device_memory, size_t bytes) = 0;
   virtual void copy(void* to, const void* from, size_t bytes) = 0;
   virtual void fill(void* memory, unsigned char byte, size_t bytes) = 0;
   virtual void wait() = 0;
-  /// What was launched so far need not wait for more: the host turns to something else.
+  /// Sends all launches so far, because the host turns to other work.
   virtual void send_off() {}
-  /// Marks a place in the device's work; wait_for_fence() returns when all before it is done.
+  /// Marks a place in the device's work; wait_for_fence() returns when all work before it is done.
   virtual void set_fence() = 0;
   virtual void wait_for_fence() = 0;
 
-  /// Marks the present place in the device's work as number `mark`; elapsed_ms may be asked after wait().
+  /// Marks the present place in the device's work as number `mark`; elapsed_ms may be called after wait().
   virtual void mark_time(uint32_t mark) = 0;
   virtual double elapsed_ms(uint32_t from, uint32_t to) const = 0;
 

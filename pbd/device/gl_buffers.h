@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Buffers that OpenGL and CUDA share.
 #pragma once
 
 #include <cstddef>
@@ -17,20 +19,20 @@ struct LentMemory {
   size_t bytes;
 };
 
-/// Buffers of OpenGL's in memory that CUDA's kernels use as well. To be made, lent and destroyed with
-/// OpenGL's context current.
+/// OpenGL buffers in memory that CUDA kernels use as well. Create, lend and destroy them with OpenGL's
+/// context current.
 class GlBuffers {
  public:
   virtual ~GlBuffers() = default;
 
-  /// For what is launched on this device of CUDA from here on, after all that OpenGL was told before.
+  /// Lends the memory to later launches on this CUDA device, after all earlier OpenGL commands.
   virtual std::vector<LentMemory> lend(Device& device) = 0;
-  /// What OpenGL is told from here on comes after what was launched.
+  /// Later OpenGL commands follow the launches so far.
   virtual void give_back(Device& device) = 0;
 };
 
-/// By their names; they must keep their storage. Throws Error(device) where CUDA is not there, or cannot
-/// share them: another GPU draws.
+/// By the names of the buffers, which must keep their storage. Throws Error(device) where CUDA is missing, or
+/// cannot share them because another GPU draws.
 std::unique_ptr<GlBuffers> share_gl_buffers(std::span<const uint32_t> names);
 
 }  // namespace meniscus::pbd

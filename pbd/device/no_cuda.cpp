@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Stands in for device/cuda/ in a build without CUDA.
+// Replaces device/cuda/ in a build without CUDA.
 #include <meniscus/error.h>
 
 #include "pbd/device/choose.h"

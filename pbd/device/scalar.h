@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The one-lane forms of what device/cpu/lanes.h offers for eight, so that a kernel reads the same over
-// either.
+// The one-lane forms of the functions that device/cpu/lanes.h has for eight lanes, so that kernels read the
+// same over either.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace meniscus::pbd {
 
-/// The greatest that counts as finite.
+/// The greatest value that counts as finite.
 inline constexpr float most_finite = 3e38f;
 
 MENISCUS_HD inline float sum(float a) {
@@ -26,7 +26,7 @@ MENISCUS_HD inline float select_less(float x, float y, float a, float b) {
   return x < y ? a : b;
 }
 
-/// The sum, or the limit where it is greater: associative, as there are no negative numbers.
+/// The sum, or the limit if the sum is greater. It is associative, as there are no negative numbers.
 struct SumUpTo {
   uint32_t limit;
 
@@ -35,7 +35,7 @@ struct SumUpTo {
   }
 };
 
-/// What sums came to.
+/// A record of sums: the last one and the greatest.
 struct SumNote {
   uint32_t last, most;
 
@@ -51,8 +51,8 @@ MENISCUS_HD inline float square_root(float a) {
 MENISCUS_HD inline float sine(float a) {
   return sinf(a);
 }
-/// a b + c. A GPU's compiler may round once or twice as it likes, and not alike in two kernels; this is
-/// rounded once.
+/// a b + c. A GPU's compiler may round once or twice, and differently in two kernels. This is always rounded
+/// once on a GPU.
 MENISCUS_HD inline float multiply_add(float a, float b, float c) {
 #ifdef __CUDA_ARCH__
   return __fmaf_rn(a, b, c);
@@ -60,8 +60,7 @@ MENISCUS_HD inline float multiply_add(float a, float b, float c) {
   return a * b + c;
 #endif
 }
-/// For a > 0. Of a float too small to be normal a GPU makes ∞: to look for them would take three
-/// instructions.
+/// For a > 0. On a GPU the result for a denormal float is ∞; a check would take three instructions.
 MENISCUS_HD inline float inverse_sqrt(float a) {
 #ifdef __CUDA_ARCH__
   float root;
@@ -72,7 +71,7 @@ MENISCUS_HD inline float inverse_sqrt(float a) {
 #endif
 }
 
-/// √a, to a few units in the last place on a GPU: for bounds that leave room for that.
+/// √a, accurate to a few units in the last place on a GPU: for bounds with a margin for that.
 MENISCUS_HD inline float quick_root(float a) {
 #ifdef __CUDA_ARCH__
   float root;
@@ -83,7 +82,7 @@ MENISCUS_HD inline float quick_root(float a) {
 #endif
 }
 
-/// max(a, 0) of what is at most 1; 0 where it is not a number. On a GPU part of the instruction before.
+/// max(a, 0) for a ≤ 1; 0 for NaN. On a GPU it is a modifier of the previous instruction.
 MENISCUS_HD inline float unit_part(float a) {
 #ifdef __CUDA_ARCH__
   return __saturatef(a);
@@ -109,7 +108,7 @@ MENISCUS_HD inline uint32_t bit_count(uint32_t mask) {
 #endif
 }
 
-/// Indices, one a lane, as gather() and scatter() take them.
+/// Indices, one for each lane, as gather() and scatter() take them.
 template <class D>
 struct Places {
   uint32_t at[D::lane_count];
@@ -123,7 +122,7 @@ struct Places {
   }
 };
 
-/// A number of value(lane) in each lane.
+/// A number with value(lane) in each lane.
 template <class D, class Value>
 MENISCUS_HD typename D::Real by_lane(const Value& value) {
   if constexpr (D::lane_count == 1) {
@@ -150,7 +149,7 @@ MENISCUS_HD Vec4Of<float> gather_words(View<const T> from, uint32_t j) {
 MENISCUS_HD inline Vec4Of<float> gather(View<const Vec4> from, uint32_t j) {
   return gather_words(from, j);
 }
-/// Of what the kernel writes too.
+/// For an array that the kernel also writes.
 MENISCUS_HD inline Vec4Of<float> gather(View<Vec4> from, uint32_t j) {
   const Vec4 v = from[j];
   return {v.x, v.y, v.z, v.w};

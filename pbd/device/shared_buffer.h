@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// An owned array in host memory that kernels can access.
 #pragma once
 
 #include <span>
@@ -10,9 +12,8 @@
 
 namespace meniscus::pbd {
 
-/// Owns an array in the host's memory that kernels read and write as well: for little that goes to and fro
-/// often. The host may touch it when what was launched with it is done (Device::wait,
-/// Device::wait_for_fence).
+/// Owns an array in host memory that kernels read and write as well, for small data that are exchanged often.
+/// The host may access it when the launches that use it are done (Device::wait, Device::wait_for_fence).
 template <class T>
 class SharedBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -23,7 +24,7 @@ class SharedBuffer {
   SharedBuffer(const SharedBuffer&) = delete;
   SharedBuffer& operator=(const SharedBuffer&) = delete;
 
-  /// New length; what was inside is gone.
+  /// Sets a new length; the contents are lost.
   void resize_discard(uint32_t size) {
     if (size == size_) return;
     device_.release_shared(data_);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The queue and the loop of the side thread.
 #include "pbd/device/side_thread.h"
 
 #include <utility>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A host thread that runs tasks in order beside the caller.
 #pragma once
 
 #include <condition_variable>
@@ -11,8 +13,7 @@
 
 namespace meniscus::pbd {
 
-/// One more thread of the host, for what can go on while the caller does something else: tasks are done one
-/// by one, in the order in which they were given.
+/// An additional host thread for work beside the caller's. Tasks run one by one, in the order of the calls.
 class SideThread {
  public:
   SideThread() = default;
@@ -20,9 +21,9 @@ class SideThread {
   SideThread(const SideThread&) = delete;
   SideThread& operator=(const SideThread&) = delete;
 
-  /// Returns at once. Whoever gives a task must wait() for it before it touches what the task does.
+  /// Returns at once. The caller must wait() before it accesses data that the task uses.
   void run(std::function<void()> task);
-  /// Returns when all tasks are done. Throws what one of them threw; those behind that one are left out.
+  /// Returns when all tasks are done. Rethrows the exception of a task; the tasks after that one do not run.
   void wait();
 
  private:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Threads that share one item's work: several of a GPU's warp, or the CPU's one. A kernel that a team runs is
-// called by all of its threads with the same item; each takes every count()-th part of the work from its rank
-// on. What is handed over runs in a fixed order, so that the bits are the same each time.
+// Threads that share one item's work: several of a GPU's warp, or the CPU's single thread. All threads of a
+// team call the kernel with the same item. Each takes every count()-th part of the work, from its rank on.
+// Exchanges run in a fixed order, so that the bits are the same each time.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace meniscus::pbd {
 
-/// All threads of a team must come to each of these together. `size` is a power of 2 up to 32.
+/// All threads of a team must call each of these together. `size` is a power of 2 up to 32.
 template <uint32_t size>
 struct Team {
   static constexpr uint32_t most = size;  // threads, on a GPU
@@ -41,19 +41,19 @@ struct Team {
     return 0;
   }
 #endif
-  /// True in the one thread that writes what all of them know.
+  /// True in the one thread that writes results that all of them have.
   MENISCUS_HD static bool leads() {
     return rank() == 0;
   }
 
-  /// Lets each see what the others have written.
+  /// Makes the writes of each thread visible to the others.
   MENISCUS_HD static void sync() {
 #ifdef __CUDA_ARCH__
     __syncwarp(mask());
 #endif
   }
 
-  /// Bit k is set where thread k says so.
+  /// Bit k is set where `so` is true in thread k.
   MENISCUS_HD static uint32_t ballot(bool so) {
 #ifdef __CUDA_ARCH__
     return (__ballot_sync(mask(), so) & mask()) >> first();
@@ -65,7 +65,7 @@ struct Team {
     return ballot(so) != 0;
   }
 
-  /// What thread `rank` has.
+  /// The value of thread `rank`.
   MENISCUS_HD static uint32_t from(uint32_t rank, uint32_t value) {
 #ifdef __CUDA_ARCH__
     return __shfl_sync(mask(), value, static_cast<int>(rank), size);
@@ -86,7 +86,7 @@ struct Team {
     return {from(rank, v.x), from(rank, v.y), from(rank, v.z)};
   }
 
-  /// Over all threads, by halves; each gets it.
+  /// The sum over all threads, by halves; each gets it.
   template <class T>
   MENISCUS_HD static T sum(T value) {
 #ifdef __CUDA_ARCH__
@@ -98,7 +98,7 @@ struct Team {
     return {sum(v.x), sum(v.y), sum(v.z)};
   }
 
-  /// The least of all threads; each gets it.
+  /// The least value of all threads; each gets it.
   MENISCUS_HD static float least(float value) {
 #ifdef __CUDA_ARCH__
     for (uint32_t step = size / 2; step > 0; step /= 2)
@@ -110,7 +110,7 @@ struct Team {
     return {least(v.x), least(v.y), least(v.z)};
   }
 
-  /// Over the threads before this one.
+  /// The sum over the threads before this one.
   MENISCUS_HD static uint32_t sum_before(uint32_t n) {
 #ifdef __CUDA_ARCH__
     uint32_t sum = n;
@@ -133,7 +133,7 @@ struct RunTeams {
   MENISCUS_HD void operator()(uint32_t thread) const { kernel(thread / T::count()); }
 };
 
-/// Has a team T each run kernel(i) for all i below `count`.
+/// Runs kernel(i) with a team T for each i below `count`.
 template <class T, class D, class Kernel>
 void parallel_for_teams(D& device, const char* name, uint32_t count, const Kernel& kernel) {
   const uint32_t threads = device.kind() == DeviceKind::cpu ? 1 : T::most;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How much of a kernel's support lies in a solid at signed distance d. A closed form for the half-space, and
-// its first-order change over a curved surface, found by integrating the surface's sag ρ²H/2 over the plane
-// at distance d.
+// The fraction of a kernel's support that lies in a solid at signed distance d. The half-space has a closed
+// form. Its first-order change over a curved surface follows from integrating the surface's sag ρ²H/2 over
+// the plane at distance d.
 #pragma once
 
 #include "pbd/math/vec.h"

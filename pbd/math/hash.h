@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Hashes of a state that do not depend on the order of its elements: the sum, modulo 2^64, of a hash of each
-// element's number and bits. Integer sums have no order, so a device may add them as it likes.
+// element's number and bits. Integer sums are associative, so a device may add them in any order.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ MENISCUS_HD inline uint64_t mixed_with(uint64_t hash, float a, float b) {
   return mixed(hash ^ (uint64_t{bits[1]} << 32 | bits[0]));
 }
 
-/// Of the bits of two vectors, for an element that `number` tells from all others.
+/// The hash of the bits of two vectors, for an element with a unique `number`.
 MENISCUS_HD inline uint64_t element_hash(uint64_t number, Vec3 a, Vec3 b) {
   uint64_t hash = mixed(number);
   hash = mixed_with(hash, a.x, a.y);

@@ -8,12 +8,12 @@
 
 namespace meniscus {
 
-/// By rows.
+/// Stored by rows.
 struct Mat3 {
   Vec3 x, y, z;
 };
 
-/// A symmetric one.
+/// A symmetric matrix.
 struct Sym3 {
   float xx, yy, zz, xy, xz, yz;
 };
@@ -39,7 +39,7 @@ MENISCUS_HD constexpr Mat3 operator*(const Mat3& a, const Sym3& b) {
 MENISCUS_HD constexpr Mat3 times_transposed(const Mat3& a, const Mat3& b) {
   return {b * a.x, b * a.y, b * a.z};
 }
-/// a bᵀ, where it is known to be symmetric
+/// a bᵀ, if it is known to be symmetric
 MENISCUS_HD constexpr Sym3 symmetric_product(const Mat3& a, const Mat3& b) {
   return {dot(a.x, b.x), dot(a.y, b.y), dot(a.z, b.z), dot(a.x, b.y), dot(a.x, b.z), dot(a.y, b.z)};
 }
@@ -65,7 +65,7 @@ MENISCUS_HD constexpr Sym3 operator*(float s, const Sym3& a) {
 MENISCUS_HD constexpr Sym3 diagonal(float s) {
   return {s, s, s, 0, 0, 0};
 }
-/// a b, where it is known to be symmetric
+/// a b, if it is known to be symmetric
 MENISCUS_HD constexpr Sym3 commuting_product(const Sym3& a, const Sym3& b) {
   return {a.xx * b.xx + a.xy * b.xy + a.xz * b.xz, a.xy * b.xy + a.yy * b.yy + a.yz * b.yz,
           a.xz * b.xz + a.yz * b.yz + a.zz * b.zz, a.xx * b.xy + a.xy * b.yy + a.xz * b.yz,
@@ -95,8 +95,8 @@ MENISCUS_HD constexpr Sym3 turned(const Mat3& r, const Sym3& s) {
   return symmetric_product(r * s, r);
 }
 
-/// The inverse of a positive definite matrix, scaled on the way: those of light things have cubes beyond a
-/// float.
+/// The inverse of a positive definite matrix. It is scaled first: the cubes of very small elements would
+/// leave the range of a float.
 MENISCUS_HD constexpr Sym3 inverse(const Sym3& a) {
   const float scale = 1 / (a.xx + a.yy + a.zz);
   const Sym3 m{scale * a.xx, scale * a.yy, scale * a.zz, scale * a.xy, scale * a.xz, scale * a.yz};

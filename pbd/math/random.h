@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Random numbers without a state: hashes of counters, the same on all devices.
+// Stateless random numbers: hashes of counters, the same on all devices.
 #pragma once
 
 #include "pbd/math/vec.h"

@@ -14,8 +14,7 @@ namespace meniscus {
 
 namespace pbd {
 
-// Not fmaxf and fminf: g++ makes calls of them. The second argument is the answer where the first is not a
-// number.
+// Not fmaxf and fminf, which g++ compiles to calls. The result is the second argument if the first is NaN.
 MENISCUS_HD constexpr float max(float a, float b) {
   return a > b ? a : b;
 }
@@ -88,14 +87,14 @@ MENISCUS_HD inline Vec3 normalized_or(Vec3 a, Vec3 fallback) {
   return l > 1e-20f ? a / l : fallback;
 }
 
-/// a, or as much of it as has the length `most`.
+/// a, shortened to the length `most` if it is longer.
 MENISCUS_HD inline Vec3 shortened_to(Vec3 a, float most) {
   const float size = length(a);
   return size > most ? (most / size) * a : a;
 }
 
 MENISCUS_HD inline bool is_finite(Vec3 a) {
-  // NaN and infinity both fail: x − x is 0 for finite x alone.
+  // NaN and infinity both fail: x − x is 0 only for finite x.
   return (a.x - a.x) == 0 && (a.y - a.y) == 0 && (a.z - a.z) == 0;
 }
 
@@ -116,10 +115,10 @@ MENISCUS_HD inline Quat normalized(Quat q) {
   const float inverse = 1 / sqrtf(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   return {inverse * q.x, inverse * q.y, inverse * q.z, inverse * q.w};
 }
-/// The turn by a rotation vector: its direction is the axis, its length the angle in rad.
+/// The rotation by a rotation vector: its direction is the axis, its length the angle in rad.
 MENISCUS_HD inline Quat rotation_by(Vec3 turn) {
   const float angle = length(turn);
-  // sin(a/2)/a; near 0 its series, of which the next term is below a float's rounding.
+  // sin(a/2)/a; near 0 its series, whose next term is below a float's rounding.
   const float scale = angle < 0.02f ? 0.5f - angle * angle / 48 : sinf(0.5f * angle) / angle;
   return {scale * turn.x, scale * turn.y, scale * turn.z, cosf(0.5f * angle)};
 }
@@ -129,7 +128,7 @@ MENISCUS_HD constexpr Vec3 to_world(const Pose& pose, Vec3 local) {
 MENISCUS_HD constexpr Vec3 to_local(const Pose& pose, Vec3 world) {
   return rotate(conjugate(pose.rotation), world - pose.position);
 }
-/// The placement of what sits at `inner` in the frame of `outer`.
+/// The pose of an object that is at `inner` in the frame of `outer`.
 MENISCUS_HD inline Pose operator*(const Pose& outer, const Pose& inner) {
   return {to_world(outer, inner.position), normalized(outer.rotation * inner.rotation)};
 }
@@ -162,7 +161,7 @@ struct alignas(16) Vec4 {
 MENISCUS_HD constexpr Vec4 with_w(Vec3 v, float w) {
   return {v.x, v.y, v.z, w};
 }
-/// p + way, with p's w.
+/// p + displacement, with p's w.
 MENISCUS_HD constexpr Vec4 shifted(const Vec4& p, Vec3 displacement) {
   return {p.x + displacement.x, p.y + displacement.y, p.z + displacement.z, p.w};
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The tree of boxes over a surface's triangles as kernels see it. It has no pointers: triangles stand in an
-// order in which those that are near in the material are near, box b of level 0 is triangle b's, and box b of
-// a higher level holds the boxes 8b to 8b + 7 of the level below.
+// The tree of boxes over a surface's triangles as kernels see it. It has no pointers. Triangles are ordered
+// so that those near in the material are near in the array. Box b of level 0 is that of triangle b, and box b
+// of a higher level contains the boxes 8b to 8b + 7 of the level below.
 #pragma once
 
 #include <cmath>
@@ -17,16 +17,15 @@
 
 namespace meniscus::pbd {
 
-/// What boxes are joined to.
+/// The neutral element of joined().
 inline constexpr Aabb empty_box{{most_finite, most_finite, most_finite},
                                 {-most_finite, -most_finite, -most_finite}};
-/// The box of a place where nothing stands: of no numbers, so that none overlaps it, not even one without
-/// end.
+/// The box of an unused place. Its coordinates are NaN, so no box overlaps it, not even an infinite one.
 MENISCUS_HD constexpr Aabb nowhere() {
   return {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
 }
 
-/// The second where the first is nowhere.
+/// The union of two boxes; the second if the first is nowhere().
 MENISCUS_HD inline Aabb joined(const Aabb& a, const Aabb& b) {
   return {min(a.lower, b.lower), max(a.upper, b.upper)};
 }
@@ -39,7 +38,7 @@ MENISCUS_HD inline bool overlap(const Aabb& a, const Aabb& b) {
          b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 
-/// Eight boxes side by side, so that one test sees them all.
+/// Eight boxes side by side, so that one operation tests all.
 struct alignas(64) BoxGroup {
   static constexpr uint32_t size = 8;
 
@@ -61,27 +60,27 @@ MENISCUS_HD inline uint32_t overlap_mask(const BoxGroup& group, const Aabb& box)
   return overlap_mask(group.lower, group.upper, least, most);
 }
 
-/// Eight threads look at a group, and a whole warp works on one query: there are few, with many triangles
-/// each.
+/// Eight threads test a group, and a whole warp works on one query: there are few queries, with many
+/// triangles each.
 using GroupTeam = Team<BoxGroup::size>;
 using SearchTeam = Team<32>;
 
 struct SurfaceTreeView {
-  static constexpr uint32_t most_levels = 8;  // so that a descent's open boxes fit into 64 bits
+  static constexpr uint32_t most_levels = 8;  // so that the open boxes of a descent fit into 64 bits
 
   View<BoxGroup> groups;        ///< of all levels
   uint32_t start[most_levels];  ///< of each level, its first group
-  uint32_t boxes[most_levels];  ///< of each level; its last group is filled up with boxes that are nowhere
+  uint32_t boxes[most_levels];  ///< of each level; its last group is padded with nowhere()
   uint32_t levels = 0;
-  View<const SurfaceTriangle> triangles;  ///< in the tree's order; a is no_index for what fills up a group
+  View<const SurfaceTriangle> triangles;  ///< in the tree's order; a is no_index for padding
 
   MENISCUS_HD BoxGroup& group(uint32_t level, uint32_t g) const { return groups[start[level] + g]; }
   MENISCUS_HD Aabb box(uint32_t level, uint32_t b) const { return group(level, b / 8).box(b % 8); }
   MENISCUS_HD uint32_t groups_of(uint32_t level) const { return (boxes[level] + 7) / 8; }
 };
 
-/// Who tests the eight boxes of a group: a thread all of them, or the threads of a warp that walk together
-/// one each.
+/// Which threads test the eight boxes of a group: one thread all of them, or the threads of a warp that walk
+/// together one each.
 struct TestAlone {
   MENISCUS_HD static uint32_t overlaps(const BoxGroup& group, const Aabb& box) {
     return overlap_mask(group, box);
@@ -95,9 +94,8 @@ struct TestTogether {
   }
 };
 
-/// A walk over the boxes b ≥ `from` of a level that overlap, in ascending order; level 0 has the triangles'
-/// boxes. It stops wherever there are some, so that the threads of a warp go on together with what they
-/// found.
+/// Iterates over the boxes b ≥ `from` of a level that overlap, in ascending order; level 0 has the triangles'
+/// boxes. It stops at each group with overlaps, so that the threads of a warp continue together.
 template <class Test = TestAlone>
 class OverlapWalk {
  public:
@@ -115,7 +113,7 @@ class OverlapWalk {
     }
     return false;
   }
-  /// The next group, and which of its eight boxes overlap.
+  /// The next group, and a mask of its boxes that overlap.
   MENISCUS_HD bool next_group(uint32_t& group, uint32_t& boxes) {
     if (!advance()) return false;
     group = group_;
@@ -127,7 +125,7 @@ class OverlapWalk {
  private:
   MENISCUS_HD uint32_t here() const { return static_cast<uint32_t>(open_ & 0xff); }
 
-  /// To where boxes of the level are open.
+  /// Advances to open boxes of the level.
   MENISCUS_HD bool advance() {
     const uint32_t top = tree_.levels - 1;
     for (;;) {
@@ -157,7 +155,7 @@ class OverlapWalk {
   const SurfaceTreeView& tree_;
   const Aabb box_;
   const uint32_t level_, from_;
-  uint64_t open_ = 0;  // eight bits a level, the lowest for group_: its boxes that are still to be seen
+  uint64_t open_ = 0;  // eight bits for each level, the lowest for group_: boxes still to be visited
   uint32_t at_, group_ = 0;
   uint32_t roots_, next_root_ = 0;
 };
@@ -170,7 +168,7 @@ MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, const Aabb& box, 
   for (uint32_t b; walk.next(b);) visit(b);
 }
 
-/// m², from a point to a box.
+/// m², the squared distance from a point to a box.
 MENISCUS_HD inline float distance2(const Aabb& box, Vec3 p) {
   const Vec3 d = max(max(box.lower - p, p - box.upper), {0, 0, 0});
   return dot(d, d);
@@ -183,7 +181,7 @@ MENISCUS_HD inline bool overlaps_any(const SurfaceTreeView& tree, const Aabb& bo
   return walk.next(found);
 }
 
-/// Those of eight boxes for which so(k) holds, by a warp.
+/// The subset of eight boxes for which so(k) holds, by a warp.
 template <class So>
 MENISCUS_HD uint32_t boxes_where(uint32_t boxes, const So& so) {
   if (SearchTeam::count() > 1) {
@@ -196,15 +194,15 @@ MENISCUS_HD uint32_t boxes_where(uint32_t boxes, const So& so) {
   return left;
 }
 
-/// Without the first `n` of them.
+/// The boxes without the first `n`.
 MENISCUS_HD inline uint32_t boxes_behind(uint32_t boxes, uint32_t n) {
   for (; n > 0; --n) boxes &= boxes - 1;
   return boxes;
 }
 
-/// Calls visit(place, overlaps) for the triangles near a box, of those groups of eight for which
-/// wanted(group) holds. A GPU's warp shares them out, a group to eight threads, who all come together, also
-/// those whose own triangle does not overlap; a thread alone comes for none but those that do.
+/// Calls visit(place, overlaps) for the triangles near a box, in groups of eight for which wanted(group)
+/// holds. A GPU's warp distributes them, a group to eight threads. All threads call visit together, including
+/// those whose triangle does not overlap. A single thread visits only triangles that overlap.
 template <class Wanted, class Visit>
 MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Wanted& wanted,
                                         const Visit& visit) {
@@ -226,7 +224,7 @@ MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb&
   }
 }
 
-/// Calls visit(b) for each triangle's box that overlaps, as for_each_place_in_warp shares them out.
+/// Calls visit(b) for each triangle's box that overlaps, distributed as in for_each_place_in_warp.
 template <class Wanted, class Visit>
 MENISCUS_HD void for_each_overlap_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Wanted& wanted,
                                           const Visit& visit) {
@@ -235,7 +233,7 @@ MENISCUS_HD void for_each_overlap_in_warp(const SurfaceTreeView& tree, const Aab
   });
 }
 
-/// For what wants the groups that reach into a ball.
+/// Accepts the groups that overlap a ball.
 struct GroupsInBall {
   const SurfaceTreeView& tree;
   Vec3 centre;

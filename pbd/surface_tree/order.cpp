@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Orders triangles for the tree by recursive bisection.
 #include "pbd/surface_tree/order.h"
 
 #include <algorithm>
@@ -13,8 +15,8 @@ namespace {
 
 using Place = std::vector<uint32_t>::iterator;
 
-/// Halves a run of triangles along its longest side, down to groups of eight. Morton's curve would be as
-/// quick, but its groups straggle where a mesh is not a grid of 2ⁿ.
+/// Bisects a run of triangles along its longest side, down to groups of eight. A Morton curve would be as
+/// fast, but its groups are less compact where a mesh is not a grid of 2ⁿ.
 class Halving {
  public:
   explicit Halving(const std::vector<Vec3>& centroids) : centroids_(centroids) {}
@@ -33,7 +35,7 @@ class Halving {
   }
 
  private:
-  /// About a half, of whole groups of the highest level that is not too coarse for it.
+  /// About half, in whole groups of the highest level that is not too coarse for it.
   static size_t first_half(size_t count) {
     size_t unit = BoxGroup::size;
     while (unit * BoxGroup::size <= count / 4) unit *= BoxGroup::size;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The order of the triangles in the tree of boxes.
 #pragma once
 
 #include <span>
@@ -9,9 +11,9 @@
 
 namespace meniscus::pbd {
 
-/// Which triangle stands at each place of the tree: neighbours in space come together, and no group of eight
-/// holds triangles of two parts, but no_index where a part's last group has room left. Found once for a
-/// surface: what is near in the material stays near.
+/// The triangle at each place of the tree. Neighbours in space are adjacent, and no group of eight has
+/// triangles of two parts; the last group of a part is padded with no_index. It is found once for a surface,
+/// because triangles that are near in the material stay near.
 std::vector<uint32_t> tree_order(std::span<const SurfaceTriangle> triangles, std::span<const Vec3> positions);
 
 }  // namespace meniscus::pbd

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Surfaces of triangles among the particles: what cloth collides with, and later the fluid.
+// Surfaces of triangles whose vertices are particles, for contacts of cloth.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct SurfaceTriangle {
 struct SurfaceView {
   View<const SurfaceTriangle> triangles;
   View<const Vec3> rest;  ///< m, of each vertex: the shape in which it is free of strain
-  /// Of each vertex its triangles' corners, 3 · triangle + corner: fan[fan_start[v]] to fan[fan_start[v + 1]
-  /// − 1].
+  /// The corners of triangles at each vertex, 3 · triangle + corner: fan[fan_start[v]] to fan[fan_start[v +
+  /// 1] − 1].
   View<const uint32_t> fan_start, fan;
 };
 

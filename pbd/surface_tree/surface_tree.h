@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A tree of bounding boxes over the triangles of a moving surface.
 #pragma once
 
 #include <span>
@@ -11,7 +13,7 @@
 
 namespace meniscus::pbd {
 
-/// Boxes around where vertices are, and where they come from, and `reach` (m) around that.
+/// Boxes around the present and previous positions of vertices, inflated by `reach` (m).
 struct WayBoxes {
   View<const Vec4> previous, position;
   uint32_t first_vertex;
@@ -30,28 +32,28 @@ struct WayBoxes {
   }
 };
 
-/// Boxes around the triangles of a surface that moves, for queries in kernels (for_each_overlap). The order
-/// of the triangles is found once; the boxes are fitted afresh whenever the vertices have moved.
+/// Boxes around the triangles of a moving surface, for queries in kernels (for_each_overlap). The order of
+/// the triangles is found once; the boxes are refitted whenever the vertices have moved.
 template <class D>
 class SurfaceTree {
  public:
   explicit SurfaceTree(D& device) : device_(device) {}
 
-  /// The triangles from now on, in an order of the tree's own (see triangles()). `positions` (m, of each
-  /// vertex) say which are neighbours: at rest, as cloth that is folded has others near it.
+  /// Sets the triangles, which the tree reorders (see triangles()). `positions` (m, of each vertex) determine
+  /// which are neighbours. Use the rest positions: folded cloth has unrelated triangles nearby.
   void set_surface(std::span<const SurfaceTriangle> triangles, std::span<const Vec3> positions);
 
-  /// Boxes around the triangles from those of their vertices, boxes.of(v). All stay as they are unless
-  /// boxes.wanted(), which is asked on the device.
+  /// Fits the triangles' boxes to those of their vertices, boxes.of(v). Nothing changes unless
+  /// boxes.wanted(), which the device evaluates.
   template <class Boxes>
   void refit(const Boxes& boxes);
 
   SurfaceTreeView view();
-  /// Places in the tree, those that nothing stands at included.
+  /// The number of places in the tree, including unused ones.
   uint32_t places() const { return static_cast<uint32_t>(order_.size()); }
-  /// By place: the number of the triangle as it was given, or no_index.
+  /// By place: the number of the triangle as given, or no_index.
   const std::vector<uint32_t>& order() const { return order_; }
-  /// By place, on the host; a is no_index where nothing stands.
+  /// By place, on the host; a is no_index for unused places.
   const std::vector<SurfaceTriangle>& triangles() const { return sorted_; }
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the levels of the tree, and refits its boxes.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace meniscus::pbd {
 
 namespace surface_kernels {
 
-/// A level's boxes from those of the level below.
+/// Fits a level's boxes to those of the level below.
 template <class Boxes>
 struct FitLevel {
   SurfaceTreeView tree;
@@ -29,8 +31,8 @@ struct FitLevel {
   }
 };
 
-/// The boxes of triangles, and those above them up to level `top`, one of which each group of threads
-/// takes with all that is below it.
+/// Fits the boxes of triangles, and those above them up to level `top`. Each group of threads takes one box
+/// of that level with all boxes below it.
 template <class Boxes>
 struct FitSubtrees {
   struct Scratch {};
@@ -67,7 +69,7 @@ struct FitSubtrees {
 template <class D>
 void SurfaceTree<D>::set_surface(std::span<const SurfaceTriangle> triangles,
                                  std::span<const Vec3> positions) {
-  constexpr uint32_t most_roots = 64;  // fewer boxes than this are looked through one by one
+  constexpr uint32_t most_roots = 64;  // this many boxes or fewer are tested one by one
   order_ = tree_order(triangles, positions);
   sorted_.clear();
   for (uint32_t t : order_)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What all cases of the benchmark have in common.
+// Types and functions that all cases of the benchmark share.
 #pragma once
 
 #include <meniscus/meniscus.h>
@@ -29,7 +29,7 @@ WorldDef world_def(const CommonOptions& options);
 DensitySolver solver_named(const std::string& name);
 CLI::IsMember is_solver();
 
-/// The smallest value that `share` of the others do not exceed; 0.5 gives the median.
+/// The smallest value that is not exceeded by `share` of the others; 0.5 gives the median.
 double quantile(std::vector<double> values, double share);
 
 /// What timed steps took.

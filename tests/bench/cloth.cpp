@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The benchmark of cloth: a hanging sheet, and a sheet that falls onto a ball.
 #include "tests/bench/cloth.h"
 
 #include <cmath>

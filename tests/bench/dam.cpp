@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The benchmark of a dam break, with or without floating boxes.
 #include "tests/bench/dam.h"
 
 #include <chrono>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The stretch of a sheet's edges, for benchmarks.
 #pragma once
 
 #include <meniscus/types.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The benchmark of a pool at rest: how much its weight compresses it.
 #include "tests/bench/pool.h"
 
 #include <algorithm>

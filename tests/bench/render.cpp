@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The benchmark of the renderer.
 #include "tests/bench/render.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Options and statistics that all benchmarks share.
 #include <algorithm>
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The benchmark of water on a sheet of cloth.
 #include "tests/bench/sheet.h"
 
 #include <algorithm>
@@ -59,8 +61,8 @@ struct Quality {
   double stretch_worst = 0, density_error = 0, density_error_worst = 0, looks = 0;
 };
 
-/// How many got through, in a run of its own: ways are straight from substep to substep alone, so that each
-/// is a step here.
+/// The number of particles that pass through the sheet, in a separate run. Displacements are straight only
+/// from substep to substep, so each substep is a step here.
 size_t count_crossings(const CommonOptions& common, const SheetOptions& o, const Case& c) {
   WaterOnSheet w = make_world(common, o, {c.density, 1, c.iterations});
   World& world = w.world;

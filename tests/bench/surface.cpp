@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The benchmark of the surface mesh of a ball of fluid.
 #include "tests/bench/surface.h"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A ball falls into a tank: what the whole gains in momentum is what gravity and the walls gave it.
+// A ball falls into a tank: the total momentum changes by the impulses of gravity and the walls.
 #include <gtest/gtest.h>
 
 #include "tests/coupling/body_worlds.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What passes between fluid and bodies: each push has its equal on the other side, and momentum is kept.
+// The exchange of momentum between fluid and bodies: impulses are equal and opposite, and momentum is
+// conserved.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ const Geometry bodies[] = {BoxGeometry{{0.2f, 0.15f, 0.25f}}, SphereGeometry{0.2
 
 class BodyExchangeTest : public OnDevice {
  protected:
-  /// The largest share of Σ m · speed that the total has ever moved by, in 200 steps.
+  /// The largest drift of the total momentum, as a fraction of Σ m · speed, in 200 steps.
   static double linear_drift(Meeting& scene) {
     const Momentum start = scene.momentum();
     double gross = start.gross, drift = 0;

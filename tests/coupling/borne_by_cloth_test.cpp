@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth that bears a body and gets wet: a hammock, and a parachute in rain.
+// Cloth that supports a body and gets wet: a hammock, and a parachute in rain.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -44,7 +44,7 @@ class BorneByCloth : public OnDevice {
   }
 };
 
-// Canvas of 1 kg, held at its ends, bears a log of 13 kg and the water that is poured over it.
+// Canvas of 1 kg, held at its ends, supports a log of 13 kg and water that is poured over it.
 TEST_P(BorneByCloth, AHammock) {
   World world = world_of(0.03f);
   ClothDef canvas = sheet(2.1f, 1.2f, 36, 21);
@@ -84,7 +84,7 @@ TEST_P(BorneByCloth, AHammock) {
   EXPECT_NEAR(borne, weight, 0.03f * weight);
 }
 
-// Drag that grows with the square of the speed bears 4 kg, and the rain that lies on the canopy.
+// Drag in proportion to the square of the speed supports 4 kg, and the rain on the canopy.
 TEST_P(BorneByCloth, AParachuteInRain) {
   World world = world_of(0.03f);
   constexpr float size = 1.6f, length_of_lines = 1, mass = 4;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What cloth gives to cloth and to bodies it loses itself.
+// The exchange of momentum between cloth and cloth, and between cloth and bodies: the total is conserved.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"
@@ -81,7 +81,7 @@ TEST_P(ClothMomentum, ABodyAttachedToASheetExchangesIt) {
   EXPECT_LT(cloth_momentum(world_, id).linear.y, -0.005) << "it does not follow";
 }
 
-// The guard of cloth against cloth has no say over ropes, which pass through it.
+// The CCD fail-safe of cloth against cloth does not affect ropes, which pass through cloth.
 TEST_P(ClothMomentum, ARopeThatABallHitsExchangesItBesideCloth) {
   world_.create_cloth(sheet(0.1f, 0.1f, 21, 21, {0, 3, 0}));
   RopeDef line = rope({{-0.5f, 0, 0}, {0.5f, 0, 0}}, 20);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What water does to bodies, in scenes of a few seconds: it bears them, slows them, and takes their weight.
-// How deep a box floats, to a figure, is in validation/rigid_draft_test.cpp.
+// The effect of water on bodies, in scenes of a few seconds: buoyancy, drag and added mass.
+// validation/rigid_draft_test.cpp measures the draft of a box.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,10 +45,10 @@ class FloatingBodiesTest : public OnDevice {
   }
 };
 
-// A ball takes half of what it displaces along (Lamb 1932, §92), so that a force finds 1.5 times its mass.
-// Drag, and walls near by, hold it back by some more. What the water does by itself is the same for a push up
-// and one down, but for last bits, which change the share by some hundredths: four balls are a micrometre
-// apart.
+// A ball accelerates half of its displaced mass (Lamb 1932, §92), so that a force acts on 1.5 times its mass.
+// Drag and near walls slow it further. The motion of the water without the ball is the same for a push up and
+// one down, except for rounding. Rounding changes the fraction by some hundredths, so four balls are averaged
+// that are a micrometre apart.
 TEST_P(FloatingBodiesTest, ABallMovesWithItsAddedMass) {
   constexpr float push = 0.7f, seconds = 0.16f, apart = 1e-6f;
   constexpr int balls = 4;

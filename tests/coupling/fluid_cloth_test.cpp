@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Fluid and cloth: nothing gets through, forces balance, and neither gains what the other does not lose.
+// Fluid and cloth: no particle passes through, forces balance, and momentum is conserved.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,8 +129,8 @@ TEST_P(FluidAndCloth, FineLightClothBearsDeepWater) {
   EXPECT_EQ(crossed, 0u);
 }
 
-/// What a vertex bears weighs hundreds of times what it does itself, and counts where positions are solved,
-/// but not where velocities are. What is light leaves a wall at twice the wall's speed at most.
+/// The effective mass of a vertex is hundreds of times its own. It counts where positions are solved, but not
+/// where velocities are. A light vertex leaves a wall at twice the wall's speed at most.
 TEST_P(FluidAndCloth, AThrustBetweenVerticesThatBearWaterKicksNone) {
   constexpr float speed = 2.5f, dt = 0.001f;
   WorldDef def = world_def(GetParam(), 0.04f);
@@ -202,7 +202,8 @@ TEST_P(FluidAndCloth, KeepTheirMomentum) {
   }
 }
 
-/// A sheet held fast across a tank parts it: it bears what is above, and the water below none of that.
+/// A sheet held fast across a tank divides it: it supports the water above, and is not loaded by the water
+/// below.
 TEST_P(FluidAndCloth, ASheetPartsATank) {
   WorldDef def = world_def(GetParam(), 0.05f);
   World world(def);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is driven moves water, and water drives what can turn.
+// A driven body moves water, and water drives a body that can rotate.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -43,13 +43,13 @@ struct Permeameter {
 
 class PermeableCloth : public OnDevice {};
 
-/// With the depth d over it, d/dt d = −ψ d. Who passes is drawn, and how particles lie on the sheet is chance
-/// as well: viscosities that differ by a fiftieth gave .94 to 1.00 of the rate.
+/// The depth d over the cloth satisfies d/dt d = −ψ d. The particles that pass are chosen at random, and so
+/// is their arrangement on the sheet. Viscosities that differ by a fiftieth gave 0.94 to 1.00 of the rate.
 TEST_P(PermeableCloth, PassesWaterAsAFallingHeadSays) {
   constexpr float permittivity = 0.3f;
   Permeameter test(world_def(GetParam(), spacing), permittivity, -0.6f, 0.4f);
   test.fill(0, 0.4f);
-  run(test.world, 6, 1 / 60.0f);  // until it bears on the sheet
+  run(test.world, 6, 1 / 60.0f);  // until the water rests on the sheet
   const double before = test.count_above();
   constexpr int seconds = 3;
   run(test.world, seconds * 60, 1 / 60.0f);
@@ -59,7 +59,7 @@ TEST_P(PermeableCloth, PassesWaterAsAFallingHeadSays) {
   EXPECT_EQ(test.world.diagnostics().outside, 0u);
 }
 
-/// Water all around: what passes one way comes back the other, and it stays calm.
+/// Water on both sides: as much passes one way as the other, and it stays calm.
 TEST_P(PermeableCloth, NothingFlowsWithoutADifferenceOfPressure) {
   Permeameter test(world_def(GetParam(), spacing), 0.05f, -0.2f);
   test.fill(-0.2f, 0.2f);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the vertices of a sheet get of what its touches have pushed, force and torque, in double precision.
+// The force and torque that contacts of cloth distribute to its vertices, in double precision.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Vessels of cloth with water in them, swung round a circle, and how often water gets through the cloth.
+// Containers of cloth with water in them, swung round a circle; counts how much water gets through the cloth.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ class SwungVessel {
   size_t crossed() const { return crossed_; }
   double fastest() const { return fastest_; }
 
-  /// Particles further from the vessel's middle than it reaches.
+  /// The number of particles further from the container's centre than its extent.
   size_t lost() const {
     const Pose pose = world_.body_state(body_).pose;
     const Sum3 middle = rotated(pose.rotation, {0, double{-radius}, 0});
@@ -112,7 +112,7 @@ class SwungVessel {
     return half;
   }
 
-  /// About the vessel's middle.
+  /// Relative to the container's centre.
   std::vector<Aabb> hems() const {
     if (kind_ == ClothVessel::sling) return {{{-1, -0.01f, -1}, {1, 1, 1}}};
     if (kind_ == ClothVessel::bag) return {{{-1, 0.02f, -1}, {1, 1, 1}}};

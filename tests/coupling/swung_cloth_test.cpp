@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Water stays in vessels of cloth that are swung. The minute that the figure is for is in
+// Water stays in containers of cloth that are swung. The minute for which the figure is stated is in
 // validation/swung_cloth_gpu_test.cpp.
 #include "tests/coupling/swung_cloth.h"
 

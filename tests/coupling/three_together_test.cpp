@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Fluid, cloth and bodies that all touch one another: what each gives, the others get.
+// Fluid, cloth and bodies that all touch each other: their exchange of momentum balances.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"
@@ -11,7 +11,7 @@
 namespace meniscus::tests {
 namespace {
 
-/// Who touched whom in a step.
+/// Which objects touched each other in a step.
 struct Touching {
   bool fluid_cloth = false, fluid_body = false, cloth_body = false;
 };
@@ -167,8 +167,9 @@ TEST_P(ThreeTogether, AreTheSameEachTime) {
   }
 }
 
-/// Water in a sheet that hangs from its border, and a block that floats in it. Everything at rest, each part
-/// must read as being borne: the pins bear all, the block is pushed up by its weight, and so is the water.
+/// Water in a sheet that hangs from its border, and a block that floats in the water. At rest, the forces on
+/// each part must balance: the pins support everything, and the block and the water each receive a force
+/// equal to their weight.
 TEST_P(ThreeTogether, HangingAtRestEachBearsItsWeight) {
   WorldDef def = world_def(GetParam(), 0.05f);
   def.substeps = 1;  // so that each contact can be read

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Vessels of thin walls that are carried about, and how often what is in them gets through a wall.
+// Moving containers with thin walls; counts how often their contents pass through a wall.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace meniscus::tests {
 
-/// A box-shaped vessel, seen from its own frame.
+/// A box-shaped container, in its own frame.
 struct Vessel {
   Vec3 inner;        ///< m, half extents of the inside
   float wall;        ///< m, its walls' thickness
@@ -32,9 +32,9 @@ struct Vessel {
   }
 };
 
-/// Follows each particle's way in the vessel's frame. In that frame the walls stand still and the inside is
-/// convex, so that the way from one look to the next leads through an inner face where its ends lie on either
-/// side of it.
+/// Follows each particle in the container's frame. In that frame the walls do not move and the inside is
+/// convex. So a particle has crossed a wall if its displacement between two calls passes through an inner
+/// face.
 class Crossings {
  public:
   Crossings(const World& world, BodyId body, const Vessel& vessel) : body_(body), vessel_(vessel) {
@@ -49,7 +49,7 @@ class Crossings {
   }
 
   int count() const { return count_; }
-  /// Particles that are not in the vessel, nor above it.
+  /// The number of particles that are neither in the container nor above it.
   int lost() const {
     int lost = 0;
     for (const Sum3& p : last_) {
@@ -82,7 +82,7 @@ class Crossings {
     return false;
   }
 
-  /// Whether a way meets the face within its edges, at the share t of it.
+  /// Whether a displacement meets the face within its edges, at the fraction t of it.
   static bool meets_face(const std::array<double, 3>& from, const std::array<double, 3>& to, double t,
                          size_t axis, const std::array<double, 3>& half) {
     for (size_t other = 0; other < 3; ++other) {
@@ -112,8 +112,8 @@ inline Quat turned(Vec3 unit_axis, double angle) {
           static_cast<float>(std::cos(0.5 * angle))};
 }
 
-/// A closed vessel, half full, shaken in three directions and spun, in turns wildly and softly. Its outermost
-/// point moves by up to 20 particle radii in a substep of 4 ms.
+/// A closed container, half full, shaken in three directions and spun, alternately fast and slowly. Its
+/// outermost point moves by up to 20 particle radii in a substep of 4 ms.
 class ShakenVessel {
  public:
   explicit ShakenVessel(pbd::DeviceKind device) : world_(one_substep(device, s)) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Nothing gets through the walls of a vessel that moves, thin and fast as they may be. The minute that the
-// figure is for is in validation/rigid_vessel_test.cpp.
+// No particle passes through the walls of a moving container, even if they are thin and fast. The minute for
+// which the figure is stated is in validation/rigid_vessel_test.cpp.
 #include "tests/coupling/vessel.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Compares a picture with its stored reference, or renews the reference.
 #include "tests/pictures/golden.h"
 
 #define STB_IMAGE_IMPLEMENTATION

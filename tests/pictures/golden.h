@@ -10,7 +10,7 @@
 
 namespace meniscus::tests {
 
-/// The picture looks as golden/NAME.png does; where it does not, it is put aside and the message says where.
+/// Expects that the picture looks like golden/NAME.png. Otherwise it is saved, and the message says where.
 /// With MENISCUS_RENEW_PICTURES=1 in the environment it becomes golden/NAME.png instead.
 void expect_picture(const std::string& name, const io::Image& image);
 

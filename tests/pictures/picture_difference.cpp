@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The difference of two pictures as an eye sees it.
 #include "tests/pictures/picture_difference.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How different two pictures look, rather than which bytes differ: another version of a driver rounds
-// otherwise, and moves an edge by a hair.
+// The visual difference of two pictures, instead of a comparison of bytes: another version of a driver rounds
+// differently, and moves an edge slightly.
 #pragma once
 
 #include "sdk/io/png.h"

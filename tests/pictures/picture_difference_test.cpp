@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the difference between pictures.
 #include "tests/pictures/picture_difference.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Particles that the GPU which simulates hands to OpenGL, with no way through the host.
+// Particles that the simulating GPU passes to OpenGL without a copy through the host.
 #include "tests/bench/harness/render_bench.h"
 #include "tests/expect_error.h"
 #include "tests/pictures/picture_difference.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is not fluid: backdrop, solids and their shadows, glass, cloth, ropes; the tone curve and smooth
-// edges.
+// Pictures without fluid: backdrop, solids and their shadows, glass, cloth, ropes; the tone curve and
+// antialiasing.
 #include <cmath>
 #include <numbers>
 
@@ -60,7 +60,7 @@ TEST_F(SolidPictures, Shadows) {
   expect_drawn("shadows", scene);
 }
 
-/// A vessel before a dark wall, seen at a low angle: its glass mirrors the sky.
+/// A container in front of a dark wall, seen at a low angle: its glass mirrors the sky.
 TEST_F(SolidPictures, Glass) {
   io::PreviewScene scene = on_ground({1.6f, 0.75f, 1.5f}, {0, 0.4f, 0});
   scene.bodies.resize(1);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Validation: no particle ends inside a box when a dam break piles boxes up.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -51,8 +51,9 @@ TEST_P(ClothChain, ARopeHangsAsACatenary) {
   }
 }
 
-// Started straight, pressed together. Half a millisecond a substep. In air so thick that it sinks into its
-// shape: where it flies it may turn once about itself on its way, and then it hangs flatter by 1.4 %.
+// Starts straight and compressed, with substeps of half a millisecond. The air is so dense that the strip
+// sinks into its shape. Otherwise it may turn once about itself on the way, and then it hangs flatter by 1.4
+// %.
 TEST_P(ClothChain, AStripOfClothHangsAsACatenary) {
   for (const Catenary& c : catenaries) {
     World world(cloth_world(GetParam(), 40, 10));

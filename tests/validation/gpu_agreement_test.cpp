@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// CPU and GPU drift apart in a splash, particle by particle; what they tell of it must not.
+// In a splash, the particles of CPU and GPU diverge; the measured results must not.
 #include "tests/validation/measures.h"
 #include "tests/validation/scenes.h"
 

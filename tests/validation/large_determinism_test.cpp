@@ -49,7 +49,7 @@ TEST_P(LargeDeterminismTest, ThreeRunsAreAlike) {
   EXPECT_EQ(hash_after(def, frames), first);
 }
 
-// Zones of what would pass through one another grow in parallel: who is first must not matter.
+// Impact zones grow in parallel: the order of the threads must not matter.
 TEST_P(LargeDeterminismTest, ACrumpledSheetComesToTheSameEachTime) {
   const bool gpu = GetParam() == pbd::DeviceKind::cuda;
   const int n = gpu ? 500 : 60, frames = gpu ? 75 : 30;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the validation cases measure of a run. Figures are recorded with the test's result, so that
-// --gtest_output=json:FILE holds them.
+// Measurements of runs for the validation cases. Figures are recorded with the test's result, so that
+// --gtest_output=json:FILE contains them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ inline void record_device(const World& world) {
   testing::Test::RecordProperty("device", world.device().name);
 }
 
-/// The value that `share` of the values do not exceed.
+/// The value that is not exceeded by `share` of the values.
 inline double percentile(std::vector<float> values, double share) {
   const double rank = std::ceil(share * static_cast<double>(values.size()));
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;

@@ -10,7 +10,7 @@
 namespace meniscus::tests {
 namespace {
 
-/// Diagnostics::outside leaves out who has gone over the open tank's rim.
+/// Diagnostics::outside does not count particles that have passed over the open tank's rim.
 size_t count_beyond_tank(const World& world) {
   const std::span<const Vec3> positions = world.positions();
   return static_cast<size_t>(std::count_if(positions.begin(), positions.end(), [](Vec3 p) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The scene of a pool, for the validation of compression.
 #pragma once
 
 #include "tests/validation/measures.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// At which density a body neither sinks nor rises.
+// The density at which a body neither sinks nor rises.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,7 @@ inline double rise(pbd::DeviceKind device, float size, float spacing, const Geom
   return double{world.body_state(id).centre_of_mass.y} - start;
 }
 
-/// It rises at 980 kg/m³ and sinks at 1020. Where the two ways say that it would stay is recorded.
+/// It rises at 980 kg/m³ and sinks at 1020. The density at which these two would balance is recorded.
 inline void expect_neutral(pbd::DeviceKind device, float size, float spacing, const std::string& name,
                            const Geometry& geometry, float seconds) {
   const double light = rise(device, size, spacing, geometry, 980, seconds);

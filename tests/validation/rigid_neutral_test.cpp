@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Validation: bodies as dense as water stay where they are.
 #include "tests/validation/rigid_neutral.h"
 
 namespace meniscus::tests {

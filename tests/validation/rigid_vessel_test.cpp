@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A minute in a vessel: nothing gets through its walls.
+// A minute in a container: no particle gets through its walls.
 #include "tests/coupling/vessel.h"
 #include "tests/validation/measures.h"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Scenes that several validation tests share.
 #pragma once
 
 #include <cstdlib>

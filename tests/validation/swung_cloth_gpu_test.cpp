@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Vessels of cloth are swung for a minute at up to 5 m/s, and no water gets through the cloth.
+// Containers of cloth are swung for a minute at up to 5 m/s, and no water gets through the cloth.
 #include <gtest/gtest.h>
 
 #include "tests/coupling/swung_cloth.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Atomics on integers alone: what they leave behind does not depend on the order, so they keep a run
+// Atomics on integers alone. Their results do not depend on the order of the operations, so runs stay
 // reproducible.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace meniscus::pbd {
 
 MENISCUS_HD inline void atomic_max(uint32_t& target, uint32_t value) {
 #ifdef __CUDA_ARCH__
-  if (value > target) atomicMax(&target, value);  // seldom so: a plain look first
+  if (value > target) atomicMax(&target, value);  // rarely true, so a plain read comes first
 #else
   std::atomic_ref<uint32_t> shared(target);
   uint32_t seen = shared.load(std::memory_order_relaxed);
@@ -25,7 +25,7 @@ MENISCUS_HD inline void atomic_max(uint32_t& target, uint32_t value) {
 #endif
 }
 
-/// Returns what was there before, which does depend on the order.
+/// Returns the previous value, which does depend on the order.
 MENISCUS_HD inline uint32_t atomic_add(uint32_t& target, uint32_t value) {
 #ifdef __CUDA_ARCH__
   return atomicAdd(&target, value);
@@ -53,7 +53,7 @@ MENISCUS_HD inline void atomic_min(uint32_t& target, uint32_t value) {
 #endif
 }
 
-/// What `target` holds, while others may write it.
+/// The value of `target`, while other threads may write it.
 template <class T>
 MENISCUS_HD T atomic_load(T& target) {
 #ifdef __CUDA_ARCH__
@@ -63,7 +63,7 @@ MENISCUS_HD T atomic_load(T& target) {
 #endif
 }
 
-/// Puts `value` where others may look, or write as well.
+/// Writes `value` where other threads may read or write.
 template <class T>
 MENISCUS_HD void atomic_store(T& target, T value) {
 #ifdef __CUDA_ARCH__
@@ -73,7 +73,7 @@ MENISCUS_HD void atomic_store(T& target, T value) {
 #endif
 }
 
-/// Writes `value` where `expected` stands. Returns what was there before, which does depend on the order.
+/// Writes `value` if `expected` is stored. Returns the previous value, which does depend on the order.
 MENISCUS_HD inline uint32_t atomic_exchange_if(uint32_t& target, uint32_t expected, uint32_t value) {
 #ifdef __CUDA_ARCH__
   return atomicCAS(&target, expected, value);
@@ -92,8 +92,8 @@ MENISCUS_HD inline uint64_t atomic_exchange_if(uint64_t& target, uint64_t expect
 #endif
 }
 
-/// Room for n elements at the end of a list: where it begins, which depends on the order. On a GPU the
-/// threads of a warp that happen to ask at once take theirs in one go, as one address takes one at a time.
+/// Reserves n elements at the end of a list. Returns where they begin, which depends on the order. On a GPU,
+/// the threads of a warp that ask together use one atomic operation, as one address serves one at a time.
 MENISCUS_HD inline uint32_t append(uint32_t& size, uint32_t n) {
 #ifdef __CUDA_ARCH__
   const unsigned together = __activemask(), lane = threadIdx.x & 31;

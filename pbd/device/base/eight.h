@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Tests of eight boxes at once, whose numbers lie side by side (aligned to 16 bytes).
+// Tests of eight boxes at once, with their coordinates side by side (aligned to 16 bytes).
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace meniscus::pbd {
 
-/// Eight boxes, each axis of theirs side by side, against the one from `least` to `most`: bit k is set where
+/// Tests eight boxes, with each axis side by side, against the box from `least` to `most`. Bit k is set where
 /// box k overlaps.
 MENISCUS_HD inline uint32_t overlap_mask(const float (&lower)[3][8], const float (&upper)[3][8],
                                          const float (&least)[3], const float (&most)[3]) {
 #if defined(__SSE2__) && !defined(__CUDACC__)
-  // Joined as lanes, so that there are two masks to fetch and not twelve.
+  // Combined as lanes, so that two masks are extracted instead of twelve.
   uint32_t mask = 0;
   for (int four = 0; four < 8; four += 4) {
     __m128 so = _mm_castsi128_ps(_mm_set1_epi32(-1));

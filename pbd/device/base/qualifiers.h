@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Macros for code that is compiled for both devices, and for the unrolling of loops.
 #pragma once
 
-/// Marks what runs on both devices.
+/// Marks functions that run on both devices.
 #ifdef __CUDACC__
 #define MENISCUS_HD __host__ __device__
 #else
 #define MENISCUS_HD
 #endif
 
-/// Before a loop of at most eight turns: unroll it, so that what depends on its counter is settled while
-/// compiling; or leave it a loop. In nvcc's host pass neither compiler knows the other's pragma.
+/// Placed before a loop of at most eight iterations: the first unrolls it, so that expressions in its counter
+/// are constants; the second keeps it a loop. In nvcc's host pass neither compiler knows the other's pragma.
 #if defined(__CUDA_ARCH__)
 #define MENISCUS_UNROLL _Pragma("unroll")
 #define MENISCUS_NO_UNROLL _Pragma("unroll 1")

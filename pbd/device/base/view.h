@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A view of an array in a device's memory, with prefetching and read-only loads.
 #pragma once
 
 #include <cassert>
@@ -10,7 +12,7 @@
 
 namespace meniscus::pbd {
 
-/// Elements of a device's memory that somebody else owns. Kernels take views by value.
+/// A non-owning view of an array in a device's memory. Kernels take views by value.
 template <class T>
 struct View {
   T* data = nullptr;
@@ -30,14 +32,14 @@ struct View {
     return {data + n, count - n};
   }
 
-  /// A view to read is a view to write, restricted.
+  /// A writable view converts to a read-only one.
   template <class U>
   requires(std::is_same_v<U, const T> && !std::is_const_v<T>) MENISCUS_HD operator View<U>() const {
     return {data, count};
   }
 };
 
-/// Has element i brought near: it is read soon.
+/// Prefetches element i, which is read soon.
 template <class T>
 MENISCUS_HD void prefetch(View<T> from, uint32_t i) {
 #ifdef __CUDA_ARCH__
@@ -47,8 +49,8 @@ MENISCUS_HD void prefetch(View<T> from, uint32_t i) {
 #endif
 }
 
-/// Element i of an array that nobody writes while the kernel runs. Saying so lets the compiler keep several
-/// loads in flight across a store that it could not otherwise tell apart.
+/// Element i of an array that no thread writes while the kernel runs. This lets the compiler keep several
+/// loads in flight across a store that might alias.
 template <class T>
 MENISCUS_HD T load(View<const T> from, uint32_t i) {
 #ifdef __CUDA_ARCH__

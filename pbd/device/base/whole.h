@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Elements of several numbers, aligned to 8 or 16 bytes, in a group's scratch. Read or written number by
-// number, those side by side would wait for the same banks of a GPU's shared memory.
+// Elements of several numbers, aligned to 8 or 16 bytes, in a group's scratch memory. Access number by number
+// would cause bank conflicts in a GPU's shared memory between adjacent elements.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Memory, scan and radix sort of the CPU device.
 #include "pbd/device/cpu/cpu_device.h"
 
 #include <tbb/info.h>
@@ -15,7 +17,8 @@ namespace meniscus::pbd {
 
 namespace {
 
-constexpr uint32_t sort_block = 8192;  // elements; fixed, so that the order never depends on the threads
+constexpr uint32_t sort_block =
+    8192;  // elements; fixed, so that the order does not depend on the number of threads
 
 bool has_wide_lanes() {
 #ifdef MENISCUS_HAS_WIDE_LANES
@@ -39,8 +42,8 @@ std::string CpuDevice::name() const {
 void* CpuDevice::do_allocate(size_t bytes) {
   const auto aligned = [bytes](size_t to) { return std::aligned_alloc(to, (bytes + to - 1) / to * to); };
 #ifdef __linux__
-  // Neighbour lists and what they lead to are read all over: on small pages, addresses would be looked up all
-  // the time.
+  // Neighbour lists and the particles in them are accessed at random. With small pages most accesses would
+  // miss the TLB.
   constexpr size_t large_page = size_t{1} << 21;
   if (bytes >= 4 * large_page) {
     void* const memory = aligned(large_page);
@@ -55,7 +58,7 @@ void CpuDevice::do_release(void* memory) noexcept {
   std::free(memory);
 }
 
-// Of no bytes there may be no memory, which memcpy must not be given.
+// An array of no bytes may have no memory, and memcpy must not be given a null pointer.
 void CpuDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
   if (bytes) std::memcpy(device_memory, host, bytes);
 }
@@ -109,8 +112,8 @@ void CpuDevice::exclusive_scan(const char* name, View<const uint32_t> in, View<u
 void CpuDevice::sort_pairs(const char* /*name*/, View<const uint32_t> keys, View<uint32_t> sorted_keys,
                            View<const uint32_t> values, View<uint32_t> sorted_values, uint32_t bits) {
   const uint32_t count = keys.count;
-  // An even number of passes is not needed: each pass reads one pair of arrays and writes the other, and the
-  // first target is chosen so that the last pass ends in the caller's.
+  // The number of passes need not be even. Each pass reads one pair of arrays and writes the other, and the
+  // first target is chosen so that the last pass writes the caller's arrays.
   const uint32_t passes = std::max(1u, (bits + 10) / 11);
   const uint32_t digit_bits = std::max(1u, (bits + passes - 1) / passes);
   const uint32_t blocks = (count + sort_block - 1) / sort_block;
@@ -129,8 +132,8 @@ void CpuDevice::sort_pairs(const char* /*name*/, View<const uint32_t> keys, View
   }
 }
 
-// One stable pass of a least-significant-digit radix sort: histogram a block, offsets by digit then block,
-// scatter.
+// One stable pass of a least-significant-digit radix sort: a histogram for each block, offsets by digit then
+// block, scatter.
 void CpuDevice::radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, View<const uint32_t> values,
                            View<uint32_t> values_out, uint32_t shift, uint32_t digit_bits,
                            View<uint32_t> offsets) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The CPU as a device: parallel loops over threads and SIMD lanes, reduce, scan and sort.
 #pragma once
 
 #include <algorithm>
@@ -14,21 +16,21 @@
 
 namespace meniscus::pbd {
 
-/// The processor's cores, through oneTBB. Results do not depend on the number of threads.
+/// The cores of the processor, through oneTBB. Results do not depend on the number of threads.
 class CpuDevice final : public Device {
  public:
-  /// What a neighbour loop runs on: eight neighbours at a time.
+  /// The scalar type of a neighbour loop: eight neighbours at a time.
   using Real = Lanes;
   using LaneIndex = pbd::LaneIndex;
   static constexpr uint32_t lane_count = Lanes::count;
   static constexpr bool interleaves_lists = false;  ///< see NeighbourView
   static constexpr bool runs_at_once = false;       ///< see at_once()
-  using Lister = LaneLister;                        ///< who looks through candidates to list neighbours
+  using Lister = LaneLister;                        ///< tests candidates to list neighbours
   static bool leads() { return true; }
 
   enum class Registers { widest, baseline };
 
-  /// threads = 0: one a core. Whatever the registers, the bits are the same.
+  /// threads = 0: one for each core. The choice of registers does not change the bits of the results.
   explicit CpuDevice(int threads = 0, Registers registers = Registers::widest);
 
   DeviceKind kind() const override { return DeviceKind::cpu; }
@@ -44,7 +46,7 @@ class CpuDevice final : public Device {
   void mark_time(uint32_t mark) override;
   double elapsed_ms(uint32_t from, uint32_t to) const override;
 
-  /// Runs kernel(i) for each i below count, in any order and at once. `name` says what the launch does.
+  /// Runs kernel(i) for each i below count, concurrently and in any order. `name` describes the launch.
   template <class Kernel>
   void parallel_for(const char* /*name*/, uint32_t count, const Kernel& kernel) {
     if (count <= grain) {
@@ -56,16 +58,16 @@ class CpuDevice final : public Device {
     });
   }
 
-  /// For loops over neighbours that a thread of any GPU may take alone: calls kernel.run<D>(i) as
-  /// parallel_for_long does, but never with a team.
+  /// For loops over neighbours that a single GPU thread may run: calls kernel.run<D>(i) as parallel_for_long
+  /// does, but never with a team.
   template <class Kernel>
   void parallel_for_neighbours(const char* name, uint32_t count, const Kernel& kernel) {
     parallel_for_long(name, count, kernel);
   }
 
-  /// For kernels whose single items take long: calls kernel.run<D>(i), where D is this device, or CpuWide
-  /// where the processor has AVX2, with the same bits; or, on a GPU with too few items to fill it, CudaTeam,
-  /// of which eight threads run each i.
+  /// For kernels with long items: calls kernel.run<D>(i). D is this device, or CpuWide where the processor
+  /// has AVX2, with the same bits. On a GPU with too few items to fill it D is CudaTeam, of which eight
+  /// threads run each i.
   template <class Kernel>
   void parallel_for_long(const char* /*name*/, uint32_t count, const Kernel& kernel) {
     void (*const run)(const Kernel&, uint32_t, uint32_t) = choose_run<Kernel>();
@@ -73,7 +75,7 @@ class CpuDevice final : public Device {
     parallel_loop(arena_, count, grain, [&](uint32_t begin, uint32_t end) { run(kernel, begin, end); });
   }
 
-  /// For kernels whose threads take as many items side by side as they have lanes: calls
+  /// For kernels whose threads process as many items side by side as they have lanes: calls
   /// kernel.run(SideBySide<D>), with D as in parallel_for_long, but never a team.
   template <class Kernel>
   void parallel_for_lanes(const char* /*name*/, uint32_t count, const Kernel& kernel) {
@@ -84,26 +86,27 @@ class CpuDevice final : public Device {
                   });
   }
 
-  /// Runs kernel(group, scratch, n) for each n below count, each by a group of threads with a scratch of type
-  /// Kernel::Scratch between them: the kernel calls group.for_each(m, f), which runs f(i) for each i below m
-  /// and waits for all of them. Here a group is one thread, on a GPU a block, with its scratch in the
-  /// multiprocessor's own memory. A thread has the lanes of D = Group::Device, which is as in
-  /// parallel_for_long, but never a team. A kernel may have prepare(group, scratch, n), which comes first, on
-  /// a GPU before earlier launches are done: it may only read what none of them writes.
+  /// Runs kernel(group, scratch, n) for each n below count, each by a group of threads that share a scratch
+  /// of type Kernel::Scratch. The kernel calls group.for_each(m, f), which runs f(i) for each i below m and
+  /// waits for all of them. Here a group is one thread. On a GPU it is a block, with its scratch in shared
+  /// memory. A thread has the lanes of D = Group::Device, as in parallel_for_long, but never a team. A kernel
+  /// may have prepare(group, scratch, n), which runs first, on a GPU before earlier launches are done. It may
+  /// only read memory that none of them writes.
   template <class Kernel>
   void parallel_for_groups(const char* /*name*/, uint32_t count, const Kernel& kernel) {
     run_in_one_thread(InOneThread<Kernel>{kernel}, count);
   }
 
-  /// The same for kernels of which each thread runs as many n side by side as it has lanes: kernel(group,
-  /// scratch, k) for k below count over lanes, rounded up, with a scratch of type Kernel::Scratch<Group>.
+  /// The same for kernels of which each thread processes as many n side by side as it has lanes. Runs
+  /// kernel(group, scratch, k) for k below count over lanes, rounded up, with a scratch of type
+  /// Kernel::Scratch<Group>.
   template <class Kernel>
   void parallel_for_lane_groups(const char* /*name*/, uint32_t count, const Kernel& kernel) {
     run_in_one_thread(LanesInOneThread<Kernel>{kernel}, (count + lane_count - 1) / lane_count);
   }
 
-  /// Two launches of parallel_for_long that touch nothing of one another, the second one's items few and
-  /// longer; a GPU runs them at once.
+  /// Two independent launches of parallel_for_long, of which the second has fewer and longer items. A GPU
+  /// runs them concurrently.
   template <class Kernel, class LongKernel>
   void parallel_for_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
                          const LongKernel& long_kernel) {
@@ -111,8 +114,8 @@ class CpuDevice final : public Device {
     parallel_for_long(name, long_count, long_kernel);
   }
 
-  /// Launches of second() need nothing of first()'s, nor these of those; a GPU runs them at once. One of the
-  /// two at most may scan, reduce or sort, which share a scratch.
+  /// Runs two independent series of launches; a GPU runs them concurrently. At most one of the two may scan,
+  /// reduce or sort, which share a scratch.
   template <class First, class Second>
   void at_once(const First& first, const Second& second) {
     first();
@@ -136,13 +139,12 @@ class CpuDevice final : public Device {
     out[0] = total;
   }
 
-  /// out[i] = in[0] + … + in[i − 1], of unsigned integers; out has one element more than in: the total, of
-  /// which note[0] takes note, where there is one.
+  /// out[i] = in[0] + … + in[i − 1], of unsigned integers. out has one element more than in: the total.
+  /// note[0], where there is one, records the total.
   void exclusive_scan(const char* name, View<const uint32_t> in, View<uint32_t> out, uint32_t limit = ~0u,
                       View<SumNote> note = {});
 
-  /// Sorts pairs by the low `bits` of the keys; equal keys keep their order. The inputs are left as they
-  /// were.
+  /// Sorts pairs by the low `bits` of the keys; equal keys keep their order. The inputs do not change.
   void sort_pairs(const char* name, View<const uint32_t> keys, View<uint32_t> sorted_keys,
                   View<const uint32_t> values, View<uint32_t> sorted_values, uint32_t bits);
 
@@ -211,7 +213,7 @@ class CpuDevice final : public Device {
                   [&, all = choose_run<Run>()](uint32_t begin, uint32_t end) { all(run, begin, end); });
   }
 
-  // All that the kernel calls is inlined: into run_wide because only there it is compiled for AVX2.
+  // All functions that the kernel calls are inlined, as only run_wide itself is compiled for AVX2.
   template <class Kernel>
   __attribute__((flatten)) static void run_lanes(const Kernel& kernel, uint32_t begin, uint32_t end) {
     for (uint32_t i = begin; i < end; ++i) kernel.template run<CpuDevice>(i);
@@ -240,7 +242,7 @@ class CpuDevice final : public Device {
 
   tbb::task_arena arena_;
   int threads_;
-  bool wide_;  // whether there is AVX2, and it is to be used
+  bool wide_;  // whether AVX2 is available and to be used
   Buffer<uint64_t> scratch_{*this, "CPU scratch"};
   std::vector<std::chrono::steady_clock::time_point> marks_;
 };

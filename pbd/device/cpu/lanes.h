@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Eight float lanes. The number is fixed, whatever the instruction set, and sums run over a fixed tree, so
-// that every processor gives the same bits. Two halves of four fit the baseline of x86-64 and of ARM.
+// Eight float lanes. The number is the same for every instruction set, and sums use a fixed tree, so that
+// every processor gives the same bits. Two halves of four fit the baseline of x86-64 and of ARM.
 #pragma once
 
 #include <cstdint>
@@ -78,7 +78,8 @@ MENISCUS_LANE_FN Lanes sine(Lanes a) {
 MENISCUS_LANE_FN Lanes unit_part(Lanes a) {
   return max(a, Lanes(0.0f));
 }
-/// 1/√a for a > 0. Both steps are correctly rounded, unlike rsqrtps, whose bits differ between makers.
+/// 1/√a for a > 0. Both operations are correctly rounded, unlike rsqrtps, whose bits differ between
+/// manufacturers.
 MENISCUS_LANE_FN Lanes inverse_sqrt(Lanes a) {
   return Lanes(1.0f) / square_root(a);
 }
@@ -139,7 +140,7 @@ MENISCUS_LANE_FN Vec4Of<Lanes> join(const Transposed& a, const Transposed& b) {
 
 }  // namespace detail
 
-/// The indices of eight neighbours, as they stand in a row of the list.
+/// The indices of eight neighbours, adjacent in a row of the list.
 struct LaneIndex {
   const uint32_t* at;
 
@@ -158,7 +159,7 @@ MENISCUS_LANE_FN Vec4Of<Lanes> gather(View<const Vec4> from, LaneIndex j) {
   return gather_words(from, j);
 }
 
-/// What eight lanes hold, lane by lane.
+/// The contents of eight lanes, lane by lane.
 struct LaneRows {
   Float4 each[8];
 };
@@ -195,7 +196,7 @@ MENISCUS_LANE_FN Vec4Of<Lanes> load_run(View<const Vec4> from, uint32_t first, L
                       detail::transpose(load4(p[4]), load4(p[5]), load4(p[6]), load4(p[7])));
 }
 
-/// See CudaLister, for which this stands on the CPU.
+/// The CPU's counterpart of CudaLister.
 struct LaneLister {
   MENISCUS_LANE_FN static uint32_t near(View<const Vec4> position, Vec3 self, float reach2, uint32_t first,
                                         uint32_t count) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The one place where work is handed to oneTBB.
+// The only calls of oneTBB.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -15,7 +15,8 @@
 
 namespace meniscus::pbd {
 
-/// Calls body(begin, end) for pieces of [0, count) of about `grain`, at once, and waits for all.
+/// Calls body(begin, end) for ranges of [0, count) of about `grain` elements, concurrently, and waits for
+/// all.
 template <class Body>
 void parallel_loop(tbb::task_arena& arena, uint32_t count, [[maybe_unused]] uint32_t grain,
                    const Body& body) {

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Stands in for oneTBB in a build with the thread sanitizer. oneTBB is not built for it, so that the
-// sanitizer would not see what its threads wait for, and take every loop for a race. Of plain threads it sees
-// all.
+// Replaces oneTBB in a build with the thread sanitizer. oneTBB is not instrumented, so the sanitizer would
+// miss its synchronisation and report every loop as a race. Plain threads are instrumented.
 #pragma once
 
 #include <pthread.h>
@@ -27,8 +26,8 @@ struct ThreadPiece {
   }
 };
 
-/// Calls body(begin, end) for one piece of [0, count) a thread, and waits for all. Not std::thread, which
-/// allocates.
+/// Calls body(begin, end) for one range of [0, count) for each thread, and waits for all. It avoids
+/// std::thread, which allocates.
 template <class Body>
 void run_on_plain_threads(uint32_t threads, uint32_t count, const Body& body) {
   constexpr uint32_t most = 64;

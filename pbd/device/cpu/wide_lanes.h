@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The eight lanes of lanes.h in one register of AVX2, for processors that have it: the same operations in the
-// same order, so the same bits. The program's baseline knows no such registers. So each function here says
-// what it is compiled for, and what calls them is inlined into one that says so too (CpuDevice::run_wide).
+// The eight lanes of lanes.h in one AVX2 register, for processors that have it: the same operations in the
+// same order, so the same bits. The program's baseline lacks AVX2. So each function here names its target,
+// and its callers are inlined into a function with the same target (CpuDevice::run_wide).
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -17,8 +17,8 @@
 
 namespace meniscus::pbd {
 
-/// Copied by functions of its own: so it goes through memory where a call is not inlined, whatever registers
-/// caller and callee know of.
+/// It has copy functions of its own, so it is passed through memory where a call is not inlined, whatever the
+/// targets of caller and callee.
 struct WideLanes {
   static constexpr uint32_t count = 8;
 
@@ -56,7 +56,7 @@ MENISCUS_WIDE_FN WideLanes& operator*=(WideLanes& a, const WideLanes& b) {
   return a = a * b;
 }
 
-/// As of floats: b where a is not a number.
+/// As for floats: b where a is NaN.
 MENISCUS_WIDE_FN WideLanes max(const WideLanes& a, const WideLanes& b) {
   return WideLanes(_mm256_max_ps(a.all, b.all));
 }
@@ -83,13 +83,13 @@ MENISCUS_WIDE_FN uint32_t less_mask(const WideLanes& a, const WideLanes& b) {
   return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.all, b.all, _CMP_LT_OQ)));
 }
 
-/// Over the tree of sum(Lanes).
+/// Uses the same tree as sum(Lanes).
 MENISCUS_WIDE_FN float sum(const WideLanes& a) {
   const Float4 s = _mm_add_ps(_mm256_castps256_ps128(a.all), _mm256_extractf128_ps(a.all, 1));
   return (s[0] + s[2]) + (s[1] + s[3]);
 }
 
-/// The indices of eight neighbours, as they stand in a row of the list.
+/// The indices of eight neighbours, adjacent in a row of the list.
 struct WideIndex {
   const uint32_t* at;
 
@@ -157,7 +157,7 @@ MENISCUS_WIDE_FN WideLanes gather(const View<const float>& from, const WideIndex
                                   from[j[6]], from[j[7]]));
 }
 
-/// As LaneLister.
+/// See LaneLister.
 struct WideLister {
   MENISCUS_WIDE_FN static uint32_t near(const View<const Vec4>& position, const Vec3& self, float reach2,
                                         uint32_t first, uint32_t count) {
@@ -174,7 +174,7 @@ struct WideLister {
   }
 };
 
-/// What a kernel is a template over where the processor has AVX2; see CpuDevice.
+/// The device type of kernels where the processor has AVX2; see CpuDevice.
 struct CpuWide {
   using Real = WideLanes;
   using LaneIndex = WideIndex;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How a thread of the GPU looks through candidates for neighbours: so many loads are on their way before the
-// first is used. More of them take registers, and with them other threads: they pay where there are few.
+// How a GPU thread tests candidates for neighbours: a batch of loads is in flight before the first is used.
+// Larger batches take more registers, so fewer threads are resident. They pay off where threads are few.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ namespace meniscus::pbd {
 
 template <uint32_t batch>
 struct CudaLister {
-  /// Calls visit(j, position) for particles from `begin` to `end`, and for up to batch − 1 beyond: the array
-  /// must reach as far.
+  /// Calls visit(j, position) for particles from `begin` to `end`, and for up to batch − 1 beyond. The array
+  /// must extend that far.
   template <class Visit>
   MENISCUS_HD static void for_each(View<const Vec4> position, uint32_t begin, uint32_t end,
                                    const Visit& visit) {
@@ -31,7 +31,7 @@ struct CudaLister {
   }
 
   /// Bit k is set where particle first + k is nearer to `self` than the root of reach2; count ≤ 32. The array
-  /// must reach batch − 1 elements further.
+  /// must extend batch − 1 elements further.
   MENISCUS_HD static uint32_t near(View<const Vec4> position, Vec3 self, float reach2, uint32_t first,
                                    uint32_t count) {
     View<const Vec4> at{position.data + first, batch};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Memory, copies, time marks, scan and sort of the GPU device, and when its launches are sent.
 #include "pbd/device/cuda/cuda_device.cuh"
 
 #include <algorithm>
@@ -38,7 +40,7 @@ CudaDevice::CudaDevice() {
   multiprocessors_ = static_cast<uint32_t>(properties.multiProcessorCount);
   multiprocessor_bytes_ = properties.sharedMemPerMultiprocessor;
   check_cuda(cudaStreamCreateWithFlags(&streams_.main, cudaStreamNonBlocking), "creating a stream");
-  // What runs on the side is short of threads and long: it goes first.
+  // Launches on the side stream have few threads and run long, so they get the highest priority.
   int least = 0, most = 0;
   check_cuda(cudaDeviceGetStreamPriorityRange(&least, &most), "reading the stream priorities");
   check_cuda(cudaStreamCreateWithPriority(&streams_.side, cudaStreamNonBlocking, most), "creating a stream");
@@ -66,14 +68,14 @@ void* CudaDevice::do_allocate(size_t bytes) {
   void* memory = nullptr;
   const cudaError_t status = cudaMalloc(&memory, bytes);
   if (status == cudaErrorMemoryAllocation) {
-    cudaGetLastError();  // clears it: the caller reports, and the device stays usable
+    cudaGetLastError();  // clears it: the caller reports the error, and the device stays usable
     return nullptr;
   }
   check_cuda(status, "allocating memory");
   return memory;
 }
 
-/// What was launched before may still use it: cudaFree waits for that.
+/// Earlier launches may still use the memory: cudaFree waits for them.
 void CudaDevice::do_release(void* memory) noexcept {
   send_list_or_note();
   cudaFree(memory);
@@ -100,7 +102,7 @@ void* CudaDevice::scratch(size_t bytes) {
   return scratch_.view().data;
 }
 
-/// Of a multiprocessor's memory the share, in percent, that so many blocks use at once.
+/// The fraction of a multiprocessor's memory, in percent, that so many concurrent blocks use.
 int CudaDevice::carveout_for(uint32_t blocks, size_t scratch_bytes) const {
   constexpr size_t of_system = 1024;  // bytes a block
   const size_t bytes = (blocks + multiprocessors_ - 1) / multiprocessors_ * (scratch_bytes + of_system);
@@ -113,7 +115,7 @@ void CudaDevice::copy_in(void* device_memory, const void* host, size_t bytes) {
              "copying to the GPU");
 }
 
-/// What is small comes by a kernel, which need not wait as a copy would, and notes the time on its way.
+/// Small copies use a kernel, which need not wait as a copy would, and can note the time.
 void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
   const bool in_words = (reinterpret_cast<uintptr_t>(device_memory) | bytes) % sizeof(uint32_t) == 0;
   if (!in_words || bytes > pinned_bytes) {
@@ -131,9 +133,9 @@ void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
   std::memcpy(host, pinned_, bytes);
 }
 
-/// The flag is there before the stream says that it is done.
+/// The flag is set before the stream reports completion.
 void CudaDevice::wait_until_set(const volatile uint32_t* flag) const {
-  constexpr uint32_t patience = 1u << 16;  // looks, before the stream is asked whether it has failed
+  constexpr uint32_t patience = 1u << 16;  // polls, before the stream is asked whether it has failed
   for (uint32_t looks = 1; !*flag; ++looks) {
     if (looks % patience) continue;
     const cudaError_t status = cudaStreamQuery(streams_.of(on_side_));
@@ -151,7 +153,7 @@ void CudaDevice::copy(void* to, const void* from, size_t bytes) {
 }
 
 void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
-  // Not cudaMemsetAsync, which would come between two launches.
+  // cudaMemsetAsync would separate two launches, so a kernel fills the memory.
   const uint32_t word = 0x01010101u * byte;
   const bool is_aligned = reinterpret_cast<uintptr_t>(memory) % sizeof(uint4) == 0;
   if (is_aligned && bytes % sizeof(uint32_t) == 0 && bytes < size_t{1} << 32) {
@@ -162,13 +164,13 @@ void CudaDevice::fill(void* memory, unsigned char byte, size_t bytes) {
   }
 }
 
-/// Whether launches are put together at present. What is long is sent as it comes.
+/// Whether launches are collected at present. A list that reaches the limit is sent at once.
 bool CudaDevice::has_list() {
   if (list_.size() >= LaunchGraphs::longest) end_list();
   return is_listing_;
 }
 
-/// Until the next send_off() launches are sent as they come.
+/// Sends the list; launches are sent directly until the next send_off().
 void CudaDevice::end_list() {
   if (!is_listing_) return;
   is_listing_ = false;
@@ -185,13 +187,13 @@ void CudaDevice::send_off() {
 void CudaDevice::send_list() {
   if (!is_listing_) graphs_.note_none();
   is_listing_ = graphs_.wants_lists();
-  goes_back_ = false;  // or half of all lists were the other half's mirror images
+  goes_back_ = false;  // otherwise every second list would have the opposite order of blocks
   if (list_.empty()) return;
   const Clearing clearing{list_};
   graphs_.send(list_, streams_);
 }
 
-/// Where nothing may be thrown: the next send_off() does.
+/// For places that must not throw: the next send_off() throws instead.
 void CudaDevice::send_list_or_note() noexcept {
   try {
     send_list();
@@ -223,7 +225,8 @@ void CudaDevice::join() noexcept {
   is_listing_ ? list_.add_join() : streams_.join();
 }
 
-/// Blocks for long items beside `count` others: so many that they take about half as long as those.
+/// The number of blocks for long items beside `count` others, such that they take about half as long as the
+/// others.
 uint32_t CudaDevice::blocks_beside(uint32_t count, uint32_t long_count) const {
   using cuda_kernels::block_size;
   constexpr uint32_t resident = 10;  // blocks of the others on a multiprocessor, if they run alone
@@ -246,7 +249,7 @@ void CudaDevice::mark_time(uint32_t mark) {
   pending_mark_.at = times_ + mark;
 }
 
-/// For a mark that no launch took along.
+/// For a mark that no launch has noted.
 void CudaDevice::flush_mark() {
   if (pending_mark_.at) launch("note time", 1, 1, cuda_kernels::note_time_alone);
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// An NVIDIA GPU as a device: parallel loops over threads, teams and blocks, and reductions.
 #pragma once
 
 #include <atomic>
@@ -27,18 +29,19 @@ namespace cuda_kernels {
 constexpr uint32_t block_size = cuda_block_size;
 constexpr uint32_t reduce_block = 256;
 constexpr uint32_t segment = 1024;
-constexpr uint32_t most_warps = 1u << 12;           // for particles at walls, beside teams for the others
-constexpr uint32_t most_teams = 1u << 16;           // they fill a large GPU
-constexpr uint32_t most_half_teams = 1u << 17;      // likewise
-constexpr uint32_t most_for_one_launch = 7u << 15;  // items; beyond, occupancy counts more than a launch
-constexpr uint32_t least_blocks_to_turn = 1024;     // of fewer all data stay in the second-level cache
+constexpr uint32_t most_warps = 1u << 12;       // for particles at walls, beside teams for the others
+constexpr uint32_t most_teams = 1u << 16;       // this many fill a large GPU
+constexpr uint32_t most_half_teams = 1u << 17;  // likewise
+constexpr uint32_t most_for_one_launch =
+    7u << 15;  // items; above, occupancy matters more than the cost of a launch
+constexpr uint32_t least_blocks_to_turn = 1024;  // with fewer blocks all data stay in the second-level cache
 
-/// Does nothing but note the time.
+/// Only notes the time.
 static __global__ void note_time_alone(TimeMark mark) {
   wait_for_previous(mark);
 }
 
-/// To the host's memory, which learns there when it is done.
+/// Copies words to the host's memory, and sets a flag there when it is done.
 static __global__ void copy_words(TimeMark mark, const uint32_t* from, uint32_t* to, uint32_t words,
                                   volatile uint32_t* done) {
   wait_for_previous(mark);
@@ -48,8 +51,8 @@ static __global__ void copy_words(TimeMark mark, const uint32_t* from, uint32_t*
   if (threadIdx.x == 0) *done = 1;
 }
 
-/// How many blocks a multiprocessor is to hold of a kernel that says so, else 0. The compiler then spends the
-/// registers that this leaves on having several gathers on their way at once; left alone it saves them, and
+/// How many blocks of a kernel a multiprocessor is to hold, if the kernel says so; else 0. The compiler then
+/// spends the registers that this leaves on several gathers in flight. By default it saves registers, and
 /// each gather waits for the one before.
 template <class Kernel>
 constexpr uint32_t resident_blocks() {
@@ -57,8 +60,9 @@ constexpr uint32_t resident_blocks() {
   return 0;
 }
 
-/// Launches over many items go to and fro: what one comes to last, the next finds in the second-level cache.
-/// Each block has the items of block |turn − block|, where the turn is 0 or the last block.
+/// Launches over many items alternate their direction: the items that one processes last, the next finds in
+/// the second-level cache. Each block has the items of block |turn − block|, where the turn is 0 or the last
+/// block.
 __device__ __forceinline__ uint32_t item_of_thread(uint32_t turn) {
   const int block = static_cast<int>(turn) - static_cast<int>(blockIdx.x);
   return static_cast<uint32_t>(block < 0 ? -block : block) * block_size + threadIdx.x;
@@ -72,7 +76,7 @@ __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
   if (i < count) kernel(i);
 }
 
-/// Threads of a group: as many as a kernel says, else so many.
+/// Threads of a group: as many as the kernel says, else 128.
 template <class Kernel>
 constexpr uint32_t group_size() {
   if constexpr (requires { Kernel::group_threads; }) return Kernel::group_threads;
@@ -90,7 +94,7 @@ struct Block {
     for (uint32_t i = threadIdx.x; i < count; i += threads) f(i);
     __syncthreads();
   }
-  /// The same; whether f() is true of any. For groups of several threads alone.
+  /// The same; returns whether f() is true of any. Only for groups of several threads.
   template <class F>
   __device__ bool any(uint32_t count, const F& f) const {
     bool found = false;
@@ -102,13 +106,13 @@ struct Block {
 template <class Kernel>
 using BlockOf = Block<group_size<Kernel>()>;
 
-/// Whether a block may do something while the launch before still runs.
+/// Whether a block can do part of its work while the previous launch still runs.
 template <class Kernel, class Scratch>
 constexpr bool prepares = requires(const Kernel& kernel, const BlockOf<Kernel>& block, Scratch& scratch) {
   kernel.prepare(block, scratch, 0u);
 };
 
-/// A kernel's part of a block, with what it prepares.
+/// The part of a block that belongs to the kernel, with its preparation.
 template <class Kernel, class Scratch>
 __device__ void run_group(TimeMark mark, const Kernel& kernel, Scratch& scratch) {
   const BlockOf<Kernel> block;
@@ -148,7 +152,7 @@ struct RunAlone {
   __device__ void operator()(uint32_t i) const { kernel.run(SideBySide<D>(i, i + 1)); }
 };
 
-/// How many a block holds.
+/// The number of teams in a block.
 template <class Team>
 constexpr uint32_t teams = block_size / Team::lane_count;
 
@@ -160,9 +164,9 @@ __global__ void __launch_bounds__(block_size)
   if (i < count) kernel.template run<Team>(i);
 }
 
-// Two launches side by side in one stream, as neither needs what the other does. Only the first waits for
-// what came before; the second begins when all blocks of the first have. So these are few, and each takes
-// item after item, while those of the second come and go beside them.
+// Two independent launches side by side in one stream. Only the first waits for the launches before it. The
+// second begins when all blocks of the first have begun. So the first has few blocks, each of which processes
+// many items, while those of the second run beside them.
 
 template <class Kernel>
 __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
@@ -179,11 +183,12 @@ __global__ void __launch_bounds__(block_size, resident_blocks<Kernel>())
   let_next_begin();
   const uint32_t i = item_of_thread(turn);
   if (i < count) kernel(i);
-  if (blockIdx.x == gridDim.x - 1) wait_for_launch_before();  // so that this one is not done before that one
+  if (blockIdx.x == gridDim.x - 1)
+    wait_for_launch_before();  // so that this launch does not end before the previous one
 }
 
-// The teams come first: their work is the longer. Few of them need as many registers as would keep others
-// from the multiprocessor: those spill. Where there are warps, there are not so many others.
+// Teams come first, because their work takes longer. A few of them need so many registers that others would
+// not fit on the multiprocessor; those spill. Where teams are warps, there are fewer others.
 template <class Team, class Others, class Kernel, class TeamKernel>
 __global__ void __launch_bounds__(block_size, Team::lane_count > 8 ? 4 : 8)
     for_each_of_both(TimeMark mark, uint32_t count, const __grid_constant__ Kernel kernel,
@@ -199,8 +204,8 @@ __global__ void __launch_bounds__(block_size, Team::lane_count > 8 ? 4 : 8)
   }
 }
 
-// A block takes one segment: each thread every 256th element, then CUB's fixed tree. The block that happens
-// to be done last takes the segments' results in the same way. No order is left to chance.
+// A block reduces one segment: each thread every 256th element, then CUB's fixed tree. The block that ends
+// last reduces the segments' results in the same way. So the order is always the same.
 template <class T, class Map, class Combine>
 __global__ void __launch_bounds__(reduce_block)
     reduce_segments(TimeMark mark, uint32_t count, T identity, const __grid_constant__ Map map,
@@ -218,7 +223,7 @@ __global__ void __launch_bounds__(reduce_block)
   if (threadIdx.x == 0) {
     partial[blockIdx.x] = total;
     __threadfence();
-    is_last = atomicInc(blocks_done, gridDim.x - 1) == gridDim.x - 1;  // back at 0 with the last
+    is_last = atomicInc(blocks_done, gridDim.x - 1) == gridDim.x - 1;  // back at 0 after the last block
   }
   __syncthreads();
   if (!is_last) return;
@@ -229,15 +234,15 @@ __global__ void __launch_bounds__(reduce_block)
 
 }  // namespace cuda_kernels
 
-/// One NVIDIA GPU and one stream on it. What is launched is put together until the host has to wait, or does
-/// something else with the stream, and then sent: see LaunchGraphs.
+/// One NVIDIA GPU and one stream on it. Launches are collected until the host has to wait, or uses the stream
+/// for something else, and then sent: see LaunchGraphs.
 class CudaDevice final : public Device {
  public:
-  /// What a neighbour loop runs on: one neighbour at a time, a particle a thread.
+  /// The scalar type of a neighbour loop: one neighbour at a time, and a particle a thread.
   using Real = float;
   static constexpr uint32_t lane_count = 1;
   static constexpr bool interleaves_lists = true, runs_at_once = true;
-  /// Up to so many items parallel_for_long has a team for each.
+  /// Up to this many items parallel_for_long uses a team for each.
   static constexpr uint32_t most_teams = cuda_kernels::most_teams;
   using Lister = CudaLister<4>;
   MENISCUS_HD static bool leads() { return true; }
@@ -258,12 +263,12 @@ class CudaDevice final : public Device {
   void wait_for_fence() override;
   void mark_time(uint32_t mark) override;
   double elapsed_ms(uint32_t from, uint32_t to) const override;
-  /// For other libraries' work: what was launched before is on it.
+  /// For the work of other libraries. All earlier launches are on it.
   cudaStream_t stream() {
     send_off();
     return streams_.of(on_side_);
   }
-  /// How often a graph was launched for a list of launches.
+  /// How often a graph was launched instead of a list of launches.
   uint64_t graphs_sent() const { return graphs_.sent(); }
 
   /// See CpuDevice, whose members these mirror.
@@ -313,8 +318,8 @@ class CudaDevice final : public Device {
                          const LongKernel& long_kernel) {
     using namespace cuda_kernels;
     if (overlaps_launches_ && count > most_for_one_launch && long_count > 0) {
-      // In one launch the first kernel would have to make do with the second one's registers. Beside it a
-      // thread each is the least work, however few they are.
+      // In one launch the first kernel would be limited to the second one's registers. Beside it, one thread
+      // for each item is the least work, however few items there are.
       launch(name, blocks_beside(count, long_count), block_size,
              for_each_beside_next<RunLong<CudaDevice, LongKernel>>, long_count,
              RunLong<CudaDevice, LongKernel>{long_kernel});
@@ -327,7 +332,7 @@ class CudaDevice final : public Device {
       run_both<CudaWarp, CudaTeam>(name, count, kernel, long_count, long_kernel);
     } else if (count <= most_teams) {
       run_both<CudaTeam, CudaDevice>(name, count, kernel, long_count, long_kernel);
-    } else {  // beside work that fills the GPU by itself, what takes the least in all
+    } else {  // beside work that fills the GPU by itself: the variant with the least total work
       run_both<CudaHalfTeam, CudaDevice>(name, count, kernel, long_count, long_kernel);
     }
   }
@@ -374,14 +379,14 @@ class CudaDevice final : public Device {
     return goes_back_ ? blocks - 1 : 0;
   }
   uint32_t blocks_beside(uint32_t count, uint32_t long_count) const;
-  void fork();           // what is launched on the side stream from here on follows what came before
-  void join() noexcept;  // what is launched from here on follows the side stream
+  void fork();           // later launches on the side stream follow the earlier ones on the main stream
+  void join() noexcept;  // later launches follow those on the side stream
 
   struct Joining {
     CudaDevice& device;
     ~Joining() { device.join(); }
   };
-  /// While one lives, launches go to the side stream.
+  /// While such an object exists, launches go to the side stream.
   struct OnSideStream {
     explicit OnSideStream(CudaDevice& on) : device(on) { device.on_side_ = true; }
     ~OnSideStream() { device.on_side_ = false; }
@@ -397,17 +402,17 @@ class CudaDevice final : public Device {
     using namespace cuda_kernels;
     if (count) launch(name, blocks_of<Team>(count), block_size, for_each_team<Team, Kernel>, count, kernel);
   }
-  /// Left alone the driver takes as much of the first-level cache for scratches as blocks could use if there
-  /// were more of them; what few leave is worth more to their gathers.
+  /// By default the driver reserves as much first-level cache for scratch memory as a full set of blocks
+  /// would use. With few blocks that memory serves better as cache for their gathers.
   template <class Scratch, class Kernel>
   void run_groups(const char* name, uint32_t count, void (*run)(cuda_kernels::TimeMark, Kernel),
                   const Kernel& kernel) {
     if (count == 0) return;
-    static std::atomic<int> last = cudaSharedmemCarveoutDefault;  // of all worlds' launches
+    static std::atomic<int> last = cudaSharedmemCarveoutDefault;  // over the launches of all worlds
     const int carveout = carveout_for(count, sizeof(Scratch));
     if (last.exchange(carveout) != carveout)
       check_cuda(cudaFuncSetAttribute(run, cudaFuncAttributePreferredSharedMemoryCarveout, carveout), name);
-    // What prepares, and fills the GPU, takes longer in a graph.
+    // A kernel that prepares, and fills the GPU, is slower in a graph.
     if (cuda_kernels::prepares<Kernel, Scratch> && count > multiprocessors_) end_list();
     launch(name, count, cuda_kernels::group_size<Kernel>(), run, kernel);
   }
@@ -422,8 +427,8 @@ class CudaDevice final : public Device {
            team_count, team_blocks, team_kernel);
   }
 
-  /// For so many threads a launch keeps the GPU busy while others are sent; in a graph those of the pressure
-  /// grid would take longer.
+  /// A launch of this many threads keeps the GPU busy while others are sent. In a graph, the launches of the
+  /// pressure grid would be slower.
   static constexpr uint32_t busy_without_lists = 1'000'000;
 
   template <class... Parameters>
@@ -441,7 +446,7 @@ class CudaDevice final : public Device {
   void send_list();
   void send_list_or_note() noexcept;
 
-  /// Leaves a list empty, whatever comes of sending it.
+  /// Clears the list, whether sending it succeeds or not.
   struct Clearing {
     LaunchList& list;
     ~Clearing() { list.clear(); }
@@ -449,20 +454,21 @@ class CudaDevice final : public Device {
 
   CudaStreams streams_;
   cudaEvent_t fence_ = nullptr;
-  bool on_side_ = false;    // where launches go
-  bool is_listing_ = true;  // whether launches are put together until the next send_off()
+  bool on_side_ = false;    // the stream of the next launch
+  bool is_listing_ = true;  // whether launches are collected until the next send_off()
   LaunchList list_;
   LaunchGraphs graphs_;
-  std::exception_ptr failure_;  // of what was sent where nothing may be thrown
+  std::exception_ptr failure_;  // of a list that was sent where nothing may be thrown
   std::string name_;
   bool overlaps_launches_ = false;
-  bool goes_back_ = false;  // the last launch over many items
+  bool goes_back_ = false;  // the direction of the last launch over many items
   uint32_t multiprocessors_ = 1;
-  size_t multiprocessor_bytes_ = 0;        // for scratches
+  size_t multiprocessor_bytes_ = 0;        // of scratch memory
   cuda_kernels::TimeMark pending_mark_{};  // for the next launch
   uint64_t* times_ = nullptr;              // pinned, written by kernels
   uint32_t times_capacity_ = 0;
-  uint32_t* pinned_ = nullptr;  // small results come back through it, and then a word that says so
+  uint32_t* pinned_ =
+      nullptr;  // receives small results, followed by a word that is set when they are complete
   Buffer<uint64_t> scratch_{*this, "CUDA scratch"};
   Buffer<uint64_t> tile_sums_{*this, "CUDA prefix sums"};
   uint32_t scans_ = 0;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Looks for a GPU and runs a probe kernel on it.
 #include <cuda_runtime.h>
 
 #include "pbd/device/choose.h"

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// OpenGL buffers that CUDA kernels write.
 #include "pbd/device/gl_buffers.h"
 
 #include "pbd/device/cuda/cuda_device.cuh"
 
-// As cuda_gl_interop.h declares it, which needs OpenGL's headers; the CUDA runtime has it without OpenGL.
+// As cuda_gl_interop.h declares it, which needs OpenGL's headers. The CUDA runtime exports it without OpenGL.
 extern "C" cudaError_t CUDARTAPI cudaGraphicsGLRegisterBuffer(cudaGraphicsResource** resource,
                                                               unsigned buffer, unsigned flags);
 

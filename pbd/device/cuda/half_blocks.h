@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Points in 16-bit floats, of which a GPU takes two with each instruction, and four with each load.
+// Points in 16-bit floats. A GPU processes two with each instruction, and loads four at once.
 #pragma once
 
 #include <cstdint>
@@ -25,24 +25,24 @@ MENISCUS_HD inline uint16_t half_of(float value) {
 #ifdef __CUDA_ARCH__
   return __half_as_ushort(__float2half_rn(value));
 #else
-  return static_cast<uint16_t>(value);  // no CPU looks at them
+  return static_cast<uint16_t>(value);  // no CPU reads them
 #endif
 }
 
-/// Finds the points nearer than 1 to a centre, where x comes round after a period.
+/// Finds the points nearer than 1 to a centre, where x is periodic.
 class NearHalves {
  public:
 #ifdef __CUDA_ARCH__
   __device__ NearHalves(float x, float period)
       : x_(__float2half2_rn(x)), period_(__float2half2_rn(period)), limit_(__float2half2_rn(1.0f)) {}
-  /// The centre as the points that come next see it.
+  /// Sets the centre relative to the points that follow.
   __device__ void set_row(float y, float z) {
     y_ = __float2half2_rn(y);
     z_ = __float2half2_rn(z);
   }
 
-  /// Calls visit(j, k) for each point j + k from `begin` to `end` that is near. Reads up to two blocks
-  /// further.
+  /// Calls visit(j, k) for each point j + k from `begin` to `end` that is near. Reads up to two blocks beyond
+  /// the end.
   template <class Visit>
   __device__ void for_each(View<const HalfBlock> blocks, uint32_t begin, uint32_t end,
                            const Visit& visit) const {
@@ -52,7 +52,7 @@ class NearHalves {
     Loaded even(at);
     even.hide_first(begin - j);
     MENISCUS_NO_UNROLL
-    for (;;) {  // by turns, so that nothing is moved from register to register
+    for (;;) {  // alternating, so that no values are moved between registers
       const Loaded odd(at + 1);
       look(even, j, end, visit);
       if ((j += HalfBlock::points) >= end) break;
@@ -70,7 +70,7 @@ class NearHalves {
         : x(__ldg(reinterpret_cast<const uint2*>(block->x))),
           y(__ldg(reinterpret_cast<const uint2*>(block->y))),
           z(__ldg(reinterpret_cast<const uint2*>(block->z))) {}
-    /// Makes the first n, not all four, be nowhere.
+    /// Makes the first n points, fewer than four, infinitely far.
     __device__ void hide_first(uint32_t n) {
       constexpr uint64_t not_finite = 0x7c00'7c00'7c00'7c00;
       const uint64_t hidden = not_finite & ((uint64_t{1} << 16 * n) - 1);
@@ -89,7 +89,7 @@ class NearHalves {
       if (near[k] && static_cast<int>(j) < static_cast<int>(end) - k) visit(j, static_cast<uint32_t>(k));
   }
 
-  /// Both orders of a pair come to the same.
+  /// The result is the same for both orders of a pair.
   __device__ void look_at_two(uint32_t x, uint32_t y, uint32_t z, bool* near) const {
     const __half2 displacement = __habs2(__hsub2(halves(x), x_)),
                   dx = __hmin2(displacement, __hsub2(period_, displacement));

@@ -1,25 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// How a kernel waits for the launches before it, and notes the time.
 #pragma once
 
 #include <cstdint>
 
 namespace meniscus::pbd::cuda_kernels {
 
-/// Where a kernel notes when it begins, if anywhere. An event between two launches would keep them apart.
+/// Where a kernel notes when it begins, if anywhere. An event between two launches would prevent their
+/// overlap.
 struct TimeMark {
   uint64_t* at;  ///< ns
 };
 
-/// A launch overlaps the end of the one before (programmatic dependent launch, from compute capability 9.0
-/// on): blocks are made ready while that one still runs.
+/// Lets the next launch overlap the end of this one (programmatic dependent launch, from compute
+/// capability 9.0 on): its blocks are prepared while this one still runs.
 __device__ __forceinline__ void let_next_begin() {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
 #endif
 }
 
-/// For the launch before, and so for all that this one waited for.
+/// Waits for the previous launch, and so for all launches for which that one waited.
 __device__ __forceinline__ void wait_for_launch_before() {
 #if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
@@ -32,7 +35,7 @@ __device__ __forceinline__ void note_time(TimeMark mark) {
   }
 }
 
-/// For what all launches before wrote.
+/// Waits for the writes of all earlier launches.
 __device__ __forceinline__ void wait_for_previous(TimeMark mark) {
   let_next_begin();
   wait_for_launch_before();

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds, updates and builds the CUDA graph of a list of launches.
 #include "pbd/device/cuda/launch_graphs.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@ namespace meniscus::pbd {
 
 namespace {
 
-/// The node of what was just launched on a stream that is captured.
+/// The node of the last launch on a stream that is captured.
 cudaGraphNode_t last_node(cudaStream_t stream) {
   cudaStreamCaptureStatus status = cudaStreamCaptureStatusNone;
   const cudaGraphNode_t* nodes = nullptr;
@@ -51,7 +53,7 @@ void LaunchGraphs::send(const LaunchList& list, const CudaStreams& streams) {
   graphs_[last_].next = place;
   last_ = place;
   if (cudaGraphLaunch(graph->executable, streams.main) != cudaSuccess) {
-    cudaGetLastError();  // clears it: the first one needs memory
+    cudaGetLastError();  // clears it: the first launch of a graph needs memory
     return list.send(streams);
   }
   graph->last_use = ++sent_;
@@ -63,7 +65,8 @@ void LaunchGraphs::note_miss() {
   pause_ = pause;
 }
 
-/// Most likely it is the one that came next the last time. That alone is changed: others' turns come as well.
+/// The most likely graph is the one that followed last time. Only that one is modified: the others will recur
+/// as well.
 LaunchGraphs::Graph* LaunchGraphs::find(const LaunchList& list) {
   if (graphs_.empty()) return nullptr;
   const size_t likely = graphs_[last_].next;
@@ -75,20 +78,20 @@ LaunchGraphs::Graph* LaunchGraphs::find(const LaunchList& list) {
   return found == graphs_.end() ? nullptr : &*found;
 }
 
-/// Has the graph do what the list says.
+/// Updates the graph to match the list.
 LaunchGraphs::Graph* LaunchGraphs::adopt(Graph& graph, const LaunchList& list) {
   for (size_t item : changes_) {
     if (graph.nodes[item] && list.set_node(graph.executable, graph.nodes[item], item) == cudaSuccess)
       continue;
     cudaGetLastError();  // clears it
-    graph.list.clear();  // it is like no other now
+    graph.list.clear();  // it no longer matches any list
     return nullptr;
   }
   if (!changes_.empty()) graph.list = list;
   return &graph;
 }
 
-/// Changes all that differs in the oldest graph of the same kernels, which takes a tenth of a new one's time.
+/// Updates the oldest graph of the same kernels, which takes a tenth of the time of a new one.
 LaunchGraphs::Graph* LaunchGraphs::take_oldest(const LaunchList& list) {
   Graph* oldest = nullptr;
   for (Graph& graph : graphs_) {
@@ -99,7 +102,7 @@ LaunchGraphs::Graph* LaunchGraphs::take_oldest(const LaunchList& list) {
   return oldest && list.find_changes(oldest->list, list.size(), changes_) ? adopt(*oldest, list) : nullptr;
 }
 
-/// In the place of the oldest, if there are many.
+/// Replaces the oldest graph where there are many.
 LaunchGraphs::Graph* LaunchGraphs::build(const LaunchList& list, const CudaStreams& streams) {
   Graph built{.list = list};
   if (!capture(built, streams)) {
@@ -118,7 +121,7 @@ LaunchGraphs::Graph* LaunchGraphs::build(const LaunchList& list, const CudaStrea
   return &oldest;
 }
 
-/// What the list does when it is sent. Before CUDA 12.3 launches that overlap cannot be captured.
+/// Captures what the list does when it is sent. Before CUDA 12.3 overlapping launches cannot be captured.
 bool LaunchGraphs::capture(Graph& to, const CudaStreams& streams) {
   to.nodes.reserve(to.list.size());
   if (cudaStreamBeginCapture(streams.main, cudaStreamCaptureModeThreadLocal) != cudaSuccess) return false;
@@ -135,7 +138,7 @@ bool LaunchGraphs::capture(Graph& to, const CudaStreams& streams) {
   return can_capture_ && cudaGraphInstantiate(&to.executable, to.graph, 0) == cudaSuccess;
 }
 
-/// Whether a list like this one was new before; notes that it was.
+/// Whether a list with this hash was new before; records the hash.
 bool LaunchGraphs::has_seen(uint64_t hash) {
   if (std::find(seen_.begin(), seen_.end(), hash) != seen_.end()) return true;
   seen_[next_seen_++ % most_seen] = hash;

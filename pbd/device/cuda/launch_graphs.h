@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A cache of CUDA graphs for lists of launches that recur.
 #pragma once
 
 #include <array>
@@ -9,11 +11,11 @@
 
 namespace meniscus::pbd {
 
-/// Sends lists of launches, and those that come again as a CUDA graph: that takes the host as long as one
-/// launch. Steps with nothing new in them come again after six, when all arrays that take turns have had
-/// theirs; each may be several lists. A list that differs from the expected one by a few launches has its
-/// graph, with these changed; when there are many graphs, a new list has the one that was of no use for the
-/// longest time.
+/// Sends lists of launches. Lists that recur are sent as a CUDA graph, which takes the host as long as one
+/// launch. Steps without changes recur after six, when all rotating arrays have had their turn. Each step may
+/// be several lists. A list that differs from the expected one by a few launches uses its graph, with these
+/// launches updated. When there are many graphs, a new list replaces the one that was unused for the longest
+/// time.
 class LaunchGraphs {
  public:
   LaunchGraphs() = default;
@@ -21,20 +23,20 @@ class LaunchGraphs {
   LaunchGraphs& operator=(const LaunchGraphs&) = delete;
   ~LaunchGraphs();
 
-  /// Longer ones keep the GPU busy while they are launched, and need not be put together.
+  /// Longer lists keep the GPU busy while they are launched, and need not be collected.
   static constexpr size_t longest = 160;
 
-  /// Whether lists are worth it at present: after many that were new they are not for some time.
+  /// Whether lists are useful at present: after many new lists they are suspended for some time.
   bool wants_lists() const { return can_capture_ && pause_ == 0; }
   void send(const LaunchList& list, const CudaStreams& streams);
-  /// A list that is new, or not for a graph.
+  /// Counts a list that is new, or not suitable for a graph.
   void note_miss();
-  /// In the place of a list, where none is put together.
+  /// Takes the place of a list where none is collected.
   void note_none() {
     if (pause_ > 0) --pause_;
   }
 
-  /// How often a graph was sent.
+  /// How often a graph was launched.
   uint64_t sent() const { return sent_; }
 
  private:
@@ -46,7 +48,7 @@ class LaunchGraphs {
     cudaGraphExec_t executable = nullptr;
     std::vector<cudaGraphNode_t> nodes;  // by item, of launches
     uint64_t last_use = 0;
-    size_t next = none;  // which graph followed it the last time
+    size_t next = none;  // the graph that followed it last time
 
     void destroy();
   };
@@ -63,12 +65,12 @@ class LaunchGraphs {
   bool has_seen(uint64_t hash);
 
   std::vector<Graph> graphs_;
-  size_t last_ = 0;  // the graph that was sent last
+  size_t last_ = 0;  // the graph that was launched last
   std::vector<size_t> changes_;
   std::array<uint64_t, most_seen> seen_{};  // hashes of lists that were new
   size_t next_seen_ = 0;
-  uint32_t misses_ = 0;  // since the last graph was of use
-  uint32_t pause_ = 0;   // how many more times nothing is put together
+  uint32_t misses_ = 0;  // since the last use of a graph
+  uint32_t pause_ = 0;   // how many more lists are not collected
   uint64_t sent_ = 0;
   bool can_capture_ = true;
 };

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Sends, compares and hashes lists of launches.
 #include "pbd/device/cuda/launch_list.h"
 
 namespace meniscus::pbd {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Launches that are put together before they are sent.
+// Launches that are collected before they are sent.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -16,7 +16,7 @@
 
 namespace meniscus::pbd {
 
-/// A stream, another beside it, and how they wait for one another.
+/// A stream, a second one beside it, and the events by which they wait for each other.
 struct CudaStreams {
   cudaStream_t main = nullptr, side = nullptr;
   cudaEvent_t forked = nullptr, joined = nullptr;
@@ -26,19 +26,19 @@ struct CudaStreams {
     check_cuda(cudaEventRecord(forked, main), "recording an event");
     check_cuda(cudaStreamWaitEvent(side, forked), "forking the stream");
   }
-  /// What fails here fails the next launch, too.
+  /// An error here also makes the next launch fail.
   void join() const noexcept {
     cudaEventRecord(joined, side);
     cudaStreamWaitEvent(main, joined);
   }
 };
 
-/// What a launch consists of but for its arguments.
+/// A launch without its arguments.
 struct CudaLaunch {
   const char* name;
   const void* kernel;
   uint32_t blocks, threads;
-  bool overlaps;  ///< whether it may be made ready while the one before still runs
+  bool overlaps;  ///< whether it may be prepared while the previous one still runs
 
   bool operator==(const CudaLaunch&) const = default;
   void send(cudaStream_t stream, void** arguments) const {
@@ -55,7 +55,7 @@ struct CudaLaunch {
   }
 };
 
-/// Launches, copies, forks and joins in their order, with all that they are given.
+/// Launches, copies, forks and joins in order, with all arguments.
 class LaunchList {
  public:
   bool empty() const { return items_.empty(); }
@@ -87,19 +87,19 @@ class LaunchList {
   }
 
   void send(const CudaStreams& streams) const;
-  /// Of these items one after the other.
+  /// Sends one of these items; call it for each in order.
   void send(size_t item, const CudaStreams& streams) const;
-  /// Whether what it forks it joins, and nothing else is on the side.
+  /// Whether every fork is joined, and no launch is on the side stream outside of them.
   bool is_whole() const { return is_whole_ && !is_forked_; }
   bool is_launch(size_t item) const { return items_[item].kind == Kind::launch; }
   bool is_on_side(size_t item) const { return items_[item].on_side; }
 
-  /// Which launches run the same kernel as before with other arguments or in other numbers, if that is all
-  /// the difference and they are at most so many; else false.
+  /// Finds the launches that run the same kernel as before with other arguments or other numbers of blocks.
+  /// True if there is no other difference, and at most `most` of them; else false.
   bool find_changes(const LaunchList& before, size_t most, std::vector<size_t>& changes) const;
-  /// Gives a graph's node what launch `item` has.
+  /// Gives a graph's node the arguments of launch `item`.
   cudaError_t set_node(cudaGraphExec_t graph, cudaGraphNode_t node, size_t item) const;
-  /// The same for lists that are alike in everything.
+  /// Equal for lists that are equal.
   uint64_t hash() const;
 
  private:
@@ -122,7 +122,7 @@ class LaunchList {
     items_.push_back(item);
   }
 
-  /// Its bytes are what it is compared by.
+  /// Lists are compared by these bytes.
   template <class T>
   void put(T argument) {
     clear_padding(argument);
@@ -139,7 +139,7 @@ class LaunchList {
   std::vector<size_t> offsets_;  // of all arguments in `bytes_`
   std::vector<std::byte> bytes_;
   bool is_forked_ = false, is_whole_ = true;
-  mutable std::vector<void*> arguments_;  // of the launch that is sent
+  mutable std::vector<void*> arguments_;  // of the launch that is being sent
 };
 
 }  // namespace meniscus::pbd

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A row of small numbers for each thread of a block, in the multiprocessor's memory: found by an index, which
-// registers are not, and there at once.
+// A row of small numbers for each thread of a block, in shared memory. Unlike registers, it can be indexed,
+// and access is fast.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace meniscus::pbd {
 
-inline constexpr uint32_t cuda_block_size = 128;  ///< of launches with an item a thread
+inline constexpr uint32_t cuda_block_size = 128;  ///< of launches with one item a thread
 
-/// One at a time in a kernel, as all have the same memory. Elements are put and read at places: that of the
-/// first, and from each to the next a step.
+/// At most one in a kernel, as all use the same memory. Elements are written and read at addresses: that of
+/// the first, and a fixed step between consecutive ones.
 template <uint32_t most>
 class OwnRow {
  public:
@@ -28,7 +28,7 @@ class OwnRow {
   __device__ uint32_t first() const {
     return first_;
   }
-  // As the compiler does not see where a place lies that is carried from turn to turn of a loop.
+  // The compiler does not recognise the address space of an address that a loop carries.
   __device__ void put(uint32_t place, uint32_t value) {
     asm volatile("st.shared.u16 [%0], %1;" ::"r"(place), "h"(static_cast<uint16_t>(value)));
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Bytes of a value that mean nothing, so that two values that are alike are so byte by byte.
+// Padding bytes of a value, cleared so that equal values are equal byte by byte.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -13,8 +13,9 @@ namespace meniscus::pbd {
 
 #if __has_builtin(__builtin_clear_padding) && CUDART_VERSION >= 12040
 
-/// GCC 12 looks for what lies behind an array of structs of more than 64 bytes in the wrong place, and clears
-/// what means something there. Such a T is told by padding that is known: behind a byte that follows it.
+/// GCC 12 looks in the wrong place for the padding after an array of structs of more than 64 bytes, and
+/// clears meaningful bytes there. Such a T is detected by padding whose position is known: after a byte that
+/// follows it.
 template <class T>
 bool knows_padding() {
   struct Followed {
@@ -31,8 +32,8 @@ bool knows_padding() {
   return followed->byte == 0xff;
 }
 
-/// Makes the bytes between a value's members 0, where the compiler can tell them. Where not, lists of
-/// launches differ for no reason, and there are fewer graphs.
+/// Sets the bytes between a value's members to 0, where the compiler knows them. Otherwise, lists of launches
+/// may differ without reason, and fewer graphs are used.
 template <class T>
 void clear_padding(T& value) {
   static const bool is_known = knows_padding<T>();

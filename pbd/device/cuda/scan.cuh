@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A prefix sum in one launch: each tile looks back over the sums of those before it (Merrill & Garland 2016,
-// "Single-pass parallel prefix scan with decoupled look-back"). CUB's needs a launch more, to forget the last
-// run's sums, and neither overlaps its neighbours; here a sum says which run it is of.
+// A prefix sum in one launch: each tile looks back over the sums of the tiles before it (Merrill & Garland
+// 2016, "Single-pass parallel prefix scan with decoupled look-back"). CUB's needs one more launch, to reset
+// the sums of the last run, and neither overlaps its neighbours. Here each sum carries the number of its run.
 #pragma once
 
 #include <cub/block/block_load.cuh>
@@ -17,8 +17,8 @@ namespace meniscus::pbd::cuda_kernels {
 
 constexpr uint32_t scan_block = 256, scan_items = 16, scan_tile = scan_block * scan_items;
 
-/// What is known of a tile, in one word, so that it is read as a whole: the sum in the low half; in the high
-/// half the run's number, and whether the sum is the tile's own or takes in all before it.
+/// The state of a tile, in one word, so that it is read atomically. The low half is the sum. The high half is
+/// the run's number, and whether the sum includes all tiles before.
 struct TileSums {
   static constexpr uint32_t most_runs = 0x7fffffff;  ///< until all words must be 0 again
 
@@ -35,7 +35,7 @@ struct TileSums {
   __device__ bool is_ready(uint64_t w) const { return static_cast<uint32_t>(w >> 33) == run; }
   __device__ static bool takes_in_all(uint64_t w) { return (w >> 32 & 1) != 0; }
 
-  /// The sum of all tiles before this one; a warp does it together.
+  /// The sum of all tiles before this one; a warp computes it together.
   __device__ uint32_t look_back(uint32_t tile, SumUpTo sum) const {
     constexpr unsigned warp = 0xffffffff;
     const int32_t lane = static_cast<int32_t>(threadIdx.x & 31);
@@ -55,7 +55,7 @@ struct TileSums {
   }
 };
 
-/// `runs`: how many there were. All tiles have read it when the last one has their sums.
+/// `runs`: the number of completed runs. All tiles have read it when the last one has their sums.
 static __global__ void __launch_bounds__(scan_block)
     scan_tiles(TimeMark mark, View<const uint32_t> in, uint32_t* out, View<SumNote> note, SumUpTo sum,
                uint64_t* runs, uint64_t* tile_words) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Four or eight threads of a warp, or all of it, that work on one particle, each with one lane of what
-// device/cpu/lanes.h has in a register: the same kernels run over either. For work that one thread would take
-// too long over, such as a long neighbour list, and for particles too few to fill the GPU by a thread each.
+// Four or eight threads of a warp, or a whole warp, that work on one particle. Each thread has one of the
+// lanes that device/cpu/lanes.h keeps in a register, so the same kernels run over either. Teams serve work
+// that is long for one thread, such as a long neighbour list, and particles too few to fill the GPU.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace meniscus::pbd {
 
-/// Which lane of its team of so many a thread has.
+/// The lane of a thread within its team.
 template <uint32_t lanes>
 MENISCUS_HD uint32_t team_rank() {
 #ifdef __CUDA_ARCH__
@@ -25,7 +25,7 @@ MENISCUS_HD uint32_t team_rank() {
 #endif
 }
 
-/// The warp's lanes that make up this thread's team.
+/// The mask of the warp's lanes that form this thread's team.
 template <uint32_t lanes>
 MENISCUS_HD uint32_t team_mask() {
 #ifdef __CUDA_ARCH__
@@ -67,7 +67,7 @@ struct TeamFloat {
   }
 };
 
-/// A neighbour that this thread has.
+/// The neighbour of this thread.
 template <uint32_t lanes>
 struct TeamIndex {
   uint32_t j;
@@ -83,7 +83,7 @@ MENISCUS_HD TeamFloat<lanes> gather(View<const float> from, TeamIndex<lanes> i) 
   return from[i.j];
 }
 
-/// What a kernel is a template over when a team runs it.
+/// The device type of kernels that a team runs.
 template <uint32_t lanes>
 struct CudaTeamOf {
   using Real = TeamFloat<lanes>;
@@ -92,7 +92,7 @@ struct CudaTeamOf {
   static constexpr uint32_t lane_count = lanes;
 
   MENISCUS_HD static uint32_t rank() { return team_rank<lanes>(); }
-  /// True in the one thread of a team that may write what all of them know.
+  /// True in the one thread of a team that may write results that all of them have.
   MENISCUS_HD static bool leads() { return rank() == 0; }
 };
 
@@ -105,7 +105,7 @@ inline constexpr bool is_cuda_team = false;
 template <uint32_t lanes>
 inline constexpr bool is_cuda_team<CudaTeamOf<lanes>> = true;
 
-/// Bit k: whether it is so for thread k of a team of eight.
+/// Bit k: whether `so` is true in thread k of a team of eight.
 MENISCUS_HD inline uint32_t votes_of_team(bool so) {
 #ifdef __CUDA_ARCH__
   return __ballot_sync(team_mask<8>(), so) >> (threadIdx.x % 32 / 8 * 8) & 0xff;
@@ -114,7 +114,7 @@ MENISCUS_HD inline uint32_t votes_of_team(bool so) {
 #endif
 }
 
-/// The value that thread `lane` of a team of eight has.
+/// The value of thread `lane` of a team of eight.
 MENISCUS_HD inline uint32_t from_lane_of_team(uint32_t value, [[maybe_unused]] uint32_t lane) {
 #ifdef __CUDA_ARCH__
   return __shfl_sync(team_mask<8>(), value, static_cast<int>(lane), 8);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The harness of cloth on bodies, for one device.
 #pragma once
 
 #include "cloth/solve/cloth_set.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How near cloth is to a solid, all of its faces counted, in double precision and without what the product
-// uses for that.
+// The distance of cloth from a solid over all of its faces, in double precision and independent of the
+// product's code.
 #pragma once
 
 #include <algorithm>

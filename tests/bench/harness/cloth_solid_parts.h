@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// From the setups of cloth_solid_bench.h to what the modules want.
+// Converts the setups of cloth_solid_bench.h to the inputs of the modules.
 #pragma once
 
 #include "cloth/build/cloth_model.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The harness of the parallel algorithms, for one device.
 #pragma once
 
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Small scenes for the renderer, and what tests ask of pictures.
+// Small scenes for the renderer, and measurements of pictures for tests.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Scenes of rods and ropes for their harness.
 #include "tests/bench/harness/rod_bench.h"
 
 #include <cmath>

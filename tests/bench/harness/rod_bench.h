@@ -49,7 +49,7 @@ class RodBench {
   void run(int steps, float dt = 1.0f / 60) {
     for (int k = 0; k < steps; ++k) step(dt);
   }
-  /// Runs, and leaves a share of the velocities after each step.
+  /// Runs, and scales the velocities by `share` after each step.
   void settle(int steps, float share);
 };
 

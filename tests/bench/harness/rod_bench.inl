@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The harness of rods and ropes, for one device.
 #pragma once
 
 #include "cloth/rods/rod_set.h"

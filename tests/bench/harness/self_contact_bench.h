@@ -63,8 +63,8 @@ class SelfContactBench {
   virtual uint32_t most_crossings() = 0;
   virtual uint32_t listings() = 0;
   virtual uint32_t brief_listings() = 0;
-  /// By box: the triangles whose ways, widened by `reach`, overlap it; ascending. A thread looks for them, or
-  /// a warp.
+  /// For each box, the triangles whose swept boxes, widened by `reach`, overlap it, in ascending order. One
+  /// thread or one warp searches for them.
   virtual std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from,
                                                       std::span<const pbd::Vec4> to, float reach,
                                                       std::span<const Aabb> boxes, bool in_warps) = 0;

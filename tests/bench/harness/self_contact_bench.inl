@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The harness of cloth that collides with itself, for one device.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates SelfContactBenchOn for the GPU.
 #include "pbd/device/cuda/cuda_device.cuh"
 #include "tests/bench/harness/self_contact_bench.inl"
 

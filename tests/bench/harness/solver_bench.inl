@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The harness of the solver and its neighbour search, for one device.
 #pragma once
 
 #include <functional>
@@ -161,7 +163,7 @@ class SolverBenchOn final : public SolverBench {
     pbd::Buffer<collision::Shape> shapes(stage.device, "shapes");
     shapes.resize_discard(static_cast<uint32_t>(setup.planes.size()));
     shapes.write(setup.planes);
-    // With a radius of 0 for contacts a particle may lie anywhere, and has all of its images.
+    // With a contact radius of 0 a particle may be anywhere, and has all of its mirror ghosts.
     collision::ShapeContacts<D> contacts(stage.device, stage.particles, setup.support_radius, 0);
     contacts.set_shapes({shapes.view(), static_cast<uint32_t>(setup.planes.size()), {}, {}, {}}, true);
     fluid::DensitySet<D> density(stage.device, setup.kernel, setup.parameters);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates SolverBenchOn for the GPU.
 #include "pbd/device/cuda/cuda_device.cuh"
 #include "tests/bench/harness/solver_bench.inl"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A program against the installed SDK: a dam break that prints where its front is.
 #include <meniscus/meniscus.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the bending constraints that are built from a mesh.
 #include <gtest/gtest.h>
 
 #include "cloth/build/build_constraints.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of how the edges of cloth are joined to chains.
 #include "cloth/build/chains.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +43,7 @@ struct Drawn {
   Chains chains;
 };
 
-/// Edges are chained up in chains, those of a layer share no vertex, and none is lost.
+/// Checks that all edges belong to chains, and that chains of a layer share no vertex.
 Drawn draw(const ClothMesh& mesh, const FabricParameters& fabric, float gas = 0) {
   Drawn d{build_constraints(mesh, fabric), {}, {}};
   d.left = d.before;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of cloth meshes: sheets, checks and orientation.
 #include "cloth/build/cloth_mesh.h"
 
 #include <gtest/gtest.h>

@@ -74,7 +74,7 @@ inline ClothMesh shuffled(const ClothMesh& mesh, uint32_t seed) {
   return result;
 }
 
-/// A sheet as make_sheet makes it, with its inner vertices moved at random in its plane, by up to `way`.
+/// A sheet as from make_sheet, with its inner vertices displaced at random in its plane, by up to `way`.
 inline ClothMesh jittered_sheet(uint32_t columns, uint32_t rows, float way, uint32_t seed) {
   ClothMesh mesh = make_sheet(1, 1, columns, rows);
   std::mt19937 bits(seed);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of clusters, and of their sweep against one constraint at a time.
 #include "cloth/solve/sweep_kernel.h"
 
 #include <gtest/gtest.h>

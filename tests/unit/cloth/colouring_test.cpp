@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the colouring of constraints, and of the merge of pieces.
 #include "cloth/build/colouring.h"
 
 #include <gtest/gtest.h>

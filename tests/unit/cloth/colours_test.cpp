@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the constraints that are solved by colours.
 #include <gtest/gtest.h>
 
 #include <set>

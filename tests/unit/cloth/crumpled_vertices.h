@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Vertices of a crumpled mesh, for tests of constraint kernels.
 #pragma once
 
 #include <random>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Rods and ropes in the solver, against closed forms and what must be kept.
+// Rods and ropes in the solver, against closed forms and conservation laws.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class Rods : public OnDevice {
   std::unique_ptr<RodBench> bench(const RodScene& scene) { return make_rod_bench(GetParam(), scene); }
 };
 
-/// A helix through space, thrown so that it stretches, bends and twists.
+/// A helix that is thrown so that it stretches, bends and twists.
 struct Thrown {
   RodScene scene;
   std::vector<Vec3> velocities;

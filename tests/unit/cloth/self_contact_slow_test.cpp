@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Sheets thrown at one another at random, each vertex with a speed of its own as well: never a triangle
-// through another.
+// Sheets thrown at each other at random, each vertex with an additional velocity of its own: no triangle ever
+// passes through another.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth that meets cloth.
+// Tests of cloth that collides with cloth.
 #include "cloth/self_contact/self_contacts.h"
 
 #include <gtest/gtest.h>
@@ -117,8 +117,8 @@ TEST_P(SelfContactTest, CollidingSheetsKeepMomentum) {
   }
 }
 
-/// One iteration leaves much of a fast collision to the guard. Away from the origin and in short substeps
-/// the rounding of places would count; of momentum it must take nothing.
+/// One iteration leaves much of a fast collision to the CCD fail-safe. Away from the origin and in short
+/// substeps the rounding of positions would matter. The momentum must not change.
 TEST_P(SelfContactTest, WhatTheGuardJoinsKeepsItsMomentum) {
   struct Place {
     float away, substep;  // m, s
@@ -211,8 +211,8 @@ TEST_P(SelfContactTest, PairsAreLookedForAsOftenAsClothMoves) {
   EXPECT_GE(other->listings(), 3u);
 }
 
-// Where lists for many substeps would not hold for two, none are made, nor at the next step's start. What is
-// thrown up makes them again where it is slow.
+// If candidates for many substeps would not even be valid for two, none are kept, nor at the start of the
+// next step. Cloth that is thrown up keeps them again where it is slow.
 TEST_P(SelfContactTest, PairsOfFastClothAreLookedForForASubstepAlone) {
   constexpr float speed = 6;
   constexpr int steps = 20;  // to the top
@@ -305,7 +305,7 @@ TEST_P(SelfContactTest, OverlapIsOpenedSlowly) {
 }
 
 TEST_P(SelfContactTest, FrictionStopsASlidingSheet) {
-  // v²/(2μg) is the way that it makes.
+  // v²/(2μg) is the distance that it slides.
   constexpr float mu = 0.4f, speed = 0.5f;
   ClothCase c;
   c.gravity = {0, -9.81f, 0};

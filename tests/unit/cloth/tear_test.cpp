@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of how a torn mesh is split.
 #include "cloth/build/tearing.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the lengths of tethers.
 #include "cloth/build/tethers.h"
 
 #include <gtest/gtest.h>

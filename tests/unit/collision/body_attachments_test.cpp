@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of vertices that are attached to bodies.
 #include <gtest/gtest.h>
 
 #include "tests/bench/harness/cloth_solid_bench.h"
@@ -41,7 +43,7 @@ SolidSetup ball(float mass, Vec3 at) {
   return solid;
 }
 
-/// Ties the lowest row to a body at this place.
+/// Attaches the lowest row to a body at this position.
 void tie_lowest_row(ClothSolidSetup& setup, Vec3 body) {
   for (uint32_t v = 72; v < 81; ++v) setup.attachments.push_back({v, 0, setup.mesh.vertices[v] - body});
 }

@@ -146,7 +146,7 @@ TEST(BodyKernels, AContactFindsItsLeverAndItsShare) {
   EXPECT_NEAR(bench.contacts[1].body_inverse_mass, 2 * 0.25f, 1e-6f);
 }
 
-// Without the split a hundred contacts at once would each move the body all the way.
+// Without the split, each of a hundred simultaneous contacts would move the body by the full distance.
 TEST(BodyKernels, ManyContactsMoveABodyNoFurtherThanNeeded) {
   for (float particle_mass : {0.01f, 1.0f, 1e4f}) {
     Bench bench;
@@ -167,14 +167,14 @@ TEST(BodyKernels, ManyContactsMoveABodyNoFurtherThanNeeded) {
     }
     EXPECT_LT(length(bench.motion[0].turn), 1e-5f);
     for (size_t n = 0; n < 100; ++n) EXPECT_NEAR(bench.depth(n), 0, 0.02f * depth) << particle_mass;
-    // Both sides give way by their masses.
+    // Both sides move in proportion to their inverse masses.
     const float share = 100 * particle_mass / (100 * particle_mass + 1);
     EXPECT_NEAR(before, share * depth, 0.05f * share * depth) << particle_mass;
   }
 }
 
-// Two bodies that are pressed together in water, with a particle between them that cannot give way: what it
-// is pushed with must not wait for the many that can.
+// Two bodies that are pressed together in water, with a particle between them that cannot move away. Its push
+// must not wait for the many particles that can.
 TEST(BodyKernels, AParticleBetweenTwoBodiesHoldsThemApart) {
   constexpr int around = 60;
   constexpr float gap = 0.8f * Bench::radius, wanted = 2 * Bench::radius;
@@ -198,7 +198,7 @@ TEST(BodyKernels, AParticleBetweenTwoBodiesHoldsThemApart) {
   EXPECT_NEAR(bench.motion[1].shift.y - bench.motion[0].shift.y, wanted - gap, 0.02f * wanted);
 }
 
-// Ties come last among a body's contacts, and leave half of it to what touches it.
+// Attachments are the last of a body's contacts, and leave half of the body to the others.
 TEST(BodyKernels, TiesStandApartAndLeaveHalfOfTheBody) {
   Bench bench;
   bench.add_body(1, {1, 1, 1}, {0, 0, 0});

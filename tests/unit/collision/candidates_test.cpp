@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Which shapes a particle is told to look at: all that it could meet, and few others.
+// The candidate shapes of a particle: all that it could touch, and few others.
 #include "collision/contact/candidates.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of density maps against quadrature and closed forms.
 #include "collision/sdf/density_map.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +63,7 @@ Sdf build(pbd::CpuDevice& device, const TriangleMesh& mesh, float cell_size) {
   return sdf;
 }
 
-// From `start` along a way through the surface, a support radius and more to both sides.
+// Along a line from `start` through the surface, a support radius and more to both sides.
 template <class Exact>
 double largest_error(const Sdf& sdf, Vec3 start, Vec3 way, const Exact& exact) {
   double error = 0;

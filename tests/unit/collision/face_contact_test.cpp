@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is sharp, or smaller than the cloth's mesh, does not get through between its vertices.
+// Solids that are sharp, or smaller than the cloth's mesh, do not pass between its vertices.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -169,7 +169,7 @@ TEST_P(FaceContacts, AreNotNeededOnWhatIsSmoothAndLarge) {
   }
 }
 
-/// On the coarse mesh points bear it; on the other, faces just about need them.
+/// On the coarse mesh points support it; on the other, faces only just need them.
 TEST_P(FaceContacts, LetClothRestOnABall) {
   for (int vertices : {9, 15}) {
     ClothSolidSetup setup = coarse_sheet(GetParam());

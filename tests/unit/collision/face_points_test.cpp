@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the nearest point of a face to a solid.
 #include "collision/body/face_points_nearest.h"
 
 #include <gtest/gtest.h>

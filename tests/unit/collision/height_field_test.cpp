@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the distance to height fields.
 #include "collision/contact/height_field.h"
 
 #include <gtest/gtest.h>

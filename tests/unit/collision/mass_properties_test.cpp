@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of masses and inertias against closed forms.
 #include "collision/mesh/mass_properties.h"
 
 #include <gtest/gtest.h>

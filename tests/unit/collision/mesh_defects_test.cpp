@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of how defects of meshes are found.
 #include "collision/mesh/defects.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the cache of distance fields of meshes.
 #include "collision/sdf/mesh_fields.h"
 
 #include <gtest/gtest.h>

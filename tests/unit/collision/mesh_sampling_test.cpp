@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of how meshes are filled with particles.
 #include "collision/sdf/mesh_sampling.h"
 
 #include <gtest/gtest.h>

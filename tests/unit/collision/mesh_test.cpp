@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the reader of mesh files.
 #include "collision/mesh/mesh.h"
 
 #include <gtest/gtest.h>

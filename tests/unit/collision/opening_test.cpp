@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Holes in a container's faces: what goes through them, and what does not.
+// Openings in a container's faces: which particles pass through them, and which do not.
 #include <gtest/gtest.h>
 
 #include "tests/worlds.h"

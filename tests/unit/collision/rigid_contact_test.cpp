@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Contacts among solids against what mechanics says of them.
+// Contacts among solids, against the laws of mechanics.
 #include <gtest/gtest.h>
 
 #include <algorithm>

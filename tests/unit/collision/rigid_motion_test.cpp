@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Where bodies get to, and whether they were predicted to get there.
+// The motion of bodies, and its prediction.
 #include <gtest/gtest.h>
 
 #include "tests/unit/collision/rigid_scene.h"
@@ -101,7 +101,7 @@ void PrintTo(const Top& top, std::ostream* out) {
 
 class RigidTop : public testing::TestWithParam<Top> {};
 
-// Bullet's own way takes out what tumbles of the coin's motion in two seconds.
+// Bullet's own integration removes the tumbling part of the coin's motion within two seconds.
 TEST_P(RigidTop, KeepsMomentumAndEnergy) {
   const Top& top = GetParam();
   RigidWorld world({.gravity = {0, 0, 0}});

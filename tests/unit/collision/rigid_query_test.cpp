@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of ray casts, overlaps and contacts of rigid bodies.
 #include <gtest/gtest.h>
 
 #include "tests/expect_error.h"

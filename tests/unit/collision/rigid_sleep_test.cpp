@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of when rigid bodies fall asleep and wake.
 #include <gtest/gtest.h>
 
 #include "tests/unit/collision/rigid_scene.h"

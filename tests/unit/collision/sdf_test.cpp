@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the signed distance field of a mesh.
 #include <gtest/gtest.h>
 #include <meniscus/error.h>
 

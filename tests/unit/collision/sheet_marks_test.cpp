@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is noted of each triangle of a sheet: borders, and who is the first to use a vertex.
+// The marks of each triangle of cloth: its borders, and the vertices that it is the first to use.
 #include "collision/fluid_cloth/marks.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is known of eight triangles together, against each of them.
+// The shapes that are found for eight triangles together, against those of each triangle.
 #include "collision/fluid_cloth/cloth_shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Particles shot at thin things: not one may come through.
+// Fast particles against thin solids: none may pass through.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -95,7 +95,7 @@ TEST_P(SweepTest, NothingFliesThroughABall) {
       for (size_t i = 0; i < start.size(); ++i) {
         const bool aside = length(Vec3{0, start[i].y, start[i].z}) > 0.9f * 0.3f;
         const Vec3 p = world.positions()[i];
-        // Who is past it went around it, and so is off the straight line.
+        // A particle beyond it went around it, and so is off the straight line.
         const float turned = length(Vec3{0, p.y - start[i].y, p.z - start[i].z});
         if (p.x > 0.3f && !aside) {
           EXPECT_GT(turned, 0.02f) << speed << " radii a substep";
@@ -125,7 +125,7 @@ TEST_P(SweepTest, AMeshStopsAll) {
   std::filesystem::remove(file);
 }
 
-// Two thin walls that meet at a right angle; whoever is stopped by one slides on towards the other.
+// Two thin walls that meet at a right angle; a particle that one stops slides on towards the other.
 TEST_P(SweepTest, TheInnerCornerOfTwoThinWallsStopsAll) {
   for (float speed : speeds) {
     World world = empty_world();
@@ -150,7 +150,7 @@ TEST_P(SweepTest, AHeightFieldStopsAll) {
     ground.pose.rotation = about_z(90);  // its up is −x, whence the particles come
     world.create_shape(ground);
     shoot(world, speed);
-    // On its way along the hills a particle may dip into the next one for a step; it does not stay there.
+    // A particle that moves along the hills may enter the next one for a step; it does not stay there.
     fly(world, speed, [] {});
     EXPECT_EQ(world.diagnostics().outside, 0u) << speed << " radii a substep";
     for (Vec3 p : world.positions()) EXPECT_LT(p.x, 0.05f) << speed << " radii a substep";

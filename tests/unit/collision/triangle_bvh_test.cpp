@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of triangles and of their bounding volume hierarchy against brute force.
 #include <gtest/gtest.h>
 #include <meniscus/error.h>
 

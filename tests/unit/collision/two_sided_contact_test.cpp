@@ -93,7 +93,7 @@ TEST(TwoSidedContactTest, IsLetGoOf) {
 
 class TwoSidedFriction : public testing::Test {
  protected:
-  /// Under a load of 1 kg·m on both, where the body has gone aside by `way`.
+  /// Under a load of 1 kg·m on both, where the body has been displaced sideways by `way`.
   static TwoSided under_load(float body_give, float way) {
     TwoSided p;
     p.w = 5000;
@@ -105,8 +105,8 @@ class TwoSidedFriction : public testing::Test {
   }
 };
 
-// What a body has slipped by is taken back at once, however light the vertex: it has pushed the body back by
-// that.
+// The slip of a body is corrected at once, however light the vertex, because the vertex has pushed the body
+// back.
 TEST_F(TwoSidedFriction, TakesTheBodyBack) {
   constexpr float give = 0.1f, way = 0.02f;
   TwoSided p = under_load(give, way);
@@ -142,8 +142,8 @@ TEST_F(TwoSidedFriction, LeavesTheVertexOnTheRougherOne) {
   EXPECT_NEAR(p.w * push.x, way - give * 0.2f, 1e-2f * way);
 }
 
-// Where neither holds the vertex, as where it is pulled through between the two, nothing is handed from one
-// to the other: each has its own friction.
+// If neither surface holds the vertex, as when it is pulled out between the two, no force is transferred
+// between them. Each has its own friction.
 TEST_F(TwoSidedFriction, IsNotHandedThroughAVertexThatSlipsOnBoth) {
   TwoSided p = under_load(0.1f, 0.2f);
   two_sided_between(p.floor, p.body, p.w).hand_through({0.5f, 0, 0});

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the ellipsoids that represent particles at the surface.
 #include "fluid/surface/anisotropy.h"
 
 #include <gtest/gtest.h>

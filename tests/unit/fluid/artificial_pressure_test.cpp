@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of artificial pressure.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +13,8 @@ namespace {
 
 class ArtificialPressureTest : public OnDevice {
  protected:
-  /// The root mean square distance from the centre, in spacings, of a ball that flies for 40 steps, each as
-  /// long as gravity takes for a fixed share of a spacing.
+  /// The root mean square distance from the centre, in spacings, of a ball of fluid after 40 steps. A step is
+  /// as long as gravity takes for a fixed fraction of a spacing.
   double spread(float spacing, float strength, int substeps = 4, int iterations = 10) const {
     WorldDef def = world_def(GetParam(), spacing);
     def.gravity = {0, 0, 0};

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// One damped Jacobi iteration of the density constraint, written down from its formulas: in double, over all
-// pairs, and with the image of every particle in every wall.
+// One damped Jacobi iteration of the density constraint, directly from its formulas: in double, over all
+// pairs, and with the mirror ghost of every particle in every wall.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class DensityReference {
     start_ = positions;
   }
 
-  /// C_i = Σ V W − 1 over all particles and their images.
+  /// C_i = Σ V W − 1 over all particles and their mirror ghosts.
   double error(size_t i) const {
     double density = 0;
     for_each_pair(i, [&](size_t, const Double3&, double r, size_t) { density += weight(r); });
@@ -61,8 +61,8 @@ class DensityReference {
   std::vector<double> multipliers;
 
  private:
-  /// Δλ_i = max(0, λ_i + ω (C_i − α̃ λ_i)/(D_i + α̃)) − λ_i, D_i = Σ w |∂C_i/∂x|² over i and all others. Who
-  /// moves, moves its images too.
+  /// Δλ_i = max(0, λ_i + ω (C_i − α̃ λ_i)/(D_i + α̃)) − λ_i, D_i = Σ w |∂C_i/∂x|² over i and all others. A
+  /// particle that moves also moves its mirror ghosts.
   double multiplier_change(size_t i) const {
     std::vector<Double3> gradient(positions.size());
     for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t ghost) {
@@ -94,8 +94,8 @@ class DensityReference {
     return q > 0 ? setup_.kernel.spiky_gradient * q * q : 0;
   }
 
-  /// Calls visit(j, x_i − x_j, |x_i − x_j|, number of the image) for each particle and each image, for
-  /// every choice of walls that are at right angles. Who is near whom is settled before the first iteration.
+  /// Calls visit(j, x_i − x_j, |x_i − x_j|, number of the mirror ghost) for each particle and each mirror
+  /// ghost, for every choice of walls at right angles. Neighbours are determined before the first iteration.
   template <class Visit>
   void for_each_pair(size_t i, const Visit& visit) const {
     for (size_t ghost = 0; ghost < (size_t{1} << planes_.size()); ++ghost) {
@@ -122,7 +122,7 @@ class DensityReference {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
 
-  /// A direction, as the image sees it.
+  /// A direction, as mirrored for the ghost.
   Double3 turned(Double3 d, size_t ghost) const {
     for (size_t p = 0; p < planes_.size(); ++p) {
       if (!(ghost >> p & 1)) continue;

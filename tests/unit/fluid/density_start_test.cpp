@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the density solve starts from, where substeps are long.
+// The initial multipliers of the density solve, where substeps are long.
 #include <gtest/gtest.h>
 
 #include <cmath>

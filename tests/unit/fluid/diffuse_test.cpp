@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of spray, foam and bubbles.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the smoothing kernels against their integrals.
 #include "fluid/kernel/kernel.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the table of marching cubes.
 #include "fluid/surface/marching_cubes.h"
 
 #include <gtest/gtest.h>

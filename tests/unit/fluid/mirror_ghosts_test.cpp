@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What walls do to the density: seen through a world's read-outs.
+// The effect of walls on the density, through the read-outs of a world.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The pressure grid where its equation is badly posed or its table too small: vessels full to the brim, and
-// drops that have flown far away.
+// The pressure grid where its equation is badly posed or its table too small: containers that are completely
+// full, and drops that have flown far away.
 #include <gtest/gtest.h>
 
 #include "tests/worlds.h"
@@ -51,7 +51,7 @@ TEST_P(PressureGridVesselTest, AnOverfullVesselIsPressedButHolds) {
   EXPECT_LT(d.max_speed, 1);
 }
 
-/// A full vessel, an open pool, and a vessel that is smaller than what is in it needs.
+/// A full container, an open pool, and a container that is too small for its contents.
 World vessels_and_pool(const WorldDef& def, float size) {
   World world(def);
   const auto fill = [&](uint32_t group, float x, int layers, float scale) {
@@ -81,8 +81,8 @@ TEST_P(PressureGridVesselTest, FullVesselsStayAtRestBesideAnOpenPool) {
   for (float p : world.pressures()) EXPECT_GE(p, 0);
 }
 
-// A vessel's open constant, were it what rounding makes of it, would be so large at times that nothing else
-// is solved for: pools were thrown up.
+// If rounding determined the undetermined constant of a sealed component, it would sometimes dominate the
+// solution, and pools would be thrown upwards.
 TEST_P(PressureGridVesselTest, VesselsDoNotDisturbAPoolForLong) {
   constexpr size_t first = 960, count = 480;  // particles of the pool
   for (float size : {0.99028f, 0.9903f, 0.99052f}) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Steps need not be alike: frames of a game are not.
+// Steps of different lengths, as the frames of a game have.
 #include <gtest/gtest.h>
 
 #include "tests/worlds.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the surface mesh of a fluid.
 #include "fluid/surface/surface_mesh.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Drops without gravity have closed forms: they end as balls, and swing with a period that is Rayleigh's.
+// Drops without gravity, against closed forms: they end as balls, and oscillate with Rayleigh's period.
 #include "fluid/forces/surface_tension.h"
 
 #include <gtest/gtest.h>

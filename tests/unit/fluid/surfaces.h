@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What tests ask of a surface.
+// Measurements of surfaces for tests.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The viscosity pass over particles that stand on their lattice.
+// The viscosity pass over particles on their rest lattice.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -13,7 +13,7 @@ namespace {
 
 class VorticityTest : public OnDevice {
  protected:
-  /// What is left of the motion of a vortex in a full tank without gravity, as a share.
+  /// The remaining fraction of the kinetic energy of a vortex in a full tank without gravity.
   static double energy_left(FluidDef def, float confinement) {
     constexpr float s = 0.05f;
     WorldDef world_def = tests::world_def(GetParam(), s);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of buffers in device memory.
 #include "pbd/device/buffer.h"
 
 #include <gtest/gtest.h>

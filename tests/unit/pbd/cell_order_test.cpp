@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Points by cell, and particles that have contacts: whatever order they happened to come in.
+// The order of points by cell, and of particles that have contacts, does not depend on the order of arrival.
 #include <gtest/gtest.h>
 
 #include <algorithm>

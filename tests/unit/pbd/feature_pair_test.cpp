@@ -175,7 +175,7 @@ TEST_P(SelfContactGeometry, SeesWhatGoesThrough) {
   std::uniform_real_distribution<float> share(0.05f, 0.95f);
   for (int n = 0; n < 5000; ++n) {
     FeaturePair p = still();
-    // Some time on the way the two are in one place.
+    // At some time during the motion the two coincide.
     const float when = share(random_), u = share(random_), v = share(random_) * (p.edges ? 1 : 1 - u);
     float weight[4];
     corner_weights(p.edges, u, v, weight);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the grid of the neighbour search.
 #include "pbd/grid.h"
 
 #include <gtest/gtest.h>

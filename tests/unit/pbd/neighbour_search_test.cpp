@@ -35,7 +35,8 @@ class NeighbourTest : public OnDevice {
     return points;
   }
 
-  /// Each pair nearer than h is listed once on both sides; pairs within rounding of h may go either way.
+  /// Expects that each pair nearer than h is listed once on both sides; pairs within rounding of h may or may
+  /// not be.
   void expect_all_pairs(const std::vector<Vec3>& points, float h) {
     const NeighbourLists lists = bench_->neighbours(points, h);
     ASSERT_EQ(lists.of.size(), points.size());
@@ -53,8 +54,8 @@ class NeighbourTest : public OnDevice {
     return points;
   }
 
-  /// Of many particles at h = 0.1 m: against the lists of the few at one end along x. A pair that is h apart,
-  /// give or take a few thousandths, may go either way, on both sides.
+  /// Compares the lists of many particles at h = 0.1 m with those of a few at one end along x. Pairs within a
+  /// few thousandths of h may or may not be listed, on both sides.
   void expect_those_of_a_slab(const std::vector<Vec3>& points) {
     const NeighbourLists all = bench_->neighbours(points, 0.1f);
     std::vector<Vec3> slab;
@@ -197,7 +198,7 @@ TEST_P(NeighbourTest, OfManyParticlesFarFromTheOriginAreThoseOfASlab) {
   expect_those_of_a_slab(points);
 }
 
-// A table of as many cells as a world is wide would be too large: so cells share entries.
+// A table with a cell for each position would be too large for a wide world, so cells share entries.
 TEST_P(NeighbourTest, OfManyParticlesInAWideSpaceAreThoseOfASlab) {
   std::vector<Vec3> points = shaken_lattice(20, 60, 60);
   for (int n = 0; n < 3000; ++n) points.push_back(in_box({1, 0, 0}, {100, 50, 50}));

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the tables of cloth that a run writes.
 #include "sdk/cli/record/cloth_record.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the command line program, each in a process of its own.
 #include "sdk/cli/program.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the tables and the summary that a run writes.
 #include "sdk/cli/record/run_recorder.h"
 
 #include <gtest/gtest.h>

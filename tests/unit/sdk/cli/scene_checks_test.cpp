@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of how particles that pass through cloth are counted.
 #include "sdk/cli/record/scene_checks.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the search for displacements that meet a box.
 #include "sdk/cli/record/way_columns.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +22,7 @@ class Random {
   std::uniform_real_distribution<float> share_{-1, 1};
 };
 
-// Numbers are by columns, so that ways are told by where they begin.
+// Numbers are by columns, so displacements are identified by where they begin.
 TEST(WayColumns, FindAllWaysThatMeetABox) {
   Random random;
   std::vector<Way> ways;

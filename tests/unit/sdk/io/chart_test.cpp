@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of line charts.
 #include <gtest/gtest.h>
 #include <meniscus/error.h>
 #include <unistd.h>

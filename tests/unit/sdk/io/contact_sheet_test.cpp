@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of contact sheets of frames.
 #include "sdk/io/contact_sheet.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the export of bodies.
 #include <assimp/scene.h>
 #include <meniscus/error.h>
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the export of cloth and ropes.
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 

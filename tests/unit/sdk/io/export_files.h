@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A folder for exported files, and ways to look into them.
+// A folder for exported files, and functions to inspect them.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of how the preview draws cloth and ropes.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of how the preview draws particles.
 #include <gtest/gtest.h>
 #include <meniscus/error.h>
 #define STB_IMAGE_IMPLEMENTATION

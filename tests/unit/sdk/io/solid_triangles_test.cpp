@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the triangles that represent solids.
 #include "sdk/io/solid_triangles.h"
 
 #include <gtest/gtest.h>

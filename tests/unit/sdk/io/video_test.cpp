@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// With programs in ffmpeg's place that keep what they are given; and with ffmpeg itself, where it is.
+// Videos, with programs in place of ffmpeg that record their input, and with ffmpeg itself where it is
+// installed.
 #include "sdk/io/video.h"
 
 #include <fstream>

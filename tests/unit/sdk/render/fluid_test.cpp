@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What light does in the water that is drawn.
+// The optics of water in pictures.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -117,7 +117,7 @@ TEST_F(PictureTest, SolidsCastShadows) {
   scene.shapes = {shape(PlaneGeometry{}, {0, -0.5f, 0})};
   scene.camera = SceneCamera{{0, 3, 3}, {0, -0.5f, 0}, 35};
   const io::Image plain = draw(scene);
-  // Outside of the picture, in the way of the sun.
+  // Outside of the picture, between it and the sun.
   scene.shapes.push_back(shape(BoxGeometry{{0.3f, 0.3f, 0.3f}}, {-2.05f, 2.9f, 0.59f}));
   const io::Image shaded = draw(scene);
   int dark = 0, penumbra = 0;

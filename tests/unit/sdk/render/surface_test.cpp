@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The surface that is drawn against the one that the particles stand for.
+// The surface in a picture, against the surface of the particles.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

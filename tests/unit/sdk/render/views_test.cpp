@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Pictures that show what is measured.
+// Pictures that show measured quantities.
 #include <algorithm>
 
 #include "sdk/render/legend.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Bodies, joints and what is said of solids in scene files.
+// Bodies, joints and properties of solids in scene files.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What a scene file says must hold, and what it may get wrong about that.
+// The checks that a scene file states, and the errors in them.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

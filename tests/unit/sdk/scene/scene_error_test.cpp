@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What a scene file may get wrong, and what its author is told.
+// Errors in scene files, and their messages.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of the reader of scene files.
 #include "sdk/scene/scene_file.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of values that the command line sets in a scene.
 #include "sdk/scene/scene_override.h"
 
 #include <gtest/gtest.h>

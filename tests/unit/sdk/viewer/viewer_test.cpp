@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What stands behind the window: the camera, what the mouse finds and pulls, and the world on its own thread.
+// The viewer without its window: the camera, picking and pulling with the mouse, and the world on its own
+// thread.
 #include <gtest/gtest.h>
 
 #include <chrono>

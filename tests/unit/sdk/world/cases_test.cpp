@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Worlds at the edges of what is usual.
+// Unusual worlds at the limits of what is supported.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What changes while a world runs: its def and its fluids, and impulses by hand.
+// Changes while a world runs: its definition and its fluids, and impulses by the user.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"

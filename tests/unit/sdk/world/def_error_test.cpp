@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the definition structs refuse, and that the message names the field.
+// Invalid values in the definition structs are refused, and the message names the field.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -11,7 +11,8 @@
 namespace meniscus::tests {
 namespace {
 
-/// Two fluids, walls, a ball in the way, friction, vorticity, artificial pressure: as much as fits.
+/// Two fluids, walls, a ball as an obstacle, friction, vorticity, artificial pressure: as many features as
+/// fit.
 World busy_world(WorldDef def) {
   def.density.artificial_pressure.strength = 0.05f;
   World world(def);

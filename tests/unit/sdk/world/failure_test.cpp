@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A step that meets what is not finite: it says so, and has not happened.
+// A step that meets values that are not finite reports them, and leaves the state as it was.
 #include <gtest/gtest.h>
 
 #include "tests/expect_error.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Granular materials: contacts, friction and what they have to do with fluids.
+// Granular materials: contacts, friction and the interaction with fluids.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -305,7 +305,7 @@ TEST_P(GrainsTest, APileAtRestStaysWhenGrainsGoAndCome) {
   World world = poured(def(), 12, &id);
   run(world, 90, 1.0f / 60);
   const double before = mean_height(world);
-  // The topmost goes, and another comes: the rest keep what bears them.
+  // The topmost grain is removed, and another is added: the others keep their supporting contacts.
   size_t top = 0;
   for (size_t i = 0; i < world.particle_count(); ++i)
     if (world.positions()[i].y > world.positions()[top].y) top = i;

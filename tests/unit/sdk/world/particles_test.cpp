@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Making and removing particles while the world runs: who is who stays known.
+// Adding and removing particles while the world runs: their ids stay valid.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -93,7 +93,7 @@ TEST_P(ProbesTest, AColumnAtRestPressesAsItsWeightAndDepthSay) {
     error += (found[2 + k] / expected - 1) / 3;
   }
   EXPECT_NEAR(error, 0, 0.08);
-  EXPECT_LT(world_.probe(on_walls), 0.05 * weight());  // opposite walls bear the same
+  EXPECT_LT(world_.probe(on_walls), 0.05 * weight());  // opposite walls carry the same force
   EXPECT_NEAR(mean_read_out(0.3f, 0.5f) / (density * gravity * 0.4), 1, 0.15);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What holds cloth and ropes, and what they pull with at it.
+// Attachments of cloth and ropes, and the forces in them.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"
@@ -150,8 +150,8 @@ TEST_P(ClothAttachmentTest, ABodyComesToRestOnItsRope) {
   EXPECT_NEAR(world.attachment_force(below).y, 10 * g, 1e-3f * 10 * g);
 }
 
-/// How far a ball of 34 kg falls at most that hangs still from a rope which gives way by 34 mm under it, and
-/// may so fall twice as far.
+/// The greatest fall of a ball of 34 kg on a rope that extends by 34 mm under its weight. It starts with the
+/// rope unloaded, so it may fall twice as far.
 float deepest_fall(pbd::DeviceKind device, int substeps, int iterations) {
   WorldDef def = world_def(device, 0.05f);
   def.substeps = substeps;
@@ -262,7 +262,7 @@ TEST_P(ClothAttachmentTest, ASeamOfSomeComplianceGivesWayByIt) {
   def.compliance = 0.5f;
   world_.create_attachment(def);
   settle(3);
-  // Four seams bear the lower sheet.
+  // Four seams carry the lower sheet.
   const float weight = world_.cloth_state(b).mass * g;
   EXPECT_NEAR(world_.cloth_state(b).centre.y, -0.05f - 0.25f * 0.5f * weight, 2e-3f);
 }
@@ -321,7 +321,7 @@ TEST_P(ClothAttachmentTest, TethersBoundTheStretch) {
   EXPECT_GT(hanging_length(few, StretchModel::triangles, 20000, false), 1.05f);
 }
 
-// Beside fabric that bears its weight already they are as much again.
+// Beside fabric that already carries its weight they add as much stiffness again.
 TEST_P(ClothAttachmentTest, TethersAreAsStiffAsTheFabric) {
   WorldDef many = world_def(GetParam(), 0.05f);
   many.substeps = 10;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth that bears bodies many times its weight.
+// Cloth that supports bodies many times its weight.
 #include <gtest/gtest.h>
 
 #include <iterator>

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is no cloth, no rope, no attachment and no wind, and that the world is as before once it has been
-// refused.
+// Invalid cloth, ropes, attachments and wind are refused, and the world does not change.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Steps of cloth that fail have not happened; steps that are done again for want of room leave no trace.
+// A step of cloth that fails leaves the state as it was. A step that is repeated for lack of room leaves no
+// trace.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"

@@ -222,7 +222,7 @@ TEST_P(ClothPlaceTest, FluidThatComesAndGoesMovesNoVertex) {
   };
   both(3);
   const FluidId water = wet.world.create_fluid({});
-  dry.world.create_fluid({});  // cloth that may have to bear fluid is solved in another way
+  dry.world.create_fluid({});  // cloth that may have to support fluid is solved differently
   wet.world.add_fluid(block(water, {-0.3f, 0, -0.3f}, {0.3f, 0.3f, 0.3f}));
   expect_alike(wet, dry);
   both(3);

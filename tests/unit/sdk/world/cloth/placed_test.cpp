@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth that is put into a solid comes out of it slowly, and does not burst.
+// Cloth that is placed into a solid leaves it slowly, and does not burst.
 #include <gtest/gtest.h>
 
 #include <functional>

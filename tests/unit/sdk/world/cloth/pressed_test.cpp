@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth that is far too large for the place it lies in opens, and does not burst.
+// Cloth that is far too large for its space unfolds, and does not burst.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
     On, PressedCloth,
     testing::Combine(
         testing::ValuesIn(usable_devices()),
-        // What is free buckles one way or another by its last bits: its worst edge is at 1.02 to 1.15.
+        // Free cloth buckles one way or another depending on rounding: its worst edge is at 1.02 to 1.15.
         testing::Values(PressedCase{"Free", 0.5f, false, 8, 2, 0.03f, 1.2f},
                         PressedCase{"ToAThirdAndFree", 0.33f, false, 8, 2, 0.06f, 1.2f},
                         PressedCase{"Held", 0.66f, true, 8, 4, 0.04f, 1.05f},

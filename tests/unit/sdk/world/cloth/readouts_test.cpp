@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What can be read of cloth and ropes: from the first moment on, and the same whenever one looks.
+// The read-outs of cloth and ropes: they exist from the start, and do not depend on when they are read.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Going over stretch several times in an iteration leaves less of it.
+// Several rounds over the stretch constraints in an iteration leave less stretch.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,8 +47,8 @@ TEST_P(ClothRounds, GoWithIterations) {
   EXPECT_LT(stretch_on_a_ball(3, 2), 0.6 * stretch_on_a_ball(1, 2));
 }
 
-/// What diagonals pull with is all but taken back by chains, round after round: it takes many rounds to add
-/// up, or many substeps of which each starts from the last.
+/// Chains undo most of the pull of diagonals in each round. So it takes many rounds to accumulate, or many
+/// substeps that each start from the last.
 TEST_P(ClothRounds, AreSavedByAStartFromTheLastSubstep) {
   const double many = stretch_on_a_ball(8, 1), afresh = stretch_on_a_ball(1, 1),
                from_last = stretch_on_a_ball(1, 1, ClothSolverDef{}.warm_start);
@@ -61,8 +61,8 @@ TEST_P(ClothRounds, GatherMomentum) {
   EXPECT_LT(stretch_on_a_ball(4, 1), 0.014);
 }
 
-/// Rows that slide along themselves, to and fro, press all diagonals of a sheet and pull none: if these gave
-/// way, cloth that has to become narrower would do it so, and not by buckling.
+/// Rows that slide along themselves, alternately, compress all diagonals of a sheet and stretch none. If
+/// diagonals were soft in compression, cloth that has to become narrower would slide instead of buckling.
 TEST_P(ClothRounds, KeepRowsFromSliding) {
   constexpr int n = 81;
   WorldDef settings = world_def(GetParam(), 0.05f);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth that is pulled too far tears, and all read-outs know of it.
+// Cloth that is stretched too far tears, and all read-outs reflect it.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -78,7 +78,7 @@ TEST_P(ClothTearTest, WhatIsPulledTooFarTearsAndReadOutsAgree) {
 TEST_P(ClothTearTest, TheTornHalvesPart) {
   Rack r = make(GetParam(), 0.05f);
   run(r.world, 90, dt);
-  // No way along edges is left from the left edge to the right one.
+  // No path along edges remains from the left edge to the right one.
   const auto triangles = r.world.cloth_triangles(r.cloth);
   std::set<uint32_t> reached{0};
   for (bool grew = true; grew;) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Wind takes cloth along, and presses on what is held.
+// Wind carries free cloth along, and exerts pressure on cloth that is held.
 #include <gtest/gtest.h>
 
 #include "tests/cloth_worlds.h"

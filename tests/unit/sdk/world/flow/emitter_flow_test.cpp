@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How much an emitter makes, when, and where it has got to.
+// The number of particles that an emitter creates, when, and where they are.
 #include <gtest/gtest.h>
 
 #include "tests/unit/sdk/world/flow/emitter_worlds.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Emitters where there is little room: nothing is made inside of anything, and nothing is blown apart.
+// Emitters with little free space: no particle is created inside another or a solid, and none gets a high
+// speed.
 #include <gtest/gtest.h>
 
 #include "tests/unit/sdk/world/flow/emitter_worlds.h"

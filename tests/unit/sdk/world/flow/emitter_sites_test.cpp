@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Where in an opening particles leave from.
+// The places within an opening from which particles leave.
 #include "sdk/world/flow/emitter_sites.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of sinks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -126,7 +128,7 @@ TEST_P(SinksTest, ABodyCarriesOne) {
   sink.body = body;
   const SinkId id = world_.create_sink(sink);
   EXPECT_EQ(world_.step(0.01f).removed, 0u);
-  world_.move_body(body, {{4.2f, 1, 0}, {0, 0, 0, 1}}, 0.5f);  // takes what is on the way
+  world_.move_body(body, {{4.2f, 1, 0}, {0, 0, 0, 1}}, 0.5f);  // removes the particles along its path
   for (int k = 0; k < 50; ++k) world_.step(0.01f);
   EXPECT_EQ(ids(), (std::vector<ParticleId>{5, 6, 7, 8, 9}));
   EXPECT_EQ(world_.sink_count(id).total, 5u);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Who touches whom, and how hard.
+// Which bodies touch each other, and with what impulse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class BodyContactsTest : public OnDevice {
     return all;
   }
 
-  /// Water with a cube in it, on its way down.
+  /// Water with a cube that is sinking in it.
   BodyId add_cube_in_water(World& world) const {
     world.create_shape(open_tank({0.25f, 0.5f, 0.25f}));
     world.add_fluid(block(world.create_fluid({}), {-0.25f, 0, -0.25f}, {0.25f, 0.3f, 0.25f}));

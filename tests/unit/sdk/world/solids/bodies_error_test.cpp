@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is no body, no joint and no push, and that the world is as before once it has been refused.
+// Invalid bodies, joints and impulses are refused, and the world does not change.
 #include <gtest/gtest.h>
 
 #include "tests/unit/sdk/world/solids/body_worlds.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What a call or a step that fails leaves behind: nothing.
+// A call or a step that fails leaves no trace.
 #include <gtest/gtest.h>
 
 #include "tests/expect_error.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Groups and masks: what passes through what.
+// Groups and masks: which objects pass through each other.
 #include <gtest/gtest.h>
 
 #include "tests/unit/sdk/world/solids/body_worlds.h"

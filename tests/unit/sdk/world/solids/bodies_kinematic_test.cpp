@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Bodies that go where they are told to, whatever stands in the way.
+// Bodies that follow a given motion, whatever obstacles they meet.
 #include <gtest/gtest.h>
 
 #include "tests/unit/sdk/world/solids/body_worlds.h"
@@ -95,7 +95,7 @@ TEST_P(KinematicBodyTest, APoseThatIsSetEndsWhatItWasDoing) {
   EXPECT_EQ(place(id), (Vec3{0, 9, 0}));
 }
 
-// The load slips by v²/2μg = 3 mm when it starts, and as far the other way when it stops.
+// The load slips by v²/2μg = 3 mm when it starts, and as far in the other direction when it stops.
 TEST_P(KinematicBodyTest, ItCarriesWhatLiesOnIt) {
   const BodyId tray = world_.create_body(kinematic(BoxGeometry{{0.5f, 0.05f, 0.5f}}));
   const BodyId load = world_.create_body(body(BoxGeometry{{0.1f, 0.1f, 0.1f}}, {0, 0.15f, 0}));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What World::body_mass says of each geometry, against closed forms.
+// The result of World::body_mass for each geometry, against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>

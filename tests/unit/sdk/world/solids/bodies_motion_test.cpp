@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What sets bodies in motion: forces, impulses, velocities and poses set by hand; damping and sleep.
+// Forces, impulses, velocities and poses that the user sets; damping and sleep.
 #include <gtest/gtest.h>
 
 #include "tests/unit/sdk/world/solids/body_worlds.h"

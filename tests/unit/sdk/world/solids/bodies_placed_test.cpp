@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Water that a solid is put into makes room for it, and is not thrown about.
+// Water makes room for a solid that is placed into it, without high speeds.
 #include <gtest/gtest.h>
 
 #include <optional>

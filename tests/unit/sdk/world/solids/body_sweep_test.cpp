@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Thin bodies that move fast among particles: not one may come through.
+// Thin bodies that move fast among particles: none may pass through.
 #include <gtest/gtest.h>
 
 #include "tests/unit/sdk/world/solids/body_worlds.h"

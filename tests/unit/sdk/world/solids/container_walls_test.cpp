@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A container's faces as boxes for Bullet, and what they hold back or let through.
+// A container's faces as boxes for Bullet, and which bodies they stop or let through.
 #include "sdk/world/solids/container_walls.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +91,7 @@ TEST(ContainerWallsTest, AWallIsWhereNoHoleIs) {
   EXPECT_GT(in_holes, 300);
 }
 
-// The rectangles of one wall share their edges and nothing else: Bullet sees no contact twice.
+// The rectangles of one wall share only their edges: Bullet finds no contact twice.
 TEST(ContainerWallsTest, TheRectanglesOfAWallDoNotOverlap) {
   ContainerGeometry container{half, {}};
   container.openings.push_back({Face::x_high, Aabb{{0, -1, -0.2f}, {0, 0.5f, 0.1f}}});
