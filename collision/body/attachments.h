@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Attachments of vertices to rigid bodies, as a source of contacts and a constraint set.
 #pragma once
 
 #include <span>
@@ -21,25 +23,26 @@ struct JoinedAttachments;
 }
 
 /// Attaches vertices to bodies. An attachment is a contact that holds in all directions (pbd::is_attachment),
-/// C = x − anchor = 0, and half of a body is split among its attachments (mass splitting, as for contacts:
-/// BodySet). While constraints are solved, a attached vertex weighs as much as it and its share of the body
-/// together,
+/// C = x − anchor = 0. Half of a body is split among its attachments (mass splitting, as for contacts:
+/// BodySet). While constraints are solved, an attached vertex has the mass of itself and of its fraction of
+/// the body together:
 ///
 ///   1/w = 1/w_v + 1/w_b,  w_b = 2 n k,
 ///
-/// with n attachments of the body, which give way by k, 1/kg, in the softest direction of K = 1/M + [r]ᵀ I⁻¹
-/// [r]. So a constraint that pulls on the vertex pulls on the body, whose mass may be thousands of times the
-/// vertex's own: by its own w it would come along freely, and pull the body by next to nothing in each
-/// iteration. What the vertex has been moved by, d, its share of the body was as well: λ = d/w_b. All that
-/// the body gets moves it, and the anchors with it (BodySet). Where they did not follow their vertices, the
-/// next iteration starts with C = 0, which brings both together, each by its own mass: Δλ = −(w_v + 2 n K)⁻¹
-/// C. Constraints must see what comes of that: if both corrected the same error at once, light vertices would
-/// overshoot.
+/// where n is the number of attachments of the body. k, in 1/kg, is the inverse mass in the softest direction
+/// of K = 1/M + [r]ᵀ I⁻¹ [r]. So a constraint that pulls on the vertex pulls on the body, whose mass may be
+/// thousands of times the vertex's. With its own w the vertex would follow any pull, and would pull the body
+/// by next to nothing in each iteration.
 ///
-/// Where nothing moves the body, the vertex is put in its place at once, and has w = 0.
+/// A displacement d of the vertex displaces its fraction of the body as well: λ = d/w_b. All that the body
+/// gets moves it, and the anchors with it (BodySet). Where anchors did not follow their vertices, the next
+/// iteration starts by solving C = 0 with the mass of each: Δλ = −(w_v + 2 n K)⁻¹ C. Constraints must see the
+/// result. If both corrected the same error at once, light vertices would overshoot.
 ///
-/// Must be the first source of contacts, so that a vertex's attachments come before its touches, and of the
-/// sets before those that move vertices.
+/// A vertex that is attached to an immovable body is moved to its anchor at once, and has w = 0.
+///
+/// Must be the first source of contacts, so that a vertex's attachments come before its other contacts. Among
+/// the constraint sets it must come before those that move vertices.
 template <class D>
 class BodyAttachments final : public pbd::ContactSource<D>,
                               public pbd::ConstraintSet<D>,
@@ -47,16 +50,16 @@ class BodyAttachments final : public pbd::ContactSource<D>,
  public:
   BodyAttachments(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies), release_(*this) {}
 
-  /// Comes after what moves vertices, and settles where they are: until then they weigh what they are
-  /// attached to.
+  /// Must come after the sets that move vertices, and settles their positions. Until then a vertex has the
+  /// mass of what it is attached to.
   pbd::ConstraintSet<D>& release() { return release_; }
 
-  /// All there are. Bodies that are gone must have no attachments.
+  /// Sets all attachments. A body that is gone must have none.
   void set_attachments(std::span<const BodyAttachment> attachments);
-  /// By vertex: a body that it is attached to, or no_index; for ShapeContacts. Valid until attachments are
-  /// set anew.
+  /// By vertex: a body that it is attached to, or no_index; for ShapeContacts. Valid until the next
+  /// set_attachments().
   pbd::View<const uint32_t> attached_bodies() const { return attached_body_.view(); }
-  /// By attachment: what it gave to its vertex in the last step, N·s. The body got the opposite.
+  /// By attachment: the impulse on its vertex in the last step, N·s. The body got the opposite.
   std::vector<Vec3> read_impulses() const;
 
   bool any() const override { return attachments_.size() > 0; }
@@ -82,7 +85,7 @@ class BodyAttachments final : public pbd::ContactSource<D>,
   D& device_;
   const BodySet<D>& bodies_;
   Release release_;
-  std::vector<uint32_t> place_;  // of each attachment among those in the order of their vertices
+  std::vector<uint32_t> place_;  // of each attachment: its index in the order of vertices
   pbd::Buffer<BodyAttachment> attachments_{device_, "attachments"};
   pbd::Buffer<pbd::Vec4> impulse_{device_, "attachment impulses"};
   pbd::Buffer<pbd::Vec4> joined_{device_, "attached vertices"};  // see attachment_kernels::JoinedAttachments

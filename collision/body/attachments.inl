@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Kernels and functions of BodyAttachments.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +16,8 @@ namespace attachment_kernels {
 using pbd::Vec4;
 using pbd::View;
 
-/// Ties in the order of their vertices. The first one of each vertex does the work for all of them.
+/// Attachments in the order of their vertices. The first attachment of each vertex does the work for all of
+/// them.
 struct Attachments {
   View<const BodyAttachment> attachments;
   uint32_t sorted;  ///< see ParticleView
@@ -42,7 +45,7 @@ struct Count {
   }
 };
 
-/// In how many parts a body is: half of it is for what touches it.
+/// Into how many parts a body is split: half of it is for its contacts.
 MENISCUS_HD inline float splits(View<const uint32_t> attachments_of_body, uint32_t body) {
   return 2 * static_cast<float>(attachments_of_body[body]);
 }
@@ -60,7 +63,7 @@ struct Fill {
     });
   }
 
-  /// Where the body will be. There is no normal: nothing is pushed out.
+  /// The contact at the anchor of the predicted body. It has no normal, because it pushes nothing out.
   MENISCUS_HD pbd::Contact make_contact(const BodyAttachment& attachment) const {
     const BodyProxy& body = bodies[attachment.body];
     pbd::Contact c{};
@@ -73,18 +76,18 @@ struct Fill {
   }
 };
 
-/// Ties with their vertices and contacts, while these are solved. A vertex's attachments are its first
+/// Attachments with their vertices and contacts, while these are solved. A vertex's attachments are its first
 /// contacts.
 struct JoinedAttachments {
   Attachments attachments;
   View<const uint32_t> start;
   View<pbd::Contact> contacts;
   View<Vec4> position, accumulated_delta;
-  /// By attachment that leads; w: the vertex's own, and `moved` when its bodies had last got their share of
-  /// that. Of a vertex that a body holds which nothing moves: the way that it makes, m.
+  /// By leading attachment. w: the vertex's own. xyz: the vertex's accumulated delta when its bodies last got
+  /// their part of it. For a vertex held by an immovable body: its displacement, m.
   View<Vec4> joined;
 
-  /// Without room for all contacts the step is done again.
+  /// Where there is no room for all contacts, the step is repeated.
   template <class Visit>
   MENISCUS_HD void for_each_contact(uint32_t n, const Visit& visit) const {
     const uint32_t first = start[attachments.particle_of(n)];
@@ -94,7 +97,8 @@ struct JoinedAttachments {
   }
 };
 
-/// Vertices get the weight of what they are attached to. What nothing moves holds them in their places.
+/// Gives vertices the mass of what they are attached to. An immovable body holds its vertices at their
+/// anchors.
 struct Join {
   JoinedAttachments of;
 
@@ -119,11 +123,11 @@ struct Join {
     if (!is_held) return;
     of.joined[n] = pbd::with_w(displacement + anchor - x.xyz(), x.w);
     of.position[i] = pbd::with_w(anchor, 0);
-    of.accumulated_delta[i] = {0, 0, 0, 0};  // from now on, what it withstands
+    of.accumulated_delta[i] = {0, 0, 0, 0};  // from now on, the impulse that the attachment resists
   }
 };
 
-/// Vertices and anchors are drawn to one another.
+/// Pulls vertices and anchors towards one another.
 struct Pull {
   JoinedAttachments of;
   View<const uint32_t> attachments_of_body;
@@ -136,7 +140,7 @@ struct Pull {
     const Vec3 accumulated_delta = of.accumulated_delta[i].xyz();
     const bool moves = x.w > 0;
     const float w = moves ? joined.w : 0;
-    // What it was moved by before the first iteration, its share of the body was as well.
+    // What displaced the vertex before the first iteration displaced its fraction of the body as well.
     const Vec3 together = moves ? x.xyz() - (accumulated_delta - joined.xyz()) : x.xyz();
     Vec3 pulled{0, 0, 0};  // kg·m
     of.for_each_contact(n, [&](pbd::Contact& c) {
@@ -154,7 +158,7 @@ struct Pull {
   }
 };
 
-/// Bodies get what their vertices were moved by.
+/// Transfers the displacements of vertices to their bodies.
 struct TransferPush {
   JoinedAttachments of;
 
@@ -170,7 +174,7 @@ struct TransferPush {
   }
 };
 
-/// Gives vertices their own weight back; and attachments by which they were held, what these have withstood.
+/// Restores the vertices' own masses. Attachments that held a vertex get the impulse that they resisted.
 struct LetGo {
   JoinedAttachments of;
 
@@ -185,7 +189,7 @@ struct LetGo {
     of.for_each_contact(n, [&](pbd::Contact& c) {
       if (c.body_inverse_mass > 0) return;
       c.tangent_multiplier += withstood;
-      withstood = {0, 0, 0};  // by the first of several
+      withstood = {0, 0, 0};  // the first of several takes it all
     });
     of.accumulated_delta[i] = pbd::with_w(joined.xyz(), 0);
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of body_set.inl. Contacts are grouped by body once a substep; sums over a body's contacts run
-// in lanes of fixed stride, and over the lanes in order: the same bits each time.
+// The kernels of body_set.inl. Contacts are grouped by body once a substep. Sums over a body's contacts run
+// in lanes of fixed stride, and then over the lanes in order. So they have the same bits in each run.
 #pragma once
 
 #include "collision/body/proxy.h"
@@ -13,7 +13,7 @@ using pbd::Contact;
 using pbd::ContactView;
 using pbd::View;
 
-/// Stands a proxy where its body is, and predicts where it gets to.
+/// Places a proxy at its body's pose, and predicts the pose at the substep's end.
 struct Predict {
   View<const RigidMotion> motion;
   View<const RigidMass> mass;
@@ -30,7 +30,7 @@ struct Predict {
   }
 };
 
-/// Where the body has really got to, its start being as it was.
+/// Sets the pose that the body has really reached; its start stays.
 struct Arrive {
   View<const RigidMotion> motion;
   View<BodyProxy> bodies;
@@ -39,7 +39,7 @@ struct Arrive {
   MENISCUS_HD void operator()(uint32_t b) const { bodies[b].pose = motion[b].start; }
 };
 
-/// A body as it is between steps: nothing moves it, and the way here is forgotten.
+/// A body between steps: nothing moves it, and its motion is reset.
 struct Rest {
   View<const RigidMotion> motion;
   View<BodyProxy> bodies;
@@ -52,7 +52,7 @@ struct Rest {
   }
 };
 
-/// One of these for each body, and then for each shape that one carries; a launch is what they take.
+/// Applies Place to each body, and then to each shape that a body carries, in one launch.
 template <class Place>
 struct WithShapes {
   Place place;
@@ -66,10 +66,11 @@ struct WithShapes {
   }
 };
 
-/// What sorts a body's contacts, in this order. A key is so many times the body's number, and one of these.
+/// The kinds by which a body's contacts are sorted, in this order. A key is contact_kinds times the body's
+/// number, plus the kind.
 enum ContactKind : uint32_t { is_free, is_two_sided, is_attached, contact_kinds };
 
-/// The body and the kind of each contact, as a key. What belongs to no body comes last.
+/// Writes the key of each contact: its body and its kind. Contacts of no body come last.
 struct NoteBodies {
   ContactView contacts;
   View<const pbd::Vec4> position;
@@ -87,7 +88,7 @@ struct NoteBodies {
                                                            : is_free);
   }
 
-  /// Whether between the contact's surface and another there is less room than half of the particle.
+  /// Whether the gap between the contact's surface and another one is less than half of the particle.
   MENISCUS_HD bool has_no_room(uint32_t n, const Contact& c) const {
     const uint32_t i = contacts.particle[n];
     const Vec3 x = position[i].xyz();
@@ -101,7 +102,7 @@ struct NoteBodies {
   }
 };
 
-/// Where the sorted keys change, one body's contacts end and another's begin. The counts are 0 before.
+/// Finds the ranges of contacts of each body, at the changes of the sorted keys. The counts are 0 before.
 struct FindGroups {
   View<const uint32_t> sorted_key;
   View<BodyProxy> bodies;
@@ -122,11 +123,11 @@ struct FindGroups {
   }
 };
 
-/// Each contact of a body gets its lever and its share of the body: as if the body were as many as it has
-/// contacts, each of so much less mass (mass splitting, Tonge, Benevolenski & Voroshilov 2012). All of them
-/// moving at once then move the body no further than it can go. Half of the body is for pinched particles, if
-/// there are any: each of these may have to hold it by itself, for there is no place to give way to. And half
-/// is for its attachments, which know their share (BodyAttachments).
+/// Gives each contact its lever arm and its fraction of the body (mass splitting, Tonge, Benevolenski &
+/// Voroshilov 2012). The body is treated as if it were as many bodies as it has contacts, each with that part
+/// of the mass. Then all contacts together move the body no further than it can go. If there are two-sided
+/// contacts, half of the body is for them. Each of these may have to hold the body alone, because its
+/// particle cannot yield. Half is for the attachments, which compute their own fraction (BodyAttachments).
 struct Split {
   View<const uint32_t> grouped;
   View<const BodyProxy> bodies;
@@ -148,7 +149,7 @@ struct Split {
   }
 };
 
-/// What a body's contacts have done to particles; w is not used.
+/// The sum of what a body's contacts have done to particles; w is not used.
 struct ContactSum {
   pbd::Vec4 push{0, 0, 0, 0};   ///< kg·m
   pbd::Vec4 twist{0, 0, 0, 0};  ///< kg·m², about the centre of mass
@@ -159,7 +160,7 @@ struct ContactSum {
   }
 };
 
-/// One lane of one body.
+/// Sums one lane of one body.
 struct SumLanes {
   View<const uint32_t> grouped;
   View<const BodyProxy> bodies;
@@ -167,7 +168,7 @@ struct SumLanes {
   View<ContactSum> partial;
   uint32_t lanes;
 
-  /// Several contacts are loaded at once.
+  /// Loads several contacts at once.
   MENISCUS_HD void operator()(uint32_t n) const {
     constexpr uint32_t batch = 4;
     const uint32_t first = bodies[n / lanes].first + n % lanes, end = bodies[n / lanes].end;
@@ -190,9 +191,9 @@ struct SumLanes {
   }
 };
 
-inline constexpr uint32_t lane_batch = 8;  ///< a body's lanes are a multiple of these
+inline constexpr uint32_t lane_batch = 8;  ///< a body's number of lanes is a multiple of this
 
-/// In the order of the lanes, a batch at a time, so that a GPU has as many loads on their way.
+/// Sums in the order of the lanes, a batch at a time, so that a GPU has that many loads in flight.
 MENISCUS_HD inline ContactSum sum_of_lanes(View<const ContactSum> partial, uint32_t body, uint32_t lanes) {
   const View<const pbd::Vec4> values{&partial.data[body * lanes].push, 2 * lanes};
   ContactSum sum;
@@ -206,7 +207,7 @@ MENISCUS_HD inline ContactSum sum_of_lanes(View<const ContactSum> partial, uint3
   return sum;
 }
 
-/// How contacts have moved a body so far in the substep: m and rad.
+/// The displacement of a body by its contacts so far in the substep: m and rad.
 struct ContactMotion {
   Vec3 shift, turn;
 };
@@ -215,8 +216,9 @@ MENISCUS_HD inline ContactMotion motion_by(const BodyProxy& body, const ContactS
   return {-body.inverse_mass * sum.push.xyz(), -inverse_inertia_times(body, sum.twist.xyz())};
 }
 
-/// The planes of a body's contacts go to where all of them have pushed it. Each contact adds up its body's
-/// lanes for itself, which costs less than a launch; the body's first one notes the motion for the next time.
+/// Moves the planes of a body's contacts to where all contacts have pushed the body. Each contact sums its
+/// body's lanes itself, which costs less than a launch. The body's first contact stores the motion for the
+/// next iteration.
 struct Follow {
   View<const uint32_t> grouped;
   View<const BodyProxy> bodies;
@@ -228,7 +230,7 @@ struct Follow {
 
   MENISCUS_HD void operator()(uint32_t k) const {
     const uint32_t n = grouped[k];
-    const Contact c = contacts.contacts[n];  // as a whole, at once with how many there are
+    const Contact c = contacts.contacts[n];  // loaded as a whole, together with the count
     if (k >= contacts.total() || c.body >= bodies.count) return;
     const BodyProxy& body = bodies[c.body];
     if (c.body_inverse_mass == 0 && k != body.first) return;
@@ -240,7 +242,7 @@ struct Follow {
   }
 };
 
-/// The substep's impulse on each body.
+/// Computes the substep's impulse on each body.
 struct TakeImpulse {
   View<const ContactSum> partial;
   View<RigidImpulse> impulses;

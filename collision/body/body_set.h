@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set that couples rigid bodies with particles, by way of proxies and impulses.
 #pragma once
 
 #include <span>
@@ -14,18 +16,18 @@
 
 namespace meniscus::collision {
 
-/// Rigid bodies among the particles. In a substep,
+/// Couples rigid bodies with particles. In a substep,
 ///
-///   predict   stands a proxy for each body, predicted with the forces that Bullet will integrate. From here
-///             on Bullet finds who touches whom, on a thread of its own;
+///   predict   places a proxy for each body, predicted with the forces that Bullet will integrate. From here
+///             on Bullet finds its contacts, on a thread of its own;
 ///   begin     groups the contacts by body, and splits each body among its contacts;
-///   project   after the other sets, moves the proxies by what their contacts have gathered, and the planes
-///             of the contacts along: the other sets find the body where it has given way to;
+///   project   after the other sets, moves the proxies by the impulses of their contacts, and the planes of
+///             the contacts with them. So the other sets see the displaced body;
 ///   end       sums the impulses;
-///   exchange  hands them to Bullet, which advances; its poses are the truth. What a body that was stopped by
-///             another would leave on the wrong side is taken along.
+///   exchange  transfers them to Bullet, which advances. Its poses are authoritative. A particle that ends on
+///             the wrong side, because another body stopped its body, is rolled back.
 ///
-/// Particles and bodies exchange equal and opposite impulses at one point, so that linear momentum is kept to
+/// Particles and bodies exchange equal and opposite impulses at one point. So linear momentum is conserved to
 /// rounding, and angular momentum to the order of the substep.
 template <class D>
 class BodySet final : public pbd::ConstraintSet<D> {
@@ -33,11 +35,13 @@ class BodySet final : public pbd::ConstraintSet<D> {
   BodySet(D& device, RigidWorld& world, ShapeContacts<D>& contacts)
       : device_(device), world_(world), contacts_(contacts), snapshot_(RigidWorld::make_snapshot()) {}
 
-  /// The bodies of the world have changed, or what they carry. The view must stay valid until it is set anew.
+  /// Must be called when the bodies of the world change, or the shapes that they carry. The view must stay
+  /// valid until the next call.
   void set_shapes(std::span<const CarriedShape> carried, pbd::View<Shape> shapes);
-  /// Of one that is destroyed: what comes to its place had none.
+  /// Resets the mean forces on a body that is destroyed, so that the next body with its number starts with
+  /// none.
   void forget_forces(uint32_t body);
-  /// Brings the shapes to where the bodies are now.
+  /// Moves the shapes to the bodies' current poses.
   void place();
 
   float speed(float dt) override;
@@ -51,17 +55,17 @@ class BodySet final : public pbd::ConstraintSet<D> {
   void end_step() override;
   void undo_step() override;
 
-  /// By body: where it is predicted to be. For what is found once bodies are predicted.
+  /// By body: its predicted pose. Contact searches that run after the prediction read this.
   pbd::View<const BodyProxy> proxies() const { return proxies_.view(); }
-  /// By body, of those that have contacts: what these have moved it by so far in the substep.
+  /// By body with contacts: its displacement by these contacts so far in the substep.
   pbd::View<const body_kernels::ContactMotion> contact_motions() const {
     return contact_motion_.current.view();
   }
   /// Whether there are bodies that particles can move.
   bool any_moved() const { return any_moved_; }
-  /// What Bullet took of the host's time in the last step, ms.
+  /// The host's time that Bullet took in the last step, ms.
   double step_ms() const { return step_ms_; }
-  /// By body: what the particles gave it in the last step, over the step's length. N and N·m.
+  /// By body: the mean force and torque that particles exerted on it in the last step, N and N·m.
   std::span<const RigidImpulse> mean_forces() const { return mean_forces_; }
 
  private:
@@ -80,12 +84,12 @@ class BodySet final : public pbd::ConstraintSet<D> {
   RigidWorld& world_;
   ShapeContacts<D>& contacts_;
   uint32_t bodies_ = 0;
-  bool any_moved_ = false;    // by particles
-  std::vector<float> reach_;  // m, of each body's outermost point from its centre
+  bool any_moved_ = false;    // whether particles can move any body
+  std::vector<float> reach_;  // m, from each body's centre to its outermost point
   std::vector<RigidImpulse> sums_, mean_forces_, mean_forces_before_;
   float step_time_ = 0;  // s, of the substeps so far
   double step_ms_ = 0;
-  float ahead_ = -1;                    // s: what motion_ has been predicted for; -1: nothing
+  float ahead_ = -1;                    // s: the time for which motion_ is predicted; -1: none
   double start_time_ = 0;               // s, of the world
   bool begun_ = false, ended_ = false;  // in the present step
   RigidWorld::SnapshotPtr snapshot_;
@@ -103,7 +107,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> sorted_key_{device_, "contact bodies"};
   pbd::Buffer<uint32_t> number_{device_, "contact numbers"};
   pbd::Buffer<uint32_t> grouped_{device_, "contacts by body"};
-  pbd::SideThread side_;  // last: it is through with all that it works on before that goes
+  pbd::SideThread side_;  // last: its thread ends before the members that it uses are destroyed
 };
 
 }  // namespace meniscus::collision

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of BodySet; its kernels are in body_kernels.h.
 #pragma once
 
 #include <algorithm>
@@ -53,8 +55,8 @@ void BodySet<D>::place() {
   rest();
 }
 
-/// A body's sums run in so many lanes: enough to fill a GPU with few bodies, not too many for one thread to
-/// add up.
+/// The number of lanes of a body's sums: enough to fill a GPU with few bodies, and few enough for one thread
+/// to sum.
 template <class D>
 uint32_t BodySet<D>::lanes() const {
   return std::clamp(std::bit_floor(2048u / std::max(1u, bodies_)), 2 * body_kernels::lane_batch, 64u);
@@ -72,14 +74,14 @@ float BodySet<D>::speed(float dt) {
   return fastest;
 }
 
-/// Asks for the motions of the next dt, if they are not there already.
+/// Predicts the motions of the next dt, unless they are predicted already.
 template <class D>
 void BodySet<D>::look_ahead(float dt) {
   if (ahead_ != dt) world_.predict(dt, motion_.host());
   ahead_ = dt;
 }
 
-/// With the shapes that they carry.
+/// Places the bodies and the shapes that they carry.
 template <class D>
 template <class Place>
 void BodySet<D>::place_bodies(const char* name, const Place& place) {
@@ -96,7 +98,7 @@ void BodySet<D>::predict(float dt) {
   begin_rigid_step(dt);
 }
 
-/// Has Bullet find contacts while the rest of the substep is launched, and worked on.
+/// Lets Bullet find contacts while the rest of the substep is launched and computed.
 template <class D>
 void BodySet<D>::begin_rigid_step(float dt) {
   side_.run([this, dt] {
@@ -154,12 +156,12 @@ template <class D>
 void BodySet<D>::exchange(pbd::Substep<D>& substep) {
   ahead_ = -1;
   side_.wait();
-  // What was launched after the impulses, the velocity passes, runs on while Bullet steps.
+  // Kernels launched after the impulses, which are the velocity passes, run on while Bullet steps.
   device_.wait_for_fence();
   const std::span<RigidImpulse> impulses = impulses_.host();
   for (uint32_t b = 0; b < bodies_; ++b) {
     RigidImpulse& impulse = impulses[b];
-    // A solve that went wrong is found, and taken back, at the step's end: Bullet need not see it.
+    // A solve with non-finite results is detected and rolled back at the step's end. Bullet need not see it.
     if (!is_finite(impulse.linear) || !is_finite(impulse.angular)) impulse = {};
     sums_[b].linear += impulse.linear;
     sums_[b].angular += impulse.angular;
@@ -181,7 +183,7 @@ void BodySet<D>::time_rigid(const F& step) {
   step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The way of the outermost point of any body in the present substep, or more.
+/// The path length of the outermost point of any body in the present substep, or more.
 template <class D>
 float BodySet<D>::furthest_motion() const {
   float furthest = 0;
@@ -195,7 +197,7 @@ float BodySet<D>::furthest_motion() const {
   return furthest;
 }
 
-/// Leaves the shapes where the bodies are, with no motion.
+/// Places the shapes at the bodies' poses, with no motion.
 template <class D>
 void BodySet<D>::rest() {
   place_bodies("bodies/rest", body_kernels::Rest{arrived_.view(), proxies_.view()});
@@ -232,7 +234,7 @@ void BodySet<D>::undo_step() {
   try {
     side_.wait();
   } catch (...) {
-    // Whoever undoes a step knows already that it went wrong.
+    // Whoever undoes a step already knows that it failed.
   }
   if (begun_) world_.restore(*snapshot_);
   if (ended_) mean_forces_ = mean_forces_before_;

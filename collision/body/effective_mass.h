@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set that gives cloth vertices the effective mass of the bodies that they press on.
 #pragma once
 
 #include "collision/body/body_set.h"
@@ -10,10 +12,10 @@ namespace effective_mass_kernels {
 struct BodyContacts;
 }
 
-/// What cloth presses on bodies with. Cloth that bears a body may be thousands of times lighter where it
-/// does: to chains its vertices seem to give way to any pull, and what contacts then push them back with
-/// moves the body by next to nothing in each iteration. A ball of fifteen times its weight fell through a
-/// sheet.
+/// Gives cloth vertices the effective mass of the bodies that they press on. Cloth may be thousands of times
+/// lighter than a body that it supports. To chains its vertices seem to yield to any pull. What contacts push
+/// them back with then moves the body by next to nothing in each iteration. A ball of fifteen times the
+/// cloth's mass fell through.
 ///
 /// So a vertex that a contact pushes, or is about to, resists motion across its chain by what is behind it as
 /// well, 1/w_b (Substep::effective_mass): its share of the body, as for contacts (BodySet). What it has
@@ -22,14 +24,14 @@ struct BodyContacts;
 /// and what comes last must leave chains at their lengths. What lies between a body and something behind it
 /// is pinched (collision/contact/two_sided_contact.h).
 ///
-/// Must come before the cloth; transfer() after it, and before the contacts.
+/// Must come before the cloth's sets. transfer() must come after them, and before the contacts.
 template <class D>
 class EffectiveMass final : public pbd::ConstraintSet<D> {
  public:
   EffectiveMass(D& device, const BodySet<D>& bodies) : device_(device), bodies_(bodies), transfer_(*this) {}
 
   pbd::ConstraintSet<D>& transfer() { return transfer_; }
-  /// Those of all cloth.
+  /// Sets the number of vertices of all cloth.
   void set_vertices(uint32_t count) { vertices_ = count; }
 
   void begin(pbd::Substep<D>& substep) override;

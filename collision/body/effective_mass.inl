@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Kernels and functions of EffectiveMass.
 #pragma once
 
 #include "collision/body/effective_mass.h"
@@ -13,14 +15,14 @@ using pbd::Contact;
 using pbd::Vec4;
 using pbd::View;
 
-/// Contacts with bodies that cloth can move.
+/// Contacts of vertices with bodies that cloth can move.
 struct BodyContacts {
   pbd::ContactView contacts;
   View<const Vec4> position;
   View<Vec4> effective_mass;
   uint32_t sorted;  ///< see ParticleView
 
-  /// The particle of place n among those that touch, or no_index where that is no vertex.
+  /// The particle at index n among those that touch, or no_index if it is no vertex.
   MENISCUS_HD uint32_t vertex(uint32_t n) const {
     const uint32_t i = contacts.touching_particle(n);
     return i != pbd::no_index && i >= sorted && i - sorted < effective_mass.count ? i : pbd::no_index;
@@ -31,7 +33,7 @@ struct BodyContacts {
   MENISCUS_HD static float mass(const Contact& c) { return 1 / c.body_inverse_mass; }
 };
 
-/// What stands behind each vertex; and friction.
+/// Computes the effective mass of each vertex, and applies friction.
 struct Weigh {
   BodyContacts of;
   TwoSidedContacts two_sided;
@@ -50,8 +52,9 @@ struct Weigh {
   }
 };
 
-/// Each contact bears its share. It may pull for an iteration as well, until chains know that it need not
-/// push; and friction is not asked, for a vertex that goes aside takes what it lies on along.
+/// Gives each contact its part of the impulse. For an iteration a contact may also pull, until the chains
+/// account for its push. Friction does not bound the tangential part, because a vertex that moves sideways
+/// takes its support along.
 struct TransferPush {
   BodyContacts of;
 

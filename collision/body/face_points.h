@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set that gives faces of cloth their own contacts with solids, by particles for one substep.
 #pragma once
 
 #include <span>
@@ -11,21 +13,20 @@
 
 namespace meniscus::collision {
 
-/// Keeps what is sharp out from between the vertices of cloth: one contact a face with solids (Macklin et al.
-/// 2020, see face_points_nearest.h), besides those of the vertices.
+/// Keeps sharp features from passing between the vertices of cloth: one contact with solids for each face
+/// (Macklin et al. 2020, see face_points_nearest.h), besides those of the vertices.
 ///
-/// The point of a face that comes nearest to a solid becomes a particle for the length of a substep, behind
-/// all others, and whatever finds and solves contacts of particles does so for it. Takes ContactSet's place
-/// among the sets:
+/// The point of a face that is nearest to a solid becomes a particle for one substep, after all others.
+/// Contacts are found and solved for it as for any particle. Takes ContactSet's place among the sets:
 ///
-///   arrange   looks which faces need a point, and makes the particles;
-///   begin     notes which vertices have any;
-///   project   puts them where their triangles are and gives them their masses, lets ContactSet project all
-///             contacts, and hands on to the vertices what the points have been moved by;
-///   settle    moves out what the iterations have left inside, as a last resort;
+///   arrange   finds which faces need a point, and makes the particles;
+///   begin     counts the points at each vertex;
+///   project   moves the points to their triangles and sets their masses, lets ContactSet project all
+///             contacts, and transfers the points' displacements to the vertices;
+///   settle    is the fail-safe: it moves out the faces that the iterations have left inside;
 ///   end       does the same with velocities as project.
 ///
-/// Impulses are handed on as they are: momentum is kept. While no face needs a point, a substep costs one
+/// The transfer keeps impulses, so momentum is conserved. While no face needs a point, a substep costs one
 /// launch.
 template <class D>
 class FacePoints final : public pbd::ConstraintSet<D> {
@@ -37,9 +38,9 @@ class FacePoints final : public pbd::ConstraintSet<D> {
     wanted_.host()[0] = 0;
   }
 
-  /// All faces there are. The view must stay valid until it is set anew.
+  /// Sets all faces. The view must stay valid until the next call.
   void set_surface(const pbd::SurfaceView& surface);
-  /// The most points that a substep of the last step had use for.
+  /// The largest number of points that a substep of the last step needed.
   uint32_t wanted() const { return wanted_.host()[0]; }
 
   uint32_t extra_particles() const override { return room_; }
@@ -61,7 +62,7 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   bool looks() const;
   void decide(const pbd::Substep<D>& substep, pbd::View<uint32_t> needed);
   face_kernels::Points points(const pbd::Substep<D>& substep) const;
-  /// Whether points take part: they do not where the solver only measures or relaxes.
+  /// Whether points take part. They do not while the solver only measures or relaxes.
   bool any(const pbd::Substep<D>& substep) const {
     return active_ && substep.particles.owned > particles_.count();
   }
@@ -71,10 +72,10 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   const ShapeContacts<D>& shapes_;
   const BodySet<D>& bodies_;
   ContactSet<D>& contacts_;
-  uint32_t vertices_ = 0;  // of the faces
-  uint32_t room_ = 0;      // points
-  bool active_ = false;    // whether points are in use; else it is only looked whether they should be
-  uint32_t idle_ = 0;      // steps in a row that needed none
+  uint32_t vertices_ = 0;  // number of vertices of the faces
+  uint32_t room_ = 0;      // number of points
+  bool active_ = false;    // whether points are in use; else faces are only tested
+  uint32_t idle_ = 0;      // consecutive steps that needed no point
 
   pbd::SurfaceView surface_;
   pbd::Buffer<uint32_t> needed_{device_, "face flags"}, number_{device_, "face point numbers"};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of FacePoints; its kernels are in face_points_kernels.h and face_points_ccd_failsafe.h.
 #pragma once
 
 #include <algorithm>
@@ -32,12 +34,12 @@ void FacePoints<D>::set_room(uint32_t points) {
   pushed_.resize_discard(points);
   demand_.resize_discard(points);
   at_vertex_.resize_discard(points ? vertices_ : 0);
-  room_ = points;  // last: where there was no memory, there is no room
+  room_ = points;  // last: if an allocation throws, there is no room
   active_ = active;
 }
 
-/// Where none were needed for long, none are kept ready: a step that needs some after all is done again, with
-/// the same result as if they had been.
+/// Points are disabled after many steps without need. A step that needs some after all is repeated, with the
+/// same result as if they had been enabled.
 template <class D>
 void FacePoints<D>::save() {
   constexpr uint32_t longest_idle = 100;
@@ -80,7 +82,7 @@ void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
                                      particles_.number.current.view()});
 }
 
-/// While no points are in use, the host learns at the step's end whether any were wanted.
+/// While points are disabled, the host learns at the step's end whether any were needed.
 template <class D>
 void FacePoints<D>::prepare(pbd::Substep<D>& substep) {
   if (prepares()) decide(substep, {});
@@ -148,7 +150,7 @@ void FacePoints<D>::end(pbd::Substep<D>& substep) {
   if (!any(substep)) return contacts_.end(substep);
   const Points all = points(substep);
   const pbd::ParticleView& p = substep.particles;
-  // Weighed anew, as vertices have put down what they bear.
+  // Masses are computed again, because vertices have their own masses back.
   device_.parallel_for("faces/velocities", room_, PlaceVelocities{all, p, substep.contacts, pushed_.view()});
   device_.parallel_for("faces/weigh", room_, Weigh{all, p, substep.contacts, pushed_.view()});
   contacts_.end(substep);

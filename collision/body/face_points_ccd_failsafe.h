@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The last resort of face points: where the solve has left a face (nearly) in a solid, as it may where things
-// are fast and iterations few, its vertices are moved out together. Mass splitting, which keeps a solve calm,
-// would take many more iterations to do that.
+// The CCD fail-safe of face points. With few iterations and fast motion the solve may leave a face (nearly)
+// inside a solid. The face's vertices are then moved out together. Mass splitting keeps a solve stable, but
+// would need many more iterations for that.
 #pragma once
 
 #include "collision/body/body_kernels.h"
@@ -13,10 +13,11 @@ namespace meniscus::collision::face_kernels {
 
 using body_kernels::ContactMotion;
 
-/// By how much each face must move, m. Solids are looked at again, as what they are: a face may have slid off
-/// the plane that stood for one, and be in another part of it.
+/// The displacement that each face demands, m. The solids themselves are sampled again. A face may have slid
+/// off the plane that stood for a solid, into another part of it.
 struct Demand {
-  // Of the contact's radius. What is slow is moved by little, as it may be pressed there by a great weight.
+  // Fractions of the contact radius. A slow face is moved by little, because a great weight may press it
+  // there.
   static constexpr float least = 0.25f, enough = 0.3f, enough_when_fast = 0.5f;
 
   Points points;
@@ -26,14 +27,14 @@ struct Demand {
   shape_contact_kernels::Touches touches;
   View<const BodyProxy> bodies;
   View<const ContactMotion> body_motion;
-  View<const uint32_t> stirred;  ///< by point: whether the last round has moved its face; none in the first
+  View<const uint32_t> stirred;  ///< by point: whether the last round moved its face; empty at first
   View<Vec4> demand;             ///< by point
 
-  /// What was put into a solid comes out by its contacts alone.
+  /// A face that overlapped the solid at insertion leaves it by its contacts alone.
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = points.first + n;
     Vec3 step{0, 0, 0};
-    const bool unchanged = stirred.count && !stirred[n];  // it asked for nothing, and would again
+    const bool unchanged = stirred.count && !stirred[n];  // it demanded nothing, and would again
     if (n < points.count() && !unchanged && contacts.start[i] != contacts.start[i + 1] &&
         !touches.may_overlap(i))
       step = step_of(points.triangle_of[n]);
@@ -49,7 +50,8 @@ struct Demand {
     if (!is_finite(box.lower) || !is_finite(box.upper)) return step;
     for (uint32_t k = 0; k < set.shapes.count; ++k) {
       const Shape& shape = set.shapes[k];
-      // What contacts have moved a body by may be as far as it would have moved by itself.
+      // The displacement of a body by contacts may be as large as its own motion, so the bounds are tested
+      // with it.
       if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, touch.radius)) continue;
       if (!collide(shape, touch.filter)) continue;
       const Vec3 other = step_from(shape, motion, t, touch.radius);
@@ -66,7 +68,7 @@ struct Demand {
     if (!field.may_reach(motion)) return {0, 0, 0};
     FaceMeeting meeting = meet_face(field, motion, least * radius);
     float lacking = lacking_of(motion, meeting, radius);
-    if (lacking <= 0 && displacement_of(motion) > least * radius) {  // there; but elsewhere, at the end?
+    if (lacking <= 0 && displacement_of(motion) > least * radius) {  // there; the end may have another
       meeting = {field.nearest(motion.to, 0.01f * radius), motion.to};
       lacking = lacking_of(motion, meeting, radius);
     }
@@ -76,7 +78,7 @@ struct Demand {
     return lacking * share_of(shape, t, s.weights, point_of(world.to, s.weights), normal) * normal;
   }
 
-  /// What the meeting's point lacks at the end, from the plane that it met, m.
+  /// The distance that the point of the meeting lacks at the end, from the plane that it met, m.
   MENISCUS_HD static float lacking_of(const FaceMotion& motion, const FaceMeeting& meeting, float radius) {
     const FaceSample& s = meeting.sample;
     const Vec3 displacement = point_of(motion.to, s.weights) - point_of(meeting.face, s.weights);
@@ -85,7 +87,7 @@ struct Demand {
     return distance < least * radius ? wanted * radius - distance : 0;
   }
 
-  /// Where the shape is now that contacts have moved its body.
+  /// The pose of the shape after the displacement of its body by contacts.
   MENISCUS_HD Pose pose_of(const Shape& shape) const {
     if (shape.body == pbd::no_index) return shape.pose;
     const BodyProxy& body = bodies[shape.body];
@@ -94,8 +96,8 @@ struct Demand {
     return displaced(body.pose, motion.shift, motion.turn) * (inverse(body.pose) * shape.pose);
   }
 
-  /// Of the way, what the vertices must go, as some of them may be held; the body goes the rest when it has
-  /// got its impulse.
+  /// The factor from the lacking distance to the vertices' displacement. Some vertices may be held, so the
+  /// others move further. The body moves the rest when it has got its impulse.
   MENISCUS_HD float share_of(const Shape& shape, const SurfaceTriangle& t, Vec3 weights, Vec3 at,
                              Vec3 normal) const {
     float mass = 0, free = 0;
@@ -118,8 +120,8 @@ struct Demand {
   }
 };
 
-/// The step of a vertex that goes as far along each of its faces' demands as that says: then the faces do.
-/// Calls visit(point, part) with what each demand adds.
+/// The displacement of a vertex by which it fulfils the demand of each of its faces; then the faces fulfil
+/// theirs. Calls visit(point, part) with what each demand adds.
 template <class Visit>
 MENISCUS_HD Vec3 obey(const Points& points, View<const Vec4> demand, uint32_t vertex, const Visit& visit) {
   Vec3 step{0, 0, 0};
@@ -134,7 +136,7 @@ MENISCUS_HD Vec3 obey(const Points& points, View<const Vec4> demand, uint32_t ve
   return step;
 }
 
-/// The solid gets back what the vertices are given. Notes whose faces will move, too.
+/// Gives the solid the opposite of the vertices' impulses. Marks the faces that will move.
 struct Account {
   Points points;
   ParticleView particles;

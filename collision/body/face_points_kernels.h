@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of face_points.inl. A triangle has at most one point; a point is a particle behind all others.
-// Points are numbered in the order of their triangles.
+// The kernels of face_points.inl. A triangle has at most one point, and a point is a particle after all
+// others. Points are numbered in the order of their triangles.
 #pragma once
 
 #include "collision/body/face_points_nearest.h"
@@ -21,7 +21,7 @@ MENISCUS_HD inline float component(Vec3 v, uint32_t k) {
   return k == 0 ? v.x : k == 1 ? v.y : v.z;
 }
 
-/// A triangle's way through the substep.
+/// The motion of a triangle over the substep.
 MENISCUS_HD inline FaceMotion motion_of(const ParticleView& p, const SurfaceTriangle& t) {
   const uint32_t a = p.sorted + t.a, b = p.sorted + t.b, c = p.sorted + t.c;
   const View<const Vec4> position = p.position;
@@ -33,7 +33,7 @@ MENISCUS_HD inline Triangle in_frame(const Triangle& t, const Pose& pose) {
   return {to_local(pose, t.a), to_local(pose, t.b), to_local(pose, t.c)};
 }
 
-/// The way as a shape sees it that ends up at `pose`.
+/// The same motion relative to a shape whose final pose is `pose`.
 MENISCUS_HD inline FaceMotion motion_beside(const Shape& shape, const Pose& pose, const FaceMotion& m) {
   const Pose& start = shape.body == pbd::no_index ? shape.pose : shape.start;
   return {in_frame(m.from, start), in_frame(m.to, pose)};
@@ -45,20 +45,21 @@ MENISCUS_HD inline Aabb bounds_of(const FaceMotion& m) {
           max(max(max(from.a, from.b), from.c), max(max(to.a, to.b), to.c))};
 }
 
-/// Of the contact's radius: a face has a point where it comes so much nearer than its vertices.
+/// Fraction of the contact radius: a face gets a point where it is nearer than its vertices by this much.
 constexpr float slack = 0.25f;
-// Points stop at less than 1 − slack: where vertices rest, also where they are pressed in by a little, points
-// touch before they push. Were they to appear where they push, cloth that rests with faces about the slack
-// would be kicked for ever.
+// Points stop at less than 1 − slack. So where vertices rest, even slightly pressed in, points touch before
+// they push. If points appeared only where they push, resting cloth with faces near the slack would be kicked
+// for ever.
 static_assert(shape_contact_kernels::face_radius < 1 - slack);
 
-/// Decides whether a face needs a point: where it comes near a solid, and clearly nearer than its vertices.
+/// Decides whether a face needs a point. It does where it comes near a solid, and clearly nearer than its
+/// vertices.
 struct Decide {
   ShapeSet set;
   shape_contact_kernels::Touches touches;
   View<const SurfaceTriangle> triangles;
   ParticleView particles;
-  View<uint32_t> needed;  ///< by triangle, 1 or 0; none while no points are in use
+  View<uint32_t> needed;  ///< by triangle, 1 or 0; empty while points are disabled
   View<Vec4> weights;     ///< by triangle, where needed
   View<uint32_t> wanted;  ///< one element
 
@@ -77,7 +78,8 @@ struct Decide {
 
   MENISCUS_HD static FaceSample nothing() { return {{1, 0, 0}, {1e30f, {0, 1, 0}}}; }
 
-  /// Some vertex can move, and none is attached to a body: what is lies on it, and would always touch.
+  /// Whether some vertex can move and none is attached to a body. An attached vertex lies on the body and
+  /// would always touch it.
   MENISCUS_HD bool may_meet(const SurfaceTriangle& t) const {
     const uint32_t a = particles.sorted + t.a, b = particles.sorted + t.b, c = particles.sorted + t.c;
     return particles.position[a].w + particles.position[b].w + particles.position[c].w > 0 &&
@@ -85,7 +87,7 @@ struct Decide {
            touches.body_of(c) == pbd::no_index;
   }
 
-  /// The deepest point that is needed, over all shapes.
+  /// The deepest point over all shapes, if the face needs one.
   MENISCUS_HD FaceSample look(const FaceMotion& motion, const Touch& touch) const {
     const Aabb box = bounds_of(motion);
     const float reach = 2 * touch.radius;
@@ -114,14 +116,14 @@ struct Decide {
   }
 };
 
-/// What kernels know of the points in use.
+/// The points in use, as kernels read them.
 struct Points {
   View<const SurfaceTriangle> triangles;
   View<const uint32_t> needed;          ///< by triangle
-  View<const uint32_t> number;          ///< by triangle: of its point, where needed; and the total
+  View<const uint32_t> number;          ///< by triangle: number of its point, where needed; last: the total
   View<const Vec4> weights;             ///< by triangle
   View<const uint32_t> triangle_of;     ///< by point
-  View<const uint32_t> fan_start, fan;  ///< of each vertex its triangles' corners: 3 · triangle + corner
+  View<const uint32_t> fan_start, fan;  ///< CSR, by vertex: its corners, 3 · triangle + corner
   uint32_t first = 0;                   ///< the particle that is point 0
   uint32_t room = 0;
 
@@ -130,14 +132,14 @@ struct Points {
     return total < room ? total : room;
   }
   MENISCUS_HD bool has_point(uint32_t triangle) const { return needed[triangle] && number[triangle] < room; }
-  /// The mean of the corners' values, by the point's weights.
+  /// The mean of the corners' values, with the point's weights.
   MENISCUS_HD Vec3 mix(View<const Vec4> values, uint32_t sorted, uint32_t triangle) const {
     const SurfaceTriangle t = triangles[triangle];
     const Vec4 w = weights[triangle];
     return w.x * values[sorted + t.a].xyz() + w.y * values[sorted + t.b].xyz() +
            w.z * values[sorted + t.c].xyz();
   }
-  /// Calls visit(particle, weight) for the points that touch a vertex, in a fixed order.
+  /// Calls visit(particle, weight) for the points on the triangles of a vertex, in a fixed order.
   template <class Visit>
   MENISCUS_HD void for_each_at(uint32_t vertex, const Visit& visit) const {
     for (uint32_t k = fan_start[vertex]; k < fan_start[vertex + 1]; ++k) {
@@ -158,7 +160,7 @@ struct ListPoints {
   }
 };
 
-/// Makes a particle of each point. Those that are not in use stand on some vertex and cannot move.
+/// Makes a particle of each point. Particles of unused points are placed at a vertex and cannot move.
 struct MakeParticles {
   Points points;
   ParticleView particles;
@@ -181,12 +183,12 @@ struct MakeParticles {
       return;
     }
     const Vec3 at = points.mix(particles.position, sorted, triangle);
-    const float w = inverse_mass(triangle);  // Weigh follows when contacts are known
+    const float w = inverse_mass(triangle);  // Weigh sets the final value when contacts are known
     particles.position[i] = pbd::with_w(at, w);
     previous[i] = pbd::with_w(points.mix(previous, sorted, triangle), w);
     particles.velocity[i] = pbd::with_w(points.mix(particles.velocity, sorted, triangle), 0);
   }
-  /// Σ b² w over the corners; never 0, which means that a point is not in use.
+  /// Σ b² w over the corners. Never 0, because 0 marks an unused point.
   MENISCUS_HD float inverse_mass(uint32_t triangle) const {
     const uint32_t sorted = particles.sorted;
     const SurfaceTriangle t = points.triangles[triangle];
@@ -202,8 +204,8 @@ struct MakeParticles {
   }
 };
 
-/// How many points with contacts touch each vertex. While one of them is in a solid that its face was put
-/// into, the vertex is not out of it either.
+/// Counts the points with contacts at each vertex. While one of them is in a solid that its face overlapped
+/// at insertion, the vertex keeps the flag for overlap as well.
 struct CountAtVertices {
   Points points;
   View<const uint32_t> contact_start;
@@ -223,7 +225,7 @@ struct CountAtVertices {
   }
 };
 
-/// Whether a particle's contacts push it, or are about to.
+/// Whether contacts push a particle, or are about to.
 MENISCUS_HD inline bool is_pushed(const pbd::ContactView& contacts, uint32_t i, Vec3 at) {
   for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
     const pbd::Contact& c = contacts.contacts[k];
@@ -232,14 +234,14 @@ MENISCUS_HD inline bool is_pushed(const pbd::ContactView& contacts, uint32_t i, 
   return false;
 }
 
-/// Whether its contacts have pushed a particle in the end: these alone make it bounce.
+/// Whether contacts have pushed a particle at the end of the solve. Only such contacts bounce.
 MENISCUS_HD inline bool was_pushed(const pbd::ContactView& contacts, uint32_t i) {
   for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k)
     if (contacts.contacts[k].normal_multiplier > 0) return true;
   return false;
 }
 
-/// Points go to where their triangles are.
+/// Moves the points to their triangles.
 struct Place {
   Points points;
   ParticleView particles;
@@ -256,9 +258,9 @@ struct Place {
   }
 };
 
-/// w = Σ b² n w over the corners: each vertex is split among the n points that push it, and its own contacts
-/// (mass splitting, Tonge, Benevolenski & Voroshilov 2012), so that all of them moving it at once do not move
-/// it too far. Points that do not push are not counted, or those that do would hardly get on.
+/// w = Σ b² n w over the corners. Each vertex is split among the n points that push it and its own contacts
+/// (mass splitting, Tonge, Benevolenski & Voroshilov 2012). So all of them together do not move it too far.
+/// Points that do not push are not counted, because otherwise the pushing points would converge slowly.
 struct Weigh {
   Points points;
   ParticleView particles;
@@ -283,7 +285,8 @@ struct Weigh {
   }
 };
 
-/// What a point has been moved by is an impulse of so much over its w: its vertices share it by its weights.
+/// Transfers a point's displacement to the vertices. It is an impulse of the displacement over the point's w,
+/// and the vertices get fractions of it by the point's weights.
 struct HandBack {
   Points points;
   ParticleView particles;
@@ -298,13 +301,14 @@ struct HandBack {
     });
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
-    const Vec3 by = x.w > 0 ? x.w * impulse : impulse;  // what is held notes what it withstands
+    const Vec3 by = x.w > 0 ? x.w * impulse : impulse;  // a held vertex stores the impulse that it resists
     particles.accumulated_delta[i] = pbd::with_w(particles.accumulated_delta[i].xyz() + by, 0);
     if (x.w > 0) particles.position[i] = pbd::with_w(x.xyz() + by, x.w);
   }
 };
 
-/// Points take their triangles' velocities, and keep them in mind in `moved`, which nobody needs any more.
+/// Gives the points their triangles' velocities, and saves these in the accumulated delta, which is no longer
+/// needed.
 struct PlaceVelocities {
   Points points;
   ParticleView particles;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The point of a triangle that is deepest in a shape, or nearest to it. After Macklin, Erleben, Müller,
-// Chentanez, Jeschke & Kim 2020, "Local optimization for robust signed distance field collision", with
-// projected gradient steps in place of Frank and Wolfe's: outside of the shape they are alternating
-// projections, which end at a box's corner or edge where Frank–Wolfe zigzags.
+// Chentanez, Jeschke & Kim 2020, "Local optimization for robust signed distance field collision". Departure:
+// projected gradient steps take the place of Frank–Wolfe. Outside the shape they are alternating projections,
+// which end at a box's corner or edge, where Frank–Wolfe zigzags.
 #pragma once
 
 #include "collision/contact/shape.h"
@@ -12,13 +12,13 @@
 
 namespace meniscus::collision {
 
-/// A point of a triangle, and what it sees of a shape.
+/// A point of a triangle, and the nearest surface of a shape.
 struct FaceSample {
   Vec3 weights;           ///< barycentric
   SurfaceSample surface;  ///< in the frame of the triangle
 };
 
-/// A triangle on its straight way through a substep, in a shape's frame.
+/// The straight motion of a triangle over a substep, in a shape's frame.
 struct FaceMotion {
   Triangle from, to;
 };
@@ -32,13 +32,13 @@ MENISCUS_HD inline Triangle between(const FaceMotion& m, float fraction) {
           m.from.c + fraction * (m.to.c - m.from.c)};
 }
 
-/// The longest way of any of its points, m.
+/// The largest displacement of any of its points, m.
 MENISCUS_HD inline float displacement_of(const FaceMotion& m) {
   return sqrtf(pbd::max(squared_length(m.to.a - m.from.a),
                         pbd::max(squared_length(m.to.b - m.from.b), squared_length(m.to.c - m.from.c))));
 }
 
-/// How far the corners are from the centre, m.
+/// The largest distance of a corner from the centre, m.
 MENISCUS_HD inline float radius_of(const Triangle& t) {
   const Vec3 centre = (1.0f / 3) * (t.a + t.b + t.c);
   return sqrtf(pbd::max(squared_length(t.a - centre),
@@ -55,7 +55,7 @@ MENISCUS_HD inline Vec3 nearest_weights(const Triangle& t, Vec3 p) {
   return sum > 0 ? areas / sum : Vec3{1, 0, 0};
 }
 
-/// What the triangle's points see of one shape that is not a plane.
+/// The distance field of one shape that is not a plane, sampled at points of a triangle.
 struct FaceField {
   const ShapeSet& set;
   const Shape& shape;
@@ -65,14 +65,14 @@ struct FaceField {
     return {weights, detail::local_surface(set, shape, point_of(t, weights), reach)};
   }
 
-  /// Whether any part of the moving face may come within reach, at a glance: where the centre is too far away
-  /// at the end, it may not.
+  /// A quick test of whether any part of the moving face may come within reach. It may not where the centre
+  /// is too far away at the end.
   MENISCUS_HD bool may_reach(const FaceMotion& m) const {
     constexpr float third = 1.0f / 3;
     return at(m.to, {third, third, third}).surface.distance < reach;
   }
 
-  /// The best of the corners, the centre and the middles of the sides.
+  /// The best of the corners, the centre and the midpoints of the sides.
   MENISCUS_HD FaceSample seed(const Triangle& t) const {
     FaceSample best = at(t, {1.0f / 3, 1.0f / 3, 1.0f / 3});
     for (int k = 0; k < 6; ++k) {
@@ -85,10 +85,10 @@ struct FaceField {
     return best;
   }
 
-  /// Downhill from a sample, to `tolerance` (m). From outside the way to the surface, and back on to the
-  /// triangle, never leads up; what a step takes beyond that is shortened where it does. Where steps are
-  /// short and many, as along an edge, the way of the last two is gone on as far as it leads down (Hooke &
-  /// Jeeves 1961).
+  /// Descends from a sample, to `tolerance` (m). From outside, the step to the surface and back onto the
+  /// triangle never increases the distance. Beyond that, steps are shortened where they do. Along an edge,
+  /// steps are short and many. So the sum of the last two steps is repeated and doubled while it descends
+  /// (Hooke & Jeeves 1961).
   MENISCUS_HD FaceSample descend(const Triangle& t, FaceSample best, float tolerance) const {
     constexpr int most_steps = 24;
     float beyond = 0.5f * radius_of(t);
@@ -121,7 +121,7 @@ struct FaceField {
     return best;
   }
 
-  /// Of weights that add up to 1, others that are not negative.
+  /// Maps weights that sum to 1 to weights that are not negative.
   MENISCUS_HD static Vec3 inside(Vec3 weights) {
     const Vec3 w = max(weights, {0, 0, 0});
     return w / (w.x + w.y + w.z);
@@ -134,7 +134,7 @@ struct FaceField {
   }
 };
 
-/// What the corners of a face see.
+/// The samples at the corners of a face.
 struct FaceCorners {
   SurfaceSample a, b, c;
 };
@@ -147,10 +147,11 @@ MENISCUS_HD inline float least(const FaceCorners& s) {
   return pbd::min(s.a.distance, pbd::min(s.b.distance, s.c.distance));
 }
 
-/// Whether some point of a face may be nearer by `dip` (m) than all of its corners. Distance from what is
-/// convex is a convex function: it is above its tangents at the corners. Of those, mixed by a point's
-/// weights b, remain the corners' distances, less Σ bᵢ bⱼ (nᵢ − nⱼ)·(xᵢ − xⱼ) over the sides, which is a
-/// third of its largest factor at most. What may not be convex is looked at in more places besides.
+/// Whether some point of a face may be nearer by `dip` (m) than all of its corners. The distance from a
+/// convex shape is a convex function, so it lies above its tangents at the corners. The tangents are mixed by
+/// a point's weights b. What remains is the mean of the corners' distances, less Σ bᵢ bⱼ (nᵢ − nⱼ)·(xᵢ − xⱼ)
+/// over the sides. This sum is at most a third of its largest factor. Shapes that may not be convex are
+/// sampled at more points as well.
 MENISCUS_HD inline bool may_dip(const FaceField& field, const Triangle& t, float dip) {
   const FaceCorners s = corners_of(field, t);
   const float largest =
@@ -162,15 +163,15 @@ MENISCUS_HD inline bool may_dip(const FaceField& field, const Triangle& t, float
   return !convex && field.seed(t).surface.distance < least(s) - 0.25f * dip;
 }
 
-/// Where on its way a face meets a shape.
+/// Where a face meets a shape during its motion.
 struct FaceMeeting {
   FaceSample sample;
-  Triangle face;  ///< then, in the shape's frame
+  Triangle face;  ///< the face at that time, in the shape's frame
 };
 
-/// Where the moving face first comes within `touch` (m) of the shape and goes on into it, by conservative
-/// advancement; where it does not, its nearest point at the end. Moving less than that, it is looked at there
-/// alone.
+/// Where the moving face first comes within `touch` (m) of the shape and moves on into it, by conservative
+/// advancement. Where it does not, its nearest point at the end. A face that moves by less than `touch` is
+/// tested at the end alone.
 MENISCUS_HD inline FaceMeeting meet_face(const FaceField& field, const FaceMotion& m, float touch) {
   constexpr int most_steps = 32;
   const float displacement = displacement_of(m), tolerance = 0.02f * touch;

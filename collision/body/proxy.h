@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Rigid bodies as the solver's kernels see them: stand-ins that are predicted with the particles, and pushed
-// about by them within the iterations. What comes of it goes to the rigid world as an impulse.
+// Rigid bodies as kernels read them: proxies that are predicted with the particles, and that particles push
+// within the iterations. The result goes to the rigid world as an impulse.
 #pragma once
 
 #include "collision/contact/shape.h"
@@ -13,11 +13,11 @@
 namespace meniscus::collision {
 
 struct BodyProxy {
-  Pose start, pose;  ///< at the substep's start; predicted for its end
+  Pose start, pose;  ///< at the substep's start; and predicted for its end
   float inverse_mass;
   Vec3 inverse_inertia;  ///< principal
-  uint32_t first, end;   ///< of its contacts, among those that are grouped by body
-  uint32_t two_sided;    ///< the first of those with particles that something holds on the other side
+  uint32_t first, end;   ///< the range of its contacts, in the order grouped by body
+  uint32_t two_sided;    ///< the first of its two-sided contacts
   uint32_t attached;     ///< the first of its attachments, which come last
 };
 
@@ -27,21 +27,21 @@ MENISCUS_HD inline Vec3 inverse_inertia_times(const BodyProxy& body, Vec3 t) {
   return rotate(body.pose.rotation, {i.x * local.x, i.y * local.y, i.z * local.z});
 }
 
-/// 1/M + (r × n)ᵀ I⁻¹ (r × n): how readily the point at r gives way along n, 1/kg.
+/// 1/M + (r × n)ᵀ I⁻¹ (r × n): the inverse mass of the point at r along n, 1/kg.
 MENISCUS_HD inline float inverse_mass_at(const BodyProxy& body, Vec3 r, Vec3 n) {
   const Vec3 lever = cross(r, n);
   return body.inverse_mass + dot(lever, inverse_inertia_times(body, lever));
 }
 
-/// 1/M + [r]ᵀ I⁻¹ [r]: how an impulse at r moves the point there, 1/kg.
+/// 1/M + [r]ᵀ I⁻¹ [r]: the inverse mass matrix of the point at r, 1/kg.
 MENISCUS_HD inline Sym3 inverse_mass_matrix(const BodyProxy& body, Vec3 r) {
   const Mat3 lever = cross_matrix(rotate(conjugate(body.pose.rotation), r), 0);
   const Sym3 local = symmetric_product(times_diagonal(lever, body.inverse_inertia), lever);
   return turned(rotation_matrix(body.pose.rotation), local) + diagonal(body.inverse_mass);
 }
 
-/// The most of inverse_mass_at along any direction. [r]ᵀ I⁻¹ [r] has the eigenvalue 0 along r; the two others
-/// have its trace for their sum, and |r|² rᵀ adj(I⁻¹) r for their product.
+/// The maximum of inverse_mass_at over all directions. [r]ᵀ I⁻¹ [r] has the eigenvalue 0 along r. The sum of
+/// the two others is its trace, and their product is |r|² rᵀ adj(I⁻¹) r.
 MENISCUS_HD inline float largest_inverse_mass_at(const BodyProxy& body, Vec3 r) {
   const Vec3 local = rotate(conjugate(body.pose.rotation), r), i = body.inverse_inertia;
   const Vec3 s{local.x * local.x, local.y * local.y, local.z * local.z};
@@ -74,7 +74,7 @@ MENISCUS_HD inline Aabb world_box(const Pose& pose, const Aabb& local) {
   return {centre - reach, centre + reach};
 }
 
-/// Where a body is at the substep's start, and at its end.
+/// The poses of a body at the substep's start and at its end.
 struct BodyEnds {
   Pose start, pose;
 };
@@ -89,7 +89,7 @@ MENISCUS_HD inline void carry(const CarriedShape& carried, const BodyEnds& body,
     return;
   }
   const Aabb from = world_box(shape.start, carried.bounds), to = world_box(shape.pose, carried.bounds);
-  // On the way a turn may bulge out of both boxes, by no more than the sagitta of the outermost point's arc.
+  // During a turn the shape may leave both boxes, by no more than the sagitta of the outermost point's arc.
   const Vec3 far = max(abs(carried.bounds.lower), abs(carried.bounds.upper)) + abs(carried.pose.position);
   const Quat turn = body.pose.rotation * conjugate(body.start.rotation);
   const float sine2 = turn.x * turn.x + turn.y * turn.y + turn.z * turn.z;  // sin² of half the angle

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Which shapes a particle may meet. Particles that are neighbours in memory are neighbours in space: 32 of
-// them share one list, a bit a shape.
+// Lists of candidate shapes for particles. Particles that are neighbours in memory are neighbours in space,
+// so 32 of them share one list, with one bit a shape.
 #pragma once
 
 #include "collision/contact/find_contact.h"
@@ -10,23 +10,24 @@
 
 namespace meniscus::collision {
 
-inline constexpr uint32_t cluster_size = 32;  ///< particles; a warp's
+inline constexpr uint32_t cluster_size = 32;  ///< particles, as many as a warp has threads
 
-/// For kernels.
+/// The lists as kernels read them.
 struct CandidateView {
-  pbd::View<const uint32_t> masks;  ///< of each cluster so many words, a bit a shape
+  pbd::View<const uint32_t> masks;  ///< `words` words for each cluster, one bit a shape
   uint32_t words = 0;
 
-  /// Calls visit(shape) for each, in the order of their numbers.
+  /// Calls visit(shape) for each candidate, in the order of the shapes' numbers.
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t particle, const Visit& visit) const {
     Walk walk = walk_from(particle);
     for (uint32_t shape = walk.next(); shape != pbd::no_index; shape = walk.next()) visit(shape);
   }
 
-  /// The same for those whose bounds are within `reach` (m) of the box of a motion, and for planes. Scattered
-  /// drops share hundreds of candidates, each of them near another few. So bounds are loaded several at a
-  /// time, and what is near is put aside first: then all threads of a warp visit their own at once.
+  /// The same, for planes and for shapes whose bounds are within `reach` (m) of the box of a motion.
+  /// Scattered drops share hundreds of candidates, and each particle is near few of them. So bounds are
+  /// loaded several at a time, and near shapes are collected first. Then all threads of a warp visit their
+  /// shapes at once.
   template <class Visit>
   MENISCUS_HD void for_each_near(const ShapeSet& set, uint32_t particle, const Motion& motion, float reach,
                                  const Visit& visit) const {
@@ -53,7 +54,7 @@ struct CandidateView {
   }
 
  private:
-  /// Goes through the bits of a cluster's words.
+  /// Iterates over the bits of a cluster's words.
   struct Walk {
     const uint32_t *word, *end;
     uint32_t mask, first;
@@ -74,7 +75,7 @@ struct CandidateView {
     const uint32_t* word = masks.data + particle / cluster_size * words;
     return {word, word + words, 0, 0u - 32};
   }
-  /// Of a shape all that the test needs, which comes at once: no load waits for what another has told.
+  /// All that the test needs of a shape. It is loaded at once, so no load waits for the result of another.
   struct Bounds {
     Aabb box;
     bool everywhere, nowhere;
@@ -98,14 +99,15 @@ MENISCUS_HD inline Aabb joined(const Aabb* boxes, uint32_t count) {
   return all;
 }
 
-/// Boxes of motions while those of some clusters are joined.
+/// Scratch memory: boxes of the motions of some clusters while they are joined.
 struct BoundScratch {
-  static constexpr uint32_t clusters = 4, parts = 8;  // of a cluster
+  static constexpr uint32_t clusters = 4, parts = 8;  // parts: of a cluster
 
   Aabb motions[cluster_size * clusters], joined[parts * clusters];
 };
 
-/// The boxes of all motions of some clusters: at first each particle's, then joined by fours, then by eights.
+/// Computes the box of the motions of each of some clusters: first each particle's, then joined by fours,
+/// then by eights.
 struct BoundClusters {
   using Scratch = BoundScratch;
 
@@ -131,7 +133,7 @@ struct BoundClusters {
   }
 };
 
-/// What some clusters that are neighbours may meet of some words of shapes.
+/// Scratch memory of MarkCandidates, for some neighbouring clusters and some words of shapes.
 struct MarkScratch {
   static constexpr uint32_t clusters = 32, words = 4, shapes = 32 * words, parts = 8;
 
@@ -140,7 +142,8 @@ struct MarkScratch {
   uint32_t near_any_mask[words];
 };
 
-/// Shapes are first held against a box of all those clusters: few are left for each of them to look at.
+/// Marks the candidates of each cluster. Shapes are first tested against one box around all those clusters,
+/// so each cluster tests few.
 struct MarkCandidates {
   using Scratch = MarkScratch;
 
@@ -201,7 +204,7 @@ struct MarkCandidates {
 
 }  // namespace candidate_kernels
 
-/// Owns the lists.
+/// Owns the lists of candidates.
 class Candidates {
  public:
   explicit Candidates(pbd::Device& device)

@@ -1,23 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set that solves the contacts of particles: normal, friction and restitution.
 #pragma once
 
 #include "pbd/substep.h"
 
 namespace meniscus::collision {
 
-/// Keeps particles out of solids, with friction, restitution and adhesion.
+/// Keeps particles out of solids, with friction, restitution and adhesion:
 ///
-///   normal    C = n·(p − point) − r ≥ 0, Δλ = −C/(w + w_b). The substep's multiplier is accumulated and
-///             clamped at 0, so that a contact never pulls, and takes back what it pushed too far; with
-///             adhesion it may pull so far.
-///   friction  positional Coulomb friction (Macklin et al. 2014, eqs. 23 and 24): the substep's slip on the
-///             surface is taken back up to μ times the normal load, the density constraint's pressure in it.
-///   bounce    after the solve, the speed of parting is at least −e · (approach speed): what has met a
-///             surface does not go on into it.
+///   normal    C = n·(p − point) − r ≥ 0, Δλ = −C/(w + w_b). The multiplier is accumulated over the substep
+///             and clamped at 0. So a contact never pulls, and an iteration can undo what an earlier one
+///             pushed too far. With adhesion the multiplier may be negative, down to a bound.
+///   friction  positional Coulomb friction (Macklin et al. 2014, eqs. 23 and 24): the substep's slip along
+///             the surface is taken back, up to μ times the normal load. The load includes the pressure that
+///             the density constraint exerts on the contact.
+///   bounce    after the solve, the speed of separation is at least −e · (approach speed). With e = 0 a
+///             particle that has met a surface does not move on into it.
 ///
-/// w_b is a body's inverse mass at the contact, split among its contacts (collision/body/body_set.h); 0 for
-/// what is fixed.
+/// w_b is a body's inverse mass at the contact, split among its contacts (collision/body/body_set.h). It is 0
+/// for a fixed solid.
 template <class D>
 class ContactSet final : public pbd::ConstraintSet<D> {
  public:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Kernels and functions of ContactSet.
 #pragma once
 
 #include <utility>
@@ -31,7 +33,7 @@ struct Bounce {
   View<const Vec4> position;
   ContactView contacts;
   float dt;
-  float resting_speed;  ///< m/s: slower impacts do not bounce, or nothing would come to rest
+  float resting_speed;  ///< m/s: slower impacts do not bounce; otherwise nothing would come to rest
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.touching_particle(n);
@@ -52,7 +54,7 @@ struct Bounce {
     if (!(v == before.xyz())) velocity[i] = pbd::with_w(v, before.w);
   }
 
-  /// kg·m/s, that the contact lacks for parting as it should.
+  /// The impulse, kg·m/s, that the contact must add to reach its speed of separation.
   MENISCUS_HD float parting_impulse(const Contact& c, Vec3 v, float w) const {
     const float bounce = c.approach_speed < -resting_speed ? -c.restitution * c.approach_speed : 0;
     const float lacking = bounce - dot(v - c.surface_motion / dt, c.normal);
@@ -71,7 +73,7 @@ void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
 
 template <class D>
 void ContactSet<D>::end(pbd::Substep<D>& substep) {
-  constexpr float gravity_scale = 9.81f;  // a contact at rest gathers about g·h_t within a substep
+  constexpr float gravity_scale = 9.81f;  // a contact at rest gains about g·h_t within a substep
   device_.parallel_for("contacts/bounce", substep.contacts.contacts.count,
                        contact_kernels::Bounce{substep.particles.velocity, substep.particles.position,
                                                substep.contacts, substep.dt, 4 * gravity_scale * substep.dt});

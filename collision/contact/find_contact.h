@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds the contact of one particle, or of one point of a face, with one shape.
 #pragma once
 
 #include "collision/contact/sweep.h"
@@ -10,24 +12,24 @@ namespace meniscus::collision {
 struct FoundContact {
   SurfaceSample surface;  ///< as seen from `at`
   Vec3 at;                ///< m
-  bool found;             ///< near enough to have images (fluid/kernel/mirror_ghosts.h)
+  bool found;             ///< near enough to have mirror ghosts (fluid/kernel/mirror_ghosts.h)
 };
 
 MENISCUS_HD inline FoundContact no_contact() {
   return {{0, {0, 1, 0}}, {0, 0, 0}, false};
 }
 
-/// Looks for the contact of one particle with a plane.
+/// Finds the contact of one particle with a plane.
 MENISCUS_HD inline FoundContact find_plane_contact(const ShapeSet& set, const Shape& plane, const Motion& m,
                                                    float radius, float h) {
   const SurfaceSample s = plane_surface(plane, m.to);
-  // Images end where what touches the surface is a support radius away.
+  // Mirror ghosts end where a particle that touches the surface is a support radius away.
   const bool near = s.distance < h - radius;
   return {s, m.to, near && !left_through_opening(set, plane, m, radius)};
 }
 
-/// Looks for the contact of one particle with one shape, where the motion ends. With what moves it is where
-/// the two met on the way: so that the contact holds the particle back on its side, and both share the
+/// Finds the contact of one particle with one shape at the end of the motion. With a moving shape the contact
+/// is where the two met during the motion. Then it holds the particle on its own side, and both share the
 /// impulse.
 MENISCUS_HD inline FoundContact find_contact(const ShapeSet& set, const Shape& shape, const Motion& m,
                                              float radius, float h) {
@@ -42,8 +44,8 @@ MENISCUS_HD inline FoundContact find_contact(const ShapeSet& set, const Shape& s
   return {surface, m.to, surface.distance < h - radius};
 }
 
-/// The same for a point of a face, whose motion nothing has cut short: on its way it may have met what is
-/// fixed as well, and where it ends in a solid, its way says which side it came from.
+/// The same for a point of a face. No sweep has clamped its motion, so it may have passed through fixed
+/// shapes as well. Where it ends inside a solid, its motion tells the side that it came from.
 MENISCUS_HD inline FoundContact find_face_contact(const ShapeSet& set, const Shape& shape, const Motion& m,
                                                   float radius, float h) {
   if (shape.kind == ShapeKind::plane) return find_plane_contact(set, shape, m, radius, h);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Ground given by heights over a regular grid. Where the grid ends the ground ends too, in an upright cliff:
-// a point beyond the border is outside whatever its height, one above the ground sees the surface and its
-// edge, one lower than the edge sees the cliff. A point under the ground sees the surface alone, so that it
-// is pushed up and not out.
+// Ground given by heights over a regular grid. At the border of the grid the ground ends in a vertical cliff.
+// A point beyond the border is outside, whatever its height. If it is above the ground, it sees the surface
+// and its edge. If it is lower than the edge, it sees the cliff. A point under the ground sees the surface
+// alone, so that it is pushed up and not sideways.
 #pragma once
 
 #include "collision/mesh/surface_sample.h"
@@ -16,7 +16,7 @@ namespace meniscus::collision {
 struct HeightFieldView {
   uint32_t columns, rows;          ///< samples along x and z, at least 2
   float cell_size;                 ///< m
-  pbd::View<const float> heights;  ///< m, x fastest; the middle of the field is the origin
+  pbd::View<const float> heights;  ///< m, x fastest; the origin is the middle of the field
 
   MENISCUS_HD Vec3 half_extent() const {
     return 0.5f * cell_size * Vec3{static_cast<float>(columns - 1), 0, static_cast<float>(rows - 1)};
@@ -28,7 +28,7 @@ struct HeightFieldView {
   }
 };
 
-/// One of the two triangles of cell (i, j), which meet on the diagonal from (i + 1, j) to (i, j + 1), as in
+/// One of the two triangles of cell (i, j). They meet on the diagonal from (i + 1, j) to (i, j + 1), as in
 /// Bullet.
 MENISCUS_HD inline Triangle height_field_triangle(const HeightFieldView& field, uint32_t i, uint32_t j,
                                                   bool second) {
@@ -36,13 +36,13 @@ MENISCUS_HD inline Triangle height_field_triangle(const HeightFieldView& field, 
   return second ? Triangle{c, b, field.vertex(i + 1, j + 1)} : Triangle{field.vertex(i, j), b, c};
 }
 
-/// The cell along one axis in which a coordinate lies, or the nearest; x counts from the field's border.
+/// The cell along one axis that contains a coordinate, or the nearest cell; x counts from the field's border.
 MENISCUS_HD inline uint32_t height_field_cell(float x, float cell_size, uint32_t samples) {
   const float u = x / cell_size, last = static_cast<float>(samples - 2);
-  return static_cast<uint32_t>(u > 0 ? (u < last ? u : last) : 0.0f);  // 0 for what is not a number
+  return static_cast<uint32_t>(u > 0 ? (u < last ? u : last) : 0.0f);  // 0 for NaN
 }
 
-/// Height of the surface at (p.x, p.z), which is on the field.
+/// Height of the surface at (p.x, p.z), which must be on the field.
 MENISCUS_HD inline float height_at(const HeightFieldView& field, Vec3 p) {
   const Vec3 q = p + field.half_extent();
   const uint32_t i = height_field_cell(q.x, field.cell_size, field.columns);
@@ -96,13 +96,14 @@ MENISCUS_HD inline SurfaceSample sample_height_field(const HeightFieldView& fiel
   const float above = p.y - height_at(field, over);
   if (beyond && !(above > 0)) return {length(gap), normalized_or(gap, up)};
 
-  // On the field, the surface straight above or below is an upper bound that may save most of the cells.
+  // On the field, the surface straight above or below gives an upper bound, which may spare most of the
+  // cells.
   const float search = !beyond && fabsf(above) < reach ? fabsf(above) : reach;
   const HeightFieldNearest nearest = nearest_on_height_field(field, p, search);
   const float side = above < 0 ? -1.0f : 1.0f;
   const float distance = sqrtf(nearest.distance_sq);
   if (distance > reach) return {side * reach, up};
-  // So near that the offset is all rounding, the triangle says where out is.
+  // So near the surface, the offset is only rounding: the triangle's normal tells the outside.
   const bool touching = distance < 1e-4f * field.cell_size;
   return {side * distance, normalized_or(touching ? nearest.normal : -side * nearest.offset, up)};
 }

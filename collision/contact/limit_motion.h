@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Clamps the motion of a particle at the shapes that it would pass through.
 #pragma once
 
 #include "collision/contact/sweep.h"
@@ -23,14 +25,14 @@ MENISCUS_HD inline Hit first_fixed_hit(const ShapeSet& set, const Motion& m, flo
   return first;
 }
 
-/// What is left of the motion after a hit, without its part into the surface.
+/// The rest of the motion after a hit, without its component into the surface.
 MENISCUS_HD inline Vec3 slide(const Hit& hit, Vec3 to) {
   const Vec3 rest = to - hit.at;
   return hit.at + rest - pbd::min(0.0f, dot(rest, hit.normal)) * hit.normal;
 }
 
-/// Where the motion ends if nothing that is fixed is passed through. A half-space's plane counts with
-/// `planes_too` alone: on its way to the contact search nothing passes one unseen.
+/// Where the motion ends if it passes through no fixed shape. Half-spaces count only with `planes_too`: the
+/// contact search sees a half-space from behind as well.
 MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radius, bool planes_too,
                                        const CollisionFilter& filter) {
   constexpr int most_hits = 4;
@@ -44,9 +46,9 @@ MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radi
   return m.from;
 }
 
-/// Where the motion ends if nothing that moves is passed through. Each shape sees the motion from its own
-/// frame, so after a hit it is looked at anew as a whole. Where there is no way out, the particle goes along
-/// with the last shape that it met. The body that it is attached to takes it along as it is.
+/// Where the motion ends if it passes through no moving shape. Each shape sees the motion in its own frame,
+/// so after a hit the whole motion is tested again. If there is no way out, the particle moves along with the
+/// last shape that it met. The body that a vertex is attached to is left out.
 template <class Candidates>
 MENISCUS_HD Vec3 limit_by_moving(const ShapeSet& set, const Candidates& candidates, uint32_t i, Motion m,
                                  float radius, const CollisionFilter& filter, uint32_t attached_body) {

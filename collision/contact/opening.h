@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests whether a particle has left a container through an aperture.
 #pragma once
 
 #include "collision/contact/shape.h"
 
 namespace meniscus::collision {
 
-/// Whether the plane, a wall of a container with openings, has nothing to do with this motion: it starts
-/// outside of that container, which is to say that it left through an opening, or it passes through an
-/// opening of this one. Outside is beyond a wall with an opening, or further beyond a closed one than a solve
-/// lets anything sink in.
+/// Whether a plane, a wall of a container with apertures, ignores this motion. It does if the motion starts
+/// outside the container, because the particle then left through an aperture. It also does if the motion
+/// passes through an aperture of this wall. Outside means beyond a wall with an aperture. For a closed wall
+/// it means further beyond than particles sink in during a solve.
 MENISCUS_HD inline bool left_through_opening(const ShapeSet& set, const Shape& plane, const Motion& m,
                                              float radius) {
   for (uint32_t k = 0; k < plane.wall_count; k += shapes_at_once) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Shapes as kernels see them. A container is not a shape of its own: it is six planes that face inwards.
+// Shapes as kernels see them. A container is not a shape: it is up to six planes that face inwards.
 #pragma once
 
 #include "collision/contact/height_field.h"
@@ -16,11 +16,11 @@
 
 namespace meniscus::collision {
 
-/// How a solid treats particles.
+/// Surface properties of a solid towards particles.
 struct Surface {
   float friction = 0;     ///< Coulomb's μ
   float restitution = 0;  ///< 0 to 1
-  float adhesion = 0;     ///< N, of one particle
+  float adhesion = 0;     ///< N, on one particle
   CollisionFilter filter;
 };
 
@@ -28,34 +28,34 @@ enum class ShapeKind : uint32_t { plane, box, sphere, capsule, cylinder, sdf, he
 
 struct Shape {
   ShapeKind kind = ShapeKind::plane;
-  uint32_t owner = 0;             ///< the user's shape or body, of which this is the whole or a part
-  uint32_t body = pbd::no_index;  ///< the rigid body, for what moves
-  uint32_t table = 0;             ///< which of the fields, for sdf and height_field
+  uint32_t owner = 0;             ///< the user's shape or body that this belongs to
+  uint32_t body = pbd::no_index;  ///< the rigid body of a moving shape
+  uint32_t table = 0;             ///< sdf and height_field: number of the field
   Pose pose;
-  Pose start;          ///< where it was at the substep's start; kept up for what moves alone
+  Pose start;          ///< pose at the substep's start; valid for moving shapes alone
   Vec3 size{0, 1, 0};  ///< plane: unit normal, world; box: half extents; round shapes: radius, half height, –
   float offset = 0;    ///< plane: normal · p on the surface, m
   Surface surface;
   uint32_t first_opening = 0, opening_count = 0;
-  uint32_t first_wall = 0, wall_count = 0;  ///< plane: all walls of its container, where that has openings
+  uint32_t first_wall = 0, wall_count = 0;  ///< plane: all walls of its container, if that has apertures
   Aabb bounds{{0, 0, 0},
-              {0, 0, 0}};  ///< world, of the solid, all the way from start to pose; planes have none
+              {0, 0, 0}};  ///< world, of the solid over the whole motion from start to pose; none for planes
 };
 
 MENISCUS_HD inline bool collide(const Shape& shape, const CollisionFilter& other) {
   return pbd::meet(shape.surface.filter, other);
 }
 
-/// A rectangle cut out of a plane: where a point's projection lies inside `box`, in the plane's frame,
-/// nothing holds it.
+/// A rectangle cut out of a plane. Where a point's projection lies inside `box`, in the plane's frame, the
+/// plane does not act.
 struct PlaneOpening {
   Aabb box;
 };
 
-/// All solids. Those that do not move come first.
+/// All solids. Fixed ones come first.
 struct ShapeSet {
   pbd::View<const Shape> shapes;
-  uint32_t fixed = 0;  ///< how many
+  uint32_t fixed = 0;  ///< how many are fixed
   pbd::View<const PlaneOpening> openings;
   pbd::View<const SdfView> sdfs;
   pbd::View<const HeightFieldView> height_fields;
@@ -63,8 +63,8 @@ struct ShapeSet {
 
 inline constexpr uint32_t shapes_at_once = 8;
 
-/// Bit k is set where is_so(first + k), for up to shapes_at_once of `count` shapes: one after the other, each
-/// would wait for the one before.
+/// Bit k is set where is_so(first + k), for up to shapes_at_once of `count` shapes. The tests are
+/// independent. Tested in a plain loop, each would wait for the one before.
 template <class F>
 MENISCUS_HD uint32_t which_shapes(uint32_t first, uint32_t count, const F& is_so) {
   uint32_t which = 0;
@@ -80,7 +80,8 @@ struct Motion {
   Vec3 from, to;  ///< m
 };
 
-/// The motion as the shape sees it from where it is at the end: a straight line, the start having come along.
+/// The motion relative to the shape at its final pose: a straight line, whose start has moved along with the
+/// shape.
 MENISCUS_HD inline Motion motion_beside(const Shape& shape, const Motion& m) {
   if (shape.body == pbd::no_index) return m;
   return {to_world(shape.pose, to_local(shape.start, m.from)), m.to};
@@ -92,8 +93,8 @@ MENISCUS_HD inline float nonzero_sign(float x) {
   return x < 0 ? -1.0f : 1.0f;
 }
 
-/// How much of the kernel lies between two parallel faces at ±half of the point's coordinate x, over the
-/// half-space's.
+/// The part of the kernel between two parallel faces at ±half, for a point at coordinate x, over that of a
+/// half-space.
 MENISCUS_HD inline float slab_density(float x, float half, float h) {
   return pbd::half_space_density((fabsf(x) - half) / h) - pbd::half_space_density((fabsf(x) + half) / h);
 }
@@ -102,7 +103,7 @@ MENISCUS_HD inline float ratio_to_half_space(float density, float distance, floa
   return pbd::clamp(density / pbd::max(pbd::half_space_density(distance / h), 1e-6f), 0.0f, 1.0f);
 }
 
-/// The share of a solid whose surface has this mean curvature, positive where it bulges out, in 1/m.
+/// The fraction for a solid whose surface has this mean curvature in 1/m, positive where it is convex.
 MENISCUS_HD inline float curved_fraction(float distance, float curvature, float h) {
   return ratio_to_half_space(pbd::half_space_density(distance / h, curvature * h), distance, h);
 }
@@ -165,7 +166,7 @@ MENISCUS_HD inline SurfaceSample plane_surface(const Shape& plane, Vec3 p) {
   return {dot(plane.size, p) - plane.offset, plane.size};
 }
 
-/// Whether two boxes are further than `reach` from one another.
+/// Whether two boxes are further than `reach` (m) from one another.
 MENISCUS_HD inline bool are_apart(const Aabb& a, const Aabb& b, float reach) {
   return pbd::any_is_true(
       [&] { return a.lower.x > b.upper.x + reach; }, [&] { return a.lower.y > b.upper.y + reach; },
@@ -173,12 +174,12 @@ MENISCUS_HD inline bool are_apart(const Aabb& a, const Aabb& b, float reach) {
       [&] { return a.upper.y < b.lower.y - reach; }, [&] { return a.upper.z < b.lower.z - reach; });
 }
 
-/// Whether the box of a motion is further than `reach` from the solid, which is not a plane.
+/// Whether the box of a motion is further than `reach` (m) from a solid that is not a plane.
 MENISCUS_HD inline bool out_of_reach(const Shape& shape, Vec3 from, Vec3 to, float reach) {
   return are_apart({min(from, to), max(from, to)}, shape.bounds, reach);
 }
 
-/// The surface nearest to world point p; `reach` is the distance up to which it must be exact.
+/// The surface nearest to world point p. The distance must be exact up to `reach` (m).
 MENISCUS_HD inline SurfaceSample sample_surface(const ShapeSet& set, const Shape& shape, Vec3 p,
                                                 float reach) {
   if (shape.kind == ShapeKind::plane) return plane_surface(shape, p);
@@ -187,9 +188,9 @@ MENISCUS_HD inline SurfaceSample sample_surface(const ShapeSet& set, const Shape
   return s;
 }
 
-/// How the solid differs from a half-space behind the surface that is `distance` (m) from p: its share in the
-/// kernel of support radius h, over the half-space's. Faces that meet at an edge fill the product of their
-/// shares: exact on the face and on the edge of a box.
+/// How the solid differs from a half-space behind the surface at `distance` (m) from p. It is the part of the
+/// kernel of support radius h (m) that the solid fills, over that of the half-space. Faces that meet at an
+/// edge fill the product of their fractions, which is exact on a face and on an edge of a box.
 MENISCUS_HD inline float solid_fraction(const ShapeSet& set, const Shape& shape, Vec3 p, float distance,
                                         float h) {
   using namespace detail;
@@ -217,7 +218,7 @@ MENISCUS_HD inline float solid_fraction(const ShapeSet& set, const Shape& shape,
   return 1;
 }
 
-/// Whether the plane holds nothing at p: its projection lies in an opening.
+/// Whether the plane does not act at p because the projection of p lies in an aperture.
 MENISCUS_HD inline bool in_opening(const ShapeSet& set, const Shape& plane, Vec3 p) {
   const Vec3 q = to_local(plane.pose, p);
   for (uint32_t k = plane.first_opening; k < plane.first_opening + plane.opening_count; ++k) {

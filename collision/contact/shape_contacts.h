@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The source of contacts between particles and shapes, fixed and moving.
 #pragma once
 
 #include "collision/contact/candidates.h"
@@ -7,7 +9,7 @@
 
 namespace meniscus::collision {
 
-/// What a particle collides with, and at what distance its centre stops, m.
+/// What a particle collides with, and the contact radius at which its centre stops, m.
 struct Touch {
   CollisionFilter filter;
   float radius;
@@ -15,25 +17,25 @@ struct Touch {
 
 namespace shape_contact_kernels {
 
-/// Of the contact's radius: points of faces stop there. Cloth that rests touches with them before they push;
-/// see face_points_kernels.h.
+/// Points of faces stop at this fraction of the contact radius. Resting cloth then touches with its vertices
+/// before the points push; see face_points_kernels.h.
 constexpr float face_radius = 0.7f;
 
-/// m: how far what was put into a solid comes out of it in a substep. Were it to come out at once, it would
-/// leave with the speed of that.
+/// The distance (m) by which an overlapping particle leaves a solid in a substep. If it left at once, it
+/// would get the speed of that displacement.
 MENISCUS_HD inline float exit_distance(float contact_radius, float dt) {
-  constexpr float time = 0.02f;  // s, for a radius
+  constexpr float time = 0.02f;  // s, for one contact radius
   return contact_radius * dt / time;
 }
 
-/// How a particle meets solids, by its fluid or its piece of cloth. What is attached to a body does not touch
-/// it.
+/// How a particle collides with solids, by its fluid or its piece of cloth. A vertex does not collide with
+/// the body that it is attached to.
 struct Touches {
   pbd::View<const pbd::Phase> phase;
   pbd::View<const CollisionFilter> by_fluid;
   pbd::View<const Touch> by_piece;
   float fluid_radius;
-  pbd::View<const uint32_t> attached_body;  ///< by vertex; no_index: to none
+  pbd::View<const uint32_t> attached_body;  ///< by vertex; no_index where it is attached to none
   uint32_t sorted = 0;                      ///< see ParticleView
 
   MENISCUS_HD Touch of(uint32_t i) const {
@@ -65,15 +67,15 @@ class ShapeContacts final : public pbd::ContactSource<D> {
         filters_(device, "fluid filters"),
         pieces_(device, "cloth surfaces") {}
 
-  /// The views must stay valid until they are set anew.
+  /// The views must stay valid until the next call.
   void set_shapes(const ShapeSet& shapes, bool fixed_are_planes);
-  /// By fluid.
+  /// One filter a fluid.
   void set_filters(std::span<const CollisionFilter> filters);
-  /// By fluid; empty where all collide with everything. Valid until they are set anew.
+  /// One filter a fluid, or empty where all collide with everything. Valid until the next set_filters().
   pbd::View<const CollisionFilter> filters() const { return filters_.view(); }
-  /// By piece of cloth.
+  /// One entry a piece of cloth.
   void set_pieces(std::span<const Touch> pieces);
-  /// By vertex: the body that it is attached to, or no_index. Must stay valid until it is set anew.
+  /// By vertex: the body that it is attached to, or no_index. Must stay valid until the next call.
   void set_attached_bodies(pbd::View<const uint32_t> bodies) { attached_body_ = bodies; }
 
   void reserve(uint32_t particles) override;
@@ -86,23 +88,24 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   bool counts_all() const override { return any(); }
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
 
-  /// Takes back what has passed through a moving shape since the substep began. Shapes are where they have
-  /// got to, by no more than `furthest` (m): so far a particle may be taken along, and meet another.
+  /// Rolls back motions that have passed through a moving shape since the substep began. Shapes are at their
+  /// final poses, and have moved by `furthest` (m) at most. A particle may be carried that far, and meet
+  /// another shape there.
   void limit_beside_moving(const pbd::MotionView& motion, float furthest);
   shape_contact_kernels::Touches touches(pbd::View<const pbd::Phase> phase, uint32_t sorted) const {
     return {phase, filters_.view(), pieces_.view(), contact_radius_, attached_body_, sorted};
   }
-  /// Shapes that are within `reach` (m) of where particles are.
+  /// Finds the shapes that are within `reach` (m) of the particles' positions.
   CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
 
   const ShapeSet& shapes() const { return shapes_; }
-  /// Of fluids and pieces of cloth, m.
+  /// The largest contact radius of all fluids and pieces of cloth, m.
   float largest_radius() const { return largest_radius_; }
 
  private:
   template <bool only_fixed_planes>
   auto finder(const pbd::Substep<D>& substep) const;
-  /// A tank and nothing in it, as so often: its kernels need a third of the registers.
+  /// A tank with nothing in it, which is common: its kernels need a third of the registers.
   bool only_fixed_planes() const { return fixed_are_planes_ && !any_moving(); }
 
   D& device_;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Kernels and functions of ShapeContacts.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +24,7 @@ struct LimitByFixed {
     const Vec3 path = motion.to - motion.from;
     if (touches.is_face(i)) return;  // its triangle's vertices are limited
     const Touch touch = touches.of(i);
-    // A slower one comes no further than where its contact sees it.
+    // The contact search sees a slower particle wherever it ends.
     if (!(dot(path, path) > touch.radius * touch.radius) || !is_finite(path)) return;
     const Vec3 end = limit_by_fixed(set, motion, touch.radius, planes_too, touch.filter);
     motions.to[i] = pbd::with_w(end, motions.to[i].w);
@@ -39,7 +41,7 @@ struct LimitByMoving {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
-    // What was put into a solid would be held there by it.
+    // The shape would hold a particle that overlaps it inside.
     if (!is_finite(motion.to) || touches.is_face(i) || touches.may_overlap(i)) return;
     const Touch touch = touches.of(i);
     const Vec3 end =
@@ -71,7 +73,7 @@ struct Finder {
       if (found.found) visit(shape, found);
     };
     if constexpr (only_fixed_planes) {
-      // Most are near none, and need no more known of it.
+      // Most particles are near no plane and need no other data of it.
       const Vec3 to = position[i].xyz();
       for (uint32_t first = 0; first < set.shapes.count; first += shapes_at_once) {
         uint32_t near = which_shapes(first, set.shapes.count - first, [&](uint32_t s) {
@@ -116,15 +118,15 @@ struct Fill {
   pbd::View<const uint32_t> number;
   pbd::View<pbd::Phase> phase;
 
-  /// At planes all do the same, and those that touch some are taken side by side. Beside other shapes each
-  /// has something else to do: the fewer threads of a warp have any, the less they wait for one another.
+  /// At planes all threads do the same work, so particles that touch are processed side by side. At other
+  /// shapes the work differs. There a warp waits less if fewer of its threads have contacts.
   static constexpr bool takes_touching = only_fixed_planes;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = takes_touching ? writer.touching.at(n, writer.start) : n;
     if (i == pbd::no_index || writer.start[i] == writer.start[i + 1]) return;
     const bool placed = find.touches.may_overlap(i);
-    float in = 0;  // a solid, m
+    float in = 0;  // depth in a solid, m
     find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
       pbd::Contact c = make_contact(i, shape, found);
       if (placed) in = pbd::max(in, give_way(i, shape, c));
@@ -134,9 +136,9 @@ struct Fill {
     if (placed && in == 0) phase[i] &= ~pbd::phase_overlapping;
   }
 
-  /// Moves the surface back to where it lets the particle out slowly; returns by how much, m. So far in, the
-  /// surface gives way as readily as the particle: the cloth around a vertex may go another way, and is not
-  /// to be torn apart.
+  /// Moves the surface back so that the particle leaves it slowly, and returns by how much, m. So deep
+  /// inside, the surface yields as readily as the particle does. The cloth around a vertex may leave by
+  /// another side, and must not be torn.
   MENISCUS_HD float give_way(uint32_t i, const Shape& shape, pbd::Contact& c) const {
     const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
     const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;
@@ -148,7 +150,7 @@ struct Fill {
     return back;
   }
 
-  /// A contact that is too far away to do anything.
+  /// A contact that is too far away to act.
   MENISCUS_HD pbd::Contact inert(uint32_t i) const {
     pbd::Contact c{};
     c.normal = {0, 1, 0};
@@ -193,7 +195,7 @@ template <class D>
 void ShapeContacts<D>::set_filters(std::span<const CollisionFilter> filters) {
   const auto collides_with_all = [](const CollisionFilter& f) { return f == CollisionFilter{}; };
   const bool usual = std::all_of(filters.begin(), filters.end(), collides_with_all);
-  filters_.resize_discard(usual ? 0 : filters.size());  // without, nobody looks them up
+  filters_.resize_discard(usual ? 0 : filters.size());  // empty: no kernel reads them
   if (!usual) filters_.write(filters);
 }
 

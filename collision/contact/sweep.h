@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Motion that would pass through a shape is cut short where it meets it, and goes on along the surface:
-// nothing gets through, however thin, and what was on the way along the surface gets on.
+// Continuous collision detection for one motion. A motion that would pass through a shape is clamped at the
+// time of impact and goes on along the surface. So nothing passes, however thin the shape is, and motion
+// along the surface continues.
 #pragma once
 
 #include "collision/contact/opening.h"
 
 namespace meniscus::collision {
 
-/// The first place at which a motion meets a surface.
+/// The first point at which a motion meets a surface.
 struct Hit {
-  float t = 1;  ///< of the motion
+  float t = 1;  ///< fraction of the motion
   Vec3 at{0, 0, 0};
   Vec3 normal{0, 1, 0};
   bool found = false;
 };
 
-/// Conservative advancement: steps along the motion by the distance to the surface, which nothing can cut
-/// short. The motion ends half a particle's radius from the surface, unless it leaves. `end_distance` is the
-/// surface's from the motion's end, or less.
+/// Conservative advancement: steps along the motion by the distance to the surface, within which nothing can
+/// be met. The motion ends half a particle's radius from the surface, unless it leaves the surface.
+/// `end_distance` is the surface's distance from the end of the motion, or less.
 MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Motion& m, float radius,
                              float end_distance) {
   constexpr int most_steps = 256;
@@ -29,18 +30,18 @@ MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Moti
   SurfaceSample s{};
   for (int k = 0; k < most_steps; ++k) {
     s = sample_surface(set, shape, m.from + t * path, path_length + radius);
-    // No distance changes by more than the way: from both ends too far, nothing is met. Twice as far as it
-    // takes, as fields are not exact.
+    // No distance changes by more than the length of the path. If the distances at both ends add up to more,
+    // nothing is met. The margin is twice what is needed, because fields are not exact.
     if (k == 0 && s.distance + end_distance > path_length + 4 * touch) return {};
     if (s.distance < touch && dot(s.normal, path) < 0) return {t, m.from + t * path, s.normal, true};
-    // What slides along the surface still has to get on.
+    // A motion that slides along the surface must still advance.
     t += pbd::max(s.distance - 0.5f * touch, 0.5f * touch) / path_length;
     if (t >= 1) return {};
   }
-  return {t, m.from + t * path, s.normal, true};  // too far to follow: it stops here
+  return {t, m.from + t * path, s.normal, true};  // too many steps: the motion stops here
 }
 
-/// For a sweep.
+/// The surface's distance from the end of the motion, for sweep().
 MENISCUS_HD inline float end_distance(const ShapeSet& set, const Shape& shape, const Motion& m,
                                       float radius) {
   return sample_surface(set, shape, m.to, length(m.to - m.from) + radius).distance;
@@ -58,7 +59,8 @@ MENISCUS_HD inline Hit cross_plane(const ShapeSet& set, const Shape& plane, cons
 
 /// Where a motion meets one shape, as that shape sees it.
 MENISCUS_HD inline Hit meet(const ShapeSet& set, const Shape& shape, const Motion& m, float radius) {
-  // Its bounds hold it all the way: what stays away from them need not be looked at from the shape.
+  // The bounds contain the shape for the whole substep, so a motion away from them needs no test in its
+  // frame.
   if (shape.kind != ShapeKind::plane && out_of_reach(shape, m.from, m.to, radius)) return {};
   const Motion beside = motion_beside(shape, m);
   if (shape.kind == ShapeKind::plane) return cross_plane(set, shape, beside, radius);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A vertex of cloth between a body and what bears the body through it: a crate on a carpet. One contact after
-// the other gets nothing across, as a light vertex seems to give way to either. Both are solved at once.
+// Two-sided contact: a vertex of cloth between a body and the surface that supports it, such as a crate on a
+// carpet. Solved in turn, two such contacts transfer next to no load, because a light vertex seems to yield
+// to either. So both are solved at once.
 #pragma once
 
 #include "pbd/contact_projection.h"
@@ -24,7 +25,8 @@ MENISCUS_HD inline bool contact_presses(const pbd::Contact& c, Vec3 x) {
   return load > 0 || !(c.tangent_multiplier == Vec3{0, 0, 0}) || plane_distance(c, x) < c.radius;
 }
 
-/// Of contacts first to end − 1 the two that press most straight against one another, one of which gives way.
+/// Of contacts first to end − 1, the two whose normals are most nearly opposite. At least one of their
+/// surfaces must be movable.
 MENISCUS_HD inline OpposedPair find_opposed(pbd::View<const pbd::Contact> contacts, uint32_t first,
                                             uint32_t end, Vec3 x) {
   OpposedPair pair;
@@ -42,14 +44,14 @@ MENISCUS_HD inline OpposedPair find_opposed(pbd::View<const pbd::Contact> contac
   return pair;
 }
 
-/// Both contacts, taken as parallel planes: where they are not quite, what presses on them would squeeze a
-/// light vertex out as far as planes go on, and no real one slips before friction lets it.
+/// Both contacts, taken as parallel planes. If they are not quite parallel, the load on them would squeeze a
+/// light vertex out as far as the planes reach. A real one does not slip before friction yields.
 struct TwoSidedContact {
   pbd::Contact &a, &b;
   float w;    ///< 1/kg, of the vertex
   Vec3 axis;  ///< unit, from b's surface to the vertex, and on to a's
 
-  /// Solves both normal constraints for a vertex at x; what moves it, kg·m.
+  /// Solves both normal constraints for a vertex at x; returns the impulse on it, kg·m.
   MENISCUS_HD Vec3 push_apart(Vec3 x, float tighter) const {
     const float lack_a = tighter * a.radius - plane_distance(a, x);
     const float lack_b = tighter * b.radius - plane_distance(b, x);
@@ -73,8 +75,8 @@ struct TwoSidedContact {
     return (more_b - more_a) * axis;
   }
 
-  /// Solves friction on both, where the vertex has gone this way; what moves it, kg·m. The one that can bear
-  /// less slips, and the vertex goes with the other.
+  /// Solves friction on both contacts for a vertex with this displacement; returns the impulse on it, kg·m.
+  /// The contact with the lower bound slips, and the vertex follows the other.
   MENISCUS_HD Vec3 hold_back(Vec3 displacement) const {
     const Vec3 old_a = a.tangent_multiplier, old_b = b.tangent_multiplier;
     const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
@@ -96,8 +98,8 @@ struct TwoSidedContact {
     return moved() / w;
   }
 
-  /// Friction between the two surfaces by way of a vertex that sticks to one of them, and is not moved: what
-  /// each adds, the other takes back.
+  /// Transfers friction between the two surfaces through a vertex that sticks to one of them and is not
+  /// moved. Each contact gets the opposite of what the other gets.
   MENISCUS_HD void hand_through(Vec3 displacement) const {
     const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
     const Vec3 more = (1 / (inverse_mass_a() + inverse_mass_b())) * (slip_b - slip_a);
@@ -111,17 +113,17 @@ struct TwoSidedContact {
   }
 
  private:
-  /// What sticks to one surface slips on it by no more than this, of what it does on the other.
+  /// A vertex sticks to one surface if its slip there is at most this fraction of its slip on the other.
   static constexpr float sticking = 0.1f;
 
   MENISCUS_HD float inverse_mass_a() const { return a.body_inverse_mass; }
   MENISCUS_HD float inverse_mass_b() const { return b.body_inverse_mass; }
-  /// Of the matrix {w + give_a, −w; −w, w + give_b}.
+  /// Of the matrix {w + w_a, −w; −w, w + w_b}, with the inverse masses w_a and w_b of the surfaces.
   MENISCUS_HD float determinant() const {
     return w * (inverse_mass_a() + inverse_mass_b()) + inverse_mass_a() * inverse_mass_b();
   }
 
-  /// The largest share, up to 1, with |old + share · more| ≤ most; 0 where there is none.
+  /// The largest fraction, up to 1, with |old + fraction · more| ≤ most; 0 where there is none.
   MENISCUS_HD static float fraction_within(Vec3 old, Vec3 more, float most) {
     if (length(old + more) <= most) return 1;
     const float room2 = most * most - dot(old, old);
@@ -139,7 +141,7 @@ struct TwoSidedContact {
     const Vec3 on_surface = displacement - c.surface_motion;
     return on_surface - dot(on_surface, axis) * axis;
   }
-  /// The one alone.
+  /// Friction of one contact alone.
   MENISCUS_HD void hold_back(pbd::Contact& c, Vec3 displacement) const {
     const Vec3 wanted = c.tangent_multiplier - slip(c, displacement) / (w + c.body_inverse_mass);
     c.tangent_multiplier = shortened_to(wanted, most_friction(c));
@@ -151,14 +153,14 @@ MENISCUS_HD inline TwoSidedContact two_sided_between(pbd::Contact& a, pbd::Conta
   return {a, b, w, across / length(across)};
 }
 
-/// Contacts where bodies may press on cloth, ropes and points of faces.
+/// Projects contacts where bodies may press on cloth, ropes and points of faces.
 struct TwoSidedContacts {
   pbd::ContactProjection all;
   pbd::View<const pbd::Vec4> effective_mass;  ///< see Substep::effective_mass
   uint32_t sorted;                            ///< see ParticleView
 
-  /// Of particle i, which has contacts. Vertices that are pressed against bodies have had their friction
-  /// before chains.
+  /// Projects particle i, which has contacts. Vertices that are pressed against bodies have had their
+  /// friction before the chain solve.
   MENISCUS_HD void project(uint32_t i) const {
     const uint32_t n = i - sorted;
     if (i < sorted || effective_mass.count == 0)
@@ -206,7 +208,7 @@ struct TwoSidedContacts {
         });
   }
 
-  /// The pair that pinches it last, as it has to give way to all others.
+  /// Solves the two-sided pair last, because it must yield to all other contacts.
   template <class One, class Pair>
   MENISCUS_HD void solve(uint32_t i, const One& one, const Pair& both) const {
     const pbd::Vec4 p = all.position[i];

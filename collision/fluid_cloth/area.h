@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How much of a disc triangles cover, however many they are.
+// The fraction of a disc that triangles cover.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace meniscus::collision {
 
-/// Two directions across a unit normal, and across one another.
+/// Two unit directions that are orthogonal to a unit normal and to each other.
 struct Tangents {
   Vec3 u, v;
 
@@ -39,7 +39,7 @@ MENISCUS_HD inline float sector(Flat a, Flat b, float radius2) {
   return 0.5f * radius2 * atan2f(cross(a, b), dot(a, b));
 }
 
-/// The signed area that a disc about the origin shares with the triangle of the origin, a and b.
+/// The signed area of the intersection of a disc about the origin with the triangle of the origin, a and b.
 MENISCUS_HD inline float shared_with_disc(Flat a, Flat b, float radius2) {
   const Flat d{b.x - a.x, b.y - a.y};
   const float dd = dot(d, d), ad = dot(a, d), outside = dot(a, a) - radius2;
@@ -56,13 +56,13 @@ MENISCUS_HD inline float shared_with_disc(Flat a, Flat b, float radius2) {
 
 }  // namespace area_detail
 
-/// A disc about a point, across a unit normal; m.
+/// A disc about a point, orthogonal to a unit normal; m.
 class Disc {
  public:
   MENISCUS_HD Disc(Vec3 centre, Vec3 normal, float radius)
       : centre_(centre), normal_(normal), tangents_(normal), radius2_(radius * radius) {}
 
-  /// The share of the disc that the triangle covers, seen along the normal.
+  /// The fraction of the disc that the triangle covers, seen along the normal.
   MENISCUS_HD float covered(Vec3 a, Vec3 b, Vec3 c) const {
     using namespace area_detail;
     const Flat p = flat(a), q = flat(b), r = flat(c);

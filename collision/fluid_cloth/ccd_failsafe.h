@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The last resort of fluid and sheets: nothing goes through, whatever the solve has left.
+// The CCD fail-safe of fluid and cloth: no particle passes through cloth, whatever the solve has left.
 #pragma once
 
 #include "collision/fluid_cloth/find.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// Takes a particle that would have passed through a triangle along with it, on its own side. Sheets are
-/// where they will be, so that each particle can be looked at alone. Its velocity is left to the contact.
+/// Clamps a particle at the time of impact with a triangle that it would have passed through. It then moves
+/// along with the triangle, on its own side. Cloth is at its final positions, so each particle is tested
+/// alone. The contact corrects the velocity.
 struct ClampAtImpact {
   Surface surface;
   View<Vec4> position;
@@ -26,7 +27,7 @@ struct ClampAtImpact {
     if (!(to == wanted)) position[i] = pbd::with_w(to, position[i].w);
   }
 
-  /// Where the particle gets to beside the first triangle that it meets; in later rounds the nearer to it.
+  /// The end of the motion beside the first triangle that it meets; in later rounds nearer to that triangle.
   MENISCUS_HD Vec3 first_stop(uint32_t i, Vec3 from, Vec3 to, int round) const {
     float first = 2;
     Vec3 stop = to;
@@ -46,7 +47,8 @@ struct ClampAtImpact {
     return stop;
   }
 
-  /// At the end of the motion, by what was met at that time, no further from it than `distance`.
+  /// The point at the end of the motion beside the place met at that time, no further from it than
+  /// `distance`.
   MENISCUS_HD static Vec3 beside(const pbd::FeaturePair& pair, float time, float distance) {
     const pbd::Nearest met = nearest(pair, time);
     const Vec3 point = (1 - met.u - met.v) * pair.at(1, 1) + met.u * pair.at(2, 1) + met.v * pair.at(3, 1);

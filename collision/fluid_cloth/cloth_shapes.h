@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What a group of eight neighbouring triangles is like, so that most of those around a particle need no look.
+// Shapes of groups of eight neighbouring triangles, which cull most of the triangles around a particle.
 #pragma once
 
 #include "collision/fluid_cloth/cloth_surface.h"
@@ -9,16 +9,17 @@
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// All corners lie within `radius` of the centre at the substep's end, and no unit normal is further than
-/// `bend` from the axis.
+/// The bound of a group. All corners lie within `radius` of the centre at the substep's end. No unit normal
+/// differs from the axis by more than `bend`.
 struct alignas(16) GroupShape {
   Vec3 centre;
   float radius;  // m
   Vec3 axis;     // unit
   float bend;
 
-  /// Whether p may lie straight above or below one of the triangles, in the direction of its normal: then it
-  /// is, across the axis, no further from the centre than the corners, but for what the normals differ.
+  /// Whether p may lie straight above or below one of the triangles, in the direction of its normal. Then its
+  /// distance from the centre across the axis is at most that of the corners, apart from the differences of
+  /// the normals.
   MENISCUS_HD bool may_be_over(Vec3 p) const {
     const Vec3 d = p - centre, across = cross(d, axis);
     const float far = 1.001f * radius + bend * length(d);
@@ -26,7 +27,8 @@ struct alignas(16) GroupShape {
   }
 };
 
-/// By group, a team each. One with a border may be over anything: it is always looked at.
+/// Computes the shape of each group, with a team each. A group with a border may be below anything: it is
+/// always tested.
 struct FitShapes {
   Surface surface;
   View<GroupShape> shapes;

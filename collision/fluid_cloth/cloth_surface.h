@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What kernels know of sheets: triangles of cloth as fluid meets them, and where the two touch.
+// Triangles of cloth and fluid-cloth contacts, as kernels read them.
 #pragma once
 
 #include <meniscus/types.h>
@@ -14,18 +14,18 @@
 
 namespace meniscus::collision {
 
-/// How a piece of cloth meets fluid.
+/// How a piece of cloth interacts with fluid.
 struct FluidClothPiece {
   CollisionFilter filter{};
   float radius = 0;    ///< m: particles' centres stop at this distance
   float friction = 0;  ///< Coulomb's μ
-  float adhesion = 0;  ///< N: the most that it pulls one particle back with
-  float spread = 0;    ///< m: a particle acts on all vertices so near; 0: on those of one triangle
-  float flow = 0;      ///< 1/(N·s): particles that pass through a second, of those that press with a newton
-  uint32_t absorbs = 0;  ///< 1: it takes up what touches it
+  float adhesion = 0;  ///< N: the largest pull on one particle
+  float spread = 0;  ///< m: a particle acts on all vertices within this distance; 0: on those of one triangle
+  float flow = 0;    ///< 1/(N·s): particles that pass through per second, for each newton of pressing force
+  uint32_t absorbs = 0;  ///< 1: it absorbs particles that touch it
 };
 
-/// A particle that touches an absorbent sheet, and the vertex that is nearest to it.
+/// A particle that touches absorbent cloth, and the vertex that is nearest to it.
 struct WettingTouch {
   uint32_t slot;  ///< of the particle
   uint32_t vertex;
@@ -38,14 +38,14 @@ using pbd::no_index;
 using pbd::SearchTeam;
 using pbd::Vec4;
 using pbd::View;
-/// Works on one particle's touches.
+/// Works on the fluid-cloth contacts of one particle.
 using TouchTeam = pbd::Team<8>;
 
-/// The surface, on its way from a substep's start to where it is now.
+/// The surface of all cloth, at the substep's start and at its present positions.
 struct Surface {
   pbd::SurfaceTreeView tree;
   View<const Vec4> previous, position;  // of all particles
-  uint32_t first_vertex;                // vertex v is this particle and v more
+  uint32_t first_vertex;                // vertex v is particle first_vertex + v
   View<const FluidClothPiece> parts;
   View<const uint32_t> marks;            // by place in the tree: see triangle_marks()
   View<const CollisionFilter> by_fluid;  // empty where all collide with everything
@@ -55,7 +55,7 @@ struct Surface {
   MENISCUS_HD bool meets(uint32_t i, uint32_t part) const {
     return !((phase[i] & pbd::phase_passing) && parts[part].flow > 0) && may_meet(i, part);
   }
-  /// The same when it is not passing through.
+  /// The same for a particle that is not passing through.
   MENISCUS_HD bool may_meet(uint32_t i, uint32_t part) const {
     const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
     return pbd::meet(parts[part].filter, filter);
@@ -64,7 +64,7 @@ struct Surface {
   MENISCUS_HD Vec3 start(uint32_t v) const { return load(previous, first_vertex + v).xyz(); }
   MENISCUS_HD Vec3 end(uint32_t v) const { return load(position, first_vertex + v).xyz(); }
 
-  /// A particle's way beside a triangle's, both from the particle's start.
+  /// The motions of a particle and a triangle, both relative to the particle's start.
   MENISCUS_HD pbd::FeaturePair pair(Vec3 from, Vec3 to, const pbd::SurfaceTriangle& t) const {
     pbd::FeaturePair pair;
     const uint32_t corner[3] = {t.a, t.b, t.c};
@@ -79,26 +79,26 @@ struct Surface {
   }
 };
 
-/// Of a pair's triangle at time t, 0 to 1; unit.
+/// The unit normal of a pair's triangle at time t, 0 to 1.
 MENISCUS_HD inline Vec3 face_normal(const pbd::FeaturePair& p, float t) {
   const Vec3 a = p.at(1, t);
   return normalized_or(cross(p.at(2, t) - a, p.at(3, t) - a), {0, 0, 0});
 }
 
-/// A direction away from a triangle at time t, as it turns along with it until the end; unit.
+/// A unit direction away from a triangle at time t, after it has turned with the triangle until the end.
 MENISCUS_HD inline Vec3 turned_to_end(const pbd::FeaturePair& p, Vec3 direction, float t) {
   const Vec3 n = face_normal(p, t), turned = direction + dot(direction, n) * (face_normal(p, 1) - n);
   return normalized_or(turned, direction);
 }
 
-/// A particle near a sheet. It has a contact for each layer of cloth that it is near, at most three. What it
-/// pushes is shared by the corners of the triangle that it touches, or by all vertices of a fine mesh that
-/// are as near as its neighbours.
+/// A particle near cloth. It has a contact for each layer of cloth near it, at most three. The corners of the
+/// triangle that it touches share its push. In a mesh finer than the particles, all vertices within a spacing
+/// share it.
 struct alignas(16) FluidClothContact {
   static constexpr uint32_t most_vertices = 32;
 
   Vec3 point;         ///< m, on the surface
-  uint32_t vertices;  ///< how many share it; 0 where there is no contact
+  uint32_t vertices;  ///< the number of vertices that share it; 0: no contact
   Vec3 normal;        ///< unit, towards the particle
   float fraction;     ///< see pbd::Contact
   uint32_t part;
@@ -112,7 +112,7 @@ struct alignas(16) FluidClothContact {
   float weight[most_vertices];  ///< their sum is 1
 
   MENISCUS_HD void add(uint32_t v, float w) { set(vertices++, v, w); }
-  /// A touch that nothing has been done to. Its vertices are there.
+  /// A new contact that nothing has acted on. Its vertices are set.
   MENISCUS_HD void begin(Vec3 at, Vec3 towards, float of_plane, uint32_t of_part, uint32_t count) {
     point = at;
     vertices = count;
@@ -127,7 +127,7 @@ struct alignas(16) FluidClothContact {
     vertex[k] = v;
     weight[k] = w;
   }
-  /// Σ weight · of(vertex), by a team.
+  /// Σ weight · of(vertex), computed by a team.
   template <class Of>
   MENISCUS_HD Vec3 mean(const Of& of) const {
     Vec3 sum{0, 0, 0};
@@ -143,12 +143,12 @@ MENISCUS_HD inline bool is_used(const FluidClothContact& t) {
   return t.vertices > 0;
 }
 
-/// The particles that are near a sheet, in no order, and their touches: those of entry k stand at
-/// most_touches · k.
+/// The particles that are near cloth, in no order, and their contacts. Those of entry k start at most_touches
+/// · k.
 struct NearList {
   View<uint32_t> particle;
   View<FluidClothContact> touches;
-  View<uint32_t> counter;  // how many there are, which may be more than fit
+  View<uint32_t> counter;  // the number of particles near cloth, which may be more than fit
 
   MENISCUS_HD uint32_t count() const { return counter[0] < particle.count ? counter[0] : particle.count; }
 };

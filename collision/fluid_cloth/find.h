@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// From the tree to the contacts of particles with sheets: one for each layer of cloth that a particle is
-// near, however many triangles that layer is made of.
+// Finds the contacts of particles with cloth in the tree: one for each layer of cloth near a particle,
+// however many triangles the layer has.
 #pragma once
 
 #include "collision/fluid_cloth/area.h"
@@ -15,12 +15,12 @@
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// What is within `by` (m) of a particle's way.
+/// The box of everything within `by` (m) of a particle's motion.
 MENISCUS_HD inline Aabb motion_box(Vec3 from, Vec3 to, float by) {
   return pbd::inflated({min(from, to), max(from, to)}, by);
 }
 
-/// Lists the particles that have a sheet's boxes within the support radius.
+/// Lists the particles that have boxes of cloth within the support radius.
 struct ListNear {
   Surface surface;
   NearList near;
@@ -40,19 +40,19 @@ struct ListNear {
 
 /// A place on a triangle that a particle may touch.
 struct Place {
-  float distance;  // m; less than 0 where they meet on the way, the less the sooner
+  float distance;  // m; less than 0 where they meet during the motion, and lower the sooner they meet
   Vec3 normal;     // unit, at the substep's end, towards the particle's side
   uint32_t triangle;
   float u, v;
 };
 
-/// The layers of cloth near one particle. Places that face it from one direction are of one layer.
+/// The layers of cloth near one particle. Places that face it from the same direction belong to one layer.
 class Layers {
  public:
   MENISCUS_HD uint32_t count() const { return count_; }
   MENISCUS_HD const Place& operator[](uint32_t k) const { return layer_[k]; }
 
-  /// One on a triangle's inside, or met on the way: the surface is nowhere nearer around it.
+  /// Adds a place inside a triangle, or one met during the motion: the surface around it is nowhere nearer.
   MENISCUS_HD void add(const Place& place) {
     for (uint32_t k = 0; k < count_; ++k) {
       if (dot(layer_[k].normal, place.normal) < same) continue;
@@ -68,7 +68,7 @@ class Layers {
       furthest = layer_[k].distance > layer_[furthest].distance ? k : furthest;
     if (place.distance < layer_[furthest].distance) layer_[furthest] = place;
   }
-  /// Puts together what a warp's threads have found, for each of them.
+  /// Merges what a warp's threads have found, for all of them.
   MENISCUS_HD void gather() {
     Layers all;
     for (uint32_t left = SearchTeam::ballot(count_ > 0); left; left &= left - 1) {
@@ -77,13 +77,13 @@ class Layers {
     }
     *this = all;
   }
-  /// m, of the nearest; less than 0 where one was met on the way.
+  /// The distance of the nearest place, m; less than 0 where one was met during the motion.
   MENISCUS_HD float nearest() const {
     float least = 3e38f;
     for (uint32_t k = 0; k < count_; ++k) least = pbd::min(least, layer_[k].distance);
     return least;
   }
-  /// One on a triangle's edge, the nearest that a warp's threads have found: it counts if nothing is nearer.
+  /// Adds the nearest place on an edge that a warp's threads have found, if no other place is nearer.
   MENISCUS_HD void add_edge(const Place& edge) {
     const float least = SearchTeam::least(edge.distance);
     if (least < nearest() && least < 1e30f)
@@ -103,17 +103,17 @@ class Layers {
   uint32_t count_ = 0;
 };
 
-/// Finds what the listed particles touch, a warp each. Nothing has passed through a sheet at the substep's
-/// start, so that the side is known from there. Where the motion is short for the distance, a triangle is
-/// looked at where it is predicted to be; else where the two meet on the way.
+/// Finds the contacts of the listed particles, a warp each. No particle has passed through cloth at the
+/// substep's start, so its side is known from there. If the motion is short relative to the distance, the
+/// triangle is tested at its predicted position. Otherwise it is tested where the two meet during the motion.
 ///
-/// Of the triangles near a particle few lie straight below it: edges are looked at afterwards, those alone
+/// Few of the triangles near a particle lie straight below it. Edges are tested afterwards, and only those
 /// that may be nearer than what has been found.
 struct FindTouches {
   Surface surface;
   NearList near;
   pbd::ContactCounter counter;
-  View<uint32_t> entries;  // touches of each vertex
+  View<uint32_t> entries;  // number of contacts of each vertex
   View<const GroupShape> shapes;
   float h, largest_gap;
 
@@ -123,7 +123,7 @@ struct FindTouches {
     const Vec3 from = surface.previous[i].xyz(), to = surface.position[i].xyz();
     Layers layers;
     bool at_border = false;
-    // What is not near the way is not met on it.
+    // The motion cannot meet what is not near it.
     const Aabb on_way = motion_box(from, to, largest_gap);
     const auto wanted = [&](uint32_t group) {
       return shapes[group].may_be_over(to) || pbd::overlap(surface.tree.box(1, group), on_way);
@@ -152,7 +152,8 @@ struct FindTouches {
     if (SearchTeam::leads()) counter.add(i, layers.count());
   }
 
-  /// Whether the triangle is within the support radius. Of its places at the end those on its inside count.
+  /// Whether the triangle is within the support radius. Of the places at the end, only those inside the
+  /// triangle count.
   MENISCUS_HD bool look_at(Layers& layers, const pbd::FeaturePair& pair, bool may_meet, uint32_t place,
                            float radius) const {
     const pbd::Nearest end = nearest(pair, 1);
@@ -174,7 +175,7 @@ struct FindTouches {
     return true;
   }
 
-  /// The nearest place that this thread finds within `reach`; 3e38 m away where there is none.
+  /// The nearest place that this thread finds within `reach` (m); at 3e38 m if there is none.
   MENISCUS_HD Place nearest_edge(uint32_t i, Vec3 to, float reach) const {
     Place edge{3e38f, {0, 0, 0}, no_index, 0, 0};
     const pbd::GroupsInBall wanted{surface.tree, to, reach};
@@ -209,7 +210,7 @@ struct FindTouches {
       pbd::atomic_add(entries[touch.vertex[k]], 1);
   }
 
-  /// Of the plane through the place, as far as the particle's support reaches.
+  /// The fraction of the plane through the place that cloth covers, within the particle's support.
   MENISCUS_HD float covered(Vec3 foot, const Place& place) const {
     const float reach2 = h * h - pbd::max(0, place.distance) * pbd::max(0, place.distance);
     const float reach = sqrtf(pbd::max(reach2, 0.01f * h * h));
@@ -228,7 +229,7 @@ struct FindTouches {
   }
 };
 
-/// Writes the contacts of what was found. They come before those with shapes.
+/// Writes the contacts that were found. They come before those with shapes.
 struct WriteContacts {
   Surface surface;
   NearList near;
@@ -245,7 +246,7 @@ struct WriteContacts {
       const pbd::Contact contact = contact_of(touch, i);
       if (!TouchTeam::leads()) continue;
       const uint32_t at = writer.start[i + 1] - writer.remaining[i];
-      // Where there is no room for it the step will be done again.
+      // Where there is no room for the contact, the step is repeated.
       touch.contact = at >= writer.start[i] && at < writer.start[i + 1] ? at : no_index;
       writer.write(i, contact);
     }
@@ -269,12 +270,12 @@ struct WriteContacts {
   }
 };
 
-/// Enters each touch with its vertices.
+/// Adds each contact to the lists of its vertices.
 struct EnterTouches {
   NearList near;
   View<const uint32_t> start;
-  View<uint32_t> left;     // by vertex: entries still to come; 0 in the end
-  View<uint32_t> entries;  // touch, and in the lowest five bits which of its vertices it is
+  View<uint32_t> left;     // by vertex: entries still to be written; 0 at the end
+  View<uint32_t> entries;  // number of the contact, and in the lowest five bits the index of the vertex in it
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (n >= most_touches * near.count() || !is_used(near.touches[n])) return;

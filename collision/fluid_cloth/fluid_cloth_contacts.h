@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The source of contacts between fluid and cloth.
 #pragma once
 
 #include <span>
@@ -12,24 +14,25 @@
 
 namespace meniscus::collision {
 
-/// Finds the contacts of fluid with cloth: one for each layer that a particle is near, at the nearest
-/// triangle, with the share of a whole plane that the layer has there (pbd::Contact::fraction).
+/// Finds the contacts of fluid with cloth: one for each layer near a particle, at the nearest triangle. Each
+/// has the fraction of a whole plane that the layer covers there (pbd::Contact::fraction).
 ///
-/// The side is the one that the particle was on at the substep's start; motion that would lead through a
-/// triangle ends in a contact on that side. Neighbours that a triangle stands between are parted: the images
-/// of the sheet take their place.
+/// The side is the one that the particle was on at the substep's start. Motion through a triangle ends in a
+/// contact on that side. Neighbours with a triangle between them are separated, and mirror ghosts of the
+/// cloth take their place.
 ///
-/// Comes before ShapeContacts among the sources. FluidClothSet makes the contacts act on the cloth.
+/// Must come before ShapeContacts among the sources. FluidClothSet makes the contacts act on the cloth.
 template <class D>
 class FluidClothContacts final : public pbd::ContactSource<D> {
  public:
   FluidClothContacts(D& device, pbd::Particles& particles, float support_radius)
       : device_(device), particles_(particles), support_radius_(support_radius), tree_(device) {}
 
-  /// All triangles of all pieces, and the pieces by number. `positions` are those of the vertices at rest.
+  /// Sets all triangles of all pieces, and the pieces by number. `positions` are those of the vertices at
+  /// rest.
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> positions,
                    std::span<const FluidClothPiece> parts);
-  /// By fluid, or empty where all collide with everything. Must stay valid until it is set anew.
+  /// One filter a fluid, or empty where all collide with everything. Must stay valid until the next call.
   void set_filters(pbd::View<const CollisionFilter> filters) { filters_ = filters; }
 
   bool any() const override { return tree_.places() > 0 && particles_.sorted() > 0; }
@@ -38,7 +41,8 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
   void part_neighbours(const pbd::Substep<D>& substep) override;
 
-  /// Takes back particles that would end on the other side. Their velocity is left to the contacts.
+  /// Clamps particles that would end on the other side at the time of impact. The contacts correct their
+  /// velocity.
   void hold_back(const pbd::Substep<D>& substep);
 
   /// Particles that touched absorbent pieces at the end of the last substep, by slot.
@@ -48,21 +52,20 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
   bool permeable() const { return permeable_; }
   pbd::View<const FluidClothPiece> parts() const { return parts_.view(); }
 
-  // For FluidClothSet: what the last search found.
+  // For FluidClothSet: the results of the last search.
   fluid_cloth_kernels::NearList near();
-  /// By vertex, and behind the last one the total: where its entries begin
-  /// (fluid_cloth_kernels::EnterTouches).
+  /// By vertex: where its entries begin (fluid_cloth_kernels::EnterTouches); last: the total.
   pbd::View<const uint32_t> entry_start() const { return entry_start_.view(); }
   pbd::View<const uint32_t> entries() const { return entries_.view(); }
   uint32_t vertices() const { return vertices_; }
-  /// For launches over the near particles: all that there is room for, or, where the host is in step with the
-  /// device, all that there are.
+  /// The size of launches over the near particles: the capacity, or, where the host is in step with the
+  /// device, their number.
   uint32_t near_count();
 
   void start_step();
   bool had_room() const { return most_near() <= near_.size(); }
   void make_room() { reserve_near(most_near() + most_near() / 4); }
-  /// In any substep of the last step: particles near sheets.
+  /// The largest number of particles near cloth in any substep of the last step.
   uint32_t most_near() const { return found_.host().empty() ? 0 : found_.host()[0]; }
 
  private:

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of FluidClothContacts; its kernels are in find.h, parting.h, passing.h, wetting.h and
+// ccd_failsafe.h.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +23,7 @@ namespace meniscus::collision {
 
 namespace fluid_cloth_kernels {
 
-/// Keeps the most that any substep of a step found.
+/// Stores the largest count of any substep of a step.
 struct NoteNear {
   View<const uint32_t> counter;
   View<uint32_t> found;
@@ -130,7 +133,7 @@ void FluidClothContacts<D>::reserve_near(uint32_t capacity) {
   near_.resize_discard(0);
   touches_.resize_discard(most_touches * size_t{capacity});
   entries_.resize_discard(FluidClothContact::most_vertices * most_touches * size_t{capacity});
-  near_.resize_discard(capacity);  // last: its length is what counts
+  near_.resize_discard(capacity);  // last: its length is the capacity
 }
 
 template <class D>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set that makes the contacts of fluid with cloth act on the cloth.
 #pragma once
 
 #include <span>
@@ -9,15 +11,17 @@
 
 namespace meniscus::collision {
 
-/// Makes fluid's contacts with cloth act on the cloth (see load.h). In an iteration
+/// Makes the contacts of fluid with cloth act on the cloth (see load.h). In an iteration
 ///
-///   loading()   after the density constraint, before cloth's own: gives the vertices what the contacts have
-///               pushed; at the substep's start, the masses of what presses against them;
-///   carrying()  after cloth's constraints, before contacts are projected: moves what presses along.
+///   loading()   runs after the density constraint and before cloth's own: gives the vertices the impulses of
+///               the contacts. At the substep's start it also adds the masses of the particles that press on
+///               them;
+///   carrying()  runs after cloth's constraints and before contacts are projected: moves the carried
+///               particles.
 ///
-/// Both must be registered in those places, and the set itself behind all that moves vertices: `settle` then
-/// makes sure that nothing has passed through, and `end` hands on what restitution has done. Impulses are
-/// handed on as they are: momentum is kept.
+/// Both must be registered in those places, and the set itself after all sets that move vertices. `settle`
+/// then makes sure that no particle has passed through, and `end` transfers the impulses of restitution. The
+/// transfer keeps impulses, so momentum is conserved.
 template <class D>
 class FluidClothSet final : public pbd::ConstraintSet<D> {
  public:
@@ -27,11 +31,11 @@ class FluidClothSet final : public pbd::ConstraintSet<D> {
   pbd::ConstraintSet<D>& loading() { return loading_; }
   pbd::ConstraintSet<D>& carrying() { return carrying_; }
 
-  /// By vertex: inverse masses, 1/kg. `heaviest` (kg) of vertices and particles.
+  /// By vertex: inverse masses, 1/kg. `heaviest` is the largest mass of any vertex or particle, kg.
   void set_vertices(std::span<const float> inverse_masses, float heaviest);
-  /// Those of the vertices from `first` on are different now.
+  /// Replaces the inverse masses of the vertices from `first` on.
   void weigh(uint32_t first, std::span<const float> inverse_masses) {
-    if (self_weight_.size() > 0) self_weight_.write(inverse_masses, first);  // else nothing bears fluid
+    if (self_weight_.size() > 0) self_weight_.write(inverse_masses, first);  // otherwise no cloth meets fluid
   }
 
   void start_step() override {
@@ -75,8 +79,8 @@ class FluidClothSet final : public pbd::ConstraintSet<D> {
   FluidClothContacts<D>& contacts_;
   Loading loading_;
   Carrying carrying_;
-  uint32_t draws_ = 0, draws_before_ = 0;  // substeps: who passes through is drawn anew in each
-  float unit_ = 0;                         // kg or kg·m, of the integers that sums run in
+  uint32_t draws_ = 0, draws_before_ = 0;  // substeps; each draws the passing particles anew
+  float unit_ = 0;                         // kg or kg·m: unit of the integers in which sums run
   pbd::Buffer<float> self_weight_{device_, "vertex masses"}, loaded_{device_, "loaded vertices"};
   pbd::Buffer<pbd::Vec4> change_{device_, "vertex changes"};
 };

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of FluidClothSet; its kernels are in load.h and passing.h.
 #pragma once
 
 #include <cmath>
@@ -50,7 +52,7 @@ void FluidClothSet<D>::settle(pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   if (!contacts_.any()) return;
   const pbd::ParticleView& p = substep.particles;
-  carry(substep);  // as other sets' last resorts have moved vertices since
+  carry(substep);  // because fail-safes of other sets have moved vertices since
   device_.parallel_for("fluid cloth/unload", contacts_.vertices(),
                        Unload{loaded_vertices(), p.position.from(p.sorted), loaded_.view()});
   contacts_.hold_back(substep);
@@ -83,14 +85,14 @@ void FluidClothSet<D>::pass(pbd::Substep<D>& substep) {
                                                 particles_.phase.current.view(), draws_++, substep.dt});
 }
 
-/// A team for each near particle.
+/// Launches a team for each near particle.
 template <class D>
 template <class Kernel>
 void FluidClothSet<D>::at_particles(const char* name, const Kernel& kernel) {
   pbd::parallel_for_teams<fluid_cloth_kernels::TouchTeam>(device_, name, contacts_.near_count(), kernel);
 }
 
-/// A team for each vertex.
+/// Launches a team for each vertex.
 template <class D>
 template <class Kernel>
 void FluidClothSet<D>::at_vertices(const char* name, const Kernel& kernel) {
@@ -117,7 +119,7 @@ void FluidClothSet<D>::set_vertices(std::span<const float> inverse_masses, float
   self_weight_.write(inverse_masses);
   loaded_.resize_discard(inverse_masses.size());
   change_.resize_discard(inverse_masses.size());
-  // A vertex can carry some 2¹³ times the heaviest, or take as many metres times it.
+  // A vertex can carry about 2¹³ times the heaviest mass, or get that mass times as many metres.
   unit_ = std::ldexp(1.0f, std::ilogb(heaviest) - 49);
 }
 

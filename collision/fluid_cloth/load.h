@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What sheets and fluid do to one another.
+// The two-way coupling of cloth and fluid.
 //
-// A sheet is light: a particle may weigh hundreds of times what a vertex does. Solved by turns, contacts
-// would move the vertices, and cloth pull them back through the particles, with hardly an impulse getting
-// across. So what presses against a sheet is one with it: a vertex with the weights b_c in the
-// touches c is as heavy as
+// Cloth is light: a particle may have hundreds of times the mass of a vertex. If the two were solved in turn,
+// contacts would move the vertices, and cloth would pull them back through the particles. Hardly any impulse
+// would be transferred. So the particles that press on cloth move as one with it. For whatever moves it, a
+// vertex with the weights b_c in the contacts c has the mass
 //
-//   m + Σ_c b_c m_c
+//   m + Σ_c b_c m_c.
 //
-// for whatever moves it, and then moves the particles by Σ_v b_v Δx_v: the impulse is shared out as by a
-// lumped mass matrix, and momentum kept. Beside the sheet, a particle moves alone. For vertex and particles
-// to be one they must start as one: at the substep's start they share their momentum, as after an inelastic
-// impact, or what a light vertex does alone would be done to heavy particles.
+// The particles then move by Σ_v b_v Δx_v. So the impulse is distributed as by a lumped mass matrix, and
+// momentum is conserved. Relative to the cloth, a particle moves alone. A vertex and its particles must start
+// with one velocity. So they share their momentum at the substep's start, as after an inelastic impact.
+// Otherwise the motion of a light vertex alone would be imposed on heavy particles.
 #pragma once
 
 #include "collision/fluid_cloth/cloth_surface.h"
@@ -21,26 +21,26 @@
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// Works on one vertex: of coarse cloth each has thousands of touches.
+/// Works on one vertex: a vertex of coarse cloth has thousands of contacts.
 using VertexTeam = pbd::Team<32>;
 
-/// The vertices of sheets, and what is entered with them. A team asks.
+/// The vertices of cloth with their entries. A team reads them.
 struct LoadedVertices {
   View<const uint32_t> start, entries;  // see EnterTouches
   View<const FluidClothContact> touches;
   View<const float> self_weight;  // 1/kg
-  float unit;                     // kg·m or kg, of the integers that sums run in; a power of 2
+  float unit;                     // kg·m or kg, unit of the integers in which sums run; a power of 2
 
   MENISCUS_HD bool any(uint32_t v) const { return start[v] != start[v + 1]; }
 
-  /// Sums term(touch, weight) in integers, whose sum is the same in any order.
+  /// Sums term(touch, weight) in integers, so the sum is the same in any order.
   template <class Term>
   MENISCUS_HD float sum(uint32_t v, const Term& term) const {
     int64_t total = 0;
     for_each(v, [&](const FluidClothContact& t, float weight) { total += llrintf(term(t, weight) / unit); });
     return unit * static_cast<float>(VertexTeam::sum(total));
   }
-  /// Of the pending impulses, kg·m, which act against the sheet.
+  /// The sum of the pending impulses, kg·m, which act against the cloth.
   MENISCUS_HD Vec3 pending(uint32_t v) const {
     int64_t x = 0, y = 0, z = 0;
     for_each(v, [&](const FluidClothContact& t, float weight) {
@@ -64,8 +64,8 @@ struct LoadedVertices {
   }
 };
 
-/// What happens at the touches of one particle, between the sheets and the contacts. A team is at work on it:
-/// all of its threads take part in means over vertices, and the first one writes.
+/// Operations on the contacts of one particle, between the cloth and the contacts. A team works on it: all of
+/// its threads take part in means over vertices, and the first one writes.
 struct AtTouches {
   NearList near;
   View<pbd::Contact> contacts;
@@ -73,7 +73,7 @@ struct AtTouches {
   View<const Vec4> previous;
   View<const pbd::Phase> phase;
   uint32_t first_vertex;
-  Vec3 fall;  ///< m: what gravity alone moves by in the substep
+  Vec3 fall;  ///< m: the displacement by gravity alone in the substep
 
   MENISCUS_HD FluidClothContact& touch(uint32_t k, uint32_t n) const {
     return near.touches[most_touches * k + n];
@@ -84,14 +84,15 @@ struct AtTouches {
   }
   MENISCUS_HD bool is_pressing(uint32_t i) const { return (phase[i] & pbd::phase_pressing) != 0; }
 
-  /// m: how far the sheet has been moved in the substep. What nothing moves notes impulses in `moved`.
+  /// The displacement of the cloth in the substep, m. Immovable vertices store impulses in
+  /// `accumulated_delta` instead.
   MENISCUS_HD Vec3 motion_of_cloth(const FluidClothContact& t) const {
     return t.mean([&](uint32_t v) {
       return position[first_vertex + v].w > 0 ? accumulated_delta[first_vertex + v].xyz() : Vec3{0, 0, 0};
     });
   }
 
-  /// Takes the contact to where the sheet is; returns to the first thread how far.
+  /// Moves the contact with the cloth, and returns its step to the first thread.
   MENISCUS_HD Vec3 follow_cloth(FluidClothContact& t) const {
     const Vec3 displacement = motion_of_cloth(t);
     if (!TouchTeam::leads()) return {0, 0, 0};
@@ -103,7 +104,7 @@ struct AtTouches {
     return step;
   }
 
-  /// And the share of the particle that it carries.
+  /// The same, with the fraction of the particle that the cloth carries.
   MENISCUS_HD Vec3 follow(FluidClothContact& t) const {
     const Vec3 step = follow_cloth(t);
     if (!TouchTeam::leads()) return step;
@@ -113,7 +114,7 @@ struct AtTouches {
     return step;
   }
 
-  /// Moves particle i as the sheets that carry it have moved.
+  /// Moves particle i as the cloth that carries it has moved.
   MENISCUS_HD void carry(uint32_t k, uint32_t i) const {
     Vec3 step{0, 0, 0};
     for (uint32_t n = 0; n < most_touches; ++n) {
@@ -127,7 +128,7 @@ struct AtTouches {
     accumulated_delta[i] = pbd::shifted(accumulated_delta[i], step);
   }
 
-  /// Notes what the contacts have pushed since the last time.
+  /// Stores what the contacts have pushed since the last call.
   MENISCUS_HD void note_pushes(uint32_t k) const {
     for (uint32_t n = 0; n < most_touches; ++n) {
       FluidClothContact& t = touch(k, n);
@@ -138,14 +139,14 @@ struct AtTouches {
     }
   }
 
-  /// Whether particle i bears on the sheet.
+  /// Whether particle i presses on the cloth.
   MENISCUS_HD bool presses(const FluidClothContact& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
     return bears(c.normal, c.normal_multiplier + dot(c.density_push, c.normal), i);
   }
-  /// Whether it is predicted to, or as good as that: what would stop just before the sheet is pressed against
-  /// it by the layers behind.
+  /// Whether it is predicted to press, or nearly so. A particle that would stop just before the cloth is
+  /// pressed against it by the layers behind.
   MENISCUS_HD bool comes_to_press(const FluidClothContact& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
@@ -155,18 +156,18 @@ struct AtTouches {
   }
 
  private:
-  /// Whether an impulse `normal`, kg·m, holds particle i. What presses with less than a quarter of what its
-  /// weight would drag with must run down a sheet that stands upright: stuck to it, the topmost layer around
-  /// a hull weighs on it. Let go of sooner, it threw taut light sheets about.
+  /// Whether an impulse `normal`, kg·m, is enough to carry particle i: at least a quarter of the tangential
+  /// component of its weight. A particle with less must run down vertical cloth. If it stuck, the topmost
+  /// layer around a hull would weigh on the hull. With a higher bound, taut light cloth became unstable.
   MENISCUS_HD bool bears(Vec3 direction, float normal, uint32_t i) const {
     const Vec3 weight = fall / position[i].w, drag = weight - dot(weight, direction) * direction;
     return normal > 0 && length(drag) <= 4 * normal;
   }
 };
 
-/// Before anything is solved: what pressed at the last substep's end is carried, and what is about to, and
-/// brings in its predicted way. Met with the mass of a lone vertex, an impact would throw it further than its
-/// edges are long.
+/// Runs before anything is solved. Carried are the particles that pressed at the last substep's end and those
+/// that are about to press. They bring in their predicted displacement. Met with the mass of a lone vertex,
+/// an impact would move it further than its edges are long.
 struct StartTouches {
   AtTouches at;
 
@@ -183,7 +184,7 @@ struct StartTouches {
     for (uint32_t n = 0; n < most_touches; ++n) {
       FluidClothContact& t = at.touch(k, n);
       const bool live = at.is_live(t);
-      // The contact was found where that has taken the sheet already.
+      // The contact was found where this displacement has already moved the cloth.
       const Vec3 followed = live ? at.motion_of_cloth(t) : Vec3{0, 0, 0};
       if (!TouchTeam::leads()) continue;
       t.followed = followed;
@@ -194,12 +195,12 @@ struct StartTouches {
   }
 };
 
-/// Vertices and what they carry share their momentum.
+/// Vertices and the particles that they carry share their momentum.
 struct ShareMomentum {
   LoadedVertices vertices;
   View<Vec4> position, accumulated_delta;  // by vertex
   View<const Vec4> previous;               // by vertex
-  View<Vec4> taken;  // by vertex, m: what it took of the motion of each of its particles
+  View<Vec4> taken;  // by vertex, m: what it took from the displacement of each of its particles
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
@@ -219,7 +220,7 @@ struct ShareMomentum {
   }
 };
 
-/// The particles' part of that; from here on contacts follow the sheets.
+/// Applies the same to the particles. From here on contacts follow the cloth.
 struct GiveMomentum {
   AtTouches at;
   View<const Vec4> taken;  // by vertex
@@ -243,7 +244,8 @@ struct GiveMomentum {
   }
 };
 
-/// Moves what the sheets carry, and the contacts; if `weighs`, notes what the sheets are to get back.
+/// Moves the carried particles and the contacts with the cloth. If `weighs`, stores the impulses that the
+/// vertices get next.
 struct FollowCloth {
   AtTouches at;
   bool weighs;
@@ -255,7 +257,7 @@ struct FollowCloth {
   }
 };
 
-/// Pushes the vertices back. What nothing moves notes it.
+/// Applies the pending impulses to the vertices. An immovable vertex stores the impulse.
 struct PushVertices {
   LoadedVertices vertices;
   View<Vec4> position, accumulated_delta;  // by vertex
@@ -270,7 +272,7 @@ struct PushVertices {
   }
 };
 
-/// Gives the vertices their own masses back, and notes what they were with their loads.
+/// Restores the vertices' own masses, and stores the loaded ones.
 struct Unload {
   LoadedVertices vertices;
   View<Vec4> position;  // by vertex
@@ -283,8 +285,8 @@ struct Unload {
   }
 };
 
-/// How sheets give way to the density constraint, as the bodies of other contacts do (fluid/density_wall_
-/// kernels.h): each vertex is split among its touches.
+/// Computes the inverse mass of cloth at a contact for the density constraint, like that of a body
+/// (fluid/kernel/density_wall_kernels.h). Each vertex is split among its contacts.
 struct NoteGive {
   NearList near;
   LoadedVertices vertices;
@@ -306,7 +308,7 @@ struct NoteGive {
   }
 };
 
-/// Notes what the contacts have changed velocities by since the positions were done (restitution).
+/// Stores the velocity changes by contacts since the position solve (restitution).
 struct WeighVelocities {
   AtTouches at;
 
@@ -315,7 +317,7 @@ struct WeighVelocities {
   }
 };
 
-/// Gives it to the vertices.
+/// Applies them to the vertices.
 struct LoadVelocities {
   LoadedVertices vertices;
   View<const float> loaded;  // by vertex, 1/kg
@@ -332,7 +334,8 @@ struct LoadVelocities {
   }
 };
 
-/// Speeds up what the sheets carry, and notes who presses, for the next substep.
+/// Changes the velocities of carried particles with the cloth, and marks the particles that press, for the
+/// next substep.
 struct CarryVelocities {
   AtTouches at;
   View<const Vec4> change;  // by vertex

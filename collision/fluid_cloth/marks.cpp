@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes the marks of triangles.
 #include "collision/fluid_cloth/marks.h"
 
 #include <algorithm>

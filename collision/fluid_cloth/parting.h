@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What a sheet stands between are no neighbours: each side has the sheet's images instead.
+// Separation of neighbours with cloth between them. Each side gets mirror ghosts of the cloth instead.
 #pragma once
 
 #include "collision/fluid_cloth/find.h"
@@ -9,10 +9,10 @@
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// Takes those out of the near particles' lists that are on the other side of a triangle, at the substep's
-/// start, when nothing had passed through anything. Both ends of a pair see the same segment, computed in the
-/// same way, and part from one another. A warp works on a particle: its threads share out 32 neighbours, and
-/// all look for triangles together.
+/// Removes neighbours on the other side of a triangle from the near particles' lists. It uses the positions
+/// at the substep's start, when no particle had passed through cloth. Both ends of a pair test the same
+/// segment, computed in the same way, and each removes the other. A warp works on a particle. Its threads
+/// share 32 neighbours, and all search for triangles together.
 struct PartNeighbours {
   Surface surface;
   NearList near;
@@ -30,10 +30,11 @@ struct PartNeighbours {
 
   struct Neighbour {
     uint32_t j;  // or the sentinel
-    Aabb box;    // of the segment to it
+    Aabb box;    // box of the segment to it
   };
 
-  /// From those from the first on. What passes through the piece stays a neighbour of both sides.
+  /// Tests the neighbours from `first` on. A particle that passes through the piece stays a neighbour of both
+  /// sides.
   MENISCUS_HD void part(uint32_t i, uint32_t first, uint32_t count) const {
     Neighbour self[self_count];
     for (uint32_t k = 0; k < self_count; ++k) self[k] = neighbour(i, place(first, k), count);
@@ -57,11 +58,11 @@ struct PartNeighbours {
   MENISCUS_HD Neighbour neighbour(uint32_t i, uint32_t n, uint32_t count) const {
     const uint32_t sentinel = neighbours.sentinel, j = n < count ? neighbours.at(i, n) : sentinel;
     const Vec3 p = load(surface.previous, i).xyz(), q = j == sentinel ? p : load(surface.previous, j).xyz();
-    constexpr float slack = 1e-4f;  // more than that of what goes through an edge
+    constexpr float slack = 1e-4f;  // more than the tolerance in passes()
     return {j, motion_box(p, q, slack * h)};
   }
 
-  /// By a triangle of some of eight groups.
+  /// Whether a triangle of some of eight groups separates the two.
   MENISCUS_HD bool are_parted_by(uint32_t above, uint32_t boxes, uint32_t i, const Neighbour& self) const {
     boxes &= pbd::overlap_mask(surface.tree.group(1, above), self.box);
     for (; boxes; boxes &= boxes - 1)
@@ -69,7 +70,7 @@ struct PartNeighbours {
     return false;
   }
 
-  /// By one of eight triangles.
+  /// Whether one of eight triangles separates the two.
   MENISCUS_HD bool are_parted_by(uint32_t group, const Aabb& box, uint32_t i, uint32_t j) const {
     const Vec3 p = load(surface.previous, i < j ? i : j).xyz(),
                q = load(surface.previous, i < j ? j : i).xyz();
@@ -91,7 +92,7 @@ struct PartNeighbours {
     const Vec3 displacement = q - p, ap = a - p, bp = b - p, cp = c - p;
     const float u = dot(displacement, cross(bp, cp)), v = dot(displacement, cross(cp, ap)),
                 w = dot(displacement, cross(ap, bp));
-    // What goes through an edge goes through one of its triangles at least.
+    // A segment through an edge goes through at least one of the edge's triangles.
     const float slack = 1e-5f * (fabsf(u) + fabsf(v) + fabsf(w));
     return (u >= -slack && v >= -slack && w >= -slack) || (u <= slack && v <= slack && w <= slack);
   }

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Fluid that passes through permeable sheets by Darcy's law, q = ψ Δp/(ρ g), with the permittivity ψ (1/s)
-// and the water column Δp/(ρ g).
+// Fluid that passes through permeable cloth by Darcy's law, q = ψ Δp/(ρ g), with the permittivity ψ (1/s) and
+// the water column Δp/(ρ g).
 //
-// Who passes is drawn: of the particles that press from the side of the greater pressure, one that presses
-// with the force F does in a substep with the chance ψ F hₜ/(ρ g s³), times the share of their push that
-// nothing on the other side withstands. What passes meets no permeable sheet until it is clear of all of
-// them, on whichever side the pressure has brought it to.
+// Which particle passes is drawn at random, among those that press from the side of the greater pressure. One
+// that presses with the force F passes in a substep with the probability ψ F hₜ/(ρ g s³). This is multiplied
+// by the fraction of the push that nothing on the other side withstands. A passing particle meets no
+// permeable cloth until it is clear of all, on whichever side the pressure has moved it to.
 #pragma once
 
 #include "collision/fluid_cloth/find.h"
@@ -16,19 +16,19 @@
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// m: what passes is clear of a sheet at this distance, and what begins to is nearer. The second layer of
-/// particles is further off.
+/// m: a passing particle is clear of cloth at this distance, and one that begins to pass is nearer. The
+/// second layer of particles is further away.
 MENISCUS_HD inline float clear_of_cloth(float radius) {
   return 1.5f * radius;
 }
 
-/// Whether what touches there may begin to pass.
+/// Whether a particle in contact at x may begin to pass.
 MENISCUS_HD inline bool is_at_cloth(const pbd::Contact& c, Vec3 x) {
   return plane_distance(c, x) < clear_of_cloth(c.radius);
 }
 
-/// Notes what each touch has pushed its particle with in the substep, and what of it those at the sheet have
-/// got: they pass for all.
+/// Stores the impulse of each contact in the substep, and the part of it on particles at the cloth. These
+/// pass for all particles.
 struct NotePushes {
   NearList near;
   View<const pbd::Contact> contacts;
@@ -45,8 +45,8 @@ struct NotePushes {
   }
 };
 
-/// What is to pass at each vertex: the push that nothing on the other side withstands, over that of those who
-/// may pass.
+/// The flow at each vertex: the push that nothing on the other side withstands, over the push of the
+/// particles that may pass.
 struct DrivePassing {
   LoadedVertices vertices;
   View<Vec4> drive;  // by vertex, towards the greater pressure
@@ -93,7 +93,7 @@ struct BeginPassing {
   }
 };
 
-/// Before contacts are found.
+/// Ends the passage of particles that are clear of cloth. Runs before contacts are found.
 struct EndPassing {
   Surface surface;
   View<pbd::Phase> phase;

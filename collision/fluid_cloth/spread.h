@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What a particle does to a mesh finer than the particles are: vertices between those of the triangles that
-// are touched would else go unloaded.
+// The action of a particle on a mesh finer than the particles. Otherwise vertices between the touched
+// triangles would stay unloaded.
 #pragma once
 
 #include "collision/fluid_cloth/area.h"
@@ -11,22 +11,22 @@
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// Where a touch is to be shared out from.
+/// The place from which a contact is distributed.
 struct SpreadAround {
   Vec3 point, normal;
   float radius;  // m
   uint32_t part;
 };
 
-/// The vertices near a touch, each with a kernel's weight, as a warp gathers them in the touch. The weights
-/// are corrected so that they give back the point itself as well as a constant (moving least squares): then
-/// forces across the sheet turn nothing.
+/// The vertices near a contact, each with a kernel's weight, as a warp gathers them in the contact. The
+/// weights are corrected so that they reproduce constants and the point itself (moving least squares). So
+/// forces across the cloth exert no torque.
 class Spread {
  public:
   MENISCUS_HD Spread(const Surface& surface, const SpreadAround& around, FluidClothContact& touch)
       : surface_(surface), around_(around), axes_(around.normal), touch_(touch) {}
 
-  /// How many share it; 0 where they are too few, or to one side.
+  /// The number of vertices that share the contact; 0 where they are too few, or all on one side.
   MENISCUS_HD uint32_t find() {
     const float r = around_.radius;
     pbd::for_each_place_in_warp(surface_.tree, pbd::inflated({around_.point, around_.point}, r),
@@ -49,7 +49,7 @@ class Spread {
     return {dot(d, axes_.u) / r, dot(d, axes_.v) / r, left * left};
   }
 
-  /// Those of a triangle's vertices that it is the first to use.
+  /// Adds those of a triangle's vertices that it is the first to use.
   MENISCUS_HD void add(uint32_t place, bool overlaps) {
     const pbd::SurfaceTriangle t = load(surface_.tree.triangles, place);
     const uint32_t firsts = overlaps && t.part == around_.part ? surface_.marks[place] >> first_use_mark : 0;
@@ -70,7 +70,7 @@ class Spread {
     if (count_ > FluidClothContact::most_vertices) count_ = FluidClothContact::most_vertices;
   }
 
-  /// By the first row of the inverse of the moments.
+  /// Corrects the weights by the first row of the inverse of the moment matrix.
   MENISCUS_HD bool correct() const {
     const float one = SearchTeam::sum(one_), u = SearchTeam::sum(u_), v = SearchTeam::sum(v_);
     const float uu = SearchTeam::sum(uu_), uv = SearchTeam::sum(uv_), vv = SearchTeam::sum(vv_);
@@ -93,8 +93,8 @@ class Spread {
   float one_ = 0, u_ = 0, v_ = 0, uu_ = 0, uv_ = 0, vv_ = 0;
 };
 
-/// Shares a touch among the vertices within the radius, or as far as a border allows. Returns how many they
-/// are; 0 where it does not.
+/// Distributes a contact among the vertices within the radius, or within a smaller one near a border. Returns
+/// their number, or 0 where no radius works.
 MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAround& around,
                                        FluidClothContact& touch) {
   for (float r = around.radius; r > 0.4f * around.radius; r *= 0.75f) {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Which particles touch cloth that may take them up.
+// Finds the particles that touch absorbent cloth.
 #pragma once
 
 #include "collision/fluid_cloth/passing.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
-/// Lists the nearest touch of each particle, in no order.
+/// Lists the nearest absorbent contact of each particle, in no order.
 struct ListWetting {
   NearList near;
   View<const pbd::Contact> contacts;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of contacts among grains. All gather: a kernel writes the row and the position of its own
-// grain.
+// The kernels of contacts among grains. All of them gather: a kernel writes the row and the position of its
+// own grain alone.
 #pragma once
 
 #include "collision/grains/rows.h"
@@ -17,26 +17,26 @@ using pbd::Phase;
 using pbd::Vec4;
 using pbd::View;
 
-/// From j to i, unit; grains on the very same point are parted along y.
+/// Unit normal from j to i. Grains at the same point are separated along y.
 MENISCUS_HD inline Vec3 contact_normal(Vec3 d, float distance, uint32_t i, uint32_t j) {
   if (distance > 0) return (1 / distance) * d;
   return {0, i < j ? 1.0f : -1.0f, 0};
 }
 
-/// Lists who may touch a grain before the substep's end. What such a contact did in the last substep, a share
-/// of it, is where the solve starts from.
+/// Lists the grains that may touch a grain before the substep's end. The solve starts from a fraction of the
+/// impulse that such a contact had in the last substep.
 struct FindTouching {
   View<const Vec4> position, previous;
   View<const Phase> phase;
   pbd::NeighbourView neighbours;
   View<const float> roughness;  ///< √μ, by group
   float diameter, reach;        ///< m
-  float recovery;               ///< share of an overlap that is undone in this substep
+  float recovery;               ///< fraction of an overlap that is undone in this substep
   GrainRows last;
-  View<const uint32_t> origin;  ///< where each grain was when the last rows were written
+  View<const uint32_t> origin;  ///< by grain: its index when the last rows were written
   float fraction;
   GrainRows rows;
-  View<Vec4> change;  ///< of impulses, in the last iteration; w: distance to keep, m
+  View<Vec4> change;  ///< of the impulses, in the last iteration; w: distance to keep, m
   View<uint32_t> next_origin;
   View<float> pressing;  ///< see Stage
   View<uint32_t> longest;
@@ -81,7 +81,7 @@ struct FindTouching {
   }
 };
 
-/// Tells the host.
+/// Writes the longest row for the host.
 struct NoteLongest {
   View<const uint32_t> longest;
   View<uint32_t> found;
@@ -89,7 +89,7 @@ struct NoteLongest {
   MENISCUS_HD void operator()(uint32_t) const { found[0] = longest[0]; }
 };
 
-/// Grains move by the impulses that the solve starts from.
+/// Moves grains by the impulses that the solve starts from.
 struct Start {
   GrainRows rows;
   View<Vec4> position, accumulated_delta;
@@ -106,14 +106,14 @@ struct Start {
   }
 };
 
-/// Puts the positions aside for Project, as they are for all, and counts by how many contacts at once a grain
-/// is pressed, at most, in this substep: a grain is split among these. One too few, and an iteration takes
-/// back more than there is: a row of grains that met at .05 m/s flew apart at 20.
+/// Copies the positions for Project, so that all grains read the same ones. Counts the largest number of
+/// contacts that press on a grain at once in this substep: a grain is split among these. With one too few, an
+/// iteration overcorrects: a row of grains that met at 0.05 m/s flew apart at 20 m/s.
 struct Stage {
   GrainRows rows;
   View<const Vec4> change, position;
   View<float> pressing;
-  View<Vec4> staged;  ///< w: inverse mass, as each of the grain's contacts sees it
+  View<Vec4> staged;  ///< w: inverse mass, as seen by each of the grain's contacts
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t count = rows.count[i];
@@ -124,7 +124,7 @@ struct Stage {
     const float most = pressing[i] = pbd::max(pressing[i], static_cast<float>(now));
     staged[i] = pbd::with_w(p.xyz(), pbd::max(1.0f, most) * p.w);
   }
-  /// Whether the next iteration changes anything at a contact.
+  /// Whether the next iteration changes the contact.
   MENISCUS_HD bool presses(Vec3 x, size_t at) const {
     const Vec3 impulse = rows.impulse.data[at].xyz(), d = x - position[rows.partner.data[at]].xyz();
     const float keep = change.data[at].w;
@@ -168,7 +168,8 @@ struct Project {
     accumulated_delta[i] = pbd::shifted(accumulated_delta[i], shift);
   }
 
-  /// Grains never pull, and friction is at most μ times the load.
+  /// Projects the impulse into the friction cone: grains never pull, and friction is at most μ times the
+  /// load.
   MENISCUS_HD static Vec3 within_cone(Vec3 impulse, Vec3 normal, float friction) {
     const float load = dot(impulse, normal);
     if (!(load > 0)) return {0, 0, 0};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set of contacts with Coulomb friction among grains.
 #pragma once
 
 #include <span>
@@ -13,42 +15,42 @@
 
 namespace meniscus::collision {
 
-/// One kind of particles, as grains see it.
+/// Properties of one group of particles, for contacts among grains.
 struct GrainMaterial {
   bool is_grain = false;
   float friction = 0;  ///< Coulomb's μ of a contact
 };
 
-/// The μ of contacts between which a heap comes to rest with this slope. Measured on columns of some 2000
-/// grains that collapse: tan φ = 0.18 + 1.4 μ for μ to 0.3, of frictionless grains 0.17.
+/// The μ of contacts with which a heap comes to rest at this slope. Measured on columns of about 2000 grains
+/// that collapse: tan φ = 0.18 + 1.4 μ for μ up to 0.3, and 0.17 for frictionless grains.
 constexpr float contact_friction(float slope) {
   return slope > 0.18f ? (slope - 0.18f) / 1.4f : 0.0f;
 }
 
-/// Contacts with Coulomb friction among grains: balls of one diameter d that do not turn (Macklin et al.
-/// 2014, section 6.1).
+/// Contacts with Coulomb friction among grains. Grains are balls of one diameter d that do not rotate
+/// (Macklin et al. 2014, section 6.1).
 ///
 ///   normal    C = |x_i − x_j| − d ≥ 0
 ///   friction  the substep's slip along the contact is taken back, up to μ times the normal load
 ///
-/// Where this departs from the paper:
-/// - A contact's impulse is accumulated over the substep, as a vector, and held in the friction cone: an
+/// Departures from the paper:
+/// - A contact's impulse is accumulated over the substep, as a vector, and kept in the friction cone. So an
 ///   iteration can take back what an earlier one overdid. One μ serves at rest and in motion.
-/// - Instead of averaging over its constraints, a grain is split among them (mass splitting, Tonge,
-///   Benevolenski & Voroshilov 2012): Δp = −(C n + slip)/(n_i w_i + n_j w_j), n_i being the number that
-///   presses on i. What both get of a pair is opposite and equal: momentum is kept. The spectrum is bounded
-///   by 1, for Chebyshev's weights.
-/// - The solve starts from the impulses of the last substep, so that a pile at rest is solved over many
-///   substeps. The paper makes grains lighter with their height instead, which does not keep momentum.
-/// - Overlaps that were there before are undone little by little, and not in a substep, which would throw
-///   grains apart.
+/// - A grain is split among its constraints and not averaged over them (mass splitting, Tonge, Benevolenski &
+///   Voroshilov 2012): Δp = −(C n + slip)/(n_i w_i + n_j w_j), where n_i contacts press on i. The impulses on
+///   both grains of a pair are equal and opposite, so momentum is conserved. The spectrum is bounded by 1, as
+///   Chebyshev's weights need.
+/// - The solve starts from the impulses of the last substep. So a pile at rest is solved over many substeps.
+///   The paper makes grains lighter with their height instead, which does not conserve momentum.
+/// - Overlaps from before the substep are removed slowly. Removed within one substep, they would throw grains
+///   apart.
 template <class D>
 class GrainSet final : public pbd::ConstraintSet<D> {
  public:
-  /// `diameter` of all grains, m. `contacts` are those with solids.
+  /// `diameter` of all grains, m. `contacts` solves the contacts with solids.
   GrainSet(D& device, float diameter, ContactSet<D>& contacts);
 
-  /// By group of the particles' phases.
+  /// One entry for each group of the particles' phases.
   void set_materials(std::span<const GrainMaterial> materials);
 
   void reserve(uint32_t capacity, uint32_t kept) override;
@@ -73,10 +75,10 @@ class GrainSet final : public pbd::ConstraintSet<D> {
   D& device_;
   float diameter_;
   ContactSet<D>& contacts_;
-  bool any_ = false;  // grains may be there
+  bool any_ = false;  // whether there may be grains
   pbd::Chebyshev chebyshev_;
   float last_dt_ = 0, saved_dt_ = 0;
-  uint32_t capacity_ = 0;       // particles that there is room for
+  uint32_t capacity_ = 0;       // in particles
   uint32_t row_capacity_ = 16;  // a grain of a dense pile has about 12 contacts
 
   pbd::Buffer<float> roughness_{device_, "grain materials"};

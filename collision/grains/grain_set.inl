@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions and tuned constants of GrainSet; its kernels are in grain_kernels.h.
 #pragma once
 
 #include <algorithm>
@@ -15,17 +17,18 @@ namespace meniscus::collision {
 
 namespace grain_tuning {
 
-/// Grains nearer than this, over their diameter, when contacts are found may touch before the substep's end.
+/// Contacts are found for grains nearer than this, over their diameter: they may touch before the substep's
+/// end.
 inline constexpr float reach = 1.15f;
-/// Share of the last substep's impulses to start from. What is lost has to be found anew from overlaps: the
-/// more is lost, the softer a pile.
+/// Fraction of the last substep's impulses to start from. The rest has to be found again from overlaps, so a
+/// pile is softer the smaller this is.
 inline constexpr float warm_start = 0.985f;
-/// 1/s: the rate at which overlaps that were there before are undone.
+/// 1/s: the rate at which overlaps from before the substep are removed.
 inline constexpr float recovery_rate = 15;
-/// The most of it in a substep. A mode of which the solve relieves a share ε is stable with the impulses
-/// started from while recovery < ε + 1 − warm_start.
+/// The largest fraction of an overlap that is removed in a substep. A mode of which the solve relieves the
+/// fraction ε is stable with warm starting while recovery < ε + 1 − warm_start.
 inline constexpr float most_recovery = 0.06f;
-/// Of the solve's spectrum: what else pushes on grains in between has its part in it.
+/// Bound of the solve's spectrum. It includes the effect of what else pushes on grains between iterations.
 inline constexpr float spectral_bound = 1.1f;
 
 }  // namespace grain_tuning
@@ -85,9 +88,9 @@ void GrainSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const pbd::ParticleView& p = substep.particles;
   if (iteration == 0) {
     device_.parallel_for("grains/start", p.sorted, Start{current_rows(), p.position, p.accumulated_delta});
-    // Solids answer what grains start with. Else the lowest layer would have nothing to stand on, and give
-    // way.
-    pbd::Substep<D> grains = substep;  // vertices, and points of faces, have their turn
+    // Solids react to the impulses that grains start with. Otherwise the lowest layer would have no support
+    // and sink.
+    pbd::Substep<D> grains = substep;  // vertices and points of faces are projected elsewhere
     grains.contacts = substep.contacts.of_first(p.sorted);
     contacts_.project(grains, iteration);
   }
@@ -119,14 +122,14 @@ GrainRows GrainSet<D>::next_rows() {
 
 template <class D>
 void GrainSet<D>::reserve(uint32_t capacity, uint32_t) {
-  // Rows stand where particles stood in the last substep. Of those that stay some may have stood behind as
-  // many as there are now.
+  // Rows are indexed by the particles' order in the last substep. A particle that stays may have had an index
+  // at or beyond the present count, so all rows up to the capacity are kept.
   const uint32_t rows = std::min(capacity_, capacity);
   capacity_ = capacity;
   if (any_) reserve_arrays(rows);
 }
 
-/// Takes memory only where there may be grains. The first `kept` rows stay.
+/// Allocates only if there may be grains. The first `kept` rows stay.
 template <class D>
 void GrainSet<D>::reserve_arrays(uint32_t kept) {
   const size_t elements = row_elements(capacity_, row_capacity_, block);
@@ -150,7 +153,8 @@ void GrainSet<D>::reserve_arrays(uint32_t kept) {
   device_.fill(origin_.current().data + kept, 0xff, more * sizeof(uint32_t));
 }
 
-/// They have not touched anything, and have no rows. Those at their places may be others'.
+/// New particles have touched nothing and have no rows. The rows at their indices may belong to other
+/// particles.
 template <class D>
 void GrainSet<D>::clear(uint32_t first, uint32_t count) {
   if (any_ && count > 0) device_.fill(origin_.current().data + first, 0xff, count * sizeof(uint32_t));
@@ -164,7 +168,7 @@ void GrainSet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
   origin_.flip();
 }
 
-/// Longer rows start empty: the next solve starts from nothing.
+/// Longer rows start empty, so the next solve starts without impulses.
 template <class D>
 void GrainSet<D>::make_room() {
   const uint32_t before = std::exchange(row_capacity_, (longest_row() + 3) / 4 * 4);

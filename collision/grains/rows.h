@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Arrays of the contacts among grains, one row a grain.
 #pragma once
 
 #include "pbd/device/base/view.h"
@@ -7,16 +9,16 @@
 
 namespace meniscus::collision {
 
-/// The contacts of grains with one another, a row a grain. Both grains of a contact have it in their rows,
-/// and find the same for it from the same numbers, bit by bit, but for the sign: so nothing is scattered, and
-/// momentum is kept.
+/// The contacts of grains with one another, one row a grain. Both grains of a contact have it in their rows.
+/// Both compute the same result for it from the same numbers, bit by bit, except for the sign. So nothing is
+/// scattered, and momentum is conserved.
 ///
-/// Rows of `block` grains lie interleaved, so that a warp's loads coalesce; where a row is, does not depend
-/// on how many grains there is room for.
+/// Rows of `block` grains are interleaved, so that a warp's loads coalesce. The place of a row does not
+/// depend on the number of grains that there is room for.
 struct GrainRows {
   pbd::View<uint32_t> partner;
   pbd::View<pbd::Vec4> impulse;  ///< kg·m, on this grain in this substep; w: Coulomb's μ
-  pbd::View<uint32_t> count;     ///< of each grain
+  pbd::View<uint32_t> count;     ///< contacts of each grain
   uint32_t capacity = 0;         ///< contacts a row
   uint32_t block = 1;            ///< a power of two
 
@@ -25,7 +27,7 @@ struct GrainRows {
   }
 };
 
-/// Elements that rows of `grains` take.
+/// The number of elements that the rows of `grains` take.
 inline size_t row_elements(uint32_t grains, uint32_t capacity, uint32_t block) {
   return size_t{(grains + block - 1) / block} * block * capacity;
 }

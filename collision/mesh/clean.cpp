@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Welds vertices and drops degenerate, repeated and unused parts of a mesh.
 #include "collision/mesh/clean.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ namespace {
 using Corners = std::array<uint32_t, 3>;
 
 constexpr double weld_fraction = 1e-6;  // of the box's diagonal
-constexpr double flat_fraction = 1e-7;  // height over longest edge; below it a float normal means nothing
+constexpr double flat_fraction = 1e-7;  // height over longest edge; below it a float normal is all rounding
 constexpr uint32_t none = 0xffffffff;
 
 struct Double3 {
@@ -28,7 +30,8 @@ double squared(const Double3& a) {
   return a.x * a.x + a.y * a.y + a.z * a.z;
 }
 
-// Vertices kept so far, in cells as wide as the welding distance: a partner is in one of 27 cells.
+// Vertices kept so far, in cells as wide as the welding distance. A vertex to weld with is in one of 27
+// cells.
 class Welder {
  public:
   Welder(const std::vector<Vec3>& vertices, const Aabb& box)
@@ -38,7 +41,7 @@ class Welder {
     next_.resize(vertices.size(), none);
   }
 
-  /// The first vertex kept within reach of vertex i, or i itself, which then is kept.
+  /// The first vertex kept within reach of vertex i, or i itself, which is then kept.
   uint32_t weld(uint32_t i) {
     const Vec3 p = vertices_[i];
     const std::array<int64_t, 3> cell = cell_of(p);
@@ -64,7 +67,7 @@ class Welder {
     return {along(p.x, lower_.x), along(p.y, lower_.y), along(p.z, lower_.z)};
   }
 
-  // A cell's number stays below 2^21, as the diagonal is a million cells long.
+  // The number of a cell stays below 2^21, because the diagonal is a million cells long.
   static uint64_t key(const std::array<int64_t, 3>& cell, int x, int y, int z) {
     return static_cast<uint64_t>(cell[0] + x) | static_cast<uint64_t>(cell[1] + y) << 21 |
            static_cast<uint64_t>(cell[2] + z) << 42;
@@ -100,14 +103,14 @@ bool is_flat(Vec3 a, Vec3 b, Vec3 c) {
   return squared(n) <= flat_fraction * flat_fraction * longest * longest;
 }
 
-// The same triangle with its smallest corner first, so that equal ones compare equal. The side it faces is
-// kept.
+// The same triangle with its smallest corner first, so that equal triangles compare equal. Its orientation
+// stays.
 Corners turned(Corners t) {
   std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   return t;
 }
 
-// The first of each kind, in their old order.
+// The first of each set of equal triangles, in their old order.
 std::vector<uint32_t> without_repeats(const std::vector<Corners>& triangles) {
   std::vector<std::pair<Corners, uint32_t>> sorted;
   for (uint32_t i = 0; i < triangles.size(); ++i) sorted.emplace_back(turned(triangles[i]), i);
@@ -120,7 +123,7 @@ std::vector<uint32_t> without_repeats(const std::vector<Corners>& triangles) {
   return kept;
 }
 
-// Numbers the used vertices anew, in their old order.
+// Renumbers the used vertices, in their old order.
 TriangleMesh compact(const std::vector<Vec3>& vertices, std::vector<Corners> triangles) {
   std::vector<uint32_t> number(vertices.size(), none);
   for (const Corners& t : triangles) {

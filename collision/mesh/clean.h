@@ -1,20 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Cleaning of meshes: welded vertices, no degenerate or repeated triangles.
 #pragma once
 
 #include "collision/mesh/mesh.h"
 
 namespace meniscus::collision {
 
-/// Welds vertices nearer than a millionth of the box's diagonal, then drops triangles without area, triangles
-/// that are there twice, and vertices that no triangle uses. What is left keeps its order. Vertices must be
-/// finite.
+/// Welds vertices nearer than a millionth of the box's diagonal. Then drops triangles without area, repeated
+/// triangles and vertices that no triangle uses. The rest keeps its order. Vertices must be finite.
 TriangleMesh clean_mesh(const TriangleMesh& mesh);
 
-/// A clean mesh that knows where its triangles come from.
+/// A clean mesh with the origin of its triangles.
 struct CleanedMesh {
   TriangleMesh mesh;
-  std::vector<uint32_t> sources;  ///< the number that each triangle had
+  std::vector<uint32_t> sources;  ///< by triangle: its number in the original mesh
 };
 CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh);
 

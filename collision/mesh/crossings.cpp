@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds the pairs of triangles of a mesh that pass through one another.
 #include "collision/mesh/crossings.h"
 
 #include <Eigen/Core>
@@ -15,7 +17,7 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Corners = std::array<uint32_t, 3>;
 
-constexpr double touch_fraction = 1e-6;  // of the box's diagonal: what is welded is not a crossing
+constexpr double touch_fraction = 1e-6;  // of the box's diagonal: welded vertices are no crossing
 
 Vector exact(Vec3 v) {
   return {v.x, v.y, v.z};
@@ -31,9 +33,10 @@ bool overlap(const Aabb& a, const BvhNode& b) {
 }
 
 // How a segment meets a triangle whose plane it crosses.
-constexpr int misses = -2, pierces = -1;  // else the number of the side that it passes through
+constexpr int misses = -2, pierces = -1;  // otherwise the number of the side that it passes through
 
-// Where in the triangle's plane x lies. Corners, where many triangles meet, are left to their neighbours.
+// Where x lies in the triangle's plane. Corners, where many triangles meet, are left to the neighbouring
+// triangles.
 int place_in(const std::array<Vector, 3>& corners, const Vector& normal, const Vector& x, double touch) {
   int on_side = pierces;
   for (int k = 0; k < 3; ++k) {
@@ -102,8 +105,8 @@ class Search {
     }
   }
 
-  // The edge between two faces is passed through where both faces' planes are crossed at it: a plane alone
-  // may belong to a body that merely stands there.
+  // The edge between two faces is passed through where the planes of both faces are crossed at it. A single
+  // plane may belong to a face that merely touches there.
   void note(uint32_t face, uint32_t other, int side, int place) {
     if (place == misses) return;
     if (place != pierces) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Self-intersections of a mesh.
 #pragma once
 
 #include <utility>
@@ -9,9 +11,9 @@
 
 namespace meniscus::collision {
 
-/// Pairs of triangles, by number and in order, that share no vertex and pass through one another: a side of
-/// one pierces the other, or the edge between two others. What merely touches does not count, nor what is
-/// less than a millionth of the box's diagonal deep.
+/// Pairs of triangles that share no vertex and pass through one another, sorted by number. A side of one
+/// pierces the other, or passes through the edge between two others. Contact alone does not count, nor does a
+/// depth of less than a millionth of the box's diagonal.
 std::vector<std::pair<uint32_t, uint32_t>> crossing_triangles(const TriangleMesh& mesh);
 
 }  // namespace meniscus::collision

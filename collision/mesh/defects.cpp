@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds open edges, non-manifold edges and self-intersections.
 #include "collision/mesh/defects.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes the hash of a mesh.
 #include "collision/mesh/hash.h"
 
 #include <bit>

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A hash that identifies a mesh by its contents.
 #pragma once
 
 #include "collision/mesh/mesh.h"
 
 namespace meniscus::collision {
 
-/// What tells meshes apart: sizes, and two 64-bit hashes of the contents that have nothing in common.
+/// Identifies a mesh: sizes, and two independent 64-bit hashes of the contents.
 struct MeshHash {
   size_t vertices = 0, triangles = 0;
   uint64_t first = 0, second = 0;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes convex hulls, with Bullet.
 #include "collision/mesh/hull.h"
 
 #include <LinearMath/btConvexHullComputer.h>
@@ -31,7 +33,7 @@ TriangleMesh hull_mesh(std::span<const Vec3> points) {
   if (points.size() >= 4) {
     btConvexHullComputer hull;
     hull.compute(&points[0].x, sizeof(Vec3), static_cast<int>(points.size()), 0, 0);
-    // The points themselves: what Bullet gives back is rounded to a ten-thousandth of the size.
+    // The original points: Bullet rounds its results to a ten-thousandth of the size.
     for (int v = 0; v < hull.vertices.size(); ++v)
       mesh.vertices.push_back(points[static_cast<size_t>(hull.original_vertex_index[v])]);
     for (int face = 0; face < hull.faces.size(); ++face) append_face(mesh, hull, face);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The convex hull of points, as a mesh.
 #pragma once
 
 #include <span>

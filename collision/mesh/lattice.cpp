@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Places lattices in and around boxes.
 #include "collision/mesh/lattice.h"
 
 #include <meniscus/error.h>

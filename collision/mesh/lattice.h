@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Cubic lattices, as the nodes of grids and as positions of particles.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +24,16 @@ struct Lattice {
   MENISCUS_HD Vec3 point(uint32_t at) const { return point(at % nx, at / nx % ny, at / nx / ny); }
 };
 
-/// The most points that a lattice may have.
+/// The largest number of points of a lattice.
 constexpr uint32_t max_lattice_points = 1u << 28;
 
-/// A lattice around the centre of the box that reaches `margin` beyond it on all sides, and half a spacing
-/// more. Throws Error(invalid_argument), calling the spacing `name`, when it is not positive or gives too
+/// A lattice with the same centre as the box. It reaches `margin` and half a spacing beyond the box on all
+/// sides. Throws Error(invalid_argument), with `name` for the spacing, when that is not positive or gives too
 /// many points.
 Lattice lattice_around(const Aabb& box, float spacing, float margin, const char* name);
 
-/// Centres of the cubes of edge `spacing` that stand around the box's centre: as many a side as fit best, so
-/// that a box of whole multiples is filled exactly. Throws like lattice_around.
+/// Centres of the cubes of edge `spacing` around the box's centre. Their number along each side fits the box
+/// best, so a box of whole multiples is filled exactly. Throws like lattice_around.
 Lattice lattice_within(const Aabb& box, float spacing, const char* name);
 
 }  // namespace meniscus::collision

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes mass, centre and principal moments of inertia.
 #include "collision/mesh/mass_properties.h"
 
 #include <meniscus/error.h>
@@ -20,7 +22,7 @@ using Matrix = Eigen::Matrix3d;
 
 constexpr double pi = std::numbers::pi;
 constexpr double least_ratio = 1e-6;     // of a principal moment to the largest
-constexpr double rounding_ratio = 1e-9;  // of products of inertia to the trace, where they are nothing else
+constexpr double rounding_ratio = 1e-9;  // of products of inertia to the trace: smaller products are rounding
 
 void check_positive(double value, const char* name, const char* unit) {
   if (value > 0 && std::isfinite(value)) return;
@@ -64,7 +66,7 @@ MassProperties symmetric_body(double mass, const Vector& moments) {
   return {mass, {0, 0, 0}, rounded(moments), {0, 0, 0, 1}};
 }
 
-// A body with the inertia tensor about its centre.
+// The mass properties of a body with this inertia tensor about its centre.
 MassProperties principal(double mass, const Vector& centre, const Matrix& inertia) {
   const Matrix products = inertia - Matrix(inertia.diagonal().asDiagonal());
   Vector moments = inertia.diagonal();
@@ -80,7 +82,7 @@ MassProperties principal(double mass, const Vector& centre, const Matrix& inerti
   return {mass, rounded(centre), rounded(moments), rounded(axes)};
 }
 
-// Inertia of a body whose second moments ∫ρ x xᵀ are these.
+// The inertia of a body with the second moments ∫ρ x xᵀ.
 Matrix inertia_of(const Matrix& second) {
   return second.trace() * Matrix::Identity() - second;
 }
@@ -128,7 +130,7 @@ MassProperties mesh_mass(const TriangleMesh& mesh, double density) {
   check_density(density);
   if (mesh.triangles.empty()) throw Error(ErrorCode::mesh, "a mesh without triangles has no mass");
   const Aabb box = bounds(mesh);
-  const Vector origin = 0.5 * (exact(box.lower) + exact(box.upper));  // near, so that little cancels
+  const Vector origin = 0.5 * (exact(box.lower) + exact(box.upper));  // near the body, to limit cancellation
   double volume = 0;
   Vector first = Vector::Zero();
   Matrix second = Matrix::Zero();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Mass, centre and inertia of bodies. Densities are in kg/m³, lengths in m. Functions throw
-// Error(invalid_argument) for a length or density that is not positive and finite, and Error(mesh) for a body
-// whose inertia is degenerate: one that has no volume, or is a needle, with a principal moment below a
-// millionth of the largest.
+// Error(invalid_argument) for a length or density that is not positive and finite. They throw Error(mesh) for
+// a body with degenerate inertia: one without volume, or a needle with a principal moment below a millionth
+// of the largest.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct MassProperties {
   double mass = 0;        ///< kg
   Vec3 centre{0, 0, 0};   ///< of mass, m
   Vec3 inertia{0, 0, 0};  ///< kg m², principal moments about the centre
-  Quat axes{0, 0, 0, 1};  ///< rotates the principal frame into the geometry's; none where that is principal
+  Quat axes{0, 0, 0, 1};  ///< rotates the principal frame to the geometry's; identity if that is principal
 };
 
 MassProperties sphere_mass(float radius, double density);
@@ -27,12 +27,12 @@ MassProperties capsule_mass(float radius, float half_height, double density);
 /// Along y.
 MassProperties cylinder_mass(float radius, float half_height, double density);
 
-/// Of the inside of a closed mesh whose triangles face outwards (load_solid), exact but for rounding: sums
-/// over the tetrahedra between the triangles and a point (Blow & Binstock 2004; the integrals of Mirtich
+/// For the inside of a closed mesh whose triangles face outwards (load_solid), exact except for rounding.
+/// Sums over the tetrahedra between the triangles and a point (Blow & Binstock 2004; the integrals of Mirtich
 /// 1996).
 MassProperties mesh_mass(const TriangleMesh& mesh, double density);
 
-/// The same body of another density, kg: moments grow with the mass.
+/// The same body with the mass `mass`, kg. Moments are proportional to the mass.
 MassProperties with_mass(const MassProperties& body, double mass);
 
 struct PlacedMass {
@@ -40,8 +40,8 @@ struct PlacedMass {
   Pose pose;  ///< of the body's geometry in the compound's frame
 };
 
-/// Of a compound, in its frame. Where parts overlap, both count. Throws Error(invalid_argument) without
-/// parts.
+/// The mass properties of a compound, in its frame. Where parts overlap, both count. Throws
+/// Error(invalid_argument) without parts.
 MassProperties combine(std::span<const PlacedMass> parts);
 
 }  // namespace meniscus::collision

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Loads meshes, with assimp.
 #include "collision/mesh/mesh.h"
 
 #include <meniscus/error.h>
@@ -24,7 +26,7 @@ namespace meniscus::collision {
 namespace {
 
 constexpr size_t most_vertices = std::numeric_limits<uint32_t>::max();
-// Sizes, m, at which products of six lengths stay clear of the ends of float.
+// Bounds of the size, m, for which products of six lengths are well within the range of float.
 constexpr float smallest_size = 1e-6f, largest_size = 1e6f;
 
 [[noreturn]] void refuse(ErrorCode code, const std::string& path, const std::string& why) {
@@ -42,7 +44,7 @@ void check_arguments(const std::string& path, float scale) {
   if (std::filesystem::file_size(path, status) == 0) refuse(ErrorCode::mesh, path, "is empty");
 }
 
-// FBX says how many centimetres its unit is.
+// An FBX file states its unit in centimetres.
 double metres_a_unit(const aiScene& scene) {
   double centimetres = 0;
   float single = 0;
@@ -52,13 +54,13 @@ double metres_a_unit(const aiScene& scene) {
   return centimetres > 0 ? 0.01 * centimetres : 1;
 }
 
-// A mesh that hangs on several nodes is there several times.
+// A mesh that several nodes refer to appears several times.
 struct PlacedNode {
   const aiNode* node;
   aiMatrix4x4 to_world;
 };
 
-// Parents before children. A list and not a recursion, since a file decides on the depth.
+// Parents before children. Iterative and not recursive, because the file determines the depth.
 std::vector<PlacedNode> placed_nodes(const aiScene& scene) {
   std::vector<PlacedNode> nodes;
   if (scene.mRootNode) nodes.push_back({scene.mRootNode, scene.mRootNode->mTransformation});
@@ -89,7 +91,7 @@ void append_vertices(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& 
   }
 }
 
-// Nothing of what assimp puts where a file has no material.
+// The colour of a material; none for the default material that assimp adds to files without materials.
 std::optional<Vec3> color_of(const aiMaterial& material) {
   aiString name;
   if (material.Get(AI_MATKEY_NAME, name) != aiReturn_SUCCESS || name.length == 0) return {};
@@ -108,7 +110,7 @@ void append_part(PaintedMesh& all, const aiMesh& part, std::optional<Vec3> color
   TriangleMesh& soup = all.mesh;
   const auto first = static_cast<uint32_t>(soup.vertices.size());
   append_vertices(soup, part, to_world, scale, path);
-  const bool mirrored = to_world.Determinant() < 0;  // which would turn the inside out
+  const bool mirrored = to_world.Determinant() < 0;  // a reflection, which would invert the orientation
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
     if (face.mNumIndices != 3) continue;  // a point or a line
@@ -164,7 +166,7 @@ CleanedMesh load(const std::string& path, float scale) {
   return cleaned(read_triangles(path, scale).mesh, path);
 }
 
-// Throws for the first of the defects, if there is one. `faces`: the numbers of the file.
+// Throws for the first of the defects, if there is one. `faces` maps to the numbers in the file.
 void refuse_defects(const std::vector<MeshDefect>& defects, const std::string& path, const std::string& what,
                     const std::vector<uint32_t>& faces, const std::string& remedy) {
   if (defects.empty()) return;

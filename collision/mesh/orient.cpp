@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Orients the faces of meshes.
 #include "collision/mesh/orient.h"
 
 #include <algorithm>
@@ -23,7 +25,7 @@ constexpr uint32_t none = 0xffffffff;
 // The face across an edge that two faces share.
 struct Neighbour {
   uint32_t face = none;
-  bool agrees = false;  // on the side that it shows
+  bool agrees = false;  // whether both have the same orientation
 };
 
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
@@ -47,7 +49,7 @@ void turn(TriangleMesh& mesh, uint32_t face) {
   std::swap(mesh.triangles[face][1], mesh.triangles[face][2]);
 }
 
-// The faces that hang together with `seed`, and whether each must turn to agree with it.
+// The faces that are connected with `seed`, and whether each must be flipped to agree with it.
 struct Part {
   std::vector<uint32_t> faces;
   std::vector<bool> turned;
@@ -67,7 +69,7 @@ Part part_around(uint32_t seed, const Neighbours& neighbours, std::vector<bool>&
   return part;
 }
 
-// Turns the faces of the smaller party.
+// Flips the faces of the smaller group.
 void make_agree(TriangleMesh& mesh, const Part& part) {
   const auto turned = std::count(part.turned.begin(), part.turned.end(), true);
   const bool minority = 2 * static_cast<size_t>(turned) <= part.turned.size();
@@ -76,12 +78,12 @@ void make_agree(TriangleMesh& mesh, const Part& part) {
   }
 }
 
-// A part on its own.
+// A connected part as a mesh of its own.
 struct Shell {
   std::vector<uint32_t> faces;
   TriangleMesh mesh;  // with all the vertices of the part, and no others
   Aabb box;
-  std::optional<TriangleBvh> tree;  // made when it is asked for
+  std::optional<TriangleBvh> tree;  // built at its first use
 };
 
 TriangleMesh part_mesh(const TriangleMesh& whole, const std::vector<uint32_t>& faces) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What one triangle is to a point: its nearest place and the angle that it fills.
+// Functions of a triangle and a point: the nearest point, and the solid angle.
 #pragma once
 
 #include "pbd/math/vec.h"
@@ -29,9 +29,9 @@ MENISCUS_HD inline Vec3 nearest_on_segment(Vec3 a, Vec3 b) {
   return along < whole ? a + (along / whole) * ab : b;
 }
 
-/// The point of triangle t that is nearest to p, less p. The regions are told apart by one plane an edge, and
-/// not by products of two such tests (Ericson, Real-Time Collision Detection, 5.1.5), which lose all digits
-/// in float for a triangle that is small beside its distance.
+/// The point of triangle t that is nearest to p, less p. One plane per edge separates the regions, and not
+/// products of two such tests (Ericson, Real-Time Collision Detection, 5.1.5). In float the products lose all
+/// digits for a triangle that is small relative to its distance.
 MENISCUS_HD inline Vec3 offset_to_triangle(const Triangle& t, Vec3 p) {
   const Vec3 a = t.a - p, b = t.b - p, c = t.c - p;
   const Vec3 n = cross(b - a, c - a);
@@ -41,7 +41,8 @@ MENISCUS_HD inline Vec3 offset_to_triangle(const Triangle& t, Vec3 p) {
   const bool past_ca = dot(cross(a - c, n), c) < 0;
   if (!past_ab && !past_bc && !past_ca && nn > 0) return (dot(n, a) / nn) * n;
 
-  // The nearest point lies on an edge that the point is past; of a triangle without area all three are tried.
+  // The nearest point lies on an edge whose plane p is beyond. For a triangle without area all three edges
+  // are tried.
   Vec3 nearest = a;
   const bool flat = !(nn > 0);
   if (past_ab || flat) nearest = nearest_on_segment(a, b);
@@ -56,8 +57,8 @@ MENISCUS_HD inline Vec3 offset_to_triangle(const Triangle& t, Vec3 p) {
   return nearest;
 }
 
-/// Share of the sphere around p that the triangle covers: 1 is all of it. Positive where p sees the back, as
-/// it does from inside. Van Oosterom and Strackee 1983.
+/// The fraction of the sphere around p that the triangle covers, 1 for all of it. Positive where p sees the
+/// back, as it does from inside. Van Oosterom and Strackee 1983.
 MENISCUS_HD inline float covered_share(const Triangle& t, Vec3 p) {
   const Vec3 a = t.a - p, b = t.b - p, c = t.c - p;
   const float la = length(a), lb = length(b), lc = length(c);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the tree of boxes over the triangles of a mesh.
 #include "collision/mesh/triangle_bvh.h"
 
 #include <meniscus/error.h>
@@ -76,8 +78,8 @@ struct Sortable {
   uint32_t source;
 };
 
-// Halves a range at the median along the longest axis of its centroids; ties go by number, so that there is
-// one answer.
+// Splits a range at the median along the longest axis of its centroids. Equal values are ordered by number,
+// so the result is unique.
 void split_at_median(std::span<Sortable> range) {
   Vec3 lower = centroid(range[0].triangle), upper = lower;
   for (const Sortable& s : range) {
@@ -92,7 +94,7 @@ void split_at_median(std::span<Sortable> range) {
   });
 }
 
-// Orders the triangles so that each subtree is one run of them.
+// Orders the triangles so that each subtree is a contiguous range.
 void order(std::span<Sortable> range) {
   if (range.size() <= leaf_size) return;
   split_at_median(range);
@@ -161,7 +163,7 @@ DeviceTriangleBvh::DeviceTriangleBvh(pbd::Device& device, const TriangleBvh& hos
   upload(far_fields_, host.far_fields());
   upload(triangles_, host.triangles());
   upload(sources_, host.sources());
-  device.wait();  // the host's arrays may go now
+  device.wait();  // the host's arrays may be freed from here on
 }
 
 TriangleBvhView DeviceTriangleBvh::view() const {

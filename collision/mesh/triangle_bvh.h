@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A tree of boxes over the triangles of a mesh: who owns it, on the host and on a device. Kernels ask it
-// through triangle_bvh_query.h.
+// A tree of boxes over the triangles of a mesh, owned on the host and on a device. Kernels query it through
+// triangle_bvh_query.h.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@
 
 namespace meniscus::collision {
 
-/// Nodes stand in preorder: the first child follows its parent, the second is where the first one's subtree
-/// ends.
+/// Nodes are in preorder. The first child follows its parent, and the second one begins where the first one's
+/// subtree ends.
 struct BvhNode {
   Vec3 lower, upper;  ///< m
   uint32_t end;       ///< of the subtree
@@ -22,26 +22,26 @@ struct BvhNode {
   uint32_t count;     ///< triangles of a leaf, 0 elsewhere
 };
 
-/// What a node's triangles look like from afar: moments of their oriented area a·n about a centre.
+/// The triangles of a node from afar: moments of their oriented area a·n about a centre.
 struct FarField {
   Vec3 centre;           ///< m, weighted by area
   float radius;          ///< m; no corner lies further from the centre
   Vec3 dipole;           ///< m², Σ a n
-  Vec3 diagonal, mixed;  ///< m³, Σ a (c − centre) ⊗ n: xx, yy, zz and, made symmetric and summed, xy, yz, zx
+  Vec3 diagonal, mixed;  ///< m³, Σ a (c − centre) ⊗ n: xx, yy, zz and the symmetric sums xy, yz, zx
 };
 
 struct TriangleBvhView {
   pbd::View<const BvhNode> nodes;
   pbd::View<const FarField> far_fields;  ///< one a node
   pbd::View<const Triangle> triangles;   ///< leaf by leaf
-  pbd::View<const uint32_t> sources;     ///< the number that each of those has in the mesh
+  pbd::View<const uint32_t> sources;     ///< by triangle of the tree: its number in the mesh
 };
 
 /// The tree in host memory. The same mesh gives the same tree.
 class TriangleBvh {
  public:
   static constexpr uint32_t max_depth =
-      32;  ///< levels; halving gives no more to any 32-bit number of triangles
+      32;  ///< levels; enough for any 32-bit number of triangles, because ranges are halved
 
   /// Throws Error(mesh) when there are no triangles.
   explicit TriangleBvh(const TriangleMesh& mesh);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What kernels ask a tree of triangles: the nearest point, and whether a point is inside.
+// Queries of a tree of triangles by kernels: the nearest point, and whether a point is inside.
 #pragma once
 
 #include "collision/mesh/triangle_bvh.h"
@@ -12,10 +12,10 @@ struct ClosestPoint {
   Vec3 point;         ///< m, on the mesh
   float distance;     ///< m, not negative
   uint32_t triangle;  ///< its number in the mesh
-  uint32_t slot;      ///< its place in the tree: a good guess for the next point nearby
+  uint32_t slot;      ///< its place in the tree: a good first guess for a nearby point
 };
 
-// How far x is out of an interval. A comparison is one instruction everywhere, where fmaxf may be a call.
+// The distance of x from an interval. A comparison is one instruction everywhere, where fmaxf may be a call.
 MENISCUS_HD inline float excess(float lower, float upper, float x) {
   const float below = lower - x, above = x - upper;
   const float out = below > above ? below : above;
@@ -27,7 +27,7 @@ MENISCUS_HD inline float squared_distance_to_box(const BvhNode& node, Vec3 p) {
                          excess(node.lower.z, node.upper.z, p.z)});
 }
 
-/// The best that a search knows so far.
+/// The nearest point that a search has found so far.
 struct NearestSoFar {
   Vec3 offset;    ///< m, from the point
   float squared;  ///< m², of the distance
@@ -36,7 +36,7 @@ struct NearestSoFar {
 
 /// Replaces `best` by the triangle that is nearest to p, if one is nearer.
 MENISCUS_HD inline void find_nearer(const TriangleBvhView& bvh, Vec3 p, NearestSoFar& best) {
-  uint32_t waiting[TriangleBvh::max_depth];  // the further child, at each level at most
+  uint32_t waiting[TriangleBvh::max_depth];  // at most the further child of each level
   uint32_t depth = 0, at = 0;
   while (true) {
     const BvhNode& node = bvh.nodes[at];
@@ -63,8 +63,8 @@ MENISCUS_HD inline void find_nearer(const TriangleBvhView& bvh, Vec3 p, NearestS
   }
 }
 
-/// The point of the mesh that is nearest to p. The search starts from the triangle at slot `guess`; the
-/// distance does not depend on it, the time does.
+/// The point of the mesh that is nearest to p. The search starts from the triangle at slot `guess`. The guess
+/// affects the time and not the distance.
 MENISCUS_HD inline ClosestPoint closest_point(const TriangleBvhView& bvh, Vec3 p, uint32_t guess = 0) {
   const Vec3 offset = offset_to_triangle(bvh.triangles[guess], p);
   NearestSoFar best{offset, squared_length(offset), guess};
@@ -72,8 +72,7 @@ MENISCUS_HD inline ClosestPoint closest_point(const TriangleBvhView& bvh, Vec3 p
   return {p + best.offset, sqrtf(best.squared), bvh.sources[best.slot], best.slot};
 }
 
-/// The distance from p to the mesh, or `limit` (m) where that is smaller. Far beyond the limit it costs
-/// nothing.
+/// The distance from p to the mesh, or `limit` (m) if that is smaller. Far beyond the limit it is cheap.
 MENISCUS_HD inline float distance_within(const TriangleBvhView& bvh, Vec3 p, float limit) {
   NearestSoFar best{{0, 0, 0}, limit * limit, 0};
   if (squared_distance_to_box(bvh.nodes[0], p) < best.squared) find_nearer(bvh, p, best);
@@ -91,10 +90,9 @@ MENISCUS_HD inline float far_winding(const FarField& far, Vec3 r) {
   return inverse_4pi * inverse_cube * (dot(far.dipole, r) + trace - 3.0f * along * inverse);
 }
 
-/// How often the mesh winds around p: 1 inside and 0 outside of a closed mesh, smoothly in between at holes
+/// How often the mesh winds around p: 1 inside and 0 outside of a closed mesh, smooth in between at holes
 /// (Jacobson et al. 2013). Nodes further than twice their radius count through their far field (Barill et al.
-/// 2018), which was measured to be off by 0.04 at most and by 0.006 in the mean, inside and around scanned
-/// meshes.
+/// 2018). Its error was measured inside and around scanned meshes: 0.04 at most, and 0.006 in the mean.
 MENISCUS_HD inline float winding_number(const TriangleBvhView& bvh, Vec3 p) {
   constexpr float opening = 2.0f;
   float sum = 0;
@@ -113,7 +111,7 @@ MENISCUS_HD inline float winding_number(const TriangleBvhView& bvh, Vec3 p) {
   return sum;
 }
 
-/// By the winding number's magnitude, so that a mesh which is inside out will do.
+/// Tests the magnitude of the winding number, so that a mesh with inverted orientation works as well.
 MENISCUS_HD inline bool is_inside(const TriangleBvhView& bvh, Vec3 p) {
   return fabsf(winding_number(bvh, p)) > 0.5f;
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of RigidBroadphase and RigidFilter.
 #include "collision/rigid/broadphase.h"
 
 #include <algorithm>
@@ -21,14 +23,14 @@ bool is_outside(const btVector3& lower, const btVector3& upper) {
   return false;
 }
 
-/// What is outside would all lie on the border of the space, on top of one another. It gets a place for
-/// itself there, along the edge at the low end of y and z.
+/// The place of a proxy outside the space. Clamped to the border, all of these would overlap. Each gets a
+/// place of its own, along the edge at the low end of y and z.
 btVector3 parking_place(int unique_id) {
   const float r = RigidBroadphase::reach;
   return {-r + 0.1f * static_cast<float>(unique_id % 200'000), -r, -r};
 }
 
-/// Whether the part of a line from `from` on, as far as `length` times `direction`, meets a box.
+/// Whether the segment from `from` along `direction`, of length `length`, meets a box.
 bool meets_box(const btVector3& from, const btBroadphaseRayCallback& ray, const btVector3& lower,
                const btVector3& upper) {
   const btVector3 bounds[2] = {lower, upper};
@@ -66,14 +68,14 @@ void RigidBroadphase::rayTest(const btVector3& from, const btVector3&, btBroadph
   for (unsigned i = 1; i < m_numHandles * 2 + 1; ++i) {
     if (!m_pEdges[0][i].IsMax()) continue;
     Handle* handle = getHandle(m_pEdges[0][i].m_handle);
-    // As Bullet's tree does: what is cast may have a size, which widens the box.
+    // As in Bullet's tree: a cast shape has a size, which widens the box.
     if (meets_box(from, callback, handle->m_aabbMin - upper, handle->m_aabbMax - lower)) {
       callback.process(handle);
     }
   }
 }
 
-/// Twice the room, everything where it was.
+/// Doubles the capacity and keeps all places.
 void RigidBroadphase::grow() {
   const unsigned capacity = 2 * m_maxHandles;
   auto* handles = new Handle[capacity];
@@ -92,7 +94,7 @@ void RigidBroadphase::grow() {
   adopt(handles);
 }
 
-/// Handles have moved: whoever points at one is told.
+/// Moves to another array of handles, and updates all pointers to them.
 void RigidBroadphase::adopt(Handle* handles) {
   for (unsigned i = 1; i < m_numHandles * 2 + 1; ++i) {
     if (!m_pEdges[0][i].IsMax()) continue;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Which solids are near one another: Bullet's sweep and prune along three axes. All of its state is in plain
-// arrays, so that it can be saved and put back as it was; a tree with fat boxes would depend on history.
+// Finds the solids that are near one another: Bullet's sweep and prune along three axes. All of its state is
+// in plain arrays, so it can be saved and restored exactly. A tree with fat boxes would depend on history.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace meniscus::collision {
 
 class RigidBroadphase final : public bt32BitAxisSweep3 {
  public:
-  /// Half the width of the space that is swept, m. What is wholly outside of it meets nothing but planes.
+  /// Half the width of the space that is swept, m. A solid wholly outside it collides with planes alone.
   static constexpr float reach = 1e4f;
 
   explicit RigidBroadphase(btOverlappingPairCache* pairs);
@@ -45,7 +45,7 @@ class RigidBroadphase final : public bt32BitAxisSweep3 {
   void adopt(Handle* handles);
 };
 
-/// Masks as CollisionFilter means them; and of two solids one must be moved by forces.
+/// Applies masks as CollisionFilter defines them. At least one of the two solids must be dynamic.
 struct RigidFilter final : public btOverlapFilterCallback {
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Bullet's headers for the files that make up RigidWorld, and its types to and from ours. It is the Bullet of
+// Bullet's headers for the files of RigidWorld, and conversions to and from Bullet's types. Bullet is that of
 // the distribution, in single precision.
 #pragma once
 
@@ -24,11 +24,11 @@ inline btTransform to_bullet(const Pose& pose) {
   return btTransform(to_bullet(pose.rotation), to_bullet(pose.position));
 }
 
-/// Bullet's unit of mass, kg. It takes inverse masses and inertias below its epsilon for none: in kilograms a
-/// body of 1.4e7 would fall through others. A power of two leaves the bits as they are.
+/// Unit of mass for Bullet, kg. Bullet takes inverse masses and inertias below its epsilon as 0. In kilograms
+/// a body of 1.4e7 would fall through others. A power of two keeps the bits of the mantissa.
 inline constexpr float mass_unit = 0x1p20f;
 
-/// Of a moment of inertia, a force, a torque or an impulse.
+/// Converts a moment of inertia, a force, a torque or an impulse.
 inline btVector3 in_mass_units(const btVector3& v) {
   return v / mass_unit;
 }

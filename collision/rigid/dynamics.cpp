@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of RigidDispatcher and RigidDynamics.
 #include "collision/rigid/dynamics.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@ namespace meniscus::collision {
 
 RigidDispatcher::RigidDispatcher(btCollisionConfiguration* configuration, btOverlappingPairCache* pairs)
     : btCollisionDispatcher(configuration), pairs_(pairs) {
-  // Compounds are tested part by part. Bullet's algorithm for two of them keeps a cache in the order of
+  // Compounds are tested part by part. Bullet's algorithm for two compounds keeps a cache in the order of
   // events.
   registerCollisionCreateFunc(
       COMPOUND_SHAPE_PROXYTYPE, COMPOUND_SHAPE_PROXYTYPE,
@@ -73,7 +75,8 @@ void RigidDispatcher::follow_order() {
   in_order_ = true;
 }
 
-/// Bullet puts the last one in its place; and who touches whom is no longer known.
+/// Bullet moves the last manifold into its place. So the manifolds are out of order, and the list of those
+/// with contacts is out of date.
 void RigidDispatcher::releaseManifold(btPersistentManifold* manifold) {
   btCollisionDispatcher::releaseManifold(manifold);
   in_order_ = false;
@@ -89,7 +92,7 @@ void RigidDynamics::detect(float dt) {
   }
 }
 
-/// What is left of Bullet's internalSingleStepSimulation once contacts are known.
+/// The rest of Bullet's internalSingleStepSimulation, after contacts are found.
 void RigidDynamics::advance(float dt) {
   applyGravity();
   predictUnconstraintMotion(dt);
@@ -104,7 +107,7 @@ void RigidDynamics::advance(float dt) {
 
 namespace {
 
-/// Velocity of a body's point at the end of a step, had it no contacts.
+/// Velocity of a body's point at the end of a step without contacts.
 btVector3 free_velocity(const btRigidBody& body, const btVector3& point, float dt) {
   const btVector3 v = body.getLinearVelocity() + dt * body.getInvMass() * body.getTotalForce();
   const btVector3 w =
@@ -112,8 +115,8 @@ btVector3 free_velocity(const btRigidBody& body, const btVector3& point, float d
   return v + w.cross(point - body.getCenterOfMassPosition());
 }
 
-/// Bullet bounds friction along two directions apart. With the first one along the slip that is about to be,
-/// the bound is Coulomb's cone, also for what rests on a slope that runs askew to the axes.
+/// Bullet bounds friction along two directions separately. With the first direction along the expected slip,
+/// the bound is Coulomb's cone. This also holds for a body at rest on a slope that is oblique to the axes.
 void aim_friction(btManifoldPoint& point, const btVector3& velocity) {
   const btVector3& n = point.m_normalWorldOnB;
   const btVector3 slip = velocity - n.dot(velocity) * n;
@@ -127,9 +130,9 @@ void aim_friction(btManifoldPoint& point, const btVector3& velocity) {
   point.m_contactPointFlags |= BT_CONTACT_FLAG_LATERAL_FRICTION_INITIALIZED;
 }
 
-/// Bullet takes what would close a gap in one step off the speed of a bounce, so that it brakes what has not
-/// arrived, or stops what has. What arrives in this step bounces here as if the gap were closed; what does
-/// not has nothing to bounce off yet.
+/// Bullet subtracts from the speed of a bounce what would close the gap in one step. This brakes a body
+/// before it arrives, or stops it. Here a body that arrives in this step bounces as if the gap were closed,
+/// and another one does not bounce yet.
 void close_gap(btManifoldPoint& point, const btVector3& velocity, float dt, float resting_speed) {
   const float approach = -point.m_normalWorldOnB.dot(velocity), gap = point.getDistance();
   if (point.m_combinedRestitution == 0 || approach <= resting_speed || gap <= 0) return;

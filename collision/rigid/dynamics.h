@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Bullet's dispatcher and world, with what history leaves in them taken out: pairs and contacts are visited
-// in an order that follows from the set of pairs alone.
+// Bullet's dispatcher and world without dependence on history. Pairs and contacts are visited in an order
+// that follows from the set of pairs alone.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace meniscus::collision {
 
-/// Has objects brought near: they are read soon. Bullet's are many, and lie about in memory.
+/// Prefetches objects that are read soon. Bullet's objects are many and scattered in memory.
 template <class T>
 void fetch_soon(const T* objects, size_t count = 1) {
   for (size_t at = 0; at < count * sizeof(T); at += 64)
@@ -29,10 +29,10 @@ class RigidDispatcher final : public btCollisionDispatcher {
                                  btDispatcher* self) override;
   void releaseManifold(btPersistentManifold* manifold) override;
 
-  /// Puts the manifolds into the order of their pairs, and what belongs to no pair behind them.
+  /// Orders the manifolds by their pairs. Manifolds of no pair come last.
   void order_manifolds();
-  /// Calls visit(manifold, pair) for those of pairs that have contacts, in their order. Most have none, as
-  /// boxes around bodies are wide.
+  /// Calls visit(manifold, pair) for the pairs that have contacts, in their order. Most pairs have none,
+  /// because the boxes around bodies are wide.
   template <class Visit>
   void for_each_touching(const Visit& visit) {
     constexpr size_t ahead = 4;
@@ -46,7 +46,7 @@ class RigidDispatcher final : public btCollisionDispatcher {
       visit(*touching_[k].manifold, touching_[k].pair);
     }
   }
-  /// While true, sleepers collide too.
+  /// While true, pairs of sleeping bodies collide too.
   void set_every_pair(bool every_pair) { every_pair_ = every_pair; }
 
  private:
@@ -76,20 +76,20 @@ class RigidDynamics final : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
 
-  // One step of Bullet, in two. Forces are the caller's to set and to clear.
+  // One step of Bullet, in two parts. The caller sets and clears forces.
 
-  /// Finds who touches whom where bodies are. Velocities do not count.
+  /// Finds contacts at the bodies' current poses. Velocities have no effect.
   void detect(float dt);
-  /// Solves what was found, and moves.
+  /// Solves the contacts that were found, and moves the bodies.
   void advance(float dt);
 
-  /// Of a body, by its number, when contacts were last looked for.
+  /// By body: its pose when contacts were last searched.
   std::vector<btTransform> detected;
-  /// Those of fast bodies with what they are about to hit. They live until the next step.
+  /// The contacts of fast bodies with what they are about to hit. They live until the next step.
   btAlignedObjectArray<btPersistentManifold*>& predictive() { return m_predictiveManifolds; }
   void release_predictive() { releasePredictiveContacts(); }
 
-  /// Calls visit(manifold) for all that have contacts, in a fixed order.
+  /// Calls visit(manifold) for all manifolds that have contacts, in a fixed order.
   template <class Visit>
   void for_each_touching(const Visit& visit) {
     static_cast<RigidDispatcher*>(getDispatcher())

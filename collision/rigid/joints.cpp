@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Joints, as Bullet's constraints. None of them keeps anything from one step to the next.
+// Joints, as Bullet's constraints. None of them has state from one step to the next.
 #include <cassert>
 #include <cmath>
 
@@ -18,7 +18,7 @@ struct Frames {
   btTransform in_a, in_b;
 };
 
-/// `turn` takes the axis that Bullet means to y.
+/// `turn` rotates the axis that Bullet uses to y.
 Frames frames_of(btRigidBody& a, btRigidBody& b, const Pose& frame, const btQuaternion& turn) {
   const btTransform world = to_bullet(frame) * btTransform(turn);
   return {a, b, a.getWorldTransform().inverse() * world, b.getWorldTransform().inverse() * world};
@@ -40,7 +40,7 @@ Constraint make_slider(const Frames& f, const SliderJoint& slider) {
   if (slider.lower) {
     made->setLimit(0, *slider.lower, *slider.upper);
   } else {
-    made->setLimit(0, 1, -1);  // the wrong way round: free
+    made->setLimit(0, 1, -1);  // lower limit above the upper one: free
   }
   if (slider.motor_force > 0) {
     made->enableMotor(0, true);
@@ -106,7 +106,7 @@ uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
   make_constraint(*made, a, b, def);
   impl_->dynamics.addConstraint(made->bullet.get(), !def.bodies_collide);
   if (!def.bodies_collide && def.b != pbd::no_index) {
-    // What they already have in contact would go on to push.
+    // Otherwise their present contacts would go on pushing.
     btBroadphasePair* pair = impl_->pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
     if (pair) impl_->pairs.cleanOverlappingPair(*pair, &impl_->dispatcher);
     impl_->dispatcher.order_manifolds();
@@ -135,7 +135,7 @@ float RigidWorld::hinge_angle(uint32_t number) const {
   return hinge ? hinge->getHingeAngle() : 0;
 }
 
-/// Bullet bounds a hinge's motor by an impulse, so that the bound depends on the step.
+/// Bullet bounds a hinge's motor by an impulse, so the bound depends on the step.
 void RigidWorld::Impl::limit_motors(float dt) {
   for (const auto& joint : joints.slots) {
     if (joint && joint->hinge) joint->hinge->setMaxMotorImpulse(joint->motor_torque / mass_unit * dt);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes the poses of kinematic bodies.
 #include "collision/rigid/kinematics.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Where bodies are that nothing but their user moves.
+// Poses of bodies that only their user moves.
 #pragma once
 
 #include <meniscus/bodies.h>
@@ -10,17 +10,17 @@
 
 namespace meniscus::collision {
 
-/// The pose a share of the way along: positions on a line, rotations about one axis at an even rate.
+/// The pose at a fraction of the motion: positions on a line, rotations about one axis at a constant rate.
 Pose between(const Pose& from, const Pose& to, float fraction);
 
-/// Of keyframes, of which there must be one, at a time in s. With `loop` the time after the last is counted
-/// from the first again.
+/// The pose of keyframes, of which there must be at least one, at a time in s. With `loop` the time after the
+/// last one starts again at the first.
 Pose keyframe_pose(const std::vector<Keyframe>& keyframes, bool loop, double time);
 
-/// The rotation vector, rad, whose exponential map takes one rotation to another the short way.
+/// The rotation vector, rad, whose exponential map takes one rotation to another by the shorter way.
 Vec3 turn_between(Quat from, Quat to);
 
-/// A move to a target at an even rate, and a stay there.
+/// A motion to a target at a constant rate, and then rest there.
 struct KinematicMove {
   Pose from, to;
   double start = 0;    ///< s

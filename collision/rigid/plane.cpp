@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds the contacts of convex shapes with planes.
 #include "collision/rigid/plane.h"
 
 #include <new>
@@ -10,8 +12,8 @@ namespace {
 
 using Points = btAlignedObjectArray<btVector3>;
 
-/// Four points on the rim of each end, of which one lies deepest; where it stands upright, always the same
-/// four, so that it stands still. `down` is in the shape's frame.
+/// Adds four points on the rim of each end, one of them the deepest. For an upright cylinder they are always
+/// the same four, so that it stands still. `down` is in the shape's frame.
 void add_rims(const btCylinderShape& cylinder, const btVector3& down, Points& points) {
   const btVector3 half = cylinder.getHalfExtentsWithMargin();
   const btVector3 across(down.x(), 0, down.z());
@@ -24,7 +26,7 @@ void add_rims(const btCylinderShape& cylinder, const btVector3& down, Points& po
   }
 }
 
-/// The points of a shape that may be the nearest to a plane.
+/// Finds the points of a shape that may be nearest to a plane.
 void find_points(const btConvexShape& shape, const btVector3& down, Points& points) {
   points.resizeNoInitialize(0);
   if (shape.getShapeType() == CYLINDER_SHAPE_PROXYTYPE) {
@@ -75,7 +77,7 @@ class Algorithm final : public btCollisionAlgorithm {
       const btVector3 point = from * points_[i];
       const float distance = normal.dot(point - on_plane);
       if (distance > manifold_->getContactBreakingThreshold()) continue;
-      // As the manifold has the two, which is not always as the result has them.
+      // In the order of the manifold, which may differ from that of the result.
       result->addContactPoint(normal, point - distance * normal, distance);
     }
     if (owns_manifold_) result->refreshContactPoints();

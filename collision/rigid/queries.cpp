@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What can be asked of a rigid world.
+// Queries of a rigid world.
 #include <algorithm>
 #include <tuple>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr uint32_t is_fixed = 1u << 31;
 
-/// Bodies before fixed solids, then by number.
+/// Order of solids: bodies before fixed solids, then by number.
 uint32_t rank(RigidRef solid) {
   return solid.is_body ? solid.number : is_fixed | solid.number;
 }
@@ -38,7 +38,7 @@ bool touch_at_any_point(const btPersistentManifold& manifold) {
   return touch;
 }
 
-/// A contact as seen from the solid that comes first.
+/// A contact relative to the solid that comes first.
 RigidContact contact_of(const btManifoldPoint& point, RigidRef a, RigidRef b) {
   const Vec3 normal = from_bullet(point.m_normalWorldOnB);
   const float distance = point.getDistance(), impulse = mass_unit * point.m_appliedImpulse;
@@ -48,7 +48,7 @@ RigidContact contact_of(const btManifoldPoint& point, RigidRef a, RigidRef b) {
   return {a, b, from_bullet(point.getPositionWorldOnB()), normal, distance, impulse};
 }
 
-/// Bullet's cast, for surfaces of triangles.
+/// Bullet's ray cast, for surfaces of triangles.
 struct SurfaceHit final : btCollisionWorld::ClosestRayResultCallback {
   using ClosestRayResultCallback::ClosestRayResultCallback;
 };
@@ -71,7 +71,7 @@ class NearestHit final : public btBroadphaseRayCallback {
   }
 
   const btCollisionObject* object = nullptr;
-  ConvexRayHit hit{1, {0, 1, 0}};  ///< the normal is the world's
+  ConvexRayHit hit{1, {0, 1, 0}};  ///< the normal is in world axes
 
  private:
   void cast_at(const btCollisionShape& shape, const btTransform& at, const btCollisionObject* owner) {
@@ -104,7 +104,7 @@ class NearestHit final : public btBroadphaseRayCallback {
   btVector3 from_, to_;
 };
 
-/// Gathers the solids that come nearer than nothing to a probe.
+/// Collects the solids that overlap a probe.
 class Overlapping final : public btCollisionWorld::ContactResultCallback {
  public:
   explicit Overlapping(const btCollisionObject& probe) : probe_(&probe) {}
@@ -124,12 +124,12 @@ class Overlapping final : public btCollisionWorld::ContactResultCallback {
   const btCollisionObject* probe_;
 };
 
-/// Whether a point is in a solid that Bullet knows as a surface only.
+/// Whether a point is inside a solid that is a surface for Bullet.
 bool is_under(const btHeightfieldTerrainShape& field, const btVector3& local) {
   struct Above final : btTriangleCallback {
     explicit Above(const btVector3& p) : from(p) {}
     void processTriangle(btVector3* t, int, int) override {
-      // The triangle over or under the point, by its barycentric coordinates in the ground plan.
+      // Whether the triangle is above or below the point, by barycentric coordinates in the horizontal plane.
       const btVector3 u = t[1] - t[0], v = t[2] - t[0], w = from - t[0];
       const float area = u.x() * v.z() - u.z() * v.x();
       const float b = (w.x() * v.z() - w.z() * v.x()) / area, c = (u.x() * w.z() - u.z() * w.x()) / area;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Casts rays against convex shapes.
 #include "collision/rigid/rays.h"
 
 #include <algorithm>
@@ -9,12 +11,11 @@ namespace meniscus::collision {
 
 namespace {
 
-/// The stretch of a ray that lies in a convex set, as more and more of what bounds the set is taken into
-/// account.
+/// The segment of a ray inside a convex set, clipped by one bound of the set after another.
 struct Stretch {
   const btVector3 &from, displacement;
   float first = 0, last = 1;
-  btVector3 normal{0, 0, 0};  ///< where it begins
+  btVector3 normal{0, 0, 0};  ///< at its beginning
 
   void enter(float fraction, const btVector3& through) {
     if (fraction > first) first = fraction, normal = through;
@@ -34,7 +35,7 @@ struct Stretch {
     }
   }
 
-  /// By a ball around `centre`, or, with the motion along `axis` left out, by a cylinder.
+  /// Clips by a ball around `centre`, or, without the component along `axis`, by a cylinder.
   void cut_by_round(const btVector3& centre, const btVector3& axis, float radius) {
     const btVector3 start = from - centre, p = start - start.dot(axis) * axis;
     const btVector3 d = displacement - displacement.dot(axis) * axis;
@@ -43,7 +44,7 @@ struct Stretch {
       if (p.length2() > radius * radius) make_empty();
       return;
     }
-    // From the nearest point on the line: the usual c = p² − r² loses far starts to rounding.
+    // From the nearest point on the line: the usual c = p² − r² loses accuracy for a distant start.
     const btVector3 nearest = p - b / a * d;
     const float half_square = (radius * radius - nearest.length2()) / a;
     if (half_square < 0) return make_empty();

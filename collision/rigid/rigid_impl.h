@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What is behind RigidWorld. Its functions are spread over rigid_world.cpp (what there is), step.cpp
-// (how it moves), joints.cpp, queries.cpp and snapshot.cpp.
+// The implementation of RigidWorld. Its functions are in rigid_world.cpp (contents), step.cpp (motion),
+// joints.cpp, queries.cpp and snapshot.cpp.
 #pragma once
 
 #include <memory>
@@ -17,16 +17,16 @@
 
 namespace meniscus::collision {
 
-/// Bullet's user type of joints with springs.
+/// Bullet's user type for joints with springs.
 inline constexpr int spring_constraint = 1;
 
 enum class KinematicDrive { still, keyframes, move };
 
-/// What a body remembers beside what Bullet does: plain data, so that it can be saved.
+/// State of a body in addition to Bullet's. It is plain data, so that it can be saved.
 struct RigidMemory {
   Vec3 force{0, 0, 0}, torque{0, 0, 0};              ///< the user's, N and N·m, until end_step()
   Vec3 usual_force{0, 0, 0}, usual_torque{0, 0, 0};  ///< smoothed, of the particles, while it was awake
-  Pose pose;                                         ///< kinematic bodies: of the geometry's frame
+  Pose pose;                                         ///< kinematic bodies: pose of the geometry's frame
   KinematicDrive drive = KinematicDrive::still;
   KinematicMove move{};
 };
@@ -40,8 +40,8 @@ struct RigidBodyRecord {
   std::vector<Keyframe> keyframes;
   bool loop = false;
   RigidMemory memory;
-  Pose from, to;                             ///< kinematic bodies: of the step that is under way
-  Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the step under way, where sprung
+  Pose from, to;                             ///< kinematic bodies: poses at both ends of the present step
+  Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the present step, if sprung
 };
 
 struct RigidFixedRecord {
@@ -56,7 +56,7 @@ struct RigidJointRecord {
   float motor_torque = 0;  ///< N·m, of the hinge
 };
 
-/// Things by number: a free number is given out again, the lowest first.
+/// Objects by number. A free number is used again, the lowest first.
 template <class T>
 struct Numbered {
   std::vector<std::unique_ptr<T>> slots;
@@ -87,7 +87,7 @@ struct RigidWorld::Impl {
   RigidDispatcher dispatcher;
   RigidSolver solver;
   RigidDynamics dynamics;
-  btRigidBody ground;  ///< what joints with the world hold on to; it is not in the world
+  btRigidBody ground;  ///< the body to which joints with the world attach; not in the world itself
   Numbered<RigidBodyRecord> bodies;
   Numbered<RigidFixedRecord> fixed;
   Numbered<RigidJointRecord> joints;
@@ -98,7 +98,7 @@ struct RigidWorld::Impl {
   bool knows_touches = false;
 
   RigidBodyRecord& body(uint32_t n) const;
-  /// Calls visit(number, body) for each, with the next ones on their way.
+  /// Calls visit(number, body) for each, and prefetches the next ones.
   template <class Visit>
   void for_each_body(const Visit& visit) const {
     constexpr size_t ahead = 4;
@@ -112,7 +112,7 @@ struct RigidWorld::Impl {
   }
   float acceleration_scale() const;  ///< m/s², of gravity, at least 1
 
-  /// To be called before something is changed that others may rest on.
+  /// Must be called before a change of something that others may rest on.
   void wake_around(const btRigidBody& body);
   void drop_pairs();
 
@@ -127,11 +127,11 @@ struct RigidWorld::Impl {
   void limit_motors(float dt);
 
   RigidRef solid_of(const btCollisionObject* object) const;
-  /// A body or fixed solid that has its number joins the world.
+  /// Adds a body or fixed solid that has its number to the world.
   void add(btRigidBody& body, const CollisionFilter& filter);
 };
 
-/// What a step begins with: velocities of one that will be at `target` when dt has passed.
+/// The velocities at the start of a step with which a body is at `target` after dt.
 struct KinematicVelocity {
   Vec3 linear, angular;
 };

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the rigid world and the particles tell one another, once a substep.
+// Data that the rigid world and the particles exchange once a substep.
 #pragma once
 
 #include <meniscus/types.h>
 
 namespace meniscus::collision {
 
-/// What particles must know of a body for a substep. Poses are of the principal frame: the origin is the
-/// centre of mass, the axes are those of the inertia.
+/// Data of a body that particles need for a substep. Poses are of the principal frame. Its origin is the
+/// centre of mass, and its axes are those of the inertia.
 struct RigidMotion {
   Pose start;     ///< now
   Vec3 velocity;  ///< m/s, with the forces that Bullet will integrate, so that the body is predicted at

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Shapes for Bullet. It rounds the edges of most shapes by a margin, 4 cm unless told otherwise; here it is a
-// share of the shape's own size, and what it would add outside is taken off first.
+// Shapes for Bullet. It rounds the edges of most shapes by a margin, 4 cm by default. Here the margin is a
+// fraction of the shape's own size, and shapes are shrunk by it first, so that their size stays.
 #include "collision/rigid/rigid_shapes.h"
 
 #include <LinearMath/btConvexHullComputer.h>
@@ -27,7 +27,7 @@ constexpr int most_hull_points = 200;
          kind == RigidPart::Kind::plane;
 }
 
-/// Part of a shape that is being made.
+/// Adds a new object to the parts that a shape owns.
 template <class T, class... Arguments>
 T* keep(RigidShape& shape, Arguments&&... arguments) {
   auto made = std::make_unique<T>(std::forward<Arguments>(arguments)...);
@@ -36,7 +36,7 @@ T* keep(RigidShape& shape, Arguments&&... arguments) {
   return raw;
 }
 
-/// Directions spread evenly over the sphere, along a Fibonacci spiral.
+/// Directions distributed evenly over the sphere, along a Fibonacci spiral.
 std::vector<Vec3> even_directions(int count) {
   std::vector<Vec3> directions;
   for (int i = 0; i < count; ++i) {
@@ -47,7 +47,7 @@ std::vector<Vec3> even_directions(int count) {
   return directions;
 }
 
-/// Those of the points that lie furthest out in some of many directions.
+/// The points that are outermost in some of many directions.
 std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
   std::vector<size_t> picked;
   for (const Vec3 d : even_directions(most_hull_points)) {
@@ -62,7 +62,7 @@ std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
   return kept;
 }
 
-/// The hull's points in the frame that it is to have.
+/// The hull's points, in the frame that it gets.
 std::vector<Vec3> hull_points(const RigidPart& part, const Pose& frame) {
   std::vector<Vec3> points = hull_mesh(part.mesh->vertices).vertices;
   if (points.size() > most_hull_points) points = outermost(points);
@@ -71,7 +71,7 @@ std::vector<Vec3> hull_points(const RigidPart& part, const Pose& frame) {
   return points;
 }
 
-/// The faces of a hull, moved out again by what it was shrunk by.
+/// The faces of a hull, moved out by the margin that it was shrunk by.
 HullPlanes planes_of(const btConvexHullComputer& hull, float margin) {
   HullPlanes made;
   for (int face = 0; face < hull.faces.size(); ++face) {
@@ -96,7 +96,7 @@ btConvexShape* make_hull(RigidShape& shape, const std::vector<Vec3>& points) {
   auto* made = keep<btConvexHullShape>(shape, &hull.vertices[0].x(), hull.vertices.size(),
                                        static_cast<int>(sizeof(btVector3)));
   made->setMargin(margin);
-  made->recalcLocalAabb();  // it was made with the default margin
+  made->recalcLocalAabb();  // computed before with the default margin
   auto planes = std::make_shared<HullPlanes>(planes_of(hull, margin));
   made->setUserPointer(planes.get());
   shape.data.push_back(std::move(planes));
@@ -134,7 +134,7 @@ btCollisionShape* make_mesh(RigidShape& shape, const std::shared_ptr<const Trian
   return made;
 }
 
-/// Bullet puts the middle between the lowest and the highest sample at the origin.
+/// Bullet puts the mean of the lowest and the highest sample at the origin.
 float height_field_middle(const HeightFieldGeometry& field) {
   const auto [low, high] = std::ranges::minmax(field.heights);
   return 0.5f * (low + high);
@@ -178,8 +178,8 @@ Pose bullet_pose(const RigidPart& part) {
   return part.pose * Pose{{0, height_field_middle(part.heights), 0}, {0, 0, 0, 1}};
 }
 
-/// The inertia about the axes of a frame that is turned against the principal one, where those are principal
-/// too, as with any frame of a ball.
+/// The inertia about the axes of a frame that is rotated against the principal one, if those axes are
+/// principal too. So are the axes of any frame of a ball.
 std::optional<btVector3> inertia_about(const MassProperties& mass, Quat axes) {
   const btMatrix3x3 turn{to_bullet(conjugate(axes) * mass.axes)};
   const btMatrix3x3 inertia = turn.scaled(to_bullet(mass.inertia)) * turn.transpose();
@@ -190,7 +190,8 @@ std::optional<btVector3> inertia_about(const MassProperties& mass, Quat axes) {
   return btVector3{inertia[0][0], inertia[1][1], inertia[2][2]};
 }
 
-/// One part that sits as the mass does needs no compound around it.
+/// Whether a single part needs no compound, because its frame fits the mass. If so, sets the shape's frame
+/// and inertia.
 bool fits_alone(RigidShape& shape, const RigidPart& part, const MassProperties& mass) {
   if (length(part.pose.position - mass.centre) > 1e-5f * max_component(part.size)) return false;
   const auto inertia = inertia_about(mass, part.pose.rotation);
@@ -201,8 +202,8 @@ bool fits_alone(RigidShape& shape, const RigidPart& part, const MassProperties& 
 }
 
 void add_compound(RigidShape& shape, std::span<const RigidPart> parts) {
-  // Without a tree: its test is another one than that by which Bullet lets go of parts, and what lies between
-  // the two would be history.
+  // Without a tree: its test differs from the one by which Bullet removes parts. Contacts between the two
+  // bounds would depend on history.
   auto* compound = keep<btCompoundShape>(shape, false, static_cast<int>(parts.size()));
   for (const RigidPart& part : parts) {
     btCollisionShape* child = make_part(shape, part);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Bullet's shapes for the parts of a solid.
 #pragma once
 
 #include <memory>
@@ -12,13 +14,13 @@
 
 namespace meniscus::collision {
 
-/// What Bullet collides with, and the data that it points to.
+/// Bullet's shape of a solid, with the data that it refers to.
 struct RigidShape {
   btCollisionShape* root = nullptr;
-  Pose frame;              ///< the root's frame in the geometry's frame; that of the mass, where there is one
-  btVector3 inertia;       ///< about the frame's axes, kg m²
-  float radius = 0;        ///< m, of the ball around the frame's origin
-  float inner_radius = 0;  ///< m, of a ball that fits inside, by which fast bodies are swept
+  Pose frame;         ///< the root's frame in the geometry's frame; the frame of the mass, if there is one
+  btVector3 inertia;  ///< about the frame's axes, kg m²
+  float radius = 0;   ///< m, of the bounding ball around the frame's origin
+  float inner_radius = 0;  ///< m, of a ball that fits inside; fast bodies are swept with it
   std::vector<std::unique_ptr<btCollisionShape>> shapes;
   std::vector<std::unique_ptr<btStridingMeshInterface>> meshes;
   std::vector<std::shared_ptr<const void>> data;

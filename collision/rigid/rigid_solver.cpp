@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of RigidSolver.
 #include "collision/rigid/rigid_solver.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace meniscus::collision {
 
 namespace {
 
-/// Calls for all rows, from the other end in every second iteration; the largest answer.
+/// Calls for all rows, in reverse order in every second iteration; returns the largest result.
 template <class Call>
 float sweep(const btConstraintArray& rows, int iteration, const Call& call) {
   float most = 0;
@@ -41,8 +43,7 @@ float RigidSolver::solve_within(btSolverConstraint& friction, float limit) {
                                            m_tmpSolverBodyPool[friction.m_solverBodyIdB], friction);
 }
 
-/// The first direction, along the slip, has what the second one leaves it of the cone, and the other way
-/// round.
+/// Each direction gets what the other one leaves of the cone.
 float RigidSolver::solve_friction(const btSolverConstraint& contact) {
   btSolverConstraint& along = m_tmpSolverContactFrictionConstraintPool[contact.m_frictionIndex];
   btSolverConstraint& across = m_tmpSolverContactFrictionConstraintPool[contact.m_frictionIndex + 1];

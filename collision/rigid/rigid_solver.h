@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Bullet's solver, with an iteration of our own: sweeps alternate, so that a push travels through a stack
-// both ways in two iterations and towers come to rest; and friction keeps to Coulomb's cone, where Bullet
-// bounds two directions apart.
+// Bullet's solver, with our own iteration. Sweeps alternate in direction, so a push propagates through a
+// stack both ways in two iterations, and towers come to rest. Friction is bounded by Coulomb's cone, where
+// Bullet bounds two directions separately.
 #pragma once
 
 #include "collision/rigid/bullet.h"
 
 namespace meniscus::collision {
 
-/// Needs SOLVER_USE_2_FRICTION_DIRECTIONS, and no rolling friction.
+/// Needs SOLVER_USE_2_FRICTION_DIRECTIONS. There must be no rolling friction.
 class RigidSolver final : public btSequentialImpulseConstraintSolver {
  protected:
   btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int body_count,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What a rigid world holds: solids, bodies, and their state.
+// Contents of a rigid world: solids, bodies, and their state.
 #include "collision/rigid/rigid_world.h"
 
 #include <cassert>
@@ -14,7 +14,7 @@ namespace meniscus::collision {
 
 namespace {
 
-/// Slower than this share of √(g r) for two seconds, a body may fall asleep.
+/// Below this fraction of √(g r) for two seconds, a body may fall asleep.
 constexpr float sleep_share = 0.01f;
 
 btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const RigidShape& shape,
@@ -22,15 +22,15 @@ btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const 
   btRigidBody::btRigidBodyConstructionInfo info(mass / mass_unit, nullptr, shape.root,
                                                 in_mass_units(shape.inertia));
   info.m_startWorldTransform = to_bullet(solid.pose) * to_bullet(shape.frame);
-  // Bullet multiplies the values of two solids.
+  // Bullet multiplies the coefficients of two solids.
   info.m_friction = std::sqrt(solid.friction);
   info.m_restitution = std::sqrt(solid.restitution);
   return info;
 }
 
-/// Small bodies sleep at lower speeds than large ones, and none without gravity, which would have what drifts
-/// stop; and fast ones are swept, as by how far they may go in a step before they could pass through
-/// something.
+/// Sets the thresholds that depend on a body's size. Small bodies sleep at lower speeds than large ones.
+/// Without gravity none sleeps, because sleep would stop a drifting body. A body is swept if it moves so far
+/// in a step that it could pass through something.
 void scale_to_size(btRigidBody& body, const RigidShape& shape, float gravity) {
   const float speed = sleep_share * std::sqrt(gravity * shape.radius);
   body.setSleepingThresholds(speed, speed / shape.radius);
@@ -72,16 +72,16 @@ RigidWorld::Impl::Impl(const RigidWorldDef& definition)
   btContactSolverInfo& info = dynamics.getSolverInfo();
   info.m_numIterations = def.iterations;
   info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
-  // All of the last step's impulses to start from: with the usual 0.85 a stack must find the rest anew each
-  // time.
+  // Starts from all of the last step's impulses. With the usual 0.85 a stack must find the rest again in each
+  // step.
   info.m_warmstartingFactor = 1;
-  // Overlaps are taken out apart from velocities, all of them and not just those beyond 4 cm, so that they
-  // give no energy.
+  // Overlaps are removed separately from velocities, so that they add no energy. All overlaps are, not only
+  // those beyond 4 cm.
   info.m_splitImpulse = true;
   info.m_splitImpulsePenetrationThreshold = 0;
 }
 
-/// From the last to the first, which moves none to another's place.
+/// Removes pairs from the last to the first, so that none moves to another's place.
 void RigidWorld::Impl::drop_pairs() {
   while (pairs.getNumOverlappingPairs() > 0) {
     const btBroadphasePair last = pairs.getOverlappingPairArray()[pairs.getNumOverlappingPairs() - 1];
@@ -90,7 +90,7 @@ void RigidWorld::Impl::drop_pairs() {
 }
 
 RigidWorld::Impl::~Impl() {
-  drop_pairs();  // else each body would look through all of them for its own
+  drop_pairs();  // otherwise each body would search all of them for its own
   for (auto& joint : joints.slots) {
     if (joint) dynamics.removeConstraint(joint->bullet.get());
   }
@@ -144,7 +144,7 @@ RigidWorld::~RigidWorld() = default;
 void RigidWorld::set_def(const RigidWorldDef& def) {
   impl_->def = def;
   impl_->dynamics.getSolverInfo().m_numIterations = def.iterations;
-  // Bullet tells those that are awake alone.
+  // Bullet sets the gravity of awake bodies alone.
   for (const auto& body : impl_->bodies.slots) {
     if (!body) continue;
     wake_up(*body->bullet);
@@ -187,7 +187,7 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
   made->bullet = std::make_unique<btRigidBody>(info);
   btRigidBody& bullet = *made->bullet;
   if (made->kinematic) {
-    // Not static, which is how Bullet sees what has no mass.
+    // Not static, which is Bullet's default for bodies without mass.
     bullet.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
     made->keyframes = def.keyframes;
     made->loop = def.loop;
@@ -273,7 +273,7 @@ void RigidWorld::set_pose(uint32_t number, const Pose& pose) {
   } else {
     place(*body.bullet, to_bullet(pose) * to_bullet(body.shape.frame));
   }
-  impl_->dynamics.updateSingleAabb(body.bullet.get());  // queries before the next step find it there
+  impl_->dynamics.updateSingleAabb(body.bullet.get());  // so that queries before the next step find it there
   collision::wake_up(*body.bullet);
 }
 

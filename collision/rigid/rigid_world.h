@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Rigid bodies as Bullet simulates them, with Bullet hidden. Particles never come near this class: what they
-// do to bodies arrives as one impulse a body and substep.
+// Rigid bodies as Bullet simulates them, without Bullet's types. Particles act on bodies only by one impulse
+// per body and substep.
 #pragma once
 
 #include <meniscus/bodies.h>
@@ -19,7 +19,7 @@
 
 namespace meniscus::collision {
 
-/// One convex or fixed piece of a solid, as Bullet sees it.
+/// One part of a solid, as Bullet represents it.
 struct RigidPart {
   enum class Kind { box, sphere, capsule, cylinder, hull, mesh, height_field, plane };
   Kind kind = Kind::box;
@@ -27,11 +27,11 @@ struct RigidPart {
   Vec3 size{0.5f, 0.5f, 0.5f};  ///< box: half extents; round parts: radius, half height; plane: unit normal
   float offset = 0;             ///< plane: normal · p on the surface, m
   std::shared_ptr<const TriangleMesh>
-      mesh{};  ///< hull: of its vertices; mesh: its triangles, for what no force moves
+      mesh{};  ///< hull: of its vertices; mesh: its triangles, for fixed and kinematic solids
   HeightFieldGeometry heights{};
 };
 
-/// Material and filter as Bullet wants them, beside the parts.
+/// Parts with the material and filter for Bullet.
 struct RigidSolid {
   std::vector<RigidPart> parts;
   Pose pose{};  ///< of the geometry's frame
@@ -46,8 +46,8 @@ struct RigidBodyDef {
   Vec3 velocity{0, 0, 0}, angular_velocity{0, 0, 0};
   float linear_damping = 0, angular_damping = 0;
   bool can_sleep = true;
-  std::vector<Keyframe> keyframes;  ///< kinematic: where there are any, they say where it is from the start
-  bool loop = false;                ///< the last keyframe should be where the first is
+  std::vector<Keyframe> keyframes;  ///< kinematic: if there are any, they give the pose from the start
+  bool loop = false;                ///< the last keyframe should have the pose of the first
   std::string name{};               ///< for errors
 };
 
@@ -61,11 +61,11 @@ struct RigidJointDef {
 
 struct RigidWorldDef {
   Vec3 gravity{0, -9.81f, 0};
-  int substeps = 1;     ///< of Bullet, in one step
+  int substeps = 1;     ///< of Bullet, in one call of step()
   int iterations = 10;  ///< of Bullet's solver
 };
 
-/// A solid of this world: a body by its number, or a fixed one.
+/// Refers to a solid of this world: a body by its number, or a fixed solid.
 struct RigidRef {
   bool is_body = false;
   uint32_t number = pbd::no_index;
@@ -76,7 +76,7 @@ struct RigidContact {
   Vec3 point;      ///< m, on b
   Vec3 normal;     ///< unit, from b to a
   float distance;  ///< m
-  float impulse;   ///< N·s, in the last of Bullet's steps, of which a step makes `substeps`
+  float impulse;   ///< N·s, in the last of Bullet's `substeps` steps
 };
 
 struct RigidTouch {
@@ -94,21 +94,21 @@ class RigidWorld {
   explicit RigidWorld(const RigidWorldDef& def);
   ~RigidWorld();
 
-  /// From the next step on; all bodies wake.
+  /// Takes effect at the next step; all bodies wake.
   void set_def(const RigidWorldDef& def);
 
-  // Solids, bodies and joints have numbers; a number that is given back is used again, the lowest first. What
-  // is added later does not change what is there.
+  // Solids, bodies and joints have numbers. A number that is released is used again, the lowest first. Adding
+  // something does not change what is there.
   uint32_t add_fixed(const RigidSolid& solid);
   void remove_fixed(uint32_t number);
   uint32_t add_body(const RigidBodyDef& def);
-  void remove_body(uint32_t number);  ///< and its joints
+  void remove_body(uint32_t number);  ///< also removes its joints
   uint32_t add_joint(const RigidJointDef& def);
   void remove_joint(uint32_t number);
-  bool has_joint(uint32_t number) const;  ///< a body that goes takes its joints along
+  bool has_joint(uint32_t number) const;  ///< joints are removed with their bodies
 
-  /// One above the highest number in use: arrays by body number have this many elements. Numbers that are not
-  /// in use read as bodies with no mass and no motion.
+  /// The highest number in use plus 1, which is the size of arrays by body number. Unused numbers read as
+  /// bodies without mass and motion.
   uint32_t body_slots() const;
   uint32_t body_count() const;
   RigidMass mass(uint32_t body) const;
@@ -120,57 +120,59 @@ class RigidWorld {
   Vec3 centre_of_mass(uint32_t body) const;
   bool awake(uint32_t body) const;
   void set_pose(uint32_t body,
-                const Pose& pose);  ///< wakes it; of a kinematic body too, which then has no velocity
+                const Pose& pose);  ///< wakes it; a kinematic body has no velocity afterwards
   void set_velocity(uint32_t body, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies; wakes
   void wake(uint32_t body);
-  /// Those, and no others, do not fall asleep: what pulls at them changes while they hardly move.
+  /// Keeps exactly these bodies from falling asleep. The forces on them change while they hardly move.
   void keep_awake(std::span<const uint32_t> bodies);
-  /// For the time up to the next end_step(): N at a world point, N·m.
+  /// Acts until the next end_step(): N at a world point, N·m.
   void apply_force(uint32_t body, Vec3 force, Vec3 point);
   void apply_torque(uint32_t body, Vec3 torque);
   void apply_impulse(uint32_t body, Vec3 impulse, Vec3 point);  ///< at once
-  /// A kinematic body's target, which it reaches at an even rate when `duration` (s) has passed. Takes the
-  /// place of its keyframes.
+  /// Sets the target of a kinematic body, which it reaches at a constant rate after `duration` (s). Replaces
+  /// its keyframes.
   void move(uint32_t body, const Pose& target, float duration);
   float hinge_angle(uint32_t joint) const;  ///< rad, from the placement at creation; 0 for other kinds
 
   // ---- a substep of length dt, in this order ----
 
-  /// Where bodies are and where they would get to in dt, by number; with dt = 0 where they are alone.
+  /// By number: the poses of bodies and their predicted motion over dt without contacts; with dt = 0 the
+  /// poses alone.
   void predict(float dt, std::span<RigidMotion> out) const;
-  /// Finds contacts where bodies are, which takes a good part of a step. Impulses need not be known yet.
+  /// Finds contacts at the bodies' current poses, which takes a large part of a step. Impulses need not be
+  /// known yet.
   void begin_step(float dt);
-  /// Gives each body its impulse, wakes those that one changes, and advances by dt.
+  /// Applies the impulse of each body, wakes the bodies that an impulse changes, and advances by dt.
   void finish_step(float dt, std::span<const RigidImpulse> impulses);
-  /// Both at once.
+  /// Does both.
   void step(float dt, std::span<const RigidImpulse> impulses) {
     begin_step(dt);
     finish_step(dt, impulses);
   }
-  /// Sets the time, in place of a step, where there are no bodies.
+  /// Sets the time. Replaces a step where there are no bodies.
   void set_time(double time);
-  /// Throws Error(non_finite) that names the first body whose pose or velocity is not finite.
+  /// Throws Error(non_finite) with the name of the first body whose pose or velocity is not finite.
   void check_finite() const;
-  /// At the end of a series of steps: forgets forces that were applied.
+  /// Ends a series of steps: clears applied forces.
   void end_step();
   double time() const;  ///< s
 
-  // ---- what can be asked ----
+  // ---- queries ----
 
   std::vector<RigidContact> contacts() const;  ///< of the last step, in a fixed order
-  /// Pairs with at least one point at distance ≤ 0 or an impulse, sorted. Found at the first call after a
+  /// Pairs with at least one point at distance ≤ 0 or an impulse, sorted. Computed at the first call after a
   /// step, and kept until something changes.
   const std::vector<RigidTouch>& touches();
-  /// The nearest. A ray that starts in a convex solid meets it at once.
+  /// Finds the nearest hit. A ray that starts in a convex solid meets it at once.
   bool cast_ray(Vec3 from, Vec3 to, RigidRayHit& hit) const;
   /// Solids that overlap a box or, with a radius, a ball (half_extents.x is the radius).
   std::vector<RigidRef> overlaps(const Pose& pose, Vec3 half_extents, bool ball) const;
 
   // ---- state in memory ----
 
-  /// All that the future depends on. Saving into the same snapshot again reuses its memory. Between save()
-  /// and restore() no solid, body or joint may have been removed, and what was added must be gone again; the
-  /// continuation is then equal bit for bit.
+  /// All state that the future depends on. Saving into the same snapshot again reuses its memory. Between
+  /// save() and restore() no solid, body or joint may have been removed, and what was added must be removed
+  /// again. The continuation is then equal bit for bit.
   struct Snapshot;
   struct DeleteSnapshot {
     void operator()(Snapshot*) const;

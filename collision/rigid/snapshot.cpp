@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// State in memory. Bullet's collision algorithms cannot be copied. They are made anew: bodies are put where
-// they were when contacts were last looked for, and every pair is looked at again. That gives the same
-// manifolds in the same order, the contents of which are then overwritten with those that were saved.
+// Snapshots of the state. Bullet's collision algorithms cannot be copied, so they are made again. Bodies are
+// placed where they were when contacts were last searched, and every pair is processed again. That gives the
+// same manifolds in the same order. Their contents are then overwritten with the saved ones.
 #include <algorithm>
 #include <cassert>
 
@@ -109,7 +109,7 @@ void RigidWorld::save_contacts(Snapshot& to) const {
 
 namespace {
 
-/// The pairs in the order that they had, with algorithms for those that had one, and their manifolds.
+/// Makes the pairs in their saved order, with algorithms for those that had one, and their manifolds.
 void remake_pairs(const std::vector<SavedPair>& saved, btHashedOverlappingPairCache& pairs,
                   RigidBroadphase& broadphase, RigidDispatcher& dispatcher, const btDispatcherInfo& info) {
   for (const SavedPair& pair : saved) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How a rigid world moves: what it predicts, what impulses do, and its steps.
+// Motion of a rigid world: prediction, impulses, and steps.
 #include <meniscus/error.h>
 
 #include <algorithm>
@@ -15,13 +15,13 @@ namespace meniscus::collision {
 
 namespace {
 
-constexpr float smoothing_time = 0.1f;  // s, over which a body's usual push is found
-constexpr float waking_share = 0.1f;    // of its weight, by which a push must differ from the usual
+constexpr float smoothing_time = 0.1f;  // s, averaging time of a body's usual push
+constexpr float waking_share = 0.1f;    // of its weight: a larger change of push wakes a body
 
-/// Bullet turns a body by no more than this in a step, rad.
+/// Bullet limits the rotation of a body in a step to this, rad.
 constexpr float most_turn = ANGULAR_MOTION_THRESHOLD;
 
-/// Slower contacts than this many steps' gravity gives do not bounce: they rest.
+/// Contacts slower than gravity accelerates in this many steps do not bounce: they are at rest.
 constexpr float resting_steps = 4;
 
 Vec3 limited_turn(Vec3 angular_velocity, float dt) {
@@ -29,9 +29,10 @@ Vec3 limited_turn(Vec3 angular_velocity, float dt) {
   return speed * dt > most_turn ? most_turn / (speed * dt) * angular_velocity : angular_velocity;
 }
 
-/// The angular velocity of a free body after dt, as its axes turn: Euler's equation by the implicit midpoint
-/// rule, which keeps energy and momentum, in the body's frame. Bullet's own takes the tumbling out of fast
-/// bodies, and leaves out small ones, whose moments of inertia multiply to less than it would divide by.
+/// The angular velocity of a free body after dt, as its axes turn. Euler's equation in the body's frame, by
+/// the implicit midpoint rule, which conserves energy and momentum. Bullet's own integration damps the
+/// tumbling of fast bodies. It also skips small bodies, whose moments of inertia have a product below its
+/// bound for a division.
 btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
   const btMatrix3x3& axes = body.getWorldTransform().getBasis();
   const btVector3 inertia = body.getLocalInertia(), inverse = body.getInvInertiaDiagLocal();
@@ -54,8 +55,8 @@ btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
   return axes * after;
 }
 
-/// What Bullet's steps make of a body's velocity where nothing is in its way; the mean over the steps. The
-/// inertia's axes are taken as they are at the start.
+/// The velocity of a body over Bullet's steps without contacts, averaged over the steps. The axes of the
+/// inertia are those at the start.
 RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
   const float fraction = 1 / static_cast<float>(substeps), h = fraction * dt;
   const btVector3 gain = h * (body.getGravity() + body.getInvMass() * in_mass_units(memory.force));
@@ -80,7 +81,7 @@ bool is_sprung(btRigidBody& body) {
   return false;
 }
 
-/// Takes a particles' push in, unless the body sleeps through it.
+/// Applies the push of particles, unless the body sleeps through it.
 void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, float gravity) {
   RigidMemory& memory = body.memory;
   const Vec3 force = impulse.linear / dt, torque = impulse.angular / dt;
@@ -95,7 +96,7 @@ void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, 
   memory.usual_force += fraction * (force - memory.usual_force);
   memory.usual_torque += fraction * (torque - memory.usual_torque);
   if (is_sprung(*body.bullet)) {
-    // What had become motion before joints are solved for, a damper would resist for ever.
+    // As motion before the joint solve, the push would be resisted by a damper for ever.
     body.push = force;
     body.push_torque = torque;
   } else {
@@ -157,7 +158,7 @@ void RigidWorld::Impl::take_impulses(float dt, std::span<const RigidImpulse> imp
   }
 }
 
-/// Gives kinematic bodies the velocities that take them from where they are to where they must be.
+/// Gives kinematic bodies the velocities that take them from their poses to their targets.
 void RigidWorld::Impl::drive_kinematics(float dt) {
   for (const auto& body : bodies.slots) {
     if (!body || !body->kinematic) continue;
@@ -166,12 +167,12 @@ void RigidWorld::Impl::drive_kinematics(float dt) {
     const Pose& frame = body->shape.frame;
     const KinematicVelocity v = velocity_to(body->from * frame, body->to * frame, dt);
     set_speed(*body->bullet, v.linear, v.angular);
-    // One that stands still may sleep, so that what lies on it may.
+    // A body at rest may sleep, so that what lies on it may sleep too.
     if (!(v.linear == Vec3{0, 0, 0} && v.angular == Vec3{0, 0, 0})) wake_up(*body->bullet);
   }
 }
 
-/// Contacts wake what lies on a body that moves. What hangs from it by a joint is woken here.
+/// Contacts wake bodies that lie on a moving body. Bodies that hang from it by a joint are woken here.
 void RigidWorld::Impl::wake_driven() {
   const auto moves = [&](uint32_t n) {
     if (!bodies.has(n) || !bodies.slots[n]->kinematic) return false;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Signed distance fields in a device's memory, and their construction from a mesh.
 #pragma once
 
 #include "collision/mesh/triangle_bvh.h"
@@ -10,7 +12,7 @@ namespace meniscus::collision {
 /// Owns a signed distance field in a device's memory.
 class Sdf {
  public:
-  /// Memory for a field on these nodes, not filled yet.
+  /// Allocates a field on these nodes, without values.
   Sdf(pbd::Device& device, const Lattice& nodes)
       : nodes_(nodes), values_(device, "signed distance field"), density_(device, "density map") {
     values_.resize_discard(nodes.count());
@@ -30,10 +32,11 @@ class Sdf {
   pbd::Buffer<pbd::Vec4> density_;
 };
 
-/// The field of a mesh, on a grid that reaches `margin` (m) beyond the mesh's box. The magnitude at a node is
-/// the exact distance to the nearest triangle; the sign is the winding number's. Where the sign turns without
-/// a triangle, as in a hole, the surface on which it turns closes the solid: distances are to it too. Throws
-/// Error(invalid_argument) when cell_size (m) or margin is out of range, or the grid would be too large.
+/// Builds the field of a mesh, on a grid that reaches `margin` (m) beyond the mesh's box. The magnitude at a
+/// node is the exact distance to the nearest triangle. The sign is the winding number's. Where the sign
+/// changes without a triangle, as in a hole, the surface of the change closes the solid. Distances are to it
+/// as well. Throws Error(invalid_argument) when cell_size (m) or margin is out of range, or the grid would be
+/// too large.
 template <class D>
 Sdf build_sdf(D& device, const DeviceTriangleBvh& mesh, float cell_size, float margin);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Three passes: distances and signs from the mesh; the crossings of the membranes that close its holes;
-// distances to those.
+// Builds a field in three passes: distances and signs from the mesh; the crossings of the membranes that
+// close its holes; distances to those.
 #pragma once
 
 #include "collision/mesh/triangle_bvh_query.h"
@@ -14,7 +14,7 @@ namespace meniscus::collision {
 namespace sdf_kernels {
 
 constexpr uint32_t run_length =
-    8;  // nodes along x that one call takes: each starts from what the last one found
+    8;  // nodes along x that one call takes: each starts from the result of the last one
 
 MENISCUS_HD inline uint32_t runs_a_row(const Lattice& nodes) {
   return (nodes.nx + run_length - 1) / run_length;
@@ -56,7 +56,7 @@ struct SignedDistances {
   }
 };
 
-// Where on an edge the winding number passes a half.
+// Finds where on an edge the winding number passes a half.
 struct MembraneCrossings {
   TriangleBvhView mesh;
   Lattice nodes;
@@ -107,7 +107,7 @@ void close_holes(D& device, const DeviceTriangleBvh& mesh, Sdf& sdf) {
   const DeviceTriangleBvh device_membrane(device, membrane);
   device.parallel_for("distances to membranes", nodes.count(),
                       sdf_kernels::DistancesToMembrane{device_membrane.view(), nodes, sdf.values().view()});
-  device.wait();  // the membrane goes now
+  device.wait();  // the membrane is freed from here on
 }
 
 template <class D>

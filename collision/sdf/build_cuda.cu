@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates build_sdf for CUDA.
 #include "collision/sdf/build.inl"
 #include "pbd/device/cuda/cuda_device.cuh"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Density maps (Koschier & Bender 2017; Bender et al. 2020, volume maps): how much of a particle's kernel a
-// solid fills, B(x) = ∫ W_poly6(|x − y|, h) dy over the solid, and ∇B, beside the distance at each node of
-// its field. B is 1 deep inside, ½ on a flat face, 0 from h on.
+// Density maps (Koschier & Bender 2017; Bender et al. 2020, volume maps): the fraction of a particle's kernel
+// that a solid fills. B(x) = ∫ W_poly6(|x − y|, h) dy over the solid, and ∇B, are stored beside the distance
+// at each node of the field. B is 1 deep inside, ½ on a flat face, and 0 from the distance h on.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,13 @@
 namespace meniscus::collision {
 
 /// Fills the density map of the mesh's field for the support radius h (m). The field's margin must be at
-/// least h; its cells should not exceed h/4. The solid is as the field has it, and, up to 16 million
-/// nodes, finer than its cells where the mesh is near. Throws Error(invalid_argument) where h is not positive
-/// and finite. With cells of h/4, sample_density is off by .003 on flat faces, .01 at edges, in corners, and
-/// on plates of two cells; ∇B by .12/h, a tenth of what it is on a flat face at most, since it is linear
-/// between nodes. With cells of h/8: .002, .007 and .07/h.
+/// least h, and its cells should not exceed h/4. The solid is that of the field. Near the mesh it is finer
+/// than the field's cells, up to 16 million nodes. Throws Error(invalid_argument) where h is not positive and
+/// finite.
+///
+/// Errors with cells of h/4: sample_density is off by 0.003 on flat faces, and by 0.01 at edges, in corners
+/// and on plates of two cells. ∇B is off by 0.12/h at most, a tenth of its value on a flat face, because it
+/// is linear between nodes. With cells of h/8: 0.002, 0.007 and 0.07/h.
 template <class D>
 void build_density_map(D& device, const DeviceTriangleBvh& mesh, Sdf& sdf, float h);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Three passes: the solid's share in the cube around each sample; means over larger cubes where the field is
-// finer than the quadrature needs; the sums at the nodes near the surface.
+// Builds a density map in three passes: the solid's fraction in the cube around each sample; means over
+// larger cubes where the field is finer than the quadrature needs; the sums at the nodes near the surface.
 #pragma once
 
 #include <meniscus/error.h>
@@ -30,8 +30,8 @@ struct SolidShares {
     shares[i] = fraction_at(distance / samples.spacing);
   }
 
-  // Edges are cut off by the trilinear field: near the surface the mesh itself is asked. What is further from
-  // the mesh than the field says is near the membrane over a hole, of which the field alone knows.
+  // The trilinear field cuts off edges, so near the surface the distance comes from the mesh. A point further
+  // from the mesh than the field says is near the membrane over a hole, which only the field contains.
   MENISCUS_HD float distance_between_nodes(Vec3 p) const {
     const float from_field = sample_grid(sdf, p).value, doubt = 0.5f * sdf.nodes.spacing;
     if (fabsf(from_field) > samples.spacing + doubt) return from_field;
@@ -40,16 +40,16 @@ struct SolidShares {
     return is_inside(mesh, p) ? -distance : distance;
   }
 
-  // Of the solid in a window of the shape of a tent, two samples wide. A box, one sample wide, shows the
-  // lattice: with cells of h/4 flat faces along it were measured to be off by 2.3 % of ½, with the tent by .6
-  // %.
+  // The fraction of a tent-shaped window, two samples wide, that the solid fills. A box, one sample wide,
+  // shows the lattice. With cells of h/4, flat faces along the lattice were off by 2.3 % of ½, and with the
+  // tent by 0.6 %.
   MENISCUS_HD static float fraction_at(float x) {
     const float rest = pbd::max(0, 1 - fabsf(x)), half = 0.5f * rest * rest;
     return x < 0 ? 1 - half : half;
   }
 };
 
-// The mean over `width` samples in a row; of an even number the ends count half.
+// The mean over `width` samples in a row. For an even width the ends count half.
 struct MeanAlong {
   uint32_t stride, count;  // of the axis
   uint32_t width;
@@ -62,7 +62,7 @@ struct MeanAlong {
     const uint32_t above = count - 1 - place < reach ? count - 1 - place : reach;
     float sum = 0;
     for (uint32_t k = i - below * stride; k <= i + above * stride; k += stride) sum += in[k];
-    if (width % 2 == 0) {  // beyond the lattice there is no solid
+    if (width % 2 == 0) {  // there is no solid outside the lattice
       if (below == reach) sum -= 0.5f * in[i - reach * stride];
       if (above == reach) sum -= 0.5f * in[i + reach * stride];
     }
@@ -92,7 +92,7 @@ struct Integrate {
     Vec3 gradient{0, 0, 0};
     for (uint32_t q = 0; q < points.count; ++q) {
       const QuadraturePoint point = points[q];
-      // Below the first one a number wraps around, and is beyond the last.
+      // An index below the first one wraps around, and is then beyond the last.
       const uint32_t x = i + static_cast<uint32_t>(point.x), y = j + static_cast<uint32_t>(point.y),
                      z = k + static_cast<uint32_t>(point.z);
       if (x >= samples.nx || y >= samples.ny || z >= samples.nz) continue;
@@ -107,8 +107,8 @@ struct Integrate {
 
 }  // namespace density_map_kernels
 
-// How often the cells may be divided for at most as many samples: two arrays of half a gibibyte while it is
-// built.
+// How often the cells may be divided within the maximal number of samples. The build uses two arrays of half
+// a gibibyte.
 inline uint32_t most_refined(const Lattice& nodes) {
   constexpr double most_samples = 1u << 27;
   return static_cast<uint32_t>(std::cbrt(most_samples / nodes.count()));
@@ -119,7 +119,7 @@ inline Lattice refined(const Lattice& nodes, uint32_t refinement, float step) {
           (nodes.nz - 1) * refinement + 1};
 }
 
-// Twice a box is a tent.
+// Two box filters make a tent.
 template <class D>
 void take_means(D& device, const Lattice& samples, uint32_t width, pbd::Buffer<float>& shares) {
   pbd::Buffer<float> means(device, "means of a solid's shares");
@@ -133,7 +133,7 @@ void take_means(D& device, const Lattice& samples, uint32_t width, pbd::Buffer<f
         density_map_kernels::MeanAlong{strides[axis], counts[axis], width, shares.view(), means.view()});
     shares.swap(means);
   }
-  device.wait();  // one of the two goes now
+  device.wait();  // one of the two is freed from here on
 }
 
 template <class D>
@@ -158,7 +158,7 @@ void build_density_map(D& device, const DeviceTriangleBvh& mesh, Sdf& sdf, float
   device.parallel_for("density map", sdf.nodes().count(),
                       Integrate{sdf.view(), samples, quadrature.refinement, h, shares.view(), points.view(),
                                 sdf.density().view()});
-  device.wait();  // the shares go now
+  device.wait();  // the shares are freed from here on
 }
 
 }  // namespace meniscus::collision

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates build_density_map for the CPU.
 #include "collision/sdf/density_map.inl"
 #include "pbd/device/cpu/cpu_device.h"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes the points and weights of a density map's quadrature.
 #include "collision/sdf/density_map_quadrature.h"
 
 #include <algorithm>
@@ -10,15 +12,17 @@ namespace meniscus::collision {
 namespace {
 
 constexpr double steps_a_radius = 8, samples_a_radius = 4;
-constexpr double rounding = 1e-4;  // a cell of h/4 is one, whatever the last digit says
+constexpr double rounding = 1e-4;  // a cell of h/4 counts as one despite rounding
 
-// Variance, in squared steps, of what smooths a sample: its share, and two means over `width` samples.
+// Variance, in squared steps, of the smoothing of a sample: of its fraction, and of two means over `width`
+// samples.
 double variance(uint32_t width) {
   const double w = width, mean = width % 2 ? (w * w - 1) / 12 : (w * w + 2) / 12;
   return 1.0 / 6 + 2 * mean;
 }
 
-// Both for a support radius of 1, without their constant; rr is the squared radius, k half of the variance.
+// Weight and slope for a support radius of 1, without their constant. rr is the squared radius, k half of the
+// variance.
 double weight_at(double rr, double k) {
   const double a = 1 - rr;
   return a * a * a - k * 6 * a * (7 * rr - 3);
@@ -47,7 +51,7 @@ std::vector<QuadraturePoint> points_of(double step, uint32_t stride, double h) {
   }
   for (QuadraturePoint& p : points) {
     p.weight = static_cast<float>(p.weight / weights);
-    p.slope = static_cast<float>(p.slope / (moments * step));  // so that a solid's share with a slope has it
+    p.slope = static_cast<float>(p.slope / (moments * step));  // so that linear fractions give their slope
   }
   return points;
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Scalar fields on a lattice, as kernels read them, with trilinear interpolation.
 #pragma once
 
 #include "collision/mesh/lattice.h"
@@ -7,8 +9,8 @@
 
 namespace meniscus::collision {
 
-/// A scalar field on the points of a lattice, at least two along each axis, linear along each axis in
-/// between.
+/// A scalar field on the points of a lattice with at least two points along each axis. Trilinear between
+/// them.
 struct GridView {
   Lattice nodes;
   pbd::View<const float> values;
@@ -19,7 +21,7 @@ struct GridSample {
   Vec3 gradient;  ///< 1/m
 };
 
-/// A value that is not a number comes out as the lower limit: whoever reads memory with it stays inside.
+/// NaN gives the lower limit, so that an index computed from it is in range.
 MENISCUS_HD inline float clamped(float a, float lower, float upper) {
   return a > lower ? (a < upper ? a : upper) : lower;
 }
@@ -32,7 +34,7 @@ MENISCUS_HD inline Vec3 clamp_to_grid(const GridView& grid, Vec3 p) {
           clamped(p.z, n.origin.z, upper.z)};
 }
 
-// Which cell, and how far into it.
+// A cell, and the position inside it.
 struct GridPlace {
   uint32_t cell;
   float fraction;
@@ -51,7 +53,7 @@ MENISCUS_HD inline GridSample sample_grid(const GridView& grid, Vec3 p) {
   const Vec3 u = (p - n.origin) / n.spacing;
   const GridPlace x = place_in_grid(u.x, n.nx), y = place_in_grid(u.y, n.ny), z = place_in_grid(u.z, n.nz);
 
-  // Along x first: value and slope on the four edges of the cell, then across.
+  // Along x first: value and slope on four edges of the cell, then along the other axes.
   float value[4], slope[4];
   for (uint32_t edge = 0; edge < 4; ++edge) {
     const uint32_t at = n.index(x.cell, y.cell + (edge & 1), z.cell + (edge >> 1));

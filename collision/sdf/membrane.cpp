@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds and meshes the membranes that close a mesh's holes.
 #include "collision/sdf/membrane.h"
 
 #include <cmath>
@@ -19,7 +21,7 @@ bool has_next(const Lattice& lattice, uint32_t node, uint32_t axis) {
   return node / lattice.nx / lattice.ny + 1 < lattice.nz;
 }
 
-// The cells around an edge, named by their first node, in a ring.
+// The four cells around an edge, named by their first node, in cyclic order.
 std::array<uint32_t, 4> cells_around(const Lattice& lattice, MembraneEdge edge) {
   const uint32_t a = stride(lattice, (edge.axis + 1) % 3), b = stride(lattice, (edge.axis + 2) % 3);
   return {edge.node, edge.node - a, edge.node - a - b, edge.node - b};
@@ -30,7 +32,7 @@ Vec3 crossing(const Lattice& lattice, MembraneEdge edge, float fraction) {
   return from + fraction * (to - from);
 }
 
-// One vertex a cell, at the mean of what was added to it.
+// One vertex per cell, at the mean of the points added to it.
 class CellVertices {
  public:
   uint32_t add(uint32_t cell, Vec3 crossing) {
@@ -60,8 +62,8 @@ class CellVertices {
 }  // namespace
 
 std::vector<MembraneEdge> membrane_edges(const Lattice& lattice, std::span<const float> distances) {
-  // Where a triangle passes between two nodes, their distances to it sum up to an edge at most; the rest is
-  // rounding.
+  // If a triangle passes between two nodes, their distances to it sum to one edge at most. The excess allows
+  // for rounding.
   const float longest = 1.001f * lattice.spacing;
   std::vector<MembraneEdge> edges;
   for (uint32_t node = 0; node < lattice.count(); ++node) {

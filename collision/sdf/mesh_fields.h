@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The distance fields and density maps of a world's meshes, shared by equal meshes.
 #pragma once
 
 #include <optional>
@@ -11,22 +13,23 @@
 namespace meniscus::collision {
 
 /// Owns the distance fields and density maps of a world's meshes on a device. Equal meshes with equal
-/// settings share one. A field keeps its number, and its place in memory, until it has been released as often
-/// as acquired.
+/// settings share one. A field keeps its number and its memory until it has been released as often as
+/// acquired.
 template <class D>
 class MeshFields {
  public:
-  /// The number of the mesh's field, which is built where there is none. Cells are cell_size (m) wide, or,
-  /// where target_error (m) is positive, as it demands (build_sdf_to_error). The grid reaches at least h and
-  /// `margin` (m) beyond the mesh; h (m) is the density map's support radius. Throws what build_sdf,
-  /// build_sdf_to_error and build_density_map throw, and Error(out_of_memory); nothing is added then.
+  /// Returns the number of the mesh's field, and builds the field if there is none. Cells are cell_size (m)
+  /// wide, or as target_error (m) demands where that is positive (build_sdf_to_error). The grid reaches at
+  /// least h and `margin` (m) beyond the mesh; h (m) is the density map's support radius. Throws what
+  /// build_sdf, build_sdf_to_error and build_density_map throw, and Error(out_of_memory). Nothing is added
+  /// then.
   uint32_t acquire(D& device, const TriangleMesh& mesh, float cell_size, float target_error, float margin,
                    float h);
 
-  /// Gives one acquisition of a field back. No kernel may be using it.
+  /// Releases one acquisition of a field. No kernel may be using the field.
   void release(uint32_t number);
 
-  /// By number; empty views where there is no field now.
+  /// By number; an empty view where there is no field.
   std::vector<SdfView> views() const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Functions of MeshFields.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +27,7 @@ Sdf build_field(D& device, const TriangleMesh& mesh, float cell_size, float targ
 template <class D>
 uint32_t MeshFields<D>::acquire(D& device, const TriangleMesh& mesh, float cell_size, float target_error,
                                 float margin, float h) {
-  if (target_error > 0) cell_size = 0;  // as it does not count
+  if (target_error > 0) cell_size = 0;  // because it has no effect
   margin = std::max(margin, h);
   const Key key{hash_of(mesh), cell_size, target_error, margin, h};
   const auto self = std::find_if(fields_.begin(), fields_.end(),

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tests of points against the inside of a mesh.
 #pragma once
 
 #include <span>
@@ -9,7 +11,7 @@
 
 namespace meniscus::collision {
 
-/// For each point 1 where it is inside the mesh, by the winding number, else 0.
+/// For each point 1 if it is inside the mesh by the winding number, otherwise 0.
 template <class D>
 std::vector<uint8_t> points_inside(D& device, const DeviceTriangleBvh& mesh, std::span<const Vec3> points);
 

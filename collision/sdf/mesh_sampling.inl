@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Kernels and functions that test points against the inside of a mesh.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace meniscus::collision {
 
 namespace sampling_kernels {
 
-constexpr uint32_t batch = 1u << 22;  // points at a time, so that memory stays small beside the particles'
+constexpr uint32_t batch = 1u << 22;  // points at a time, to take little memory beside the particles'
 
 struct TestPoints {
   TriangleBvhView mesh;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates points_inside and lattice_points_inside for CUDA.
 #include "collision/sdf/mesh_sampling.inl"
 #include "pbd/device/cuda/cuda_device.cuh"
 

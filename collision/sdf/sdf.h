@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Signed distance fields and density maps, as kernels read them.
 #pragma once
 
 #include "collision/mesh/surface_sample.h"
@@ -13,9 +15,9 @@ struct SdfView : GridView {
 };
 
 /// Signed distance at a point of the field's frame; the normal is the field's gradient.
-/// Beyond the grid the distance is √(d² + e²), with d that at the nearest point of the grid and e the
-/// distance to it. As the grid's box is convex and holds the solid, no point of the solid is nearer: the
-/// extension is continuous and never says too much.
+/// Beyond the grid the distance is √(d² + e²). d is the distance at the nearest point of the grid, and e the
+/// distance to that point. The grid's box is convex and contains the solid, so no point of the solid is
+/// nearer. The extension is continuous and never too large.
 MENISCUS_HD inline SurfaceSample sample_sdf(const SdfView& sdf, Vec3 p) {
   const Vec3 up{0, 1, 0};
   const Vec3 clamped_point = clamp_to_grid(sdf, p);
@@ -27,15 +29,15 @@ MENISCUS_HD inline SurfaceSample sample_sdf(const SdfView& sdf, Vec3 p) {
   return {distance, normalized_or(gap + sample.value * sample.gradient, up)};
 }
 
-/// How much of a particle's kernel the solid fills.
+/// The fraction of a particle's kernel that the solid fills.
 struct DensitySample {
   float density;  ///< B = ∫ W over the solid, 0 to 1
   Vec3 gradient;  ///< ∇B, 1/m, into the solid
 };
 
-/// From the density map, which must be there. The gradient is trilinear. B blends what each of the cell's
-/// nodes makes of it with half of its gradient: exact where B is of second order, at the price of the values
-/// alone. Beyond the grid there is nothing.
+/// Samples the density map, which must exist. The gradient is trilinear. B blends linear extrapolations from
+/// the cell's nodes, each with half of the node's gradient. This is exact where B is of second order, and
+/// needs no more loads than the values alone. Beyond the grid the density is 0.
 MENISCUS_HD inline DensitySample sample_density(const SdfView& sdf, Vec3 p) {
   const Lattice& n = sdf.nodes;
   if (!(clamp_to_grid(sdf, p) == p)) return {0, {0, 0, 0}};

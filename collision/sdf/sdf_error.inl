@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Kernels and functions that measure the error of a distance field.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates sdf_error and build_sdf_to_error for the CPU.
 #include "collision/sdf/sdf_error.inl"
 #include "pbd/device/cpu/cpu_device.h"
 

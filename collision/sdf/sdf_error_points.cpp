@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Chooses the points at which the error of a distance field is measured, and reports errors.
 #include "collision/sdf/sdf_error_points.h"
 
 #include <meniscus/error.h>
@@ -40,7 +42,7 @@ Triangle corners_of(const TriangleMesh& mesh, size_t t) {
   return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
 }
 
-// Sums of the areas up to each triangle.
+// Cumulative sums of the triangles' areas.
 std::vector<double> summed_areas(const TriangleMesh& mesh) {
   std::vector<double> sums;
   double sum = 0;
