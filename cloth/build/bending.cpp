@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the hinge constraints of bending.
 #include "cloth/build/bending.h"
 
 #include <Eigen/Geometry>
@@ -11,14 +13,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Below it an isometric hinge takes the rest shape for flat.
+// Below this angle, a rest shape counts as flat, and its hinge is isometric.
 constexpr double flat_angle = 1e-3;  // rad
 
 struct Corners {
   Vector3d a, b, c, d;
 };
 
-// θ of HingeConstraint: positive where c and d have come towards the side that the normal of (a, b, c) points
+// θ of HingeConstraint: positive if c and d have moved towards the side that the normal of (a, b, c) points
 // to.
 double angle_at_rest(const Corners& x) {
   const Vector3d edge = x.b - x.a;
@@ -30,8 +32,8 @@ double cotangent(const Vector3d& u, const Vector3d& v) {
   return u.dot(v) / u.cross(v).norm();
 }
 
-// Each triangle adds l times the unit vector from its third corner to the edge, in its own plane: so the sum
-// of both is l · 2 sin(θ/2) long.
+// Each triangle adds l times the unit vector from its third corner to the edge, in its own plane. So their
+// sum has the length l · 2 sin(θ/2).
 void set_weights(const Corners& x, float weight[3]) {
   const Vector3d edge = x.b - x.a;
   const double a1 = cotangent(edge, x.c - x.a), b1 = cotangent(-edge, x.c - x.b);

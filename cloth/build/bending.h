@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Bending, a hinge an inner edge.
+// Bending: one hinge for each inner edge.
 #pragma once
 
 #include <vector>
@@ -17,10 +17,10 @@ struct Hinges {
   std::vector<IsometricConstraint> isometric;
 };
 
-/// A hinge of length l between triangles of areas A₁ and A₂ has the energy ½ D l²/(A₁ + A₂) (θ − θ₀)²: on a
-/// grid that is bent along an axis, and on equilateral triangles bent in any direction, that is ½ D κ² an
-/// area. (The hinges of Grinspun et al. 2003 weigh 3 times as much.) Isometric hinges, with 2 sin(θ/2) for θ
-/// in the same energy, are for what is flat at rest; the others stay dihedral.
+/// A hinge of length l between triangles of areas A₁ and A₂ has the energy ½ D l²/(A₁ + A₂) (θ − θ₀)². On a
+/// grid bent along an axis, and on equilateral triangles bent in any direction, that is ½ D κ² per area. The
+/// hinges of Grinspun et al. 2003 weigh 3 times as much. Hinges that are flat at rest are isometric, with 2
+/// sin(θ/2) for θ in the same energy. The others are dihedral.
 Hinges bending_of_edges(const ClothMesh& mesh, std::span<const EdgeUse> uses,
                         const std::vector<TriangleAtRest>& triangles, const FabricParameters& fabric);
 

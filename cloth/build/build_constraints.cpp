@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Checks a fabric, and builds the constraints and vertex masses of a mesh.
 #include "cloth/build/build_constraints.h"
 
 #include <meniscus/error.h>

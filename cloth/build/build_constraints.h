@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// From a mesh and the stiffness of a fabric to the constraints that the solver works on.
+// Builds the constraints of the solver from a mesh and the stiffnesses of a fabric.
 #pragma once
 
 #include <limits>
@@ -15,17 +15,17 @@ namespace meniscus::cloth {
 
 inline constexpr float unyielding = std::numeric_limits<float>::infinity();
 
-/// What a fabric resists with. Stiffnesses are per width of cloth, as tests of fabric give them: 0 is none,
-/// infinity unyielding.
+/// The density and stiffnesses of a fabric. Stiffnesses are per width of cloth, as tests of fabric give them:
+/// 0 is none, infinity is unyielding.
 struct FabricParameters {
   float density = 0.2f;  ///< kg/m²
 
   float warp_stiffness = unyielding;   ///< N/m: tension over strain, along u
   float weft_stiffness = unyielding;   ///< N/m: along v
-  float shear_stiffness = unyielding;  ///< N/m: shear force a width over the shear angle
-  float bending_stiffness = 0;         ///< N·m: moment a width over curvature
+  float shear_stiffness = unyielding;  ///< N/m: shear force per width over the shear angle
+  float bending_stiffness = 0;         ///< N·m: moment per width over curvature
 
-  bool strain_triangles = false;  ///< stretch and shear of triangles, else of their edges
+  bool strain_triangles = false;  ///< stretch and shear by triangles, else by edges
   bool dihedral = false;  ///< bending by the angle between triangles, else isometric where flat at rest
 };
 
@@ -37,8 +37,8 @@ struct ClothConstraints {
   Coloured<IsometricConstraint> isometric;
 };
 
-/// The constraints of a mesh that check_mesh takes. Within a colour they are in the order of their lowest
-/// vertex. Throws Error(invalid_argument) where a parameter is out of range.
+/// The constraints of a mesh that check_mesh accepts. Within a colour they are in the order of their lowest
+/// vertex. Throws Error(invalid_argument) if a parameter is out of range.
 ClothConstraints build_constraints(const ClothMesh& mesh, const FabricParameters& fabric);
 
 }  // namespace meniscus::cloth

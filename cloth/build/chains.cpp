@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Selects the edges that form chains, and colours the edges that remain.
 #include "cloth/build/chains.h"
 
 #include <algorithm>
@@ -18,14 +20,14 @@ namespace {
 
 constexpr uint32_t none = 0xffffffff;
 constexpr uint32_t most_layers = 3;
-constexpr float least_cosine = 0.7f;       // of the turn from an edge to the next
+constexpr float least_cosine = 0.7f;       // of the angle between successive edges
 constexpr float much_softer = 8;           // than the stiffest edge around
 constexpr float stiff = 5e-5f;             // m/N, of an edge
-constexpr float fraction_of_grain = 0.5f;  // of a piece's edges, that are stiff
+constexpr float fraction_of_grain = 0.5f;  // of a piece's edges that are stiff
 
 using Ends = std::array<uint32_t, 2>;
 
-/// One layer after the other, over the edges that are left.
+/// Selects chains, one layer after the other, from the edges that remain.
 class Drawing {
  public:
   Drawing(std::span<const EdgeConstraint> edges, std::span<const Vec3> rest, std::span<const Piece> pieces)
@@ -37,14 +39,14 @@ class Drawing {
     const std::vector<bool> is_stiff = stiff_edges(), in_grain = vertices_in_grain(is_stiff, pieces);
     for (uint32_t k = 0; k < edges.size(); ++k) {
       const EdgeConstraint& e = edges[k];
-      // A seam is no edge of a mesh at rest.
+      // A seam is not an edge of the mesh at rest.
       const float length_at_rest = length(rest[e.b] - rest[e.a]);
       left_[k] = (is_stiff[k] || !in_grain[e.a]) &&
                  std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length && !has_none(e.a, pieces);
     }
   }
 
-  /// Chains that share no vertex, each a list of edges, ends in order.
+  /// Selects chains that share no vertex. Each is a list of edges, with their ends in order.
   std::vector<std::vector<EdgeConstraint>> layer() {
     taken_.assign(rest_.size(), false);
     std::vector<std::vector<EdgeConstraint>> chains;
@@ -79,7 +81,7 @@ class Drawing {
     return is_stiff;
   }
 
-  /// Those of pieces with a grain, whose stiff edges are the warp and the weft: two of three.
+  /// Marks the vertices of pieces with a grain. Their stiff edges are the warp and the weft: two of three.
   std::vector<bool> vertices_in_grain(const std::vector<bool>& is_stiff,
                                       std::span<const Piece> pieces) const {
     std::vector<uint32_t> edges_from(rest_.size()), stiff_from(rest_.size());
@@ -98,7 +100,7 @@ class Drawing {
     return in_grain;
   }
 
-  /// See Chains.
+  /// Whether the piece of v has no chains, see draw_chains.
   static bool has_none(uint32_t v, std::span<const Piece> pieces) {
     return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
       return (p.inside > 0 || p.tear_strain > 0) && v >= p.first_vertex && v < p.end_vertex;
@@ -112,7 +114,8 @@ class Drawing {
     return normalized_or(rest_[other_end(edge, from)] - rest_[from], {0, 0, 0});
   }
 
-  /// A chain through v in this direction, or the reverse; where there is none, along its first edge.
+  /// Selects a chain through v along this direction and its reverse. A direction of 0 stands for that of v's
+  /// first remaining edge.
   void visit(uint32_t v, Vec3 along, std::vector<std::vector<EdgeConstraint>>& chains) {
     if (taken_[v]) return;
     if (dot(along, along) == 0) {
@@ -146,7 +149,7 @@ class Drawing {
     });
   }
 
-  /// What is too long is cut; the edge at the cut is left out, so that the parts share no vertex.
+  /// Cuts chains that are too long. The edge at a cut is left out, so that the parts share no vertex.
   template <class Part>
   static void for_each_part(size_t count, const Part& part) {
     const size_t parts = (count + 1 + Chain::most_edges) / (Chain::most_edges + 1);
@@ -180,7 +183,7 @@ class Drawing {
     return path;
   }
 
-  /// What lies beside a chain goes the same way.
+  /// Chains beside this one run in the same direction.
   void look_around(uint32_t v, Vec3 along) {
     for (uint32_t k : around_.at(v)) {
       const uint32_t w = other_end(k, v);
@@ -201,8 +204,8 @@ class Drawing {
   std::deque<Visit> front_;
 };
 
-/// Those that are not drawn, in the order of their vertices and coloured anew: among themselves they need
-/// fewer colours, the diagonals of a sheet two.
+/// The edges outside chains, in the order of their vertices and with new colours. Among themselves they need
+/// fewer colours; the diagonals of a sheet need two.
 Coloured<EdgeConstraint> left_over(std::span<const EdgeConstraint> edges, const std::vector<bool>& stays,
                                    size_t vertices) {
   std::vector<EdgeConstraint> left;

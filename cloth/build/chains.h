@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Chains: edges in a row, as straight as the mesh has them, whose lengths are solved for all at once. Pull
-// goes from one end to the other in one go, where constraint by constraint it goes a few edges a sweep.
+// Chains: rows of edges, as straight as the mesh has them, whose lengths are solved for all at once. One
+// solve carries a pull from end to end. Single constraints carry it a few edges per sweep.
 #pragma once
 
 #include <span>
@@ -13,29 +13,29 @@
 
 namespace meniscus::cloth {
 
-/// edges[first] to edges[first + count − 1], each of which begins where the one before ends.
+/// edges[first] to edges[first + count − 1]. Each begins where the one before ends.
 struct Chain {
   uint32_t first, count;
 
   static constexpr uint32_t fewest_edges = 4, most_edges = 512;
 };
 
-/// Chains of a layer share no vertex: they are solved at once. The longest come first, and those of like
-/// length side by side.
+/// Chains of a layer share no vertex, so that they can be solved at once. Longer chains come first, so that
+/// chains of similar length are side by side.
 struct Chains {
   std::vector<EdgeConstraint> edges;
   std::vector<Chain> chains;
-  std::vector<uint32_t> layer_starts{0};  ///< one more than layers
+  std::vector<uint32_t> layer_starts{0};  ///< one more than the number of layers
 
   uint32_t layers() const { return static_cast<uint32_t>(layer_starts.size() - 1); }
 };
 
-/// Draws chains along the stiff edges, and takes those out of the constraints. Of a sheet all warp and all
-/// weft become chains, in two layers. In a mesh without a grain, most of whose edges are softer by shear,
-/// none is left to hold what lies across the stiff ones: chains run along any edge there, in three
-/// directions, and leave some over. What is blown up has none: gas pushes out what chains pull in, and each
-/// would undo all that the other has done, where a sweep gives way. Nor has what may tear: whole chains would
-/// pull at the few vertices that bound a tear. `rest`: m, where vertices are at rest.
+/// Selects chains along the stiff edges, and removes these from the constraints. In a sheet all warp and weft
+/// edges form chains, in two layers. In a mesh without a grain most edges are softer, by their shear, so that
+/// nothing would hold the directions across the stiff ones. Its chains run along any edges, in three
+/// directions, and leave some edges over. Pieces with gas have no chains: gas pushes out what chains pull in,
+/// and each would undo the other, where a sweep yields. Nor have pieces that may tear: whole chains would
+/// pull at the few vertices around a tear. `rest`: m, the vertices at rest.
 Chains draw_chains(ClothConstraints& constraints, std::span<const Vec3> rest, std::span<const Piece> pieces);
 
 }  // namespace meniscus::cloth

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes flat sheets, orients triangles, and finds closed meshes and connected parts.
 #include "cloth/build/cloth_mesh.h"
 
 #include <meniscus/error.h>
@@ -37,7 +39,7 @@ void check_sheet(float width, float depth, uint32_t columns, uint32_t rows) {
   }
 }
 
-// The triangle across each side of each triangle, and whether both show the same side.
+// The triangle across each side of each triangle, and whether both face the same side.
 struct Neighbour {
   uint32_t triangle;
   bool agrees;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the adjacency lists of a model, and finds the damping that all pieces share.
 #include "cloth/build/cloth_model.h"
 
 #include <numeric>
@@ -8,7 +10,7 @@ namespace meniscus::cloth {
 
 namespace {
 
-/// item k belongs to vertex_of(k).
+/// Builds CSR adjacency: item k belongs to vertex_of(k).
 template <class VertexOf>
 Fans fans(size_t items, size_t vertices, const VertexOf& vertex_of) {
   Fans f{std::vector<uint32_t>(vertices + 1), std::vector<uint32_t>(items)};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// All cloth of a world, as the host hands it to the solver.
+// The model of all cloth in a world, which the host passes to the solver.
 #pragma once
 
 #include <vector>
@@ -22,17 +22,17 @@ struct ClothModel {
   std::vector<uint32_t> held;  ///< vertices that nothing moves, ascending
 };
 
-/// Lists of numbers, one list a vertex: that of v is items[start[v]] to items[start[v + 1] − 1].
+/// CSR adjacency: the list of vertex v is items[start[v]] to items[start[v + 1] − 1].
 struct Fans {
   std::vector<uint32_t> start, items;
 };
 
-/// Of each vertex its triangles' corners: 3 · triangle + corner.
+/// The corners of triangles at each vertex: 3 · triangle + corner.
 Fans triangle_fans(const std::vector<pbd::SurfaceTriangle>& triangles, size_t vertices);
-/// Of each vertex its edges' ends: 2 · edge + end.
+/// The ends of edges at each vertex: 2 · edge + end.
 Fans edge_fans(const std::vector<EdgeConstraint>& edges, size_t vertices);
 
-/// Where all pieces of cloth have the same.
+/// The damping that all pieces of cloth have in common.
 CommonDamping common_damping(const std::vector<Piece>& pieces);
 
 }  // namespace meniscus::cloth

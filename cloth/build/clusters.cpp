@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Divides constraints into clusters and passes.
 #include "cloth/build/clusters.h"
 
 #include <algorithm>
@@ -37,7 +39,7 @@ bool have_few_colours(const ClothConstraints& c) {
   return c.strains.items.empty() && c.edges.colours() <= 2;
 }
 
-/// What is to be in clusters.
+/// Lists the constraints that clusters are built from.
 std::vector<Any> list_all(const ClothConstraints& c) {
   std::vector<Any> all;
   const auto four = [](const auto& h) { return std::array{h.a, h.b, h.c, h.d}; };
@@ -53,7 +55,7 @@ std::vector<Any> list_all(const ClothConstraints& c) {
   return all;
 }
 
-/// Halves a set of vertices across its longest side until parts are small enough.
+/// Halves a set of vertices across its longest side until its parts are small enough.
 class Bisection {
  public:
   Bisection(std::span<const Vec3> rest, std::vector<uint32_t>& part) : rest_(rest), part_(part) {}
@@ -86,7 +88,7 @@ class Bisection {
   uint32_t parts_ = 0;
 };
 
-/// Makes one part of several that follow one another and are small enough together.
+/// Joins successive parts that are small enough together.
 uint32_t put_together(std::span<const uint32_t> size, std::vector<uint32_t>& part) {
   std::vector<uint32_t> number;
   uint32_t parts = 0, sum = 0;
@@ -104,7 +106,8 @@ uint32_t put_together(std::span<const uint32_t> size, std::vector<uint32_t>& par
   return parts + 1;
 }
 
-/// Grows parts over what is left: the bands between the parts of the pass before, cut elsewhere.
+/// Grows parts over the constraints that remain. These are the bands between the parts of the last pass, and
+/// are cut at other places.
 uint32_t grow_parts(std::span<const Any> all, std::span<const uint32_t> left, std::vector<uint32_t>& part) {
   std::vector<uint32_t> start(part.size() + 1), at;
   for (uint32_t k : left) {
@@ -141,7 +144,7 @@ void take(const Any& c, ConstraintKind kind, const std::vector<T>& from, std::ve
   if (c.kind == kind) to.push_back(from[c.item]);
 }
 
-/// Gives each of these constraints its cluster, pass by pass.
+/// Assigns the given constraints to clusters, pass by pass.
 class Clustering {
  public:
   Clustering(std::vector<Any>& all, std::span<const Vec3> rest) : all_(all), rest_(rest) {}
@@ -150,7 +153,7 @@ class Clustering {
     for (bool first = true; !left.empty(); first = false) {
       std::vector<uint32_t> part(rest_.size(), none);
       const uint32_t parts = first ? halve(part) : grow_parts(all_, left, part);
-      std::vector<uint32_t> number(parts, none);  // parts that have a constraint are clusters
+      std::vector<uint32_t> number(parts, none);  // a part with a constraint becomes a cluster
       std::erase_if(left, [&](uint32_t k) {
         const std::span<const uint32_t> v = all_[k].touched();
         if (std::any_of(v.begin(), v.end(), [&](uint32_t u) { return part[u] != part[v[0]]; })) return false;
@@ -230,7 +233,7 @@ void note_items(Clusters& all) {
 Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec3> rest) {
   std::vector<Any> all = list_all(constraints);
   Clusters out;
-  // What bends is done before anything that stretches: the lengths are to hold in the end.
+  // Bending is solved before stretch, since the lengths are to hold at the end.
   std::vector<uint32_t> bending, stretch;
   for (uint32_t k = 0; k < all.size(); ++k)
     (all[k].kind < ConstraintKind::strain ? bending : stretch).push_back(k);
@@ -241,7 +244,7 @@ Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec
   std::stable_sort(all.begin(), all.end(), [](const Any& a, const Any& b) {
     return std::tuple(a.cluster, a.kind, a.colour) < std::tuple(b.cluster, b.kind, b.colour);
   });
-  std::array<uint32_t, 4> next{};  // item of each kind
+  std::array<uint32_t, 4> next{};  // next item of each kind
   const Any* before = nullptr;
   for (const Any& c : all) {
     const bool new_cluster = !before || before->cluster != c.cluster;

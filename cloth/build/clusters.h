@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Constraints in clusters: those of a cluster touch few vertices, which stay in a core's cache, or in that of
-// a GPU's multiprocessor; and the clusters of a pass share no vertex, so that they are solved at once. A
-// whole sweep takes a few passes, and not a launch for each colour.
+// Clusters of constraints. The constraints of a cluster touch few vertices, which stay in the cache of a CPU
+// core or of a GPU's multiprocessor. The clusters of a pass share no vertex, so that they are solved at once.
+// A whole sweep takes a few passes, where colours would take a launch each.
 #pragma once
 
 #include <span>
@@ -20,8 +20,8 @@ struct Batch {
   uint32_t first, count;
 };
 
-/// Its vertices: vertices[first_vertex] to vertices[end_vertex − 1]; and of its constraints, isometric hinges
-/// or edges, whichever it has.
+/// A cluster has the vertices vertices[first_vertex] to vertices[end_vertex − 1]. Its items are its isometric
+/// hinges or its edges, whichever it has.
 struct Cluster {
   uint32_t first_batch, end_batch;
   uint32_t first_vertex, end_vertex;
@@ -36,21 +36,21 @@ struct Clusters {
   std::vector<HingeConstraint> hinges;
   std::vector<StrainConstraint> strains;
   std::vector<EdgeConstraint> edges;
-  std::vector<Batch> batches;            ///< of each cluster: in the order of the kinds, and of the colours
+  std::vector<Batch> batches;            ///< of each cluster, in the order of kinds and of colours
   std::vector<Cluster> clusters;         ///< of each pass
-  std::vector<uint32_t> pass_starts{0};  ///< one more than passes
+  std::vector<uint32_t> pass_starts{0};  ///< one more than the number of passes
   uint32_t bending_passes = 0;           ///< the first ones
   std::vector<uint32_t> vertices;        ///< of each cluster, ascending
-  /// Where edges have few colours, and nothing else stretches, these are in no cluster: of each colour the
-  /// first edge, and the total. Else empty.
+  /// Edges of few colours are in no cluster, if nothing else stretches. Then this holds the first edge of
+  /// each colour, and the total. Otherwise it is empty.
   std::vector<uint32_t> colour_starts;
 };
 
-/// Passes of bending come before those of stretch and shear, if there are any of these: two colours, as the
-/// diagonals of a sheet have, are two passes by themselves, without a stop at each cluster. `rest`: m, where
-/// vertices are at rest.
+/// Passes of bending come before passes of stretch and shear, if there are any. Edges of two colours, such as
+/// the diagonals of a sheet, are two passes by themselves and need no clusters. `rest`: m, the vertices at
+/// rest.
 Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec3> rest);
-/// Vertices of constraints become their places among those of the cluster.
+/// Renumbers the vertices of constraints to their places in the list of their cluster.
 void number_locally(Clusters& clusters);
 
 }  // namespace meniscus::cloth

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Constraints in colours: those of a colour share no vertex, so that all of them can be solved at once and
-// yet one colour after the other, as in Gauss and Seidel's method.
+// Constraints sorted by colour. Constraints of the same colour share no vertex. So all of them are solved at
+// once, and one colour after the other, as Gauss–Seidel requires.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace meniscus::cloth {
 template <class Constraint>
 struct Coloured {
   std::vector<Constraint> items;
-  std::vector<uint32_t> colour_starts{0};  ///< one more than colours
+  std::vector<uint32_t> colour_starts{0};  ///< one more than the number of colours
 
   uint32_t colours() const { return static_cast<uint32_t>(colour_starts.size() - 1); }
 };
 
-/// Sorts constraints by colour. Those of one colour keep their order.
+/// Sorts constraints by colour. Constraints of the same colour keep their order.
 template <class Constraint>
 Coloured<Constraint> sorted_by_colour(std::span<const Constraint> constraints,
                                       std::span<const uint32_t> colours) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Greedy colouring of constraints, with an improvement step after it.
 #include "cloth/build/colouring.h"
 
 #include <algorithm>
@@ -14,12 +16,12 @@ namespace meniscus::cloth {
 
 namespace {
 
-/// Each constraint in turn takes the first colour that none beside it has.
+/// Gives each constraint in turn the first colour that no constraint at its vertices has.
 template <size_t Arity>
 std::vector<uint32_t> first_fit(Corners<Arity> corners, const Incidence& incidence,
                                 std::span<const uint32_t> order) {
   std::vector<uint32_t> colours(corners.size(), none);
-  std::vector<uint32_t> taken_by;  // of each colour the last constraint that could not have it
+  std::vector<uint32_t> taken_by;  // by colour: the last constraint that could not have it
   for (uint32_t i : order) {
     for (uint32_t v : corners[i]) {
       for (uint32_t other : incidence.at(v)) {
@@ -34,7 +36,7 @@ std::vector<uint32_t> first_fit(Corners<Arity> corners, const Incidence& inciden
   return colours;
 }
 
-/// Vertices numbered from one out to its neighbours and theirs, part by part.
+/// Numbers vertices breadth-first, part by part.
 template <size_t Arity>
 std::vector<uint32_t> breadth_first_ranks(Corners<Arity> corners, const Incidence& incidence) {
   const size_t vertices = incidence.starts.size() - 1;
@@ -55,7 +57,7 @@ std::vector<uint32_t> breadth_first_ranks(Corners<Arity> corners, const Incidenc
   return rank;
 }
 
-/// Constraints in the order in which a front that spreads over the surface meets them.
+/// Orders constraints as a front meets them that spreads over the surface.
 template <size_t Arity>
 std::vector<uint32_t> spreading_order(Corners<Arity> corners, const Incidence& incidence) {
   const std::vector<uint32_t> rank = breadth_first_ranks(corners, incidence);
@@ -89,7 +91,7 @@ std::vector<uint32_t> colour_constraints(Corners<Arity> constraints, uint32_t ve
   std::vector<uint32_t> order(constraints.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<uint32_t> colours = first_fit<Arity>(constraints, incidence, order);
-  // Meshes numbered along rows come out well in their own order, others do not.
+  // Meshes numbered along rows get few colours in their own order; other meshes do not.
   if (4 * count_of(colours) > 5 * incidence.most_at_a_vertex()) {
     order = spreading_order<Arity>(constraints, incidence);
     std::vector<uint32_t> other = first_fit<Arity>(constraints, incidence, order);

@@ -28,23 +28,23 @@ struct alignas(8) StrainConstraint {
   float warp_compliance, weft_compliance, shear_compliance;  ///< 1/J: 1/(stiffness · area)
 };
 
-/// C = θ − θ₀ between the triangles (a, b, c) and (b, a, d): 0 where they lie flat, positive where c and d
-/// have bent towards the side that the normal of (a, b, c) points to.
+/// C = θ − θ₀ between the triangles (a, b, c) and (b, a, d). θ is 0 where they lie flat, and positive where c
+/// and d are bent towards the side that the normal of (a, b, c) points to.
 struct alignas(16) HingeConstraint {
   uint32_t a, b, c, d;
   float rest_angle;  ///< θ₀, rad
   float compliance;  ///< 1/J: (A₁ + A₂)/(D l²)
 };
 
-/// C = |k_a x_a + k_b x_b + k_c x_c + k_d x_d|, by the cotangents of Bergou, Wardetzky, Harmon, Zorin &
-/// Grinspun 2006: l·2 sin(θ/2) while lengths are kept. For what is flat at rest.
+/// C = |k_a x_a + k_b x_b + k_c x_c + k_d x_d|, with the cotangent weights of Bergou, Wardetzky, Harmon,
+/// Zorin & Grinspun 2006. It equals l·2 sin(θ/2) while lengths are kept. For hinges that are flat at rest.
 struct alignas(16) IsometricConstraint {
   uint32_t a, b, c, d;
   float weight[3];   ///< k of b, c and d; all four add up to 0
   float compliance;  ///< m²/J: (A₁ + A₂)/D
 };
 
-/// a, b, c and d of an isometric hinge in a cluster (clusters.h), as they are numbered there.
+/// The vertices a, b, c and d of an isometric hinge in a cluster (clusters.h), numbered within the cluster.
 struct PackedHinge {
   uint32_t bytes;
 
@@ -54,12 +54,12 @@ struct PackedHinge {
   MENISCUS_HD uint32_t vertex(uint32_t which) const { return bytes >> 8 * which & 0xff; }
 };
 
-/// C = |x_vertex − x_anchor| − length ≤ 0, and the anchor is held fast (Kim, Chentanez & Müller 2012).
+/// C = |x_vertex − x_anchor| − length ≤ 0, with a fixed anchor (Kim, Chentanez & Müller 2012).
 struct Tether {
   uint32_t vertex, anchor;
   float length;      ///< m
   float compliance;  ///< m/N
-  /// kg: what the vertex weighs beyond that stiffens the tether in proportion; 0: nothing does.
+  /// kg: a greater mass of the vertex stiffens the tether in proportion. 0: the mass has no effect.
   float self_mass = 0;
 };
 

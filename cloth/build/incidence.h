@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraints at each vertex, as CSR adjacency.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +37,7 @@ struct Incidence {
   std::span<const uint32_t> at(uint32_t vertex) const {
     return std::span(constraints).subspan(starts[vertex], starts[vertex + 1] - starts[vertex]);
   }
-  /// There can be no fewer colours.
+  /// The greatest number of constraints at a vertex: a lower bound on the number of colours.
   uint32_t most_at_a_vertex() const {
     uint32_t most = 0;
     for (size_t v = 0; v + 1 < starts.size(); ++v) most = std::max(most, starts[v + 1] - starts[v]);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Merges the constraints of several pieces, and adds seams.
 #include "cloth/build/merge.h"
 
 #include <meniscus/error.h>
@@ -38,7 +40,7 @@ void shift(IsometricConstraint& h, uint32_t by) {
   h.d += by;
 }
 
-// Constraints of one kind of all pieces. `kind` is the member of a piece that holds them.
+// Joins the constraints of one kind of all pieces. `kind` is the member that holds them.
 template <class Constraint>
 Coloured<Constraint> joined(std::span<const ClothConstraints> pieces, std::span<const uint32_t> first_vertex,
                             Coloured<Constraint> ClothConstraints::*kind) {
@@ -76,7 +78,7 @@ void check_seam(const EdgeConstraint& seam, size_t number, size_t vertices) {
   }
 }
 
-using ColoursAt = std::unordered_map<uint32_t, std::vector<bool>>;  // of the vertices with seams
+using ColoursAt = std::unordered_map<uint32_t, std::vector<bool>>;  // by vertex with seams
 
 bool has(const std::vector<bool>& colours, uint32_t c) {
   return c < colours.size() && colours[c];

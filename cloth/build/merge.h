@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The cloth of a world as one: constraints of several pieces, and seams between them.
+// Merges the cloth of a world: the constraints of several pieces, and seams between them.
 #pragma once
 
 #include <span>
@@ -10,12 +10,13 @@
 
 namespace meniscus::cloth {
 
-/// All pieces as one, vertices numbered piece after piece. Colour c of the whole is colour c of every piece.
+/// Joins all pieces, with vertices numbered piece after piece. Colour c of the result is colour c of every
+/// piece.
 ClothConstraints merge(std::span<const ClothConstraints> pieces);
 
-/// Adds seams to the edges, in colours that are free at both ends; edges may change theirs to make room.
-/// Throws Error(invalid_argument) for a seam whose ends are one vertex or none of `all`, or whose length or
-/// compliance is negative or not finite.
+/// Adds seams to the edges, in colours that are free at both ends. Edges may change their colours to make
+/// room. Throws Error(invalid_argument) for a seam whose ends are the same vertex or not vertices of `all`,
+/// or whose length or compliance is negative or not finite.
 void add_seams(ClothConstraints& all, std::span<const EdgeConstraint> seams);
 
 }  // namespace meniscus::cloth

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Checks whether a mesh can serve as cloth.
 #include <meniscus/error.h>
 
 #include <Eigen/Geometry>
@@ -16,7 +18,7 @@ namespace meniscus::cloth {
 
 namespace {
 
-// Of a triangle's height to its longest edge: below it, a float normal means nothing.
+// The least ratio of a triangle's height to its longest edge. Below it, a normal in floats is meaningless.
 constexpr double least_height = 1e-6;
 
 template <class... Parts>

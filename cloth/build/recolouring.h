@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Improves a colouring: removes small colours, and balances the sizes of the others.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +17,7 @@ inline uint32_t count_of(const std::vector<uint32_t>& colours) {
   return colours.empty() ? 0 : *std::max_element(colours.begin(), colours.end()) + 1;
 }
 
-/// Betters a colouring of at most `most_colours` by moving single constraints.
+/// Improves a colouring with at most `most_colours` colours by moving single constraints.
 template <size_t Arity>
 class Recolouring {
  public:
@@ -31,13 +33,13 @@ class Recolouring {
     for (uint32_t i = 0; i < corners_.size(); ++i) give(i, colours_[i]);
   }
 
-  /// A colour of few constraints costs the GPU as many launches as one of many.
+  /// Removes small colours, since a colour of few constraints costs a GPU as many launches as a large one.
   void dissolve_small_colours() {
     while (count_ > incidence_.most_at_a_vertex() && dissolve_smallest()) {
     }
   }
 
-  /// Moves constraints from colours with more than their share to those with less.
+  /// Moves constraints from colours above the mean size to colours below it.
   void balance() {
     const auto fraction = static_cast<uint32_t>((corners_.size() + count_ - 1) / count_);
     for (uint32_t i = 0; i < corners_.size(); ++i) {
@@ -74,7 +76,7 @@ class Recolouring {
     return ~used & (~uint64_t{0} >> (64 - count_));
   }
 
-  /// Of this colour at this vertex, or none.
+  /// The constraint of this colour at this vertex, or none.
   uint32_t holder(uint32_t vertex, uint32_t colour) const {
     if (!(used_[vertex] >> colour & 1)) return none;
     for (uint32_t i : incidence_.at(vertex)) {
@@ -83,8 +85,8 @@ class Recolouring {
     return none;
   }
 
-  /// Shares out the smallest colour among the others. False, and nothing has changed, where that took too
-  /// long, or the colour is not that small.
+  /// Divides the smallest colour among the others. Returns false and changes nothing if that takes too long,
+  /// or if the colour is not small.
   bool dissolve_smallest() {
     const auto smallest =
         static_cast<uint32_t>(std::min_element(sizes_.begin(), sizes_.end()) - sizes_.begin());
@@ -115,7 +117,7 @@ class Recolouring {
     used_ = before.used_;
   }
 
-  /// The last colour takes its number.
+  /// Removes a colour, whose number goes to the last colour. Returns the constraints that have none now.
   std::deque<uint32_t> remove_colour(uint32_t colour) {
     std::deque<uint32_t> homeless;
     std::vector<uint32_t> renamed;
@@ -129,14 +131,14 @@ class Recolouring {
     return homeless;
   }
 
-  /// Where constraint i drives out the fewest others, and rather those that have another place to go to, or
-  /// that have stayed in theirs for long.
+  /// The colour for constraint i that displaces the fewest others. It prefers to displace constraints that
+  /// have another free colour, or that have kept theirs for long.
   uint32_t colour_to_force(uint32_t i, const std::vector<uint32_t>& placed, uint32_t step) const {
     if (const uint64_t free = free_for(i)) return static_cast<uint32_t>(std::countr_zero(free));
     uint32_t best = 0;
     uint64_t best_cost = ~uint64_t{0};
     for (uint32_t k = 0; k < count_; ++k) {
-      const uint32_t colour = (k + step) % count_;  // so that equal costs do not run in circles
+      const uint32_t colour = (k + step) % count_;  // so that equal costs do not repeat in cycles
       uint64_t cost = 0;
       for (uint32_t v : corners_[i]) {
         const uint32_t other = holder(v, colour);
@@ -169,7 +171,7 @@ class Recolouring {
   std::vector<uint32_t>& colours_;
   uint32_t count_;
   std::vector<uint32_t> sizes_;
-  std::vector<uint64_t> used_;  // of each vertex one bit a colour
+  std::vector<uint64_t> used_;  // by vertex, one bit per colour
 };
 
 }  // namespace meniscus::cloth

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Normals, warp directions and areas of triangles at rest.
 #include "cloth/build/rest_geometry.h"
 
 #include <Eigen/Geometry>
@@ -12,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// ∂x/∂u, from the sides from the first corner.
+// ∂x/∂u, from the sides at the first corner.
 Vector3d along_u(const ClothMesh& mesh, const std::array<uint32_t, 3>& t, const Vector3d& ab,
                  const Vector3d& ac) {
   const auto &a = mesh.material[t[0]], &b = mesh.material[t[1]], &c = mesh.material[t[2]];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Lengths, areas and directions of triangles at rest, in double.
+// Areas and directions of triangles at rest, in double precision.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +16,12 @@ inline Eigen::Vector3d to_double(Vec3 v) {
 }
 
 struct TriangleAtRest {
-  Eigen::Vector3d normal;  ///< of length 1
-  Eigen::Vector3d warp;    ///< in its plane, of length 1; 0 where the material coordinates give no direction
+  Eigen::Vector3d normal;  ///< unit vector
+  Eigen::Vector3d warp;    ///< unit vector in its plane; 0 where the material coordinates give no direction
   double area;             ///< m²
 };
 
-/// `triangle` must have an area.
+/// `triangle` must have an area greater than 0.
 TriangleAtRest triangle_at_rest(const ClothMesh& mesh, uint32_t triangle);
 
 std::vector<TriangleAtRest> triangles_at_rest(const ClothMesh& mesh);

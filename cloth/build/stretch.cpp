@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the constraints of stretch and shear.
 #include "cloth/build/stretch.h"
 
 #include <Eigen/Dense>
@@ -16,15 +18,15 @@ float compliance_of(double stiffness) {
   return static_cast<float>(std::min(1 / stiffness, most_compliance));
 }
 
-// share/k, where a share that is but rounding counts as none, whatever k is.
+// fraction/k. A fraction within rounding of 0 counts as 0, whatever k is.
 double yield(double fraction, double stiffness) {
   return fraction < 1e-9 ? 0 : fraction / stiffness;
 }
 
-// Of an edge with its triangles.
+// The surroundings of an edge: its triangles.
 struct Surroundings {
   double area = 0;
-  double cos2 = 0;  // of the angle to the warp, the mean
+  double cos2 = 0;  // mean over the triangles, of the angle to the warp
 };
 
 Surroundings around(std::span<const EdgeUse> edge, const Vector3d& direction,

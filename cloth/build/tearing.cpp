@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Splits vertices of a mesh along planes.
 #include "cloth/build/tearing.h"
 
 #include <meniscus/error.h>
@@ -36,11 +38,11 @@ bool uses(const Triangle& t, uint32_t v) {
   return std::find(t.begin(), t.end(), v) != t.end();
 }
 
-// The triangles around a vertex, each with the number of the fan that it is in. A fan hangs together along
+// The triangles around a vertex, each with the number of its fan. The triangles of a fan are connected across
 // edges that end at the vertex.
 class FansAround {
  public:
-  /// `sides`: of each triangle a number; those of different ones do not hang together.
+  /// `sides`: a number for each triangle. Triangles with different numbers are not connected.
   FansAround(const ClothMesh& mesh, uint32_t vertex, std::span<const uint32_t> triangles,
              std::vector<int> sides)
       : mesh_(mesh), vertex_(vertex), triangles_(triangles), sides_(std::move(sides)) {
@@ -53,7 +55,7 @@ class FansAround {
   uint32_t count() const { return count_; }
   uint32_t of(size_t k) const { return fan_[k]; }
 
-  /// Vertices at edges across which the sides differ.
+  /// Neighbours at edges across which the sides differ.
   std::vector<uint32_t> parted_neighbours() const {
     std::map<uint32_t, int> side_at;
     std::set<uint32_t> parted;
@@ -99,7 +101,7 @@ class Tearing {
   Tearing(ClothMesh& mesh, std::span<const Vec3> positions)
       : mesh_(mesh), positions_(positions), around_(mesh), waits_(mesh.vertices.size()) {}
 
-  /// Whether anything parted at `vertex`.
+  /// Splits `vertex` along a plane. Returns whether anything parted.
   bool split(uint32_t vertex, Vec3 normal) {
     const auto triangles = around_.of(vertex);
     const FansAround fans(mesh_, vertex, triangles, sides(vertex, normal));
@@ -113,7 +115,7 @@ class Tearing {
     return true;
   }
 
-  /// Shares a triangle with a vertex that was split.
+  /// Whether the vertex shares a triangle with a vertex that was split.
   bool waits(uint32_t vertex) const { return waits_[vertex]; }
 
   std::vector<TornVertex> torn() && { return std::move(torn_); }
@@ -130,7 +132,7 @@ class Tearing {
     return result;
   }
 
-  /// The first fan keeps the vertex, each other one gets a copy.
+  /// The first fan keeps the vertex, and each other fan gets a copy.
   void part(uint32_t vertex, const FansAround& fans) {
     if (fans.count() < 2) return;
     const auto triangles = around_.of(vertex);
@@ -156,12 +158,12 @@ class Tearing {
 
   ClothMesh& mesh_;
   std::span<const Vec3> positions_;
-  VertexTriangles around_;  // of the mesh as it was: true of vertices that do not wait
+  VertexTriangles around_;  // of the original mesh; valid for vertices that do not wait
   std::vector<bool> waits_;
   std::vector<TornVertex> torn_;
 };
 
-// The most stretched first.
+// Sorts edges by stretch, the most stretched first.
 std::vector<OverstretchedEdge> by_stretch(std::span<const OverstretchedEdge> edges) {
   std::vector<OverstretchedEdge> sorted(edges.begin(), edges.end());
   std::sort(sorted.begin(), sorted.end(), [](const OverstretchedEdge& e, const OverstretchedEdge& f) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds tethers from distances that fast marching finds along the surface.
 #include "cloth/build/tethers.h"
 
 #include <meniscus/error.h>
@@ -24,14 +26,14 @@ using Eigen::Vector3d;
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-// How far it is to a vertex, and from which held one.
+// The distance to a vertex, and the held vertex that it is measured from.
 struct Arrival {
   double distance = unreached;
   uint32_t source = none;
 };
 
-// Where a circle of radius `da` about a and one of radius `db` about b, a distance of `ab` apart on the x
-// axis, meet on the side of negative y; false where they do not.
+// Intersects a circle of radius `da` about a with a circle of radius `db` about b. The points are a distance
+// `ab` apart on the x axis. Finds the intersection with negative y. Returns false if there is none.
 bool meet(double ab, double da, double db, double& x, double& y) {
   x = (ab * ab + da * da - db * db) / (2 * ab);
   const double y2 = da * da - x * x;
@@ -40,7 +42,7 @@ bool meet(double ab, double da, double db, double& x, double& y) {
   return true;
 }
 
-// A triangle in its plane: a at the origin, b on the x axis, c at (cx, cy) with cy > 0.
+// A triangle in its own plane: a at the origin, b on the x axis, c at (cx, cy) with cy > 0.
 struct Flat {
   double ab, cx, cy;
 
@@ -51,7 +53,8 @@ struct Flat {
     cy = (c - a).cross(side).norm() / ab;
   }
 
-  /// The straight way to c from the point at these distances from a and b, if it leads through the side ab.
+  /// The straight distance to c from the point at these distances from a and b, if the line crosses the side
+  /// ab.
   double from_point(double da, double db) const {
     double x, y;
     if (!meet(ab, da, db, x, y)) return unreached;
@@ -60,12 +63,12 @@ struct Flat {
   }
 };
 
-// Departs from Kimmel and Sethian's fast marching in three ways. The front is a circle about where the held
-// vertex would lie with the way unfolded (Novotni & Klein 2002), and not a straight line: that is exact on a
-// flat sheet. A vertex is taken up again when a later one shortens its way, so that obtuse triangles need no
-// splitting. And no distance is less than that of the straight line to the held vertex. Where the fronts of
-// two held vertices meet the circle is too near; on a flat sheet this makes up for it, on a folded one single
-// vertices there come out up to a few per cent too near.
+// Departs from the fast marching of Kimmel & Sethian in three ways. First, the front is a circle about the
+// unfolded position of the held vertex (Novotni & Klein 2002), and not a straight line. That is exact on a
+// flat sheet. Second, a vertex is visited again when a later one shortens its path, so that obtuse triangles
+// need no splitting. Third, no distance is less than the straight distance to the held vertex. Where the
+// fronts of two held vertices meet, the circle gives too short a distance. On a flat sheet the third rule
+// corrects this. On a folded sheet single vertices there come out too near, by up to a few per cent.
 class Marching {
  public:
   explicit Marching(const ClothMesh& mesh) : mesh_(mesh), around_(mesh), arrivals_(mesh.vertices.size()) {}
@@ -75,7 +78,7 @@ class Marching {
     while (!front_.empty()) {
       const auto [distance, v] = front_.top();
       front_.pop();
-      if (distance > arrivals_[v].distance) continue;  // taken up again since
+      if (distance > arrivals_[v].distance) continue;  // visited again since
       for (uint32_t t : around_.of(v)) spread(t);
     }
     return std::move(arrivals_);
@@ -89,7 +92,7 @@ class Marching {
     for (int k = 0; k < 3; ++k) update(t[k], t[(k + 1) % 3], t[(k + 2) % 3]);
   }
 
-  /// Whether the way to c is shorter through the triangle (a, b, c).
+  /// Updates c if the path through the triangle (a, b, c) is shorter.
   void update(uint32_t a, uint32_t b, uint32_t c) {
     const Arrival &at_a = arrivals_[a], &at_b = arrivals_[b];
     if (std::min(at_a.distance, at_b.distance) >= arrivals_[c].distance) return;
@@ -107,7 +110,7 @@ class Marching {
       offer(through, at_a.source);
       offer(through, at_b.source);
     }
-    constexpr double worth_it = 1 - 1e-7;  // rounding must not keep vertices coming up for ever
+    constexpr double worth_it = 1 - 1e-7;  // rounding must not cause endless visits
     if (best.distance < worth_it * arrivals_[c].distance) reach(c, best);
   }
 
@@ -124,13 +127,13 @@ class Marching {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front_;
 };
 
-// What strips of fabric give way by.
+// The compliance of strips of fabric.
 class Strips {
  public:
   Strips(const ClothMesh& mesh, const FabricParameters& fabric)
       : mesh_(mesh), fabric_(fabric), around_(mesh), triangles_(triangles_at_rest(mesh)) {}
 
-  /// m/N, from `anchor` to v, with the area that v stands for. The direction is the straight one.
+  /// m/N, along the straight line from `anchor` to v, with the area that v represents.
   float compliance(uint32_t anchor, uint32_t v, double length) const {
     const Vector3d displacement = to_double(mesh_.vertices[v]) - to_double(mesh_.vertices[anchor]);
     double area = 0, cos2 = 0;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tethers: limits on the distance between a vertex and a held vertex.
 #pragma once
 
 #include <span>
@@ -12,26 +14,27 @@
 
 namespace meniscus::cloth {
 
-/// Long-range attachments (Kim, Chentanez & Müller 2012): ties each vertex that is not held to the held
-/// vertex nearest to it along the surface at rest, with that distance as its length. Vertices of parts that
-/// nothing holds get none. In the order of anchors, then of vertices. Throws Error(invalid_argument) where a
-/// number in `held` is no vertex.
+/// Long-range attachments (Kim, Chentanez & Müller 2012). Attaches each free vertex to the held vertex
+/// nearest to it along the surface at rest, with that distance as its length. Vertices of parts without held
+/// vertices get none. Tethers are in the order of anchors, then of vertices. Throws Error(invalid_argument)
+/// if a number in `held` is no vertex.
 ///
-/// A tether gives way as a strip of the fabric would that leads there, with the area A that its vertex stands
-/// for: by L²/(A k(φ)), see yield_along. All together are then no stiffer than the fabric. Unyielding, they
-/// push at what lies on held cloth with several times the force that its stretch takes, and draw it to the
-/// nearest pins.
+/// A tether has the compliance L²/(A k(φ)) of a strip of the fabric from the anchor to its vertex, see
+/// yield_along. A is the area that the vertex represents. All tethers together are then no stiffer than the
+/// fabric. Unyielding tethers would push a load on held cloth with several times the force of stretched
+/// fabric, and draw it to the nearest pins.
 ///
-/// Distances by fast marching over the triangles (Kimmel & Sethian 1998), so that they are not those of paths
-/// along edges, and never shorter than the straight line. Where the code departs from the paper: tethers.cpp.
+/// Distances come from fast marching over the triangles (Kimmel & Sethian 1998). So they are not those of
+/// paths along edges, and never shorter than the straight line. tethers.cpp lists the departures from the
+/// paper.
 std::vector<Tether> build_tethers(const ClothMesh& mesh, std::span<const uint32_t> held,
                                   const FabricParameters& fabric);
 
-/// With the own masses of those vertices alone whose chains all end free: these bear hardly anything, and
-/// what lies on a few vertices would stretch what is around them. Under a load tethers there are as much
-/// stiffer as it is heavier than cloth, as if it were all over the strip. Who is in no chain, and who is in
-/// one that leads to what is held, has tethers that go by the fabric alone: beside chains that hold they
-/// would pull at each vertex by what lies on it, and stretch the edges between.
+/// The tethers of a model. They keep their self mass only at vertices whose chains all have free ends. Such
+/// chains bear hardly any load, and a load on a few vertices would stretch the cloth around them. There a
+/// load stiffens tethers in the ratio of its mass to that of the cloth, as if it covered the whole strip.
+/// Tethers of vertices in no chain, or in a chain with a held vertex, follow the fabric alone. Beside chains
+/// that hold, they would pull at each vertex according to its load, and stretch the edges between.
 std::vector<Tether> tethers_beside(const Chains& chains, const ClothModel& model);
 
 }  // namespace meniscus::cloth

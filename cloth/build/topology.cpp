@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the list of triangles at each vertex.
 #include "cloth/build/topology.h"
 
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What hangs together with what in a mesh of triangles.
+// The connections between the triangles, edges and vertices of a mesh.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ using pbd::for_each_edge;
 
 inline constexpr uint32_t none = 0xffffffff;
 
-/// The triangles at each vertex, in their order.
+/// The triangles at each vertex, in ascending order.
 class VertexTriangles {
  public:
   explicit VertexTriangles(const ClothMesh& mesh);

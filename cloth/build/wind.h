@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Moving air: a mean velocity, and gusts as a sum of waves that are free of divergence, each across its own
-// direction of travel (after Kraichnan 1970).
+// Moving air: a mean velocity, and gusts as a sum of divergence-free waves. The velocity of each wave is
+// perpendicular to its direction of travel (after Kraichnan 1970).
 #pragma once
 
 #include "pbd/device/scalar.h"
@@ -36,7 +36,8 @@ struct Wind {
   }
 };
 
-/// Wind with gusts of this standard deviation (m/s), about this size (m), the same for the same seed.
+/// Wind with gusts of this standard deviation (m/s) and about this size (m). The same seed gives the same
+/// wind.
 Wind make_wind(Vec3 velocity, float air_density, float gust_speed, float gust_size, uint32_t seed);
 
 }  // namespace meniscus::cloth

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The equations of a rod's multipliers, and their solution from one end of the rod to the other and back.
+// The linear system of a rod's multipliers, and its solution by elimination along the rod and back.
 #pragma once
 
 #include "cloth/rods/elements.h"
@@ -9,16 +9,16 @@
 
 namespace meniscus::cloth {
 
-/// A row of 3×3 blocks of a symmetric matrix, of which each row reaches two rows further, and the right-hand
-/// side.
+/// A row of 3×3 blocks of a symmetric band matrix, with its right-hand side. Each row couples to the two rows
+/// after it.
 struct BandRow {
   Sym3 diagonal;
   Mat3 next, after;  ///< the blocks below the diagonal in this column: one and two rows further
   Vec3 right;
 };
 
-/// The rows of a chain in the order in which they are solved: stretch and bending of each segment in turn,
-/// 2k and 2k + 1. A closed chain is cut before the segment `cut`, whose neighbour across the cut is left out.
+/// The rows of a chain in the order of their solution: stretch and bending of each segment in turn, 2k and
+/// 2k + 1. A closed chain is cut before the segment `cut`. The segment before the cut is left out.
 struct BandOrder {
   RodChain chain;
   uint32_t cut;
@@ -31,17 +31,17 @@ struct BandOrder {
   }
 };
 
-/// What elimination has taken from rows that it has not come to yet.
+/// What elimination has subtracted from rows that it has not reached yet.
 struct BandCarry {
   Sym3 diagonal{};
   Mat3 next{};
   Vec3 right{};
 };
 
-/// LDLᵀ of the band; `right` becomes the solution.
+/// LDLᵀ factorization and solution of the band; `right` becomes the solution.
 MENISCUS_HD inline void solve_band(pbd::View<BandRow> rows, const BandOrder& order) {
   const uint32_t count = order.count();
-  BandCarry near, far;  // for this row and for the one after it
+  BandCarry near, far;  // for this row and for the next one
   for (uint32_t i = 0; i < count; ++i) {
     BandRow& row = rows[order[i]];
     const Sym3 pivot = inverse(row.diagonal - near.diagonal);

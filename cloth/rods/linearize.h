@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The equations of a rod's multipliers, segment by segment.
+// Linearizes the constraints of a rod, segment by segment.
 #pragma once
 
 #include "cloth/rods/rod_view.h"
 
 namespace meniscus::cloth::rod_kernels {
 
-/// Writes what segment k contributes to the equations of the increments,
+/// Writes the contribution of segment k to the equations of the increments,
 ///
 ///   (J W Jᵀ + α̃/(1 + γ)) Δλ = −(C + α̃ λ + γ (C − C₀))/(1 + γ),  α̃ = α/h²,  γ = damping/h
 ///
-/// (Macklin, Müller & Chentanez 2016, eqs. 18 and 26). Multipliers of stretch are in the world's axes, those
-/// of bending in the joint's. Blocks off the diagonal are written by the segment that both constraints share.
+/// (Macklin, Müller & Chentanez 2016, eqs. 18 and 26). Multipliers of stretch are in the world's axes. Those
+/// of bending are in the axes of the joint. A block off the diagonal is written by the segment that both of
+/// its constraints share.
 struct Linearize {
-  /// Added to the diagonal, as a share of it: it stands for the rounding of an elimination, where rods are
-  /// unyielding and held at both ends. The iterations take back what it leaves.
+  /// Regularisation of the diagonal, as a fraction of it. It covers the rounding of an elimination, where
+  /// rods are unyielding and held at both ends. Later iterations correct the error that it leaves.
   static constexpr float regularisation = 2e-7f;
 
   RodView rods;
@@ -35,10 +36,10 @@ struct Linearize {
     Quat frame;
     Mat3 axes;
     Vec3 mobility, reach;  // in its axes
-    float freedom;         // 0 where it is held
+    float freedom;         // 0 if it is held
     float mass;            // 1/kg, inverse, of both vertices
     float mass_b;          // 1/kg, inverse, of the second
-    Mat3 gradient;         // of stretch, by a turn of the frame
+    Mat3 gradient;         // of stretch, by a rotation of the frame
   };
 
   MENISCUS_HD Segment segment(uint32_t k) const {
@@ -67,7 +68,7 @@ struct Linearize {
                             compliance, transposed_times(s.axes, rods.multiplier[s.index].stretch), damping);
   }
 
-  /// Returns the gradient of the joint's bending by a turn of s, times the mobility.
+  /// Returns the gradient of the joint's bending by a rotation of s, times the mobility.
   MENISCUS_HD Mat3 joint_before(const Segment& s) const {
     const Quat rest = rods.segment[s.data.before].rest;
     const Quat p = relative_frame(quat(rods.frame[s.data.before]), s.frame, rest);
@@ -76,7 +77,7 @@ struct Linearize {
     return before;
   }
 
-  /// Returns the gradient of the joint's bending by a turn of the frame after it.
+  /// Returns the gradient of the joint's bending by a rotation of the next frame.
   MENISCUS_HD Mat3 joint_after(const Segment& s, const Mat3& before) const {
     const RodSegment t = rods.segment[s.data.after];
     const float free_behind = rods.spin[s.data.after].w;
@@ -94,7 +95,7 @@ struct Linearize {
     BandRow& row = rods.rows[2 * s.index + 1];
     row.diagonal = symmetric_product(g0w, g0) + symmetric_product(g1w, g1);
     add_to_diagonal(row.diagonal, compliance / (1 + damping));
-    row.right = {0, 0, 0};  // between two that are held there is no joint
+    row.right = {0, 0, 0};  // two held segments have no joint between them
     if (s.freedom + free_behind > 0) {
       row.right = right_side(joint.bend - rotation_vector(s.data.rest), rods.start[s.index].bend, compliance,
                              rods.multiplier[s.index].bend, damping);
@@ -109,7 +110,7 @@ struct Linearize {
     m.yy = regularised(m.yy + added.y);
     m.zz = regularised(m.zz + added.z);
   }
-  /// Where nothing may move there is no equation: any Δλ does no harm.
+  /// Where nothing may move there is no equation, and any Δλ does no harm.
   MENISCUS_HD static float regularised(float m) { return m > 0 ? (1 + regularisation) * m : 1; }
 
   MENISCUS_HD static Vec3 right_side(Vec3 strain, Vec3 start, Vec3 compliance, Vec3 multiplier,

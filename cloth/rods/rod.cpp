@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Checks the parameters of rods and ropes, and builds their segments, frames and masses.
 #include "cloth/rods/rod.h"
 
 #include <meniscus/error.h>
@@ -61,7 +63,7 @@ void check(std::span<const Vec3> points, const RodParameters& p) {
   }
 }
 
-/// What 1 m of the rod is like.
+/// The properties of a rod per metre.
 struct Section {
   float mass;            // kg/m
   float stretch, shear;  // N
@@ -70,11 +72,11 @@ struct Section {
 };
 
 Section section_of(const RodParameters& p) {
-  // Timoshenko's coefficient of the shear of a round section
+  // Timoshenko's shear coefficient of a round section
   constexpr float shear_coefficient = 0.9f;
   const float r2 = p.radius * p.radius, area = pi * r2;
   const float stretch = p.stretch_stiffness.value_or(p.youngs_modulus * area);
-  // What stretches less shears less.
+  // Shear stiffness scales with the stretch stiffness.
   const float shear =
       std::isinf(p.youngs_modulus) ? p.shear_modulus * area : stretch * (p.shear_modulus / p.youngs_modulus);
   return {p.density * area,
@@ -85,7 +87,7 @@ Section section_of(const RodParameters& p) {
           r2};
 }
 
-/// The least turn that takes the unit vector `from` to `to`.
+/// The smallest rotation that takes the unit vector `from` to `to`.
 Quat least_turn(Vec3 from, Vec3 to) {
   const float w = 1 + dot(from, to);
   if (w > 1e-6f) {
@@ -97,15 +99,15 @@ Quat least_turn(Vec3 from, Vec3 to) {
   return {axis.x, axis.y, axis.z, 0};
 }
 
-/// The part of a turn that is about the z axis.
+/// The part of a rotation that is about the z axis.
 Quat twist_of(Quat q) {
   const float norm = std::hypot(q.z, q.w);
   return norm > 1e-6f ? Quat{0, 0, q.z / norm, q.w / norm} : Quat{0, 0, 0, 1};
 }
 
-/// The inertia of a slice through the rod is that of its section. About an axis across it a long thin
-/// segment has no less than what its mass along it amounts to, and about its own axis not much less than
-/// that: where frames are much lighter than vertices, floats cannot tell the vertices' share.
+/// The inertia of a slice of the rod is that of its section. About an axis across it, a long thin segment has
+/// at least the inertia of its mass along it. About its own axis it has at least a hundredth of that. Were
+/// frames much lighter than vertices, floats could not resolve the contribution of the vertices.
 void set_mobility(RodSegment& s, const Section& section) {
   const float l = s.rest_length, mass = section.mass * l;
   const float across = std::max(0.25f * mass * section.squared_radius, mass * l * l / 24);
@@ -136,7 +138,7 @@ void join(std::vector<RodSegment>& segments, bool closed) {
   }
 }
 
-/// Each frame is the one before it, turned no more than the rod bends.
+/// Each frame is the one before it, rotated only as far as the rod bends.
 std::vector<Quat> carried_frames(std::span<const Vec3> points, std::span<const RodSegment> segments) {
   std::vector<Quat> frames;
   Vec3 along{0, 0, 1};
@@ -155,7 +157,7 @@ void set_rest(RodModel& model, bool straight) {
     RodSegment& s = model.segments[k];
     if (s.after == pbd::no_index) continue;
     const Quat relative = conjugate(model.frames[k]) * model.frames[s.after];
-    // Around a loop in space frames come back turned: that is no twist.
+    // Around a loop in space, frames return rotated. That rotation is no twist.
     s.rest = straight ? twist_of(relative) : normalized(relative);
   }
 }

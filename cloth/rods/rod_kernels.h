@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of RodSet: an iteration linearizes the constraints of each segment, solves for the increments
+// The kernels of RodSet. An iteration linearizes the constraints of each segment, solves for the increments
 // of the multipliers rod by rod, and moves vertices and frames by them.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace meniscus::cloth::rod_kernels {
 
-/// q + h ω: where the frames go by themselves.
+/// q + h ω: predicts the frames.
 struct Advance {
   View<Vec4> frame, previous;
   View<const Vec4> spin;
@@ -23,7 +23,7 @@ struct Advance {
   }
 };
 
-/// No multipliers yet. The strains that damping measures from.
+/// Resets the multipliers, and stores the strains that damping is measured from.
 struct Begin {
   RodView rods;
 
@@ -43,7 +43,7 @@ struct Begin {
   }
 };
 
-/// A rod a thread.
+/// Solves a rod in each thread.
 struct Solve {
   View<const RodChain> chain;
   View<BandRow> rows;
@@ -60,7 +60,8 @@ struct Solve {
   }
 };
 
-/// x += W Jᵀ Δλ. A segment's thread moves its frame and its first vertex; the last one's both.
+/// x += W Jᵀ Δλ. The thread of a segment moves its frame and its first vertex. That of the last segment moves
+/// both vertices.
 struct Apply {
   RodView rods;
 
@@ -93,7 +94,7 @@ struct Apply {
   }
 };
 
-/// ω is what the frame did.
+/// Sets ω to the rotation of the frame in the substep.
 struct UpdateSpin {
   View<const Vec4> frame, previous;
   View<Vec4> spin;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set of Cosserat rods.
 #pragma once
 
 #include <span>
@@ -12,38 +14,38 @@
 namespace meniscus::cloth {
 
 /// Cosserat rods (Kugelstadt & Schömer 2016, "Position and Orientation Based Cosserat Rods"). A segment
-/// between vertices a and b has a frame q with axes d₁, d₂, d₃; two segments in a row make a joint:
+/// between vertices a and b has a frame q with axes d₁, d₂, d₃. Two successive segments form a joint:
 ///
 ///   stretch and shear   C = x_b − x_a − l d₃   energy ½ (EA C₃² + κGA (C₁² + C₂²))/l, along the axes
 ///   bending and twist   C = θ − θ₀             energy ½ (EI (C₁² + C₂²) + GJ C₃²)/l
 ///
-/// θ is the rotation vector that takes a frame to the one after it, where the paper has 2 Im(q̄ q₊): the two
-/// agree to first order, and this one stays exact where a joint is bent or twisted far.
+/// θ is the rotation vector from a frame to the next one. The paper has 2 Im(q̄ q₊) instead. The two agree to
+/// first order, and θ stays exact at large bending and twist.
 ///
-/// All constraints of a rod are solved at once in each iteration, with XPBD's compliance: the system of their
-/// multipliers is a band (Deul, Kugelstadt, Weiler & Bender 2018, "Direct Position-Based Solver for Stiff
-/// Rods"), which takes one thread a rod. So stiffness depends neither on the resolution nor on the
-/// number of iterations. A closed rod is cut at one place in an iteration, and at the opposite one in the
-/// next.
+/// Each iteration solves all constraints of a rod at once, with XPBD's compliance. The system of their
+/// multipliers is a band matrix (Deul, Kugelstadt, Weiler & Bender 2018, "Direct Position-Based Solver for
+/// Stiff Rods"), solved by one thread for each rod. So the stiffness depends neither on the resolution nor on
+/// the number of iterations. A closed rod is cut at one place in an iteration, and at the opposite place in
+/// the next.
 ///
-/// A held segment is rigid, so that a rod bends from its end on: to clamp the end of a rod, hold a first
-/// segment and both of its vertices. The torque ω × Iω of the section's own inertia is left out.
+/// A held segment is rigid, so that a rod bends from the end of that segment on. To clamp the end of a rod,
+/// hold a first segment and both of its vertices. The torque ω × Iω of the section's own inertia is omitted.
 template <class D>
 class RodSet final : public pbd::ConstraintSet<D> {
  public:
   explicit RodSet(D& device) : device_(device) {}
 
-  /// Takes the place of the model before; the segments that were there keep their state.
+  /// Replaces the model. Segments that existed before keep their state.
   void set_model(const RodModel& model);
   uint32_t segment_count() const { return segments_; }
 
   std::vector<SegmentState> states(uint32_t first, uint32_t count) const;
   void set_states(uint32_t first, std::span<const SegmentState> states);
-  /// Takes the spins away.
+  /// Sets all spins to 0.
   void stop();
 
-  /// N·m, of each segment: the torque of its joints on it, and its ends' forces, in the last substep, in the
-  /// world's axes. What a held segment must be held against.
+  /// N·m, of each segment, in the world's axes: the torque on it in the last substep, from its joints and
+  /// from the forces at its ends. A held segment must be held against this torque.
   std::vector<Vec3> torques(uint32_t first, uint32_t count) const;
 
   void predict(float dt) override;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// RodSet: buffers, and the launches of a substep.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +26,7 @@ void RodSet<D>::set_model(const RodModel& model) {
   aside_pull_.resize_discard(count);
   link_.resize_discard(count);
   row_.resize_discard(2 * size_t{count});
-  row_.fill(0);  // blocks beyond a rod's end stay so
+  row_.fill(0);  // blocks beyond a rod's end stay 0
   segments_ = count;
   chains_ = chains;
 
@@ -116,7 +118,7 @@ void RodSet<D>::restore() {
   device_.copy(frame_.view().data, aside_frame_.view().data, segments_ * sizeof(pbd::Vec4));
   device_.copy(spin_.view().data, aside_spin_.view().data, segments_ * sizeof(pbd::Vec4));
   device_.copy(pull_.view().data, aside_pull_.view().data, segments_ * sizeof(float));
-  row_.fill(0);  // a step that failed has left in them what is not finite
+  row_.fill(0);  // a step that failed has left values in them that are not finite
 }
 
 template <class D>

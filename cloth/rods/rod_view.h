@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the kernels of RodSet share.
+// The state of rods that the kernels of RodSet share.
 #pragma once
 
 #include "cloth/rods/band.h"
@@ -13,15 +13,15 @@ namespace meniscus::cloth::rod_kernels {
 using pbd::Vec4;
 using pbd::View;
 
-/// Of a segment and of the joint behind it: C, or λ.
+/// C or λ of a segment and of the joint after it.
 struct Strain {
   Vec3 stretch, bend;
 };
 
-/// What a segment was like when its constraints were linearized.
+/// The state of a segment at the linearization of its constraints.
 struct Link {
   Vec3 reach;  ///< m, from a to b, in the segment's axes
-  Mat3 bend;   ///< the gradient of the joint's bending by a turn of the frame after it
+  Mat3 bend;   ///< the gradient of the joint's bending by a rotation of the next frame
 };
 
 struct RodView {
@@ -35,7 +35,7 @@ struct RodView {
   View<Link> link;
   View<BandRow> rows;
   View<Vec4> torque;  ///< kg·m², times h², in the world's axes
-  View<float> pull;   ///< kg·m, N times h²: what stretches the segment
+  View<float> pull;   ///< kg·m, the tension of the segment in N times h²
   float dt;
 };
 
@@ -46,14 +46,14 @@ MENISCUS_HD inline Vec4 vec4(const Quat& q) {
   return {q.x, q.y, q.z, q.w};
 }
 
-/// The inverse of rotation_by, rad: the longer way round where w < 0.
+/// The inverse of rotation_by, rad. Where w < 0 it is the longer way round.
 MENISCUS_HD inline Vec3 rotation_vector(Quat q) {
   const Vec3 v{q.x, q.y, q.z};
   const float sine = length(v);
   return (sine < 1e-3f && q.w > 0 ? 2 + sine * sine / 3 : 2 * atan2f(sine, q.w) / sine) * v;
 }
 
-/// q̄ q₊, of the two signs that stand for it the one nearer to the rest's.
+/// q̄ q₊. Of the two signs with this meaning, it takes the one nearer to the rest rotation.
 MENISCUS_HD inline Quat relative_frame(Quat q, Quat after, Quat rest) {
   const Quat p = conjugate(q) * after;
   const float sign = p.x * rest.x + p.y * rest.y + p.z * rest.z + p.w * rest.w;
@@ -65,9 +65,9 @@ MENISCUS_HD inline Vec3 stretch_strain(Vec3 reach, float rest_length) {
   return {reach.x, reach.y, reach.z - rest_length};
 }
 
-/// A joint as it is bent, and the gradient of that by a small turn δ of a frame, in the frame's own axes:
-/// dθ = G δ of the frame after it, dθ = −Gᵀ δ of the one before, with the inverse of the right Jacobian of
-/// the exponential map, G = 1 + ½ [θ]× + (1 − ½θ cot ½θ)/θ² [θ]×².
+/// The bending of a joint, and its gradient by a small rotation δ of a frame, in the frame's own axes: dθ = G
+/// δ for the next frame, and dθ = −Gᵀ δ for the frame before. G = 1 + ½ [θ]× + (1 − ½θ cot ½θ)/θ² [θ]×² is
+/// the inverse of the right Jacobian of the exponential map.
 struct Joint {
   Vec3 bend;  ///< θ, rad
   Mat3 gradient;
@@ -87,9 +87,9 @@ MENISCUS_HD inline Joint joint_of(Quat relative) {
   return {bend, gradient};
 }
 
-/// 1/(kg·m²), about the segment's axes. A pull N straightens a segment: it resists a turn across it by l N,
-/// which counts beside its inertia as h² l N. Without it a rod with a weight at its end overshoots (Tournier,
-/// Nesme, Gilles & Faure 2015, "Stable Constrained Dynamics").
+/// 1/(kg·m²), about the segment's axes. A tension N straightens a segment: it resists a rotation across the
+/// segment by l N. This adds h² l N to the inertia. Without it a rod with a weight at its end overshoots
+/// (Tournier, Nesme, Gilles & Faure 2015, "Stable Constrained Dynamics").
 MENISCUS_HD inline Vec3 mobility(const RodView& rods, uint32_t k) {
   const RodSegment& s = rods.segment[k];
   const float free = rods.spin[k].w;

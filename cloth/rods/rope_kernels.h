@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of RopeSet.
+// The kernels of RopeSet, and the state that they share.
 #pragma once
 
 #include "cloth/rods/elements.h"
@@ -15,9 +15,9 @@ namespace meniscus::cloth::rope_kernels {
 using pbd::Vec4;
 using pbd::View;
 
-/// What the equation of a segment's Δλ is made of; `right` becomes the solution.
+/// The terms of the equation of a segment's Δλ; `right` becomes the solution.
 struct Row {
-  Sym3 yield;            ///< 1/kg; then the pivot's inverse
+  Sym3 yield;            ///< 1/kg; later the inverse of the pivot
   float mass_a, mass_b;  ///< inverse, 1/kg
   Vec3 right;            ///< m
 };
@@ -32,7 +32,7 @@ struct RopeView {
   float dt;
 };
 
-/// No multipliers yet. The strains that damping measures from.
+/// Resets the multipliers, and stores the strains that damping is measured from.
 struct Begin {
   RopeView ropes;
 
@@ -45,20 +45,22 @@ struct Begin {
   }
 };
 
-/// Writes segment k's row of (J W Jᵀ + A) Δλ = −C − A λ for C = x_b − x_a − l d, of which λ is the force's
-/// impulse times h, and d a direction that goes with it, as a segment has no stiffness of its own. With
-/// n = (x_b − x_a)/|x_b − x_a| and the pull N on the segment
+/// Writes segment k's row of (J W Jᵀ + A) Δλ = −C − A λ for C = x_b − x_a − l d. λ is the force's impulse
+/// times h. The direction d follows the segment, which has no bending stiffness. With n = (x_b − x_a)/|x_b −
+/// x_a| and the tension N of the segment
 ///
 ///   A = α̃ n nᵀ + l/(h² N) (1 − n nᵀ)
 ///
-/// The second term is how far the segment gives way to the side: Newton's method with the stiffness that a
-/// pull lends a rope. Without it a rope with a weight at its end overshoots (Tournier, Nesme, Gilles & Faure
-/// 2015, "Stable Constrained Dynamics"). A rope that is not pulled gives way to the side as it likes.
+/// The second term is the lateral compliance of the segment: Newton's method with the geometric stiffness of
+/// a rope under tension. Without it a rope with a weight at its end overshoots (Tournier, Nesme, Gilles &
+/// Faure 2015, "Stable Constrained Dynamics"). A rope without tension has no lateral stiffness.
 struct Linearize {
-  /// The least yield along the segment, as a share of the masses' part: it bounds Δλ where a rope is
-  /// unyielding, straight and held at both ends. The iterations take back what it leaves.
+  /// Regularisation: the least compliance along the segment, as a fraction of the masses' part. It bounds Δλ
+  /// where a rope is unyielding, straight and held at both ends. Later iterations correct the error that it
+  /// leaves.
   static constexpr float regularisation = 2e-7f;
-  /// The most to the side: it stands for infinity, and floats can still tell the yield along beside it.
+  /// The greatest lateral compliance, which stands for infinity. Floats can still resolve the compliance
+  /// along the segment beside it.
   static constexpr float most = 100;
 
   RopeView ropes;
@@ -68,7 +70,8 @@ struct Linearize {
     const Vec4 a = at(s.a), b = at(s.b);
     const Vec3 apart = b.xyz() - a.xyz();
     const Vec3 n = normalized_or(apart, {0, 0, 1});
-    const float mass = a.w + b.w > 0 ? a.w + b.w : 1;  // what is held on both sides has an answer as well
+    const float mass =
+        a.w + b.w > 0 ? a.w + b.w : 1;  // a segment that is held at both ends also has a solution
     const float damping = s.damping / ropes.dt;
     const float compliance = s.stretch_compliance / (ropes.dt * ropes.dt);
     const Vec3 multiplier = ropes.multiplier[k];
@@ -94,13 +97,13 @@ struct Linearize {
   }
 };
 
-/// A rope a thread: elimination and substitution of a block-tridiagonal system (Thomas). With couplings −w_b
-/// and pivots w_b + E, eliminating takes no differences of nearly equal numbers, so that neither a rope's
-/// length nor the weight at its end costs precision:
+/// Solves a rope in each thread, by elimination and substitution of a block-tridiagonal system (Thomas). The
+/// couplings are −w_b and the pivots w_b + E. Elimination then subtracts no nearly equal numbers. So neither
+/// the length of a rope nor the weight at its end costs precision:
 ///
 ///   E₊ = A₊ + w_b E (E + w_b)⁻¹
 ///
-/// A closed rope is cut; the segment before the cut waits for another iteration.
+/// A closed rope is cut. The segment before the cut waits for another iteration.
 struct Solve {
   View<const RodChain> chain;
   View<Row> rows;
@@ -133,7 +136,8 @@ struct Solve {
   }
 };
 
-/// x += W Jᵀ Δλ. A segment's thread moves its first vertex, the last one's both.
+/// x += W Jᵀ Δλ. The thread of a segment moves its first vertex. That of the last segment moves both
+/// vertices.
 struct Apply {
   RopeView ropes;
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set of ropes.
 #pragma once
 
 #include "cloth/rods/rod.h"
@@ -8,17 +10,17 @@
 
 namespace meniscus::cloth {
 
-/// Ropes and chains, which have a length and nothing else: C = |x_b − x_a| − l between two vertices in a row,
-/// with XPBD's compliance l/EA. The multipliers of a rope are solved for at once in each iteration, one
-/// thread a rope: how far it stretches depends neither on the number of its vertices nor on that of the
-/// iterations, and what hangs on it may weigh a million times as much as a vertex. A closed rope is cut at
-/// one place in an iteration, and at the opposite one in the next.
+/// Ropes and linked chains, which have only a length: C = |x_b − x_a| − l between successive vertices, with
+/// XPBD's compliance l/EA. Each iteration solves for all multipliers of a rope at once, in one thread for
+/// each rope. So the stretch depends neither on the number of vertices nor on the number of iterations. A
+/// load on a rope may weigh a million times as much as a vertex. A closed rope is cut at one place in an
+/// iteration, and at the opposite place in the next.
 template <class D>
 class RopeSet final : public pbd::ConstraintSet<D> {
  public:
   explicit RopeSet(D& device) : device_(device) {}
 
-  /// Takes the place of the model before.
+  /// Replaces the model.
   void set_model(const RodModel& model);
   uint32_t segment_count() const { return segments_; }
 

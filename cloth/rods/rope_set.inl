@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// RopeSet: buffers, and the launches of a substep.
 #pragma once
 
 #include <algorithm>

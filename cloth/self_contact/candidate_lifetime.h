@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// How long lists of pairs are kept, and where vertices are to stay meanwhile.
+// The candidate lifetime: how long lists of pairs are kept, and the motion bounds of vertices meanwhile.
 #pragma once
 
 #include "cloth/self_contact/folds.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// How many elements lists have room for.
+/// The number of elements that the lists have room for.
 struct Room {
   uint32_t group_pairs, candidates, contacts;
 
@@ -18,8 +18,9 @@ struct Room {
   }
 };
 
-/// Notes where each vertex is predicted to be, and whether the lists of pairs still hold for it: it must stay
-/// where it was to stay, with room for what the solve may move it by, and for the thickness.
+/// Stores the predicted position of each vertex, and checks whether the lists of pairs still hold for it. The
+/// vertex must stay inside its motion bound. The check adds room for the motion by the solve and for the
+/// thickness.
 struct Foresee {
   static constexpr float room_for_thickness = 0.55f;
 
@@ -27,15 +28,15 @@ struct Foresee {
   View<const uint32_t> vertex_part;
   View<const Part> parts;
   View<const float> strayed;    // m, in the last substep
-  View<const Vec4> kept, wide;  // balls, see Keep
+  View<const Vec4> kept, wide;  // motion bounds, see CandidateLifetime
   View<Vec4> foreseen;          // w: the room, m
   ImpactZones impact_zones;
   PartSums sums;
   Folds folds;
   View<uint32_t> entries, counters;
   Room room_for;
-  bool anew;         // whatever there is
-  bool begin_brief;  // in that case: for a substep alone, see Keep
+  bool anew;         // search in any case
+  bool begin_brief;  // if anew: search for one substep only, see CandidateLifetime
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (vertex_part[v] != no_index) foresee(v);
@@ -69,31 +70,32 @@ struct Foresee {
   }
 };
 
-/// Where the lists have expired: what is to be listed anew. In a step that will be done again nothing is:
-/// with contacts missing, ever more would be found, and room made for it.
+/// Whether the pairs are to be listed again: where the lists have expired. A step that will be repeated lists
+/// nothing. With contacts missing, it would find more and more pairs, and make room for them.
 struct Listing {
   View<const uint32_t> counters;
 
   MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[overflowed] == 0; }
 };
 
-/// Chooses where vertices are to stay until pairs are looked for again: around the way that each will make if
-/// it goes on as it does. Where such places did not even hold for the next substep, they are chosen for this
-/// one alone, and with them are far fewer pairs. What has no finite way stays nowhere and meets nothing, so
-/// that the step fails.
+/// Chooses the motion bound of each vertex until the next search: a ball around its expected motion. Where
+/// such bounds did not hold even for the next substep, they are made for this substep alone. There are then
+/// far fewer pairs. A vertex whose displacement is not finite gets no valid bound and meets nothing, so that
+/// the step fails.
 struct CandidateLifetime {
   Listing listing;
   View<const Vec4> previous, foreseen;
   View<const uint32_t> vertex_part;
   View<const Part> parts;
-  View<Vec4> kept, wide;  // balls: the centre and the radius, m; wide: for many substeps, whichever is kept
+  View<Vec4> kept, wide;  // balls: centre and radius, m; wide: for many substeps, whichever is kept
   View<uint32_t> counters;
 
-  // The balls of what lies side by side must not meet, or all of a rough sheet is listed.
-  static constexpr float longest = 16;       // substeps
-  static constexpr float furthest = 0.5f;    // of the thickness, if that takes more than this substep
-  static constexpr float leeway = 0.25f;     // of the thickness, to go otherwise
-  static constexpr float to_and_fro = 1.5f;  // times the room for what the solve moves
+  // The balls of neighbouring vertices must not overlap, or all of a rough sheet would be listed.
+  static constexpr float longest = 16;  // substeps
+  static constexpr float furthest =
+      0.5f;  // of the thickness: the greatest motion, if it covers more than this substep
+  static constexpr float leeway = 0.25f;     // of the thickness: room for other motions
+  static constexpr float to_and_fro = 1.5f;  // times the room for the motion by the solve
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
@@ -122,7 +124,7 @@ struct CandidateLifetime {
   }
 };
 
-/// Boxes around where vertices are to stay, for the tree.
+/// Boxes around the motion bounds of triangles, for the tree.
 struct KeptBoxes {
   Listing listing;
   KeptPlaces kept;

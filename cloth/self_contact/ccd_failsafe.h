@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The last resort of cloth-to-cloth contacts: nothing goes through, whatever the solve has left.
+// The CCD fail-safe of cloth-to-cloth contacts: nothing passes through, whatever error the solve has left.
 #pragma once
 
 #include "cloth/self_contact/cull.h"
@@ -10,8 +10,8 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Keeps each vertex near its way, and where pairs were looked for, and notes how far it strays from its way:
-/// the next substep allows for that.
+/// Clamps each vertex to the surroundings of its predicted motion and to the place that was searched. Also
+/// records how far the vertex strays from its predicted motion. The next substep allows for that.
 struct Contain {
   View<const Vec4> previous;  // by vertex
   View<const uint32_t> vertex_part;
@@ -40,14 +40,14 @@ struct Contain {
   }
 
  private:
-  /// What has expired was listed anew.
+  /// Expired lists have been made again.
   MENISCUS_HD void grow_old() const {
     counters[age] = counters[expired] != 0 ? 1 : counters[age] + 1;
     counters[expired] = counters[restless] = 0;
   }
 };
 
-/// While a group of threads sums up what groups of triangles have lost.
+/// Working memory of a group of threads that sums up what groups of triangles have lost.
 struct LostScratch {
   static constexpr uint32_t groups = 64;
 
@@ -56,7 +56,7 @@ struct LostScratch {
   uint32_t part[groups];
 };
 
-/// Sums up the momentum of vertices that were taken back, and what all of their part weigh.
+/// Sums up the momentum of vertices that were rolled back, and the mass of each part.
 struct SumLost {
   using Scratch = LostScratch;
 
@@ -71,7 +71,7 @@ struct SumLost {
     const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
     const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
     group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
-    // The first group of each part adds up those that follow it.
+    // The first group of each part adds up the groups of that part which follow it.
     group.for_each(count, [&](uint32_t k) {
       const uint32_t part = scratch.part[k];
       if (k > 0 && scratch.part[k - 1] == part) return;
@@ -106,10 +106,10 @@ struct SumLost {
   }
 };
 
-/// Gives the momentum of vertices that were taken back to all of their part, which stay where they are.
-/// Nothing moves against anything else in it by that; given to those around them it kept crumpled cloth
-/// stretched. Notes for the host what the substep found: the most of any, up to the first whose lists had no
-/// room.
+/// Transfers the momentum of vertices that were rolled back to all vertices of their part, whose positions do
+/// not change. This causes no relative motion within the part. Given only to the vertices around, the
+/// momentum kept crumpled cloth stretched. Also records for the host the greatest counters of any substep, up
+/// to the first one whose lists had no room.
 struct TransferPush {
   View<const uint32_t> vertex_part;
   View<const Vec4> position;     // by vertex
@@ -118,7 +118,7 @@ struct TransferPush {
   View<const uint32_t> counters;
   View<uint32_t> found;
 
-  /// For each vertex, and each counter.
+  /// Runs for each vertex and for each counter.
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
     if (v >= vertex_part.count || counters[lost] == 0) return;
@@ -127,7 +127,8 @@ struct TransferPush {
   }
 };
 
-/// Two groups of triangles while their pairs are looked at: those of triangles, by number, and of features.
+/// Working memory for the pairs of two groups of triangles: pairs of triangles, by number, and pairs of
+/// features.
 struct CrossingScratch {
   static constexpr uint32_t hits_of_two = 64;
 
@@ -137,9 +138,10 @@ struct CrossingScratch {
   uint32_t hit_count, code_count;
 };
 
-/// Looks for pairs that would pass through one another, and has them go on together. If that makes others
-/// meet, these join them in the next round. Nothing leaves the place that pairs were looked for in, so that
-/// no others need be looked for, but in sheets that are smooth no longer (FindFolds).
+/// Finds pairs that would pass through one another, and unites their vertices in one impact zone. If that
+/// makes other pairs meet, these join in the next round. All vertices stay inside the place that was
+/// searched. So no further pairs need to be searched for, except in sheets that are no longer smooth
+/// (FindFolds).
 struct FindCrossings {
   using Scratch = CrossingScratch;
 
@@ -149,8 +151,8 @@ struct FindCrossings {
   ImpactZones impact_zones;
   Folds folds;
   uint32_t round, stride;
-  /// m: what is nearer hardly comes nearer still, and what is nearer than a tenth of it does not at all, as
-  /// it would soon be lost in rounding.
+  /// m: a pair that is nearer than this hardly comes nearer still. A pair that is nearer than a tenth of it
+  /// does not approach at all, as its distance would soon be lost in rounding.
   float least;
 
   template <class Group>
@@ -174,8 +176,8 @@ struct FindCrossings {
                      [&](uint32_t k) { impact_zones.forget_sums(first + k); });
   }
 
-  /// What was left out as sheets were smooth. There are few, which many threads share: each group of them
-  /// takes one in so many of the neighbours of a sheet's middle.
+  /// Checks the pairs that were left out because their sheets were smooth. They are few, and many threads
+  /// share them: each group of threads takes every 32nd neighbour of a sheet's central group.
   template <class Group>
   MENISCUS_HD void check_folds(const Group& group, Scratch& scratch, uint32_t n) const {
     constexpr uint32_t shares = 32;
@@ -207,7 +209,8 @@ struct FindCrossings {
     });
   }
 
-  /// A quick look. In later rounds, what is unchanged has been looked at before; most is told by its groups.
+  /// A quick test. Later rounds skip unchanged pairs, which were checked before. The states of their groups
+  /// tell most of this.
   MENISCUS_HD bool may_cross(FeatureCode code) const {
     if (!folds.has_changed(code.first_place() / 8, round) &&
         !folds.has_changed(code.second_place() / 8, round))
@@ -231,7 +234,7 @@ struct FindCrossings {
     impact_zones.unite(corners, round, nearly_lost || motion < rounding(corners));
   }
 
-  /// In the last round.
+  /// Whether a vertex has moved in the last round.
   MENISCUS_HD bool has_changed(const Corners& corners) const {
     for (uint32_t k = 0; k < 4; ++k)
       if (impact_zones.has_moved(corners.vertex(k), round)) return true;
@@ -242,7 +245,7 @@ struct FindCrossings {
       if (cloth.position[corners.vertex(k)].w != 0) return false;
     return true;
   }
-  /// m: what moves by no more than this may do so by the rounding of a zone's motion.
+  /// m: a motion up to this size may come from the rounding of a zone's motion.
   MENISCUS_HD float rounding(const Corners& corners) const {
     const Vec3 x = cloth.position[corners.vertex(0)].xyz();
     return 1e-6f * max_component(max(x, -x));

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Culls a long list with a cheap test, and shares the remaining elements among a group of threads.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +10,7 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Elements of a part of a list while a group of threads looks through them.
+/// Working memory of a group of threads: the elements of a part of the list that passed the test.
 struct CullScratch {
   static constexpr uint32_t most = 1024;
 
@@ -16,15 +18,15 @@ struct CullScratch {
   uint32_t count;
 };
 
-/// Visits the elements of a long list of which a quick look says that they deserve it: these are few, and all
-/// threads of a group share those of a part of the list. Else threads of a warp would wait for one.
+/// Visits the elements of a long list that pass a quick test. Few do, and all threads of a group share those
+/// of a part of the list. Otherwise the threads of a warp would wait for one.
 class Cull {
  public:
-  /// Of a list of `count`, group n of so many takes every so many-th part.
+  /// The parts of a list of `count` elements that group n of `groups` takes: every `groups`-th one.
   MENISCUS_HD Cull(uint32_t count, uint32_t n, uint32_t groups)
       : count_(count), part_(part_of(count)), first_(n * part_), stride_(groups * part_) {}
 
-  /// Calls visit(k) for each k that deserves(k).
+  /// Calls visit(k) for each k for which deserves(k) is true.
   template <class Group, class Deserves, class Visit>
   MENISCUS_HD void run(const Group& group, CullScratch& scratch, const Deserves& deserves,
                        const Visit& visit) const {
@@ -39,7 +41,7 @@ class Cull {
   }
 
  private:
-  static constexpr uint32_t fewest = 128, parts = 1024;  // that fill a GPU
+  static constexpr uint32_t fewest = 128, parts = 1024;  // enough to fill a GPU
 
   MENISCUS_HD static uint32_t part_of(uint32_t count) {
     const uint32_t part = count / parts / fewest * fewest;

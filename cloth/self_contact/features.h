@@ -8,9 +8,9 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// A triangle with the features that it owns, and those edges that are not the guard's alone.
+/// A triangle with the features that it owns, and which of its edges may have contacts.
 struct OwnFeatures {
-  static constexpr uint16_t is_rough = 1 << 9;  ///< beside those of its features: its group is
+  static constexpr uint16_t is_rough = 1 << 9;  ///< beside the bits of its features: its group is rough
 
   SurfaceTriangle triangle;
   uint32_t features, shown;
@@ -35,14 +35,15 @@ MENISCUS_HD inline OwnFeatures own_features(const ClothState& cloth, uint32_t pl
   return {load(cloth.tree.triangles, place), bits_of_features(cloth, place)};
 }
 
-/// Pairs of features of two triangles, by number: six of a vertex and a face, then nine of edges.
+/// Pairs of features of two triangles, by number: six of a vertex and a face, then nine of two edges.
 struct PairsOfTwo {
   static constexpr uint32_t most = 15;
 
-  uint32_t mask = 0;    ///< of those that there are
-  uint32_t guards = 0;  ///< and that become no contacts
+  uint32_t mask = 0;    ///< the pairs that exist
+  uint32_t guards = 0;  ///< those that only the fail-safe checks, and that never become contacts
 
-  /// All that share no vertex. Edges that are neither on a border nor in a rough group are the guard's alone.
+  /// All pairs that share no vertex. Pairs with an edge that is neither on a border nor in a rough group are
+  /// only for the fail-safe.
   MENISCUS_HD PairsOfTwo(const OwnFeatures& a, const OwnFeatures& b) {
     MENISCUS_UNROLL
     for (uint32_t k = 0; k < 3; ++k) {
@@ -58,7 +59,7 @@ struct PairsOfTwo {
     }
   }
 
-  /// Of the k-th, of the triangles at two places.
+  /// The code of the k-th pair of the triangles at two places.
   MENISCUS_HD FeatureCode code(GroupPair places, uint32_t k) const {
     if (k < 3) return {feature(places.first, k), feature(places.second, face)};
     if (k < 6) return {feature(places.second, k - 3), feature(places.first, face)};
@@ -68,8 +69,8 @@ struct PairsOfTwo {
   }
 };
 
-/// Bits of those of a group whose boxes overlap that of the triangle at `place`; of its own group the later
-/// ones.
+/// A bit mask of the triangles of group `other` whose boxes overlap that of the triangle at `place`. In its
+/// own group, only later triangles count.
 MENISCUS_HD inline uint32_t overlapping(const pbd::SurfaceTreeView& tree, uint32_t place, uint32_t other) {
   const uint32_t mask = overlap_mask(tree.group(0, other), tree.box(0, place));
   return other == place / 8 ? mask & ~((2u << place % 8) - 1) : mask;

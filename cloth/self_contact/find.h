@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// From pairs of groups to pairs of features that may touch.
+// The search for candidates: from pairs of groups to pairs of features that may touch.
 #pragma once
 
 #include "cloth/self_contact/candidate_lifetime.h"
@@ -9,18 +9,19 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// The four corners of a pair of features: a vertex and the three of a triangle, or two edges of two; each
-/// with the ball that it stays in.
+/// The four corners of a pair of features, each with its motion bound. They are a vertex and the three
+/// corners of a triangle, or the ends of two edges.
 struct CornerBalls {
   Vec4 corner[4];
   bool edges;
 
-  /// Whether the boxes of both overlap.
+  /// Whether the boxes of both features overlap.
   MENISCUS_HD bool have_boxes_in_touch() const {
     const Aabb last = joined(box(2), box(3));
     return edges ? overlap(joined(box(0), box(1)), last) : overlap(box(0), joined(box(1), last));
   }
-  /// No point of either leaves the place that its corners are in by more than the greatest of their radii.
+  /// Whether the features may come near. No point of a feature leaves the feature of the balls' centres by
+  /// more than the greatest radius of its balls.
   MENISCUS_HD bool may_come_near() const {
     const Vec3 origin = corner[0].xyz();
     const uint32_t first = edges ? 2 : 1;
@@ -41,15 +42,14 @@ struct CornerBalls {
   }
 };
 
-/// The triangles of two groups, first those of one, then those of the other: all threads look at them, from
-/// many sides.
+/// The triangles of two groups: first those of one group, then those of the other. All threads read them.
 struct TrianglesOfTwo {
   static constexpr uint32_t count = 16;
 
   GroupPair groups;
   uint16_t features[count];  // see OwnFeatures
   uint32_t vertex[3 * count];
-  Vec4 ball[3 * count];  // by corner: where it stays
+  Vec4 ball[3 * count];  // by corner: its motion bound
 
   MENISCUS_HD void load_triangle(const ClothState& cloth, uint32_t k) {
     const uint32_t place = 8 * (k < 8 ? groups.first : groups.second) + k % 8;
@@ -65,7 +65,7 @@ struct TrianglesOfTwo {
   MENISCUS_HD OwnFeatures self(uint32_t k) const {
     return {{vertex[3 * k], vertex[3 * k + 1], vertex[3 * k + 2], 0}, features[k]};
   }
-  /// Of the k-th pair of features of the s-th and the t-th triangle.
+  /// The corners of the k-th pair of features of triangles s and t.
   MENISCUS_HD CornerBalls balls(uint32_t s, uint32_t t, uint32_t k) const {
     const Vec4 *a = ball + 3 * s, *b = ball + 3 * t;
     if (k < 3) return {{a[k], b[0], b[1], b[2]}, false};
@@ -73,7 +73,8 @@ struct TrianglesOfTwo {
     const uint32_t e = (k - 6) / 3, f = (k - 6) % 3;
     return {{a[e], a[next_corner(e)], b[f], b[next_corner(f)]}, true};
   }
-  /// Whether a plane across the way from one to the other, or along one of them, keeps them apart.
+  /// Whether a plane separates the triangles: one perpendicular to the line between their centres, or one
+  /// parallel to either triangle.
   MENISCUS_HD bool are_parted(uint32_t s, uint32_t t) const {
     for (uint32_t k = 0; k < 9; ++k)
       if (vertex[3 * s + k / 3] == vertex[3 * t + k % 3]) return false;
@@ -87,7 +88,7 @@ struct TrianglesOfTwo {
   }
 
  private:
-  /// A triangle between the centres of its vertices' balls, seen from an origin.
+  /// A triangle between the centres of its vertices' balls, relative to an origin.
   struct Middle {
     Vec3 corner[3];
     float radius = 0;
@@ -110,8 +111,9 @@ struct TrianglesOfTwo {
   };
 };
 
-/// Pairs of groups while a group of threads looks through them: pairs of triangles whose boxes overlap, by
-/// number; and pairs of features of some of these whose boxes overlap, by number.
+/// Working memory of a group of threads for pairs of groups. It holds the numbers of the pairs of triangles
+/// whose boxes overlap. For some of these it also holds the numbers of the pairs of features whose boxes
+/// overlap.
 struct CandidateScratch {
   static constexpr uint32_t pairs = 16, at_once = 128;
 
@@ -120,9 +122,9 @@ struct CandidateScratch {
   uint32_t hit_count, touching_count;
 };
 
-/// Lists the pairs of features that may come near one another while their vertices stay where they are to, of
-/// a number of pairs of groups at a time. Each look leaves few of what the one before has found, and all
-/// threads share what is left.
+/// Lists the pairs of features that may meet while all vertices stay inside their motion bounds. It takes
+/// several pairs of groups at a time. Each test leaves few of the pairs that the one before has found, and
+/// all threads share what is left.
 struct FindCandidates {
   using Scratch = CandidateScratch;
 

@@ -1,28 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Where sheets have folded, whose groups were left out of the lists of pairs as they were smooth.
+// Finds where sheets have folded. Their pairs were left out of the lists while the sheets were smooth.
 #pragma once
 
 #include "cloth/self_contact/impact_zones.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// What rounds of the guard know of groups of triangles.
+/// What the rounds of the fail-safe know about groups of triangles.
 struct Folds {
   View<uint32_t> state;     // by group: the last round that found its vertices moved, and `bent`
   View<uint32_t> noted;     // by group, counted from 1: the last round in which it was put on the list
-  View<uint32_t> list;      // of groups, in whose sheets pairs are to be looked at in this round
-  View<uint32_t> counters;  // `folded_sheets` is the list's length
+  View<uint32_t> list;      // the groups whose sheets are to be checked in this round
+  View<uint32_t> counters;  // `folded_sheets` is the length of the list
 
   static constexpr uint32_t bent = 1u << 31;  // a normal has left the group's cone
 
-  /// A thread's share of what is to be done before a substep; there are so many threads.
+  /// The part of the preparation for a substep that one of `threads` threads does.
   MENISCUS_HD void begin(uint32_t thread, uint32_t threads) const {
     for (uint32_t g = thread; g < noted.count; g += threads) noted[g] = 0;
     if (thread == 0) counters[folded_sheets] = 0;
   }
-  /// Whether vertices of a group have moved since this round's pairs were last looked at.
+  /// Whether vertices of a group have moved since its pairs were last checked.
   MENISCUS_HD bool has_changed(uint32_t g, uint32_t round) const {
     return round == 0 || (state[g] & ~bent) == round;
   }
@@ -33,15 +33,15 @@ struct Folds {
   }
 };
 
-/// Sixteen groups of eight triangles.
+/// Working memory for sixteen groups of eight triangles.
 struct FoldScratch {
   static constexpr uint32_t groups = 16;
 
   uint32_t changed[groups], bent[groups];
 };
 
-/// Before each round of the guard: which groups have changed since the last one, and which sheets the groups
-/// that are bent by now may have folded. Pairs are then listed anew.
+/// Runs before each round of the fail-safe. Finds which groups have changed since the last round, and which
+/// sheets bent groups may have folded. Pairs are then listed again.
 struct FindFolds {
   using Scratch = FoldScratch;
 
@@ -80,7 +80,7 @@ struct FindFolds {
     return impact_zones.has_moved(t.a, round) || impact_zones.has_moved(t.b, round) ||
            impact_zones.has_moved(t.c, round);
   }
-  /// What has not changed is as it was.
+  /// Unchanged groups keep their state.
   MENISCUS_HD void note(Scratch& scratch, uint32_t k, uint32_t& state) const {
     if (scratch.changed[k])
       state = round | (scratch.bent[k] ? Folds::bent : 0);
@@ -93,7 +93,7 @@ struct FindFolds {
     const Vec3 a = x[t.a].xyz();
     return cross(x[t.b].xyz() - a, x[t.c].xyz() - a);
   }
-  /// Whether a triangle's normal has left its group's cone.
+  /// Whether a triangle's normal has left the cone of its group.
   MENISCUS_HD bool is_bent(uint32_t place) const {
     const SurfaceTriangle t = load(cloth.tree.triangles, place);
     return t.a != no_index && !sheets.is_in_cone(place / 8, normal(t));

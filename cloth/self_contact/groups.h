@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Pairs of groups of triangles that may touch, by the tree.
+// Pairs of groups of triangles that may touch, found with the tree.
 #pragma once
 
 #include "cloth/self_contact/candidate_lifetime.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Sixteen groups of eight triangles while their cones are fitted.
+/// Working memory for the cones of sixteen groups of eight triangles.
 struct ConeScratch {
   static constexpr uint32_t groups = 16, triangles = 8 * groups;
 
@@ -17,10 +17,10 @@ struct ConeScratch {
   Vec3 axis[groups];
 };
 
-/// A cone that holds the normals of a group's triangles, before and after its motion.
+/// Fits a cone around the normals of a group's triangles, before and after its motion.
 ///
-/// Where cloth is smooth, its vertices keep it apart from other cloth, and its edges need not be looked at:
-/// with θ the angle that an edge of length L is bent by, it stands out by Lθ/4 between its ends.
+/// Where cloth is smooth, its vertices keep it apart from other cloth, and its edges need no contacts. With θ
+/// the angle that an edge of length L is bent by, the cloth rises by Lθ/4 between the ends of the edge.
 struct FitCones {
   using Scratch = ConeScratch;
 
@@ -31,7 +31,7 @@ struct FitCones {
   View<Vec4> cones;
   View<uint32_t> rough;
 
-  /// Of the groups from 16 n on.
+  /// Runs for the groups from 16 n on.
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     if (!listing.wanted()) return;
@@ -65,7 +65,7 @@ struct FitCones {
     rough[first + g] = angle * sqrtf(longest2) > 0.2f * parts[tree.triangles[8 * (first + g)].part].thickness;
   }
 
-  /// Of a triangle; and the square of the longest edge so far.
+  /// The normal of a triangle. Also updates the square of the longest edge so far.
   MENISCUS_HD static Vec3 normal(View<const Vec4> x, const SurfaceTriangle& t, float& longest2) {
     if (t.a == no_index) return {0, 0, 0};
     const Vec3 a = x[t.a].xyz(), ab = x[t.b].xyz() - a, ac = x[t.c].xyz() - a, bc = ac - ab;
@@ -74,7 +74,8 @@ struct FitCones {
   }
 };
 
-/// While eight groups look for those that they overlap: boxes of 512 other groups, and eights, by number.
+/// Working memory for eight groups that search for overlaps: boxes that each hold 512 groups, and boxes that
+/// each hold eight, by number.
 struct OverlapScratch {
   static constexpr uint32_t boxes = 128;
 
@@ -82,9 +83,10 @@ struct OverlapScratch {
   uint32_t top_count, count;
 };
 
-/// Lists the pairs of groups whose boxes overlap, for eight groups at a time: of a number of the tree's boxes
-/// after the other, those eights below that overlap all of the own ones, then their groups; in large trees
-/// the boxes above them come first. Neighbours in the material always do; in smooth sheets they are left out.
+/// Lists the pairs of groups whose boxes overlap, for eight groups at a time. It goes through a number of the
+/// tree's boxes at once. It finds the boxes of eight groups below them that overlap the common box of its own
+/// eight, then the groups in these. Large trees start from boxes at a higher level. Neighbours in the
+/// material always overlap; in smooth sheets they are left out.
 struct FindGroups {
   using Scratch = OverlapScratch;
 
@@ -94,7 +96,7 @@ struct FindGroups {
   SheetViews sheets;
   GroupPairs pairs;
 
-  /// For the groups from 8 n on, and those behind them.
+  /// Runs for the groups from 8 n on, paired with themselves and later groups.
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     if (!listing.wanted()) return;
@@ -127,7 +129,7 @@ struct FindGroups {
                   [&](uint32_t k) { return 8 * scratch.tops[(done + k) / 8] + k % 8; });
     }
   }
-  /// `count` boxes of the level above the eights'.
+  /// `count` boxes of the level above the boxes of eight groups.
   template <class Group, class BoxAt>
   MENISCUS_HD void pair_up_all(const Group& group, Scratch& scratch, uint32_t n, uint32_t count,
                                const BoxAt& box_at) const {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Impact zones: what would pass through one another goes on together.
+// Impact zones: vertices that would pass through one another share one motion.
 #pragma once
 
 #include "cloth/self_contact/solve.h"
@@ -9,23 +9,23 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Vertices that share one motion for the rest of a substep (Provot 1997; Harmon et al. 2008, who have them
-/// turn as well): that of their centre of mass from where the substep began, when nothing had passed through.
-/// Momentum is kept, and nothing moves against anything within a zone. Zones only grow.
+/// Vertices that share one motion for the rest of a substep (Provot 1997; Harmon et al. 2008 let zones rotate
+/// as well). It is the motion of their centre of mass since the start of the substep, when nothing had passed
+/// through. Momentum is conserved, and there is no relative motion within a zone. Zones only grow.
 struct ImpactZones {
   View<uint32_t> label;
-  /// By vertex, 0 for what is in none; else, counted from 1, in bits 0 to 7 the last round in which its zone
-  /// was found to need a new motion, and in bits 8 to 15 the last in which it went along with one. What could
-  /// not go along has the bit `stopped` as well.
+  /// By vertex; 0 for a vertex in no zone. Bits 0 to 7: the last round, counted from 1, in which the zone was
+  /// found to need a new motion. Bits 8 to 15: the last round in which the vertex moved with its zone. The
+  /// bit `stopped` marks a vertex that could not move with it.
   View<uint32_t> mark;
-  /// Of a zone, at the vertex that names it: what it moves with, if not by itself.
+  /// By zone, at the vertex that names it: the vertex that determines the motion of the zone, if any.
   View<uint32_t> anchor;
   View<int64_t> mass;  // likewise
   PushSums momentum;   // likewise, kg·m
   float mass_unit;     // kg
 
   static constexpr uint32_t stopped = 1u << 31, a_round = 0xff, moved_shift = 8;
-  /// Anchors: none; where all were at the start; else, less 1, a vertex that nothing moves.
+  /// Anchors: none; the positions at the start of the substep; else, minus 1, a vertex that nothing moves.
   static constexpr uint32_t itself = no_index, the_start = 0;
 
   MENISCUS_HD uint32_t name(uint32_t v) const { return pbd::UnionFind{label}.name(v); }
@@ -33,8 +33,8 @@ struct ImpactZones {
   MENISCUS_HD static bool is_stopped(uint32_t mark) { return (mark & stopped) != 0; }
   /// Whether a vertex with this mark was found to need a new motion in this round.
   MENISCUS_HD static bool is_needed(uint32_t mark, uint32_t round) { return (mark & a_round) == round + 1; }
-  /// Whether it has moved in the round before this one. What others find meanwhile does not change that:
-  /// which pairs are looked at must not depend on who is first.
+  /// Whether the vertex moved in the round before this one. What other threads find meanwhile does not change
+  /// that. The choice of pairs must not depend on the order of threads.
   MENISCUS_HD bool has_moved(uint32_t v, uint32_t round) const {
     return (mark_of(v) >> moved_shift & a_round) == round;
   }
@@ -54,7 +54,7 @@ struct ImpactZones {
     mass[v] = 0;
   }
 
-  /// From now on these go together; or not at all.
+  /// From now on these vertices move together. With `stop`, they do not move at all.
   MENISCUS_HD void unite(const Corners& corners, uint32_t round, bool stop) const {
     for (uint32_t k = 0; k < 4; ++k) {
       const uint32_t v = corners.vertex(k);
@@ -65,7 +65,7 @@ struct ImpactZones {
   }
 };
 
-/// Sums up what zones weigh and their momentum, and finds their anchors.
+/// Sums up the masses and the momentum of zones, and finds their anchors.
 struct GatherImpactZones {
   View<const Vec4> previous, position;  // by vertex
   ImpactZones impact_zones;
@@ -73,7 +73,7 @@ struct GatherImpactZones {
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (v == 0) counters[folded_sheets] = 0;  // these have been looked at
+    if (v == 0) counters[folded_sheets] = 0;  // these have been checked
     const uint32_t mark = impact_zones.mark_of(v);
     if (counters[crossings + round] == 0 || mark == 0) return;
     const uint32_t name = impact_zones.name(v);
@@ -90,8 +90,8 @@ struct GatherImpactZones {
   }
 };
 
-/// What was taken from vertices that would have gone where pairs were not looked for: their momentum is
-/// handed on once all is done.
+/// The displacement that was taken from vertices that would have left the place that was searched. Their
+/// momentum is transferred at the end.
 struct RolledBack {
   View<Vec4> ways;  // by vertex, m
   View<uint32_t> counters;
@@ -103,11 +103,11 @@ struct RolledBack {
   }
 };
 
-/// By part: three numbers of momentum and one of mass, which add up to the same in any order.
+/// By part: three numbers of momentum and one of mass. These integers have the same sum in any order.
 struct PartSums {
   View<int64_t> sums;
   float unit;       // kg·m, of the momentum; a power of 2
-  float mass_unit;  // kg, coarse: fluid that cloth carries is in it
+  float mass_unit;  // kg, coarse: it includes fluid that cloth carries
 
   MENISCUS_HD void begin(uint32_t part) const {
     for (uint32_t k = 0; k < 4; ++k) sums[4 * part + k] = 0;
@@ -118,7 +118,7 @@ struct PartSums {
     pbd::atomic_add(sums[4 * part + 2], llrintf(impulse.z / unit));
     pbd::atomic_add(sums[4 * part + 3], llrintf(mass / mass_unit));
   }
-  /// Of the whole, m.
+  /// The displacement of the whole part, m.
   MENISCUS_HD Vec3 displacement(uint32_t part) const {
     const int64_t* sum = &sums[4 * part];
     if (sum[3] == 0) return {0, 0, 0};
@@ -127,11 +127,11 @@ struct PartSums {
   }
 };
 
-/// Gives vertices the motion of their zones. Nothing leaves the place that its pairs were looked for in: a
-/// zone that would have to, stops in the next round, as does one that would go into a solid. Where the last
-/// round there is still finds something, all stay where they were.
+/// Moves vertices with their zones, inside the place that was searched. A zone that would have to leave it
+/// stops in the next round. So does a zone that would enter a solid. If the last available round still finds
+/// a pair, all vertices return to their positions at the start of the substep.
 struct MoveImpactZones {
-  /// Of its radius: no zone takes a vertex nearer than that to a solid that does not give way.
+  /// Fraction of the contact radius: no zone takes a vertex nearer than that to an immovable solid.
   static constexpr float least_distance = 0.25f;
 
   ClothState cloth;
@@ -153,13 +153,14 @@ struct MoveImpactZones {
     const Vec4 x = position[v];
     if (x.w == 0) return;
     const bool stays = last || impact_zones.anchor[name] == ImpactZones::the_start;
-    // Ways, not places: what rounding takes of places would be lost momentum.
+    // Computed with displacements, not positions: the rounding of positions would lose momentum.
     const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
     const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
     const Vec3 inside = cloth.kept.inside(v, to);
     const bool leaves = inside != to, stops = leaves || (!stays && enters_solid(v, from, to));
     const Vec3 displacement = leaves ? inside - from : wanted;
-    // Of a zone that stays each loses its share of the whole, as if the zone had gone on.
+    // In a zone that stays, each vertex loses its fraction of the whole momentum, as if the zone had moved
+    // on.
     const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
     if (due != displacement) taken.add(v, due - displacement);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// From a pair of features to a contact, if it is one.
+// The narrow phase: from a pair of features to a contact, if it is one.
 #pragma once
 
 #include "cloth/self_contact/cull.h"
@@ -9,15 +9,16 @@
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// Nothing penetrates at the substep's start, so that the side is known from there. Where the motion is short
-/// for the distance, the pair is looked at where it is predicted to be; else where it meets on the way.
+/// Nothing penetrates at the start of a substep, so that start gives the side of each contact. Where the
+/// motion is small against the distance, the pair is tested at its predicted position. Otherwise it is tested
+/// where it meets during the motion.
 struct MakeContacts {
   ClothState cloth;
   View<const FeatureCode> candidate_list;
   View<const Vec3> rest;  // by vertex
   ContactList list;
   View<uint32_t> entries;  // by vertex: its number of contacts
-  float separation;        // of a thickness: how much further apart overlaps are pushed in the substep
+  float separation;        // of a thickness: how much further overlaps are pushed apart in the substep
   uint32_t stride;
 
   using Scratch = CullScratch;
@@ -33,7 +34,7 @@ struct MakeContacts {
   }
 
  private:
-  /// A quick look, which few pass.
+  /// A quick test, which few pairs pass.
   MENISCUS_HD bool may_be_contact(FeatureCode code) const {
     if (code.is_guards()) return false;
     const Corners corners = cloth.corners_of(code);
@@ -72,9 +73,9 @@ struct MakeContacts {
   MENISCUS_HD float thickness_of(FeatureCode code) const {
     return 0.5f * (first_part(code).thickness + second_part(code).thickness);
   }
-  /// From where on two features count as apart.
+  /// The distance beyond which two features count as apart.
   MENISCUS_HD float reach_of(FeatureCode code) const { return 1.1f * thickness_of(code); }
-  /// Whatever comes nearer than this on its way is a contact in any case.
+  /// Any pair that comes nearer than this during its motion is a contact.
   MENISCUS_HD float nearness_of(FeatureCode code) const {
     return first_part(code).nearness + second_part(code).nearness;
   }
@@ -82,8 +83,8 @@ struct MakeContacts {
     return sqrtf(first_part(code).friction * second_part(code).friction);
   }
 
-  /// Whether the nearest place is one that another pair of features has as well: of two edges an end, of a
-  /// triangle an edge or a corner that is not its own.
+  /// Whether the nearest point also belongs to another pair of features. That is an end of one of two edges,
+  /// or an edge or corner that the triangle does not own.
   MENISCUS_HD bool is_another_pairs(FeatureCode code, const Corners& corners, const Nearest& now) const {
     if (corners.edges()) return now.on != 15;
     const uint32_t owned = cloth.features[code.second_place()];
@@ -105,7 +106,7 @@ struct MakeContacts {
     }
   }
 
-  /// What is nearer than the thickness at rest, as in a fine mesh, is not pushed apart.
+  /// Features that are nearer than the thickness at rest, as in a fine mesh, are not pushed apart.
   MENISCUS_HD float distance_to_keep(FeatureCode code, const Corners& corners, float thickness) const {
     if (cloth.tree.triangles[code.first_place()].part != cloth.tree.triangles[code.second_place()].part)
       return thickness;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set of contacts between cloth and cloth.
 #pragma once
 
 #include <algorithm>
@@ -12,37 +14,38 @@
 
 namespace meniscus::cloth {
 
-/// How the triangles of one part meet others, and one another.
+/// How the triangles of one part collide with other parts and with one another.
 struct ContactPart {
-  float thickness = 0.01f;   ///< m, > 0: two parts keep half of the sum of theirs
-  float friction = 0.3f;     ///< Coulomb's μ, ≥ 0; of two parts the geometric mean
-  CollisionFilter filter{};  ///< which other parts it meets
-  bool self = true;          ///< whether it meets itself
+  float thickness = 0.01f;   ///< m, > 0: two parts keep half the sum of their thicknesses
+  float friction = 0.3f;     ///< Coulomb's μ, ≥ 0; two parts use the geometric mean
+  CollisionFilter filter{};  ///< which other parts it collides with
+  bool self = true;          ///< whether it collides with itself
 };
 
-/// Keeps cloth from passing through cloth: contacts of vertices with triangles and of edges with edges.
+/// Keeps cloth from passing through cloth, by contacts of vertices with triangles and of edges with edges.
 ///
-///   project  at first finds pairs of features that come within the thickness, when cloth's own constraints
-///            have had their say, and the side on which each stays; then pushes them apart, with friction;
-///   guard()  settles: makes sure that nothing has passed through. Where the solve has not sufficed, vertices
-///            go on together.
+///   project    runs after cloth's own constraints. At first it finds pairs of features that come within the
+///              thickness, and the side on which each stays. Then it pushes them apart, with friction;
+///   fail-safe  (ccd_failsafe()) ensures at the end that nothing has passed through. Where the solve did not
+///              suffice, it unites vertices in impact zones.
 ///
-/// Both look at the same list of pairs, which is kept: each vertex has a ball that it is to stay in, and
-/// pairs are looked for anew at a step's start and when one would leave it.
+/// Both use the same list of pairs, which is kept over several substeps. Each vertex has a motion bound, a
+/// ball that it is to stay in. Pairs are searched for again at the start of a step, and when a vertex would
+/// leave its ball.
 ///
-/// It should come after cloth's own constraints, and guard() after whatever else moves vertices. The state at
-/// a substep's start must not have cloth passed through cloth; what overlaps by thickness alone is pushed
-/// apart slowly. What only prescribed motion brings together is not kept apart by it.
+/// This set should come after cloth's own constraints, and the fail-safe after everything else that moves
+/// vertices. At the start of a substep no cloth may have passed through cloth. Overlap by thickness alone is
+/// opened slowly. Cloth that only prescribed motion brings together is not kept apart.
 template <class D>
 class SelfContacts final : public pbd::ConstraintSet<D> {
  public:
-  /// Nobody else may fit the tree's boxes.
+  /// Nothing else may fit the boxes of the tree.
   SelfContacts(D& device, pbd::SurfaceTree<D>& tree) : device_(device), tree_(tree), ccd_failsafe_(*this) {}
 
   pbd::ConstraintSet<D>& ccd_failsafe() { return ccd_failsafe_; }
 
-  /// All cloth from now on. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
-  /// free of strain, also where it lies in the device's memory; that view must stay valid. `heaviest` is the
+  /// Replaces all cloth. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
+  /// without strain. `device_rest` is the same in the device's memory, and must stay valid. `heaviest` is the
   /// mass of the heaviest vertex, kg.
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
                    pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts, float heaviest);
@@ -56,13 +59,13 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void save() override;
   void restore() override;
 
-  /// Of the last step's substeps, the most contacts in any.
+  /// The greatest number of contacts in any substep of the last step.
   uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }
-  /// How often pairs were looked for in the last step.
+  /// The number of searches for pairs in the last step.
   uint32_t listings() const { return found(self_contact_kernels::listings); }
-  /// And how often of these for a substep alone.
+  /// The number of these searches that were made for one substep only.
   uint32_t brief_listings() const { return found(self_contact_kernels::brief); }
-  /// Of the last step's substeps, the most pairs that would have passed through one another.
+  /// The greatest number of pairs in any substep of the last step that would have passed through one another.
   uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
 
  private:
@@ -76,10 +79,11 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   static constexpr uint32_t first_rounds = 2;
   static constexpr uint32_t most_threads = 1u << 19;  // of a launch over a list: they fill a GPU
   static constexpr uint32_t threads_together = 128;   // in a group of them
-  static constexpr int sweeps = 2;  // an iteration: contacts need more than what they hold apart
+  static constexpr int sweeps =
+      2;  // an iteration: contacts need more sweeps than the cloth that they hold apart
 
   uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
-  /// Groups of threads for all groups of triangles, of which each takes so many.
+  /// The number of groups of threads for all groups of triangles, of which each takes Scratch::groups.
   template <class Scratch>
   uint32_t blocks_of() const {
     return (groups_ + Scratch::groups - 1) / Scratch::groups;
@@ -109,9 +113,10 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::View<const Vec3> rest_;
   uint32_t vertices_ = 0, groups_ = 0, rounds_ = first_rounds;
   float least_distance_ = 0;  // m: see FindCrossings
-  float unit_ = 0;            // kg·m, of the integers that pushes are summed in
-  bool anew_ = true;          // pairs are to be looked for, whatever is kept
-  /// Whether most of the last step's lists were made for a substep alone, and before that step.
+  float unit_ = 0;            // kg·m, of the integers that sum up pushes
+  bool anew_ = true;          // search for pairs in any case
+  /// Whether most lists of the last step were made for one substep only, and whether those of the step before
+  /// were.
   bool is_brief_ = false, was_brief_ = false;
 
   pbd::Buffer<self_contact_kernels::Part> parts_{device_, "cloth contact parts"};
@@ -122,7 +127,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
   pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"},
       wide_{device_, "places of cloth vertices"};
-  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // then: see RolledBack
+  pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // after the solve: see RolledBack
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
   pbd::Buffer<uint32_t> impact_zone_label_{device_, "cloth zones"}, impact_zone_mark_{device_, "cloth zones"},
       impact_zone_anchor_{device_, "cloth zones"};

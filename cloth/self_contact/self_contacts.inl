@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// SelfContacts: the launches of a substep, the room for lists, and the saved state.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +24,7 @@ namespace meniscus::cloth {
 
 namespace self_contact_kernels {
 
-/// Vertices of an array over all particles.
+/// The range of the vertices in an array over all particles.
 template <class T>
 View<T> vertices_of(View<T> all, uint32_t sorted, uint32_t count) {
   return {all.data + sorted, count};
@@ -30,7 +32,7 @@ View<T> vertices_of(View<T> all, uint32_t sorted, uint32_t count) {
 
 }  // namespace self_contact_kernels
 
-/// Where those that are listed will not do any more.
+/// Lists the pairs again where the present lists no longer hold.
 template <class D>
 void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
@@ -56,7 +58,7 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
 template <class D>
 void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
-  constexpr float separation_time = 0.02f;  // s, in which an overlap is opened by a thickness
+  constexpr float separation_time = 0.02f;  // s, in which an overlap is opened by one thickness
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for(
       "self contacts/foresee", vertices_,
@@ -150,7 +152,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
 
 // ---- room ----
 
-/// How many rounds found something.
+/// The number of rounds that found something.
 template <class D>
 uint32_t SelfContacts<D>::used_rounds() const {
   uint32_t used = 0;
@@ -161,8 +163,8 @@ uint32_t SelfContacts<D>::used_rounds() const {
 template <class D>
 void SelfContacts<D>::start_step() {
   using namespace self_contact_kernels;
-  // What the last step had no use for goes one by one. A round too many costs little, a step that is done
-  // again as much as it took.
+  // Rounds that the last step did not use are dropped one by one. A superfluous round costs little. A
+  // repeated step costs as much as the step itself.
   if (!idle()) rounds_ = std::min(most_rounds, std::max({first_rounds, used_rounds() + 2, rounds_ - 1}));
   std::fill(found_.host().begin(), found_.host().end(), 0u);
   anew_ = true;
@@ -193,7 +195,7 @@ void SelfContacts<D>::reserve_contacts(uint32_t capacity) {
   plane_.resize_discard(capacity);
   multiplier_.resize_discard(capacity);
   weights_.resize_discard(capacity);
-  corners_.resize_discard(capacity);  // last: its length is what counts
+  corners_.resize_discard(capacity);  // last: its size is the one that is checked
 }
 
 // ---- state ----
@@ -217,7 +219,8 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   rest_ = device_rest;
   vertices_ = static_cast<uint32_t>(rest.size());
   groups_ = tree_.places() / 8;
-  // A vertex can take some 2¹³ m times the greatest mass, in steps far below a float's.
+  // The integer sums hold displacements up to about 2¹³ m of the heaviest vertex, in units far below a
+  // float's precision.
   unit_ = std::ldexp(1.0f, std::ilogb(heaviest > 0 ? heaviest : 1.0f) - 49);
 
   cones_.resize_discard(groups_);
@@ -240,7 +243,8 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   counters_.fill(0);
   if (found_.host().empty()) {
     found_.resize_discard(self_contact_kernels::counter_count);
-    std::fill(found_.host().begin(), found_.host().end(), 0u);  // a step starts with a look at the last one's
+    std::fill(found_.host().begin(), found_.host().end(),
+              0u);  // a step starts by reading those of the last step
   }
   start_step();
   strayed_.fill(0);
@@ -313,10 +317,10 @@ self_contact_kernels::SheetViews SelfContacts<D>::sheets() {
   return {cones_.view(), neighbour_start_.view(), neighbours_.view(), smooth_.view()};
 }
 
-/// While zones are at work, nothing pushes: they share its sums.
+/// Contacts do not push while impact zones are solved, so both share the sums.
 template <class D>
 self_contact_kernels::ImpactZones SelfContacts<D>::impact_zones() {
-  constexpr float coarser = 1 << 9;  // as many vertices add up
+  constexpr float coarser = 1 << 9;  // so many vertices can be summed
   return {impact_zone_label_.view(),
           impact_zone_mark_.view(),
           impact_zone_anchor_.view(),
@@ -327,7 +331,7 @@ self_contact_kernels::ImpactZones SelfContacts<D>::impact_zones() {
 
 template <class D>
 self_contact_kernels::PartSums SelfContacts<D>::part_sums() {
-  constexpr float coarser = 1 << 9, coarse = 1 << 29;  // a part may be a million vertices, under water
+  constexpr float coarser = 1 << 9, coarse = 1 << 29;  // a part may have a million vertices, under water
   return {part_sums_.view(), coarser * unit_, coarse * unit_};
 }
 

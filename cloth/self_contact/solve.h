@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The solve of cloth-to-cloth contacts: contacts push, then vertices move by what has pushed them.
+// The solve of cloth-to-cloth contacts: contacts push, then vertices move by the sums of their pushes.
 #pragma once
 
 #include "cloth/self_contact/views.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
-/// What pushes vertices: three numbers each, which add up to the same in any order.
+/// The pushes on vertices, as three integers each. These have the same sum in any order.
 struct PushSums {
   View<int64_t> sums;
   float unit;  // kg·m, of the integers; a power of 2
@@ -24,7 +24,7 @@ struct PushSums {
     return unit * Vec3{static_cast<float>(sums[3 * v]), static_cast<float>(sums[3 * v + 1]),
                        static_cast<float>(sums[3 * v + 2])};
   }
-  /// The same; it begins anew.
+  /// The sum, kg·m; resets it to 0.
   MENISCUS_HD Vec3 take(uint32_t v) const {
     return unit * Vec3{take_one(sums[3 * v]), take_one(sums[3 * v + 1]), take_one(sums[3 * v + 2])};
   }
@@ -38,9 +38,9 @@ struct PushSums {
 };
 
 /// C = n·r − d ≥ 0 with r = Σ weight · x, and Coulomb's friction (Macklin et al. 2014, eqs. 23 and 24): the
-/// slip of the substep is taken back up to μ times the normal push. Both multipliers are accumulated. All
-/// contacts act at once; a vertex with k contacts lends 1/k of its mass to each (mass splitting, Tonge,
-/// Benevolenski & Voroshilov 2012), so that together they push no more than there is to push.
+/// slip of the substep is reversed, by up to μ times the normal push. Both multipliers are accumulated. All
+/// contacts act at once. A vertex with k contacts gives 1/k of its mass to each (mass splitting, Tonge,
+/// Benevolenski & Voroshilov 2012). So together they do not push too far.
 struct PushApart {
   ContactList list;
   View<const Vec4> position, previous;  // by vertex
@@ -74,7 +74,7 @@ struct PushApart {
     for (uint32_t k = 0; k < 4; ++k) sums.add(corners.vertex(k), weight[k] * added);
   }
 
-  /// What it adds, kg·m.
+  /// The increment of the contact's push, kg·m.
   MENISCUS_HD Vec3 push(uint32_t c, Vec3 r, Vec3 slip, float give, float friction) const {
     const Vec4 plane = list.plane[c], old = list.multiplier[c];
     const Vec3 n = plane.xyz();
@@ -86,7 +86,7 @@ struct PushApart {
   }
 };
 
-/// Moves vertices by what has pushed them.
+/// Moves vertices by the sums of their pushes.
 struct MoveVertices {
   View<const uint32_t> entries;  // by vertex
   View<Vec4> position, accumulated_delta;

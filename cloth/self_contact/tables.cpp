@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Builds the tables of features, neighbours and fineness for self-contact.
 #include "cloth/self_contact/tables.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the contacts of cloth with cloth know of a mesh beforehand.
+// What is known of a mesh before simulation: owned features, neighbours and fineness, for self-contact.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace meniscus::cloth {
 
-/// Bits by triangle: each vertex and each edge belongs to one of its triangles, so that no two features meet
-/// twice (Curtis, Tamstorf & Manocha 2008). Edge k runs from corner k to the next.
+/// Bits by triangle. Each vertex and each edge belongs to one of its triangles, so that no pair of features
+/// is tested twice (Curtis, Tamstorf & Manocha 2008). Edge k runs from corner k to the next.
 inline constexpr uint16_t owns_vertex = 1, owns_edge = 1 << 3, is_border = 1 << 6;
 
 struct SelfContactTables {
   std::vector<uint16_t> features;  ///< by place in the tree
-  /// By group of eight places, ascending: the groups that share a vertex with it, itself among them.
+  /// By group of eight places, ascending: the groups that share a vertex with it, including itself.
   std::vector<uint32_t> neighbour_start, neighbours;
   std::vector<float> fineness;        ///< m, by part: the least height of a triangle
-  std::vector<uint32_t> vertex_part;  ///< no_index for what is of no triangle, as ropes are
+  std::vector<uint32_t> vertex_part;  ///< no_index for a vertex in no triangle, as in ropes
 };
 
-/// `triangles` in the tree's order, a = no_index where nothing stands.
+/// `triangles` in the order of the tree, with a = no_index at empty places.
 SelfContactTables build_tables(std::span<const pbd::SurfaceTriangle> triangles,
                                std::span<const Vec3> positions, size_t parts);
 

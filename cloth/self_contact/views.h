@@ -30,33 +30,34 @@ struct Part {
   float friction;
   uint32_t filter_groups, filter_mask;
   uint32_t self;
-  float nearness;  // m: half of what makes any pair a contact
+  float nearness;  // m: half of the distance at which any pair is a contact
 };
 
-/// Rounds of the guard are counted one by one.
+/// The rounds of the fail-safe are counted one by one.
 inline constexpr uint32_t most_rounds = 32;
 enum Counter : uint32_t {
   candidates,
   contacts,
   group_pairs,
-  expired,        // not 0: the lists of pairs hold no longer
-  restless,       // not 0: nor would such as are made for many substeps
+  expired,        // not 0: the lists of pairs no longer hold
+  restless,       // not 0: lists made for many substeps would not hold either
   age,            // of the lists, substeps
-  listings,       // since the step's start
-  brief,          // of these, such as are made for a substep alone
-  overflowed,     // not 0: a list had no room, and the step will be done again
-  lost,           // not 0: a vertex was taken back, and its momentum lost
-  folded_sheets,  // groups whose sheets have folded, in this round of the guard
+  listings,       // searches since the step's start
+  brief,          // those made for one substep only
+  overflowed,     // not 0: a list had no room, and the step will be repeated
+  lost,           // not 0: a vertex was rolled back, and its momentum is still to be transferred
+  folded_sheets,  // groups whose sheets have folded, in this round of the fail-safe
   crossings,
   counter_count = crossings + most_rounds
 };
 
-/// Whether a round of the guard has anything to do: whether the one before it has found anything.
+/// Whether a round of the fail-safe has anything to do: the first has, and later ones if the round before
+/// found a pair.
 MENISCUS_HD inline bool is_round_needed(View<const uint32_t> found, uint32_t round) {
   return found[overflowed] == 0 && (round == 0 || found[crossings + round - 1] != 0);
 }
 
-/// A feature of the triangle at a place: 0 to 2 a vertex, 3 to 5 an edge, 6 the face.
+/// A feature of the triangle at a place: 0 to 2 for a vertex, 3 to 5 for an edge, 6 for the face.
 using Feature = uint32_t;
 inline constexpr uint32_t face = 6;
 
@@ -64,7 +65,8 @@ MENISCUS_HD constexpr Feature feature(uint32_t place, uint32_t which) {
   return place << 3 | which;
 }
 
-/// A vertex and a face, or two edges; bit 31 of the first: it is the guard's alone, and becomes no contact.
+/// A vertex and a face, or two edges. Bit 31 of the first: only the fail-safe checks the pair, and it becomes
+/// no contact.
 struct FeatureCode {
   static constexpr uint32_t guard_bit = 1u << 31;
 
@@ -75,7 +77,7 @@ struct FeatureCode {
   MENISCUS_HD uint32_t second_place() const { return second >> 3; }
 };
 
-/// Two groups of triangles whose boxes overlap, first ≤ second; or one, with itself.
+/// Two groups of triangles whose boxes overlap, first ≤ second; or one group, with itself.
 struct GroupPair {
   uint32_t first, second;
 };
@@ -85,7 +87,7 @@ MENISCUS_HD inline GroupPair places_of(GroupPair pair, uint32_t k) {
   return {8 * pair.first + k / 8, 8 * pair.second + k % 8};
 }
 
-/// Puts elements at the end of a list, a few at once, as the list's end is asked for by all threads.
+/// Appends elements to a list, several at once, since all threads contend for the end of the list.
 template <class T>
 class Appending {
  public:
@@ -114,15 +116,15 @@ class Appending {
   T kept_[room];
 };
 
-/// Where vertices stay while lists of pairs are kept.
+/// The motion bounds of vertices while lists of pairs are kept.
 struct KeptPlaces {
-  View<const Vec4> balls;  // by vertex: the centre and the radius, m
+  View<const Vec4> balls;  // by vertex: centre and radius, m
 
   MENISCUS_HD Aabb box(uint32_t v) const {
     const Vec4 ball = load(balls, v);
     return pbd::inflated({ball.xyz(), ball.xyz()}, ball.w);
   }
-  /// Of a place that a vertex would go to, the nearest that it may go to.
+  /// The position inside the motion bound of v that is nearest to x.
   MENISCUS_HD Vec3 inside(uint32_t v, Vec3 x) const {
     constexpr float within = 0.999f;  // of the radius, for rounding
     const Vec4 ball = balls[v];
@@ -132,13 +134,13 @@ struct KeptPlaces {
   }
 };
 
-/// How many of a list there are, unless it had no room for some.
+/// The number of elements in a list, which may be less than the number found.
 template <class T>
 MENISCUS_HD uint32_t listed(View<T> list, uint32_t found) {
   return found < list.count ? found : list.count;
 }
 
-/// Pairs of groups whose boxes overlap, but for those in smooth sheets.
+/// Pairs of groups whose boxes overlap, except pairs in smooth sheets.
 struct GroupPairs {
   View<GroupPair> list;
   View<uint32_t> counters;
@@ -146,17 +148,17 @@ struct GroupPairs {
   MENISCUS_HD uint32_t count() const { return listed(list, counters[group_pairs]); }
 };
 
-/// What is smooth around a group. While the normals of a group and of all its neighbours, which share a
-/// vertex with it, are within a half-space, no two of these triangles can touch (Volino & Magnenat-Thalmann
-/// 1994): pairs of the group and its neighbours are not looked at. The normals of just the two of a pair are
-/// not enough, as what lies between them may be folded.
+/// Which groups have smooth surroundings. The normals of a group and of all its neighbours, which share a
+/// vertex with it, may lie within one half-space. Then no two of these triangles can touch (Volino &
+/// Magnenat-Thalmann 1994), and pairs of the group and its neighbours are left out. The normals of the two
+/// groups of a pair alone do not suffice, as the sheet between them may be folded.
 struct SheetViews {
   View<const Vec4> cones;                            // by group: an axis, and the widest angle to it, rad
-  View<const uint32_t> neighbour_start, neighbours;  // by group, itself among them
+  View<const uint32_t> neighbour_start, neighbours;  // by group, including itself
   View<uint32_t> smooth;                             // by group
 
   static constexpr float widest = 1.3f;   // rad, from a group's axis to any normal around
-  static constexpr float leeway = 0.13f;  // rad, that normals may be further off before it holds no longer
+  static constexpr float leeway = 0.13f;  // rad: how much further normals may turn
 
   MENISCUS_HD bool is_smooth(uint32_t g) const {
     const Vec3 axis = cones[g].xyz();
@@ -173,13 +175,13 @@ struct SheetViews {
       if (neighbours[n] == second) return true;
     return false;
   }
-  /// Whether a normal of a group's, of any length, lets all that is smooth around stay so; without a look at
-  /// what is around.
+  /// Whether a normal of a group's triangle, of any length, keeps all smooth surroundings smooth. This needs
+  /// no test of the surroundings.
   MENISCUS_HD bool is_in_cone(uint32_t g, Vec3 n) const {
     const Vec4 cone = cones[g];
     return dot(n, cone.xyz()) >= cosf(pbd::min(3.1415927f, cone.w + leeway)) * length(n);
   }
-  /// Whether a normal around a smooth group ends that.
+  /// Whether a normal near a smooth group ends its smoothness.
   MENISCUS_HD bool ends_smoothness(uint32_t g, Vec3 n) const {
     return smooth[g] && dot(n, cones[g].xyz()) < cosf(widest + leeway) * length(n);
   }
@@ -195,7 +197,7 @@ MENISCUS_HD inline bool has_vertex(const SurfaceTriangle& t, uint32_t v) {
   return t.a == v || t.b == v || t.c == v;
 }
 
-/// The four vertices of a contact; bit 31 of the first: two edges.
+/// The four vertices of a contact. Bit 31 of the first: two edges.
 struct alignas(16) Corners {
   static constexpr uint32_t edges_bit = 1u << 31;
 
@@ -209,18 +211,18 @@ struct ContactWeights {
   float u, v, friction;
 };
 
-/// Contacts, array by array.
+/// Contacts, as a structure of arrays.
 struct ContactList {
   View<Corners> corners;
   View<Vec4> plane;       // normal n, and the distance to be kept
-  View<Vec4> multiplier;  // of friction, and of the normal push, kg·m
+  View<Vec4> multiplier;  // of friction and of the normal push, kg·m
   View<ContactWeights> weights;
   View<uint32_t> counters;
 
   MENISCUS_HD uint32_t count() const { return listed(corners, counters[contacts]); }
 };
 
-/// The vertices of a substep, and what is known of the surface.
+/// The vertices of a substep, and the tables of the surface.
 struct ClothState {
   View<const Vec4> previous, position;  // by vertex
   KeptPlaces kept;
@@ -240,7 +242,7 @@ struct ClothState {
   }
 };
 
-/// The pair's way from `from` to `to`, seen from where its first vertex starts.
+/// The motion of the pair from `from` to `to`, relative to the start of its first vertex.
 MENISCUS_HD inline FeaturePair pair_of(const Corners& corners, View<const Vec4> from, View<const Vec4> to) {
   FeaturePair pair;
   pair.edges = corners.edges();

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels of bending: isometric and dihedral hinges.
 #pragma once
 
 #include "cloth/build/constraints.h"
@@ -11,12 +13,12 @@ namespace meniscus::cloth::bending_kernels {
 using pbd::gather;
 using pbd::scatter;
 
-/// An isometric hinge. With |Σ k x| as the constraint the direction is lost where it is 0; the
-/// three components as three constraints have the same energy, and constant gradients.
+/// An isometric hinge, taken as three constraints, one for each component of Σ k x. The single constraint
+/// |Σ k x| has no direction at 0. The three have the same energy and constant gradients.
 struct SolveIsometric {
   View<const PackedHinge> hinges;
   View<const Vec4> coefficients;  ///< k of b, c and d; w: the compliance, m²/J
-  View<Vec4> multiplier;          ///< kg·m; none where no iteration follows that would go on from it
+  View<Vec4> multiplier;          ///< kg·m; empty if no later iteration continues from it
   bool starts;
 
   MENISCUS_HD void prefetch(uint32_t k) const {
@@ -25,7 +27,7 @@ struct SolveIsometric {
     if (!starts) pbd::prefetch(multiplier, k);
   }
 
-  /// What is constant of hinges side by side.
+  /// The constants of hinges that are solved side by side.
   template <class D>
   struct Items {
     pbd::Places<D> number[4];
@@ -57,7 +59,8 @@ struct SolveIsometric {
     const Real damping = vertices.template bending_damping<D>(number[0]);
     const bool damped = less_mask(zero, damping) != 0;
     LaneVertex<D> x[4];
-    // From the first vertex, not the origin, from which far away all would be rounding.
+    // Positions are taken relative to the first vertex. Relative to a distant origin, only rounding would be
+    // left.
     Vector c{zero, zero, zero}, displacement{zero, zero, zero};
     Real weight = zero;
     MENISCUS_UNROLL
@@ -81,15 +84,15 @@ struct SolveIsometric {
   }
 };
 
-/// θ of a hinge and its gradient.
+/// The angle θ of a hinge, and its gradient.
 struct Fold {
   float angle;
   Vec3 gradient[4];  ///< 1/m, at a, b, c and d
   bool defined;
 };
 
-/// Gradients as in Bridson, Marino & Fedkiw 2003: c and d move along their triangles' normals, a and b take
-/// up force and torque.
+/// Gradients as in Bridson, Marino & Fedkiw 2003: c and d move along the normals of their triangles, and a
+/// and b balance force and torque.
 MENISCUS_HD inline Fold fold_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 e = b - a, n1 = cross(e, c - a), n2 = cross(d - a, e);
   const float e2 = dot(e, e), n1n1 = dot(n1, n1), n2n2 = dot(n2, n2);
@@ -110,7 +113,7 @@ MENISCUS_HD inline Fold fold_of(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
 /// A dihedral hinge.
 struct SolveHinge {
   View<const HingeConstraint> hinges;
-  View<float> multiplier;  ///< kg·m²; none where no iteration follows
+  View<float> multiplier;  ///< kg·m²; empty if no later iteration continues from it
   bool starts;
 
   MENISCUS_HD void prefetch(uint32_t k) const {
@@ -143,7 +146,7 @@ struct SolveHinge {
     for (int i = 0; i < 4; ++i) vertices.push(number[i], x[i], step * fold.gradient[i]);
   }
 
-  /// θ − θ₀, the shorter way round.
+  /// θ − θ₀, taken the shorter way round.
   MENISCUS_HD static float turned_from(float rest, float angle) {
     constexpr float pi = 3.14159265f;
     const float turn = angle - rest;

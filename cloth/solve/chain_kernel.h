@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernel that solves for all edges of a chain at once.
 #pragma once
 
 #include "cloth/solve/chains_at_once.h"
@@ -18,55 +20,56 @@ using pbd::Vec3Of;
 using pbd::Vec4Of;
 
 /// XPBD for all edges of a chain at once (the direct solve of Deul et al. 2018, for points), with the
-/// geometric stiffness of what is taut (Tournier et al. 2015): an edge with multiplier λ and length l that
-/// turns by Δd across itself pushes with λ Δd/l. Without it a taut chain flies to the sides wherever λ/(m l)
-/// is not small, and a light vertex between heavy ones would seem to give way to any pull.
+/// geometric stiffness of taut edges (Tournier et al. 2015). An edge with multiplier λ and length l that
+/// turns by Δd across itself pushes with λ Δd/l. Without this term a taut chain flies to the sides wherever
+/// λ/(m l) is not small. A light vertex between heavy ones would then seem to yield to any pull.
 ///
-/// 1. Lengths. With n the edges' directions, t that of the chain at a vertex, and W = w (t tᵀ + s (1 − t
-/// tᵀ)),
-///    s = 1/(1 + w Σ|λ|/l) with the last λ, row k of (J W Jᵀ + A) Δλ = −C − A λ is
+/// 1. Lengths. n are the directions of the edges, and t is the direction of the chain at a vertex. With
+///    W = w (t tᵀ + s (1 − t tᵀ)) and s = 1/(1 + w Σ|λ|/l) from the last λ, row k of (J W Jᵀ + A) Δλ = −C − A
+///    λ is
 ///
 ///      −n_k₋₁ᵀ W_k n_k Δλ_k₋₁ + (n_kᵀ (W_k + W_k₊₁) n_k + α̃) Δλ_k − n_kᵀ W_k₊₁ n_k₊₁ Δλ_k₊₁ = −C_k − α̃ λ_k
 ///
 ///    with damping as in xpbd_step.
-/// 2. Ways to the sides, y: (1 + w G) y = w f, with f the part of the vertices' pushes across the chain, what
-///    comes of λ having turned, and G the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy: in pairs,
-///    so that momentum is kept.
-///    Where a mass m stands behind a vertex (Substep::effective_mass), it resists as well: s has it beside Σ|λ|/l,
-///    the row of y is (1 + w G + w m) y = w f, and the mass gets m y.
+/// 2. Lateral displacements y: (1 + w G) y = w f. f is the part of the vertices' pushes across the chain,
+///    which results from the turning of λ. G is the Laplacian of |λ|/l. Edges then push with λ n − |λ|/l Δy.
+///    They push in pairs, so that momentum is conserved. An effective mass m behind a vertex
+///    (Substep::effective_mass) resists as well. It is added to Σ|λ|/l in s, the row of y is
+///    (1 + w G + w m) y = w f, and the mass gets m y.
+/// 3. Bound. Both steps hold only while edges turn by little. A light vertex between heavy ones might move
+///    further than its edge is long. The whole chain then takes the fraction of its step that moves the
+///    vertex by exactly that length.
 ///
-/// 3. Both hold as long as edges hardly turn. Where a vertex would move further than its edge is long, as a
-///    light one between heavy ones may, the whole chain takes the share of its step with which it just does.
-///
-/// Where pushes are pending (ClothSet::start_from_last), the chain takes up what these would do to its
-/// lengths, and no more: its own pushes are added to them, and nothing moves. What lengths lack besides is
-/// left to the next solve, which turns edges as well: without that a taut chain under a heavy body flies to
+/// Pushes may be pending (ClothSet::start_from_last). The chain then absorbs what they would do to its
+/// lengths, and no more. Its own pushes are added to them, and nothing moves. Other errors of length are left
+/// to the next solve, which turns edges as well. Without turning, a taut chain under a heavy body flies to
 /// the sides.
 ///
-/// What is pressed together is lengthened in full, as what is stretched is shortened: of small motions to and
-/// fro, either alone would be left.
+/// Compressed edges are lengthened in full, just as stretched edges are shortened. If only one of the two
+/// were corrected, small oscillations would leave a net change of length.
 struct SolveChains {
   template <class Group>
   using Scratch = ChainScratch<Group>;
-  // See CudaDevice: many short steps, one after the other.
+  // Many short steps, one after the other; see CudaDevice.
   static constexpr uint32_t group_threads = 256, resident_blocks = 4;
 
   View<const Chain> chains;
   View<const EdgeConstraint> edges;
-  View<Vec4> multiplier;  ///< kg·m: what an edge pushes with, and λ
+  View<Vec4> multiplier;  ///< kg·m: the impulse that an edge pushes with, and λ
   VertexState all;
-  View<Vec4> pending;         ///< kg·m, by vertex, where any is
+  View<Vec4> pending;         ///< kg·m, by vertex; empty if nothing is pending
   View<Vec4> effective_mass;  ///< see Substep::effective_mass
-  /// By piece, see load_kernels::Bearing, if any may bear something: those chains take up nothing that is
-  /// pending, and are the ones that start from none of the last substep's multipliers; else all do.
+  /// By piece, see load_kernels::Load; empty if no piece may be loaded. Chains of loaded pieces absorb
+  /// nothing that is pending, and start without the multipliers of the last substep. If this view is empty,
+  /// all chains start without them.
   View<const uint32_t> loaded;
   bool starts;
-  /// The first after what was put aside, beside which λ of the last substep stands: only that says how taut
-  /// the chain is.
+  /// This is the first solve after pending pushes were absorbed. These stand in the multiplier beside λ of
+  /// the last substep, which serves only as the tension of the chain.
   bool takes_over;
   uint32_t first, end;  ///< chains of the layer
 
-  /// Brings constants near: of edges the lengths at rest, and as diagonals their compliances.
+  /// Loads constants: the rest lengths of edges, and their compliances into the diagonal.
   template <class Group>
   MENISCUS_HD void prepare(const Group& group, Scratch<Group>& scratch, uint32_t number) const {
     if constexpr (!Group::is_one_thread) {
@@ -88,7 +91,7 @@ struct SolveChains {
   MENISCUS_HD void operator()(const Group& group, Scratch<Group>& scratch, uint32_t number) const;
 };
 
-/// Puts λ of edges aside.
+/// Saves λ of edges.
 struct KeepMultipliers {
   View<const Vec4> multiplier;
   View<float> kept;
@@ -102,7 +105,7 @@ struct RestoreMultipliers {
   MENISCUS_HD void operator()(uint32_t k) const { multiplier[k] = {0, 0, 0, kept[k]}; }
 };
 
-/// The same for as many chains as the group's threads have lanes.
+/// The same for as many chains as a thread of the group has lanes.
 template <class Group>
 class SolveChainsAtOnce {
   using D = typename Group::Device;
@@ -148,12 +151,12 @@ class SolveChainsAtOnce {
   using Sideways = typename Scratch::Sideways;
   using Edge = typename Scratch::Edge;
 
-  /// Added to the diagonal, as a share of w_k + w_k₊₁: what is straight between two places that nothing moves
-  /// has no solution.
+  /// Added to the diagonal, as a fraction of w_k + w_k₊₁. Without it, a straight chain between two fixed
+  /// vertices has no solution.
   static constexpr float guard = 0.0003f;
 
-  /// Of the chain at a vertex. Where it folds back, that of both its branches: across them nothing is
-  /// shortened.
+  /// The direction of the chain at a vertex. Where the chain folds back, it is the direction of both
+  /// branches: displacements across them shorten nothing.
   MENISCUS_HD static Vector direction(const Vector& before, const Vector& after) {
     const Real turned = select_less(dot(before, after), Real(0), Real(-1), Real(1));
     const Vector sum = after + turned * before;
@@ -161,7 +164,7 @@ class SolveChainsAtOnce {
     return select_less(Real(1e-30f), square, inverse_sqrt(square), Real(0)) * sum;
   }
 
-  /// How readily a vertex gives way, 1/kg.
+  /// The mobility of a vertex, 1/kg.
   struct Mobility {
     Vector along;
     Real w, sideways;
@@ -173,7 +176,7 @@ class SolveChainsAtOnce {
     }
   };
 
-  /// kg
+  /// The effective mass behind a vertex, kg.
   MENISCUS_HD Real mass_behind(uint32_t k) const {
     return has_effective_mass() ? gather(s_.effective_mass, vertex(k).index()).w : Real(0);
   }
@@ -192,11 +195,11 @@ class SolveChainsAtOnce {
   }
   MENISCUS_HD Vector pending(const Places& v) const { return gather(s_.pending, v.index()).xyz(); }
 
-  /// Edge k stands behind one that is not there.
+  /// Edge k is stored at k + 1, after an edge that does not exist.
   MENISCUS_HD Edge edge(uint32_t k) const { return read_whole(scratch_.edges, k + 1); }
   MENISCUS_HD Real& stiffness(uint32_t k) const { return scratch_.stiffness[k + 1]; }
 
-  /// kg, of an edge with a multiplier: how much it resists being turned.
+  /// kg: how much an edge with a multiplier resists turning.
   MENISCUS_HD static Real resistance(const Real& lambda, const Real& rest_length) {
     return select_less(Real(0), rest_length, max(lambda, -lambda) / rest_length, Real(0));
   }
@@ -227,8 +230,8 @@ class SolveChainsAtOnce {
     }
   }
 
-  /// Of edge slot − 1 its row, but for what comes from the mobilities of the ends, whose weights stand beside
-  /// the diagonal.
+  /// Writes the row of edge slot − 1, without the terms from the mobilities of its ends. The inverse masses
+  /// of the ends stand beside the diagonal.
   MENISCUS_HD void linearize(Length* rows, uint32_t slot) const {
     const Real zero(0);
     const uint32_t k = slot - 1;
@@ -257,7 +260,7 @@ class SolveChainsAtOnce {
       rate = zero;
     }
     const Real gamma = damping_of(from) * compliance / (compliance + weight);
-    // What has no direction, or cannot give way at all, is left alone.
+    // An edge without a direction, or one that cannot yield at all, is left unchanged.
     const Real live = chains_.if_edge(k, select_less(l, Real(1e-12f), zero, weight + compliance));
     const auto if_live = [&](const Real& x, const Real& otherwise) {
       return select_less(zero, live, x, otherwise);
@@ -291,43 +294,43 @@ class SolveChainsAtOnce {
     stiffness(k) = resistance(lambda, scratch_.rest_length[k]);
   }
 
-  /// kg·m, and λ: what edge k has pushed its end with in this substep.
+  /// kg·m, and λ: what edge k has pushed its end with so far in this substep.
   MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
     if (s_.starts && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
     const Vec4Of<Real> v = gather(s_.multiplier, chains_.edge(k).index());
     const Real kept = chains_.if_edge(k, kept_), lambda = s_.takes_over ? along(v.xyz(), edge(k).n) : v.w;
     return {kept * v.x, kept * v.y, kept * v.z, kept * lambda};
   }
-  /// λ of an edge that pushes along itself, in whichever direction.
+  /// λ of an edge that pushes along itself, in either direction.
   MENISCUS_HD static Real along(const Vector& push, const Vector& n) {
     const Real size = square_root(dot(push, push));
     return select_less(dot(push, n), Real(0), -size, size);
   }
-  /// What an edge is to do beyond what it has given, kg·m.
+  /// The change of an edge's push beyond what it has already given, kg·m.
   struct Change {
-    Vector whole, straight;  ///< and of that, what has come to λ
+    Vector whole, straight;  ///< the part of it that belongs to λ
 
     MENISCUS_HD Change operator-() const { return {-whole, -straight}; }
     MENISCUS_HD friend Change operator-(const Change& a, const Change& b) {
       return {a.whole - b.whole, a.straight - b.straight};
     }
   };
-  /// Where it is taut, the whole is to point as the edge does now; where it is pressed together, what was
-  /// given before stays as taken_back() has turned it.
+  /// In a taut edge the whole push is to point as the edge does now. In a compressed edge the earlier push
+  /// stays as taken_back() has turned it.
   MENISCUS_HD Change change(const Edge& e, const Vec4Of<Real>& before) const {
     const Vector straight = (e.lambda - before.w) * e.n, taut = e.lambda * e.n - before.xyz();
     const auto either = [&](const Real& x, const Real& y) { return select_less(Real(0), e.lambda, x, y); };
     return {{either(straight.x, taut.x), either(straight.y, taut.y), either(straight.z, taut.z)}, straight};
   }
   MENISCUS_HD Change change(uint32_t k) const { return change(edge(k), given(k)); }
-  /// What both edges on vertex k do to it.
+  /// The change of push that both edges at vertex k exert on it.
   MENISCUS_HD Change changes_on(uint32_t k) const {
     if (k == 0) return -change(0);
     return k < chains_.most ? change(k - 1) - change(k) : change(k - 1);
   }
-  /// The row of vertex k's way to the sides, m. What turning λ pushes with belongs to it along the chain as
-  /// well: the lengths know nothing of that, and where a chain folds it would throw a light vertex between
-  /// heavy ones. Keeps what its edges do to the vertex.
+  /// The row of the lateral displacement of vertex k, m. The push from turning λ belongs to it along the
+  /// chain as well, since the lengths do not contain it. Where a chain folds, that push would throw a light
+  /// vertex between heavy ones. Stores the push of the edges on the vertex.
   MENISCUS_HD Sideways turn(uint32_t k) const {
     const Real w = scratch_.weight[k], lower = w * stiffness(k - 1), upper = w * stiffness(k);
     const Vector along = direction(edge(k - 1).n, edge(k).n);
@@ -337,25 +340,25 @@ class SolveChainsAtOnce {
             w * (on_it.whole - dot(on_it.straight, along) * along)};
   }
 
-  /// kg·m: what edge k takes back, as it turns.
+  /// kg·m: the part of its push that edge k releases as it turns.
   MENISCUS_HD Vector taken_back(const Sideways* ways, uint32_t k) const {
     return stiffness(k) * (ways[k + 1].right - ways[k].right);
   }
-  /// kg·m: what both edges on vertex k do to it in the end.
+  /// kg·m: the resulting push of both edges on vertex k.
   MENISCUS_HD Vector push_on(const Sideways* ways, uint32_t k) const {
     Vector push = scratch_.push[k];
     if (k > 0) push = push - taken_back(ways, k - 1);
     if (k < chains_.most) push += taken_back(ways, k);
     return has_effective_mass() ? push - mass_behind(k) * ways[k].right : push;
   }
-  /// How far that would move it, in lengths of an edge; keeps it.
+  /// How far that push would move the vertex, in edge lengths. Stores the push.
   MENISCUS_HD Real reach(const Sideways* ways, uint32_t k) const {
     const Vector push = scratch_.push[k] = push_on(ways, k);
     const Real rest = scratch_.rest_length[k < chains_.most ? k : k - 1];
     return select_less(Real(0), rest, scratch_.weight[k] * square_root(dot(push, push)) / rest, Real(0));
   }
-  /// Adds lengths' pushes alone to what is pending: nothing has moved yet that could be turned, and the next
-  /// solve finds the chain where it then is.
+  /// Adds only the pushes of lengths to the pending ones. Nothing has moved yet that could turn, and the next
+  /// solve uses the positions that the chain then has.
   MENISCUS_HD void put_aside(uint32_t k) const {
     const Places at = vertex(k);
     const Vector now = pending(at) + changes_on(k).whole;
@@ -367,7 +370,7 @@ class SolveChainsAtOnce {
     scatter(s_.multiplier, chains_.edge(k).index(), {push.x, push.y, push.z, last},
             chains_.have_edge(k) & ~less_mask(Real(0), bears_));
   }
-  /// What is not there is pushed by nothing.
+  /// Vertices that do not exist get no push.
   MENISCUS_HD void move(uint32_t k, const Real& fraction) const {
     const Places at = vertex(k);
     LaneVertex<D> vertex{gather(positions(), at.index()), gather(moves(), at.index())};
@@ -393,8 +396,8 @@ class SolveChainsAtOnce {
   const SolveChains& s_;
   Scratch& scratch_;
   const ChainsAtOnce<D> chains_;
-  const Real bears_;  ///< 1 in lanes whose chains bear something, where that counts; else 0
-  const Real kept_;   ///< 1 in lanes that go on from what they have pushed with, else 0
+  const Real bears_;  ///< 1 in lanes whose chains belong to loaded pieces, where that matters; else 0
+  const Real kept_;   ///< 1 in lanes that continue from their earlier pushes, else 0
 };
 
 template <class Group>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Chains that are solved side by side in SIMD lanes, and the working memory of a solve.
 #pragma once
 
 #include "cloth/build/chains.h"
@@ -12,18 +14,18 @@ using pbd::gather;
 using pbd::less_mask;
 using pbd::select_less;
 
-/// Chains that are worked on side by side: as many as D::Real has lanes. The shorter ones wait at their ends
-/// for the longest.
+/// Chains that are solved side by side, as many as D::Real has lanes. Shorter chains wait at their ends for
+/// the longest.
 template <class D>
 struct ChainsAtOnce {
   using Real = typename D::Real;
   static constexpr uint32_t lanes = D::lane_count;
 
   uint32_t first[lanes], count[lanes];
-  uint32_t most = 0;  ///< edges of the longest
+  uint32_t most = 0;  ///< the number of edges of the longest
   Real edges;
 
-  /// Those from chains[begin] on, up to chains[end − 1].
+  /// The chains from chains[begin] to chains[end − 1].
   MENISCUS_HD ChainsAtOnce(pbd::View<const Chain> chains, uint32_t begin, uint32_t end) {
     for (uint32_t lane = 0; lane < lanes; ++lane) {
       const bool there = begin + lane < end;
@@ -35,15 +37,15 @@ struct ChainsAtOnce {
     edges = pbd::by_lane<D>([&](uint32_t lane) { return static_cast<float>(count[lane]); });
   }
 
-  /// Where edge k of each is; of one that has none, another.
+  /// Where edge k of each chain is; for a chain without an edge k, the place of another edge.
   MENISCUS_HD pbd::Places<D> edge(uint32_t k) const {
     pbd::Places<D> places;
     for (uint32_t lane = 0; lane < lanes; ++lane) places.at[lane] = first[lane] + (k < count[lane] ? k : 0);
     return places;
   }
-  /// Bits of those that have an edge k.
+  /// Bits of the chains that have an edge k.
   MENISCUS_HD uint32_t have_edge(uint32_t k) const { return less_mask(number(k), edges); }
-  /// x for those that have an edge k, 0 for others.
+  /// x for chains that have an edge k, 0 for others.
   MENISCUS_HD Real if_edge(uint32_t k, const Real& x) const {
     return select_less(number(k), edges, x, Real(0));
   }
@@ -52,9 +54,9 @@ struct ChainsAtOnce {
   MENISCUS_HD static Real number(uint32_t k) { return Real(static_cast<float>(k)); }
 };
 
-/// Chains while they are worked on: of each edge n, its multiplier λ, |λ|/l and l, between two that are not
-/// there; of each vertex w, and what pushes it; and the rows of a system, and of those that a group of
-/// threads makes of it.
+/// Working memory of the solve. Each edge has n, its multiplier λ, |λ|/l and l; one edge that does not exist
+/// stands before the first and one after the last. Each vertex has w and the push on it. The rows of a system
+/// follow, with the rows that a group of threads reduces them to.
 template <class Group>
 struct ChainScratch {
   using Real = typename Group::Device::Real;
@@ -69,8 +71,8 @@ struct ChainScratch {
   Edge edges[Chain::most_edges + 2];
   Real stiffness[Chain::most_edges + 2], rest_length[Chain::most_edges + 2];
   Real weight[Chain::most_edges + 1];
-  Chain chain;                                                        ///< that is alone
-  uint32_t vertex[Group::is_one_thread ? 1 : Chain::most_edges + 1];  ///< of it
+  Chain chain;                                                        ///< the only chain
+  uint32_t vertex[Group::is_one_thread ? 1 : Chain::most_edges + 1];  ///< its vertices
   pbd::Vec3Of<Real> push[Chain::most_edges + 1];
   struct alignas(64) {
     unsigned char bytes[(Chain::most_edges + 1) * sizeof(Sideways)];
@@ -86,8 +88,8 @@ struct ChainScratch {
   }
 };
 
-/// The greatest of value(k), k < count, or 1 if that is greater. `kept` is for groups of several threads:
-/// room for as many.
+/// The greatest of value(k) for k < count, or 1 if that is greater. `kept` has room for as many values.
+/// Groups of several threads use it.
 template <class Group, class Real, class Value>
 MENISCUS_HD Real greatest_from_one(const Group& group, Real* kept, uint32_t count, const Value& value) {
   using pbd::max;
@@ -95,7 +97,7 @@ MENISCUS_HD Real greatest_from_one(const Group& group, Real* kept, uint32_t coun
   if constexpr (Group::is_one_thread) {
     for (uint32_t k = 0; k < count; ++k) most = max(most, value(k));
   } else {
-    // Hardly ever is any.
+    // Values above 1 are rare.
     const bool found = group.any(count, [&](uint32_t k) { return most < (kept[k] = value(k)); });
     if (!found) return most;
     while (count > 1) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The constraint set of cloth.
 #pragma once
 
 #include <span>
@@ -19,35 +21,35 @@ struct SolveEdge;
 }
 
 struct ClothSolverParameters {
-  float over_relaxation = 1.2f;  ///< ω of stretch and shear but for chains, 1 to 1.3
-  float warm_start = 0.7f;       ///< share of the last multipliers of edges outside chains, 0 to 0.95
+  float over_relaxation = 1.2f;  ///< ω of stretch and shear outside chains, 1 to 1.3
+  float warm_start = 0.7f;       ///< fraction of the last multipliers of edges outside chains, 0 to 0.95
   int stretch_rounds = 1;        ///< of stretch and shear in the last iteration, ≥ 1
 };
 
 /// Cloth: stretch, shear, bending, gas and tethers as XPBD constraints (Macklin, Müller & Chentanez 2016),
-/// solved in the manner of Gauss and Seidel; and the air's force on it.
+/// solved by Gauss–Seidel, and the force of the air on it.
 ///
 ///   begin     adds the wind;
-///   project   starts from a share of what edges outside chains last pulled with, which chains take up before
-///             cloth moves; sweeps over bending, then stretch, pass by pass (clusters.h), and solves for the
-///             lengths of whole chains, layer by layer (chains.h), stretch and chains in a number of rounds
-///             in the last iteration; in the next iteration all of it backwards; gas; tethers last;
-///   settle    notes what pulled at vertices that nothing moves. Pieces that bear bodies forget what their
-///             edges pulled with.
+///   project   in the first iteration, starts edges outside chains from a fraction of their last pulls, which
+///             chains absorb before cloth moves. Sweeps over bending, then over stretch, pass by pass
+///             (clusters.h). Solves for the lengths of whole chains, layer by layer (chains.h). The last
+///             iteration repeats stretch and chains in a number of rounds. The next iteration runs backwards.
+///             Gas has its turn at the start or at the end, and tethers come last;
+///   settle    records the pulls at held vertices. Loaded pieces forget the pulls of their edges.
 ///
-/// Small steps converge better than many iterations (Macklin et al. 2019). There and back again makes the
-/// whole a symmetric map, whose eigenvalues are real: a sweep in one direction alone turns some modes, and
-/// feeds them. Over-relaxation above 1.33, and a share above .38, do so as well: with a residual factor p,
-/// v = Δx/h makes of each mode z² = p (2z − 1).
+/// Small substeps converge better than many iterations (Macklin et al. 2019). Sweeps in both directions make
+/// the whole a symmetric map, whose eigenvalues are real. A sweep in one direction alone rotates some modes
+/// and amplifies them. Over-relaxation above 1.33 and a fraction above 0.38 do so as well: with a residual
+/// factor p and v = Δx/h, each mode obeys z² = p (2z − 1).
 template <class D>
 class ClothSet final : public pbd::ConstraintSet<D> {
  public:
   ClothSet(D& device, const ClothSolverParameters& parameters) : device_(device), parameters_(parameters) {}
 
-  /// The model must be set anew before the next step.
+  /// The model must be set again before the next step.
   void set_parameters(const ClothSolverParameters& parameters) { parameters_ = parameters; }
 
-  /// All cloth there is. Multipliers start anew.
+  /// Sets all cloth of the world. Multipliers start from 0.
   void set_model(const ClothModel& model);
   void set_wind(const Wind& wind) { wind_ = wind; }
 
@@ -65,9 +67,9 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::SurfaceView surface() const {
     return {triangles_.view(), rest_.view(), fan_start_.view(), fan_.view()};
   }
-  /// Of each held vertex, what pulled at it in the last step, N·s.
+  /// The pull at each held vertex in the last step, N·s.
   std::vector<Vec3> read_reactions() const;
-  /// Whether some edge was stretched too far in the last step.
+  /// Whether any edge was stretched beyond its limit in the last step.
   bool found_tears() const { return tears_.host().size() && tears_.host()[0] != 0; }
 
  private:
@@ -85,20 +87,20 @@ class ClothSet final : public pbd::ConstraintSet<D> {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
   View<Vec4> chain_multiplier() { return edge_multiplier_.view().from(first_chain_edge_); }
-  /// How constraints are gone over.
+  /// How a sweep runs over the constraints.
   struct Turn {
-    bool starts = false;      ///< the substep's multipliers
+    bool starts = false;      ///< the multipliers of the substep start here
     bool backwards = false;   ///< through passes, colours and layers
-    bool goes_on = false;     ///< from the round before
-    bool takes_over = false;  ///< what chains were put aside
-    bool ends = false;        ///< what the substep does to edges
+    bool goes_on = false;     ///< continues from the round before
+    bool takes_over = false;  ///< the first solve after chains absorbed pending pushes
+    bool ends = false;        ///< the last turn of the substep for edges
   };
   void bend(pbd::Substep<D>& substep, const Turn& turn);
   void stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn);
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
   bool starts_from_last() const { return share_ > 0 && first_chain_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
-  /// Whether any piece may bear something, so that what it pulls with has to be forgotten.
+  /// Whether any piece may be loaded. Its multipliers must then be forgotten.
   static bool may_bear(const pbd::Substep<D>& substep) {
     return substep.effective_mass.count > 0 || substep.fluid_near.count > 0;
   }
@@ -118,7 +120,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   bool any_air_ = false, any_gas_ = false, any_tears_ = false;
   bool feels_wind_ = false;                // in this substep
   float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
-  float share_ = 0;                        // of what they left for this one
+  float share_ = 0;                        // of the multipliers that the last substep left
 
   pbd::Buffer<EdgeConstraint> edges_{device_, "cloth edges"};
   pbd::Buffer<StrainConstraint> strains_{device_, "cloth strains"};
@@ -133,7 +135,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   uint32_t first_chain_edge_ = 0;
   std::vector<uint32_t> pass_starts_{0};
   uint32_t bending_passes_ = 0;
-  std::vector<uint32_t> colour_starts_;  // of edges outside chains, where they are solved by colours
+  std::vector<uint32_t> colour_starts_;  // of edges outside chains, if these are solved by colour
   pbd::Buffer<Vec4> edge_multiplier_{device_, "edge multipliers"};
   pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};
   pbd::Buffer<float> saved_chain_multiplier_{device_, "saved chain multipliers"};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// ClothSet: uploads a model, and launches the kernels of a substep in order.
 #pragma once
 
 #include <algorithm>
@@ -86,14 +88,14 @@ void ClothSet<D>::upload_isometric(const std::vector<IsometricConstraint>& hinge
   upload(isometric_coefficients_, coefficients);
 }
 
-/// Of what bends, multipliers last for a substep: for one iteration there are none.
+/// Multipliers of bending last for one substep. With a single iteration none are stored.
 template <class D>
 void ClothSet<D>::reserve_bending_multipliers(int iterations) {
   isometric_multiplier_.resize_discard(iterations > 1 ? isometric_.size() : 0);
   hinge_multiplier_.resize_discard(iterations > 1 ? hinges_.size() : 0);
 }
 
-/// First those of clusters, whose vertices become numbers within their cluster, then those of chains.
+/// Uploads the edges of clusters, with vertices numbered within their cluster, then the edges of chains.
 template <class D>
 void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains) {
   upload_fans(model, clusters.edges);
@@ -126,7 +128,7 @@ template <class D>
 void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   if (vertex_count_ == 0) return;
   reserve_bending_multipliers(substep.iterations);
-  // A multiplier grows with the square of the substep.
+  // A multiplier is proportional to the square of the substep.
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
@@ -146,15 +148,15 @@ bool ClothSet<D>::prepares() const {
 template <class D>
 void ClothSet<D>::prepare(pbd::Substep<D>& substep) {
   if (!prepares()) return;
-  const double time = wind_.gusty ? time_ : 0;  // else no launch would be like the last
+  const double time = wind_.gusty ? time_ : 0;  // a constant keeps launches alike without gusts
   device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
                              wind_kernels::BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
                                                            static_cast<float>(time), wind_force_.view()});
   feels_wind_ = true;
 }
 
-/// Chains take up what the other edges start to push with, before cloth moves: by far the most of it is what
-/// they hold.
+/// Chains absorb the pushes that the other edges start with, before cloth moves. Chains hold by far the
+/// greater part of these pushes.
 template <class D>
 void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   using namespace stretch_kernels;
@@ -182,7 +184,8 @@ void ClothSet<D>::note_loads(pbd::Substep<D>& substep) {
   }
 }
 
-/// And in the next substep, too: these multipliers will not fit then either.
+/// Clears the multipliers of loaded pieces, at the end of a substep as well: they will not fit the next one
+/// either.
 template <class D>
 void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
   if (!may_bear(substep)) return;
@@ -195,12 +198,12 @@ template <class D>
 void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (vertex_count_ == 0) return;
   if (iteration == 0 && starts_from_last()) start_from_last(substep);
-  // What comes last holds best: lengths, or where there is gas its volume.
+  // The constraint that is solved last holds best: lengths or, where there is gas, its volume.
   const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
   const Turn turn{
       .starts = iteration == 0, .backwards = turns % 2 != 0, .ends = iteration + 1 == substep.iterations};
   if (any_gas_ && !turn.backwards) apply_gas(substep, turn.starts);
-  // Rounds are for what the end leaves: iterations that more follow do without.
+  // Rounds improve the final state. Iterations that others follow do without them.
   const int rounds = turn.ends ? parameters_.stretch_rounds : 1;
   if (!turn.backwards) bend(substep, turn);
   stretch(substep, rounds, turn);
@@ -216,8 +219,8 @@ void ClothSet<D>::bend(pbd::Substep<D>& substep, const Turn& turn) {
   sweep(substep, 0, bending_passes_, {.starts = turn.starts, .backwards = turn.backwards});
 }
 
-/// Every other round runs through colours and layers in the other direction. What is left over between rounds
-/// is what sweeps and chains undo of one another.
+/// Every other round runs through colours and layers in the other direction. The error that remains between
+/// rounds is what sweeps and chains undo of one another.
 template <class D>
 void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn) {
   const size_t stretch_end = pass_starts_.size() - 1;
@@ -343,13 +346,13 @@ void ClothSet<D>::end(pbd::Substep<D>& substep) {
 
 template <class D>
 void ClothSet<D>::start_step() {
-  feels_wind_ = false;  // of a step that failed before it blew
+  feels_wind_ = false;  // a step may have failed before its wind acted
   start_time_ = time_;
   reaction_.fill(0);
   if (tears_.host().size()) tears_.host()[0] = 0;
 }
 
-/// Chains start from no push: of the last ones only their sizes count.
+/// Chains start without a push. Only the sizes of their last multipliers matter.
 template <class D>
 void ClothSet<D>::save() {
   saved_last_dt_ = last_dt_;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates ClothSet for the CPU.
 #include "cloth/solve/cloth_set.inl"
 #include "pbd/device/cpu/cpu_device.h"
 

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernel that solves the edges of one colour outside clusters.
 #pragma once
 
 #include "cloth/solve/stretch_kernels.h"
 
 namespace meniscus::cloth {
 
-/// The edges of one colour, which share no vertex, on vertices where they are.
+/// The edges of one colour, which share no vertex. Vertices are read and written in global memory.
 struct SolveColour {
   stretch_kernels::SolveEdge edge;
   VertexState all;
@@ -16,7 +18,7 @@ struct SolveColour {
     edge.run(*this, together, edge.items(together));
   }
 
-  /// What edges see of vertices.
+  /// The properties of vertices that edges use.
   MENISCUS_HD float inverse_dt() const { return all.inverse_dt; }
   MENISCUS_HD uint32_t piece_number(uint32_t v) const { return all.piece_number(v); }
   template <class D>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The compliance of an edge, which rises while the edge recovers from compression.
 #pragma once
 
 #include "cloth/build/constraints.h"
@@ -7,18 +9,19 @@
 
 namespace meniscus::cloth {
 
-/// 1/s: what has been pressed together opens by about this share of its length. Fabric that is pressed
-/// buckles, in folds that a mesh may be too coarse for; were its edges to regain their lengths within a
-/// substep, crumpled cloth would burst apart.
+/// 1/s: the rate at which a compressed edge recovers, as a fraction of its length. Compressed fabric buckles,
+/// in folds that may be too fine for the mesh. If its edges regained their lengths within a substep, crumpled
+/// cloth would burst apart.
 inline constexpr float recovery_rate = 10;
 
-/// 1/s: the same for an edge that shears (SolveEdge), which buckling does not shorten before it has sheared.
+/// 1/s: the same for an edge that shears (SolveEdge). Buckling does not shorten such an edge before it has
+/// sheared.
 inline constexpr float shear_recovery_rate = 40;
 
-/// 1/kg: what an edge with this compliance (m/N) yields with that is `error` (m) longer than at rest. What
-/// was pressed together as the substep began, when it had the length that was() returns, becomes as soft as
-/// lets it open by the share `opens` of its length at rest; it still pushes, and pulls on nothing. R has a
-/// lane for each of several edges.
+/// 1/kg: the compliance term of an edge. `compliance` is in m/N, and `error` is length minus rest length, m.
+/// was() returns the length of the edge at the start of the substep. An edge that was compressed then becomes
+/// soft enough to recover only the fraction `opens` of its rest length. It still pushes, and pulls on
+/// nothing. R has a lane for each of several edges.
 template <class R, class Was>
 MENISCUS_HD R edge_compliance(R compliance, R rest_length, R error, R weight, float inverse_dt, R opens,
                               const Was& was) {

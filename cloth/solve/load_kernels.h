@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Which pieces of cloth bear bodies or fluid: their edges start from no multipliers, as these do not fit what
-// lies there now.
+// Finds the pieces of cloth that are loaded by bodies or fluid. Edges of loaded pieces start without
+// multipliers, since the last ones do not fit the present load.
 #pragma once
 
 #include "cloth/solve/vertex_state.h"
@@ -10,16 +10,17 @@
 
 namespace meniscus::cloth::load_kernels {
 
-/// What a piece bears; where it is both, fluid.
+/// The load of a piece; fluid, if bodies load it as well.
 enum Load : uint32_t { nothing, bodies, fluid };
 
-/// Of each vertex that is near a body that gives way, or attached to such a one, the piece. Where only
-/// touches counted, one that a heavy body has left for a substep would start from what it pulled with before.
+/// Marks the piece of each vertex that is near a movable body, or attached to one. Contacts at a distance
+/// count as well. Otherwise a piece that a heavy body left for one substep would start from its earlier
+/// pulls.
 struct NoteBodyLoads {
   pbd::ContactView contacts;
   VertexState vertices;
   uint32_t vertex_count;
-  View<uint32_t> loaded;  ///< by piece, see Bearing
+  View<uint32_t> loaded;  ///< by piece, see Load
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = contacts.touching_particle(n), v = i - vertices.particles.sorted;
@@ -33,21 +34,21 @@ struct NoteBodyLoads {
   }
 };
 
-/// Likewise of each vertex that fluid is near. Under it vertices have other masses than multipliers were
-/// found with: started from these they were thrown about.
+/// Marks likewise the piece of each vertex that is near fluid. Fluid changes the effective masses of
+/// vertices. Multipliers found with other masses threw vertices about.
 struct NoteFluidLoads {
   View<const uint32_t> near;  ///< see Substep::fluid_near
   VertexState vertices;
-  View<uint32_t> loaded;  ///< by piece, see Bearing
+  View<uint32_t> loaded;  ///< by piece, see Load
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (near[v] != near[v + 1]) pbd::atomic_max(loaded[vertices.piece_number(v)], fluid);
   }
 };
 
-/// What edges outside chains have pushed with, where their piece bears something.
+/// Clears the multipliers of edges outside chains in loaded pieces.
 struct Forget {
-  View<const uint32_t> fan_start, fan;  ///< of each vertex its edges' ends: 2 · edge + end
+  View<const uint32_t> fan_start, fan;  ///< the ends of edges at each vertex: 2 · edge + end
   View<const uint32_t> loaded;
   VertexState vertices;
   View<Vec4> multiplier;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Moves a vertex by an impulse, alone or one vertex in each SIMD lane.
 #pragma once
 
 #include "pbd/device/scalar.h"
@@ -10,13 +12,13 @@ namespace meniscus::cloth {
 using pbd::less_mask;
 using pbd::select_less;
 
-/// a + s b, four at once.
+/// a + s b, for four components at once.
 MENISCUS_HD inline pbd::Vec4 plus(const pbd::Vec4& a, float s, const pbd::Vec4& b) {
   return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z, a.w + s * b.w};
 }
 
-/// A vertex as a constraint works on it. What has moved it is loaded along with the position, before anything
-/// is stored that it might be the same as.
+/// A vertex while a constraint works on it. The accumulated delta is loaded together with the position,
+/// before any store that might alias it.
 struct Vertex {
   pbd::Vec4 x;                  ///< m; w: inverse mass
   pbd::Vec4 accumulated_delta;  ///< see ParticleView
@@ -27,8 +29,8 @@ MENISCUS_HD inline Vertex vertex_at(const pbd::ParticleView& particles, uint32_t
   return {particles.position[i], particles.accumulated_delta[i]};
 }
 
-/// A vertex moved by w times s times an impulse over h, kg·m, of which w is 0. What is held stays, and notes
-/// what it withstands.
+/// A vertex moved by w times s times an impulse over h (kg·m; the w of the impulse is 0). A held vertex
+/// stays, and records the impulse as its reaction.
 MENISCUS_HD inline Vertex pushed(const Vertex& vertex, float s, const pbd::Vec4& impulse) {
   const float w = vertex.x.w;
   return {plus(vertex.x, s * w, impulse), plus(vertex.accumulated_delta, w > 0 ? s * w : s, impulse)};
@@ -51,8 +53,8 @@ struct LaneVertex {
   pbd::Vec4Of<typename D::Real> x, accumulated_delta;
 };
 
-/// The same for these: what pushed() does, by s times an impulse. Lanes may have a vertex in common where all
-/// but one push it with nothing.
+/// pushed() for one vertex in each lane: pushes by s times an impulse. Lanes may share a vertex if all but
+/// one of them push it by 0.
 template <class D, class R = typename D::Real>
 MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> accumulated_delta,
                                    const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
@@ -68,7 +70,7 @@ MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> 
     x[v.at[0]] = sum(vertex.x, times(fraction));
     accumulated_delta[v.at[0]] = sum(vertex.accumulated_delta, times(taken));
   } else {
-    // What is turned lane by lane is added where it belongs: `vertex` need not be turned back.
+    // The step, transposed to one row a lane, is added in memory. So `vertex` need not be transposed back.
     const auto step = rows(times(fraction));
     add(x, v.index(), step);
     const bool all_move = less_mask(zero, w) == (1u << D::lane_count) - 1;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels of stretch and shear, of edges and of triangles, with their warm start.
 #pragma once
 
 #include "cloth/build/constraints.h"
@@ -16,37 +18,39 @@ using pbd::max;
 using pbd::scatter;
 using pbd::square_root;
 
-/// What is pressed together is relaxed by no more than this. Cloth that hangs from a mesh of triangles is
-/// pressed together somewhere; lengthened in full each substep it buckles to and fro, and does not rest.
+/// The greatest relaxation of compressed edges. Some edges of a hanging mesh of triangles are compressed.
+/// Lengthened in full each substep, they buckle back and forth and never come to rest.
 inline constexpr float compressed_relaxation = 0.2f;
 
-/// Heavy-ball momentum (Polyak 1964) of what pulls, from round to round. Chains take back most of what a
-/// diagonal's step does, so that its multiplier would take w/α̃ rounds to come to what shear's stiffness asks
-/// for; with momentum about the square root of that.
+/// Heavy-ball momentum (Polyak 1964) of pulling edges, from round to round. Chains take back most of a
+/// diagonal's step. Its multiplier would need w/α̃ rounds to reach what the shear stiffness asks for. With
+/// momentum it needs about the square root of that.
 inline constexpr float round_momentum = 0.85f;
 
 struct SolveEdge {
-  View<const EdgeConstraint> edges;  ///< of vertices as numbered in their cluster
-  /// kg·m: λ n, and λ. Until the substep's end the last round's step stands in place of the first.
+  View<const EdgeConstraint> edges;  ///< with vertices as numbered in their cluster
+  /// kg·m: λ n, and λ. Until the end of the substep, the step of the last round stands in place of the first
+  /// component.
   View<Vec4> multiplier;
   float relaxation;  ///< ω of successive over-relaxation
-  float fraction;    ///< of the multiplier that there is
-  float momentum;    ///< how much of the last round's step is made once more, where an edge pulls
-  /// Chains hold the lengths around, and it starts with what it last did: what is left of it is shear, which
-  /// it resists as much pressed together as pulled. Rows that slide to and fro press all diagonals. Not in
-  /// pieces that bear fluid, if `bearing` tells which do: these bulge, and must buckle.
+  float fraction;    ///< of the present multiplier
+  float momentum;    ///< fraction of the last round's step that is repeated, where an edge pulls
+  /// Chains hold the lengths around the edge, and the edge has a warm start. What remains for it is shear,
+  /// which it resists under compression as under tension. Rows that slide along themselves compress all
+  /// diagonals. Pieces loaded by fluid are excluded, if `loaded` tells which these are: they bulge, and must
+  /// buckle.
   bool shears;
-  View<const uint32_t> loaded;  ///< by piece, see load_kernels::Bearing
-  bool ends;                    ///< the substep: what is left is for the next one
-  float
-      next_fraction;  ///< for that, of what pulls (λ < 0) or shears; of what else pushes less, as it buckles
+  View<const uint32_t> loaded;  ///< by piece, see load_kernels::Load
+  bool ends;                    ///< the last turn of the substep: what remains is for the next one
+  float next_fraction;  ///< of the multiplier for the next substep, where the edge pulls (λ < 0) or shears;
+                        ///< other pushes keep less, as they buckle
 
   MENISCUS_HD void prefetch(uint32_t k) const {
     pbd::prefetch(edges, k);
     pbd::prefetch(multiplier, k);
   }
 
-  /// Edges side by side, with what they last did.
+  /// Edges that are solved side by side, with their last multipliers and steps.
   template <class D>
   struct Items {
     pbd::Places<D> from, to;
@@ -96,7 +100,7 @@ struct SolveEdge {
     const Real whole = xpbd_step(c, rate, weight, before, compliance, damping);
     const Real pulling = Real(relaxation) * whole + Real(momentum) * items.last_step;
     const Real wanted = select_less(c, zero, of_pressed(whole, before, shearing), pulling);
-    // What has no direction, or cannot give way at all, is left alone.
+    // An edge without a direction, or one that cannot yield at all, is left unchanged.
     const Real yielding = together.if_any(weight + compliance);
     const Real step = select_less(zero, yielding, wanted, zero), push = inverse_l * step, now = before + step;
     const auto note = [&](const Vector& to_go_on_with, const Real& lambda) {
@@ -114,9 +118,10 @@ struct SolveEdge {
   }
 
  private:
-  static constexpr float pushing_share = 0.4f;  // of next_share
+  static constexpr float pushing_share = 0.4f;  // of next_fraction
 
-  /// Of a step that would lengthen what is pressed: all that only takes a pull back, and a part of the rest.
+  /// The applied part of a step that lengthens a compressed edge. What only reduces a pull is applied in
+  /// full, and the rest by a fraction.
   template <class Real>
   MENISCUS_HD Real of_pressed(const Real& step, const Real& before, const Real& shearing) const {
     const Real least(compressed_relaxation), pull = max(Real(0), -before);
@@ -134,8 +139,8 @@ struct SolveEdge {
     });
   }
 
-  /// No more for the next substep than would move the ends by the edge's length: what hangs from an edge may
-  /// weigh thousands of times what they do.
+  /// The multiplier that is kept for the next substep. It moves the ends by the rest length at most, since a
+  /// load on an edge may be thousands of times heavier than its ends.
   template <class Real>
   MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest,
                         const Real& shearing) const {
@@ -146,7 +151,7 @@ struct SolveEdge {
   }
 };
 
-/// What edges start to push each vertex with.
+/// Sums up the pushes that edges start with, by vertex.
 struct StartPushes {
   View<const uint32_t> fan_start, fan;
   View<const Vec4> multiplier;
@@ -162,7 +167,7 @@ struct StartPushes {
   }
 };
 
-/// Moves vertices by what was put aside for them.
+/// Moves vertices by their pending pushes.
 struct GivePending {
   View<const Vec4> pending;
   VertexState vertices;
@@ -170,18 +175,18 @@ struct GivePending {
   MENISCUS_HD void operator()(uint32_t v) const { vertices.push(v, vertices.at(v), 1, pending[v]); }
 };
 
-/// Warp, weft and shear of a triangle, one after the other.
+/// The strains of a triangle along the warp, along the weft and in shear, one after the other.
 struct SolveStrain {
   View<const StrainConstraint> strains;
   View<Vec4> multiplier;  ///< kg·m², of warp, weft and shear
   float relaxation;
-  bool starts;  ///< the substep's multipliers
+  bool starts;  ///< the multipliers of the substep start here
 
   struct Corners {
     Vec4 x[3];
     Vec3 impulse[3];
   };
-  /// One strain and its gradients at b and c; that at a is minus their sum.
+  /// One strain and its gradients at b and c. The gradient at a is minus their sum.
   struct Strain {
     float value;
     Vec3 by_b, by_c;
@@ -232,7 +237,7 @@ struct SolveStrain {
             s.inverse_rest[2] * by_u + s.inverse_rest[3] * by_v};
   }
 
-  /// Moves the corners; returns the new multiplier.
+  /// Moves the corners, and returns the new multiplier.
   template <class Vertices>
   MENISCUS_HD float solve(const Vertices& vertices, const StrainConstraint& s, Corners& t,
                           const Strain& strain, float before, float compliance, bool stretches) const {
@@ -244,7 +249,7 @@ struct SolveStrain {
       weight += t.x[i].w * dot(gradient[i], gradient[i]);
       if (damping > 0) rate += dot(gradient[i], t.x[i].xyz() - vertices.previous(number[i]).xyz());
     }
-    // What yields without limit, or has no direction to go, is left alone.
+    // A strain with unlimited compliance, or without a gradient, is left unchanged.
     if (!(weight + compliance > 0) || !(compliance < 1e30f)) return before;
     const float relaxing = strain.value < 0 && stretches ? compressed_relaxation : relaxation;
     const float step = relaxing * xpbd_step(strain.value, rate, weight, before, compliance, damping);

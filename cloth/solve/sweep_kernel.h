@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernel that solves the clusters of a pass.
 #pragma once
 
 #include "cloth/build/clusters.h"
@@ -8,9 +10,9 @@
 
 namespace meniscus::cloth {
 
-/// The vertices of a cluster while it is worked on: in a GPU's shared memory, which gathers them many times
-/// faster than its cache does. There the cluster's constraints come as well, those of isometric hinges or of
-/// edges, if they are no more than this: else each batch would wait for the device's memory.
+/// The vertices of a cluster while it is solved, in the shared memory of a GPU. Gathering from it is many
+/// times faster than from the cache. Isometric hinges or edges of the cluster are loaded into it as well, if
+/// there are at most `most_items`. Otherwise each batch would wait for the device's memory.
 struct ClusterScratch {
   static constexpr uint32_t most_items = 640;
 
@@ -43,7 +45,7 @@ struct ClusterScratch {
   }
 };
 
-/// What constraints see of it: those that are solved one by one, and those that are side by side.
+/// The properties of vertices that constraints use, whether solved one by one or side by side.
 struct ClusterVertices {
   ClusterScratch& scratch;
   const VertexState& all;
@@ -90,7 +92,7 @@ struct ClusterVertices {
   }
 };
 
-/// The clusters of one pass, each by a group of threads, batch by batch.
+/// The clusters of one pass. A group of threads solves each cluster, batch by batch.
 struct SolveClusters {
   using Scratch = ClusterScratch;
 
@@ -105,7 +107,7 @@ struct SolveClusters {
   uint32_t first;  ///< cluster of the pass
   bool bends, backwards;
 
-  /// Brings constants near.
+  /// Loads the constants of the cluster.
   template <class Group>
   MENISCUS_HD void prepare(const Group& group, Scratch& scratch, uint32_t n) const {
     const Cluster cluster = clusters[first + n];
@@ -184,7 +186,7 @@ struct SolveClusters {
     }
   }
 
-  /// While a batch is solved, the next one comes near.
+  /// Solves a batch, and prefetches the next one meanwhile.
   template <class Group, class Solver>
   MENISCUS_HD static void solve(const Group& group, const ClusterVertices& vertices, const Batch& batch,
                                 const Batch& next, const Solver& solver) {
@@ -194,7 +196,7 @@ struct SolveClusters {
       solver(vertices, batch.first + i);
     });
   }
-  /// The same for constraints that are solved side by side.
+  /// The same for constraints that are solved side by side in SIMD lanes.
   template <class Group, class Solver>
   MENISCUS_HD static void solve_by_lanes(const Group& group, const ClusterVertices& vertices,
                                          const Batch& batch, const Batch& next, const Solver& solver,

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernel that finds edges stretched beyond their limit.
 #pragma once
 
 #include "cloth/solve/vertex_state.h"
@@ -8,7 +10,7 @@
 
 namespace meniscus::cloth::tear_kernels {
 
-/// Notes whether any edge is stretched beyond what its piece bears.
+/// Records whether any edge is stretched beyond the tear strain of its piece.
 struct FindTears {
   pbd::SurfaceView surface;
   VertexState vertices;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels of tethers, and of the reactions at held vertices.
 #pragma once
 
 #include "cloth/build/constraints.h"
@@ -12,10 +14,10 @@ using pbd::gather;
 using pbd::scatter;
 using pbd::square_root;
 
-/// XPBD, but for what has pulled already in the substep: that is not taken back.
+/// Tethers by XPBD, with one departure: a pull given earlier in the substep is not reduced again.
 struct ProjectTethers {
   View<const Tether> tethers;
-  View<Vec4> pull;  ///< kg·m, on each anchor so far in the substep; w: λ
+  View<Vec4> pull;  ///< kg·m, at each anchor so far in the substep; w: λ
   VertexState vertices;
   bool starts;
 
@@ -59,10 +61,10 @@ struct ProjectTethers {
   }
 };
 
-/// What has pulled at vertices that nothing moves, over a step.
+/// Adds the pulls at held vertices to the reactions of a step.
 struct NoteReactions {
   View<const uint32_t> held;
-  View<const uint32_t> tether_start;  ///< of each held vertex its first tether, and the number of tethers
+  View<const uint32_t> tether_start;  ///< the first tether of each held vertex; then the number of tethers
   View<const Vec4> pull;
   VertexState vertices;
   View<Vec4> reaction;  ///< N·s

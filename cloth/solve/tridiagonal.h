@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tridiagonal systems: elimination by one thread, cyclic reduction by a group of threads.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +15,7 @@ namespace meniscus::cloth {
 using pbd::read_whole;
 using pbd::write_whole;
 
-/// lower x(i − 1) + diagonal x(i) + upper x(i + 1) = right, with 0 for what is beyond the ends; x are numbers
+/// A row: lower x(i − 1) + diagonal x(i) + upper x(i + 1) = right, with 0 beyond the ends. The x are numbers
 /// R or vectors of them.
 template <class R, class X = R>
 struct alignas(alignof(R) > 16          ? alignof(R)
@@ -23,7 +25,7 @@ struct alignas(alignof(R) > 16          ? alignof(R)
   X right;
 };
 
-/// Elimination and substitution by one thread (Thomas). Afterwards `right` is the solution.
+/// Elimination and substitution by one thread (Thomas). Afterwards `right` holds the solution.
 template <class R, class X>
 MENISCUS_HD void eliminate(TridiagonalRow<R, X>* rows, uint32_t count) {
   R upper(0);
@@ -40,8 +42,8 @@ MENISCUS_HD void eliminate(TridiagonalRow<R, X>* rows, uint32_t count) {
   for (uint32_t i = count; i-- > 0;) rows[i].right = x = rows[i].right - rows[i].upper * x;
 }
 
-/// What row i becomes when those `apart` before and behind it are eliminated from it. A division that is off
-/// by units in the last place would do harm: a strip that starts pressed together then hangs 1.3 % too flat.
+/// Row i after the rows `apart` before and behind it are eliminated from it. The division must be exact to
+/// the last place. With an inexact one, a strip that starts compressed hangs 1.3 % too flat.
 template <class R, class X>
 MENISCUS_HD TridiagonalRow<R, X> reduced(const TridiagonalRow<R, X>* rows, uint32_t count, uint32_t i,
                                          uint32_t apart) {
@@ -55,13 +57,13 @@ MENISCUS_HD TridiagonalRow<R, X> reduced(const TridiagonalRow<R, X>* rows, uint3
           r.right + a * before.right + b * after.right};
 }
 
-/// How strongly rows depend on one another. Loosely: there are diagonals well above the sum of what is beside
-/// them, and what is far away hardly counts.
+/// How strongly rows depend on one another. `loose`: some diagonals are well above the sum of their
+/// neighbours, and distant rows hardly matter.
 enum class Coupling { tight, loose };
 
-/// Cyclic reduction of all rows at once by a group of threads (Hockney & Jesshope 1981): each turn couples
-/// rows that are twice as far apart; where they are loosely coupled, until none counts for another. `other`
-/// has room for as many. Afterwards `right` is the solution.
+/// Cyclic reduction of all rows at once by a group of threads (Hockney & Jesshope 1981). Each turn couples
+/// rows that are twice as far apart. Where the coupling is loose, it stops as soon as no row depends on
+/// another. `other` has room for as many rows. Afterwards `right` holds the solution.
 template <Coupling coupling, class Group, class R, class X>
 MENISCUS_HD void reduce_all(const Group& group, TridiagonalRow<R, X>* rows, TridiagonalRow<R, X>* other,
                             uint32_t count) {
@@ -89,7 +91,7 @@ MENISCUS_HD void reduce_all(const Group& group, TridiagonalRow<R, X>* rows, Trid
   });
 }
 
-/// The solution of row i, where `coarse` has that of every other row.
+/// The solution of row i, where `coarse` has the solution of every other row.
 template <class R, class X>
 MENISCUS_HD void substitute(const TridiagonalRow<R, X>* coarse, TridiagonalRow<R, X>* rows, uint32_t count,
                             uint32_t i) {
@@ -102,9 +104,9 @@ MENISCUS_HD void substitute(const TridiagonalRow<R, X>* coarse, TridiagonalRow<R
   rows[i].right = x;
 }
 
-/// Cyclic reduction by a group of threads: every other row is eliminated, again and again, until there are
-/// few enough to be reduced all at once, which takes fewer turns but more work. `other` has room for as many.
-/// Afterwards `right` is the solution.
+/// Cyclic reduction by a group of threads. Every other row is eliminated, until few enough rows are left to
+/// be reduced all at once. That takes fewer turns but more work. `other` has room for as many rows.
+/// Afterwards `right` holds the solution.
 template <Coupling coupling, class Group, class R, class X>
 MENISCUS_HD void reduce_cyclically(const Group& group, TridiagonalRow<R, X>* rows,
                                    TridiagonalRow<R, X>* other, uint32_t count) {
@@ -127,7 +129,7 @@ MENISCUS_HD void reduce_cyclically(const Group& group, TridiagonalRow<R, X>* row
   }
 }
 
-/// Solves a system. `other` is for groups of several threads: room for as many rows.
+/// Solves a system. `other` has room for as many rows. Groups of several threads use it.
 template <Coupling coupling, class Group, class R, class X>
 MENISCUS_HD void solve_tridiagonal(const Group& group, TridiagonalRow<R, X>* rows,
                                    TridiagonalRow<R, X>* other, uint32_t count) {

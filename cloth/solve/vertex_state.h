@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What all kernels of cloth begin with: the vertices, and XPBD's step of one constraint.
+// What all kernels of cloth use: the state of vertices, and the XPBD step of one constraint.
 #pragma once
 
 #include "cloth/build/piece.h"
@@ -14,7 +14,7 @@ namespace meniscus::cloth {
 using pbd::Vec4;
 using pbd::View;
 
-/// Vertices by their numbers.
+/// The vertices of all cloth, by number.
 struct VertexState {
   pbd::ParticleView particles;
   View<const Piece> pieces;
@@ -24,7 +24,7 @@ struct VertexState {
   MENISCUS_HD Vec4 position(uint32_t v) const { return particles.position[particles.sorted + v]; }
   MENISCUS_HD Vertex at(uint32_t v) const { return vertex_at(particles, v); }
   MENISCUS_HD Vec4 previous(uint32_t v) const { return particles.previous[particles.sorted + v]; }
-  /// m, of the present position x of v since the substep began.
+  /// m, from the start of the substep to the present position x of v.
   MENISCUS_HD Vec3 displacement(uint32_t v, const Vec4& x) const { return x.xyz() - previous(v).xyz(); }
   MENISCUS_HD uint32_t piece_number(uint32_t v) const {
     return pbd::phase_group(particles.phase[particles.sorted + v]);
@@ -37,7 +37,7 @@ struct VertexState {
   MENISCUS_HD float bending_damping(uint32_t v) const {
     return inverse_dt * (damping.bending >= 0 ? damping.bending : piece_of(v).bending_damping);
   }
-  /// The same of vertex v(lane) in each lane.
+  /// The same for vertex v(lane) in each lane.
   template <class D, class Number>
   MENISCUS_HD typename D::Real stretch_damping_by_lane(const Number& v) const {
     if (damping.stretch >= 0) return typename D::Real(inverse_dt * damping.stretch);
@@ -49,7 +49,7 @@ struct VertexState {
     return pbd::by_lane<D>([&](uint32_t lane) { return bending_damping(v(lane)); });
   }
 
-  /// Gives s times an impulse (kg·m; w is 0) to v.
+  /// Pushes v by s times an impulse (kg·m; w is 0).
   MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& impulse) const {
     push_vertex(particles, v, vertex, s, impulse);
   }
@@ -58,14 +58,14 @@ struct VertexState {
   }
 };
 
-/// What one constraint adds to its multiplier (Macklin, Müller & Chentanez 2016, eq. 26):
+/// The increment of a constraint's multiplier (Macklin, Müller & Chentanez 2016, eq. 26):
 ///
 ///   Δλ = (−C − α̃ λ − γ ∇C·(x − x₀)) / ((1 + γ) Σ w|∇C|² + α̃)
 ///
-/// for any number of constraints with a common weight Σ w|∇C|²: V is R or a vector of them, and R may have
-/// lanes. `damping` is τ/h, and γ that times α̃/(α̃ + weight): what is stiffer than a substep resolves acts
-/// with the stiffness that the solve gives it, and is damped in proportion to that. Else damping would keep
-/// unyielding cloth from its length.
+/// It holds for any number of constraints with a common weight Σ w|∇C|². V is R or a vector of R, and R may
+/// have lanes. `damping` is τ/h, and γ is `damping` times α̃/(α̃ + weight). A constraint that is stiffer than
+/// a substep resolves acts with the stiffness that the solve gives it, and is damped in proportion to that.
+/// Otherwise damping would keep unyielding cloth from its length.
 template <class V, class R>
 MENISCUS_HD V xpbd_step(const V& c, const V& rate, const R& weight, const V& multiplier, const R& compliance,
                         const R& damping) {

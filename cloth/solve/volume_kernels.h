@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The gas in closed pieces of cloth. At constant temperature p V stays, so near the volume V_u that the gas
-// would fill unstrained the overpressure is (V_u − V)/α: a constraint C = V − V_u with compliance α, whose
-// multiplier is minus the overpressure. It acts on all vertices at once.
+// The gas in closed pieces of cloth. At constant temperature p V is constant. The gas would fill the volume
+// V_u without strain. Near V_u the overpressure is (V_u − V)/α. This is a constraint C = V − V_u with
+// compliance α, whose multiplier is minus the overpressure. It acts on all vertices at once.
 #pragma once
 
 #include "cloth/solve/vertex_state.h"
@@ -11,21 +11,21 @@
 
 namespace meniscus::cloth::volume_kernels {
 
-inline constexpr uint32_t lanes = 64;  ///< in which a piece's sums run, at fixed strides
+inline constexpr uint32_t lanes = 64;  ///< the number of strided partial sums of a piece
 
-/// Of one piece: V, Σ w|∇V|², Σ ∇V·(x − x₀) and the multiplier of the substep so far.
+/// Of one piece: V, Σ w|∇V|², Σ ∇V·(x − x₀) and the multiplier so far in the substep.
 struct GasState {
   float volume, weight, rate;
   float multiplier;  ///< kg/m·s⁰: over h² it is a pressure, Pa
 };
 
-/// ∇V at each vertex of a piece with gas: a sixth of Σ x_j × x_k over its triangles, seen from the piece's
-/// first vertex, as far away from it all would be rounding.
+/// ∇V at each vertex of a piece with gas: a sixth of Σ x_j × x_k over its triangles. Positions are taken
+/// relative to the first vertex of the piece. Relative to a distant origin, only rounding would be left.
 struct Gradients {
   View<const pbd::SurfaceTriangle> triangles;
   View<const uint32_t> fan_start, fan;
   VertexState vertices;
-  View<Vec4> gradient;  ///< m²; w: what the vertex adds to V, m³
+  View<Vec4> gradient;  ///< m²; w: the vertex's contribution to V, m³
 
   MENISCUS_HD void operator()(uint32_t v) const {
     const Piece& piece = vertices.piece_of(v);
@@ -44,7 +44,7 @@ struct Gradients {
   }
 };
 
-/// One lane of one piece.
+/// One partial sum of one piece.
 struct SumLanes {
   View<const Vec4> gradient;
   VertexState vertices;
@@ -65,7 +65,7 @@ struct SumLanes {
   }
 };
 
-/// The step of each piece's multiplier.
+/// The step of the multiplier of each piece.
 struct Solve {
   View<const GasState> partial;
   View<const Piece> pieces;

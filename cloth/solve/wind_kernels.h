@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The kernels of the air's force on cloth.
 #pragma once
 
 #include "cloth/build/wind.h"
@@ -14,7 +16,7 @@ using pbd::max;
 using pbd::scatter;
 using pbd::square_root;
 
-/// The air's force on a triangle: as on a flat plate with the relative wind u, normal n and area A,
+/// The force of the air on a triangle, as on a flat plate with relative wind u, normal n and area A:
 ///
 ///   drag  ½ ρ A C_D |u·n| u        lift  ½ ρ A C_L (u·n) (|u| n − (u·n) u/|u|)
 struct BlowOnTriangles {
@@ -22,7 +24,8 @@ struct BlowOnTriangles {
   VertexState vertices;
   Wind wind;
   float time;
-  View<Vec4> force;  ///< N, on each corner; w: N·s/m, how fast it goes down with the speed, at most
+  View<Vec4>
+      force;  ///< N, on each corner; w: N·s/m, the greatest rate at which the force falls with the speed
 
   template <class D>
   MENISCUS_HD void run(const pbd::SideBySide<D>& together) const {
@@ -50,7 +53,7 @@ struct BlowOnTriangles {
     const Vector u = wind.at(third * (a + b + c), time) - speed;
     const Vector normal = cross(b - a, c - a);
     const Real twice_area = square_root(dot(normal, normal)), fast = square_root(dot(u, u));
-    // What has no area, or moves with the air, feels nothing.
+    // A triangle without area, or one that moves with the air, feels no force.
     const auto if_felt = [&](const Real& x) {
       return select_less(twice_area, Real(1e-20f), zero, select_less(fast, Real(1e-9f), zero, x));
     };
@@ -65,7 +68,7 @@ struct BlowOnTriangles {
   }
 };
 
-/// Moves vertices by what acts on their triangles.
+/// Moves vertices by the forces on their triangles.
 struct Blow {
   View<const uint32_t> fan_start, fan;
   View<const Vec4> force;
@@ -76,7 +79,7 @@ struct Blow {
     Vec4 sum{0, 0, 0, 0};
     for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k) sum = plus(sum, 1, load(force, fan[k] / 3));
     const Vertex vertex = vertices.at(v);
-    // A light vertex takes the wind's speed, and no more.
+    // A light vertex reaches the speed of the wind, and no more.
     const float stiffness = sum.w;
     vertices.push(v, vertex, dt * dt / pbd::max(1.0f, dt * vertex.x.w * stiffness) * sum.xyz());
   }
