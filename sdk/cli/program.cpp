@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Declares the options and subcommands, parses the command line, and maps errors to exit codes.
 #include "sdk/cli/program.h"
 
 #include <spdlog/sinks/stdout_sinks.h>
@@ -134,7 +136,8 @@ void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
 
 /// Errors and progress go to stderr as `meniscus: ...`; stdout is for results.
 void start_log() {
-  // Not one of spdlog's named loggers: a program that runs twice in one process would have it there already.
+  // Not a named logger of spdlog's registry: a program that runs twice in one process would find that name
+  // taken.
   spdlog::set_default_logger(
       std::make_shared<spdlog::logger>("meniscus", std::make_shared<spdlog::sinks::stderr_sink_st>()));
   spdlog::set_pattern("%n: %v");

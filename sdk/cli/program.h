@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The command-line program as a function that tests can call.
 #pragma once
 
 #include "sdk/cli/commands/exit_code.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Keeps spray, foam and bubbles out of solids.
 #pragma once
 
 #include "collision/contact/shape_contacts.h"
@@ -7,7 +9,8 @@
 
 namespace meniscus {
 
-/// Puts spray, foam and bubbles that have got into a solid back to its surface.
+/// Projects spray, foam and bubbles that are inside a solid to its surface, and removes their velocity into
+/// it.
 struct KeepOutOfSolids {
   collision::ShapeSet set;
   fluid::PendingDiffuse pending;

@@ -43,14 +43,14 @@ struct EngineDef {
   collision::RigidWorld* rigid = nullptr;  ///< must outlive the engine
 };
 
-/// What particles of one group are made of: a fluid, or grains.
+/// The material of the particles of one group: a fluid, or grains.
 struct ParticleMaterial {
-  fluid::Material fluid;  ///< of grains, the density alone
+  fluid::Material fluid;  ///< for grains only the density is used
   collision::GrainMaterial grain;
   CollisionFilter filter;  ///< which solids they collide with
 };
 
-/// All solids as the solver wants them: fixed shapes first; those of bodies are placed by what carries them.
+/// All solids in the solver's form: fixed shapes first. Shapes of bodies are placed by `carried`.
 struct SolidShapes {
   std::vector<collision::Shape> shapes;
   uint32_t fixed = 0;
@@ -60,7 +60,7 @@ struct SolidShapes {
 
 enum class TouchedKind { shape, body, cloth };
 
-/// What a contact of the last substep did.
+/// The effect of a contact in the last substep.
 struct ContactReadout {
   uint32_t slot;   ///< of the particle
   uint32_t solid;  ///< fixed shape, body or piece of cloth
@@ -80,19 +80,19 @@ struct Sink {
   float size = 0;                  ///< m; ball: radius; half space: normal · p below this is inside
 };
 
-/// A particle that would like to be at `to`, where it has come from the opening at `from`.
+/// A particle that is to be placed at `to`, where it has arrived from the opening at `from`.
 struct Arrival {
   Vec3 from, to;           ///< m
   Vec3 velocity;           ///< m/s
-  CollisionFilter filter;  ///< which solids are in its way
-  uint32_t waits;          ///< 1: it has waited, and now drives away what is too near
+  CollisionFilter filter;  ///< which solids block it
+  uint32_t waits;          ///< 1: it has waited, and now drives away particles that are too near
 };
 
 struct ParticleBatch {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
   std::vector<pbd::Phase> phase;
-  bool by_hand = false;  ///< where nobody has looked for room: they may be in solids
+  bool by_hand = false;  ///< nobody has checked for room: the particles may be in solids
 
   void clear() {
     position.clear();
@@ -101,7 +101,7 @@ struct ParticleBatch {
   }
 };
 
-/// All cloth and ropes of a world: their vertices, by number, and what joins them.
+/// All cloth and ropes of a world: their vertices, by number, and their constraints.
 struct EngineCloth {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
@@ -122,7 +122,7 @@ struct EngineStep {
   uint32_t density_iterations = 0;  ///< over all substeps
 };
 
-/// What a fresh search finds.
+/// Results of a fresh neighbour search.
 struct EngineMeasure {
   double neighbours_mean = 0;
   uint32_t contacts = 0;
@@ -134,13 +134,13 @@ class Engine {
 
   virtual pbd::Device& device() = 0;
 
-  /// From the next step on: what steers the solvers, of which kernel, spacing and radii stay. Cloth must be
-  /// set anew.
+  /// Sets the parameters of the solvers from the next step on. Kernel, spacing and radii must stay. Set the
+  /// cloth anew afterwards.
   virtual void set_solvers(const EngineDef& def) = 0;
-  /// By group.
+  /// The materials, by group.
   virtual void set_materials(std::span<const ParticleMaterial> materials) = 0;
-  /// Fields that shapes refer to by number.
-  /// With `max_error` > 0 as fine as that takes, else of the cell size; m.
+  /// Adds a field, to which shapes refer by its number. With `max_error` > 0 the field is as fine as that
+  /// needs, otherwise it has this cell size; both in m.
   virtual uint32_t add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
                            float margin) = 0;
   virtual uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
@@ -148,60 +148,62 @@ class Engine {
   virtual void remove_sdf(uint32_t number) = 0;
   virtual void remove_height_field(uint32_t number) = 0;
   virtual void set_shapes(const SolidShapes& solids) = 0;
-  /// Bodies were moved by hand.
+  /// Call it after bodies were placed by a call of the user.
   virtual void place_bodies() = 0;
-  /// What particles gave to each body in the last step: N and N·m, the mean over the step.
+  /// Force (N) and torque (N·m) of the particles on each body, mean over the last step.
   virtual std::span<const collision::RigidImpulse> body_forces() const = 0;
-  /// Of the last substep, in the order of the slots; those that did something.
+  /// The contacts of the last substep with an effect, in the order of the slots.
   virtual std::vector<ContactReadout> read_contacts() = 0;
-  /// Takes those of a solid that is destroyed out of them, and their force out of body_forces().
+  /// Removes the contacts of a destroyed solid, and their force in body_forces().
   virtual void forget_contacts(uint32_t solid, TouchedKind kind) = 0;
   virtual void set_sinks(std::span<const Sink> sinks) = 0;
-  /// Removes what the sinks take: by slot as it was before, who is gone; empty when nobody is. Counts by
-  /// sink; a particle counts for the first that takes it.
+  /// Removes the particles that the sinks take. Returns which are gone, by their former slot; empty if none
+  /// is. Counts by sink: a particle counts for the first sink that takes it.
   virtual std::vector<bool> take_sinks(std::span<uint32_t> taken) = 0;
   virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
   virtual void read_probes(std::span<fluid::ProbeSum> means) = 0;
 
-  /// Which points of the cubic lattice with this spacing lie inside the mesh.
+  /// The points of the cubic lattice with this spacing that lie inside the mesh.
   virtual std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) = 0;
-  /// Signed distance of each point to the nearest solid that this filter collides with.
+  /// Signed distance of each point to the nearest solid with which this filter collides.
   virtual std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                              const CollisionFilter& filter) = 0;
 
-  /// Takes the place of all cloth and ropes that were there.
+  /// Replaces all cloth and ropes.
   virtual void set_cloth(const EngineCloth& cloth) = 0;
   virtual void set_wind(const cloth::Wind& wind) = 0;
-  /// By vertex.
+  /// By vertex, m and m/s.
   virtual void read_vertices(std::span<Vec3> positions, std::span<Vec3> velocities) = 0;
   virtual std::vector<cloth::SegmentState> read_segments() = 0;
   /// By held vertex, N·s over the last step.
   virtual std::vector<Vec3> read_reactions() = 0;
   /// By attachment, N·s on its vertex over the last step.
   virtual std::vector<Vec3> read_attachment_impulses() = 0;
-  /// Particles that touched absorbent cloth at the last step's end, by slot: before any come or go.
+  /// Particles that touched absorbent cloth at the last step's end, by slot. Call it before particles are
+  /// added or removed.
   virtual std::vector<collision::WettingTouch> read_wetting() = 0;
-  /// The vertices from `first` on, of which those that nothing moves stay as they are; 1/kg and m/s.
+  /// Sets inverse masses (1/kg) and velocities (m/s) of the vertices from `first` on. Held vertices stay as
+  /// they are.
   virtual void weigh_vertices(uint32_t first, std::span<const float> inverse_masses,
                               std::span<const Vec3> velocities) = 0;
-  /// Whether an edge was stretched further than it bears in the last step.
+  /// Whether an edge exceeded its tear strain in the last step.
   virtual bool found_tears() = 0;
 
   virtual uint32_t particle_count() const = 0;
-  /// So many more can be added, or asked about, without a need for memory.
+  /// Reserves memory so that this many more can be added or asked about.
   virtual void make_room(uint32_t more) = 0;
-  /// Whether each arrival has room beside all particles, all solids, and those before it that have room. One
-  /// that has waited gives particles that are too near its own velocity, for the next step.
+  /// Finds whether each arrival has room beside all particles, all solids, and earlier arrivals with room. An
+  /// arrival that has waited gives its velocity to particles that are too near, for the next step.
   virtual void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) = 0;
   virtual void append(const ParticleBatch& batch) = 0;
-  /// keep[slot] says who stays; the rest move up.
+  /// Keeps the particles with keep[slot]; the rest of the slots close up.
   virtual void keep(const std::vector<bool>& keep) = 0;
 
-  /// When the result's summary counts non-finite particles, the state is the one before the call.
+  /// If the result's summary counts non-finite particles, the state is that before the call.
   virtual EngineStep step(float dt) = 0;
   virtual void relax(float dt, int iterations) = 0;
 
-  /// N·s each, at once, on the particles of fluids in these slots, which ascend, or on these vertices.
+  /// Applies impulses (N·s) at once, to fluid particles in these slots, which ascend, or to these vertices.
   virtual void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) = 0;
   virtual void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) = 0;
 
@@ -209,21 +211,22 @@ class Engine {
   virtual void read_positions(std::span<Vec3> out) = 0;
   virtual void read_velocities(std::span<Vec3> out) = 0;
   virtual void read_fluids(std::span<uint32_t> out) = 0;
-  /// Of all particles of fluids, by number, position and velocity; see World::state_hash.
+  /// The hash sum of all fluid particles, from number, position and velocity; see World::state_hash.
   virtual uint64_t hash_particles() = 0;
   virtual void read_pressures(std::span<float> out, float dt) = 0;
-  /// C, and 1 where the support is full, measured afresh.
+  /// C, and 1 for particles with full support, measured afresh.
   virtual EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) = 0;
-  /// Ellipsoids and groups, by slot, to the device's own memory, by the neighbours of the last substep where
-  /// they are of the present particles. Waits for nothing then, nor for its own end.
+  /// Writes ellipsoids and groups, by slot, to the device's own memory. It uses the neighbours of the last
+  /// substep if they belong to the present particles. Then it waits neither for other work nor for its own
+  /// end.
   virtual void write_particles(const ParticleArrays& arrays) = 0;
   virtual void read_ellipsoids(std::span<Ellipsoid> out) = 0;
-  /// Of one material, or of all fluids.
+  /// The surface of one material, or of all fluids.
   virtual SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) = 0;
   virtual uint32_t diffuse_count() const = 0;
   virtual uint32_t diffuse_refused() const = 0;  ///< in the last step
   virtual void read_diffuse(std::span<DiffuseParticle> out) = 0;
-  /// All that does not need neighbours.
+  /// Measures all diagnostics that need no neighbours.
   virtual Diagnostics measure(Vec3 gravity) = 0;
 };
 

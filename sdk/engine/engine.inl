@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The simulation on one device: how the modules of a world are put together and stepped.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +35,7 @@
 
 namespace meniscus {
 
-/// The simulation on device D: the solver with what a world of fluid and solids registers with it.
+/// The simulation on device D: the solver, and the phases that a world registers with it.
 template <class D>
 class DeviceEngine final : public Engine {
  public:
@@ -137,7 +139,7 @@ class DeviceEngine final : public Engine {
   Diagnostics measure(Vec3 gravity) override;
 
  private:
-  /// Registers all parts with the solver; throws std::logic_error where a phase is empty or taken twice.
+  /// Registers all phases with the solver; throws std::logic_error if a phase is missing or registered twice.
   void assemble() {
     pbd::Pipeline<ContactPhase, pbd::ContactSource<D>>()
         .place(ContactPhase::attachments, attachments_)
@@ -228,7 +230,7 @@ class DeviceEngine final : public Engine {
   std::vector<ContactReadout> fetched_contacts_;
   bool contacts_fetched_ = true;
   bool any_overlapping_ = true;  // since the last step began: see note_overlapping()
-  uint32_t sorted_in_step_ = 0;  // particles of fluids in the last step: who was added since has no contacts
+  uint32_t sorted_in_step_ = 0;  // fluid particles in the last step; particles added since have no contacts
   collision::ShapeSet shape_set_;
   collision::MeshFields<D> mesh_fields_;
   std::vector<std::optional<pbd::Buffer<float>>> height_samples_;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// DeviceEngine's calls about cloth and ropes.
 #pragma once
 
 #include "sdk/engine/engine.inl"

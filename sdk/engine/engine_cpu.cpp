@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates DeviceEngine for the CPU.
 #include "pbd/device/cpu/cpu_device.h"
 #include "sdk/engine/engine.inl"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Instantiates DeviceEngine for CUDA.
 #include "pbd/device/cuda/cuda_device.cuh"
 #include "sdk/engine/engine.inl"
 

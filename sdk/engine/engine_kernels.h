@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Read-outs, measurements, and pushes by hand.
+// Kernels for read-outs, measurements and impulses.
 #pragma once
 
 #include "collision/contact/shape_contacts.h"
@@ -13,7 +13,7 @@ namespace meniscus::engine_kernels {
 
 using pbd::View;
 
-/// Writes xyz of sorted particles to the user's order.
+/// Writes xyz of sorted particles in the user's order.
 struct ReadVector {
   View<const pbd::Vec4> from;
   View<const uint32_t> slot;
@@ -39,8 +39,8 @@ struct ReadMultipliers {
   MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = scale * from[i].value; }
 };
 
-/// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. Who is
-/// beyond a wall with an opening has left, and the other walls of that container are nothing to it.
+/// Whether a point is where no particle should be: beyond a container's wall, or inside a solid. A particle
+/// beyond a wall with an opening has left; the container's other walls then ignore it.
 MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, const collision::CandidateView& candidates,
                                    const CollisionFilter& filter, uint32_t i, Vec3 p, float reach,
                                    float radius) {
@@ -54,8 +54,7 @@ MENISCUS_HD inline bool is_outside(const collision::ShapeSet& set, const collisi
   return outside;
 }
 
-/// Distance to the nearest solid of those that `skip` does not pass over; `reach` where there is none so
-/// near.
+/// Distance to the nearest solid that `skip` does not exclude; `reach` if none is that near.
 template <class Skip>
 MENISCUS_HD float nearest_solid(const collision::ShapeSet& set, const CollisionFilter& filter, Vec3 p,
                                 float reach, const Skip& skip) {
@@ -82,7 +81,7 @@ struct SolidDistance {
   }
 };
 
-/// Finds who is in a solid, or nearer to it than any motion leads: see phase_overlapping.
+/// Marks particles inside a solid, or nearer to it than motion can bring them: see phase_overlapping.
 struct NotePlaced {
   collision::ShapeSet set;
   collision::CandidateView candidates;
@@ -106,13 +105,13 @@ struct NotePlaced {
   }
 };
 
-/// What an impulse adds to the velocity of a particle; of what nothing moves, nothing.
+/// Adds an impulse to the velocity of a particle; held ones have inverse mass 0 and do not change.
 MENISCUS_HD inline void push(View<const pbd::Vec4> position, View<pbd::Vec4> velocity, uint32_t i,
                              Vec3 impulse) {
   velocity[i] = pbd::with_w(velocity[i].xyz() + position[i].w * impulse, velocity[i].w);
 }
 
-/// Particles of fluids, by slots that ascend: each looks whether it is among them.
+/// Applies impulses to fluid particles. The slots ascend: each particle searches them for its own.
 struct PushParticles {
   View<const pbd::Vec4> position;
   View<pbd::Vec4> velocity;
@@ -134,7 +133,7 @@ struct PushParticles {
   }
 };
 
-/// Vertices, by number; none of them twice.
+/// Applies impulses to vertices, by number; a vertex occurs once.
 struct PushVertices {
   View<const pbd::Vec4> position;
   View<pbd::Vec4> velocity;
@@ -185,7 +184,7 @@ struct CountNeighbours {
   MENISCUS_HD uint64_t operator()(uint32_t i) const { return neighbours.size(i); }
 };
 
-/// Of a particle's number, position and velocity.
+/// The hash of a particle's number, position and velocity.
 struct HashParticle {
   View<const pbd::Vec4> position, velocity;
   View<const uint32_t> number;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// DeviceEngine's calls that add, remove and change particles.
 #pragma once
 
 #include <numeric>
@@ -20,7 +22,7 @@ void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
   state_sum_.resize_or_stay(1);
   count_out_.resize_or_stay(1);
   removal_.reserve(capacity);
-  fluid_capacity_ = fluid;  // last: where there was no memory, there is room for as many as before
+  fluid_capacity_ = fluid;  // last: if memory ran out, the old capacity still holds
   vertex_capacity_ = vertices;
 }
 
@@ -52,8 +54,8 @@ void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials)
   viscosity_.set_materials(fluids);
 }
 
-/// A first fill gets what it asks for, if that is not little; later ones leave room for more, so that an
-/// emitter does not reallocate often.
+/// The first fill gets what it asks for, unless that is little. Later ones reserve more than needed, so that
+/// an emitter rarely reallocates.
 template <class D>
 void DeviceEngine<D>::reserve_more(uint32_t more) {
   const uint32_t present = particles_.sorted(), needed = present + more;
@@ -99,7 +101,7 @@ void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
 
 template <class D>
 std::vector<uint32_t> DeviceEngine<D>::remove_marked(uint32_t kept) {
-  fetch_contacts();  // while they fit the particles
+  fetch_contacts();  // while they match the particles
   std::vector<uint32_t> by_slot =
       removal_.apply(particles_, kept, [&](pbd::View<const uint32_t> order, uint32_t count) {
         density_.reorder(order, count);
@@ -110,7 +112,7 @@ std::vector<uint32_t> DeviceEngine<D>::remove_marked(uint32_t kept) {
   return by_slot;
 }
 
-/// Contacts of particles that stay go with them to their new slots.
+/// Contacts of remaining particles move with them to their new slots.
 template <class D>
 void DeviceEngine<D>::keep_contacts(std::span<const uint32_t> stays) {
   std::vector<uint32_t> place(stays.size());
@@ -157,7 +159,7 @@ std::vector<bool> DeviceEngine<D>::take_sinks(std::span<uint32_t> taken) {
 template <class D>
 EngineStep DeviceEngine<D>::step(float dt) {
   EngineStep done;
-  fetched_contacts_.clear();  // after a step that fails there are none
+  fetched_contacts_.clear();  // after a failed step there are none
   contacts_fetched_ = true;
   note_overlapping();
   done.result = solver_.step(dt);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// DeviceEngine's calls that read results and measure.
 #pragma once
 
 #include "sdk/engine/engine.inl"
@@ -101,8 +103,8 @@ SurfaceMesh DeviceEngine<D>::read_surface(const fluid::SurfaceField& field, std:
   return mesher_.read();
 }
 
-/// Brings what the last substep's contacts did to the host, by slot; once a step, and before particles change
-/// places.
+/// Fetches the effects of the last substep's contacts to the host, by slot. It runs once a step, and before
+/// particles change their places.
 template <class D>
 void DeviceEngine<D>::fetch_contacts() {
   if (contacts_fetched_) return;
@@ -121,7 +123,7 @@ void DeviceEngine<D>::fetch_contacts() {
     const pbd::Contact& c = contacts[n];
     const Vec3 impulse = multiplier_sum(c) / last_substep_;
     if (c.solid == pbd::no_index || impulse == Vec3{0, 0, 0}) continue;
-    if (particle[n] >= sorted_in_step_) continue;  // vertices, and points of faces
+    if (particle[n] >= sorted_in_step_) continue;  // skips vertices and points of faces
     const TouchedKind kind = c.body == pbd::no_index   ? TouchedKind::shape
                              : c.body == pbd::on_cloth ? TouchedKind::cloth
                                                        : TouchedKind::body;

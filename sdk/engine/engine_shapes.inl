@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// DeviceEngine's calls about solids and their distance fields.
 #pragma once
 
 #include "sdk/engine/engine.inl"
 
 namespace meniscus {
 
-/// The first place of a table that nothing stands in; the table grows by one where there is none.
+/// The first free place of a table; the table grows by one if there is none.
 template <class T>
 uint32_t free_place(std::vector<std::optional<T>>& table) {
   const auto at = std::find_if(table.begin(), table.end(), [](const auto& entry) { return !entry; });
@@ -18,7 +20,7 @@ uint32_t free_place(std::vector<std::optional<T>>& table) {
 template <class D>
 uint32_t DeviceEngine<D>::add_sdf(const collision::TriangleMesh& mesh, float cell_size, float max_error,
                                   float margin) {
-  // The device hears of it with the shapes: until then its table, which kernels read, stays as it is.
+  // It reaches the device with the shapes. Until then the device's table, which kernels read, stays as it is.
   return mesh_fields_.acquire(device_, mesh, cell_size, max_error, margin, def_.solver.support_radius);
 }
 
@@ -55,7 +57,7 @@ void DeviceEngine<D>::place_bodies() {
   any_overlapping_ = true;
 }
 
-/// Where solids, cloth or particles have been put into one another.
+/// Marks particles and vertices that overlap solids after solids, cloth or particles were placed.
 template <class D>
 void DeviceEngine<D>::note_overlapping() {
   if (!any_overlapping_ || shape_set_.shapes.count == 0) return;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds out whether a new particle has room at a place.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +13,14 @@
 
 namespace meniscus {
 
-/// Finds out where a particle can be put.
+/// Finds out whether arrivals have room.
 template <class D>
 class FreeRoom {
  public:
   FreeRoom(D& device, float spacing, float contact_radius)
       : device_(device), spacing_(spacing), contact_radius_(contact_radius) {}
 
-  /// So many arrivals can be looked at without a need for memory. Grows by more than it must.
+  /// Reserves memory for this many arrivals. Grows by more than needed.
   void reserve(uint32_t count) {
     if (count > arrivals_.size()) {
       const uint32_t room = std::max(64u, count + count / 2);
@@ -30,8 +32,8 @@ class FreeRoom {
     if (buckets > start_.size()) start_.resize_or_stay(buckets);
   }
 
-  /// Sets has_room[i] to whether there is room for arrivals[i] beside all particles, and beside those before
-  /// it that have room themselves.
+  /// Sets has_room[i] to whether arrivals[i] has room beside all particles, and beside earlier arrivals with
+  /// room.
   void find(pbd::Particles& particles, const collision::ShapeSet& shapes, std::span<const Arrival> arrivals,
             std::vector<uint8_t>& has_room) {
     const auto count = static_cast<uint32_t>(arrivals.size());
@@ -64,7 +66,7 @@ class FreeRoom {
 
  private:
   float apart() const { return 0.7f * spacing_; }
-  /// Half a spacing, but for rounding.
+  /// Half a spacing, less a margin for rounding.
   float clearance() const { return 0.49f * spacing_; }
 
   void fill_table(std::span<const Arrival> arrivals) {

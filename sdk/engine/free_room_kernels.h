@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Kernels that mark the arrivals which particles or solids block.
 #pragma once
 
 #include "collision/contact/opening.h"
@@ -11,8 +13,9 @@ namespace meniscus::free_room_kernels {
 
 using pbd::View;
 
-/// Over particles, vertices among them: marks the arrivals that one is too near to. One that has waited
-/// drives it away, as if it had come out of the opening itself; the first of them, if there are several.
+/// Runs over particles and vertices, and marks the arrivals that are too near to one. An arrival that has
+/// waited gives its velocity to such a particle, as if that had left the opening. If there are several, the
+/// first one does.
 struct BlockByParticles {
   View<const pbd::Vec4> position;
   View<pbd::Vec4> velocity;
@@ -20,7 +23,7 @@ struct BlockByParticles {
   uint32_t sorted;
   View<const Arrival> arrivals;
   PointTableView table;
-  Aabb box;  // that holds all arrivals and what may be near them
+  Aabb box;  // holds all arrivals and what may be near them
   View<uint32_t> blocked;
   float apart;
 
@@ -39,7 +42,8 @@ struct BlockByParticles {
   }
 };
 
-/// Over arrivals: goes the way from the opening in steps so short that no solid is missed.
+/// Runs over arrivals, and marks those with a solid in their way. It marches from the opening in steps so
+/// short that no solid is missed.
 struct BlockBySolids {
   collision::ShapeSet set;
   View<const Arrival> arrivals;

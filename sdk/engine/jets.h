@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Holds the velocity of particles that have just left an opening.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace jet_kernels {
 
 using pbd::View;
 
-/// Takes back what constraints did to the velocity.
+/// Removes the change that constraints made to the velocity.
 struct Hold {
   View<const pbd::Phase> phase;
   View<const pbd::Vec4> accumulated_delta;
@@ -36,9 +38,9 @@ struct Age {
 
 }  // namespace jet_kernels
 
-/// Keeps the velocity of what has just left an opening until fluid has come up behind it. Left to itself the
-/// newest layer, with nothing behind it, would be pushed back by the rest, the next be put into what has
-/// come back, and so on: a jet of incompressible fluid would shake itself to pieces.
+/// Keeps the velocity of particles that have just left an opening until fluid has followed behind them.
+/// Without this, the rest of the jet would push back the newest layer, which has nothing behind it. The next
+/// layer would then be placed into it, and so on: a jet of incompressible fluid would break up.
 template <class D>
 class Jets final : public pbd::VelocityPass<D> {
  public:
@@ -51,10 +53,10 @@ class Jets final : public pbd::VelocityPass<D> {
                          jet_kernels::Hold{p.phase, p.accumulated_delta, p.velocity, 1 / substep.dt});
   }
 
-  /// Some particle is held for so many steps.
+  /// Some particle keeps its velocity for this many steps.
   void hold_for(uint32_t steps) { steps_left_ = std::max(steps_left_, steps); }
 
-  /// After a step that was done.
+  /// Call it after a completed step.
   void age(pbd::Particles& particles) {
     if (steps_left_ == 0) return;
     device_.parallel_for("jets/age", particles.sorted(), jet_kernels::Age{particles.phase.current.view()});
@@ -63,7 +65,7 @@ class Jets final : public pbd::VelocityPass<D> {
 
  private:
   D& device_;
-  uint32_t steps_left_ = 0;  // for which any particle is held
+  uint32_t steps_left_ = 0;  // steps for which any particle is still held
 };
 
 }  // namespace meniscus

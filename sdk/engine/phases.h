@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The order of all that takes part in a substep. Within an iteration each constraint set sees what those
-// before it did, so the order is part of the method. docs/architecture.md says more.
+// The order of the phases of a substep. Within an iteration each constraint set sees the changes of those
+// before it, so the order is part of the method. docs/architecture.md explains it.
 #pragma once
 
 #include <array>
@@ -13,22 +13,22 @@ namespace meniscus {
 /// Constraint sets, in the order in which each iteration projects them.
 enum class SetPhase {
   surface_tension,     ///< changes velocities before the solve
-  density,             ///< first, so that what follows corrects what it pushes into cloth and solids
-  fluid_loads,         ///< gives cloth what the density solve pushed into its contacts
-  attachments,         ///< before all that moves vertices: a held vertex weighs as much as its holder
+  density,             ///< first, so that later sets correct what it pushes into cloth and solids
+  fluid_loads,         ///< passes the density solve's contact impulses on to cloth
+  attachments,         ///< before sets that move vertices: a held vertex gets its holder's mass
   body_loads,          ///< before cloth: a vertex that carries a body resists with that body's mass
   cloth,               ///< stretch, shear, bending, tethers, volume
-  body_load_transfer,  ///< after cloth, before contacts: hands on to bodies what cloth pressed
+  body_load_transfer,  ///< after cloth, before contacts: transfers the impulses of cloth to bodies
   rods,
   ropes,
   self_contact,        ///< after cloth's own constraints
   grains,              ///< friction among grains, with their contacts
-  fluid_carry,         ///< after cloth: moves along the fluid that rests on it
-  contacts,            ///< late, so that nothing is left inside a solid
-  ccd_failsafe,        ///< after all that moves vertices: nothing has passed through cloth
-  attachment_release,  ///< after all that moves vertices: these get their own masses back
-  fluid_cloth,         ///< after all that moves vertices: no fluid has passed through cloth
-  bodies,              ///< last: bodies take what all others gave them, and Bullet steps
+  fluid_carry,         ///< after cloth: moves the fluid that rests on it along
+  contacts,            ///< late, so that nothing stays inside a solid
+  ccd_failsafe,        ///< after sets that move vertices: nothing has passed through cloth
+  attachment_release,  ///< after sets that move vertices: vertices get their own masses back
+  fluid_cloth,         ///< after sets that move vertices: no fluid has passed through cloth
+  bodies,              ///< last: bodies receive the impulses of all others, and Bullet steps
   count,
 };
 
@@ -45,7 +45,7 @@ constexpr const char* phase_name(SetPhase phase) {
 
 /// Sources of contacts, in the order in which a particle lists its contacts.
 enum class ContactPhase {
-  attachments,  ///< first: a vertex's attachment comes before what it touches
+  attachments,  ///< first: a vertex lists its attachment before its contacts
   cloth,
   solids,
   count,
@@ -57,7 +57,7 @@ constexpr const char* phase_name(ContactPhase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 
-/// What changes velocities after the solve.
+/// Passes that change velocities after the solve.
 enum class VelocityPhase {
   jets,       ///< first: particles that have just left an opening keep its velocity
   viscosity,  ///< viscosity, XSPH and vorticity confinement

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Points by the cell of a grid that they lie in, to find those near a place. The host fills it; kernels can
-// look.
+// Points sorted by grid cell, to find those near a place. The host fills the table; kernels can query it.
 #pragma once
 
 #include <bit>
@@ -38,8 +37,8 @@ struct PointTableView {
     return {cell_along(p.x, cell), cell_along(p.y, cell), cell_along(p.z, cell)};
   }
 
-  /// Calls visit(number) for each point within a cell's size of p, and for some that are not; perhaps more
-  /// than once.
+  /// Calls visit(number) for each point within a cell's size of p. It may visit other points as well, and a
+  /// point more than once.
   template <class Visit>
   MENISCUS_HD void for_each_near(Vec3 p, const Visit& visit) const {
     const Cell c = cell_of(p);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Marks and counts the particles that sinks take.
 #pragma once
 
 #include <algorithm>
@@ -62,7 +64,7 @@ struct Count {
 
 }  // namespace sink_kernels
 
-/// Says which particles the sinks take, and counts them.
+/// Marks the particles that the sinks take, and counts them.
 template <class D>
 class Sinks {
  public:
@@ -76,8 +78,8 @@ class Sinks {
 
   bool empty() const { return sinks_.size() == 0; }
 
-  /// Fills removal.keep(); returns how many of the fluids' particles stay. Where some go, taken[k] is how
-  /// many sink k takes.
+  /// Fills removal.keep(); returns how many fluid particles remain. If some are removed, taken[k] is the
+  /// count of sink k.
   uint32_t mark(pbd::Particles& particles, pbd::Removal<D>& removal, std::span<uint32_t> taken) {
     const View<const pbd::Vec4> position = particles.position.current.view();
     device_.parallel_for("sinks/mark", particles.count(),

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Copies the cloth and ropes of a world into frames.
 #include "sdk/io/cloth_frame.h"
 
 #include <numeric>

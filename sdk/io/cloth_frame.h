@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Cloth and ropes at one moment, as the writers and the preview take them.
+// Cloth and ropes at one moment, as input of the writers and the preview.
 #pragma once
 
 #include <meniscus/world.h>
@@ -13,17 +13,17 @@
 
 namespace meniscus::io {
 
-/// All pieces of cloth, one after the other. Triangles may be others, and more, from frame to frame.
+/// All pieces of cloth, one after the other. The triangles and their number may change from frame to frame.
 struct ClothFrame {
   double time = 0;                                 ///< s
   std::vector<Vec3> vertices;                      ///< m
-  std::vector<Vec3> velocities;                    ///< m/s, one a vertex
-  std::vector<Vec3> normals;                       ///< unit, one a vertex
-  std::vector<float> wetness;                      ///< one a vertex, or none: see World::cloth_wetness
-  std::vector<std::array<uint32_t, 3>> triangles;  ///< corners turn counter-clockwise about the normal
-  std::vector<float> strains;                      ///< one a triangle: its largest principal strain
-  std::vector<uint32_t> pieces;                    ///< one a triangle: its piece, in the order of the scene
-  std::vector<uint32_t> vertex_pieces;             ///< likewise one a vertex
+  std::vector<Vec3> velocities;                    ///< m/s, one per vertex
+  std::vector<Vec3> normals;                       ///< unit, one per vertex
+  std::vector<float> wetness;                      ///< one per vertex, or none: see World::cloth_wetness
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< corners counter-clockwise about the normal
+  std::vector<float> strains;                      ///< one per triangle: its largest principal strain
+  std::vector<uint32_t> pieces;                    ///< one per triangle: its piece, in the order of the scene
+  std::vector<uint32_t> vertex_pieces;             ///< one per vertex: its piece
   std::vector<std::string> names;                  ///< of the pieces
 
   std::vector<std::size_t> vertex_counts() const;    ///< of each piece
@@ -32,21 +32,22 @@ struct ClothFrame {
 
 /// All ropes, one after the other.
 struct RopeFrame {
-  double time = 0;                           ///< s
-  std::vector<Vec3> vertices;                ///< m
-  std::vector<Vec3> velocities;              ///< m/s, one a vertex
-  std::vector<std::vector<uint32_t>> lines;  ///< the vertices along each rope; a closed one ends as it begins
-  std::vector<float> radii;                  ///< m, of the ropes
-  std::vector<std::string> names;            ///< of the ropes
+  double time = 0;               ///< s
+  std::vector<Vec3> vertices;    ///< m
+  std::vector<Vec3> velocities;  ///< m/s, one per vertex
+  std::vector<std::vector<uint32_t>>
+      lines;  ///< the vertices along each rope; a closed rope repeats its first vertex at the end
+  std::vector<float> radii;        ///< m, of the ropes
+  std::vector<std::string> names;  ///< of the ropes
 
   std::vector<double> lengths() const;  ///< m, of each rope
 };
 
-/// The cloth of a world as it stands; ids and definitions in the same order.
+/// The present cloth of a world; ids and definitions in the same order.
 ClothFrame cloth_frame_of(const World& world, const std::vector<ClothId>& ids,
                           const std::vector<ClothDef>& defs);
 
-/// Likewise its ropes.
+/// The present ropes of a world, likewise.
 RopeFrame rope_frame_of(const World& world, const std::vector<RopeId>& ids, const std::vector<RopeDef>& defs);
 
 }  // namespace meniscus::io

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Shrinks frames and puts them on a contact sheet.
 #include "sdk/io/contact_sheet.h"
 
 #include <algorithm>
@@ -10,7 +12,7 @@ namespace {
 constexpr int most = 12, columns = 4, widest = 320, gap = 4;
 constexpr uint8_t paper = 255;
 
-/// Each pixel is the mean of those that it takes the place of.
+/// Each pixel is the mean of those that it replaces.
 Image shrunk(const Image& image, int width) {
   const int height = std::max(1, image.height * width / image.width);
   Image small{width, height, {}};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A contact sheet: one picture of twelve frames of a run.
 #pragma once
 
 #include <vector>
@@ -8,19 +10,19 @@
 
 namespace meniscus::io {
 
-/// A run at a glance: twelve of its frames, made small, in rows of four from the top left.
+/// Twelve frames of a run, scaled down, in rows of four from the top left.
 class ContactSheet {
  public:
-  /// For a run of so many frames, 1 or more.
+  /// For a run of this many frames, 1 or more.
   explicit ContactSheet(int frames);
 
-  /// Whether this one is among the twelve; frames count from 1, and the last one is.
+  /// Whether this frame is among the twelve. Frames count from 1, and the last one is included.
   bool wants(int frame) const;
-  /// All of them are of one size.
+  /// All images have the same size.
   void add(const Image& image);
 
   bool empty() const { return added_.empty(); }
-  /// Of those that were added, one or more.
+  /// The sheet of the images added, one or more.
   Image image() const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes line charts as SVG.
 #include "sdk/io/line_chart.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -58,7 +60,7 @@ std::string line(double x1, double y1, double x2, double y2, const char* color) 
                      y1, x2, y2, color);
 }
 
-/// The polylines between gaps, each with the area below it tinted.
+/// The polylines between gaps, each with a tinted area below it.
 std::string curve(const ChartSeries& series, const std::vector<double>& x, const Axis& across,
                   const Axis& up) {
   std::string svg, points;

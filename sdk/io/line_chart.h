@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Line charts as SVG documents.
 #pragma once
 
 #include <filesystem>
@@ -29,12 +31,12 @@ struct LineChart {
   std::vector<ChartPanel> panels;
 };
 
-/// A standalone SVG document. Points that are not finite are gaps. Throws Error(invalid_argument) where a
-/// series is not as long as x.
+/// A standalone SVG document. Points that are not finite are gaps. Throws Error(invalid_argument) if the
+/// length of a series differs from that of x.
 std::string to_svg(const LineChart& chart);
 
-/// Round numbers, a step of 1, 2 or 5 times a power of ten apart, from the one at or below `low` to the one
-/// at or above `high`; about `count` of them. Needs low < high.
+/// About `count` round numbers with a step of 1, 2 or 5 times a power of ten. They go from the one at or
+/// below `low` to the one at or above `high`. Needs low < high.
 std::vector<double> round_ticks(double low, double high, int count);
 
 /// The density error of a run.
@@ -45,7 +47,7 @@ struct DensityHistory {
   std::span<const double> max;    ///< largest C, a fraction
 };
 
-/// Mean and largest density error in percent over time. Throws Error(io).
+/// Writes mean and largest density error in percent over time. Throws Error(io).
 void write_density_svg(const std::filesystem::path& path, const DensityHistory& history);
 
 }  // namespace meniscus::io

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Copies the fluid surfaces of a world into a frame.
 #include "sdk/io/liquid_frame.h"
 
 namespace meniscus::io {

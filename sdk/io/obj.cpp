@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes Wavefront OBJ files.
 #include "sdk/io/obj.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -17,7 +19,7 @@ void add_vertices(std::string& text, std::span<const Vec3> vertices) {
   for (const Vec3 p : vertices) fmt::format_to(std::back_inserter(text), "v {} {} {}\n", p.x, p.y, p.z);
 }
 
-/// Readers take a name up to the next blank, and a line break would begin another statement.
+/// Readers end a name at a blank, and a line break would begin another statement.
 std::string object_name(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return c <= ' '; }, '_');
@@ -35,7 +37,7 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   file.commit();
 }
 
-/// `objects`: one a triangle.
+/// `objects`: one per triangle.
 template <class Frame>
 void write_with_normals(const std::filesystem::path& path, const char* what, const Frame& frame,
                         std::span<const uint32_t> objects) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Wavefront OBJ files of particles, bodies, fluids, cloth and ropes.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +13,22 @@
 
 namespace meniscus::io {
 
-/// A vertex and a point element a particle, in metres. Throws Error(io).
+/// A vertex and a point element per particle, in metres. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const ParticleFrame& frame);
 
 /// Likewise. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const DiffuseFrame& frame);
 
-/// An object a body, under its name; blanks in it become underscores. Throws Error(io).
+/// An object per body, with its name; blanks in it become underscores. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame);
 
-/// An object a fluid, with the normals of its vertices. Throws Error(io).
+/// An object per fluid, with the normals of its vertices. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const LiquidFrame& frame);
 
-/// An object a piece of cloth, with the normals of its vertices. Throws Error(io).
+/// An object per piece of cloth, with the normals of its vertices. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const ClothFrame& frame);
 
-/// An object a rope: a line element. Throws Error(io).
+/// An object per rope: a line element. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const RopeFrame& frame);
 
 }  // namespace meniscus::io

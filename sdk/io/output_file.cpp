@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes files under a temporary name and renames them.
 #include "sdk/io/output_file.h"
 
 #include <meniscus/error.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Output files that appear under their names only when they are complete.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +12,12 @@
 
 namespace meniscus::io {
 
-/// A file that appears whole or not at all: it is written as PATH.part and takes its name in commit().
+/// A file that appears complete or not at all: it is written as PATH.part, and commit() gives it its name.
 class OutputFile {
  public:
-  /// Throws Error(io) where the file cannot be made.
+  /// Throws Error(io) if the file cannot be made.
   explicit OutputFile(std::filesystem::path path);
-  /// Without a commit, nothing stays.
+  /// Without a commit, no file remains.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -26,7 +28,7 @@ class OutputFile {
     write_bytes(values.data(), values.size_bytes());
   }
 
-  /// Throws Error(io) where the bytes could not all be written; the file of that name is then as it was.
+  /// Throws Error(io) if not all bytes could be written; a file of that name is then unchanged.
   void commit();
 
  private:

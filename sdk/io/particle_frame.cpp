@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Takes views of a world's particles, and checks the lengths of a frame's arrays.
 #include "sdk/io/particle_frame.h"
 
 namespace meniscus::io {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Particles at one moment, as the writers take them.
 #pragma once
 
 #include <meniscus/world.h>
@@ -8,8 +10,7 @@
 
 namespace meniscus::io {
 
-/// The particles at one moment, as the writers take them: views of arrays that live elsewhere, one element a
-/// particle.
+/// The particles at one moment: views of arrays that live elsewhere, one element per particle.
 struct ParticleFrame {
   double time = 0;                   ///< s
   std::span<const Vec3> positions;   ///< m
@@ -28,10 +29,10 @@ struct DiffuseFrame {
   std::span<const DiffuseParticle> particles;
 };
 
-/// The world as it stands; valid until its next call that is not const.
+/// The present particles of a world; valid until its next non-const call.
 ParticleFrame frame_of(const World& world);
 
-/// Throws Error(invalid_argument), naming the array, unless all are as long as the positions.
+/// Throws Error(invalid_argument) that names the array, unless all are as long as the positions.
 void check_lengths(const ParticleFrame& frame);
 
 }  // namespace meniscus::io

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes binary PLY files.
 #include "sdk/io/ply.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -44,12 +46,12 @@ struct PlyEdge {
 };
 static_assert(sizeof(PlyEdge) == 3 * 4);
 
-/// Without padding, as the file has it.
+/// Without padding, as in the file.
 #pragma pack(push, 1)
 struct PlyFace {
   uint8_t count;
   std::array<uint32_t, 3> corners;
-  uint32_t piece;  // its body, or its fluid
+  uint32_t piece;  // index of its body or fluid
 };
 struct PlyClothFace {
   uint8_t count;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Binary PLY files of particles, bodies, fluids, cloth and ropes.
 #pragma once
 
 #include <filesystem>

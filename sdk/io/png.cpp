@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes PNG files.
 #include "sdk/io/png.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Images in memory, and PNG files.
 #pragma once
 
 #include <cstdint>

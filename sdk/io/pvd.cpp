@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes ParaView collections.
 #include "sdk/io/pvd.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -30,7 +32,7 @@ void PvdFile::add(double time, const std::filesystem::path& file) {
 }
 
 void PvdFile::write_and_close(const std::string& text) {
-  // The closing tags go out with the entry in one write, and the next entry starts on top of them.
+  // The closing tags are written with the entry in one write, and the next entry overwrites them.
   const auto start = stream_.tellp();
   errno = 0;
   stream_ << text + pvd_end << std::flush;

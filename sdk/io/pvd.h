@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// ParaView collections, which list frames with their times.
 #pragma once
 
 #include <filesystem>

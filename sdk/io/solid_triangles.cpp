@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Triangulates each kind of geometry.
 #include "sdk/io/solid_triangles.h"
 
 #include <algorithm>
@@ -16,8 +18,8 @@ namespace meniscus::io {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr int around = 48;  // facets of what is round, once about its axis
-constexpr int arc = 12;     // of a quarter from the equator to a pole
+constexpr int around = 48;  // facets of round shapes, once about the axis
+constexpr int arc = 12;     // rings of a quarter circle from the equator to a pole
 
 struct Corner {
   Vec3 position, normal;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Triangles of solids, for pictures and files.
 #pragma once
 
 #include <meniscus/defs.h>
@@ -10,16 +12,16 @@
 
 namespace meniscus::io {
 
-/// In the frame of its solid; its corners turn counter-clockwise as seen from outside.
+/// A triangle in the frame of its solid. Its corners are counter-clockwise as seen from outside.
 struct SolidTriangle {
   std::array<Vec3, 3> corners;  ///< m
-  std::array<Vec3, 3> normals;  ///< unit, out of the solid; smooth where the solid is round
+  std::array<Vec3, 3> normals;  ///< unit, out of the solid; smooth on round solids
   std::optional<Vec3> color{};  ///< linear RGB, of a mesh whose file has materials
 };
 
-/// The surface of a solid. A container is its walls, seen from inside, without the openings; a plane, which
-/// has no end, has none. Parts of a compound are taken as they are, also where they overlap. May throw what
-/// load_painted_mesh and hull_mesh throw.
+/// The surface of a solid. A container consists of its walls, seen from inside, without the openings. A plane
+/// is infinite and has no triangles. Parts of a compound are used as they are, even if they overlap. May
+/// throw what load_painted_mesh and hull_mesh throw.
 std::vector<SolidTriangle> solid_triangles(const Geometry& geometry);
 
 }  // namespace meniscus::io

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Triangulates bodies once, and moves the triangles with them.
 #include "sdk/io/surface_frame.h"
 
 #include <meniscus/error.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Surfaces of bodies at one moment, as the writers take them.
 #pragma once
 
 #include <meniscus/bodies.h>
@@ -14,23 +16,22 @@
 
 namespace meniscus::io {
 
-/// The surfaces of all bodies at one moment, as the writers take them. Corners turn counter-clockwise as seen
-/// from outside.
+/// The surfaces of all bodies at one moment. Corners are counter-clockwise as seen from outside.
 struct SurfaceFrame {
   double time = 0;                                 ///< s
   std::vector<Vec3> vertices;                      ///< m, world
-  std::vector<std::array<uint32_t, 3>> triangles;  ///< the first body's first, then the next one's
-  std::vector<uint32_t> bodies;                    ///< one a triangle: its body, in the order of the scene
+  std::vector<std::array<uint32_t, 3>> triangles;  ///< those of the first body first, then the next
+  std::vector<uint32_t> bodies;                    ///< one per triangle: its body, in the order of the scene
   std::vector<std::string> names;                  ///< of the bodies
 };
 
-/// Bodies as triangles: the geometry is made once, and then only moved.
+/// Bodies as triangles: the triangles are made once, and then only moved.
 class BodySurfaces {
  public:
   /// May throw what solid_triangles throws.
   explicit BodySurfaces(const std::vector<BodyDef>& bodies);
 
-  /// `states` in the order of the bodies. Throws Error(invalid_argument) unless there is one a body.
+  /// `states` in the order of the bodies. Throws Error(invalid_argument) unless there is one per body.
   SurfaceFrame at(double time, std::span<const BodyState> states) const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Starts ffmpeg and sends it pictures.
 #include "sdk/io/video.h"
 
 #include <meniscus/error.h>
@@ -24,8 +26,8 @@ extern char** environ;
 namespace meniscus::io {
 namespace {
 
-/// Of a process whose input is `in`, and whose output and errors are `out`; in a group of its own, so that
-/// Ctrl-C leaves it to us when it ends.
+/// Starts a process whose input is `in`, and whose output and errors are `out`. It has a group of its own, so
+/// that Ctrl-C does not end it; we do.
 int spawn(pid_t& process, std::vector<std::string> words, int in, int out) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -65,7 +67,7 @@ VideoFile::VideoFile(std::filesystem::path path, int width, int height, double r
 }
 
 void VideoFile::start(int width, int height, double rate) {
-  // A socket rather than a pipe: writing to it can fail without a signal.
+  // A socket rather than a pipe: a failed write to it raises no signal.
   std::array<int, 2> ends;
   words_ = std::tmpfile();
   if (!words_ || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -74,7 +76,7 @@ void VideoFile::start(int width, int height, double rate) {
       spawn(process_,
             {"ffmpeg", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
              fmt::format("{}x{}", width, height), "-framerate", fmt::format("{:.9g}", rate), "-i", "pipe:0",
-             // Players know this format of colours best, and it needs even sizes.
+             // Players support this format of colours best, and it needs even sizes.
              "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
              "mp4", "file:" + part_.string()},
             ends[0], fileno(words_));

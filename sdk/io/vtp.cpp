@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes VTK PolyData files.
 #include "sdk/io/vtp.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -47,7 +49,7 @@ std::vector<int64_t> counting(std::size_t count, int64_t first, int64_t step) {
   return values;
 }
 
-/// A PolyData file of one piece, whose XML refers to the arrays.
+/// Writes a PolyData file of one piece, whose XML refers to the arrays.
 void write_polydata(const std::filesystem::path& path, double time, const std::string& piece,
                     const AppendedArrays& arrays) {
   OutputFile file(path);
@@ -70,7 +72,7 @@ std::string points(AppendedArrays& arrays, std::span<const Vec3> positions) {
   return "<Points>\n" + arrays.add("Float32", "Points", 3, positions) + "</Points>\n";
 }
 
-/// `offsets`: where each cell ends in `corners`.
+/// `offsets`: the end of each cell in `corners`.
 std::string cells(AppendedArrays& arrays, std::span<const int64_t> corners,
                   std::span<const int64_t> offsets) {
   return arrays.add("Int64", "connectivity", 1, corners) + arrays.add("Int64", "offsets", 1, offsets);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// VTK PolyData files of particles, bodies, fluids, cloth and ropes.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +13,8 @@
 
 namespace meniscus::io {
 
-/// Points in VTK's PolyData XML with raw appended data, for ParaView: a vertex cell a particle, and the
-/// arrays velocity, fluid, id, density_error and pressure. Throws Error(io).
+/// Points in VTK's PolyData XML with raw appended data, for ParaView. Each particle is a vertex cell. The
+/// arrays are velocity, fluid, id, density_error and pressure. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame);
 
 /// Points likewise, with the arrays velocity, life and kind: 0 spray, 1 foam, 2 bubble. Throws Error(io).
@@ -22,7 +24,7 @@ void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame);
 /// Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame);
 
-/// Triangles with the point arrays velocity and Normals, and the cell arrays `cloth`, a triangle's piece in
+/// Triangles with the point arrays velocity and Normals. The cell arrays are `cloth`, a triangle's piece in
 /// the order of the scene, and strain. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const ClothFrame& frame);
 
@@ -30,8 +32,8 @@ void write_vtp(const std::filesystem::path& path, const ClothFrame& frame);
 /// Error(io).
 void write_vtp(const std::filesystem::path& path, const LiquidFrame& frame);
 
-/// A polyline a rope, with the point arrays velocity and radius, as ParaView's tubes take it, and the cell
-/// array `rope`. Throws Error(io).
+/// One polyline per rope, with the point arrays velocity and radius, as ParaView's tubes need them, and the
+/// cell array `rope`. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const RopeFrame& frame);
 
 }  // namespace meniscus::io

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds an EGL display that offers OpenGL 4.5, and makes a context current.
 #include "sdk/render/egl_context.h"
 
 #include <dlfcn.h>
@@ -31,7 +33,7 @@ bool has_extension(const char* all, std::string_view wanted) {
   return false;
 }
 
-/// libepoxy ends the program where a library is not there: looked for here first.
+/// Looks for the libraries first, because libepoxy ends the program if one is missing.
 void need_libraries() {
   if (!dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL))
     throw Error(ErrorCode::device, std::string("cannot render: there is no libEGL.so.1") + remedy);
@@ -63,7 +65,7 @@ std::vector<EGLDisplay> displays(EglDevices wanted) {
   return hardware;
 }
 
-/// Whether this display draws with OpenGL 4.5; its context is then current.
+/// Whether this display supports OpenGL 4.5; its context is then current.
 bool make_current(EGLDisplay display, EGLContext& context) {
   if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return false;
   constexpr EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// An OpenGL context without a screen.
 #pragma once
 
 #include <memory>
@@ -9,19 +11,19 @@ namespace meniscus::render {
 
 enum class EglDevices {
   all,       ///< GPUs first, then Mesa's rasteriser on the CPU
-  software,  ///< that rasteriser alone
+  software,  ///< Mesa's rasteriser alone
 };
 
-/// OpenGL 4.5 without a screen, through EGL; current on this thread as long as it lives.
+/// OpenGL 4.5 without a screen, through EGL. The context is current on this thread while the object exists.
 class EglContext {
  public:
-  /// Takes the first device that gives such a context. Throws Error(device) that says what is missing.
+  /// Takes the first device with such a context. Throws Error(device) that names what is missing.
   explicit EglContext(EglDevices devices = EglDevices::all);
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  /// What draws, as it calls itself.
+  /// The name that the device reports.
   std::string renderer() const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws the legend with rectangles and stb_easy_font.
 #include "sdk/render/legend.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -23,7 +25,7 @@ Rgb shown(Vec3 linear) {
   return {srgb(linear.x), srgb(linear.y), srgb(linear.z)};
 }
 
-/// `cover`: how much of what is behind is hidden, 0 to 1.
+/// `cover`: the opacity, 0 to 1.
 void fill(io::Image& image, const Rectangle& r, Rgb color, float cover = 1) {
   for (int y = std::max(r.top, 0); y < std::min(r.top + r.height, image.height); ++y) {
     for (int x = std::max(r.left, 0); x < std::min(r.left + r.width, image.width); ++x) {
@@ -35,7 +37,7 @@ void fill(io::Image& image, const Rectangle& r, Rgb color, float cover = 1) {
   }
 }
 
-/// In letters of stb_easy_font, each of its pixels `size` wide.
+/// Writes in letters of stb_easy_font; each of its pixels is `size` wide.
 void write(io::Image& image, int left, int top, int size, std::string text) {
   struct Corner {
     float x, y, z;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The legend that explains the colours of a view.
 #pragma once
 
 #include "sdk/io/png.h"
@@ -7,13 +9,13 @@
 
 namespace meniscus::render {
 
-/// What the colours of a view mean.
+/// The meaning of the colours of a view.
 struct LegendEntry {
   const char* name;
   Scale scale;
 };
 
-/// Those of all scales that a view has.
+/// The entries of all scales of a view.
 std::vector<LegendEntry> legend_of(const ViewData& view);
 
 /// Draws them over the lower left corner of a picture.

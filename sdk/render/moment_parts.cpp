@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Derives what the passes draw from a moment.
 #include "sdk/render/moment_parts.h"
 
 #include <meniscus/world.h>

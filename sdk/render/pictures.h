@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The textures and targets that have the size of the picture.
 #pragma once
 
 #include "sdk/render/passes/fluid_surface.h"
@@ -7,17 +9,18 @@
 
 namespace meniscus::render {
 
-/// All that is as large as the picture, and made anew with its size.
+/// All textures with the size of the picture; they are made anew when it changes.
 struct Pictures {
   Pictures(int w, int h) : width(w), height(h) {}
 
   int width, height;
-  bool has_fluid_shadows = false;             ///< of what was loaded last
+  bool has_fluid_shadows = false;             ///< of the last moment loaded
   Texture albedo{GL_RGBA16F, width, height};  ///< a: gloss
-  Texture normal{GL_RGBA16F, width, height};  ///< both hold nothing where nothing stands
+  Texture normal{GL_RGBA16F, width, height};  ///< both are empty where nothing is drawn
   Texture scene_color{GL_RGBA16F, width, height, GL_LINEAR};
-  Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};  ///< of what is rasterised
-  /// Along −z, m; the ground and vessels are there. g: what it is, see shaders/light/scene.glsl.
+  Texture scene_depth{GL_DEPTH_COMPONENT32F, width, height};  ///< of rasterised objects
+  /// Distance along −z, m, including the ground and vessels. g: the kind of object, see
+  /// shaders/light/scene.glsl.
   Texture scene_distance{GL_RG32F, width, height};
   Texture lit{GL_RGBA16F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements the calls of Renderer.
 #include "sdk/render/renderer.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 namespace meniscus::render {
 namespace {
 
-/// Rows from the top, where OpenGL has them from the bottom.
+/// Reverses the order of rows: OpenGL has them from the bottom.
 template <class T>
 void turn_over(std::vector<T>& pixels, int row, int rows) {
   for (int y = 0; y < rows / 2; ++y) {

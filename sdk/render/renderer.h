@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Pictures of a world by OpenGL 4.5: screen-space fluid (van der Laan, Green & Sainz 2009) over ellipsoids,
-// among solids, cloth and ropes. It draws with whatever context is current, with or without a screen.
+// Pictures of a world by OpenGL 4.5: screen-space fluid (van der Laan, Green & Sainz 2009) from ellipsoids,
+// with solids, cloth and ropes. It draws in the current context, with or without a screen.
 #pragma once
 
 #include <memory>
@@ -15,50 +15,49 @@ namespace meniscus::render {
 
 struct RenderSettings {
   SurfaceFilter filter = SurfaceFilter::narrow_range;
-  bool anisotropic = true;        ///< else fluid is balls of one spacing's radius, at Moment::positions
-  float filter_reach = 1.3f;      ///< spacings, one standard deviation
-  float filter_threshold = 3.0f;  ///< spacings: surfaces that are further apart in depth are kept apart
+  bool anisotropic = true;    ///< false: fluid is balls with a radius of one spacing, at Moment::positions
+  float filter_reach = 1.3f;  ///< spacings, one standard deviation
+  float filter_threshold = 3.0f;  ///< spacings: surfaces further apart in depth stay separate
 };
 
 class Renderer {
  public:
-  /// The view is chosen once: it holds the scene and what there is of it at `first`, unless the scene has a
-  /// camera. Throws Error(invalid_argument) unless width and height of the scene are 1 to 16384,
-  /// and for more than 1024 fluids and granular materials;
-  /// Error(capacity) for more pixels than OpenGL's buffers hold, of which a million take 4 MB;
-  /// Error(device) where OpenGL fails; and what solid_triangles throws.
+  /// The view is chosen once. It contains the scene with the objects at `first`, unless the scene has a
+  /// camera. Throws Error(invalid_argument) unless width and height of the scene are 1 to 16384, and for more
+  /// than 1024 fluids and granular materials. Throws Error(capacity) for more pixels than OpenGL's buffers
+  /// hold; a million pixels take 4 MB. Throws Error(device) if OpenGL fails, and what solid_triangles throws.
   Renderer(const io::PreviewScene& scene, const Moment& first, const RenderSettings& settings = {});
   ~Renderer();
 
-  /// A box around what there was at first.
+  /// A box around the objects at the first moment.
   Aabb box() const;
   const SceneCamera& camera() const;
-  /// From here on it is seen from there, in the same light.
+  /// Sets the camera for later pictures; the light stays the same.
   void set_camera(const SceneCamera& camera);
-  /// Of the pictures from here on, which will be shown at 1/share of that; to go to and fro between two sizes
-  /// costs nothing. Throws as the constructor does.
+  /// Sets the size of later pictures, which will be shown at 1/share of it. Switching between two sizes costs
+  /// nothing. Throws as the constructor does.
   void set_size(int width, int height, float share = 1);
 
-  /// What is to be drawn. Throws Error(invalid_argument) where there are bodies, but not one a body of the
-  /// scene, or not one fluid and, for balls, one position an ellipsoid;
-  /// Error(capacity) for more particles than OpenGL's buffers hold, of which a million take 40 MB.
+  /// Loads the moment to draw. Throws Error(invalid_argument) if there are bodies, but not as many as in the
+  /// scene. It also throws it unless there is one fluid and, for balls, one position per ellipsoid. Throws
+  /// Error(capacity) for more particles than OpenGL's buffers hold; a million take 40 MB.
   void load(const Moment& moment);
-  /// Draws it.
+  /// Draws the loaded moment.
   void paint();
-  /// What was drawn last. Throws Error(device) where OpenGL failed, as the next one does.
+  /// The last picture. Throws Error(device) if OpenGL failed, as the next function does.
   io::Image image() const;
-  /// Puts it over the window's own framebuffer, which is so large in pixels.
+  /// Copies it to the window's own framebuffer, which has this size in pixels.
   void show(int width, int height) const;
-  /// Whether pictures from here on are timed pass by pass.
+  /// Switches the timing of later pictures, pass by pass.
   void time_passes(bool on);
-  /// Of the last picture that was, in the order of the passes, on what draws; waits for it.
+  /// Times of the last timed picture on the GPU, in the order of the passes; waits for it.
   std::vector<PassTime> pass_times() const;
-  /// All of these at once.
+  /// Loads, draws and returns the picture.
   io::Image draw(const Moment& moment);
   /// Unit normals of the fluid in view space, and its distance along −z, row by row from the top; 0 where
-  /// none is seen. Of the last moment drawn.
+  /// there is none. Of the last moment drawn.
   std::vector<std::array<float, 4>> fluid_normals();
-  /// Metres of fluid along each line of sight, in as many rows and columns, likewise.
+  /// Metres of fluid along each line of sight, in the same rows and columns, of the last moment drawn.
   std::vector<float> fluid_thickness();
 
  private:

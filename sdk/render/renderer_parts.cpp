@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements the passes of a frame.
 #include "sdk/render/renderer_parts.h"
 
 #include <algorithm>
@@ -45,7 +47,7 @@ Renderer::Parts::Parts(const io::PreviewScene& s, const Moment& first, const Ren
 
 void Renderer::Parts::look() {
   frame = uniforms_of(stage, to->width, to->height);
-  // Three pixels: thinner ones would be dotted.
+  // Three pixels wide: thinner bars would look dotted.
   const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
   frame.eye[3] = 1.3f * pixel * std::max(share, 0.6f);
   frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
@@ -75,7 +77,7 @@ void Renderer::Parts::load(const Moment& moment) {
   }
 }
 
-/// Before anything has changed.
+/// Call it before anything has changed.
 void Renderer::Parts::check_particles(const Moment& moment) const {
   Particles::check_room(moment.world ? moment.world->particle_count() : moment.ellipsoids.size());
   if (moment.world) return;
@@ -85,7 +87,7 @@ void Renderer::Parts::check_particles(const Moment& moment) const {
 
 void Renderer::Parts::load_particles(const Moment& moment, bool shows_fluid) {
   if (!shows_fluid)
-    particles.set({}, {});  // but balls in their place
+    particles.set({}, {});  // balls replace them
   else if (settings.anisotropic)
     particles.set(moment.ellipsoids, moment.fluids);
   else
@@ -154,7 +156,8 @@ void Renderer::Parts::list_particles() {
 }
 
 void Renderer::Parts::gather_fluid() {
-  // Side by side: the longest comes first, the others fill what it leaves free towards its end.
+  // These run concurrently: the longest starts first, and the others fill the capacity that it leaves free
+  // towards its end.
   to->surface.draw(camera_lists, to->scene_distance);
   timer.mark("ellipsoids");
   to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
@@ -179,7 +182,7 @@ void Renderer::Parts::draw_fluid() {
   const float away = std::max(length(stage.centre - stage.camera.position), stage.spacing);
   to->surface.filter(settings.filter, reach, settings.filter_threshold * stage.spacing,
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
-  Program::show_writes();  // the light, where there is no filter
+  Program::show_writes();  // makes the light visible, if there is no filter
   timer.mark("filter");
   to->surface.bind();
   foam.gather(frame, to->scene_distance, stage.spacing, to->to_foam);
@@ -197,7 +200,7 @@ void Renderer::Parts::draw_over() {
   foam.lay_over(screen, to->foam);
   if (!needles.empty() || !slice.empty()) {
     to->to_over.use();
-    to->to_over.clear_depth();  // what hides them they find out for themselves
+    to->to_over.clear_depth();  // they compare distances by themselves
     glEnable(GL_DEPTH_TEST);
     needles.draw(1.2f);
     slice.draw();

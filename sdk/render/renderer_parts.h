@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The parts of Renderer: its passes, programs and buffers.
 #pragma once
 
 #include "sdk/render/moment_parts.h"
@@ -14,15 +16,15 @@
 
 namespace meniscus::render {
 
-/// Throws Error(invalid_argument) that names it, where a side is no picture's, and Error(capacity).
+/// Throws Error(invalid_argument) that names a side which is out of range, and Error(capacity).
 void check_size(int width, int height);
 
 inline constexpr int shadow_size = 2048;  // pixels along a side
 
-/// All that is made once, and the passes of a frame in their order.
+/// The objects that are made once, and the passes of a frame in their order.
 struct Renderer::Parts {
   Parts(const io::PreviewScene& s, const Moment& first, const RenderSettings& set);
-  /// As the stage says, in a picture of the present size.
+  /// Sets up the view of the stage at the present size.
   void look();
   void load(const Moment& moment);
   void check_particles(const Moment& moment) const;
@@ -30,16 +32,16 @@ struct Renderer::Parts {
   void load_view(const ViewData& view);
   void bind() const;
   void draw_solid_shadows();
-  /// Whether anything is rasterised that light falls on.
+  /// Whether any lit object is rasterised.
   bool has_triangles() const { return !solids.empty() || grains || !balls.empty(); }
   void draw_solids();
   void find_distances();
   void list_particles();
-  /// All that is drawn particle by particle.
+  /// Draws everything that is made of particles.
   void gather_fluid();
   void light_scene();
   void draw_fluid();
-  /// What is to be seen however the fluid mirrors.
+  /// Draws what must stay visible through reflections of the fluid.
   void draw_over();
   void draw_picture();
   void check_success() const;
@@ -53,23 +55,23 @@ struct Renderer::Parts {
   FrameUniforms frame;
   DataBuffer frame_buffer, fluid_buffer;
   Screen screen;
-  float share = 1;  // of the pixels that the picture will be shown with, along a side
+  float share = 1;  // fraction of the pixels at which the picture will be shown, along a side
   Particles particles;
   TileLists camera_lists{"tiles/list_for_camera.comp.glsl", 32};
   TileLists sun_lists{"tiles/list_for_sun.comp.glsl", 16};
   Foam foam;
-  std::optional<Grains> grains;  // where the scene has any
+  std::optional<Grains> grains;  // if the scene has any
   Balls balls{scene.fluid_colors};
   Needles needles;
   Slice slice;
   bool shows_normals = false;
-  bool has_solid_shadows = false;  // of what was loaded last
+  bool has_solid_shadows = false;  // of the last moment loaded
   PassTimer timer;
 
   Texture shadow{GL_DEPTH_COMPONENT32F, shadow_size, shadow_size, GL_LINEAR};
   Target to_shadow{{}, &shadow};
   std::unique_ptr<Pictures> to = std::make_unique<Pictures>(scene.width, scene.height);
-  std::unique_ptr<Pictures> before;  // of the size before, to which a window may go back
+  std::unique_ptr<Pictures> before;  // of the previous size, to which a window may return
   Program distance{"light/distance.comp.glsl"};
   Program light{"light/light.comp.glsl"};
   Program fluid{"light/fluid.comp.glsl"};

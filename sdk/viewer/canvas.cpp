@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws the world behind the panels.
 #include "sdk/viewer/canvas.h"
 
 #include <epoxy/gl.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The picture of the world behind the viewer's panels.
 #pragma once
 
 #include <memory>
@@ -10,28 +12,28 @@
 
 namespace meniscus::viewer {
 
-/// The picture behind the panels: draws anew where the world, the camera or the size has changed.
+/// The picture behind the panels. It is redrawn when the world, the camera or the size has changed.
 class Canvas {
  public:
-  /// Of a world that has been built. Throws what render::Renderer throws.
+  /// Shows a world that has been built. Throws what render::Renderer throws.
   void show(const Snapshot& snapshot);
-  /// Into the window, which is so large in pixels; coarser where it would take too long while things are
-  /// `moving`.
+  /// Draws into the window of this size in pixels. It is coarser while things are `moving`, if it would take
+  /// too long.
   void draw(int width, int height, bool moving);
-  /// With all pixels.
+  /// The picture at full resolution.
   io::Image image();
 
-  /// The camera, to be turned; null before there is something to see.
+  /// The camera, which callers may turn; null before there is a world.
   Orbit* orbit() { return orbit_ ? &*orbit_ : nullptr; }
-  /// Finds what is under the mouse; likewise.
+  /// Finds what is under the mouse; null before there is a world.
   const Picker* picker() const { return picker_ ? &*picker_ : nullptr; }
-  /// After it was turned.
+  /// Call it after the camera has moved.
   void camera_moved() { is_painted_ = false; }
-  /// Back to where the camera started.
+  /// Returns the camera to its start.
   void see_all();
-  /// The next world's own camera is taken, rather than the present one.
+  /// The next world uses its own camera, not the present one.
   void forget_camera() { orbit_.reset(); }
-  /// Around the scene, as the renderer sees it.
+  /// The box around the scene, as the renderer computes it.
   std::optional<Aabb> box() const;
   double paint_ms() const { return paint_ms_; }
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The requests of the user that panels and keys pass to the viewer.
 #pragma once
 
 #include <optional>
@@ -10,15 +12,15 @@
 
 namespace meniscus::viewer {
 
-/// What the user has asked for; the panels and keys write it, and the viewer does it.
+/// The requests of the user: panels and keys write them, and the viewer executes them.
 struct Controls {
-  // What holds until it is changed.
+  // Values that hold until they change.
   Parameters parameters;
   render::ViewChoice view;
-  double pace = 1;     ///< times real time; 0: as fast as it can
-  bool panels = true;  ///< are shown
+  double pace = 1;     ///< factor of real time; 0: as fast as possible
+  bool panels = true;  ///< whether the panels are shown
 
-  // What is done once.
+  // Requests that are executed once.
   std::optional<std::string> open;  ///< a scene, by name
   std::optional<bool> play;
   bool step = false, reset = false, frame_all = false, screenshot = false;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes the forces that pull what the mouse holds.
 #include "sdk/viewer/grab.h"
 
 #include <algorithm>
@@ -12,8 +14,8 @@ namespace {
 
 constexpr float body_rate = 9.0f;     // rad/s, of a critically damped spring
 constexpr float follow_time = 0.08f;  // s, in which particles would reach the target
-constexpr float top_speed = 6.0f;     // m/s, at which they follow
-constexpr float most_gain = 6.0f;     // how much of a sheet's mass a patch of it answers for
+constexpr float top_speed = 6.0f;     // m/s, largest speed at which they follow
+constexpr float most_gain = 6.0f;     // factor by which a patch may stand for the sheet's mass
 
 /// Change of velocity in a step.
 Vec3 follow(Vec3 target, Vec3 position, Vec3 velocity, Vec3 gravity, float dt) {
@@ -22,7 +24,7 @@ Vec3 follow(Vec3 target, Vec3 position, Vec3 velocity, Vec3 gravity, float dt) {
   return std::min(1.0f, dt / (0.25f * follow_time)) * (wanted - velocity) - dt * gravity;
 }
 
-/// How much mass resists a force there: less than all of it, as the body turns.
+/// The effective mass against a force at that point: less than the whole mass, as the body turns.
 float mass_at(const BodyMass& body, Vec3 arm) {
   const float least = std::min({body.inertia.x, body.inertia.y, body.inertia.z});
   return 1 / (1 / body.mass + dot(arm, arm) / std::max(least, 1e-20f));
@@ -38,7 +40,7 @@ Vec3 pull_held(const HeldBody& held, Vec3 target, BuiltScene& built, float dt) {
   const float rate = std::min(body_rate, 0.5f / dt);
   const Vec3 gain = rate * rate * (target - point) - 2 * rate * velocity;
   world.apply_force(id, mass_at(mass, arm) * gain - mass.mass * world.def().gravity, point);
-  // What turns about the point by itself comes to rest there.
+  // Damps the rotation about the point.
   world.apply_torque(
       id, -0.5f * rate * std::min({mass.inertia.x, mass.inertia.y, mass.inertia.z}) * now.angular_velocity);
   return point;

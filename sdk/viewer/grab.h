@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// What the mouse holds, and how it is pulled.
 #pragma once
 
 #include <variant>
@@ -10,32 +12,33 @@
 namespace meniscus::viewer {
 
 struct HeldBody {
-  std::size_t index = 0;  ///< of BuiltScene::bodies; a dynamic one
+  std::size_t index = 0;  ///< index in BuiltScene::bodies; a dynamic one
   Vec3 point{0, 0, 0};    ///< m, in the body's frame
 };
 
-/// Places are from the point that was taken hold of, m.
+/// Held particles; their offsets are relative to the point where they were grabbed, m.
 struct HeldParticles {
-  std::vector<ParticleId> ids;  ///< ascending; those that sinks have taken since are left out
+  std::vector<ParticleId> ids;  ///< ascending; particles that sinks have removed since are skipped
   std::vector<Vec3> places;
 };
 
-/// Of a piece of cloth, or of a rope.
+/// Held vertices of a piece of cloth or of a rope.
 struct HeldVertices {
   bool of_rope = false;
-  std::size_t index = 0;  ///< of BuiltScene::cloths or ropes
+  std::size_t index = 0;  ///< index in BuiltScene::cloths or ropes
   std::vector<uint32_t> vertices;
   std::vector<Vec3> places;
 };
 
-/// What the mouse holds, and where it wants it.
+/// What the mouse holds, and its target.
 struct Grab {
   std::variant<HeldBody, HeldParticles, HeldVertices> held;
   Vec3 target{0, 0, 0};  ///< m
 };
 
-/// Pulls what is held towards the target for the next step, of dt seconds, and bears its weight: a damped
-/// spring, soft enough to give way to walls and to whatever else holds the thing. Returns where it is now.
+/// Pulls the held object towards the target in the next step, of dt seconds, and carries its weight. The pull
+/// is a damped spring, soft enough to yield to walls and other constraints. Returns the present place of the
+/// held point.
 Vec3 pull(const Grab& grab, BuiltScene& built, const Scene& scene, float dt);
 
 }  // namespace meniscus::viewer

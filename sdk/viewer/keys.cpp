@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Maps keys to requests.
 #include "sdk/viewer/keys.h"
 
 #define GLFW_INCLUDE_NONE

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The viewer's keys.
 #pragma once
 
 #include "sdk/viewer/controls.h"
@@ -7,7 +9,7 @@
 
 namespace meniscus::viewer {
 
-/// What a key, one of GLFW's, asks for.
+/// Executes what a key, a GLFW code, asks for.
 void press(int key, Controls& controls, Window& window, bool is_playing);
 
 }  // namespace meniscus::viewer

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Turns mouse input into camera moves and grabs.
 #include "sdk/viewer/mouse.h"
 
 #include <imgui.h>
@@ -17,7 +19,7 @@ Ray ray_under_mouse(const Orbit& orbit) {
   return orbit.ray_through(io.MousePos.x / io.DisplaySize.x, io.MousePos.y / io.DisplaySize.y, aspect());
 }
 
-/// Turns, shifts and zooms; whether it did.
+/// Turns, shifts and zooms; returns whether it did.
 bool steer(Orbit& orbit, bool turns) {
   const ImGuiIO& io = ImGui::GetIO();
   const float x = io.MouseDelta.x / io.DisplaySize.y, y = io.MouseDelta.y / io.DisplaySize.y;
@@ -61,7 +63,7 @@ void Mouse::press(Orbit& orbit, const Picker& picker, const Snapshot& snapshot, 
   simulation.hold(grab_);
 }
 
-/// Across the line of sight, at the depth where it was taken.
+/// Moves the target across the line of sight, at the depth of the grab.
 void Mouse::move_grab(const Orbit& orbit, Simulation& simulation) {
   const Ray ray = ray_under_mouse(orbit);
   const Vec3 ahead = orbit.forward();

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The mouse, outside of the panels.
 #pragma once
 
 #include "sdk/viewer/canvas.h"
@@ -7,15 +9,15 @@
 
 namespace meniscus::viewer {
 
-/// What the mouse does where no panel is under it. The left button takes hold of what is there, and where
-/// nothing is turns the view; the right one shifts the view, and the wheel takes it nearer.
+/// Mouse input outside of the panels. The left button grabs the object under it; on empty space it turns the
+/// view. The right button shifts the view, and the wheel zooms.
 class Mouse {
  public:
-  /// Within a frame of ImGui's.
+  /// Call it within a frame of ImGui.
   void act(Canvas& canvas, const Snapshot& snapshot, Simulation& simulation);
-  /// The camera, in the last frame.
+  /// Whether the camera moved in the last frame.
   bool has_steered() const { return has_steered_; }
-  /// How often it has taken hold of something.
+  /// The number of grabs so far.
   int grabs() const { return grabs_; }
 
  private:
@@ -25,7 +27,7 @@ class Mouse {
 
   bool is_turning_ = false, has_steered_ = false;
   std::optional<Grab> grab_;
-  BuildNumber build_ = 0;  // that the grab is of
+  BuildNumber build_ = 0;  // build to which the grab belongs
   int grabs_ = 0;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Turns, shifts and zooms the camera.
 #include "sdk/viewer/orbit.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws the viewer's panels.
 #include "sdk/viewer/panels.h"
 
 #include <imgui.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The viewer's panels.
 #pragma once
 
 #include <span>
@@ -10,18 +12,18 @@
 
 namespace meniscus::viewer {
 
-/// What the panels tell of.
+/// The data that the panels show.
 struct Shown {
   const Snapshot& snapshot;
   const StageHistory& history;
-  std::span<const std::string> scenes;  ///< that can be opened, by name
+  std::span<const std::string> scenes;  ///< names of the scenes that can be opened
   const std::string& scene;             ///< the name of the present one
   bool is_building = false;
-  double paint_ms = 0;        ///< of the last picture
-  const std::string& notice;  ///< what was done last, such as where a picture was written to
+  double paint_ms = 0;        ///< time of the last picture
+  const std::string& notice;  ///< the last action, such as the file of a screenshot
 };
 
-/// Dear ImGui's calls for all panels, in one frame.
+/// Calls Dear ImGui for all panels of one frame.
 void draw_panels(Controls& controls, const Shown& shown);
 
 }  // namespace meniscus::viewer

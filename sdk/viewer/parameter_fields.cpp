@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws an input field for each value of a JSON document.
 #include "sdk/viewer/parameter_fields.h"
 
 #include <imgui.h>
@@ -20,7 +22,7 @@ bool is_vector(const Schema& schema) {
          schema["items"].value("type", "") == "number";
 }
 
-/// Of alternatives the one that the value is of: by its type, or by its form.
+/// The alternative that matches the value, by its type or by its form.
 const Schema* chosen(const Schema& schema, const Json& value) {
   if (!schema.contains("oneOf")) return &schema;
   for (const Schema& way : schema["oneOf"]) {
@@ -34,7 +36,7 @@ const Schema* chosen(const Schema& schema, const Json& value) {
   return nullptr;
 }
 
-/// A sensible text of a number, with its unit; ImGui writes and reads numbers by it.
+/// A format for a number with its unit; ImGui writes and reads numbers with it.
 std::string format_of(const Schema& schema, const char* number) {
   std::string format = number;
   const std::string unit = schema.value("unit", "");
@@ -55,7 +57,7 @@ Range range_of(const Schema& schema) {
   return {limit("minimum", "exclusiveMinimum", -far), limit("maximum", "exclusiveMaximum", far)};
 }
 
-/// Dragged without end, or slid where the range is short; numbers that must not be at the edge stay off it.
+/// A drag field, or a slider if the range is short. Numbers with an exclusive limit stay off it.
 bool edit_numbers(const Schema& schema, const Schema& number, double* values, int count) {
   const Range range = range_of(number);
   const std::string format = format_of(schema, "%.4g");
@@ -130,7 +132,7 @@ bool edit_switch(Json& value) {
   return true;
 }
 
-/// 0 of the schema's form, for what has no default.
+/// A zero value of the schema's form, for values without a default.
 Json blank(const Schema& schema) {
   if (schema.contains("enum")) return schema["enum"][0].get<std::string>();
   if (is_vector(schema)) return std::vector<double>(schema["maxItems"].get<std::size_t>(), 0.0);
@@ -141,14 +143,14 @@ Json blank(const Schema& schema) {
   return std::max(0.0, range_of(schema).low);
 }
 
-/// What the user calls an item of a list.
+/// The user's name of a list item.
 std::string title_of(const Json& item, std::size_t index) {
   if (item.is_object() && item.contains("name") && item["name"].is_string())
     return item["name"].get<std::string>();
   return std::to_string(index);
 }
 
-/// What a window has no use for.
+/// Whether the window does not need this key.
 bool is_for_files(const std::string& key) {
   static constexpr std::array keys{"$schema", "type", "name", "description", "frames", "camera", "cameras"};
   return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -235,7 +237,7 @@ bool ParameterFields::edit(const Schema& schema, Json& value) const {
   if (type == "integer") return edit_whole(schema, value);
   if (type == "number") return edit_number(schema, value);
   const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-  ImGui::TextDisabled("%s", text.c_str());  // names and files are for the scene's file
+  ImGui::TextDisabled("%s", text.c_str());  // names and files are edited in the scene's file
   return false;
 }
 

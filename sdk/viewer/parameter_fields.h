@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Input fields for the values of a JSON document, made from its schema.
 #pragma once
 
 #include <functional>
@@ -9,20 +11,19 @@
 
 namespace meniscus::viewer {
 
-/// One frame's controls for the values of a JSON document, made from its schema. A value that the document
-/// leaves out shows its default, and comes into the document when it is changed.
+/// Input fields of one frame for the values of a JSON document, made from its schema. A value that the
+/// document leaves out shows its default. It enters the document when it is changed.
 class ParameterFields {
  public:
   using Json = nlohmann::json;
   using Schema = nlohmann::ordered_json;
 
-  /// `at_once` tells of a path whether its value takes effect without a reset; where it does not, that is
-  /// marked.
+  /// `at_once` returns for a path whether its value takes effect without a reset. Other values are marked.
   explicit ParameterFields(std::function<bool(const std::string&)> at_once) : at_once_(std::move(at_once)) {}
 
-  /// `path` of the object, empty for the document itself.
+  /// Draws an object; `path` is its path, empty for the document itself.
   void draw_object(const Schema& schema, Json& object, const std::string& path);
-  /// In this frame, by path.
+  /// Changes in this frame, by path.
   const std::map<std::string, Json>& changes() const { return changes_; }
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Keeps the changes to a scene's document.
 #include "sdk/viewer/parameters.h"
 
 #include <imgui.h>

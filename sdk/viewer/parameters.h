@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A scene's document while the user edits it.
 #pragma once
 
 #include <map>
@@ -8,8 +10,8 @@
 
 namespace meniscus::viewer {
 
-/// A scene's document under the hands of a user. The schema of scene files says what there is to change, its
-/// unit, its range and what it means.
+/// A scene's document that the user edits. The schema of scene files gives the values, their units, ranges
+/// and meanings.
 class Parameters {
  public:
   Parameters();
@@ -17,14 +19,14 @@ class Parameters {
   void open(nlohmann::json document);
   const nlohmann::json& document() const { return document_; }
 
-  /// Dear ImGui's calls for all values; whether one was changed.
+  /// Calls Dear ImGui for all values; returns whether one changed.
   bool draw();
 
-  /// Some of the changes take effect when the world is built anew alone.
+  /// Whether some changes only take effect when the world is built anew.
   bool need_reset() const { return needs_reset_; }
-  /// The world was built from the document as it is.
+  /// Call it when the world was built from the present document.
   void was_reset() { needs_reset_ = false; }
-  /// All changes since the document was opened, as options of the command line.
+  /// All changes since the document was opened, as command-line options.
   std::string as_options() const;
 
  private:
@@ -34,7 +36,7 @@ class Parameters {
   bool needs_reset_ = false;
 };
 
-/// Whether a running world can take over a change of the value at this path, as in `fluids[0].viscosity`.
+/// Whether a running world can apply a change of the value at this path, for example `fluids[0].viscosity`.
 bool changes_at_once(const std::string& path);
 
 }  // namespace meniscus::viewer

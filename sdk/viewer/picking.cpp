@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Casts rays at solids, particles, cloth and ropes.
 #include "sdk/viewer/picking.h"
 
 #include <algorithm>
@@ -11,9 +13,10 @@ namespace {
 
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 constexpr float hold_radius = 0.75f;  // spacings: no ray passes between particles at rest
-constexpr float handful = 2.5f;  // spacings: how far from the particle under the mouse others are held too
+constexpr float handful =
+    2.5f;  // spacings: particles within this distance of the one under the mouse are held as well
 
-/// Way along the ray to a triangle, from either side (Möller & Trumbore 1997).
+/// Distance along the ray to a triangle, from either side (Möller & Trumbore 1997).
 float meet_triangle(const Ray& ray, Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 ab = b - a, ac = c - a, p = cross(ray.direction, ac);
   const float volume = dot(ab, p);
@@ -50,7 +53,7 @@ HeldParticles handful_of(const Snapshot& s, Vec3 point, float radius) {
   return held;
 }
 
-/// Those of one piece, given by the numbers of its vertices in the frame, that are near to a point; at least
+/// The vertices of one piece, given by its range of numbers in the frame, that are near a point; at least
 /// one.
 HeldVertices patch_of(const std::vector<Vec3>& x, uint32_t first, uint32_t end, Vec3 point, float radius) {
   HeldVertices held;
@@ -82,7 +85,7 @@ HeldVertices patch_of_cloth(const io::ClothFrame& frame, std::size_t triangle, V
   return held;
 }
 
-/// The nearest thing so far.
+/// The nearest hit so far.
 struct Nearest {
   float along = nowhere;
   enum class Kind { nothing, particle, body, cloth, rope } kind = Kind::nothing;
@@ -99,7 +102,7 @@ struct Nearest {
 void look_along_ropes(const Ray& ray, const io::RopeFrame& ropes, Nearest& nearest) {
   for (std::size_t r = 0; r < ropes.lines.size(); ++r) {
     for (const uint32_t v : ropes.lines[r]) {
-      // Thin as they are, ropes are taken from a little further off.
+      // Ropes are thin, so a ray may miss them by a little.
       const float away = length(ropes.vertices[v] - ray.from);
       nearest.offer(meet_ball(ray, ropes.vertices[v], std::max(2 * ropes.radii[r], 0.012f * away)),
                     Nearest::Kind::rope, r);

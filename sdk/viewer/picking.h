@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds what the mouse points at.
 #pragma once
 
 #include <optional>
@@ -17,15 +19,15 @@ class Picker {
   /// Throws what io::solid_triangles throws.
   explicit Picker(const Scene& scene);
 
-  /// The nearest of particles, bodies that can be moved, cloth and ropes, to be held where the ray meets it;
-  /// nothing where another solid is in front. One sees into containers, and so does the ray.
+  /// The nearest of particles, movable bodies, cloth and ropes, held at the point where the ray meets it.
+  /// Nothing if another solid is in front. The ray passes into containers, as the view does.
   std::optional<Grab> pick(const Ray& ray, const Snapshot& snapshot) const;
 
  private:
   struct Solid {
     std::vector<io::SolidTriangle> triangles;
-    Pose pose;           ///< of shapes
-    bool moves = false;  ///< a dynamic body
+    Pose pose;           ///< pose of a shape
+    bool moves = false;  ///< true: a dynamic body
   };
   std::vector<Solid> shapes_, bodies_;
   float spacing_;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Runs the simulation thread, and publishes its snapshots.
 #include "sdk/viewer/simulation.h"
 
 namespace meniscus::viewer {
@@ -115,7 +117,7 @@ void Simulation::run() {
   }
 }
 
-/// False when it is time to end.
+/// Returns false when the thread is to end.
 bool Simulation::wait_for_work(std::unique_lock<std::mutex>& lock) {
   const auto has_work = [&] {
     return stopping_ || !tasks_.empty() || steps_due_ > 0 || (!is_published_ && is_seen_);
@@ -172,7 +174,7 @@ void Simulation::take_over(const Scene& scene) {
 
 void Simulation::advance() {
   const auto frame = std::chrono::duration<double>(pace_ > 0 ? frame_time_ / pace_ : 0.0);
-  // What is too slow does not catch up later.
+  // A late step does not catch up later.
   next_step_ = std::max(next_step_ + std::chrono::duration_cast<Clock::duration>(frame), Clock::now());
   if (steps_due_ > 0) --steps_due_;
   try {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The simulation of a world on its own thread.
 #pragma once
 
 #include <chrono>
@@ -14,34 +16,34 @@
 
 namespace meniscus::viewer {
 
-/// A world on a thread of its own, so that the window answers however long a step takes. All calls return at
-/// once; what they lead to shows in the snapshots.
+/// A world on its own thread, so that the window responds however long a step takes. All calls return at
+/// once; their effects appear in the snapshots.
 class Simulation {
  public:
-  /// `notify` is called, on the other thread, whenever there is something new to see.
+  /// `notify` is called on the other thread whenever there is a new snapshot.
   explicit Simulation(std::function<void()> notify);
   ~Simulation();
 
-  /// Builds a scene's world in place of the present one, paused. Where that fails, the present one stays, and
-  /// its snapshot says why.
+  /// Builds a scene's world in place of the present one, paused. If that fails, the present one stays, and
+  /// its snapshot gives the reason.
   void open(std::shared_ptr<const Scene> scene);
-  /// Takes over what a running world can of a scene that was changed; see World::set_def.
+  /// Applies the changes of a scene that a running world can take; see World::set_def.
   void change(std::shared_ptr<const Scene> scene);
   void play(bool playing);
-  /// One step, and then a pause.
+  /// Makes one step, and then pauses.
   void step();
-  /// While it plays, steps come no faster than in real time, times this; 0: as fast as they can.
+  /// While it plays, steps come no faster than this factor of real time; 0: as fast as possible.
   void set_pace(double pace);
 
-  /// What each step pulls at from now on; nothing lets go.
+  /// Sets what each later step pulls; an empty grab releases it.
   void hold(std::optional<Grab> grab);
 
-  /// What snapshots are to measure, from now on; see ViewMeter.
+  /// Sets what later snapshots measure; see ViewMeter.
   void measure(const render::ViewChoice& choice, const Aabb& box, Vec3 sight);
 
-  /// The last one that is done; null before the first.
+  /// The last complete snapshot; null before the first.
   std::shared_ptr<const Snapshot> latest();
-  /// A world is being built.
+  /// Whether a world is being built.
   bool is_building() const;
 
  private:
@@ -59,15 +61,15 @@ class Simulation {
 
   const std::function<void()> notify_;
 
-  mutable std::mutex mutex_;  // guards these
+  mutable std::mutex mutex_;  // protects the members below
   std::condition_variable changed_;
   std::vector<Task> tasks_;
   std::shared_ptr<const Snapshot> latest_;
-  bool is_seen_ = true;  // latest_ has been asked for
+  bool is_seen_ = true;  // whether latest_ has been read
   bool stopping_ = false;
   int builds_due_ = 0;
 
-  // Of the other thread alone.
+  // Members that only the other thread uses.
   std::shared_ptr<const Scene> scene_;
   std::optional<BuiltScene> built_;
   float frame_time_ = 0.016f;  // s
@@ -81,12 +83,12 @@ class Simulation {
   render::ViewChoice view_;
   Aabb box_{{-1, -1, -1}, {1, 1, 1}};
   Vec3 sight_{0, 0, -1};
-  int steps_due_ = 0;  // one by one
+  int steps_due_ = 0;  // single steps requested
   bool playing_ = false, is_published_ = true;
   double pace_ = 1;
   Clock::time_point next_step_{};
 
-  std::thread thread_;  // last: it uses all of the above
+  std::thread thread_;  // last, because it uses all members above
 };
 
 }  // namespace meniscus::viewer

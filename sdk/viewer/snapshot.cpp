@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Copies the state of a world into a snapshot.
 #include "sdk/viewer/snapshot.h"
 
 namespace meniscus::viewer {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A copy of a world's state for the viewer.
 #pragma once
 
 #include <memory>
@@ -13,7 +15,7 @@ namespace meniscus::viewer {
 /// Two snapshots with the same number are of the same world, built once.
 using BuildNumber = uint32_t;
 
-/// A copy of all that is to be seen of a world at one moment, for another thread than the world's.
+/// A copy of the visible state of a world at one moment, for another thread than the world's.
 struct Snapshot {
   BuildNumber build = 0;
   std::shared_ptr<const Scene> scene;  ///< as it was built
@@ -22,14 +24,14 @@ struct Snapshot {
   double time = 0;  ///< s
   StepReport step;  ///< the last one
   bool playing = false;
-  std::string error;  ///< why the last step failed; empty: it did not
+  std::string error;  ///< why the last step failed; empty: it succeeded
 
-  std::optional<Vec3> held;  ///< m: where what the mouse holds is
+  std::optional<Vec3> held;  ///< m: place of the point that the mouse holds
 
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Vec3> positions;   ///< m, of particles
-  std::vector<ParticleId> ids;   ///< likewise
-  std::vector<uint32_t> fluids;  ///< likewise
+  std::vector<ParticleId> ids;   ///< of particles
+  std::vector<uint32_t> fluids;  ///< of particles
   std::vector<DiffuseParticle> diffuse;
   std::vector<BodyState> bodies;
   io::ClothFrame cloth;
@@ -48,7 +50,7 @@ struct Snapshot {
   }
 };
 
-/// Of the world alone; what the simulation knows beside it is left to fill in.
+/// Copies the world's state. The simulation fills in the rest.
 Snapshot snapshot_of(const BuiltScene& built, const Scene& scene);
 
 }  // namespace meniscus::viewer

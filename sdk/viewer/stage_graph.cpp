@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws the bars and the legend of the stages' times.
 #include "sdk/viewer/stage_graph.h"
 
 #include <imgui.h>
@@ -10,7 +12,7 @@
 namespace meniscus::viewer {
 namespace {
 
-/// Of the stages, and of what the host took beside them.
+/// Colours of the stages, and of the remaining host time.
 constexpr ImU32 colors[stage_count + 1] = {
     IM_COL32(110, 168, 254, 255), IM_COL32(80, 200, 180, 255),  IM_COL32(155, 205, 95, 255),
     IM_COL32(245, 200, 75, 255),  IM_COL32(240, 140, 70, 255),  IM_COL32(225, 95, 120, 255),
@@ -26,7 +28,7 @@ double round_up(double value) {
   return 10 * power;
 }
 
-/// ms: what the stages do not account for.
+/// ms: the time that is not in the stages.
 double rest_of(double step, const std::array<double, stage_count>& stages) {
   for (const double ms : stages) step -= ms;
   return std::max(step, 0.0);

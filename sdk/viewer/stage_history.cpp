@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Averages the times of the stages.
 #include "sdk/viewer/stage_history.h"
 
 namespace meniscus::viewer {

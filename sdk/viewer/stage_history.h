@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The times of the stages in the last steps.
 #pragma once
 
 #include <meniscus/outputs.h>
@@ -9,7 +11,7 @@
 
 namespace meniscus::viewer {
 
-/// What the stages of the last steps took.
+/// The times of the stages in the last steps.
 class StageHistory {
  public:
   static constexpr std::size_t most_steps = 180;
@@ -21,7 +23,7 @@ class StageHistory {
   }
   const std::deque<StepReport>& steps() const { return steps_; }
 
-  /// ms, means over the steps kept.
+  /// Means over the stored steps, ms.
   struct Means {
     double step = 0;
     std::array<double, stage_count> stages{};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Loads the font and sets colours and sizes.
 #include "sdk/viewer/style.h"
 
 #include <imgui.h>
@@ -9,7 +11,7 @@
 namespace meniscus::viewer {
 namespace {
 
-/// ImGui's own font has neither Greek nor much else that units and formulas need.
+/// ImGui's own font lacks Greek letters and most other symbols of units and formulas.
 void load_font(float pixels) {
   static constexpr ImWchar letters[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x203A,
                                         0x2070, 0x209F, 0x2190, 0x22FF, 0};

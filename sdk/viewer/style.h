@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The look of the panels.
 #pragma once
 
 namespace meniscus::viewer {
 
-/// How panels look, for a screen with so many pixels a length of one.
+/// Sets the look of the panels, for a screen with `scale` pixels per unit length.
 void set_style(float scale);
 
 }  // namespace meniscus::viewer

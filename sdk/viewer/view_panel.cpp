@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws the panel that chooses a view.
 #include "sdk/viewer/view_panel.h"
 
 #include <imgui.h>

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The panel that chooses what is shown, and its colour scales.
 #pragma once
 
 #include "sdk/render/frame/views.h"
 
 namespace meniscus::viewer {
 
-/// The choice of what is shown, and what the colours of `shown` mean.
+/// Draws the choice of the view, and the colour scales of `shown`.
 void draw_view_panel(render::ViewChoice& choice, const render::ViewData& shown);
 
 }  // namespace meniscus::viewer

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The main loop of the viewer.
 #include "sdk/viewer/viewer.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -31,7 +33,7 @@ class Viewer {
   void run() {
     for (int frames = 0; !window_.should_close();) {
       window_.wait(frames > 0 ? 0.0 : 0.1);
-      // ImGui needs a few frames to settle after what happened.
+      // ImGui needs a few frames to settle after an event.
       if (window_.touched()) frames = 3;
       if (take_news()) frames = std::max(frames, 2);
       if (frames > 0) --frames;
@@ -51,7 +53,7 @@ class Viewer {
   }
 
  private:
-  /// The scene with what was changed by hand.
+  /// The scene with the user's changes.
   std::shared_ptr<const Scene> edited_scene() const {
     return std::make_shared<const Scene>(scene_of_document(controls_.parameters.document(), source_.path));
   }
@@ -62,7 +64,7 @@ class Viewer {
     notice_.clear();
   }
 
-  /// Whether there are any.
+  /// Takes a new snapshot; returns whether there is one.
   bool take_news() {
     const bool was_building = std::exchange(is_building_, simulation_.is_building());
     std::shared_ptr<const Snapshot> latest = simulation_.latest();
@@ -95,14 +97,14 @@ class Viewer {
     window_.end();
   }
 
-  /// The world plays, or the camera has moved a moment ago.
+  /// Whether the world plays, or the camera has moved a moment ago.
   bool is_moving() {
     const auto now = std::chrono::steady_clock::now();
     if (mouse_.has_steered()) last_motion_ = now;
     return (shown_ && shown_->playing) || now - last_motion_ < std::chrono::milliseconds(300);
   }
 
-  /// Does what keys and panels have asked for.
+  /// Executes what keys and panels have requested.
   void obey() {
     if (controls_.open) attempt([&] { open_named(*controls_.open); });
     if (controls_.reset) attempt([&] { build(); });
@@ -116,7 +118,7 @@ class Viewer {
     controls_.clear_requests();
   }
 
-  /// Where something goes wrong, the panel tells.
+  /// Runs an action; the panel shows its error if it fails.
   template <class Action>
   void attempt(const Action& action) {
     try {
@@ -157,8 +159,8 @@ class Viewer {
   SceneSource source_;
   std::string notice_;
   double pace_ = 1;
-  render::ViewChoice view_;     // what the simulation measures
-  BuildNumber view_build_ = 0;  // of the world for which it was chosen
+  render::ViewChoice view_;     // the view that the simulation measures
+  BuildNumber view_build_ = 0;  // build for which it was chosen
   bool is_building_ = false;
   std::shared_ptr<const Snapshot> shown_;
   StageHistory history_;

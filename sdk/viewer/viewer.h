@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The window in which a world is watched, and taken hold of.
+// The window that shows a world and lets the user grab its objects.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace meniscus::viewer {
 
-/// A scene, and what its list calls it.
+/// A scene and its name in the list.
 struct SceneSource {
   std::string name;
   std::string path;  ///< of its file
@@ -20,26 +20,26 @@ struct SceneSource {
 };
 
 struct ViewerOptions {
-  SceneSource scene;                ///< what it opens with
-  std::vector<std::string> scenes;  ///< what the list offers, by name
-  /// Reads one of these. May throw, which the window shows.
+  SceneSource scene;                ///< the first scene
+  std::vector<std::string> scenes;  ///< names of the scenes in the list
+  /// Reads one of these. It may throw; the window then shows the error.
   std::function<SceneSource(const std::string&)> load;
-  std::filesystem::path folder;  ///< of screenshots, made where there are any
+  std::filesystem::path folder;  ///< of screenshots; it is made with the first one
   int width = 1280, height = 720;
   bool check_opengl = false;  ///< see ViewerEnd::mistakes
 };
 
-/// What came of it.
+/// The result of a viewer session.
 struct ViewerEnd {
   uint64_t steps = 0;
   double time = 0;  ///< s, of the world at the end
   int screenshots = 0;
-  int grabs = 0;     ///< how often the mouse took hold of something
-  int mistakes = 0;  ///< errors that OpenGL's own check found
+  int grabs = 0;     ///< number of grabs by the mouse
+  int mistakes = 0;  ///< errors that OpenGL's debug output reported
 };
 
-/// Returns when the window is closed. A scene that cannot be built, or a step that fails, is told in the
-/// window. Throws Error(device) where there is no screen or no OpenGL 4.5.
+/// Runs until the window is closed. The window shows errors of scenes that cannot be built and of steps that
+/// fail. Throws Error(device) without a screen or without OpenGL 4.5.
 ViewerEnd run_viewer(const ViewerOptions& options);
 
 }  // namespace meniscus::viewer

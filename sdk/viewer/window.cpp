@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Opens the window with GLFW, and sets up Dear ImGui.
 #include "sdk/viewer/window.h"
 
 #include <epoxy/gl.h>
-// After epoxy, so that it brings no OpenGL of its own.
+// After epoxy, so that it includes no OpenGL headers of its own.
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -26,7 +28,7 @@ Window& of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
-/// Errors of any severity count; the rest is advice about speed, or says where memory lies.
+/// Errors of any severity count. Other messages are advice about speed, or tell where memory lies.
 bool is_mistake(GLenum type, GLenum severity) {
   return type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
          severity == GL_DEBUG_SEVERITY_HIGH;
@@ -60,7 +62,7 @@ void Window::make_window(const std::string& title, int width, int height, bool c
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(window_, this);
-  // ImGui's own callbacks come on top, and call these.
+  // ImGui's own callbacks are added later, and call these.
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
     of(w).touched_ = true;
     if (action != GLFW_RELEASE && !ImGui::GetIO().WantTextInput) of(w).keys_.push_back(key);
@@ -77,7 +79,7 @@ void Window::make_panels() {
   glfwGetWindowContentScale(window_, &scale_, &across);
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // a viewer leaves nothing behind
+  ImGui::GetIO().IniFilename = nullptr;  // the viewer leaves no files behind
   set_style(scale_);
   ImGui_ImplGlfw_InitForOpenGL(window_, true);
   ImGui_ImplOpenGL3_Init("#version 450");

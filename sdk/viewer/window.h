@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The window, its OpenGL context and its input.
 #pragma once
 
 #include <string>
@@ -12,38 +14,38 @@ namespace meniscus::viewer {
 /// One window with OpenGL 4.5, current on this thread, and Dear ImGui drawing in it.
 class Window {
  public:
-  /// With `check_opengl` OpenGL is asked to find mistakes (KHR_debug), at some cost. Throws Error(device)
-  /// where there is no screen, or no such OpenGL.
+  /// With `check_opengl`, OpenGL reports mistakes (KHR_debug), at some cost. Throws Error(device) if there is
+  /// no screen or no such OpenGL.
   Window(const std::string& title, int width, int height, bool check_opengl);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
   struct Size {
-    int width = 0, height = 0;  ///< pixels; 0 where it is minimised
+    int width = 0, height = 0;  ///< pixels; 0 if it is minimised
     friend bool operator==(const Size&, const Size&) = default;
   };
   Size size() const;
   void set_title(const std::string& title);
-  /// Pixels that a length of one on the desktop has.
+  /// Pixels per unit length of the desktop.
   float scale() const { return scale_; }
 
-  /// Sleeps until something happens, or so many seconds.
+  /// Sleeps until an event comes, at most this many seconds.
   void wait(double seconds);
-  /// Wakes one that waits; from any thread.
+  /// Wakes a waiting window; any thread may call it.
   static void wake();
-  /// Something has happened in the last wait that may change the picture.
+  /// Whether an event in the last wait may change the picture.
   bool touched() const { return touched_; }
-  /// The keys pressed in it, as GLFW_KEY_…, unless they were typed into a field.
+  /// The keys pressed in it, as GLFW_KEY_…, except those typed into a field.
   const std::vector<int>& keys() const { return keys_; }
   bool should_close() const;
   void close();
 
-  void begin();  ///< a frame; ImGui's calls and OpenGL's stand in between
+  void begin();  ///< begins a frame; ImGui's and OpenGL's calls stand between begin and end
   void draw_panels();
   void end();
 
-  /// Mistakes that OpenGL has found so far.
+  /// Number of mistakes that OpenGL has reported so far.
   int mistakes() const { return mistakes_; }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What World says of its cloth and ropes.
+// World's read-outs of cloth and ropes.
 #include <meniscus/world.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace meniscus {
 
 namespace {
 
-/// The mean of a vertex's triangles, with the weights of Max (1999), which are exact on a ball. By area a
-/// sheet's vertices would lean to the side of their diagonals, and folds look rippled.
+/// The mean of the normals of a vertex's triangles, with the weights of Max (1999), which are exact on a
+/// sphere. With weights by area, normals would lean towards the diagonals, and folds would look rippled.
 std::vector<Vec3> vertex_normals(const cloth::ClothMesh& mesh, std::span<const Vec3> x) {
   std::vector<Vec3> normals(x.size(), {0, 0, 0});
   for (const auto& t : mesh.triangles) {
@@ -29,7 +29,7 @@ std::vector<Vec3> vertex_normals(const cloth::ClothMesh& mesh, std::span<const V
   return normals;
 }
 
-/// The largest stretch of a triangle less 1: of the map from its plane at rest to where it is now.
+/// The largest principal stretch of a triangle less 1, from the map of its rest plane to its present place.
 float principal_strain(const Vec3 rest[3], const Vec3 now[3]) {
   const Vec3 a = rest[1] - rest[0], b = rest[2] - rest[0];
   const float ax = length(a), bx = dot(a, b) / ax, by = length(cross(a, b)) / ax;
@@ -179,7 +179,7 @@ void World::Impl::read_reactions() {
     for (uint32_t v : entry.vertices) {
       const auto at = std::lower_bound(held.begin(), held.end(), range.first + v);
       if (at == held.end() || *at != range.first + v) continue;
-      // What nothing moves bears its own share of the cloth as well.
+      // A held vertex carries its own fraction of the cloth as well.
       entry.force +=
           on_held[static_cast<size_t>(at - held.begin())] / last_step + range.masses[v] * def.gravity;
     }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Removes seed points that are too near to cloth.
 #include "collision/mesh/triangle_bvh_query.h"
 #include "pbd/filter.h"
 #include "sdk/world/world_impl.h"
@@ -7,7 +9,7 @@
 namespace meniscus {
 
 void World::Impl::keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter) {
-  // As beside solids, a layer that just fits is left to rounding.
+  // As beside solids, the margin keeps rounding from removing a layer that just fits.
   const float clearance = 0.49f * def.particle_spacing;
   fetch_cloth();
   cloths.for_each([&](uint32_t, const ClothEntry& entry) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The cloth and ropes of a world to the device, and their state back.
+// Uploads the cloth and ropes of a world to the device, and fetches their state.
 #include <meniscus/error.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<uint32_t> numbers_of(const std::vector<bool>& chosen) {
   return numbers;
 }
 
-/// Puts all pieces of a world together.
+/// Assembles all pieces of a world.
 class Assembly {
  public:
   EngineCloth cloth;
@@ -34,7 +34,7 @@ class Assembly {
 
   uint32_t vertices() const { return static_cast<uint32_t>(cloth.position.size()); }
 
-  /// `fluids`: which solids and cloth each of them meets.
+  /// `fluids`: the collision filter of each fluid.
   Assembly(const WorldDef& def, std::vector<CollisionFilter> fluids)
       : spacing_(def.particle_spacing), radius_(def.contact_radius), fluids_(std::move(fluids)) {}
 
@@ -115,7 +115,8 @@ class Assembly {
                        [&](const CollisionFilter& fluid) { return pbd::meet(filter, fluid); });
   }
 
-  /// So that no vertex between neighbouring particles goes without its share, and no touch has too many.
+  /// Large enough that every vertex between neighbouring particles gets its part, and small enough that no
+  /// contact has too many vertices.
   float spread_on(const ClothEntry& entry) const {
     const float edge = mean_edge(entry.mesh);
     return edge < 0.9f * spacing_ ? std::min(std::max(1.2f * edge, spacing_), 2.6f * edge) : 0.0f;
@@ -132,7 +133,7 @@ class Assembly {
                        .tear_strain = f.tear_strain,
                        .bears_fluid = bears_fluid(entry.def.filter)};
     if (entry.def.inflation && entry.closed) {
-      // p V stays: the gas would fill V₀ (1 + p/p_air) at the pressure outside.
+      // p V is constant: at the outside pressure the gas would fill V₀ (1 + p/p_air).
       const InflationDef& gas = *entry.def.inflation;
       piece.inside = entry.rest_volume * (1 + gas.pressure / gas.air_pressure);
       piece.inside_compliance = entry.rest_volume / gas.air_pressure;
@@ -143,7 +144,7 @@ class Assembly {
   std::vector<cloth::ClothConstraints> constraints_;
   std::vector<float> rope_masses_;
   float spacing_;  // m, of particles
-  float radius_;   // of their contacts, in spacings
+  float radius_;   // contact radius, in spacings
   std::vector<CollisionFilter> fluids_;
 };
 
@@ -241,7 +242,7 @@ void World::Impl::note_cloth_step(float dt) {
 }
 
 void World::Impl::tear_cloth() {
-  constexpr uint32_t most_splits = 64;  // of a piece in a step
+  constexpr uint32_t most_splits = 64;  // per piece and step
   if (vertex_count == 0 || !engine->found_tears()) return;
   read_reactions();
   fetch_cloth();

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Lists the devices, makes the engine for a chosen one, and names the stages of a step.
 #include <meniscus/error.h>
 
 #include "pbd/device/choose.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Fills regions with lattice points, and removes those without room.
 #include "sdk/world/seeding.h"
 
 #include <meniscus/error.h>
@@ -18,7 +20,7 @@ namespace meniscus {
 
 namespace {
 
-/// Cells along an extent: a lattice that fills it with half a spacing free at either end, rounding aside.
+/// The number of cells along an extent, so that half a spacing stays free at either end, within rounding.
 int cells_along(float extent, float spacing) {
   return static_cast<int>(std::floor(extent / spacing + 1e-3f));
 }
@@ -83,7 +85,8 @@ std::vector<Vec3> shaken(std::vector<Vec3> points, Engine& engine, float spacing
 
 std::vector<Vec3> safe_points(std::span<const Vec3> points, std::span<const Vec3> taken, Engine& engine,
                               float spacing, const CollisionFilter& filter) {
-  // A lattice that just fits a container has its outer layer at half a spacing: leave that to rounding.
+  // In a lattice that just fits a container, the outer layer is half a spacing from the walls. The margin
+  // absorbs rounding.
   const float clearance = 0.49f * spacing, apart = 0.7f * spacing;
   const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
   PointTable near;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// World's calls that create fluids, shapes, probes and particles, and its step.
 #include <meniscus/world.h>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ float World::particle_mass(FluidId id) const {
   return static_cast<float>(impl_->particle_mass(id));
 }
 
-// ---- what the world is made of ----
+// ---- contents of the world ----
 
 FluidId World::create_fluid(const FluidDef& def) {
   check::fluid(def);
@@ -61,7 +63,7 @@ ShapeId World::create_shape(const ShapeDef& def) {
 
 void World::destroy_shape(ShapeId id) {
   const SolidPieces& solid = impl_->shapes.get(id).solid;
-  impl_->forget_touches(false, id.index);  // asks the device, and may fail
+  impl_->forget_touches(false, id.index);  // reads from the device, and may fail
   impl_->solids_changed();
   release_fields(solid, *impl_->engine);
   impl_->rigid.remove_fixed(id.index);
@@ -164,13 +166,13 @@ void World::relax(int iterations) {
 // ---- time ----
 
 StepReport World::step(float dt) {
-  check::at_least("step's dt", dt, 1e-12f);  // the substeps of less may come to nothing
+  check::at_least("step's dt", dt, 1e-12f);  // substeps of a shorter step may round to 0
   const auto start = std::chrono::steady_clock::now();
   impl_->plan_dripping();
   impl_->plan_emission(dt);
   Engine& engine = impl_->with_all();
   impl_->state_changed();
-  impl_->forget_reactions();  // should the step fail, there are none
+  impl_->forget_reactions();  // if the step fails, there are none
   EngineStep done = engine.step(dt);
   if (const pbd::ParticleSummary& summary = done.result.summary; summary.non_finite) {
     throw Error(ErrorCode::non_finite,
@@ -186,7 +188,7 @@ StepReport World::step(float dt) {
   impl_->note_cloth_step(dt);
   StepReport report;
   impl_->wet_cloth(dt, report);
-  impl_->tear_cloth();  // last: what touched cloth goes by the numbers that its vertices had
+  impl_->tear_cloth();  // last: contacts with cloth use the vertex numbers of before
   report.removed = impl_->take_sinks();
   report.emitted = impl_->emit(dt);
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -20,7 +20,7 @@ collision::MassProperties mass_of(const BodyDef& def, const SolidPieces& solid) 
   const collision::MassProperties by_density = collision::combine(solid.masses);
   const collision::MassProperties mass =
       def.mass ? collision::with_mass(by_density, double{*def.mass}) : by_density;
-  // Floats hold these and their inverses, and those of the moments of inertia.
+  // Floats can represent these masses, the moments of inertia, and the inverses of both.
   if (!(mass.mass >= 1e-20 && mass.mass <= 1e20)) {
     std::ostringstream value;
     value << (def.mass ? double{*def.mass} : double{def.density});
@@ -88,7 +88,7 @@ BodyId World::create_body(const BodyDef& def) {
 
 void World::destroy_body(BodyId id) {
   const SolidPieces& solid = impl_->bodies.get(id).solid;
-  // What asks the device comes first: it may fail.
+  // Reads from the device come first, as they may fail.
   impl_->drop_attachments_of(id);
   impl_->drop_flow_of(id);
   impl_->forget_touches(true, id.index);
@@ -126,7 +126,8 @@ BodyState World::body_state(BodyId id) const {
   const collision::RigidWorld& rigid = impl_->rigid;
   const std::span<const collision::RigidImpulse> forces = impl_->engine->body_forces();
   const collision::RigidImpulse force =
-      id.index < forces.size() ? forces[id.index] : collision::RigidImpulse{};  // it has come since the step
+      id.index < forces.size() ? forces[id.index]
+                               : collision::RigidImpulse{};  // the body was created since the step
   return {rigid.pose(id.index),
           rigid.centre_of_mass(id.index),
           rigid.velocity(id.index),
@@ -150,7 +151,7 @@ void World::set_body_pose(BodyId id, const Pose& pose) {
   impl_->bodies.get(id);
   check::pose("set_body_pose's pose", pose);
   impl_->rigid.set_pose(id.index, pose);
-  if (impl_->solids_are_on_device) impl_->engine->place_bodies();  // else when they get there
+  if (impl_->solids_are_on_device) impl_->engine->place_bodies();  // otherwise when they are uploaded
   impl_->state_changed();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What World lets change while it runs.
+// World's calls that change parameters and state while it runs.
 #include <meniscus/error.h>
 #include <meniscus/world.h>
 
@@ -26,7 +26,7 @@ void check_impulses(std::size_t targets, std::span<const Vec3> impulses) {
 
 constexpr const char* each_impulse = "an impulse of apply_impulses";
 
-/// The places of `values` in ascending order. Throws where two are equal.
+/// The indices of `values` in ascending order of the values. Throws if two are equal.
 template <class T>
 std::vector<uint32_t> ascending(std::span<const T> values, const char* what) {
   std::vector<uint32_t> order(values.size());
@@ -58,7 +58,7 @@ void World::set_def(const WorldDef& def) {
   expect_same("support_ratio", now.support_ratio, def.support_ratio);
   expect_same("contact_radius", now.contact_radius, def.contact_radius);
   expect_same("diffuse", now.diffuse, def.diffuse);
-  impl_->read_reactions();  // of the last step: with the gravity of then
+  impl_->read_reactions();  // of the last step, with its gravity
   if (now.cloth != def.cloth) impl_->cloth_changed();
   const WorldDef before = std::exchange(impl_->def, def);
   try {
@@ -122,7 +122,7 @@ void World::set_fluid(FluidId id, const FluidDef& def) {
   if (now.fluid.rest_density != def.rest_density)
     throw Error(ErrorCode::invalid_argument,
                 "set_fluid cannot change FluidDef::rest_density: particles keep their mass");
-  if (now.filter != def.filter) impl_->cloth_changed();  // what it has to bear may be another
+  if (now.filter != def.filter) impl_->cloth_changed();  // the fluids that load it may differ now
   const ParticleMaterial before = std::exchange(impl_->fluids.edit(id), material_of(def));
   try {
     impl_->set_materials();

@@ -34,7 +34,7 @@ std::vector<uint32_t> chosen_vertices(const AttachmentDef& def, const VertexRang
   return vertices;
 }
 
-/// From each vertex to the nearest of the other piece within reach, at the distance that they have.
+/// Seams from each vertex to the nearest one of the other piece within reach, at their present distance.
 std::vector<cloth::EdgeConstraint> sew(const AttachmentDef& def, const VertexRange& range,
                                        const VertexRange& other, std::span<const uint32_t> vertices) {
   std::vector<cloth::EdgeConstraint> seams;
@@ -154,7 +154,7 @@ void World::Impl::drop_attachments_of(BodyId body) {
   });
   if (!any) return;
   cloth_changed();
-  upload_cloth();  // now: whatever looks for contacts must not meet attachments to a body that is gone
+  upload_cloth();  // now: no search for contacts may meet attachments to a removed body
 }
 
 namespace {

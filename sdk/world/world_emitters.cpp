@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// World's emitters. What a step will make is planned before it, when nothing has changed yet and may still
-// fail; it is made when the step has been done.
+// World's emitters. The particles of a step are planned before it, while nothing has changed and a failure is
+// harmless. They are made after the step.
 #include <meniscus/world.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace meniscus {
 
 namespace {
 
-/// Where what moves evenly from a to b is when a share of the time has gone by.
+/// The pose at a fraction of the time of a constant motion from a to b.
 Pose between(const Pose& a, const Pose& b, float fraction) {
   const Quat p = a.rotation, q = b.rotation;
   const float cosine = p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w;
@@ -25,7 +25,7 @@ Pose between(const Pose& a, const Pose& b, float fraction) {
           normalized({u * p.x + v * q.x, u * p.y + v * q.y, u * p.z + v * q.z, u * p.w + v * q.w})};
 }
 
-/// m³/s, of all places together.
+/// The flow of all places together, m³/s.
 double flow_of(const EmitterDef& def, const EmitterSites& sites) {
   const double full = sites.area * double{def.speed};
   if (def.rate > 1.0001 * full) {
@@ -67,7 +67,7 @@ FlowCount World::emitter_count(EmitterId id) const {
   return impl_->emitters.get(id).count;
 }
 
-/// Finds out what will be due, and makes room for it.
+/// Finds the departures that will be due, and reserves room for them.
 void World::Impl::plan_emission(float dt) {
   const double until = time + double{dt};
   double expected = 0, most = 0;
@@ -95,7 +95,7 @@ void World::Impl::plan_emission(float dt) {
   if (due > 0) engine->make_room(static_cast<uint32_t>(due) + planned_drips);
 }
 
-/// Where the departures have got to by the end of the step.
+/// Adds the places that the departures reach by the end of the step.
 void World::Impl::add_arrivals(const EmitterEntry& e, float dt) {
   const auto spacing = double{def.particle_spacing};
   const auto lead = static_cast<float>(0.5 * std::max(e.sites.layer, spacing));
@@ -120,19 +120,21 @@ void World::Impl::add_arrivals(const EmitterEntry& e, float dt) {
   }
 }
 
-/// Velocity that a body gave to what is at p now, when it was turned like this against now.
+/// The velocity that a body gave to a particle that is now at p; `turned` is the body's rotation then,
+/// relative to now.
 Vec3 World::Impl::carried_velocity(BodyId body, Vec3 p, Quat turned) const {
   const Vec3 arm = p - rigid.centre_of_mass(body.index);
   return rigid.velocity(body.index) + rotate(turned, cross(rigid.angular_velocity(body.index), arm));
 }
 
-/// For how many steps a particle keeps its velocity: until it is a support radius in front of the opening.
+/// The number of steps for which a particle keeps its velocity: until it is a support radius in front of the
+/// opening.
 uint32_t World::Impl::held_steps(const EmitterEntry& e, const Departure& d, float dt) const {
   const double left = double{kernel.h} / double{e.def.speed} - (time - d.time);
   return static_cast<uint32_t>(std::clamp(std::ceil(left / double{dt}), 0.0, double{pbd::most_held}));
 }
 
-/// Makes the particles that are due and have room. Returns how many.
+/// Makes the particles that are due and have room. Returns their number.
 uint32_t World::Impl::emit(float dt) {
   emission.arrivals.clear();
   emitters.for_each([&](uint32_t, EmitterEntry& e) {

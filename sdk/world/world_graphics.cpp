@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What World gives to those who draw on its device.
+// World's output for renderers on its device.
 #include <meniscus/graphics.h>
 #include <meniscus/world.h>
 
@@ -46,7 +46,7 @@ void World::write_particles(GlParticles& particles) const {
   }
   impl_->with_all().write_particles(
       {static_cast<Ellipsoid*>(lent[0].data), static_cast<uint32_t*>(lent[1].data)});
-  device.send_off();  // what fails is told here, and not as the buffers are given back
+  device.send_off();  // reports failures here, not when the buffers are released
 }
 
 }  // namespace meniscus

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The implementation behind World: materials, uploads of solids, and removal of particles.
 #include "sdk/world/world_impl.h"
 
 #include <algorithm>
@@ -34,8 +36,8 @@ EngineDef World::Impl::engine_def() {
   e.density.compressibility = d.compressibility;
   e.density.correction_limit = d.correction_limit * def.particle_spacing;
   e.cloth = {def.cloth.over_relaxation, def.cloth.warm_start, def.cloth.stretch_rounds};
-  // The repulsion scales with the hydrostatic pressure over one support radius of water; without gravity,
-  // with Earth's.
+  // The repulsion scales with the hydrostatic pressure of one support radius of water. Without gravity,
+  // Earth's gravity is used.
   const float g = length(def.gravity);
   e.density.artificial_pressure = {d.artificial_pressure.strength * 1000.0f * (g > 0 ? g : 9.81f) * kernel.h,
                                    d.artificial_pressure.exponent, d.artificial_pressure.distance};
@@ -88,7 +90,7 @@ FluidId World::Impl::create_material(const ParticleMaterial& material) {
     set_materials();
     throw;
   }
-  cloth_changed();  // it may have to bear this one
+  cloth_changed();  // this fluid may load it
   return id;
 }
 
@@ -166,7 +168,7 @@ void World::Impl::probes_changed() {
   std::vector<fluid::Probe> all;
   constexpr float everywhere = 1e30f;
   probes.for_each([&](uint32_t, const ProbeDef& probe) {
-    // A shape that is gone has no contacts, and what took its place is not what was asked for.
+    // A removed shape has no contacts, and the shape that took its number is a different one.
     const uint32_t shape = shapes.find(probe.shape) ? probe.shape.index : pbd::no_index;
     all.push_back({probe.kind == ProbeKind::point_pressure, probe.point, shape,
                    probe.patch.value_or(

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The implementation behind World: its tables, its engine and its read-outs.
 #pragma once
 
 #include <meniscus/world.h>
@@ -17,7 +19,7 @@
 
 namespace meniscus {
 
-/// A read-out that is fetched from the device when it is first asked for after a change.
+/// A read-out that is fetched from the device on its first request after a change.
 template <class T>
 struct CachedReadout {
   std::vector<T> values;
@@ -49,7 +51,7 @@ struct BodyEntry {
 struct World::Impl {
   explicit Impl(const WorldDef& world_def);
 
-  /// Far from that of any other world of this process.
+  /// The first generation of this world's ids, far from that of any other world of this process.
   static uint32_t next_first_generation();
 
   EngineDef engine_def();
@@ -59,16 +61,18 @@ struct World::Impl {
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
   void append(const ParticleBatch& batch);
   void solids_changed();
-  void upload_solids();  // where any has come or gone: with all of them at once, as each costs as much as all
-  /// To be asked of solids, or of contacts, which it would else look for among solids that are gone.
+  void
+  upload_solids();  // after solids were created or destroyed: all at once, since one costs as much as all
+  /// The engine with all solids uploaded, for queries of solids or contacts. Otherwise it would look among
+  /// removed solids.
   Engine& with_solids() { return upload_solids(), *engine; }
-  /// With what has been changed of cloth, too.
+  /// The engine with solids and cloth uploaded.
   Engine& with_all() { return upload_solids(), upload_cloth(), *engine; }
   SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
   void note_events();
-  void forget_touches(bool is_body, uint32_t number);  // of what is destroyed
+  void forget_touches(bool is_body, uint32_t number);  // removes those of a destroyed object
   void plan_emission(float dt);
   void add_arrivals(const EmitterEntry& emitter, float dt);
   Vec3 carried_velocity(BodyId body, Vec3 p, Quat turned) const;
@@ -82,9 +86,9 @@ struct World::Impl {
   void state_changed();
   void push_vertices(const VertexRange& range, const char* kind, std::span<const uint32_t> vertices,
                      std::span<const Vec3> impulses);
-  void fetch_cloth();   // its latest state, to the host
-  void upload_cloth();  // where it has changed by hand
-  /// Takes points out that are nearer than half a spacing to cloth which the filter collides with.
+  void fetch_cloth();   // fetches its latest state to the host
+  void upload_cloth();  // uploads it if a call has changed it
+  /// Removes points that are nearer than half a spacing to cloth with which the filter collides.
   void keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter);
   void cloth_changed();
   void tear_cloth();
@@ -96,21 +100,21 @@ struct World::Impl {
   uint32_t take_up(std::span<const collision::WettingTouch> touches, std::vector<WetPiece>& wet);
   uint32_t drip(Vec3 down, std::vector<WetPiece>& wet);
   void weigh(const VertexRange& range);
-  void read_reactions();    // of the last step, to the attachments, while these fit what the device has
+  void read_reactions();    // of the last step, to the attachments, while they match those on the device
   void forget_reactions();  // after a step that failed
   std::string name_particle(uint32_t slot) const;
   std::vector<bool> held_vertices(ClothId cloth) const;
   std::vector<bool> held_vertices(RopeId rope) const;
   const VertexRange& range_of(const AttachmentDef& def) const;
-  /// Destroys the attachments of which this is true.
+  /// Destroys the attachments for which this returns true.
   template <class Gone>
   void drop_attachments(const Gone& gone);
   void drop_attachments_of(BodyId body);
-  void remove(const std::vector<bool>& removed);  // by slot; the engine has done so already
+  void remove(const std::vector<bool>& removed);  // by slot; the engine has already removed them
 
   WorldDef def;
   DeviceInfo device;
-  collision::RigidWorld rigid;  // its fixed solids and bodies have the numbers of shapes and bodies
+  collision::RigidWorld rigid;  // numbers its fixed solids and bodies as shapes and bodies
   fluid::Kernel kernel{};
   std::unique_ptr<Engine> engine;
   double time = 0;
@@ -126,7 +130,7 @@ struct World::Impl {
   std::vector<ContactEvent> events;            // of the last step
   IdTable<EmitterId, EmitterEntry> emitters{"emitter", first_generation};
   IdTable<SinkId, SinkEntry> sinks{"sink", first_generation};
-  bool sinks_are_carried = false;  // at least one, by a body
+  bool sinks_are_carried = false;  // a body carries at least one sink
   std::vector<uint32_t> taken;     // by sink, in the last step
   Emission emission;
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
@@ -136,14 +140,14 @@ struct World::Impl {
   IdTable<ClothId, ClothEntry> cloths{"cloth", first_generation};
   IdTable<RopeId, RopeEntry> ropes{"rope", first_generation};
   IdTable<AttachmentId, AttachmentEntry> attachments{"attachment", first_generation};
-  bool cloth_is_on_device = true;       // all of it, as it is
+  bool cloth_is_on_device = true;       // all of it, in its present state
   bool cloth_is_on_host = true;         // its latest state
   uint32_t vertex_count = 0;            // on the device
-  std::vector<ClothId> pieces;          // on the device, by number; those that are ropes have no id
+  std::vector<ClothId> pieces;          // on the device, by number; ropes have no id here
   std::vector<uint32_t> held;           // vertices on the device, ascending
-  std::vector<ClothId> touched_pieces;  // what they were in the last step
+  std::vector<ClothId> touched_pieces;  // the pieces of the last step
   bool reactions_known = true;
-  uint32_t planned_drips = 0;    // that there is room for in this step
+  uint32_t planned_drips = 0;    // number of drips with room in this step
   float last_step = 0;           // s
   std::vector<TearEvent> tears;  // of the last step
 
@@ -155,17 +159,17 @@ struct World::Impl {
   CachedReadout<float> density_errors, full_support, pressures;
   CachedReadout<Ellipsoid> ellipsoids;
   CachedReadout<DiffuseParticle> diffuse;
-  EngineMeasure measured;                      // with density_errors
-  std::optional<fluid::SurfaceField> surface;  // when it was asked for
+  EngineMeasure measured;                      // measured with density_errors
+  std::optional<fluid::SurfaceField> surface;  // created on request
 };
 
 ParticleMaterial material_of(const FluidDef& def);
 
-/// Throws Error(capacity) where a world with so many particles has no room for more of them. It names the
-/// emitter that wants most of these, if one does.
+/// Throws Error(capacity) if a world with that many particles has no room for `added` more. The message names
+/// the emitter that wants most of them, if one does.
 void check_room(size_t present, double added, std::string_view emitter = {});
 
-/// The engine for a choice of device, and what it runs on.
+/// Makes the engine for a choice of device, and fills in which device it runs on.
 std::unique_ptr<Engine> make_engine(const EngineDef& def, DeviceChoice choice, int threads, DeviceInfo& info);
 
 }  // namespace meniscus

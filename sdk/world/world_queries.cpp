@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What World can be asked about contacts, rays and overlaps.
+// World's queries about contacts, rays and overlaps.
 #include <meniscus/error.h>
 #include <meniscus/world.h>
 
@@ -28,12 +28,13 @@ bool before(const RigidTouch& x, const RigidTouch& y) {
   return key(x) < key(y);
 }
 
-/// Where a ray first meets a ball, as a share of the ray; nothing where it starts inside.
+/// The first intersection of a ray with a ball, as a fraction of the ray; nothing if the ray starts inside.
 std::optional<float> meet_ball(Vec3 from, Vec3 ray, Vec3 centre, float radius) {
   const Vec3 to_start = from - centre;
   const float radius2 = radius * radius, a = dot(ray, ray), b = dot(to_start, ray);
   if (dot(to_start, to_start) < radius2 || b >= 0) return {};
-  // By how far the ray misses the centre: b² − ac would be the difference of numbers far larger than itself.
+  // The distance by which the ray misses the centre. The formula b² − ac would subtract numbers far larger
+  // than the result.
   const Vec3 miss = to_start - (b / a) * ray;
   const float inside2 = radius2 - dot(miss, miss);
   if (inside2 < 0) return {};
@@ -43,7 +44,7 @@ std::optional<float> meet_ball(Vec3 from, Vec3 ray, Vec3 centre, float radius) {
 
 }  // namespace
 
-/// Compares who touches whom with the step before.
+/// Compares the touching pairs with those of the step before.
 void World::Impl::note_events() {
   std::vector<RigidTouch> now = rigid.touches(), began, ended;
   std::set_difference(now.begin(), now.end(), touches.begin(), touches.end(), std::back_inserter(began),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What World says of its particles.
+// World's read-outs of particles.
 #include <meniscus/world.h>
 
 #include <algorithm>
@@ -103,7 +103,7 @@ double World::probe(ProbeId id) const {
 
 uint64_t World::state_hash() const {
   uint64_t sum = impl_->engine->hash_particles();
-  // Behind the particles' numbers come kinds, each with numbers of its own.
+  // Each kind of element has numbers of its own, different from those of the particles.
   enum class Kind : uint64_t { cloth = 1, rope, body };
   const auto add = [&](Kind kind, uint32_t owner, size_t part, Vec3 a, Vec3 b) {
     const uint64_t number = pbd::mixed(static_cast<uint64_t>(kind) << 32 | owner) + part;

@@ -71,7 +71,7 @@ void World::Impl::sinks_changed() {
   taken.resize(all.size());
 }
 
-/// Removes what the sinks take at the end of a step. Returns how many.
+/// Removes the particles that the sinks take at the end of a step. Returns their number.
 uint32_t World::Impl::take_sinks() {
   if (sinks_are_carried) sinks_changed();
   std::fill(taken.begin(), taken.end(), 0u);

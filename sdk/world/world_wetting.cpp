@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// After a step, absorbent cloth takes up particles that touch it, and drips.
+// Absorbent cloth takes up particles that touch it after a step, and drips.
 #include <meniscus/world.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ double held_by(const ClothEntry& entry) {
 
 }  // namespace
 
-/// A piece that takes up or holds water in this step.
+/// A piece that absorbs or holds water in this step.
 struct World::Impl::WetPiece {
   ClothId id;
   FluidId fluid;
@@ -29,7 +29,7 @@ struct World::Impl::WetPiece {
   std::vector<uint32_t> dripping;
 };
 
-/// Makes room for what may drip, while the step may still fail.
+/// Reserves room for the drops, while the step may still fail.
 void World::Impl::plan_dripping() {
   planned_drips = 0;
   double most = 0;
@@ -56,7 +56,7 @@ void World::Impl::wet_cloth(float dt, StepReport& report) {
   if (!any) return;
   const std::vector<collision::WettingTouch> wetting = engine->read_wetting();
   if (wetting.empty() && !wet) return;
-  read_reactions();  // while the cloth weighs what it did
+  read_reactions();  // while the cloth still has the masses of the step
   fetch_cloth();
   std::vector<WetPiece> wet_pieces;
   report.absorbed = take_up(wetting, wet_pieces);
@@ -73,7 +73,7 @@ void World::Impl::wet_cloth(float dt, StepReport& report) {
   }
 }
 
-/// Particles go into the pieces that they touch, in the order of their ids. Returns how many.
+/// Moves particles into the pieces that they touch, in the order of their ids. Returns their number.
 uint32_t World::Impl::take_up(std::span<const collision::WettingTouch> wetting, std::vector<WetPiece>& wet) {
   const auto at = velocities.get(ids.size(), [&](auto out) { engine->read_velocities(out); });
   const auto group = fluid_indices.get(ids.size(), [&](auto out) { engine->read_fluids(out); });
@@ -110,13 +110,13 @@ uint32_t World::Impl::take_up(std::span<const collision::WettingTouch> wetting, 
   return count;
 }
 
-/// Drops fall from the lowest places that have room beneath them. Returns how many.
+/// Releases drops from the lowest places with room beneath them. Returns their number.
 uint32_t World::Impl::drip(Vec3 down, std::vector<WetPiece>& wet) {
   std::vector<Arrival> places;
   std::vector<Vec3> free;
   for (WetPiece& piece : wet) {
     const ClothEntry& entry = cloths.get(piece.id);
-    // Out of the cloth's reach, which would take them up again.
+    // Below the cloth's contact distance; otherwise it would absorb the drop again.
     const float below = 1.6f * std::max(def.contact_radius * def.particle_spacing, 0.5f * entry.thickness);
     piece.dripping.resize(std::min(piece.dripping.size(), planned_drips - places.size()));
     for (const uint32_t v : piece.dripping) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements `meniscus check`: reads a scene, builds its world on the CPU, and prints its contents.
 #include "sdk/cli/commands/check.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The command `meniscus check`.
 #pragma once
 
 #include <string>
@@ -8,11 +10,12 @@
 namespace meniscus::cli {
 
 struct CheckOptions {
-  std::string scene;  ///< a file, or a sample's name
+  std::string scene;  ///< a file or the name of a sample
   std::vector<std::string> overrides;
 };
 
-/// Reads a scene and builds its world on the CPU; prints what is in it. Throws Error where it is not valid.
+/// Reads a scene, builds its world on the CPU, and prints its contents. Throws Error if the scene is not
+/// valid.
 int check_scene(const CheckOptions& options);
 
 }  // namespace meniscus::cli

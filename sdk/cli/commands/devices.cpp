@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements `meniscus devices`: the table of devices, and the device memory that a scene takes.
 #include "sdk/cli/commands/devices.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -31,7 +33,7 @@ std::size_t vertices_of(const BuiltScene& built) {
   return vertices;
 }
 
-/// The largest, line by line, and those below a thousandth of the whole in one.
+/// Prints the largest, one per line, and the sum of those below a thousandth of the whole.
 void print_shares(const std::vector<MemoryShare>& shares, std::size_t elements) {
   std::size_t all = 0, small = 0, width = 0;
   for (const MemoryShare& share : shares) {

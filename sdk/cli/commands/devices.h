@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The command `meniscus devices`.
 #pragma once
 
 #include "sdk/cli/commands/scene_lookup.h"
 
 namespace meniscus::cli {
 
-/// Prints the devices as a table, and which of them `auto` takes and why.
+/// Prints the devices as a table, and which of them `auto` chooses and why.
 int show_devices();
 
-/// Prints what memory a scene takes on its device before its first step, by what it is for. Throws Error
-/// where the scene is not valid, and Error(out_of_memory) where there is not enough.
+/// Prints the memory that a scene takes on its device before its first step, by purpose. Throws Error if the
+/// scene is not valid, and Error(out_of_memory) if memory is short.
 int show_memory(const SceneChoice& choice);
 
 }  // namespace meniscus::cli

@@ -6,13 +6,13 @@
 
 namespace meniscus::cli {
 
-/// What the program hands back to the shell.
+/// The exit codes that the program returns to the shell.
 enum ExitCode {
   success = 0,
-  run_failed = 1,     ///< the device, or a step, or an output in the middle of a run
-  bad_input = 2,      ///< the command line, or a scene, or an output folder that cannot be used
-  check_broken = 3,   ///< the run is done, but what the scene states did not hold
-  interrupted = 130,  ///< by SIGINT or SIGTERM, as shells count it
+  run_failed = 1,     ///< the device, a step, or an output failed during a run
+  bad_input = 2,      ///< the command line, a scene or an output folder cannot be used
+  check_broken = 3,   ///< the run is complete, but a check of the scene failed
+  interrupted = 130,  ///< by SIGINT or SIGTERM, in the convention of shells
 };
 
 }  // namespace meniscus::cli

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Installs and restores the handlers of SIGINT and SIGTERM.
 #include "sdk/cli/commands/interrupt.h"
 
 namespace meniscus::cli {
 namespace {
 
-// A handler can reach a global alone; this is the only one of the program.
+// A signal handler can only reach a global variable; this is the only one of the program.
 volatile std::sig_atomic_t flag = 0;
 
 extern "C" void raise_flag(int) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// In place of view.cpp where the window is not built.
+// Replaces view.cpp in builds without the window.
 #include <meniscus/error.h>
 
 #include "sdk/cli/commands/view.h"

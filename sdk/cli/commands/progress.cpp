@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Prints the progress of a run.
 #include "sdk/cli/commands/progress.h"
 
 #include <spdlog/spdlog.h>

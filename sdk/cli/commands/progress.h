@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The progress of a run, on stderr.
 #pragma once
 
 #include <chrono>
@@ -8,16 +10,17 @@
 
 namespace meniscus::cli {
 
-/// Tells on stderr how far a run is: one line that is drawn over on a terminal, else a line now and then.
+/// Prints the progress of a run on stderr: one line that is redrawn on a terminal, otherwise a line now and
+/// then.
 class Progress {
  public:
   Progress(int frames, bool quiet);
-  /// Leaves the terminal on a line of its own.
+  /// Ends the line on a terminal.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// After each frame. The density error is a fraction; without fluid there is none.
+  /// Call it after each frame. The density error is a fraction; without fluid there is none.
   void show(int frame, double step_ms, std::optional<double> density_error_mean);
 
  private:
@@ -29,7 +32,7 @@ class Progress {
   int frames_;
   bool quiet_, terminal_;
   bool drawn_ = false;
-  int lines_ = 0;  // tenths of the run that have been told
+  int lines_ = 0;  // tenths of the run that have been printed
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements `meniscus run`: steps a scene and writes its frames, pictures and figures.
 #include "sdk/cli/commands/run.h"
 
 #include <spdlog/spdlog.h>
@@ -35,7 +37,7 @@ std::filesystem::path folder_of(const RunOptions& options, const Scene& scene) {
 
 const std::filesystem::path& cleared(const std::filesystem::path& folder, const RunOptions& options) {
   make_folder(options.formats.empty() ? folder : folder / "frames");
-  remove_old_results(folder);  // after what may fail: a run that cannot start leaves all as it was
+  remove_old_results(folder);  // after everything that may fail: a run that cannot start changes nothing
   return folder;
 }
 
@@ -55,7 +57,7 @@ class Run {
     warn_of_oddities(built_);
   }
 
-  /// From here on an error ends the run but not the program: what was done is still written.
+  /// From here on an error ends the run but not the program: the results so far are still written.
   void step_through(bool quiet) {
     const Interrupt interrupt;
     Progress progress(scene_.frames, quiet);
@@ -126,7 +128,7 @@ class Run {
     return now;
   }
 
-  /// kg, of all ropes, as they are at the start.
+  /// kg, of all ropes at the start.
   double mass_of_ropes() const {
     const std::vector<double> lengths = io::rope_frame_of(built_.world, built_.ropes, scene_.ropes).lengths();
     double mass = 0;
@@ -137,7 +139,7 @@ class Run {
     return mass;
   }
 
-  /// Of each piece of cloth, in the last step.
+  /// Tears of each piece of cloth in the last step.
   std::vector<std::size_t> tears() const {
     std::vector<std::size_t> tears;
     const std::vector<TearEvent>& events = built_.world.tear_events();
@@ -167,13 +169,13 @@ class Run {
   BuiltScene built_;
   double rope_mass_;
   FrameSample first_;       // the state before the first frame
-  FramePictures pictures_;  // before the folder is made: a run that cannot start leaves it as it was
-  FrameExporter exporter_;  // takes the files of the run before away first
+  FramePictures pictures_;  // made before the folder: a run that cannot start leaves it as it was
+  FrameExporter exporter_;  // first removes the files of the run before
   RunRecorder recorder_;
   RunEnd end_;
 };
 
-/// Says which checks did not hold; returns whether any did not.
+/// Reports the checks that failed; returns whether any did.
 bool report_broken(const nlohmann::ordered_json& figures) {
   bool any = false;
   for (const auto& check : figures.at("checks")) {
@@ -190,7 +192,8 @@ int run_scene(const RunOptions& options) {
   if (options.quiet) spdlog::set_level(spdlog::level::err);
   Run run(options);
   run.step_through(options.quiet);
-  if (!run.end().error.empty()) spdlog::error("{}", run.end().error);  // first: what follows may come of it
+  if (!run.end().error.empty())
+    spdlog::error("{}", run.end().error);  // first, as it may cause the failures below
   bool broken = false;
   try {
     const nlohmann::ordered_json figures = run.write_results();

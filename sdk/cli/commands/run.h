@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The command `meniscus run`.
 #pragma once
 
 #include <optional>
@@ -16,13 +18,13 @@ struct RunOptions {
   std::optional<int> frames;
   std::string out;  ///< empty: out/<scene name>
   std::vector<std::string> formats;
-  bool surface = false;  ///< of the fluids, too, in these formats
+  bool surface = false;  ///< also writes the surfaces of the fluids, in these formats
   PictureOptions picture;
   bool quiet = false;
 };
 
-/// Runs a scene and writes what came of it; returns an exit code. Throws Error where nothing was run: for bad
-/// input, an output folder that cannot be used, or a device that is not there.
+/// Runs a scene and writes its results; returns an exit code. Throws Error if nothing was run: for bad input,
+/// an output folder that cannot be used, or a missing device.
 int run_scene(const RunOptions& options);
 
 }  // namespace meniscus::cli

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds scenes by path or by the name of a sample, and applies the command line's overrides.
 #include "sdk/cli/commands/scene_lookup.h"
 
 #include <algorithm>
@@ -41,8 +43,8 @@ std::vector<std::string> sample_names() {
 }
 
 std::string scene_path(const std::string& scene) {
-  std::error_code refused;  // a name too long, say, is no file
-  if (fs::exists(scene, refused) && !fs::is_directory(scene, refused)) return scene;  // a pipe will do
+  std::error_code refused;  // for example, a name that is too long is no file
+  if (fs::exists(scene, refused) && !fs::is_directory(scene, refused)) return scene;  // a pipe is allowed
   const fs::path sample = samples_folder() / (scene + ".json");
   if (scene.find('/') == std::string::npos && fs::is_regular_file(sample, refused)) return sample.string();
   if (fs::is_directory(scene, refused))

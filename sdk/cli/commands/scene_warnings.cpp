@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements the warnings about scenes.
 #include "sdk/cli/commands/scene_warnings.h"
 
 #include <spdlog/spdlog.h>

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Warnings about scenes that are valid but probably not intended.
 #pragma once
 
 #include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 
-/// Warns of what a scene hardly means: a volume without particles, or nothing that could move.
+/// Warns of what a scene probably does not intend: a volume without particles, or nothing that can move.
 void warn_of_oddities(const BuiltScene& built);
 
 }  // namespace meniscus::cli

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements `meniscus schema`.
 #include "sdk/cli/commands/schema.h"
 
 #include <spdlog/fmt/fmt.h>

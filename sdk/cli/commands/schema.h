@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The command `meniscus schema`.
 #pragma once
 
 namespace meniscus::cli {

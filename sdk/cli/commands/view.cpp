@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Implements `meniscus view`: opens the window with the chosen scene.
 #include "sdk/cli/commands/view.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -19,7 +21,7 @@ viewer::SceneSource source_of(const SceneChoice& choice) {
   return {.name = choice.scene, .path = scene_path(choice.scene), .document = chosen_document(choice)};
 }
 
-/// In the document, so that what is built from it later is seen from there too.
+/// Sets the camera in the document, so that later builds of the scene use it too.
 void set_camera(nlohmann::json& document, const SceneCamera& camera) {
   const auto json_of = [](Vec3 v) { return nlohmann::json{v.x, v.y, v.z}; };
   document["camera"] = {{"position", json_of(camera.position)},
@@ -44,7 +46,7 @@ int view_scene(const ViewOptions& options) {
           [&](const std::string& name) {
             SceneChoice choice = options.scene;
             choice.scene = name;
-            choice.overrides.clear();  // they are of the first scene
+            choice.overrides.clear();  // they belong to the first scene
             return source_of(choice);
           },
       .folder = options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out),

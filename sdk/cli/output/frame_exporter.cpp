@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes the frames of a run as PLY, VTP and OBJ files.
 #include "sdk/cli/output/frame_exporter.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The geometry files of a run, frame by frame.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +16,14 @@
 
 namespace meniscus::cli {
 
-/// Writes each frame's particles as FOLDER/frames/frame_00001.ply, .vtp or .obj, and beside it, where the
-/// scene has any, its spray, foam and bubbles as diffuse_00001, its bodies as bodies_00001, its cloth as
-/// cloth_00001 and its ropes as ropes_00001. A scene with cloth or ropes but no fluid has no particles to
-/// write. Where it is asked for, the surface of its fluids is surface_00001. With vtp, FOLDER/particles.pvd,
-/// diffuse.pvd, bodies.pvd, cloth.pvd, ropes.pvd and surface.pvd list them.
+/// Writes each frame's particles as FOLDER/frames/frame_00001.ply, .vtp or .obj. Beside it are, if the scene
+/// has any: spray, foam and bubbles as diffuse_00001, bodies as bodies_00001, cloth as cloth_00001, and ropes
+/// as ropes_00001. A scene with cloth or ropes but no fluid has no particles to write. On request, the
+/// surface of its fluids is surface_00001. With vtp, FOLDER/particles.pvd, diffuse.pvd, bodies.pvd,
+/// cloth.pvd, ropes.pvd and surface.pvd list them.
 class FrameExporter {
  public:
-  /// `formats`: of "ply", "vtp" and "obj", or empty for nothing. Throws Error(io), and what BodySurfaces
-  /// throws.
+  /// `formats`: "ply", "vtp" and "obj"; empty writes nothing. Throws Error(io), and what BodySurfaces throws.
   FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats, bool surface,
                 const Scene& scene);
 
@@ -30,7 +31,7 @@ class FrameExporter {
   void write(const FrameSample& sample);
 
  private:
-  /// One kind of thing in all formats.
+  /// Writes one kind of frame in all formats.
   template <class Frame>
   void write_files(const char* prefix, int frame, const Frame& contents,
                    std::optional<io::PvdFile>& collection) const;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes the pictures and the video of a run.
 #include "sdk/cli/output/frame_pictures.h"
 
 #include <spdlog/spdlog.h>
@@ -22,7 +24,7 @@ FramePictures::FramePictures(const PictureOptions& options, std::filesystem::pat
   }
   if (options.render != "last") sheet_.emplace(scene.frames);
   if (options.video.empty()) return;
-  // The run's own folder is made when all else is ready; a video in it wants it now.
+  // The run's own folder is made when all else is ready, but a video in it needs it now.
   const std::filesystem::path parent = std::filesystem::path(options.video).parent_path();
   if ((parent / "").lexically_normal() == (folder_ / "").lexically_normal()) make_folder(folder_);
   video_.emplace(options.video, picture.width, picture.height, 1 / double{scene.frame_time});

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The pictures and the video of a run.
 #pragma once
 
 #include <optional>
@@ -12,21 +14,21 @@
 
 namespace meniscus::cli {
 
-/// What a run leaves to look at: FOLDER/preview.png always, and what OpenGL draws where that is asked for:
+/// The pictures of a run: FOLDER/preview.png always, and on request what OpenGL draws:
 /// FOLDER/frames/render_00001.png, FOLDER/contact_sheet.png, and a video.
 class FramePictures {
  public:
-  /// Makes everything ready, but neither the folder nor anything in it. `first` is the state before the first
-  /// frame. Throws what FrameRenderer and VideoFile throw.
+  /// Prepares everything, but makes neither the folder nor any file in it. `first` is the state before the
+  /// first frame. Throws what FrameRenderer and VideoFile throw.
   FramePictures(const PictureOptions& options, std::filesystem::path folder, const io::PreviewScene& picture,
                 const Scene& scene, const World& world, const FrameSample& first);
 
-  /// Throws Error(io), and Error(device) where OpenGL fails.
+  /// Throws Error(io), and Error(device) if OpenGL fails.
   void add(const World& world, const FrameSample& sample);
-  /// Writes what remains; `last` is the state after the last frame. Throws likewise.
+  /// Writes the remaining files; `last` is the state after the last frame. Throws likewise.
   void finish(const World& world, const FrameSample& last);
 
-  /// What there is beside preview.png, as the summary of a run lists it.
+  /// The files beside preview.png, as the summary of a run lists them.
   std::vector<std::string> files() const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws frames with OpenGL in a context without a screen.
 #include "sdk/cli/output/frame_renderer.h"
 
 #include "sdk/render/egl_context.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The OpenGL renderer as the command line uses it.
 #pragma once
 
 #include <meniscus/world.h>
@@ -11,11 +13,11 @@
 
 namespace meniscus::cli {
 
-/// Draws frames by OpenGL, without a screen.
+/// Draws frames with OpenGL, without a screen.
 class FrameRenderer {
  public:
-  /// `first` is the state before the first frame. Throws Error(device) that says what is missing, where the
-  /// renderer was not built or finds no device, and what render::Renderer and view_choice throw.
+  /// `first` is the state before the first frame. Throws Error(device) that names what is missing, if the
+  /// renderer was not built or finds no device. Throws what render::Renderer and view_choice throw.
   FrameRenderer(const io::PreviewScene& scene, const PictureOptions& options, const World& world,
                 const FrameSample& first);
   ~FrameRenderer();

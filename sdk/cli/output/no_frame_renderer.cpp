@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// In place of frame_renderer.cpp where the renderer is not built.
+// Replaces frame_renderer.cpp in builds without the renderer.
 #include "sdk/cli/output/frame_renderer.h"
 
 namespace meniscus::cli {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Removes the files of an earlier run by the names that runs give them.
 #include "sdk/cli/output/old_results.h"
 
 #include <regex>

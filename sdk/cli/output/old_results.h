@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Removal of the files that an earlier run left in the output folder.
 #pragma once
 
 #include <filesystem>
 
 namespace meniscus::cli {
 
-/// Takes what an earlier run has written out of its folder, and nothing else: a shorter run, or one of
-/// another scene, would leave some of it among its own. What cannot be removed stays.
+/// Removes the files that an earlier run has written to its folder, and nothing else. Otherwise a shorter
+/// run, or one of another scene, would leave some of them among its own. Files that cannot be removed stay.
 void remove_old_results(const std::filesystem::path& folder);
 
 }  // namespace meniscus::cli

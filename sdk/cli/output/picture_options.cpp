@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Applies the picture options to a scene.
 #include "sdk/cli/output/picture_options.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr int most_pixels = 16384;
 
-/// The whole text as a number of pixels, or 0.
+/// The whole text as a number of pixels, or 0 if it is none.
 int pixels_of(std::string_view text) {
   int value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);

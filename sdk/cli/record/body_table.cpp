@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes the rows of bodies.csv.
 #include "sdk/cli/record/body_table.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The table bodies.csv of a run.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +13,9 @@
 
 namespace meniscus::cli {
 
-/// bodies.csv: a row a frame and body. Position (m) and rotation (a quaternion) are of the geometry's frame,
-/// velocity (m/s) and torque (N·m) of and about the centre of mass; angular velocity in rad/s; force (N) and
-/// torque are the fluid's.
+/// bodies.csv: one row per frame and body. Position (m) and rotation (a quaternion) are of the geometry's
+/// frame. Velocity (m/s) is of the centre of mass, torque (N·m) about it. Angular velocity is in rad/s. Force
+/// (N) and torque are the fluid's.
 class BodyTable {
  public:
   /// Throws Error(io).

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Detects when a moving point passes through a moving triangle, and counts these passages per piece.
 #include "sdk/cli/record/cloth_crossings.h"
 
 #include <algorithm>
@@ -36,7 +38,7 @@ double triple(const Vector& a, const Vector& b, const Vector& c) {
   return dot(a, cross(b, c));
 }
 
-/// The corners as seen from the point, and how they move.
+/// A triangle's corners relative to the point, and their motion.
 struct Pass {
   std::array<Vector, 3> start, motion;
 
@@ -46,13 +48,14 @@ struct Pass {
     return corners;
   }
 
-  /// Six times the volume between point and triangle: negative where the point is on the normal's side.
+  /// Six times the volume of the tetrahedron of point and triangle; negative if the point is on the normal's
+  /// side.
   double volume(double t) const {
     const auto c = at(t);
     return triple(c[0], c[1], c[2]);
   }
 
-  /// Whether the point, in the triangle's plane, is within it.
+  /// Whether the point, which lies in the triangle's plane, is inside the triangle.
   bool is_within(double t) const {
     const auto c = at(t);
     const Vector normal = cross(c[1] - c[0], c[2] - c[0]);
@@ -76,14 +79,15 @@ struct Cubic {
     c3 = triple(u, v, w);
   }
 
-  /// By its Bernstein coefficients, between which it stays from 0 to 1. The last of them is given.
+  /// Decides by the Bernstein coefficients, between which it stays for times from 0 to 1. `end` is the last
+  /// of them.
   bool may_change_sign(double end) const {
     const bool sign = c0 > 0;
     return (c0 + c1 / 3 > 0) != sign || (c0 + (2 * c1 + c2) / 3 > 0) != sign || (end > 0) != sign;
   }
 };
 
-/// Where a quadratic a t² + b t + c is zero, in order.
+/// The zeros of the quadratic a t² + b t + c, in ascending order.
 std::vector<double> zeros_of(double a, double b, double c) {
   if (a == 0) return b == 0 ? std::vector<double>{} : std::vector{-c / b};
   const double inside = b * b - 4 * a * c;
@@ -93,7 +97,7 @@ std::vector<double> zeros_of(double a, double b, double c) {
   return {std::min(q / a, c / q), std::max(q / a, c / q)};
 }
 
-/// 0, the times between 0 and 1 at which the volume turns, and 1.
+/// 0, the times between 0 and 1 at which the volume is extremal, and 1.
 std::vector<double> monotone_parts(const Cubic& volume) {
   std::vector<double> times{0};
   for (const double t : zeros_of(3 * volume.c3, 2 * volume.c2, volume.c1)) {
@@ -117,7 +121,7 @@ std::array<Vec3, 3> corners_of(const io::ClothFrame& cloth, std::size_t triangle
   return {cloth.vertices[t[0]], cloth.vertices[t[1]], cloth.vertices[t[2]]};
 }
 
-/// Of a triangle's corners, all ways.
+/// The box around a triangle's corners at both times.
 Aabb around_both(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to) {
   Aabb box = around({from[0], to[0]});
   for (std::size_t k = 1; k < 3; ++k) box = united(box, around({from[k], to[k]}));
@@ -156,7 +160,7 @@ void ClothCrossings::keep(const FrameSample& sample) {
   counts_.resize(sample.cloth.names.size());
 }
 
-/// Of the particles that were there before, and are there now; ids are in order.
+/// The displacements of particles that exist in both frames; ids are in ascending order.
 std::vector<Way> ClothCrossings::ways_to(const io::ParticleFrame& now) const {
   std::vector<Way> ways;
   for (std::size_t i = 0, old = 0; i < now.size(); ++i) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes cloths.csv and attachments.csv, and collects the summary's figures of cloth and ropes.
 #include "sdk/cli/record/cloth_record.h"
 
 #include <spdlog/fmt/fmt.h>

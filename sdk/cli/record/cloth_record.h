@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The figures of a run's cloth, ropes and attachments.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +16,11 @@
 
 namespace meniscus::cli {
 
-/// The figures of a run's cloth, ropes and attachments. Where the scene has cloth, cloths.csv has a row a
-/// frame and piece: its stretch (mean of |l/L − 1| and largest l/L over the edges), kinetic energy, volume
-/// and overpressure (of closed pieces), centre of mass (m), momentum (kg·m/s), and how many vertices tore in
-/// two in the frame. Where there are attachments, attachments.csv has what pulls at each, in N.
+/// The figures of a run's cloth, ropes and attachments. With cloth, cloths.csv has one row per frame and
+/// piece. It lists stretch: the mean of |l/L − 1| and the largest l/L over the edges. It lists kinetic
+/// energy, volume and overpressure (of closed pieces), centre of mass (m) and momentum (kg·m/s). It also
+/// lists how many vertices tore in two in the frame. With attachments, attachments.csv lists the force at
+/// each, in N.
 class ClothRecord {
  public:
   /// Throws Error(io).
@@ -28,11 +31,11 @@ class ClothRecord {
   /// The state after a step. Throws Error(io).
   void add(const FrameSample& sample);
 
-  /// The last state of each piece, its largest stretch of the run, and how many tears it has.
+  /// The last state of each piece, its largest stretch in the run, and its number of tears.
   nlohmann::ordered_json cloths() const;
-  /// The last length of each rope, and that at the start.
+  /// The last length of each rope, and its length at the start.
   nlohmann::ordered_json ropes() const;
-  /// The last force on each attachment, and the largest of the run.
+  /// The last force on each attachment, and the largest in the run.
   nlohmann::ordered_json attachments() const;
 
  private:

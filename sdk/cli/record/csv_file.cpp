@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes CSV files row by row.
 #include "sdk/cli/record/csv_file.h"
 
 #include <cerrno>

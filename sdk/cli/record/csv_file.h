@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// CSV files that are written row by row.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +10,13 @@
 
 namespace meniscus::cli {
 
-/// A table whose rows are on disk as soon as they are written.
+/// A table whose rows reach the disk as soon as they are written.
 class CsvFile {
  public:
   /// Throws Error(io).
   CsvFile(std::filesystem::path path, const std::string& header);
 
-  /// One row or more, with line breaks between them but not at the end. Throws Error(io).
+  /// Writes one row or more, with line breaks between them but not at the end. Throws Error(io).
   void write(const std::string& rows);
 
  private:
@@ -22,7 +24,7 @@ class CsvFile {
   std::ofstream stream_;
 };
 
-/// As RFC 4180 has it: in quotes where a comma, a quote or a line break would be misread.
+/// A field after RFC 4180: in quotes if a comma, a quote or a line break would be misread.
 std::string csv_field(const std::string& text);
 
 }  // namespace meniscus::cli

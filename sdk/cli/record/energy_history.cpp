@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds the floor level of a scene, and relates energies to it.
 #include "sdk/cli/record/energy_history.h"
 
 #include <algorithm>
@@ -30,7 +32,7 @@ Vec3 outward(Face face) {
   return {0, 0, 0};
 }
 
-/// None where the container leaks at the bottom.
+/// Nothing if the container is open at the bottom.
 std::optional<double> floor_of(const ContainerGeometry& container, const Pose& pose, Vec3 up) {
   const Vec3 local_up = rotate(conjugate(pose.rotation), up);
   for (const Opening& opening : container.openings) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The mechanical energy of a run over time.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,23 +14,23 @@
 
 namespace meniscus::cli {
 
-/// The height, along up, of the lowest closed container's or level plane's floor, m; none where nothing is
-/// below, or without gravity.
+/// The height (m, along up) of the lowest floor of a closed container or of a level plane. Nothing if there
+/// is none, or without gravity.
 std::optional<double> floor_level(const Scene& scene);
 
-/// Mechanical energy over a run. A ratio of energies needs a zero of height that means something: it is the
-/// scene's floor, or, without one, the lowest place that a particle reached.
+/// Mechanical energy over a run. A ratio of energies needs a meaningful zero of height. It is the scene's
+/// floor, or, without one, the lowest place that a particle has reached.
 class EnergyHistory {
  public:
   explicit EnergyHistory(const Scene& scene);
 
   void add(const FrameSample& sample);
 
-  /// Of the last moment, over the first; none without a floor, or where the start has no energy.
+  /// The last energy over the first. Nothing without a floor, or if the first energy is 0.
   std::optional<double> ratio() const;
 
-  /// start_j, end_j, max_j; end_ratio and max_ratio over the start, null where the start has no energy; and
-  /// the zero.
+  /// start_j, end_j and max_j; end_ratio and max_ratio over the start, null if the start energy is 0; and the
+  /// zero of height.
   nlohmann::ordered_json summary() const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The measured state of a world after one frame, as the tables and writers of a run take it.
 #pragma once
 
 #include <meniscus/bodies.h>
@@ -14,9 +16,9 @@
 
 namespace meniscus::cli {
 
-/// What is measured of a world after a frame's step, or before the first of them.
+/// The measured state of a world after a frame's step, or before the first one.
 struct FrameSample {
-  int frame = 0;  ///< 1 is the first step's; 0 is the state before it
+  int frame = 0;  ///< 1: after the first step; 0: the state before it
   StepReport step;
   Diagnostics diagnostics;
   double mass = 0;  ///< kg, of all particles, cloth and ropes
@@ -28,7 +30,7 @@ struct FrameSample {
   std::vector<BodyState> bodies;  ///< likewise
   io::ClothFrame cloth;
   io::RopeFrame ropes;
-  io::LiquidFrame liquid;               ///< where it is to be written
+  io::LiquidFrame liquid;               ///< filled in if it is to be written
   std::vector<ClothState> cloths;       ///< in the order of the scene's list
   std::vector<std::size_t> tears;       ///< vertices of each piece that tore in two in the step
   std::vector<Vec3> attachment_forces;  ///< N, in the order of the scene's list

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes the rows of frames.csv.
 #include "sdk/cli/record/frame_table.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The table frames.csv of a run.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +13,7 @@
 
 namespace meniscus::cli {
 
-/// frames.csv: a row a frame, on disk as soon as it is known.
+/// frames.csv: one row per frame, written to disk at once.
 class FrameTable {
  public:
   /// Throws Error(io).

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A histogram of non-negative values, for percentiles.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +10,10 @@
 
 namespace meniscus::cli {
 
-/// Counts of non-negative values, for percentiles of more of them than one would keep.
+/// Counts of non-negative values, for percentiles of more values than could be stored.
 class Histogram {
  public:
-  /// Values from `bins · width` on are counted together, and taken for the largest of them.
+  /// Values from `bins · width` on are counted together, and treated as the largest of them.
   Histogram(double width, std::size_t bins) : width_(width), counts_(bins + 1, 0) {}
 
   void add(double value) {
@@ -24,8 +26,8 @@ class Histogram {
   uint64_t total() const { return total_; }
   double largest() const { return largest_; }
 
-  /// The least value, up to a bin's width, that a `share` of all values does not exceed; 0 where there are
-  /// none.
+  /// The smallest value, within a bin's width, that a fraction `share` of all values does not exceed; 0
+  /// without values.
   double percentile(double share) const {
     uint64_t seen = 0;
     for (std::size_t bin = 0; bin + 1 < counts_.size(); ++bin) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Collects the figures of a run, and writes them at its end.
 #include "sdk/cli/record/run_recorder.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -30,7 +32,7 @@ nlohmann::ordered_json json_of(Vec3 v) {
   return {v.x, v.y, v.z};
 }
 
-/// Counts of things of the scene.
+/// Counts by the names of objects of the scene.
 template <class Things>
 nlohmann::ordered_json by_name(const Things& things, const std::vector<uint64_t>& counts) {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
@@ -38,7 +40,7 @@ nlohmann::ordered_json by_name(const Things& things, const std::vector<uint64_t>
   return values;
 }
 
-/// 0.016 rather than 0.01600000076: seven digits are what a float holds.
+/// 0.016 rather than 0.01600000076: a float has seven digits.
 double without_noise(double value) {
   return std::stod(fmt::format("{:.7g}", value));
 }
@@ -102,7 +104,7 @@ void RunRecorder::add(const FrameSample& sample) {
 nlohmann::ordered_json RunRecorder::finish(const RunEnd& end) {
   const nlohmann::ordered_json figures = summary(end);
   io::OutputFile file(folder_ / "summary.json");
-  // Names of files need not be UTF-8; JSON must.
+  // File names need not be UTF-8; JSON must be.
   file.write(figures.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   file.commit();
   io::write_density_svg(folder_ / "density.svg",
@@ -169,7 +171,7 @@ nlohmann::ordered_json RunRecorder::probes() const {
   return values;
 }
 
-/// The last state of each, and what does not change.
+/// The last state of each body, and its constants.
 nlohmann::ordered_json RunRecorder::bodies() const {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {

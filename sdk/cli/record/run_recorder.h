@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The figures of a run: its tables, summary.json and density.svg.
 #pragma once
 
 #include <array>
@@ -17,7 +19,7 @@
 
 namespace meniscus::cli {
 
-/// How a run came to its end.
+/// How a run ended.
 struct RunEnd {
   bool interrupted = false;
   std::string error;  ///< empty: none
@@ -25,11 +27,11 @@ struct RunEnd {
   std::size_t device_bytes = 0;
 };
 
-/// Keeps the figures of a run: frames.csv, and bodies.csv, cloths.csv and attachments.csv where the scene has
-/// any, as it goes; summary.json and density.svg at its end.
+/// Records the figures of a run. It writes frames.csv during the run, and bodies.csv, cloths.csv and
+/// attachments.csv if the scene has any. It writes summary.json and density.svg at the end.
 class RunRecorder {
  public:
-  /// `scene` must outlive the recorder. Throws Error(io) where the folder cannot be written to, and what
+  /// `scene` must outlive the recorder. Throws Error(io) if the folder cannot be written to, and what
   /// SceneChecks throws.
   RunRecorder(std::filesystem::path folder, const Scene& scene);
 
@@ -37,7 +39,7 @@ class RunRecorder {
   void start(const DeviceInfo& device, const FrameSample& sample, std::vector<BodyMass> masses = {});
   /// The state after a step. Throws Error(io).
   void add(const FrameSample& sample);
-  /// Writes the files; returns what is in summary.json. Throws Error(io).
+  /// Writes the files; returns the contents of summary.json. Throws Error(io).
   nlohmann::ordered_json finish(const RunEnd& end);
 
  private:
@@ -59,7 +61,7 @@ class RunRecorder {
   DeviceInfo device_;
   std::vector<BodyMass> masses_;
 
-  // One element a frame.
+  // One element per frame.
   std::vector<double> time_, density_mean_, density_max_, step_ms_;
   std::array<std::vector<double>, stage_count> stage_ms_;
 
@@ -76,7 +78,7 @@ class RunRecorder {
   std::vector<BodyState> bodies_;
 };
 
-/// By nearest rank; 0 where there are no values.
+/// By nearest rank; 0 without values.
 double percentile(std::vector<double> values, double share);
 
 }  // namespace meniscus::cli

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Puts the figures of summary.json into words.
 #include "sdk/cli/record/run_summary.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -104,7 +106,7 @@ std::string range_text(const json& low, const json& high, const std::string& uni
   return unit.empty() ? range : range + " " + unit;
 }
 
-/// The files that a kind of thing leaves behind, where there are any.
+/// The files of one kind of object, if there are any.
 std::string file_list(const std::vector<std::string>& formats, const json& figures,
                       const std::vector<std::string>& pictures, bool surfaces) {
   std::string text = "summary.json, frames.csv, density.svg, preview.png";

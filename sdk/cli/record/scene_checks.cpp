@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Evaluates the checks of a scene after every frame.
 #include "sdk/cli/record/scene_checks.h"
 
 #include <algorithm>
@@ -27,7 +29,7 @@ double share_inside(const Aabb& box, std::span<const Vec3> points) {
   return points.empty() ? 0 : static_cast<double>(inside) / static_cast<double>(points.size());
 }
 
-/// The first whose name it is; 0 where there is none, as for an empty name.
+/// The index of the first with this name; 0 if there is none, as for an empty name.
 template <class Things, class NameOf>
 std::size_t place_of(const std::string& name, const Things& things, NameOf name_of) {
   const auto found =
@@ -86,7 +88,7 @@ void SceneChecks::add(const FrameSample& sample, std::optional<double> energy) {
     if (check.kind == CheckKind::tears) seen.tears += sample.tears.at(seen.cloth);
     if (time < double{check.from} - rounding) continue;
     if (check.until && time > double{*check.until} + rounding) continue;
-    // Where there was none at the start, there is nothing to compare it with.
+    // Without energy at the start there is nothing to compare with.
     if (check.kind == CheckKind::energy && !energy) continue;
     const double now = value(check, seen, sample, energy);
     seen.least = seen.reached ? std::min(seen.least, now) : now;

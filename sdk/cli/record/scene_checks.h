@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The checks that a scene states about its own run.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,10 +14,10 @@
 
 namespace meniscus::cli {
 
-/// Throws Error(invalid_argument) where a check is of energy, but there is no floor to measure it from.
+/// Throws Error(invalid_argument) if a check is of energy, but there is no floor to measure it from.
 void expect_floor(const Scene& scene);
 
-/// Looks after every frame whether what the scene states holds.
+/// Evaluates after every frame whether the checks of the scene hold.
 class SceneChecks {
  public:
   /// `scene` must outlive this. Throws what expect_floor throws.
@@ -23,16 +25,17 @@ class SceneChecks {
 
   /// The state before the first step.
   void start(const FrameSample& sample);
-  /// The state after a step; `energy` is over that at the start, where it is known.
+  /// The state after a step; `energy` is relative to that at the start, if it is known.
   void add(const FrameSample& sample, std::optional<double> energy);
 
-  /// Of each check: name, type, unit, low and high (null: any), least and most that was seen, and its state:
-  /// "held", "broken" with broken_at_s, or "not reached" where the run ended before a frame counted.
+  /// For each check: name, type, unit, low and high (null: any), the smallest and largest observed value, and
+  /// its state. The state is "held", "broken" with broken_at_s, or "not reached" if the run ended before a
+  /// frame counted.
   nlohmann::ordered_json summary() const;
 
  private:
   struct Seen {
-    std::size_t body = 0, cloth = 0, probe = 0;  // what it looks at
+    std::size_t body = 0, cloth = 0, probe = 0;  // indices of the observed objects
     double start_volume = 0;                     // m³, of the cloth
     std::size_t tears = 0;
     bool reached = false;
@@ -45,7 +48,7 @@ class SceneChecks {
   double tilt(const BodyState& body) const;
 
   const Scene& scene_;
-  std::vector<Seen> seen_;  // one a check
+  std::vector<Seen> seen_;  // one per check
   std::optional<ClothCrossings> crossings_;
 };
 

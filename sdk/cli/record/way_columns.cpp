@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Sorts displacements into columns.
 #include "sdk/cli/record/way_columns.h"
 
 #include <cmath>
@@ -13,13 +15,13 @@ float columns_per_metre(std::size_t columns, float extent) {
 }
 
 std::size_t column(float at, std::size_t columns) {
-  // What is not finite stands with the first.
+  // Values that are not finite go to the first column.
   return static_cast<std::size_t>(std::fmin(std::fmax(at, 0.0f), static_cast<float>(columns - 1)));
 }
 
 }  // namespace
 
-// What is far from the region must not widen the columns: water that has run off falls for ever.
+// Displacements far from the region must not widen the columns: water that has run off falls for ever.
 WayColumns::WayColumns(const std::vector<Way>& ways, const Aabb& region)
     : start_(each * each + 1, 0),
       lower_(region.lower),

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Displacements of particles, sorted into columns so that those near a box are found fast.
 #pragma once
 
 #include <meniscus/types.h>
@@ -11,12 +13,12 @@
 
 namespace meniscus::cli {
 
-/// Of a particle, from one frame to the next.
+/// The displacement of a particle from one frame to the next.
 struct Way {
   Vec3 from, to;
 };
 
-/// The box around a way.
+/// The box around a displacement.
 inline Aabb around(const Way& way) {
   return {min(way.from, way.to), max(way.from, way.to)};
 }
@@ -25,19 +27,20 @@ inline Aabb united(const Aabb& a, const Aabb& b) {
   return {min(a.lower, b.lower), max(a.upper, b.upper)};
 }
 
-/// The ways whose boxes meet a region, by the column along y that the lower corner of each one's box is in.
+/// The displacements whose boxes meet a region, sorted by column along y. A displacement is in the column of
+/// its box's lower corner.
 class WayColumns {
  public:
   WayColumns(const std::vector<Way>& ways, const Aabb& region);
 
   std::size_t count() const { return ways_.size(); }
 
-  /// Calls visit(number below count(), way) for all whose boxes meet this one.
+  /// Calls visit(number below count(), displacement) for all whose boxes meet this one.
   template <class Visit>
   void for_each_near(const Aabb& box, const Visit& visit) const {
     const Place first = place_of(box.lower - longest_), last = place_of(box.upper);
     for (std::size_t z = first.z; z <= last.z; ++z) {
-      // A row's columns stand one after the other.
+      // The columns of a row are contiguous.
       for (std::size_t n = start_[each * z + first.x]; n < start_[each * z + last.x + 1]; ++n)
         if (pbd::overlap(around(ways_[n]), box)) visit(n, ways_[n]);
     }
@@ -53,9 +56,9 @@ class WayColumns {
   Place place_of(Vec3 point) const;
 
   std::vector<Way> ways_;
-  std::vector<std::size_t> start_;  // of each column, and the end
-  Vec3 lower_, longest_{};          // of the columns; the extent of no way's box is larger
-  float per_x_ = 0, per_z_ = 0;     // columns a metre
+  std::vector<std::size_t> start_;  // by column, and the end
+  Vec3 lower_, longest_{};          // lower corner of the columns; largest extent of a displacement's box
+  float per_x_ = 0, per_z_ = 0;     // columns per metre
 };
 
 }  // namespace meniscus::cli

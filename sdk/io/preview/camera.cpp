@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Projects points, and places a camera so that a box fills the picture.
 #include "sdk/io/preview/camera.h"
 
 #include <algorithm>
@@ -18,9 +20,9 @@ float half_angle_tangent(float degrees) {
   return std::tan(0.5f * degrees * std::numbers::pi_v<float> / 180);
 }
 
-/// Moves a camera that looks along `forward` until all corners of the box fill its picture: sideways so that
-/// they lie as far from one border as from the other, and back or forth. Each of the two disturbs the other a
-/// little, so a few rounds are made.
+/// Moves a camera that looks along `forward` until all corners of the box fill its picture. It moves sideways
+/// to centre the corners between opposite borders, and forwards or backwards. Each of the two disturbs the
+/// other a little, so it makes a few rounds.
 class Framing {
  public:
   Framing(Vec3 half, Vec3 right, Vec3 up, Vec3 forward) : forward_(forward), right_(right), up_(up) {
@@ -29,7 +31,7 @@ class Framing {
     }
   }
 
-  /// Where the camera stands, from the middle of the box.
+  /// The position of the camera relative to the middle of the box.
   Vec3 place(float tan_x, float tan_y) const {
     float distance = 0, x = 0, y = 0;
     for (int round = 0; round < 6; ++round) {
@@ -50,8 +52,7 @@ class Framing {
     return distance;
   }
 
-  /// Of the slopes at which the corners are seen, half of the sum of the least and the most, times the
-  /// distance.
+  /// Half the sum of the smallest and the largest slope at which corners are seen, times the distance.
   float middle(Vec3 axis, float offset, float distance) const {
     float low = 1e30f, high = -1e30f;
     for (const Vec3 p : corners_) {
@@ -97,10 +98,10 @@ Vec3 Camera::world_ray(int x, int y) const {
 }
 
 SceneCamera view_of(const Aabb& box, Vec3 up, float aspect) {
-  constexpr float turn = 0.50f, lift = 0.42f, margin = 1.10f;  // radians; share of the picture
+  constexpr float turn = 0.50f, lift = 0.42f, margin = 1.10f;  // radians; fraction of the picture
   SceneCamera view;
   const Vec3 half = 0.5f * (box.upper - box.lower);
-  // The longer horizontal side of the box goes across the picture.
+  // The longer horizontal side of the box lies across the picture.
   Vec3 across = some_orthogonal(up), away = cross(up, across);
   if (dot(half, abs(away)) > dot(half, abs(across))) {
     const Vec3 swapped = across;

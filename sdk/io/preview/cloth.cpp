@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Turns cloth and ropes into triangles and spheres of the preview.
 #include "sdk/io/preview/cloth.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ Vec3 color_of(std::size_t i, std::span<const Vec3> colors, Vec3 otherwise) {
   return i < colors.size() ? colors[i] : otherwise;
 }
 
-/// From one vertex to the next, without ends: a ball sits at each vertex.
+/// Adds a tube from one vertex to the next, without caps: a ball sits at each vertex.
 void add_tube(Drawing& drawing, Vec3 from, Vec3 to, float radius, uint32_t surface) {
   const Vec3 along = normalized_or(to - from, {0, 1, 0});
   const Vec3 helper = std::abs(along.y) < 0.9f ? Vec3{0, 1, 0} : Vec3{1, 0, 0};

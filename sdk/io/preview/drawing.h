@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the preview draws, in world space. A `surface` is an index into Drawing::surfaces.
+// The elements that the preview draws, in world space. A `surface` is an index into Drawing::surfaces.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ struct Sphere {
   uint32_t surface;
 };
 
-/// Seen from both sides. Those that have another surface at the back turn counter-clockwise as seen from the
-/// front.
+/// A triangle, visible from both sides. If its back has another surface, its corners are counter-clockwise as
+/// seen from the front.
 struct Triangle {
   std::array<Vec3, 3> corners, normals;
   uint32_t surface;

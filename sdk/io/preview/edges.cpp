@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Clips lines and draws them with antialiasing against the depth of the raster.
 #include "sdk/io/preview/edges.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace {
 
 constexpr float near_depth = 1e-3f;  // m
 
-/// Moves the ends of a line in view space before the eye; false where none of it is.
+/// Clips a line in view space at the near plane; false if nothing of it remains.
 bool clip_to_near(Vec3& a, Vec3& b) {
   if (!(a.z > near_depth || b.z > near_depth)) return false;
   Vec3& behind = a.z < b.z ? a : b;
@@ -20,7 +22,7 @@ bool clip_to_near(Vec3& a, Vec3& b) {
   return true;
 }
 
-/// The part of a line in the picture, as a range of t in [0, 1], along the axis on which it advances.
+/// The visible part of a line, as a range of t in [0, 1], along the axis on which it advances.
 void clip_range(float from, float to, float size, float& t_low, float& t_high) {
   const float t0 = (0 - from) / (to - from), t1 = (size - from) / (to - from);
   t_low = std::max(t_low, std::min(t0, t1));

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Straight lines in the preview.
 #pragma once
 
 #include "sdk/io/preview/raster.h"
@@ -10,7 +12,7 @@ struct EdgePen {
   Vec3 color;
   float opacity;
   float thickness;  ///< samples
-  float bias;       ///< m: what lies no further than this in front of the edge does not hide it
+  float bias;       ///< m: surfaces no further than this in front of the edge do not hide it
 };
 
 /// Draws one straight line into the colours of the raster's samples.

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Renders the shadow map and the ambient obscurance.
 #include "sdk/io/preview/light.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ Drawing without_grounds(const Drawing& drawing) {
   return casters;
 }
 
-/// Equal numbers for equal pixels, and no pattern that the eye would find.
+/// A rotation angle per pixel: the same for the same pixel, and without a visible pattern.
 float turn_of(int x, int y) {
   const uint32_t mixed = (static_cast<uint32_t>(x) * 73856093u) ^ (static_cast<uint32_t>(y) * 19349663u);
   return static_cast<float>((mixed * 2654435761u) >> 8) / static_cast<float>(1u << 24);

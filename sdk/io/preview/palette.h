@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Colours of what has none of its own, linear RGB, by its place in the scene.
+// Default colours of objects by their place in the scene, linear RGB.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ inline Vec3 shape_color(std::size_t i) {
   return colors[i % std::size(colors)];
 }
 
-/// They part from each other, from those of shapes and from water.
+/// They differ from each other, from those of shapes, and from water.
 inline Vec3 body_color(std::size_t i) {
   constexpr Vec3 colors[] = {{0.52f, 0.29f, 0.10f}, {0.80f, 0.52f, 0.08f}, {0.55f, 0.09f, 0.06f},
                              {0.70f, 0.60f, 0.42f}, {0.20f, 0.34f, 0.10f}, {0.75f, 0.30f, 0.06f},

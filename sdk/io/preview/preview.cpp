@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Puts together the drawing of a preview and renders it.
 #include "sdk/io/preview/preview.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@
 namespace meniscus::io {
 namespace {
 
-constexpr int samples = 2;              // a pixel's side
+constexpr int samples = 2;              // along a pixel's side
 constexpr float particle_size = 0.58f;  // radius in spacings: neighbours overlap a little
 constexpr int whitenings = 32;          // shades of a fluid between clear and white
 
@@ -40,7 +42,7 @@ Bounds bounds_of(const Drawing& drawing) {
   return bounds;
 }
 
-/// The values that bound all but a few strays.
+/// Bounds of all values but a few outliers.
 std::pair<float, float> usual_range(std::span<const Vec3> points, float Vec3::*axis) {
   std::vector<float> values;
   for (const Vec3& p : points) {
@@ -64,13 +66,13 @@ Bounds bounds_of(std::span<const Vec3> points, float margin) {
   return {Vec3{x0, y0, z0} - m, Vec3{x1, y1, z1} + m};
 }
 
-/// 0 for what is not a number.
+/// 0 for NaN.
 float smooth_step(float t) {
   t = t > 0 ? std::min(t, 1.0f) : 0;
   return t * t * (3 - 2 * t);
 }
 
-/// For each fluid its colour from clear to white, as a run of surfaces; grains are of one colour.
+/// The colours of each fluid from clear to white, as consecutive surfaces; grains have one colour.
 class FluidPaint {
  public:
   FluidPaint(Drawing& drawing, std::vector<Vec3> colors, std::size_t first_granular)
@@ -100,19 +102,19 @@ class FluidPaint {
   uint32_t first_ = 0;
 };
 
-/// The speed at which fluid is white, m/s: half of what a fall through the height of the scene gives, as foam
-/// has seen.
+/// The speed at which fluid is white, m/s: half of the speed of a fall through the height of the scene. It is
+/// an empirical choice for foam.
 float fast_speed(const PreviewScene& scene, float height) {
   return std::max(0.5f * std::sqrt(2 * length(scene.gravity) * height), 20 * scene.particle_spacing);
 }
 
-/// How much of a particle is seen as foam, 0 to 1: by its speed and, where density errors are at hand, by the
-/// water that it lacks around it. An edge lacks half of the rest density, a drop four fifths.
+/// The foam fraction of a particle, 0 to 1: from its speed and, if density errors are known, from the missing
+/// water around it. A particle at an edge lacks half of the rest density, a drop four fifths.
 float whiteness(const ParticleFrame& frame, std::size_t i, float fast) {
   const float speed = smooth_step((length(frame.velocities[i]) / fast - 0.25f) / 0.75f);
   if (frame.density_errors.empty()) return speed;
   const float spray = smooth_step((-frame.density_errors[i] - 0.4f) / 0.35f);
-  return 0.2f * speed + 0.5f * spray;  // never all white: drops of two fluids can be told apart
+  return 0.2f * speed + 0.5f * spray;  // never fully white, so that drops of two fluids differ
 }
 
 void add_particles(Drawing& drawing, const ParticleFrame& frame, const PreviewScene& scene, float height) {
@@ -154,7 +156,7 @@ Vec3 lamp_direction(const SceneCamera& view, Vec3 up) {
   return normalized_or(1.25f * up - 0.75f * right - 0.35f * cross(up, right), up);
 }
 
-/// The smallest detail, m: a particle, or an edge of the cloth where there is no fluid.
+/// The smallest detail, m: a particle, or an edge of the cloth if there is no fluid.
 float grain_of(const ParticleFrame& frame, const ClothFrame& cloth, float spacing) {
   if (cloth.triangles.empty()) return spacing;
   double sum = 0;

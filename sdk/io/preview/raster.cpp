@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Rasterises spheres, triangles and the ground into samples.
 #include "sdk/io/preview/raster.h"
 
 #include <algorithm>
@@ -14,7 +16,7 @@ struct Interval {
   float low, high;
 };
 
-/// The slopes x/z between which a sphere is seen: of the two tangents from the eye in the plane of x and z.
+/// The slopes x/z between which a sphere is seen, those of the two tangents from the eye in the x-z plane.
 Interval slopes(float x, float z, float radius) {
   const float k = std::sqrt(std::max(x * x + z * z - radius * radius, 0.0f));
   return {(x * k - z * radius) / (z * k + x * radius), (x * k + z * radius) / (z * k - x * radius)};
@@ -26,12 +28,12 @@ int clamped(float sample, int size) {
 
 }  // namespace
 
-/// Of a triangle, in view space.
+/// A corner of a triangle, in view space.
 struct Raster::Corner {
   Vec3 position, normal;
 };
 
-/// The samples from `low` up to, not including, `high`.
+/// The samples from `low` up to, but not including, `high`.
 struct Raster::Window {
   int x_low, x_high, y_low, y_high;
 };
@@ -52,7 +54,7 @@ void Raster::draw(const Drawing& drawing) {
 void Raster::draw_spheres(const std::vector<Sphere>& spheres) {
   std::vector<Vec3> centers(spheres.size());
   for (std::size_t i = 0; i < spheres.size(); ++i) centers[i] = camera_.to_view(spheres[i].center);
-  // Front to back, so that most samples are settled by one look at the depth.
+  // Front to back, so that most samples are decided by one comparison of depths.
   std::vector<uint32_t> order(spheres.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
@@ -73,7 +75,7 @@ void Raster::draw(const Sphere& sphere, Vec3 c) {
     for (int column = window.x_low; column < window.x_high; ++column) {
       const std::size_t sample = index(column, row);
       if (depth_[sample] <= front) continue;
-      // From the centre to the nearest point of the ray: exact also where the sphere is small and far.
+      // From the centre to the nearest point of the ray: accurate also for small and distant spheres.
       const Vec3 ray = camera_.view_ray(column, row);
       const float inverse_square = 1 / dot(ray, ray);
       const float closest = dot(c, ray) * inverse_square;
@@ -87,7 +89,7 @@ void Raster::draw(const Sphere& sphere, Vec3 c) {
 }
 
 void Raster::draw(const Triangle& triangle) {
-  std::array<Corner, 4> clipped;  // by the near plane: a corner more at most
+  std::array<Corner, 4> clipped;  // clipped by the near plane: at most one corner more
   int count = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -109,7 +111,7 @@ void Raster::fill(const std::array<Corner, 3>& corners, const Triangle& triangle
              c = camera_.project(corners[2].position);
   const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (!(std::abs(area) > 0)) return;
-  const bool behind = area > 0;  // rows run downwards: what turns counter-clockwise has a negative area
+  const bool behind = area > 0;  // rows run downwards, so counter-clockwise corners have a negative area
   const uint32_t surface = behind && triangle.back ? *triangle.back : triangle.surface;
   const Vec3 low = min(a, min(b, c)), high = max(a, max(b, c));
   const Window window{clamped(low.x, camera_.width()), clamped(high.x + 1, camera_.width()),
@@ -120,8 +122,8 @@ void Raster::fill(const std::array<Corner, 3>& corners, const Triangle& triangle
       const float u = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;  // the weight of b
       const float v = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;  // the weight of c
       if (u < 0 || v < 0 || u + v > 1) continue;
-      // Not the depth but its inverse is linear over the picture, and so is anything that is divided by the
-      // depth.
+      // The inverse of the depth, not the depth, is linear over the picture. So is anything that is divided
+      // by the depth.
       const float wa = (1 - u - v) / a.z, wb = u / b.z, wc = v / c.z;
       const float depth = 1 / (wa + wb + wc);
       const Vec3 normal =

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The depth buffer of the preview, with normals and surfaces.
 #pragma once
 
 #include <limits>
@@ -9,7 +11,7 @@
 
 namespace meniscus::io {
 
-/// For each sample the depth, the normal and the surface of what is seen first.
+/// The depth, normal and surface of the first hit at each sample.
 class Raster {
  public:
   static constexpr uint32_t nothing = 0xffffffff;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Shades the samples of a raster and averages them into pixels.
 #include "sdk/io/preview/shading.h"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ Vec3 mix(Vec3 a, Vec3 b, float t) {
   return a + t * (b - a);
 }
 
-/// Leaves dark and middle tones as they are, and lets what is brighter run into white slowly.
+/// Keeps dark and middle tones, and compresses brighter ones towards white.
 float tone(float x) {
   return x < 0.5f ? x : 1 - 0.25f / x;
 }
@@ -58,7 +60,7 @@ class Shader {
     return mix(backdrop_top, backdrop_bottom, t * t * (3 - 2 * t));
   }
 
-  /// A ground without end fades into the backdrop away from the scene.
+  /// An infinite ground fades into the background away from the scene.
   float haze(Vec3 world) const {
     const float distance = std::max(0.0f, length(world - studio_.center) / studio_.radius - 1.3f);
     return 1 - std::exp(-0.20f * distance * distance);
@@ -120,7 +122,8 @@ Image shade(const Raster& raster, const Drawing& drawing, const Studio& studio, 
       colors[raster.index(x, y)] = {tone(c.x), tone(c.y), tone(c.z)};
     }
   }
-  // As thick at every size of picture, and never hidden by a particle that rests against its own container.
+  // The same thickness at every picture size, and never hidden by a particle that rests against its own
+  // container.
   const EdgePen pen{{0.06f, 0.09f, 0.13f}, 0.75f, 0.0021f * static_cast<float>(height), studio.grain};
   for (const Edge& edge : drawing.edges) draw_edge(edge, pen, raster, colors);
   return averaged(colors, width, height, step);

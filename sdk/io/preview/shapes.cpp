@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Turns solids and grounds into triangles and edges of the preview.
 #include "sdk/io/preview/shapes.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Interpolates the colour maps.
 #include "sdk/render/frame/color_map.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 namespace meniscus::render {
 namespace {
 
-// Equally far apart. Lightness grows along the first, so that it reads without colours too.
+// Equidistant colours. Lightness grows along the first map, so that it is readable without colours as well.
 constexpr std::array sequence{Vec3{0.017f, 0.018f, 0.140f}, Vec3{0.015f, 0.110f, 0.420f},
                               Vec3{0.012f, 0.330f, 0.440f}, Vec3{0.120f, 0.560f, 0.240f},
                               Vec3{0.700f, 0.720f, 0.060f}, Vec3{1.000f, 0.900f, 0.350f}};

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// What the renderer draws at one moment.
 #pragma once
 
 #include "sdk/io/preview/preview.h"
@@ -7,19 +9,19 @@
 
 namespace meniscus::render {
 
-/// What is to be seen at one moment; views of arrays that live elsewhere.
+/// The objects at one moment, as views of arrays that live elsewhere.
 struct Moment {
-  /// Has the particles, in place of the four spans below; drawn from where it simulates, where that draws,
-  /// too.
+  /// World with the particles, in place of the four spans below. If OpenGL draws on the device that
+  /// simulates, the particles are not copied through the host.
   const World* world = nullptr;
   std::span<const Ellipsoid> ellipsoids{};     ///< World::ellipsoids
-  std::span<const uint32_t> fluids{};          ///< World::fluids, one an ellipsoid
+  std::span<const uint32_t> fluids{};          ///< World::fluids, one per ellipsoid
   std::span<const Vec3> positions{};           ///< World::positions; needed for balls alone
   std::span<const DiffuseParticle> diffuse{};  ///< World::diffuse
-  std::span<const BodyState> bodies{};         ///< in the scene's order; none: where they start
+  std::span<const BodyState> bodies{};         ///< in the scene's order; empty: at their start
   io::ClothFrame cloth{};
   io::RopeFrame ropes{};
-  const ViewData* view = nullptr;  ///< null: as things look
+  const ViewData* view = nullptr;  ///< null: the normal picture
 };
 
 }  // namespace meniscus::render

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds the camera, the light and the ground of a scene.
 #include "sdk/render/frame/stage.h"
 
 #include <meniscus/error.h>
@@ -19,7 +21,7 @@ float round_length(float size) {
   return power * (digit < 1.5f ? 1.0f : digit < 3.5f ? 2.0f : digit < 7.5f ? 5.0f : 10.0f);
 }
 
-/// From the left, and a little from behind the viewer.
+/// From the left, and slightly from behind the viewer.
 Vec3 sun_direction(const SceneCamera& view, Vec3 up) {
   const Vec3 forward = normalized_or(view.target - view.position, {0, 0, -1});
   const Vec3 right = normalized_or(cross(forward, up), {1, 0, 0}), away = cross(up, right);
@@ -69,12 +71,12 @@ Stage stage_of(const io::PreviewScene& scene, const Bounds& known) {
   stage.centre = bounds.centre();
   stage.spacing = scene.particle_spacing;
   stage.radius = std::max(bounds.radius(), stage.spacing);
-  // A few tiles along the scene, and none so small that they would flicker where it is far away.
+  // A few tiles along the scene, but none so small that distant ones would flicker.
   const float away = length(stage.camera.position - bounds.centre());
   stage.tile = round_length(std::max(max_component(bounds.upper - bounds.lower) / 8, 0.06f * away));
   stage.dye_length = 0.22f * stage.radius;
   stage.ground_normal = stage.up;
-  // A little below what stands on it, so that the two are not in one place.
+  // Slightly below what stands on it, so that the two surfaces do not coincide.
   stage.ground_offset = lowest(bounds, stage.up) - 0.002f * stage.radius;
   find_ground(scene.shapes, stage);
   return stage;
@@ -88,7 +90,7 @@ FrameUniforms uniforms_of(const Stage& stage, int width, int height) {
   FrameUniforms u;
   u.view = camera.view;
   u.projection = camera.projection;
-  // Of a turn and a shift.
+  // The inverse of a rotation and a translation.
   const Eigen::Matrix3f back = camera.view.topLeftCorner<3, 3>().transpose();
   u.camera_to_world = Matrix4::Identity();
   u.camera_to_world.topLeftCorner<3, 3>() = back;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The camera, light and ground that stay the same from frame to frame.
 #pragma once
 
 #include "sdk/io/preview/preview.h"
@@ -7,7 +9,7 @@
 
 namespace meniscus::render {
 
-/// Where things are: a box around all of the scene but planes, which have no end.
+/// A box around the whole scene except planes, which are infinite.
 struct Bounds {
   Vec3 lower{1e30f, 1e30f, 1e30f}, upper{-1e30f, -1e30f, -1e30f};
 
@@ -20,14 +22,13 @@ struct Bounds {
   float radius() const { return 0.5f * length(upper - lower); }
 };
 
-/// What does not change from frame to frame: where from and in what light the scene is seen, and what it
-/// stands on.
+/// The constants of all frames: camera, light, and ground.
 struct Stage {
   Vec3 up{0, 1, 0};
   Vec3 to_sun{0, 1, 0};
   SceneCamera camera;
   Vec3 centre{0, 0, 0};  ///< m
-  float radius = 1;      ///< m, of all that casts shadows
+  float radius = 1;      ///< m, of a ball around everything that casts shadows
   Vec3 ground_normal{0, 1, 0};
   float ground_offset = 0;  ///< m along the normal
   float tile = 1;           ///< m
@@ -35,14 +36,14 @@ struct Stage {
   float dye_length = 1;     ///< m of fluid that give light the fluid's colour
 };
 
-/// The scene's own camera and ground; without a camera a view that holds everything, without a ground one
-/// beneath everything.
+/// Uses the scene's own camera and ground. Without a camera, the view contains everything; without a ground,
+/// one lies beneath everything.
 Stage stage_of(const io::PreviewScene& scene, const Bounds& bounds);
 
 /// For a picture of this size, in pixels.
 FrameUniforms uniforms_of(const Stage& stage, int width, int height);
 
-/// Throws Error(invalid_argument) where there are more than most_fluids.
+/// Throws Error(invalid_argument) if there are more than most_fluids.
 FluidUniforms fluid_uniforms_of(const io::PreviewScene& scene);
 
 }  // namespace meniscus::render

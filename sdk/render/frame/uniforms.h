@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The uniform blocks of the shaders, as C++ structs in std140 layout.
 #pragma once
 
 #include <array>
@@ -14,7 +16,7 @@ constexpr Float4 float4(Vec3 v, float w = 0) {
   return {v.x, v.y, v.z, w};
 }
 
-/// What all shaders know of a frame: the block Frame of shaders/shared/frame.glsl, member by member (std140).
+/// Data of a frame for all shaders: the block Frame of shaders/shared/frame.glsl, member by member (std140).
 struct FrameUniforms {
   Matrix4 view, projection, camera_to_world;
   Matrix4 world_to_sun;  ///< clip space of the shadow map
@@ -24,15 +26,16 @@ struct FrameUniforms {
   Float4 lens;           ///< tangents of half the opening angles; near and far planes, m
   Float4 viewport;       ///< width and height in pixels, and their inverses
   Float4 ground;         ///< normal, and its offset, m
-  /// m: a tile; the scene's radius; the spacing of particles; how far from the scene's middle haze begins.
+  /// m: size of a tile; the scene's radius; the spacing of particles; the distance from the scene's middle at
+  /// which haze begins.
   Float4 floor;
-  Float4 centre;  ///< of the scene, m; the path on which a fluid dyes light with its colour, m
+  Float4 centre;  ///< of the scene, m; w: the path on which a fluid gives light its colour, m
 };
 
 inline constexpr unsigned frame_binding = 0;
-inline constexpr std::size_t most_fluids = 1024;  ///< what every driver has room for
+inline constexpr std::size_t most_fluids = 1024;  ///< what every driver supports
 
-/// The looks of fluids and granular materials: the block Fluids of shaders/particles/fluids.glsl.
+/// Appearance of fluids and granular materials: the block Fluids of shaders/particles/fluids.glsl.
 struct FluidUniforms {
   std::array<Float4, most_fluids> looks;  ///< linear RGB; w: 1 for grains
 };

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes view and projection matrices.
 #include "sdk/render/frame/view.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Measures worlds for the views, and scales the values to colours.
 #include "sdk/render/frame/views.h"
 
 #include <meniscus/error.h>
@@ -28,7 +30,7 @@ float round_up(float value) {
   return 10 * power;
 }
 
-/// What all but a hundredth of the values are below; what is not finite is left out.
+/// The value below which all but a hundredth of the values lie. Values that are not finite are left out.
 float usual_most(std::span<const float> all) {
   std::vector<float> values;
   std::copy_if(all.begin(), all.end(), std::back_inserter(values), [](float v) { return std::isfinite(v); });
@@ -38,7 +40,7 @@ float usual_most(std::span<const float> all) {
   return *at;
 }
 
-/// From 0 to a round number that is above all values there have been.
+/// From 0 to a round number above all values so far.
 Scale growing_scale(float& largest, std::span<const float> values, float least, const char* unit) {
   largest = std::max({largest, usual_most(values), least});
   return {0, round_up(largest), ColorMap::sequence, unit};
@@ -48,7 +50,8 @@ std::vector<float> copy_of(std::span<const float> values) {
   return {values.begin(), values.end()};
 }
 
-/// Of the upright planes across a box the one that is seen more squarely, so far from one side to the other.
+/// Of the upright planes across a box, the one that faces the viewer more directly. `way` is its place from
+/// one side to the other.
 DistanceSlice plane_through(const Aabb& box, Vec3 sight, float way) {
   const Vec3 size = 1.1f * (box.upper - box.lower);
   const bool along_x = std::abs(sight.x) > std::abs(sight.z);

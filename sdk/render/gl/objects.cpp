@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Creates and deletes OpenGL objects.
 #include "sdk/render/gl/objects.h"
 
 #include <meniscus/error.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Owners of what OpenGL makes: each deletes its object, and needs the context that made it to be current.
+// Owners of OpenGL objects. Each deletes its object, and needs the context that made it to be current.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -45,7 +45,7 @@ using FramebufferHandle = Handle<delete_framebuffer>;
 using VertexArrayHandle = Handle<delete_vertex_array>;
 using ProgramHandle = Handle<delete_program>;
 
-/// An array in the memory of the GPU, which is written anew as a whole.
+/// An array in GPU memory, which is always rewritten as a whole.
 class DataBuffer {
  public:
   DataBuffer();
@@ -54,9 +54,9 @@ class DataBuffer {
   void write(std::span<const T> values) {
     write_bytes(values.data(), values.size_bytes());
   }
-  /// So many bytes; what was inside is gone.
+  /// Resizes to this many bytes; the contents are lost.
   void resize(std::size_t bytes);
-  /// At least so many; what was inside is gone where they are more than before.
+  /// Resizes to at least this many bytes; the contents are lost if it grows.
   void reserve(std::size_t bytes) {
     if (bytes > room_) resize(bytes);
   }
@@ -69,7 +69,7 @@ class DataBuffer {
   std::size_t room_ = 0;
 };
 
-/// A flat picture of one format, without mipmaps, whose edges go on outwards.
+/// A 2D texture of one format, without mipmaps, clamped to its edges.
 class Texture {
  public:
   Texture(GLenum format, int width, int height, GLenum filter = GL_NEAREST);
@@ -78,11 +78,11 @@ class Texture {
   int width() const { return width_; }
   int height() const { return height_; }
   void bind(GLuint unit) const { glBindTextureUnit(unit, handle_); }
-  /// For compute shaders to write to.
+  /// Binds it for compute shaders to write to.
   void bind_image(unsigned unit) const {
     glBindImageTexture(unit, handle_, 0, GL_FALSE, 0, GL_WRITE_ONLY, format_);
   }
-  /// Depth textures: sampling compares, and gives the share that is nearer.
+  /// For depth textures: sampling compares depths, and returns the fraction that is nearer.
   void compare_depths();
 
  private:
@@ -91,12 +91,12 @@ class Texture {
   int width_, height_;
 };
 
-/// What a pass draws into: colours, a depth, or both; all of one size, and longer-lived than this.
+/// A framebuffer of a pass: colours, a depth, or both. All textures have one size, and must outlive it.
 class Target {
  public:
   Target(std::initializer_list<const Texture*> colors, const Texture* depth);
 
-  /// Makes it what is drawn into, over all of it.
+  /// Makes it the current target, with the viewport over all of it.
   void use() const;
   void clear_color(int index, float r, float g, float b, float a) const;
   void clear_depth() const;
@@ -107,7 +107,7 @@ class Target {
   int width_ = 0, height_ = 0;
 };
 
-/// For shaders that make their own vertices.
+/// An empty vertex array, for shaders that make their own vertices.
 VertexArrayHandle make_vertex_array();
 
 }  // namespace meniscus::render

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Reads OpenGL's timestamp queries.
 #include "sdk/render/gl/pass_timer.h"
 
 namespace meniscus::render {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Times of render passes on the GPU.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -14,7 +16,7 @@ struct PassTime {
   double ms;
 };
 
-/// When OpenGL came to each place among what it was told to do. Off until it is switched on.
+/// Times at which OpenGL reached the marks between passes. Off until it is switched on.
 class PassTimer {
  public:
   PassTimer() = default;
@@ -25,9 +27,9 @@ class PassTimer {
   void switch_on(bool on) { is_on_ = on; }
   /// A frame begins.
   void start();
-  /// `pass` is all that came since the last call.
+  /// `pass` covers all commands since the last call.
   void mark(const char* pass);
-  /// Of the last frame; waits for it.
+  /// The times of the last frame; waits for it.
   std::vector<PassTime> times() const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Compiles, links and dispatches shaders.
 #include "sdk/render/gl/program.h"
 
 #include <meniscus/error.h>
@@ -42,7 +44,7 @@ Program::Program(const char* compute) : handle_(glCreateProgram()) {
 void Program::add(GLenum stage, const char* file) {
   const GLuint shader = compiled(stage, file);
   glAttachShader(handle_, shader);
-  glDeleteShader(shader);  // as soon as the program lets go of it
+  glDeleteShader(shader);  // deleted once the program releases it
 }
 
 void Program::link(const std::string& files) {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// OpenGL shader programs.
 #pragma once
 
 #include <string>
@@ -8,20 +10,22 @@
 
 namespace meniscus::render {
 
-/// A vertex and a fragment shader, or a compute shader. Uniforms have fixed places, given in the shaders.
+/// A vertex and a fragment shader, or a compute shader. Uniforms have fixed locations, which the shaders
+/// give.
 class Program {
  public:
-  /// Names of files in sdk/render/shaders. Throws Error(device) with the compiler's words where the driver
-  /// refuses them.
+  /// The arguments are names of files in sdk/render/shaders. Throws Error(device) with the compiler's message
+  /// if the driver refuses them.
   Program(const char* vertex, const char* fragment);
 
   explicit Program(const char* compute);
 
-  /// Starts the compute shader, which is in use, in so many groups of threads. What comes after sees what it
-  /// wrote once show_writes() has been called, and may run beside it until then.
+  /// Starts the compute shader, which must be in use, in this many groups of threads. Later commands see its
+  /// writes only after show_writes(), and may run concurrently until then.
   void start(int groups_x, int groups_y = 1) const;
   static void show_writes();
-  /// The same, with image 0 to write to, for each of its pixels: see shaders/shared/pixels.glsl.
+  /// The same for each pixel of `image`, which is bound as image 0 for writing: see
+  /// shaders/shared/pixels.glsl.
   void start_over(const Texture& image) const;
   void run_over(const Texture& image) const {
     start_over(image);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Resolves the includes of shader files.
 #include "sdk/render/gl/shader_text.h"
 
 #include <meniscus/error.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Uploads and draws triangles.
 #include "sdk/render/meshes/mesh.h"
 
 #include <cstddef>

@@ -12,30 +12,29 @@
 
 namespace meniscus::render {
 
-/// How a surface looks, beside its colour; what solids/solid.frag.glsl reads from the colour's last
-/// component.
+/// The kind of a surface beside its colour. solids/solid.frag.glsl reads it from the colour's last component.
 enum class Look { glossy, cloth };
 
 struct Vertex {
   Vec3 position, normal;
-  Float4 color;  ///< linear RGB, and the look
+  Float4 color;  ///< linear RGB; w: the look
 };
 
-/// Three vertices a triangle.
+/// Three vertices per triangle.
 using Triangles = std::vector<Vertex>;
 
-/// The surface of a solid in its own frame, in `color` where a mesh has no materials. A container is its
-/// floors alone. May throw what solid_triangles throws.
+/// The surface of a solid in its own frame, in `color` if a mesh has no materials. A container has only its
+/// floors. May throw what solid_triangles throws.
 Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec3 color);
-/// Whether a face of a container turns up when placed so; `inwards`: its normal in the container's frame.
+/// Whether a face of a container faces up at this pose; `inwards`: its normal in the container's frame.
 bool is_floor(Vec3 inwards, const Pose& pose, Vec3 up);
 
-/// In the colours of the pieces, or in those of the triangles where there are any.
+/// Cloth in the colours of the triangles if there are any, otherwise in those of the pieces.
 Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors,
                         std::span<const Vec3> triangle_colors = {});
 Triangles rope_surface(const io::RopeFrame& frame, const std::vector<Vec3>& colors);
 
-/// Triangles in the memory of the GPU.
+/// Triangles in GPU memory.
 class Mesh {
  public:
   Mesh();

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes the coloured triangles of cloth and ropes.
 #include <algorithm>
 
 #include "sdk/render/meshes/mesh.h"
@@ -12,7 +14,7 @@ Float4 paint(const std::vector<Vec3>& colors, std::size_t i, Vec3 otherwise, Loo
   return float4(i < colors.size() ? colors[i] : otherwise, static_cast<float>(look));
 }
 
-/// Water between its fibres takes away half of the light that dry cloth throws back.
+/// Water between the fibres takes away half of the light that dry cloth reflects.
 Float4 wetted(Float4 color, float wetness) {
   const float light = 1 - 0.5f * std::min(wetness, 1.0f);
   for (int k = 0; k < 3; ++k) color[k] *= light;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes the coloured triangles of solids.
 #include "sdk/io/solid_triangles.h"
 #include "sdk/render/meshes/mesh.h"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes the rings and triangles of tubes.
 #include "sdk/render/meshes/tube.h"
 
 #include <cmath>
@@ -19,7 +21,8 @@ struct Ring {
   }
 };
 
-/// One ring a point, across the bend there. Each takes over the one before, so that the tube does not twist.
+/// One ring per point, across the bend there. Each ring continues the one before, so that the tube does not
+/// twist.
 std::vector<Ring> rings_of(std::span<const Vec3> line) {
   std::vector<Ring> rings;
   const std::size_t last = line.size() - 1;

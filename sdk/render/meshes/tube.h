@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Tubes along lines of points, for ropes.
 #pragma once
 
 #include <span>
@@ -8,7 +10,7 @@
 
 namespace meniscus::render {
 
-/// Adds a round tube along a line of points, with flat ends; a line that ends where it began is closed.
+/// Adds a round tube along a line of points, with flat ends. A line that ends where it began is closed.
 void add_tube(Triangles& triangles, std::span<const Vec3> line, float radius, Float4 color);
 
 }  // namespace meniscus::render

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Uploads and draws particles as balls.
 #include "sdk/render/passes/balls.h"
 
 #include <cstddef>

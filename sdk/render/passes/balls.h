@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The pass that draws particles as balls in the colours of a value.
 #pragma once
 
 #include <meniscus/outputs.h>
@@ -12,10 +14,11 @@ namespace meniscus::render {
 /// Particles as balls in the colours of a value.
 class Balls {
  public:
-  /// `fluid_colors` are what ParticleView::phase shows; none: that of water.
+  /// `fluid_colors` are the colours that ParticleView::phase shows; empty: that of water.
   explicit Balls(const std::vector<Vec3>& fluid_colors);
 
-  /// Where the ellipsoids are, by the values of the view; none where it shows the fluid's surface.
+  /// Sets balls at the ellipsoids, by the values of the view. There are none if the view shows the fluid's
+  /// surface.
   void set(std::span<const Ellipsoid> ellipsoids, const ViewData& view);
   bool empty() const { return count_ == 0; }
   void draw(float radius) const;
@@ -23,7 +26,7 @@ class Balls {
  private:
   struct Ball {
     Vec3 centre;
-    float place;  ///< in the colours, 0 to 1
+    float place;  ///< in the colour map, 0 to 1
   };
   DataBuffer balls_;
   VertexArrayHandle array_;

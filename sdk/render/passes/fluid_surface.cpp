@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Dispatches the shaders that draw and filter the fluid's depth.
 #include "sdk/render/passes/fluid_surface.h"
 
 #include <meniscus/error.h>
@@ -54,13 +56,13 @@ void FluidSurface::draw(const TileLists& lists, const Texture& scene_distance) {
 void FluidSurface::filter(SurfaceFilter filter, float reach, float threshold, float pixels) {
   if (filter == SurfaceFilter::none) return;
   if (filter == SurfaceFilter::curvature_flow) {
-    // A step spreads depths by √0.4 pixels.
+    // Each step spreads depths by √0.4 pixels.
     const int steps = std::clamp(static_cast<int>(pixels * pixels / 0.4f), 1, 120);
     for (int k = 0; k < steps; ++k) apply(curvature_flow_, 1, 0, reach, threshold);
     return;
   }
   const Program& program = filter == SurfaceFilter::bilateral ? bilateral_ : narrow_range_;
-  // One axis after the other leaves streaks, which the second round, half as wide, takes out.
+  // Filtering the axes one after the other leaves streaks. The second round, half as wide, removes them.
   for (const float share : {1.0f, 0.5f}) {
     apply(program, 1, 0, share * reach, threshold);
     apply(program, 0, 1, share * reach, threshold);

@@ -1,33 +1,35 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The passes that draw the fluid's depth and filter it to a surface.
 #pragma once
 
 #include "sdk/render/passes/tile_lists.h"
 
 namespace meniscus::render {
 
-/// How the depth of the ellipsoids becomes that of a surface.
+/// The filter that turns the depth of the ellipsoids into that of a surface.
 enum class SurfaceFilter {
   narrow_range,    ///< Truong & Yuksel 2018
-  bilateral,       ///< two passes, one an axis
+  bilateral,       ///< two passes, one per axis
   curvature_flow,  ///< van der Laan, Green & Sainz 2009
   none,
 };
 
-/// The fluid's surface as the camera sees it, a number a pixel: see shaders/fluid/found.glsl.
+/// The fluid's surface as the camera sees it, one number per pixel: see shaders/fluid/found.glsl.
 class FluidSurface {
  public:
   FluidSurface(int width, int height);
 
-  /// Throws Error(capacity) where OpenGL's buffers do not hold so many pixels.
+  /// Throws Error(capacity) if OpenGL's buffers do not hold that many pixels.
   static void check_room(int width, int height);
 
-  /// Starts the ellipsoids, in front of what `scene_distance` holds: see Program::start.
+  /// Starts drawing the ellipsoids that lie in front of `scene_distance`: see Program::start.
   void draw(const TileLists& lists, const Texture& scene_distance);
-  /// Lengths in metres: `reach` is the filter's standard deviation, and what is `threshold` apart in depth is
-  /// another surface. `pixels`: reach, seen at the scene's middle.
+  /// Lengths in metres: `reach` is the filter's standard deviation. Depths that differ by `threshold` belong
+  /// to different surfaces. `pixels`: reach, as seen at the scene's middle.
   void filter(SurfaceFilter filter, float reach, float threshold, float pixels);
-  /// For shaders that read it, by shaders/fluid/fluid_depth.glsl.
+  /// Binds it for shaders that read it by shaders/fluid/fluid_depth.glsl.
   void bind() const;
 
  private:

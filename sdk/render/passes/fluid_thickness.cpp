@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Dispatches the shaders that sum up the fluid's thickness.
 #include "sdk/render/passes/fluid_thickness.h"
 
 namespace meniscus::render {

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The passes that sum up the fluid's thickness for the camera and for the sun.
 #pragma once
 
 #include "sdk/render/frame/uniforms.h"
@@ -7,19 +9,19 @@
 
 namespace meniscus::render {
 
-/// How much fluid lies along each line of sight, and of the sun's light: sums over the particles, each of
-/// which has its share of the volume. Red, green and blue are what it absorbs.
+/// The amount of fluid along each line of sight and along the sun's light. It is a sum over the particles,
+/// each with its part of the volume. Red, green and blue are the absorption.
 class FluidThickness {
  public:
-  /// Of the camera's picture; the sums have half as many pixels each way.
+  /// The size is that of the camera's picture; the sums have half as many pixels each way.
   FluidThickness(int width, int height);
 
-  /// Pixels of the sun's picture, along a side.
+  /// Pixels along a side of the sun's picture.
   static constexpr int sun_size = 512;
-  /// Of the disc that a particle's volume is spread over, m, for the spacing of the particles.
+  /// Radius, m, of the disc over which a particle's volume is spread, for the spacing of the particles.
   static constexpr float disc_radius(float spacing) { return 1.6f * spacing; }
 
-  /// Both are started: see Program::start. The lists are of the full picture.
+  /// Both calls only start the work: see Program::start. The lists are of the full picture.
   void draw_for_camera(const TileLists& lists, const FrameUniforms& frame,
                        const Texture& scene_distance) const;
   void draw_for_sun(const TileLists& lists, const FrameUniforms& frame) const;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Draws spray, foam and bubbles.
 #include "sdk/render/passes/foam.h"
 
 #include <cstddef>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The passes that draw spray, foam and bubbles.
 #pragma once
 
 #include <meniscus/outputs.h>
@@ -12,17 +14,17 @@
 
 namespace meniscus::render {
 
-/// Spray, foam and bubbles: how much of them lies along each line of sight, before the fluid's surface and
-/// behind it, as sums, so that their order does not count; then they are laid over the picture.
+/// Spray, foam and bubbles. Their amounts along each line of sight, before the fluid's surface and behind it,
+/// are summed up, so that their order does not count. Then they are blended over the picture.
 class Foam {
  public:
   Foam();
 
   void set(std::span<const DiffuseParticle> particles);
-  /// Sums up, where the fluid's surface is bound. `spacing` of the fluid's particles, m.
+  /// Sums up the amounts; the fluid's surface must be bound. `spacing` of the fluid's particles, m.
   void gather(const FrameUniforms& frame, const Texture& scene_distance, float spacing,
               const Target& to_sums);
-  /// Draws over what is in the present target; the thickness map is bound already.
+  /// Draws over the present target; the thickness map is bound already.
   void lay_over(const Screen& screen, const Texture& sums) const;
 
  private:

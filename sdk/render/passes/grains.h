@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The passes that draw grains and their shadows.
 #pragma once
 
 #include "sdk/render/passes/particles.h"
 
 namespace meniscus::render {
 
-/// Sand and the like: balls that light does not pass.
+/// Grains such as sand: opaque balls.
 class Grains {
  public:
   void draw_shadows(const Particles& particles) const {

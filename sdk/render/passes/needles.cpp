@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Uploads and draws needles.
 #include "sdk/render/passes/needles.h"
 
 #include <cstddef>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The pass that draws short lines, such as contact normals.
 #pragma once
 
 #include "pbd/math/vec.h"
@@ -12,7 +14,7 @@ struct Needle {
   Vec3 color;     ///< linear RGB
 };
 
-/// Lines of one width in pixels, however far away they are.
+/// Lines with the same width in pixels at every distance.
 class Needles {
  public:
   Needles();

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Uploads particles, or shares their buffers with CUDA.
 #include "sdk/render/passes/particles.h"
 
 #include <meniscus/error.h>
@@ -39,7 +41,7 @@ void Particles::set(const World& world) {
 }
 
 void Particles::check_room(std::size_t count) {
-  // An ellipsoid takes more than what TileLists has for a particle.
+  // An ellipsoid takes more memory than a particle's entry in TileLists.
   GLint64 bytes = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
   const std::size_t most = static_cast<std::size_t>(bytes) / sizeof(Ellipsoid);
@@ -61,7 +63,7 @@ bool Particles::share(const World& world) {
   try {
     shared_.emplace(ellipsoids_.name(), fluids_.name());
   } catch (const Error&) {
-    can_share_ = false;  // another device draws
+    can_share_ = false;  // OpenGL draws on another device
   }
   return can_share_;
 }

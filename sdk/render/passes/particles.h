@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The particles of a frame in OpenGL buffers.
 #pragma once
 
 #include <meniscus/graphics.h>
@@ -12,21 +14,22 @@
 
 namespace meniscus::render {
 
-/// The particles of a frame, as arrays that vertex shaders read one element an instance of, and compute
-/// shaders as they like.
+/// The particles of a frame as arrays. Vertex shaders read one element per instance; compute shaders read
+/// any.
 class Particles {
  public:
   Particles();
 
-  /// Throws Error(capacity) where OpenGL's buffers do not hold so many.
+  /// Throws Error(capacity) if OpenGL's buffers do not hold that many.
   static void check_room(std::size_t count);
-  /// Equally many of both. Those that are not finite are not drawn.
+  /// Both have the same length. Particles that are not finite are not drawn.
   void set(std::span<const Ellipsoid> ellipsoids, std::span<const uint32_t> fluids);
-  /// Those of a world: written by its own device where that draws as well, else by way of the host.
+  /// The particles of a world. Its own device writes them if OpenGL draws there as well; otherwise they are
+  /// copied through the host.
   void set(const World& world);
-  /// Four corners each.
+  /// Draws four corners per particle.
   void draw() const;
-  /// For compute shaders, see shaders/particles/particles.glsl.
+  /// Binds them for compute shaders, see shaders/particles/particles.glsl.
   void bind() const;
   GLsizei count() const { return count_; }
 
@@ -34,9 +37,9 @@ class Particles {
   bool share(const World& world);
 
   DataBuffer ellipsoids_, fluids_;
-  std::optional<GlParticles> shared_;  // these buffers, while they have room
-  std::size_t room_ = 0;               // of what is shared, particles
-  bool can_share_ = true;              // as far as is known
+  std::optional<GlParticles> shared_;  // these buffers, while they are large enough
+  std::size_t room_ = 0;               // capacity of the shared buffers, in particles
+  bool can_share_ = true;              // until sharing fails
   VertexArrayHandle array_;
   GLsizei count_ = 0;
 };

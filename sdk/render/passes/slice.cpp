@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Uploads and draws the slice of distances.
 #include "sdk/render/passes/slice.h"
 
 #include "sdk/render/frame/uniforms.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The pass that draws a plane of distances to solids.
 #pragma once
 
 #include <optional>
@@ -9,13 +11,13 @@
 
 namespace meniscus::render {
 
-/// A plane of distances to solids, in colours and with lines at even distances.
+/// A plane of distances to solids, in colours and with lines at equal distances.
 class Slice {
  public:
   void set(const DistanceSlice& slice, const Scale& scale);
   void clear() { values_.reset(); }
   bool empty() const { return !values_; }
-  /// Last: nothing is seen behind it but what is there already.
+  /// Call it last: it blends over what is there already.
   void draw() const;
 
  private:

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Keeps and draws the triangles of solids, cloth and ropes.
 #include "sdk/render/passes/solids.h"
 
 #include <algorithm>

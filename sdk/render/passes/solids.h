@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The passes that draw shapes, bodies, cloth and ropes.
 #pragma once
 
 #include <span>
@@ -11,18 +13,17 @@
 
 namespace meniscus::render {
 
-/// Shapes, bodies, cloth and ropes as triangles. Of containers floors cast shadows; all else is up to
-/// Vessels.
+/// Shapes, bodies, cloth and ropes as triangles. Of containers only the floors cast shadows; Vessels draws
+/// the rest.
 class Solids {
  public:
   /// May throw what solid_triangles throws.
   explicit Solids(const io::PreviewScene& scene);
 
-  /// What stands still, and bodies where they start.
+  /// Bounds of the static objects, and of bodies at their start.
   const Bounds& bounds() const { return bounds_; }
 
-  /// `states` of the bodies, or none, for where they start.
-  /// True where something is not where it was.
+  /// `states` of the bodies; empty: at their start. Returns true if something has moved.
   bool place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
              std::span<const Vec3> cloth_triangle_colors = {});
 
@@ -45,7 +46,7 @@ class Solids {
   Bounds bounds_;
   std::vector<Item> items_;  // shapes, then bodies
   Mesh cloth_, ropes_;
-  bool moves_ = false;  // something of what was placed last
+  bool moves_ = false;  // something moved at the last placement
   Program shadow_{"solids/shadow.vert.glsl", "solids/nothing.frag.glsl"};
   Program solid_{"solids/solid.vert.glsl", "solids/solid.frag.glsl"};
 };

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Counts, allots and fills the lists of particles per tile.
 #include "sdk/render/passes/tile_lists.h"
 
 #include <utility>
@@ -7,7 +9,7 @@
 namespace meniscus::render {
 namespace {
 
-/// What covers more stands in the list of all tiles: so there is room for all, whatever is to be seen.
+/// A particle that covers more tiles is in the list of all tiles. So the capacity suffices for every view.
 constexpr std::size_t most_tiles = 9;
 constexpr int threads = 64;
 constexpr int strands = 16;         // see shaders/tiles/tiles.glsl

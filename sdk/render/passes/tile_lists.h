@@ -1,25 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Lists of the particles that may cover each tile of a picture.
 #pragma once
 
 #include "sdk/render/passes/particles.h"
 
 namespace meniscus::render {
 
-/// Which particles may cover some of each tile of a picture, so that one group of threads can draw a tile in
-/// its own fast memory: counted, summed up and listed on the GPU. A list's strands follow one another, which
-/// the shader chooses; else it is in no order.
+/// Lists of the particles that may cover each tile of a picture. With them, one group of threads can draw a
+/// tile in its own fast memory. The GPU counts, sums and lists the particles. The shader assigns the entries
+/// of a list to strands, which are in order; within a strand there is no order.
 class TileLists {
  public:
-  /// By a shader that includes shaders/tiles/list.glsl and knows what a particle covers.
+  /// The lists are made by a shader that includes shaders/tiles/list.glsl and knows what a particle covers.
   TileLists(const char* shader, int tile_size) : list_(shader), tile_size_(tile_size) {}
 
-  /// Of a picture of this size in pixels. `radius` of the discs, m.
+  /// Sets the size of the picture in pixels. `radius` of the discs, m.
   void set(int width, int height, float radius);
-  /// Of all of these pictures, side by side.
+  /// Builds the lists of all these pictures concurrently.
   static void build(std::span<TileLists* const> all, const Particles& particles);
-  /// Starts a program that is in use, with so many groups of threads along the sides of a tile; its uniform 0
-  /// is the tiles' number.
+  /// Starts a program that is in use, with this many groups of threads along the sides of a tile. Its uniform
+  /// 0 is the number of tiles.
   void start(const Program& program, int groups = 1) const;
 
  private:
@@ -36,7 +38,7 @@ class TileLists {
   float radius_ = 0;
   DataBuffer starts_, cursors_, entries_;
   DataBuffer next_cursors_;  // of the next picture
-  int cleared_ = 0;          // how many lists' cursors are 0 where a picture begins
+  int cleared_ = 0;          // number of lists whose cursors are 0 when a picture begins
 };
 
 }  // namespace meniscus::render

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Packs containers into the buffers that shaders read.
 #include "sdk/render/passes/vessels.h"
 
 #include <cstring>
@@ -13,14 +15,14 @@ namespace {
 constexpr std::size_t no_body = ~std::size_t{0};
 constexpr GLuint first_binding = 5;  // see shaders/light/vessels.glsl
 
-/// What shaders read of a vessel (std430).
+/// A container as shaders read it (std430).
 struct Box {
-  Matrix4 to_box;  ///< from the world to where its sides are parallel to the axes
+  Matrix4 to_box;  ///< from the world to a frame with axis-aligned sides
   Float4 half;     ///< m
-  /// Bits of its faces: walls of glass, floors. Where its openings begin and end.
+  /// Bits of its faces: glass walls, floors. Then the begin and end of its openings.
   std::array<GLuint, 4> parts;
 };
-/// Of an opening.
+/// An opening as shaders read it.
 struct Hole {
   Float4 low, high;  ///< m; w of low: the face
 };
@@ -43,7 +45,7 @@ bool is_missing(const ContainerGeometry& container, int face) {
   return false;
 }
 
-/// The number of elements, in 16 bytes, and the elements.
+/// Writes the number of elements, in 16 bytes, and the elements.
 template <class T>
 void write_counted(DataBuffer& buffer, const std::vector<T>& elements) {
   std::vector<std::byte> bytes(16 + sizeof(T) * elements.size());

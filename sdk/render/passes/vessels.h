@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Containers, as the light shaders read them.
 #pragma once
 
 #include <span>
@@ -10,22 +12,22 @@
 
 namespace meniscus::render {
 
-/// Containers as boxes that compute shaders cast rays at, see shaders/light/vessels.glsl: floors are solid,
-/// the other walls are glass and seen from inside, and edges are bars.
+/// Containers as boxes at which compute shaders cast rays, see shaders/light/vessels.glsl. Floors are solid.
+/// The other walls are glass, seen from inside. Edges are bars.
 class Vessels {
  public:
   explicit Vessels(const io::PreviewScene& scene);
 
-  /// `states` of the scene's bodies, or none, for where they start.
+  /// `states` of the scene's bodies; empty: at their start.
   void place(std::span<const BodyState> states);
-  /// For compute shaders.
+  /// Binds the buffers for compute shaders.
   void bind() const;
 
  private:
   struct Item {
     ContainerGeometry geometry;
     Pose pose;
-    std::size_t body;  ///< of the scene; none: no_body
+    std::size_t body;  ///< index in the scene; no_body: none
   };
   void write();
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes the meshes of spheres and tubes.
 #include "sdk/world/cloth/cloth_shapes.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ constexpr int icosahedron_faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {
                                           {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
                                           {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
 
-/// Divides the faces of an icosahedron, and puts the vertices on the sphere.
+/// Divides the faces of an icosahedron, and projects the vertices onto the sphere.
 class Geodesic {
  public:
   explicit Geodesic(const ClothSphere& sphere) : sphere_(sphere) {}
@@ -33,8 +35,8 @@ class Geodesic {
   }
 
  private:
-  /// A vertex's weights of the icosahedron's corners, in the order of the corners: those on an edge or a
-  /// corner are met in several faces, and must be found to be one.
+  /// A vertex's weights with respect to the icosahedron's corners, in the order of the corners. Several faces
+  /// share the vertices on an edge or a corner; equal weights identify them.
   using Weights = std::array<std::pair<int, int>, 3>;
 
   void divide(const int (&face)[3]) {
@@ -48,7 +50,7 @@ class Geodesic {
     }
   }
 
-  /// i steps from the face's first corner to its second, and j to its third.
+  /// The vertex that is i steps from the face's first corner towards its second, and j towards its third.
   uint32_t vertex(const int (&face)[3], int i, int j) {
     Weights weights{{{face[0], sphere_.divisions - i - j}, {face[1], i}, {face[2], j}}};
     for (auto& [corner, weight] : weights) {
@@ -73,8 +75,8 @@ class Geodesic {
   std::map<Weights, uint32_t> numbers_;
 };
 
-/// A disc that hangs on a mesh's last vertices, which go around its border: rings of about as long edges,
-/// with fewer and fewer vertices.
+/// A disc that joins a mesh's last vertices, which go around its border. It consists of rings with about
+/// equal edge lengths, and ever fewer vertices.
 class Disc {
  public:
   Disc(cloth::ClothMesh& mesh, float radius, float height, uint32_t columns)
@@ -100,7 +102,7 @@ class Disc {
 
   static constexpr float two_pi = 2 * std::numbers::pi_v<float>;
 
-  /// At a share of the radius; the last one is a single vertex.
+  /// The ring at a fraction of the radius; the last one is a single vertex.
   Ring add_ring(float fraction) {
     const auto around = static_cast<uint32_t>(std::lround(fraction * static_cast<float>(columns_)));
     const Ring ring{static_cast<uint32_t>(mesh_.vertices.size()), fraction > 0 ? std::max(3u, around) : 1};
@@ -112,7 +114,7 @@ class Disc {
     return ring;
   }
 
-  /// Goes around both at once, always on along the one that is behind.
+  /// Walks around both rings at once, and always advances on the one that lags behind.
   void join(const Ring& outer, const Ring& inner) {
     const uint32_t steps = inner.count > 1 ? inner.count : 0;
     for (uint32_t o = 0, i = 0; o < outer.count || i < steps;) {
@@ -154,7 +156,7 @@ cloth::ClothMesh tube_mesh(const ClothTube& tube) {
     for (uint32_t column = 0; column < columns; ++column) {
       const uint32_t right = (column + 1) % columns, top = row * columns, bottom = top + columns;
       const uint32_t a = top + column, b = top + right, c = bottom + column, d = bottom + right;
-      // Diagonals change direction from row to row, as those of a sheet do.
+      // Diagonals alternate from row to row, as in a sheet.
       if (row % 2 == 0) {
         mesh.triangles.push_back({a, b, c});
         mesh.triangles.push_back({b, d, c});

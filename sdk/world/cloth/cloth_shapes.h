@@ -10,7 +10,7 @@
 
 namespace meniscus {
 
-/// Arguments are those that check::cloth lets pass.
+/// The arguments must have passed check::cloth.
 cloth::ClothMesh sphere_mesh(const ClothSphere& sphere);
 cloth::ClothMesh tube_mesh(const ClothTube& tube);
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes the meshes, constraints and rod models of cloth and ropes from their definitions.
 #include "sdk/world/cloth/cloth_table.h"
 
 #include <meniscus/error.h>
@@ -46,7 +48,7 @@ cloth::FabricParameters parameters(const FabricDef& f) {
           f.bending_model == BendingModel::dihedral};
 }
 
-/// The corners' way divided into equal parts.
+/// The polyline through the corners, divided into equal parts.
 std::vector<Vec3> divided(const std::vector<Vec3>& corners, int segments, bool closed) {
   std::vector<Vec3> way = corners;
   if (closed) way.push_back(corners.front());
@@ -64,7 +66,7 @@ std::vector<Vec3> divided(const std::vector<Vec3>& corners, int segments, bool c
   return points;
 }
 
-/// Each closed part of its own.
+/// Turns the triangles of each closed part outwards, each part by itself.
 void turn_outwards(cloth::ClothMesh& mesh) {
   const std::vector<uint32_t> part = cloth::connected_parts(mesh);
   std::vector<double> volume(part.size());

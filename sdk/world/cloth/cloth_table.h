@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The cloth and ropes of a world on the host: what they are made of, and where their vertices stand.
+// The cloth and ropes of a world on the host: their meshes and constraints, and the state of their vertices.
 #pragma once
 
 #include <meniscus/cloth.h>
@@ -16,17 +16,18 @@
 
 namespace meniscus {
 
-/// Where vertices stand on the host, m and m/s.
+/// Positions (m) and velocities (m/s) of vertices on the host.
 struct VertexStates {
   std::vector<Vec3> positions, velocities;
 };
 
-/// What cloth and ropes have in common. Vertices are numbered from `first` on among all of the world.
+/// What cloth and ropes have in common. Their vertices have consecutive numbers in the world, from `first`
+/// on.
 struct VertexRange {
-  VertexStates state;     ///< when it is not the device that has the latest
+  VertexStates state;     ///< valid unless the device has a later state
   uint32_t first = 0;     ///< since the last upload
-  bool uploaded = false;  ///< then the device has the latest state
-  bool placed = true;     ///< it was put where it is, and the device does not know it yet
+  bool uploaded = false;  ///< true: the device has the latest state
+  bool placed = true;     ///< it was placed by a call, and the device does not know this yet
   std::vector<float> masses;
   CollisionFilter filter;
   float contact_radius = 0;  ///< m, towards solids
@@ -56,46 +57,47 @@ struct ClothEntry {
   float thickness = 0;  ///< m
   bool closed = false;
   float rest_volume = 0;               ///< m³, of a closed piece
-  std::vector<uint32_t> held;          ///< that the tethers are for
-  std::vector<cloth::Tether> tethers;  ///< numbered on their own
-  std::vector<Vec3> normals;           ///< of the latest state, when it was asked for
-  std::vector<float> strains;          ///< likewise
+  std::vector<uint32_t> held;          ///< vertices for which the tethers were found
+  std::vector<cloth::Tether> tethers;  ///< numbered within the piece
+  std::vector<Vec3> normals;           ///< of the latest state, computed on request
+  std::vector<float> strains;          ///< as for the normals
   // Of absorbent cloth, by vertex:
   std::vector<double> water;           ///< kg
   std::optional<FluidId> soaked_with;  ///< one fluid at a time
   VertexGraph graph;
-  std::vector<float> wetness;  ///< when it was asked for
+  std::vector<float> wetness;  ///< computed on request
 };
 
 struct RopeEntry {
   RopeDef def;
   VertexRange range;
-  cloth::RodModel model;  ///< its vertices numbered from 0
+  cloth::RodModel model;  ///< with vertices numbered from 0
   std::vector<cloth::SegmentState> segments;
-  std::vector<Quat> frames;  ///< of the segments, when they were asked for
+  std::vector<Quat> frames;  ///< of the segments, computed on request
 };
 
 struct AttachmentEntry {
   AttachmentDef def;
   std::vector<uint32_t> vertices;  ///< of its cloth or rope
-  std::vector<Vec3> anchors;       ///< in the body's principal frame, of those that are attached to one
-  uint32_t first_attachment = pbd::no_index;  ///< since the last upload; none yet: no_index
-  std::vector<cloth::EdgeConstraint> seams;   ///< from its vertex to the other's, each numbered on its own
-  std::vector<uint32_t> clamped;              ///< segments of a rod
-  Vec3 force{0, 0, 0};                        ///< N, in the last step, as far as it was read
+  std::vector<Vec3> anchors;       ///< in the body's principal frame, for vertices attached to a body
+  uint32_t first_attachment = pbd::no_index;  ///< since the last upload; no_index: none yet
+  std::vector<cloth::EdgeConstraint>
+      seams;                      ///< from its vertices to the other's, each numbered within its own range
+  std::vector<uint32_t> clamped;  ///< segments of a rod
+  Vec3 force{0, 0, 0};            ///< N, in the last step, as read so far
 };
 
-/// m, at rest.
+/// Mean edge length at rest, m.
 float mean_edge(const cloth::ClothMesh& mesh);
 ClothEntry make_cloth(const ClothDef& def);
 RopeEntry make_rope(const RopeDef& def);
 
-/// From the mesh, which has changed.
+/// Builds the constraints anew after the mesh has changed.
 void build_constraints(ClothEntry& entry);
-/// Finds its tethers, once for the vertices that are held.
+/// Finds the tethers to these held vertices, unless they are known already.
 void attach_to_held(ClothEntry& entry, const std::vector<uint32_t>& held);
 
-/// Of a closed mesh, m³.
+/// The volume of a closed mesh, m³.
 float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positions);
 
 }  // namespace meniscus

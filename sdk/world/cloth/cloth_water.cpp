@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Takes up, moves and drips the fluid that cloth holds.
 #include "sdk/world/cloth/cloth_water.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ double area_of(Vec3 a, Vec3 b, Vec3 c) {
   return 0.5 * double{length(cross(b - a, c - a))};
 }
 
-/// By vertex: its area over that at rest, or the other way round, whichever is less than 1.
+/// By vertex: the ratio of its area to that at rest, or the inverse, whichever is less than 1.
 std::vector<double> open_pores(const cloth::ClothMesh& mesh, std::span<const Vec3> now) {
   std::vector<double> rest(now.size()), area(now.size());
   for (const auto& t : mesh.triangles) {
@@ -66,7 +68,7 @@ ClothWater::ClothWater(ClothEntry& entry, double particle_mass, std::vector<bool
       open_(open_pores(entry.mesh, entry.range.state.positions)),
       momentum_(dry_.size()),
       way_(dry_.size(), infinite) {
-  // Half as far again as the circle that a particle fills.
+  // 1.5 times the radius of the circle that a particle fills, and an edge.
   reach_ = 1.5 * std::sqrt(particle_ / (M_PI * double{entry.def.fabric.absorbency})) +
            double{mean_edge(entry.mesh)};
   for (uint32_t v = 0; v < dry_.size(); ++v) {
@@ -90,7 +92,8 @@ MomentumSum ClothWater::velocity(uint32_t v) const {
   return u;
 }
 
-/// The nearest vertices along the cloth that have a particle's worth together; none where they have not.
+/// The nearest vertices along the cloth whose available amounts add up to a particle. Empty if there are not
+/// enough.
 template <class Available>
 std::vector<ClothWater::Part> ClothWater::gather(uint32_t vertex, const Available& available) {
   using Stop = std::pair<double, uint32_t>;

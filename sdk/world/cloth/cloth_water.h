@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Fluid that a piece of cloth holds, vertex by vertex: how it gets in, runs down, and drips. Whatever goes
-// from one place to another takes its momentum along.
+// Fluid that a piece of cloth holds, by vertex: how it is absorbed, runs down and drips. Fluid that moves
+// takes its momentum along.
 #pragma once
 
 #include <algorithm>
@@ -24,21 +24,21 @@ struct MomentumSum {
   }
 };
 
-/// One step of a piece's water. The piece's latest state must be on the host. finish() writes back.
+/// One step of a piece's water. The host must have the piece's latest state. finish() writes the result back.
 class ClothWater {
  public:
-  /// `held`: vertices that nothing moves; what they take stands still.
+  /// `held`: vertices that nothing moves; fluid that they take comes to rest.
   ClothWater(ClothEntry& entry, double particle_mass, std::vector<bool> held);
 
-  /// Takes up a particle at a vertex, where the cloth around has room for it; else false.
+  /// Absorbs a particle at a vertex if the surrounding cloth has room for it; returns whether it did.
   bool take(uint32_t vertex, Vec3 velocity);
-  /// Surplus runs down along the edges; `down` is a unit vector.
+  /// Moves surplus down along the edges; `down` is a unit vector.
   void run_down(Vec3 down, double dt);
-  /// Places that a drop can leave from now, the lowest first.
+  /// Vertices from which a drop can leave now, the lowest first.
   std::vector<uint32_t> dripping(Vec3 down);
-  /// Lets one go from there, if there is still enough around; returns its velocity, m/s.
+  /// Releases a drop from there if there is still enough fluid around; returns its velocity, m/s.
   std::optional<Vec3> drip(uint32_t vertex);
-  /// Vertices get their masses and velocities. Whether any has changed.
+  /// Updates the masses and velocities of the vertices. Returns whether any has changed.
   bool finish();
 
  private:
@@ -61,14 +61,14 @@ class ClothWater {
   const std::vector<float>& dry_;
   std::vector<double>& water_;
   std::vector<bool> held_;
-  double reach_;                       // m, along the cloth, of a particle
-  std::vector<double> open_;           // by vertex: the share of its pores that strain leaves open
+  double reach_;                       // m, along the cloth: how far one particle spreads at most
+  std::vector<double> open_;           // by vertex: the fraction of its pores that strain leaves open
   std::vector<MomentumSum> momentum_;  // by vertex
-  std::vector<double> way_;            // by vertex, for gather
+  std::vector<double> way_;            // by vertex: distance along the cloth, for gather
   bool changed_ = false;
 };
 
-/// The neighbours of each vertex along edges.
+/// Makes the graph of each vertex's neighbours along edges.
 VertexGraph make_graph(const cloth::ClothMesh& mesh);
 
 }  // namespace meniscus

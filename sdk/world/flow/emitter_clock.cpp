@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Computes when the places of an opening release particles.
 #include "sdk/world/flow/emitter_clock.h"
 
 #include <algorithm>
@@ -10,8 +12,8 @@ namespace meniscus {
 
 namespace {
 
-/// A number without a factor in common with `count`, near the golden share of it: its multiples, modulo
-/// `count`, take each turn once, and places that are neighbours do not follow one another.
+/// A number without a common factor with `count`, near `count` times the golden ratio's inverse. Its
+/// multiples modulo `count` visit each turn once, and neighbouring places do not follow one another.
 uint32_t golden_stride(uint32_t count) {
   auto stride = static_cast<uint32_t>(0.6180339887 * count) + 1;
   while (std::gcd(stride, count) != 1) ++stride;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The times at which particles leave an emitter's opening.
 #pragma once
 
 #include <cstdint>
@@ -7,26 +9,27 @@
 
 namespace meniscus {
 
-/// A particle that is due at a place of an opening.
+/// A particle that is due to leave a place of an opening.
 struct Departure {
   double time;         ///< s
   uint32_t place;      ///< number
   bool waits = false;  ///< it found no room before
 };
 
-/// When particles leave each place of an opening: at an even pace, unless one finds no room. It then waits,
-/// alone, and leaves at the end of the first step that has room for it; from there the pace goes on.
+/// The times at which particles leave each place of an opening: at a constant rate, unless one finds no room.
+/// That particle waits and leaves at the end of the first step that has room for it; the rate continues from
+/// there. Other places are not affected.
 class EmitterClock {
  public:
-  /// Times in s. Each place makes a particle once in a `period`, the first no later than one has gone by
-  /// since `start`; over the share `spread` of the period before that the places take turns.
+  /// Times in s. Each place makes one particle per `period`, the first within one period after `start`. The
+  /// places take turns over the fraction `spread` of the period before that.
   EmitterClock(uint32_t places, double start, double stop, double period, double spread);
 
-  /// How many particles are due until then, roughly.
+  /// About how many particles are due until then.
   double expected(double until) const;
-  /// Who is due until then, in the order of time, then of places.
+  /// The particles that are due until then, in the order of time, then of places.
   void due(double until, std::vector<Departure>& departures) const;
-  /// What became of a departure; to be told in the order of due().
+  /// Records whether a departure left; call it in the order of due().
   void note(const Departure& departure, bool left);
 
  private:

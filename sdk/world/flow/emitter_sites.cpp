@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Distributes the places of particles over discs, rectangles and meshes.
 #include "sdk/world/flow/emitter_sites.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ namespace meniscus {
 namespace {
 
 constexpr double most_places = 1e6;
-constexpr double closest = 0.7;  // spacings: nearer than this a particle finds no room
+constexpr double closest = 0.7;  // spacings: at a smaller distance a particle has no room
 
 void check_size(const char* name, double area, double spacing) {
   if (area / (spacing * spacing) <= most_places) return;
@@ -26,14 +28,15 @@ void check_size(const char* name, double area, double spacing) {
   check::refuse(name, value.str(), "at most a million particle spacings squared");
 }
 
-/// How many particles stand side by side: one a spacing squared. Rounded so that layers are never closer than
-/// `closest`.
+/// The number of particles side by side: one per spacing squared. It is rounded so that layers are never
+/// closer than `closest`.
 int places_on(double area, double spacing) {
   return std::max(1, static_cast<int>(area / (spacing * spacing) + 0.6));
 }
 
-/// The `count` points of a square lattice that are nearest to its origin, which is a point of it, or with
-/// `shift` = 1/2 the middle of four; about their centre. `moment` is the sum of their squared distances.
+/// The `count` points of a square lattice that are nearest to its origin, relative to their centre. The
+/// origin is a lattice point, or with `shift` = 1/2 the middle of four. `moment` is the sum of the squared
+/// distances.
 std::vector<Vec3> nearest_lattice_points(int count, float shift, double& moment) {
   const int reach = static_cast<int>(std::ceil(std::sqrt(count / std::numbers::pi))) + 2;
   std::vector<Vec3> points;
@@ -53,7 +56,8 @@ std::vector<Vec3> nearest_lattice_points(int count, float shift, double& moment)
   return points;
 }
 
-/// Cells of a rectangle's sides, of a size near the spacing, such that layers come out near it, too.
+/// The numbers of cells along a rectangle's sides. Cells have about the size of a spacing, chosen so that
+/// layers have about that distance, too.
 std::pair<int, int> divide(double width, double depth, double spacing) {
   std::pair<int, int> best{1, 1};
   double least = std::numeric_limits<double>::infinity();

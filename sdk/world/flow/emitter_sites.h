@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The places of an emitter's opening from which particles leave.
 #pragma once
 
 #include <meniscus/flow.h>
@@ -14,16 +16,16 @@ struct EmitterSite {
   Vec3 direction;  ///< unit
 };
 
-/// Where particles leave from: as many places as particles at rest density have room side by side.
+/// The places from which particles leave: as many as particles at rest density fit side by side.
 struct EmitterSites {
   std::vector<EmitterSite> places;
   double area = 0;  ///< m², of the opening
-  /// m, between the layers of a full jet: a particle of each takes up the volume spacing³.
+  /// m, between the layers of a full jet: each particle of a layer has the volume spacing³.
   double layer = 0;
 };
 
-/// Throws Error: invalid_argument where the opening is not sound or has room for more than a million places,
-/// and what loading a mesh throws.
+/// Throws Error(invalid_argument) if the opening is not valid or has room for more than a million places, and
+/// what loading a mesh throws.
 EmitterSites emitter_sites(const EmitterOpening& opening, float spacing);
 
 }  // namespace meniscus

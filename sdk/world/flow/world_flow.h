@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Emitters and sinks as a World keeps them.
+// The emitters and sinks of a World.
 #pragma once
 
 #include <meniscus/flow.h>
@@ -20,7 +20,7 @@ struct EmitterEntry {
   EmitterClock clock;
   FlowCount count;
   std::vector<Departure> departures;  // of the present step
-  Pose body_before;                   // at its start
+  Pose body_before;                   // at the start of the step
 };
 
 struct SinkEntry {
@@ -28,7 +28,7 @@ struct SinkEntry {
   FlowCount count;
 };
 
-/// What the emitters of a world make in a step. Kept, so that its memory is.
+/// What the emitters of a world make in a step. It is kept so that its memory is reused.
 struct Emission {
   std::vector<Arrival> arrivals;
   std::vector<uint8_t> has_room;

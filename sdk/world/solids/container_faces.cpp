@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Cuts the faces of a container around its openings.
 #include "sdk/world/solids/container_faces.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 float Vec3::*const axes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
-/// Where a face is cut along one of its axes: at its borders and at those of its openings.
+/// The coordinates at which a face is cut along one of its axes: at its borders and at those of its openings.
 std::vector<float> cuts(const std::vector<Aabb>& holes, float half, float Vec3::*axis) {
   std::vector<float> at{-half, half};
   for (const Aabb& hole : holes) {

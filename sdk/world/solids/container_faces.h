@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The faces of a container without its openings.
 #pragma once
 
 #include <meniscus/defs.h>
@@ -8,14 +10,14 @@
 
 namespace meniscus {
 
-/// What is there of a container's faces: rectangles around the openings, as boxes without depth, in the
-/// container's frame.
+/// A part of a container's face: a rectangle beside the openings, as a box without depth, in the container's
+/// frame.
 struct FacePiece {
   Face face;
   Vec3 lower, upper;  ///< m; equal along the face's normal
 };
 
-/// Each face goes on for `beyond` (m) past its borders; openings may go there with it.
+/// Each face extends `beyond` (m) past its borders; openings may extend there as well.
 std::vector<FacePiece> container_faces(const ContainerGeometry& container, float beyond = 0);
 
 }  // namespace meniscus

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes boxes from the faces of a container.
 #include "sdk/world/solids/container_walls.h"
 
 #include "pbd/math/vec.h"
@@ -11,7 +13,7 @@ std::vector<collision::RigidPart> container_walls(const ContainerGeometry& conta
   float Vec3::*const axes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
   const float thickness = max_component(container.half_extents);
   std::vector<collision::RigidPart> parts;
-  // Walls reach past the corners, so that none of them is a gap.
+  // Walls extend past the corners, so that there is no gap.
   for (const FacePiece& piece : container_faces(container, thickness)) {
     const int face = static_cast<int>(piece.face);
     float Vec3::*const normal = axes[face / 2];

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Spreads points over a surface by sample elimination (Yuksel 2015).
 #include "sdk/world/solids/surface_samples.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ Triangle corners_of(const collision::TriangleMesh& mesh, size_t t) {
   return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
 }
 
-/// Sums of the areas up to each triangle.
+/// Cumulative sums of the triangles' areas.
 std::vector<double> summed_areas(const collision::TriangleMesh& mesh) {
   std::vector<double> sums;
   double sum = 0;
@@ -33,7 +35,7 @@ std::vector<double> summed_areas(const collision::TriangleMesh& mesh) {
 
 std::vector<SurfaceSample> random_samples(const collision::TriangleMesh& mesh, size_t count) {
   const std::vector<double> areas = summed_areas(mesh);
-  std::mt19937_64 bits;  // its numbers are the same everywhere, those of distributions are not
+  std::mt19937_64 bits;  // its numbers are the same on every platform; those of distributions are not
   const auto random = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
   std::vector<SurfaceSample> samples;
   samples.reserve(count);
@@ -47,7 +49,7 @@ std::vector<SurfaceSample> random_samples(const collision::TriangleMesh& mesh, s
   return samples;
 }
 
-/// Whom a sample crowds, and how much.
+/// A sample that another one crowds, and by how much.
 struct Crowding {
   uint32_t other;
   double weight;
@@ -75,7 +77,7 @@ class Elimination {
     }
   }
 
-  /// Which samples are left when all but `count` are gone.
+  /// Which samples remain when all but `count` are eliminated.
   std::vector<bool> run(uint32_t count) {
     using Entry = std::pair<double, uint32_t>;
     std::priority_queue<Entry> most_crowded;
@@ -84,7 +86,7 @@ class Elimination {
     for (size_t left = weight_.size(); left > count;) {
       const auto [weight, i] = most_crowded.top();
       most_crowded.pop();
-      if (!stays[i] || weight != weight_[i]) continue;  // an entry of before its weight changed
+      if (!stays[i] || weight != weight_[i]) continue;  // an outdated entry: the weight has changed since
       stays[i] = false;
       --left;
       for (const Crowding& c : crowds_[i]) {

@@ -17,8 +17,8 @@ struct SurfaceSample {
 
 double surface_area(const collision::TriangleMesh& mesh);  ///< m²
 
-/// `count` points that keep apart from one another, by eliminating the most crowded of five times as many
-/// random ones (Yuksel 2015). The two sides of a thin sheet do not crowd one another. The same mesh gives the
+/// `count` points with large mutual distances: the most crowded of five times as many random points are
+/// eliminated (Yuksel 2015). The two sides of a thin sheet do not crowd one another. The same mesh gives the
 /// same points.
 std::vector<SurfaceSample> spread_samples(const collision::TriangleMesh& mesh, uint32_t count);
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Makes pieces, rigid parts and masses from each kind of geometry.
 #include "sdk/world/solids/world_shapes.h"
 
 #include <meniscus/error.h>
@@ -67,7 +69,9 @@ class SolidBuilder {
     const auto mesh = std::make_shared<const TriangleMesh>(falls ? collision::load_solid(g.file, g.scale)
                                                                  : collision::load_mesh(g.file, g.scale));
     const float cell_size = g.cell_size > 0 ? g.cell_size : 0.5f * context_.spacing;
-    weigh([&](double d) { return collision::mesh_mass(*mesh, d); });  // may refuse it: before a field is made
+    weigh([&](double d) {
+      return collision::mesh_mass(*mesh, d);
+    });  // may throw, so it comes before a field is made
     add_field(*mesh, cell_size, g.max_error);
     add_part(mesh, falls ? RigidPart::Kind::hull : RigidPart::Kind::mesh);
   }
@@ -88,7 +92,7 @@ class SolidBuilder {
     const float x = 0.5f * g.cell_size * static_cast<float>(g.columns - 1);
     const float z = 0.5f * g.cell_size * static_cast<float>(g.rows - 1);
     const float top = *std::max_element(g.heights.begin(), g.heights.end());
-    // Solid all the way down: the box reaches as far as a particle could fall in a lifetime of steps.
+    // The solid extends downwards as far as a particle could fall in the longest run.
     piece.place.bounds = {{-x, -1e6f, -z}, {x, top, z}};
     solid_.pieces.push_back(piece);
     RigidPart part;
@@ -161,7 +165,7 @@ class SolidBuilder {
     const auto first = static_cast<uint32_t>(solid_.openings.size());
     for (const Opening& opening : g.openings) {
       if (static_cast<int>(opening.face) != face) continue;
-      if (!opening.region) return;  // no wall at all
+      if (!opening.region) return;  // the wall is missing
       solid_.openings.push_back({without_depth(*opening.region, axis)});
     }
     const float inwards = face % 2 == 0 ? 1.0f : -1.0f;
@@ -216,7 +220,7 @@ collision::Shape placed(const SolidPieces::Piece& piece, const Pose& pose) {
   collision::Shape shape = piece.shape;
   carry(piece.place, {pose, pose}, shape);
   if (shape.kind == collision::ShapeKind::height_field) {
-    // Its box is so deep that floats, at the middle of it, miss the top by centimetres.
+    // The box is so deep that, measured from its middle, floats miss the top by centimetres.
     Aabb near_top = piece.place.bounds;
     near_top.lower.y = near_top.upper.y - (near_top.upper.x + near_top.upper.z);
     const Aabb box = collision::world_box(shape.pose, near_top);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// The forms that a geometry takes for particles, for Bullet and for masses.
 #pragma once
 
 #include <meniscus/bodies.h>
@@ -13,7 +15,7 @@
 
 namespace meniscus {
 
-/// What a geometry becomes: pieces for the particles, parts for Bullet, and masses; all in the geometry's
+/// The forms of a geometry: pieces for the particles, parts for Bullet, and masses; all in the geometry's
 /// frame.
 struct SolidPieces {
   struct Piece {
@@ -26,7 +28,7 @@ struct SolidPieces {
   std::vector<collision::PlacedMass> masses;  ///< of a dynamic body alone
 };
 
-/// What the solid is to be.
+/// The role of a solid.
 enum class SolidRole { fixed, kinematic, dynamic };
 
 struct SolidContext {
@@ -34,16 +36,16 @@ struct SolidContext {
   float spacing, reach;  ///< m: they set a mesh field's cell size and margin
 };
 
-/// Builds the pieces, with their fields in the engine; a dynamic body's masses are those of this density
+/// Builds the pieces, with their fields in the engine. The masses of a dynamic body have this density
 /// (kg/m³).
 SolidPieces make_solid(const Geometry& geometry, const SurfaceDef& surface, const CollisionFilter& filter,
                        SolidRole role, float density, const SolidContext& context);
-/// Gives back the fields.
+/// Releases the fields.
 void release_fields(const SolidPieces& solid, Engine& engine);
 
-/// The piece where it stands.
+/// The piece at its pose.
 collision::Shape placed(const SolidPieces::Piece& piece, const Pose& pose);
-/// As Bullet wants it.
+/// The solid for Bullet.
 collision::RigidSolid rigid_solid(const SolidPieces& solid, const Pose& pose, const SurfaceDef& surface,
                                   const CollisionFilter& filter);
 
