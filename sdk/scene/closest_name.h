@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Finds the name that a mistyped one is closest to.
 #pragma once
 
 #include <string>

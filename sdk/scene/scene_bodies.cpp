@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Expands the copies of a scene's bodies.
 #include "pbd/math/vec.h"
 #include "sdk/scene/scene.h"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Reads a scene file and makes a Scene of it.
 #include "sdk/scene/scene_file.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Resolves the mesh files that a scene names.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Checks that the names in a scene are unique and exist.
 #pragma once
 
 #include <string>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Writes overrides of the form path=value into a scene document.
 #include "sdk/scene/scene_override.h"
 
 #include <meniscus/error.h>

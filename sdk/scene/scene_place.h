@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Names a place in a scene document for messages.
 #pragma once
 
 #include <meniscus/error.h>

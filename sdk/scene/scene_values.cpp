@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Reads single values of a scene document.
 #include "sdk/scene/scene_values.h"
 
 #include <cmath>

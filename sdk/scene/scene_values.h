@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Reads single values of a scene document.
 #pragma once
 
 #include <meniscus/types.h>

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Checks of single arguments, and of definitions of worlds and fluids.
 #include "sdk/world/check/check.h"
 
 #include <meniscus/error.h>

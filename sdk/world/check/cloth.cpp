@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Checks of definitions of cloth, ropes, attachments and wind.
 #include <meniscus/cloth.h>
 #include <meniscus/error.h>
 

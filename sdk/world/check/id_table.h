@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// A table of values by id; refuses ids that are stale or of another world.
 #pragma once
 
 #include <meniscus/error.h>

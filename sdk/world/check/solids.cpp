@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
+//
+// Checks of definitions of shapes, bodies and joints.
 #include <bitset>
 #include <cmath>
 
