@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "sdk/fields/names.h"
+
 namespace meniscus {
 
 /// What a check looks at after every frame.
@@ -28,8 +30,6 @@ enum class CheckKind {
   tears,           ///< vertices that have torn in two so far
   probe,           ///< a probe's value, in its unit
 };
-
-enum class Axis { x, y, z };
 
 struct SceneCheck {
   CheckKind kind = CheckKind::outside;

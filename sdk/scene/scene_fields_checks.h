@@ -7,9 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "sdk/fields/values.h"
 #include "sdk/scene/scene_check.h"
-#include "sdk/scene/scene_fields_bodies.h"
-#include "sdk/scene/scene_fields_shapes.h"
 
 namespace meniscus {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Scene files: JSON in which every key is a field of Scene. Comments are allowed. scene_fields.h says what
-// the keys are.
+// Scene files: JSON in which every key is a field of Scene. Comments are allowed. scene_fields.h and
+// sdk/fields/fields.h say what the keys are.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

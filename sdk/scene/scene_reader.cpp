@@ -7,11 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "sdk/fields/visitor.h"
 #include "sdk/scene/closest_name.h"
+#include "sdk/scene/scene_fields.h"
 #include "sdk/scene/scene_file.h"
 #include "sdk/scene/scene_names.h"
 #include "sdk/scene/scene_values.h"
-#include "sdk/scene/scene_visitor.h"
 
 namespace meniscus {
 namespace {
@@ -47,7 +48,8 @@ class FieldReader {
     }
   }
 
-  void check(bool ok, const std::string& message) const {
+  template <class... Subject>
+  void check(bool ok, const std::string& message, const Subject&...) const {
     if (!ok) place_.fail(message);
   }
 

@@ -8,8 +8,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "sdk/fields/visitor.h"
+#include "sdk/scene/scene_fields.h"
 #include "sdk/scene/scene_file.h"
-#include "sdk/scene/scene_visitor.h"
 
 namespace meniscus {
 namespace {
@@ -80,8 +81,9 @@ Json plain_schema(Quat, const FieldRule& rule) {
   return {{"oneOf", ways}};
 }
 
+/// JSON has no infinity, and null says that there is no default.
 Json default_of(float x) {
-  return plain_number(x);
+  return std::isfinite(x) ? plain_number(x) : Json(nullptr);
 }
 Json default_of(int x) {
   return x;
@@ -117,12 +119,13 @@ class SchemaWriter {
     if (*unit) schema["unit"] = unit;
     schema.update(schema_of(value, rule));
     if constexpr (requires { default_of(value); }) {
-      if (!rule.needed) schema["default"] = default_of(value);
+      if (const Json usual = default_of(value); !rule.needed && !usual.is_null()) schema["default"] = usual;
     }
     if (rule.needed) required_.push_back(key);
     properties_[key] = std::move(schema);
   }
-  void check(bool, const std::string&) const {}
+  template <class... Subject>
+  void check(bool, const std::string&, const Subject&...) const {}
 
   /// The key that tells the alternatives apart.
   void add_type(const char* name) {

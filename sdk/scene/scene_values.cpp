@@ -6,34 +6,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace meniscus {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string number_text(double x) {
-  std::ostringstream out;
-  out.precision(10);
-  out << x;
-  return out.str();
-}
-
-std::string range_text(const FieldRule& rule) {
-  const bool low = std::isfinite(rule.low), high = std::isfinite(rule.high);
-  std::string text;
-  if (low) text = (rule.above_low ? "greater than " : "at least ") + number_text(rule.low);
-  if (low && high) text += " and ";
-  if (high) text += (rule.below_high ? "less than " : "at most ") + number_text(rule.high);
-  return text;
-}
-
-bool in_range(double x, const FieldRule& rule) {
-  const bool above = rule.above_low ? x > rule.low : x >= rule.low;
-  const bool below = rule.below_high ? x < rule.high : x <= rule.high;
-  return above && below;
-}
 
 [[noreturn]] void fail_type(const Json& json, const ScenePlace& place, const std::string& wanted) {
   place.fail(shown(json) + " is not allowed; must be " + wanted);
@@ -42,7 +19,10 @@ bool in_range(double x, const FieldRule& rule) {
 double read_number(const Json& json, const ScenePlace& place, const FieldRule& rule, const char* wanted) {
   if (!json.is_number()) fail_type(json, place, wanted);
   const double x = json.get<double>();
-  if (!in_range(x, rule)) fail_type(json, place, range_text(rule));
+  if (!in_range(x, rule)) {
+    const std::string range = range_text(rule);
+    fail_type(json, place, range.empty() ? "a finite number" : range);  // else it is NaN
+  }
   return x;
 }
 
@@ -78,7 +58,7 @@ void read_plain(const Json& json, const ScenePlace& place, const FieldRule& rule
   if (!(std::fabs(x) <= double(std::numeric_limits<float>::max()))) {
     fail_type(json, place, "a finite number of single precision");
   }
-  value = float(x);
+  value = float(x) * unit_of(rule);
   // A positive number below the smallest float becomes 0, which the rule may not allow.
   if (!in_range(value, rule) && value == 0) fail_type(json, place, "far enough from 0 for single precision");
 }

@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "sdk/scene/scene_field_rule.h"
+#include "sdk/fields/rule.h"
 #include "sdk/scene/scene_place.h"
 
 namespace meniscus {

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the value of a scene file's field may be.
+// What the value of a definition's field may be. fields.h says where rules stand, and who reads them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
+#include <string>
 
 namespace meniscus {
 
@@ -16,6 +18,9 @@ struct FieldRule {
   bool above_low = false;            ///< low itself is not allowed
   bool below_high = false;           ///< high itself is not allowed
   bool needed = false;               ///< the key must be there
+  bool or_infinite = false;          ///< in C++, infinity is allowed; JSON has none
+  bool in_degrees = false;           ///< bounds, and files, are in degrees; C++ is in radians
+  bool key_only = false;             ///< files alone have it: a key without a member
   std::size_t min_items = 0;         ///< of a list, or characters of a text
   std::size_t max_items = SIZE_MAX;  ///< of a list
 };
@@ -57,6 +62,20 @@ constexpr FieldRule of_item(FieldRule rule) {
   rule.max_items = FieldRule{}.max_items;
   return rule;
 }
+/// In C++ infinity as well.
+constexpr FieldRule or_infinity(FieldRule rule) {
+  rule.or_infinite = true;
+  return rule;
+}
+constexpr FieldRule degrees(FieldRule rule) {
+  rule.in_degrees = true;
+  return rule;
+}
+/// Of a key that is a local variable of fields(), and tells a file's reader how to fill members.
+constexpr FieldRule key_only(FieldRule rule) {
+  rule.key_only = true;
+  return rule;
+}
 constexpr FieldRule required(FieldRule rule) {
   rule.needed = true;
   return rule;
@@ -66,5 +85,20 @@ inline constexpr FieldRule any_value{};
 inline constexpr FieldRule positive = above(0);
 inline constexpr FieldRule not_negative = at_least(0);
 inline constexpr FieldRule not_empty = with_items(1);
+
+/// How many of a member's units a unit of the rule, and of a file, is.
+constexpr float unit_of(const FieldRule& rule) {
+  return rule.in_degrees ? std::numbers::pi_v<float> / 180 : 1;
+}
+
+/// Whether a number is within the bounds. NaN is not, whatever they are.
+constexpr bool in_range(double x, const FieldRule& rule) {
+  const bool above = rule.above_low ? x > rule.low : x >= rule.low;
+  const bool below = rule.below_high ? x < rule.high : x <= rule.high;
+  return above && below;
+}
+
+/// The bounds in words, as in "at least 0 and at most 1"; empty where there are none.
+std::string range_text(const FieldRule& rule);
 
 }  // namespace meniscus

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The part of scene_fields.h about what bends: cloth, ropes, what holds them, and the wind.
+// Cloth and its fabric.
 #pragma once
 
 #include <meniscus/cloth.h>
 
-#include <algorithm>
 #include <limits>
 
-#include "sdk/scene/scene.h"
-#include "sdk/scene/scene_fields_shapes.h"
+#include "sdk/fields/names.h"
+#include "sdk/fields/shapes.h"
 
 namespace meniscus {
 
@@ -20,19 +19,6 @@ constexpr auto names_of(StretchModel) {
 constexpr auto names_of(BendingModel) {
   return std::array{Named{"isometric", BendingModel::isometric}, Named{"dihedral", BendingModel::dihedral}};
 }
-
-template <class V>
-void fields(V& v, ClothSolverDef& d) {
-  v("over_relaxation", d.over_relaxation, between(1, 1.3), "", "ω of stretch and shear");
-  v("warm_start", d.warm_start, between(0, 0.95), "",
-    "share of what edges outside chains last pushed or pulled with, to start from: more makes shear stiffer "
-    "in few substeps, and fine sheets slower to come to rest");
-  v("stretch_rounds", d.stretch_rounds, between(1, 32), "",
-    "how many times a substep's last iteration goes over stretch and shear: cheaper than substeps where "
-    "cloth drapes");
-}
-
-// ---- cloth ----
 
 /// A stiffness of fabric, by name.
 enum class FabricStiffness { warp, weft, shear, bending };
@@ -56,13 +42,16 @@ void fields(V& v, FabricDef& d) {
   v("density", d.density, between(1e-6, 1e4), "kg/m²", "mass of an area");
   v("stretch_model", d.stretch_model, any_value, "",
     "what stretch and shear act on: the lengths of edges, or the strain of triangles");
-  v("warp_stiffness", d.warp_stiffness, not_negative, "N/m", "tension over strain, along the warp");
-  v("weft_stiffness", d.weft_stiffness, not_negative, "N/m", "tension over strain, along the weft");
-  v("shear_stiffness", d.shear_stiffness, not_negative, "N/m", "shear force over the shear angle");
+  v("warp_stiffness", d.warp_stiffness, or_infinity(not_negative), "N/m",
+    "tension over strain, along the warp");
+  v("weft_stiffness", d.weft_stiffness, or_infinity(not_negative), "N/m",
+    "tension over strain, along the weft");
+  v("shear_stiffness", d.shear_stiffness, or_infinity(not_negative), "N/m",
+    "shear force over the shear angle");
   v("bending_model", d.bending_model, any_value, "",
     "how bending is measured; isometric is for cloth that is flat at rest, and dihedral where it is not");
-  v("bending_stiffness", d.bending_stiffness, not_negative, "N·m", "moment over curvature");
-  v("unyielding", unyielding, any_value, "", "what does not give way, whatever its stiffness");
+  v("bending_stiffness", d.bending_stiffness, or_infinity(not_negative), "N·m", "moment over curvature");
+  v("unyielding", unyielding, key_only(any_value), "", "what does not give way, whatever its stiffness");
   v("stretch_damping", d.stretch_damping, between(0, 1e6), "s",
     "Rayleigh's, of stretch and shear: viscous forces are so many times the elastic ones' rate");
   v("bending_damping", d.bending_damping, between(0, 1e6), "s", "likewise of bending");
@@ -107,7 +96,8 @@ void fields(V& v, ClothTriangles& d) {
   v("vertices", d.vertices, required(with_items(3)), "m", "where they are at rest");
   v("triangles", d.triangles, required(three), "", "three numbers of vertices each, counted from 0");
   v.check(d.triangles.size() % 3 == 0,
-          "triangles must hold three numbers each, but there are " + std::to_string(d.triangles.size()));
+          "triangles must hold three numbers each, but there are " + std::to_string(d.triangles.size()),
+          "triangles", d.triangles);
 }
 
 template <class V>
@@ -143,7 +133,8 @@ void fields(V& v, InflationDef& d) {
     "above the air outside, at the volume that the cloth has at rest");
   v("air_pressure", d.air_pressure, positive, "Pa",
     "outside: how much the gas resists a change of its volume");
-  v.check(d.pressure > -d.air_pressure, "pressure must be greater than minus the air_pressure");
+  v.check(d.pressure > -d.air_pressure, "pressure must be greater than minus the air_pressure", "pressure",
+          d.pressure);
 }
 
 template <class V>
@@ -154,77 +145,12 @@ void fields(V& v, ClothDef& d) {
   v("stretch", d.stretch, positive, "", "at the start the geometry is scaled by this; at rest it is not");
   v("velocity", d.velocity, any_value, "m/s", "at the start");
   v("fabric", d.fabric, any_value, "", "what it is made of");
-  filter_fields(v, d.filter);
+  flat(v, "filter", d.filter);
   v("self_collision", d.self_collision, any_value, "", "whether it collides with itself");
   v("tethers", d.tethers, any_value, "",
     "whether strips of the fabric pull vertices to the nearest one that is held fast");
   v("inflation", d.inflation, any_value, "", "gas inside a closed piece; left out, there is none");
   v("color", d.color, between(0, 1), "", "linear red, green and blue");
-}
-
-// ---- ropes ----
-
-template <class V>
-void fields(V& v, RopeDef& d) {
-  bool unyielding = false;
-  v("name", d.name, required(not_empty), "", "what attachments and outputs call this rope");
-  v("points", d.points, required(with_items(2)), "m", "its vertices at rest, or with segments its corners");
-  v("segments", d.segments, between(0, 1'000'000), "",
-    "when above 0, the way along the points is divided into so many");
-  v("pose", d.pose, any_value, "", "placement of the points");
-  v("velocity", d.velocity, any_value, "m/s", "at the start");
-  v("radius", d.radius, between(1e-6, 1e3), "m", "of its cross-section");
-  v("density", d.density, between(1e-3, 1e6), "kg/m³", "of its material");
-  v("bends_and_twists", d.bends_and_twists, any_value, "",
-    "whether it is a rod, which resists bending and twist; a rope has a length alone");
-  v("youngs_modulus", d.youngs_modulus, at_least(1e-6), "Pa", "against stretch, and bending of a rod");
-  v("shear_modulus", d.shear_modulus, at_least(1e-6), "Pa", "against twist of a rod");
-  v("unyielding", unyielding, any_value, "", "whether youngs_modulus is infinite, whatever it says");
-  v("damping", d.damping, not_negative, "s",
-    "Rayleigh's: viscous forces are so many times the elastic ones' rate");
-  v("closed", d.closed, any_value, "", "whether the last vertex is joined to the first");
-  v("straight_at_rest", d.straight_at_rest, any_value, "", "of a rod: however the points lie");
-  filter_fields(v, d.filter);
-  v("color", d.color, between(0, 1), "", "linear red, green and blue");
-  if (unyielding) d.youngs_modulus = std::numeric_limits<float>::infinity();
-  v.check(!d.closed || d.points.size() >= 3, "a closed rope needs at least 3 points");
-}
-
-// ---- attachments ----
-
-template <class V>
-void fields(V& v, SceneAttachment& a) {
-  constexpr FieldRule numbers = between(0, std::numeric_limits<uint32_t>::max());
-  AttachmentDef& d = a.def;
-  v("name", d.name, required(not_empty), "", "what messages and outputs call this attachment");
-  v("cloth", a.cloth, not_empty, "",
-    "name of the piece of cloth that is held; either this or rope is needed");
-  v("rope", a.rope, not_empty, "", "name of the rope that is held");
-  v("vertices", d.vertices, numbers, "", "which of its vertices, by number");
-  v("region", d.region, any_value, "", "and those in this box of the world, as they lie at the start");
-  v("body", a.body, not_empty, "", "name of the body that holds them; left out, the world does");
-  v("other_cloth", a.other_cloth, not_empty, "", "name of a piece of cloth that they are sewn to instead");
-  v("other_rope", a.other_rope, not_empty, "", "name of a rope that they are sewn to instead");
-  v("reach", d.reach, positive, "m",
-    "of a seam: each vertex is sewn to the nearest one of the other within this, the rest stay free");
-  v("compliance", d.compliance, not_negative, "m/N", "of a seam");
-  v("clamped", d.clamped, any_value, "",
-    "whether a rod's segments between held vertices keep their direction");
-  v.check(a.cloth.empty() != a.rope.empty(), "exactly one of cloth and rope is needed");
-  v.check(!a.body.empty() + !a.other_cloth.empty() + !a.other_rope.empty() <= 1,
-          "at most one of body, other_cloth and other_rope is allowed");
-  v.check(!d.vertices.empty() || d.region, "vertices or a region are needed");
-}
-
-// ---- wind ----
-
-template <class V>
-void fields(V& v, WindDef& d) {
-  v("velocity", d.velocity, any_value, "m/s", "mean velocity of the air");
-  v("air_density", d.air_density, not_negative, "kg/m³", "0 is no air at all, and no drag");
-  v("gust_speed", d.gust_speed, between(0, 1e6), "m/s", "standard deviation of the gusts");
-  v("gust_size", d.gust_size, positive, "m", "of the gusts");
-  v("seed", d.seed, between(0, std::numeric_limits<uint32_t>::max()), "", "equal seeds give equal gusts");
 }
 
 }  // namespace meniscus

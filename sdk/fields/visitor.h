@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// What the two visitors of scene_fields.h share: which kind of member they are looking at.
+// What the visitors of fields() share: which kind of member they are looking at.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
-#include "sdk/scene/scene_fields.h"
+#include "sdk/fields/rule.h"
 
 namespace meniscus {
 
@@ -18,8 +20,13 @@ struct NullVisitor {
   void operator()(const char*, T&, const FieldRule&, const char*, const char*) {}
   template <class T, class Whole>
   void choice(const char*, T, Whole&, const char*) {}
-  void check(bool, const std::string&) {}
+  template <class... Subject>
+  void check(bool, const std::string&, const Subject&...) {}
 };
+
+/// Of visitors that look at the structs as C++ has them. All others look at the objects of a file.
+template <class V>
+concept OfMembers = V::of_members;
 
 template <class T>
 concept HasNames = requires(T value) {
@@ -43,5 +50,28 @@ template <class T>
 struct IsList : std::false_type {};
 template <class T>
 struct IsList<std::vector<T>> : std::true_type {};
+
+template <class T>
+struct IsVariant : std::false_type {};
+template <class... T>
+struct IsVariant<std::variant<T...>> : std::true_type {};
+
+/// A member whose own members are, in a file, keys of the object that it is in.
+template <class V, class T>
+void flat(V& v, const char* member, T& part) {
+  if constexpr (OfMembers<V>)
+    v.flat(member, part);
+  else
+    fields(v, part);
+}
+
+// What another thing is referred to by: its name in a file, its id in C++.
+inline bool is_given(const std::string& name) {
+  return !name.empty();
+}
+template <class Id>
+bool is_given(const std::optional<Id>& id) {
+  return id.has_value();
+}
 
 }  // namespace meniscus

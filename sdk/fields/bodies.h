@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The part of scene_fields.h about what moves: bodies and joints.
+// Bodies and joints.
 #pragma once
 
 #include <meniscus/bodies.h>
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
+#include <optional>
+#include <vector>
 
-#include "sdk/scene/scene.h"
-#include "sdk/scene/scene_fields_shapes.h"
+#include "pbd/math/vec.h"
+#include "sdk/fields/names.h"
+#include "sdk/fields/shapes.h"
 
 namespace meniscus {
 
@@ -22,7 +24,7 @@ constexpr auto names_of(BodyMotion) {
 template <class V>
 void fields(V& v, Keyframe& d) {
   v("time", d.time, required(not_negative), "s", "when, from the start of the run");
-  fields(v, d.pose);
+  flat(v, "pose", d.pose);
 }
 
 /// Strictly: a body cannot be at two places at once.
@@ -33,7 +35,7 @@ inline bool in_order(const std::vector<Keyframe>& keyframes) {
 
 /// What a body may be.
 struct BodyGeometry {
-  Geometry geometry;
+  Geometry& geometry;
 };
 
 template <class V>
@@ -45,21 +47,7 @@ void choices(V& v, BodyGeometry& g) {
 }
 
 template <class V>
-void fields(V& v, SceneCopies& d) {
-  constexpr double most = 100'000;
-  v("count", d.count, exactly(3, between(1, most)), "", "how many along x, y and z");
-  v("step", d.step, any_value, "m", "from one to the next along x, y and z");
-  double all = 1;
-  for (const int count : d.count) all *= count;
-  v.check(all <= most, "there must be at most 100000 copies");
-  const float steps[] = {d.step.x, d.step.y, d.step.z};
-  for (size_t axis = 0; axis < 3; ++axis)
-    v.check(d.count[axis] <= 1 || steps[axis] != 0, "step must not be 0 along an axis with several");
-}
-
-template <class V>
-void fields(V& v, SceneBody& body) {
-  BodyDef& d = body.def;
+void fields(V& v, BodyDef& d) {
   BodyGeometry geometry{d.geometry};
   v("name", d.name, required(not_empty), "", "what joints and outputs call this body");
   v("motion", d.motion, any_value, "",
@@ -71,8 +59,8 @@ void fields(V& v, SceneBody& body) {
   v("angular_velocity", d.angular_velocity, any_value, "rad/s", "of a dynamic body, at the start");
   v("density", d.density, positive, "kg/m³", "mass, centre of mass and inertia follow from the geometry");
   v("mass", d.mass, positive, "kg", "takes the place of what the density gives");
-  surface_fields(v, d.surface);
-  filter_fields(v, d.filter);
+  flat(v, "surface", d.surface);
+  flat(v, "filter", d.filter);
   v("linear_damping", d.linear_damping, between(0, 1), "", "share of the velocity lost in a second");
   v("angular_damping", d.angular_damping, between(0, 1), "",
     "share of the angular velocity lost in a second");
@@ -80,31 +68,27 @@ void fields(V& v, SceneBody& body) {
     "at rest it is left out of the simulation until something pushes it");
   v("keyframes", d.keyframes, any_value, "", "of a kinematic body: where it is, in the order of the times");
   v("loop", d.loop, any_value, "", "after the last keyframe the first follows; else the body stays there");
-  v("copies", body.copies, any_value, "",
-    "a lattice of equal bodies, this one the first; their names end in _0, _1 and so on");
-  d.geometry = geometry.geometry;
-  if (!d.keyframes.empty()) d.pose = d.keyframes.front().pose;
 
   const bool kinematic = d.motion == BodyMotion::kinematic;
+  const auto at_rest = [](Vec3 velocity) { return velocity == Vec3{0, 0, 0}; };
   v.check(kinematic || !std::holds_alternative<ContainerGeometry>(d.geometry),
-          "a container must be kinematic");
-  v.check(!kinematic || (length(d.velocity) == 0 && length(d.angular_velocity) == 0),
-          "velocity and angular_velocity are for dynamic bodies alone");
-  v.check(kinematic || d.keyframes.empty(), "keyframes are for kinematic bodies alone");
-  v.check(in_order(d.keyframes), "the times of keyframes must increase");
-  v.check(!d.loop || d.keyframes.size() >= 2, "loop needs at least 2 keyframes");
+          "a container must be kinematic", "geometry");
+  for (const auto& [name, velocity] :
+       {std::pair{"velocity", d.velocity}, {"angular_velocity", d.angular_velocity}})
+    v.check(!kinematic || at_rest(velocity), "velocity and angular_velocity are for dynamic bodies alone",
+            name, velocity);
+  v.check(kinematic || d.keyframes.empty(), "keyframes are for kinematic bodies alone", "keyframes",
+          d.keyframes);
+  v.check(in_order(d.keyframes), "the times of keyframes must increase", "keyframes", d.keyframes);
+  v.check(!d.loop || d.keyframes.size() >= 2, "loop needs at least 2 keyframes", "keyframes", d.keyframes);
 }
 
 // ---- joints ----
 
-constexpr auto names_of(Axis) {
-  return std::array{Named{"x", Axis::x}, Named{"y", Axis::y}, Named{"z", Axis::z}};
-}
-
 template <class V>
 void check_limits(V& v, const std::optional<float>& lower, const std::optional<float>& upper) {
   v.check(lower.has_value() == upper.has_value(), "lower and upper must come together");
-  v.check(!lower || !upper || *lower <= *upper, "lower must not be above upper");
+  v.check(!lower || !upper || *lower <= *upper, "lower must not be above upper", "lower", lower);
 }
 
 template <class V>
@@ -115,15 +99,12 @@ void fields(V&, BallJoint&) {}
 
 template <class V>
 void fields(V& v, HingeJoint& d) {
-  std::optional<float> lower, upper;
-  v("lower", lower, between(-180, 180), "degrees", "least angle, from the placement at the start");
-  v("upper", upper, between(-180, 180), "degrees", "greatest angle");
+  constexpr FieldRule half_a_turn = degrees(between(-180, 180));
+  v("lower", d.lower, half_a_turn, "degrees", "least angle, from the placement at the start");
+  v("upper", d.upper, half_a_turn, "degrees", "greatest angle");
   v("motor_speed", d.motor_speed, any_value, "rad/s", "at which the motor turns b about a");
   v("motor_torque", d.motor_torque, not_negative, "N·m", "the most that the motor gives; 0 is no motor");
-  check_limits(v, lower, upper);
-  constexpr float radians = std::numbers::pi_v<float> / 180;
-  if (lower) d.lower = *lower * radians;
-  if (upper) d.upper = *upper * radians;
+  check_limits(v, d.lower, d.upper);
 }
 
 template <class V>
@@ -145,48 +126,48 @@ inline void hold(const std::vector<Axis>& axes, Vec3& stiffness) {
 template <class V>
 void fields(V& v, SpringJoint& d) {
   std::vector<Axis> held, angular_held;
-  v("stiffness", d.stiffness, not_negative, "N/m", "along each axis of the frame; 0 is free");
+  v("stiffness", d.stiffness, or_infinity(not_negative), "N/m", "along each axis of the frame; 0 is free");
   v("damping", d.damping, not_negative, "N·s/m", "along each axis");
-  v("held", held, any_value, "", "axes along which nothing moves, whatever their stiffness");
-  v("angular_stiffness", d.angular_stiffness, not_negative, "N·m/rad", "about each axis; 0 is free");
+  v("held", held, key_only(any_value), "", "axes along which nothing moves, whatever their stiffness");
+  v("angular_stiffness", d.angular_stiffness, or_infinity(not_negative), "N·m/rad",
+    "about each axis; 0 is free");
   v("angular_damping", d.angular_damping, not_negative, "N·m·s/rad", "about each axis");
-  v("angular_held", angular_held, any_value, "", "axes about which nothing turns, whatever their stiffness");
+  v("angular_held", angular_held, key_only(any_value), "",
+    "axes about which nothing turns, whatever their stiffness");
   hold(held, d.stiffness);
   hold(angular_held, d.angular_stiffness);
 }
 
-/// A joint as its kind alone describes it.
-template <class Kind>
-struct JointOf {
-  SceneJoint joint;
-  Kind kind;
+/// Of a joint of one kind, or of any. `names` has the names of the bodies, or their ids.
+template <class V, class Names, class Kind>
+void joint_fields(V& v, JointDef& d, Names& names, Kind& kind) {
+  v("name", d.name, required(not_empty), "", "what messages call this joint");
+  v("a", names.a, required(not_empty), "", "name of a body");
+  v("b", names.b, any_value, "", "name of another; left out, the world");
+  v("frame", d.frame, any_value, "", "placement of the joint in the world, at the start");
+  flat(v, "kind", kind);
+  v("bodies_collide", d.bodies_collide, any_value, "", "whether a and b still collide with one another");
+  v.check(names.a != names.b, "a and b must differ", "b");
+}
 
-  operator SceneJoint() const {
-    SceneJoint result = joint;
-    result.def.kind = kind;
-    return result;
-  }
-};
-
-template <class V, class Kind>
-void fields(V& v, JointOf<Kind>& j) {
-  v("name", j.joint.def.name, required(not_empty), "", "what messages call this joint");
-  v("a", j.joint.a, required(not_empty), "", "name of a body");
-  v("b", j.joint.b, any_value, "", "name of another; left out, the world");
-  v("frame", j.joint.def.frame, any_value, "", "placement of the joint in the world, at the start");
-  fields(v, j.kind);
-  v("bodies_collide", j.joint.def.bodies_collide, any_value, "",
-    "whether a and b still collide with one another");
-  v.check(j.joint.a != j.joint.b, "a and b must differ");
+/// The kinds of joints; `As` is what a kind is read as.
+template <template <class> class As, class V, class Whole>
+void joint_choices(V& v, Whole& joint) {
+  v.choice("fixed", As<FixedJoint>{}, joint, "holds the two frames together");
+  v.choice("hinge", As<HingeJoint>{}, joint, "turns about the frame's y axis");
+  v.choice("slider", As<SliderJoint>{}, joint, "slides along the frame's y axis");
+  v.choice("ball", As<BallJoint>{}, joint, "turns freely about the frame's origin");
+  v.choice("spring", As<SpringJoint>{}, joint, "springs towards the placement at the start");
 }
 
 template <class V>
-void choices(V& v, SceneJoint& j) {
-  v.choice("fixed", JointOf<FixedJoint>{}, j, "holds the two frames together");
-  v.choice("hinge", JointOf<HingeJoint>{}, j, "turns about the frame's y axis");
-  v.choice("slider", JointOf<SliderJoint>{}, j, "slides along the frame's y axis");
-  v.choice("ball", JointOf<BallJoint>{}, j, "turns freely about the frame's origin");
-  v.choice("spring", JointOf<SpringJoint>{}, j, "springs towards the placement at the start");
+void choices(V& v, JointKind& kind) {
+  joint_choices<std::type_identity_t>(v, kind);
+}
+
+template <class V>
+void fields(V& v, JointDef& d) {
+  joint_fields(v, d, d, d.kind);
 }
 
 }  // namespace meniscus

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Words for enumerators: names_of(E) of each enumeration lists them all.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace meniscus {
+
+/// An enumerator and its word in a scene file.
+template <class E>
+struct Named {
+  const char* name;
+  E value;
+};
+
+/// An axis of a frame, as files name it.
+enum class Axis { x, y, z };
+
+constexpr auto names_of(Axis) {
+  return std::array{Named{"x", Axis::x}, Named{"y", Axis::y}, Named{"z", Axis::z}};
+}
+
+}  // namespace meniscus

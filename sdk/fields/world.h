@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The world itself and its solvers.
+#pragma once
+
+#include "sdk/fields/names.h"
+#include "sdk/fields/values.h"
+
+namespace meniscus {
+
+constexpr auto names_of(DeviceChoice) {
+  return std::array{Named{"auto", DeviceChoice::automatic}, Named{"cpu", DeviceChoice::cpu},
+                    Named{"cuda", DeviceChoice::cuda}};
+}
+constexpr auto names_of(DensitySolver) {
+  return std::array{Named{"jacobi", DensitySolver::jacobi}, Named{"chebyshev", DensitySolver::chebyshev},
+                    Named{"grid", DensitySolver::grid}};
+}
+
+template <class V>
+void fields(V& v, ArtificialPressureDef& d) {
+  v("strength", d.strength, between(0, 1e6), "",
+    "k of Macklin & Müller 2013, eq. 13; about 0.1 for their look");
+  v("exponent", d.exponent, between(1, 16), "", "n");
+  v("distance", d.distance, between(0, 0.9), "", "Δq, as a fraction of the support radius");
+}
+
+template <class V>
+void fields(V& v, DensitySolverDef& d) {
+  v("solver", d.solver, any_value, "", "how the density multipliers are found");
+  v("relaxation", d.relaxation, between(0.01, 0.44), "", "damping ω of the Jacobi solver");
+  v("warm_start", d.warm_start, between(0, 0.5), "", "share of the last substep's multipliers to start from");
+  v("spectral_bound", d.spectral_bound, between(3, 20), "",
+    "largest eigenvalue that Chebyshev's weights expect");
+  v("tolerance", d.tolerance, not_negative, "",
+    "mean of max(ρ/ρ₀ − 1, 0) at which a substep's density solve ends; 0: after all iterations");
+  v("compressibility", d.compressibility, not_negative, "1/Pa", "inverse bulk modulus; 0 is incompressible");
+  v("correction_limit", d.correction_limit, positive, "spacings", "largest correction of one iteration");
+  v("artificial_pressure", d.artificial_pressure, any_value, "", "repulsion against clumping at the surface");
+}
+
+template <class V>
+void fields(V& v, RigidSolverDef& d) {
+  v("substeps", d.substeps, between(1, 1000), "", "steps of the bodies in a substep");
+  v("iterations", d.iterations, between(1, 10000), "", "solver iterations of each");
+}
+
+template <class V>
+void fields(V& v, ClothSolverDef& d) {
+  v("over_relaxation", d.over_relaxation, between(1, 1.3), "", "ω of stretch and shear");
+  v("warm_start", d.warm_start, between(0, 0.95), "",
+    "share of what edges outside chains last pushed or pulled with, to start from: more makes shear stiffer "
+    "in few substeps, and fine sheets slower to come to rest");
+  v("stretch_rounds", d.stretch_rounds, between(1, 32), "",
+    "how many times a substep's last iteration goes over stretch and shear: cheaper than substeps where "
+    "cloth drapes");
+}
+
+template <class V>
+void fields(V& v, DiffuseDef& d) {
+  v("capacity", d.capacity, between(1, 1 << 26), "", "most at once");
+  v("air_rate", d.air_rate, not_negative, "1/s", "that a particle of fluid makes where air is trapped");
+  v("crest_rate", d.crest_rate, not_negative, "1/s", "that a particle of fluid makes where waves break");
+  v("air", d.air, any_value, "m/s", "mean speed at which neighbours meet");
+  v("crest", d.crest, any_value, "", "mean bend of the surface");
+  v("energy", d.energy, any_value, "J/kg", "half of the speed squared");
+  v("lifetime", d.lifetime, any_value, "s", "of each, at random");
+  v("spread", d.spread, not_negative, "", "of speed, sideways, when they are made");
+  v("drag", d.drag, not_negative, "1/s", "rate at which a bubble takes the fluid's velocity");
+  v("buoyancy", d.buoyancy, not_negative, "gravities", "of a bubble");
+  v("spray_below", d.spray_below, between(0, 1), "", "spray is among less fluid than this share");
+  v("bubbles_above", d.bubbles_above, between(0, 1), "", "bubbles are among more; foam is in between");
+  v.check(d.spray_below <= d.bubbles_above, "spray_below must not be above bubbles_above", "bubbles_above",
+          d.bubbles_above);
+}
+
+template <class V>
+void fields(V& v, WorldDef& d) {
+  v("device", d.device, any_value, "", "where to run; auto takes a usable GPU, else the CPU");
+  v("threads", d.threads, between(0, 1024), "", "of the CPU device; 0 is one a core");
+  v("gravity", d.gravity, any_value, "m/s²", "acceleration of everything");
+  v("particle_spacing", d.particle_spacing, between(1e-4, 1e3), "m", "rest distance between fluid particles");
+  v("support_ratio", d.support_ratio, between(1.5, 3), "", "support radius over spacing");
+  v("substeps", d.substeps, between(1, 1000), "", "substeps of a frame, where cfl_number is 0");
+  v("iterations", d.iterations, between(1, 1000), "", "solver iterations of a substep");
+  v("cfl_number", d.cfl_number, not_negative, "support radii",
+    "when above 0, substeps are chosen so that nothing moves further than this in one");
+  v("min_substeps", d.min_substeps, between(1, 1000), "", "fewest substeps that cfl_number may choose");
+  v("max_substeps", d.max_substeps, between(1, 1000), "", "most substeps that cfl_number may choose");
+  v("contact_radius", d.contact_radius, between(0.01, 1), "spacings",
+    "distance from a surface at which a particle's centre stops");
+  v("density", d.density, any_value, "", "the density constraint");
+  v("rigid", d.rigid, any_value, "", "how contacts and joints among solids are solved");
+  v("cloth", d.cloth, any_value, "", "how cloth is solved");
+  v("diffuse", d.diffuse, any_value, "", "spray, foam and bubbles; left out, there are none");
+  v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps", "max_substeps",
+          d.max_substeps);
+}
+
+}  // namespace meniscus
