@@ -36,19 +36,19 @@ float World::particle_mass(FluidId id) const {
 // ---- contents of the world ----
 
 FluidId World::create_fluid(const FluidDef& def) {
-  check::fluid(def);
+  check::def(def);
   return impl_->create_material(material_of(def));
 }
 
 FluidId World::create_granular(const GranularDef& def) {
-  check::granular(def);
+  check::def(def);
   fluid::Material displaces;
   displaces.rest_density = def.density;
   return impl_->create_material({displaces, {true, collision::contact_friction(def.friction)}, def.filter});
 }
 
 ShapeId World::create_shape(const ShapeDef& def) {
-  check::shape(def);
+  check::def(def);
   ShapeEntry entry{def.pose, make_solid(def.geometry, def.surface, def.filter, SolidRole::fixed, 0,
                                         impl_->solid_context())};
   try {
@@ -72,15 +72,8 @@ void World::destroy_shape(ShapeId id) {
 }
 
 ProbeId World::create_probe(const ProbeDef& def) {
-  check::one_of("ProbeDef::kind", def.kind, ProbeKind::wall_force);
-  check::finite("ProbeDef::point", def.point);
-  if (def.patch) check::box("ProbeDef::patch", *def.patch);
+  check::def(def);
   if (def.kind != ProbeKind::point_pressure) impl_->shapes.get(def.shape);
-  if (def.kind == ProbeKind::wall_pressure) {
-    check::positive("ProbeDef::area", def.area);
-    if (!def.patch)
-      throw Error(ErrorCode::invalid_argument, "ProbeDef::patch is left out; wall_pressure needs it");
-  }
   const ProbeId id = impl_->probes.insert(def);
   impl_->probe_values.resize(std::max<size_t>(impl_->probe_values.size(), id.index + 1));
   impl_->probe_values[id.index] = {};
@@ -97,20 +90,15 @@ void World::destroy_probe(ProbeId id) {
 
 size_t World::add_fluid(const FluidVolumeDef& def) {
   impl_->fluids.get(def.fluid);
-  check::pose("FluidVolumeDef::pose", def.pose);
-  check::finite("FluidVolumeDef::velocity", def.velocity);
+  check::def(def);
   if (const auto* region = std::get_if<BoxRegion>(&def.region)) {
-    check::box("BoxRegion", {region->lower, region->upper});
     const Vec3 cells = (region->upper - region->lower) / impl_->def.particle_spacing;
     check_room(ids().size(), double{cells.x} * cells.y * cells.z);
   }
   if (const auto* region = std::get_if<BallRegion>(&def.region)) {
-    check::positive("BallRegion::radius", region->radius);
     const double cells = 2.0 * region->radius / impl_->def.particle_spacing;
     check_room(ids().size(), cells * cells * cells);
   }
-  if (const auto* region = std::get_if<MeshRegion>(&def.region))
-    check::positive("MeshRegion::scale", region->scale);
   const float spacing = impl_->def.particle_spacing;
   const ParticleMaterial& material = impl_->fluids.get(def.fluid);
   std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
@@ -132,8 +120,8 @@ ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
                                                  " velocities for " + std::to_string(positions.size()) +
                                                  " positions; it takes none, or as many");
   }
-  for (Vec3 p : positions) check::finite("a position of add_particles", p);
-  for (Vec3 v : velocities) check::finite("a velocity of add_particles", v);
+  for (Vec3 p : positions) check::value("a position of add_particles", p);
+  for (Vec3 v : velocities) check::value("a velocity of add_particles", v);
   const ParticleId first = impl_->next_id;
   impl_->add(fluid, positions, velocities, {0, 0, 0});
   return first;
@@ -156,7 +144,7 @@ void World::remove_particles(std::span<const ParticleId> gone) {
 }
 
 void World::relax(int iterations) {
-  check::between("relax's iterations", iterations, 0, 100000);
+  check::value("relax's iterations", iterations, between(0, 100000));
   impl_->read_reactions();  // of the last step
   impl_->with_all().relax(0.001f, iterations);
   impl_->state_changed();
@@ -166,7 +154,7 @@ void World::relax(int iterations) {
 // ---- time ----
 
 StepReport World::step(float dt) {
-  check::at_least("step's dt", dt, 1e-12f);  // substeps of a shorter step may round to 0
+  check::value("step's dt", dt, at_least(1e-12), "s");  // substeps of a shorter step may round to 0
   const auto start = std::chrono::steady_clock::now();
   impl_->plan_dripping();
   impl_->plan_emission(dt);

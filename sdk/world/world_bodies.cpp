@@ -65,7 +65,7 @@ void expect_motion(const BodyEntry& entry, BodyMotion motion, const char* call, 
 }  // namespace
 
 BodyId World::create_body(const BodyDef& def) {
-  check::body(def);
+  check::def(def);
   const bool dynamic = def.motion == BodyMotion::dynamic;
   SolidPieces solid =
       make_solid(def.geometry, def.surface, def.filter, dynamic ? SolidRole::dynamic : SolidRole::kinematic,
@@ -104,10 +104,9 @@ void World::destroy_body(BodyId id) {
 }
 
 JointId World::create_joint(const JointDef& def) {
-  check::joint(def);
+  check::def(def);
   impl_->bodies.get(def.a);
   if (def.b) impl_->bodies.get(*def.b);
-  if (def.b == def.a) throw Error(ErrorCode::invalid_argument, "JointDef::b is the same body as a");
   impl_->rigid.add_joint(
       {def.a.index, def.b ? def.b->index : pbd::no_index, def.frame, def.kind, def.bodies_collide});
   return impl_->joints.insert(def);
@@ -149,7 +148,7 @@ double World::hinge_angle(JointId id) const {
 
 void World::set_body_pose(BodyId id, const Pose& pose) {
   impl_->bodies.get(id);
-  check::pose("set_body_pose's pose", pose);
+  check::value("set_body_pose's pose", pose);
   impl_->rigid.set_pose(id.index, pose);
   if (impl_->solids_are_on_device) impl_->engine->place_bodies();  // otherwise when they are uploaded
   impl_->state_changed();
@@ -157,35 +156,35 @@ void World::set_body_pose(BodyId id, const Pose& pose) {
 
 void World::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "set_body_velocity", "dynamic");
-  check::finite("set_body_velocity's velocity", velocity);
-  check::finite("set_body_velocity's angular_velocity", angular_velocity);
+  check::value("set_body_velocity's velocity", velocity);
+  check::value("set_body_velocity's angular_velocity", angular_velocity);
   impl_->rigid.set_velocity(id.index, velocity, angular_velocity);
 }
 
 void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_force", "dynamic");
-  check::finite("apply_force's force", force);
-  check::finite("apply_force's point", point);
+  check::value("apply_force's force", force);
+  check::value("apply_force's point", point);
   impl_->rigid.apply_force(id.index, force, point);
 }
 
 void World::apply_torque(BodyId id, Vec3 torque) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_torque", "dynamic");
-  check::finite("apply_torque's torque", torque);
+  check::value("apply_torque's torque", torque);
   impl_->rigid.apply_torque(id.index, torque);
 }
 
 void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_impulse", "dynamic");
   check::impulse("apply_impulse's impulse", impulse, impl_->bodies.get(id).mass.mass);
-  check::finite("apply_impulse's point", point);
+  check::value("apply_impulse's point", point);
   impl_->rigid.apply_impulse(id.index, impulse, point);
 }
 
 void World::move_body(BodyId id, const Pose& target, float duration) {
   expect_motion(impl_->bodies.get(id), BodyMotion::kinematic, "move_body", "kinematic");
-  check::pose("move_body's target", target);
-  check::positive("move_body's duration", duration);
+  check::value("move_body's target", target);
+  check::value("move_body's duration", duration, positive, "s");
   impl_->rigid.move(id.index, target, duration);
 }
 

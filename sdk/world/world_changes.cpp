@@ -50,7 +50,7 @@ void expect_same(const char* name, const T& now, const T& wanted) {
 }  // namespace
 
 void World::set_def(const WorldDef& def) {
-  check::world(def);
+  check::def(def);
   const WorldDef& now = impl_->def;
   expect_same("device", now.device, def.device);
   expect_same("threads", now.threads, def.threads);
@@ -118,7 +118,7 @@ void World::Impl::push_vertices(const VertexRange& range, const char* kind,
 void World::set_fluid(FluidId id, const FluidDef& def) {
   const ParticleMaterial& now = impl_->fluids.get(id);
   if (now.grain.is_grain) throw Error(ErrorCode::invalid_argument, "set_fluid is for fluids alone");
-  check::fluid(def);
+  check::def(def);
   if (now.fluid.rest_density != def.rest_density)
     throw Error(ErrorCode::invalid_argument,
                 "set_fluid cannot change FluidDef::rest_density: particles keep their mass");
@@ -136,8 +136,8 @@ void World::set_fluid(FluidId id, const FluidDef& def) {
 
 std::vector<float> World::solid_distances(std::span<const Vec3> points, float reach,
                                           const CollisionFilter& filter) const {
-  check::positive("solid_distances's reach", reach);
-  for (const Vec3 p : points) check::finite("a point of solid_distances", p);
+  check::value("solid_distances's reach", reach, positive, "m");
+  for (const Vec3 p : points) check::value("a point of solid_distances", p);
   if (points.empty()) return {};
   return impl_->with_solids().solid_distances(points, reach, filter);
 }

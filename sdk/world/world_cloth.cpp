@@ -103,7 +103,7 @@ void World::destroy_rope(RopeId id) {
 }
 
 AttachmentId World::create_attachment(const AttachmentDef& def) {
-  check::attachment(def);
+  check::def(def);
   impl_->fetch_cloth();
   AttachmentEntry entry;
   entry.def = def;
@@ -141,7 +141,7 @@ void World::destroy_attachment(AttachmentId id) {
 }
 
 void World::set_wind(const WindDef& def) {
-  check::wind(def);
+  check::def(def);
   impl_->engine->set_wind(
       cloth::make_wind(def.velocity, def.air_density, def.gust_speed, def.gust_size, def.seed));
 }

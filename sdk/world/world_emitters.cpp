@@ -51,7 +51,7 @@ bool is_done(const EmitterEntry& e) {
 }  // namespace
 
 EmitterId World::create_emitter(const EmitterDef& def) {
-  check::emitter(def);
+  check::def(def);
   impl_->fluids.get(def.fluid);
   if (def.body) impl_->bodies.get(*def.body);
   EmitterSites sites = emitter_sites(def.opening, impl_->def.particle_spacing);

@@ -71,7 +71,7 @@ uint32_t World::Impl::next_first_generation() {
 }
 
 World::Impl::Impl(const WorldDef& world_def)
-    : def((check::world(world_def), world_def)),
+    : def((check::def(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing)) {
   engine = make_engine(engine_def(), def.device, def.threads, device);

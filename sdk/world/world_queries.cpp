@@ -110,8 +110,8 @@ std::vector<SolidContact> World::solid_contacts() const {
 }
 
 std::optional<RayHit> World::cast_ray(Vec3 from, Vec3 to) const {
-  check::finite("cast_ray's from", from);
-  check::finite("cast_ray's to", to);
+  check::value("cast_ray's from", from);
+  check::value("cast_ray's to", to);
   const Vec3 ray = to - from;
   std::optional<RayHit> hit;
   float nearest = 2;
@@ -157,8 +157,8 @@ Overlaps overlaps(const World& world, const std::vector<RigidRef>& solids, const
 }  // namespace
 
 Overlaps World::overlap_ball(Vec3 centre, float radius) const {
-  check::finite("overlap_ball's centre", centre);
-  check::positive("overlap_ball's radius", radius);
+  check::value("overlap_ball's centre", centre);
+  check::value("overlap_ball's radius", radius, positive, "m");
   return overlaps(
       *this, impl_->rigid.overlaps({centre, {0, 0, 0, 1}}, {radius, radius, radius}, true),
       [&](Vec3 p) { return length(p - centre) <= radius; },
@@ -167,10 +167,8 @@ Overlaps World::overlap_ball(Vec3 centre, float radius) const {
 }
 
 Overlaps World::overlap_box(const Pose& pose, Vec3 half_extents) const {
-  check::pose("overlap_box's pose", pose);
-  check::finite("overlap_box's half_extents", half_extents);
-  if (!(half_extents.x > 0 && half_extents.y > 0 && half_extents.z > 0))
-    check::refuse("overlap_box's half_extents", check::text_of(half_extents), "> 0 on each axis");
+  check::value("overlap_box's pose", pose);
+  check::value("overlap_box's half_extents", half_extents, positive, "m");
   return overlaps(
       *this, impl_->rigid.overlaps(pose, half_extents, false),
       [&](Vec3 p) { return max_component(abs(to_local(pose, p)) - half_extents) <= 0; },

@@ -57,8 +57,7 @@ std::span<const DiffuseParticle> World::diffuse() const {
 }
 
 SurfaceMesh World::surface_mesh(const SurfaceMeshDef& def) const {
-  check::between("SurfaceMeshDef::cell_size", def.cell_size, 0.1f, 2.0f);
-  check::between("SurfaceMeshDef::level", def.level, 0.2f, 3.0f);
+  check::def(def);
   std::optional<uint32_t> group;
   if (def.fluid) {
     impl_->fluids.get(*def.fluid);

@@ -34,7 +34,7 @@ struct FillRegion {
 }  // namespace
 
 SinkId World::create_sink(const SinkDef& def) {
-  check::sink(def);
+  check::def(def);
   if (def.body) impl_->bodies.get(*def.body);
   const SinkId id = impl_->sinks.insert({def, {}});
   try {

@@ -43,7 +43,8 @@ struct BodyDef {
   /// ropes are attached to them.
   bool can_sleep = true;
   std::vector<Keyframe> keyframes{};  ///< kinematic bodies alone; they replace the pose
-  bool loop = false;  ///< whether the first keyframe follows the last; else the body stays there
+  /// Whether the first keyframe follows the last; else the body stays there. It needs at least 2 keyframes.
+  bool loop = false;
 };
 
 // ---- joints ----

@@ -77,8 +77,8 @@ struct ClothFile {
 
 /// Any triangles. An edge has at most two.
 struct ClothTriangles {
-  std::vector<Vec3> vertices;       ///< m, at rest
-  std::vector<uint32_t> triangles;  ///< three numbers each
+  std::vector<Vec3> vertices;       ///< m, at rest; at least 3
+  std::vector<uint32_t> triangles;  ///< three numbers each; at least one triangle
 };
 
 /// A closed sphere about the origin, of nearly equal triangles: a subdivided icosahedron.
@@ -142,7 +142,7 @@ struct RopeDef {
   float density = 1000.0f;        ///< kg/m³, 0.001 to 1e6
   bool bends_and_twists = false;  ///< a rod; else a rope
   float youngs_modulus = 1e8f;    ///< Pa, ≥ 1e-6; infinity: unyielding
-  float shear_modulus = 3.5e7f;   ///< Pa, ≥ 1e-6: for the twist of rods
+  float shear_modulus = 3.5e7f;   ///< Pa, ≥ 1e-6, finite: for the twist of rods
   float damping = 0.001f;         ///< s, Rayleigh's
   bool closed = false;            ///< the last vertex is joined to the first
   bool straight_at_rest = false;  ///< for rods: whether they are straight at rest, however the points lie
@@ -164,7 +164,8 @@ struct AttachmentDef {
   std::optional<BodyId> body{};
   std::optional<ClothId> other_cloth{};
   std::optional<RopeId> other_rope{};
-  /// m: each vertex is sewn to the nearest vertex of the other piece within this distance, or stays free.
+  /// m, > 0: each vertex is sewn to the nearest vertex of the other piece within this distance, or stays
+  /// free.
   float reach = 0.05f;
   float compliance = 0.0f;  ///< m/N, of a seam
   bool clamped = false;     ///< segments of a rod between held vertices keep their directions as well

@@ -205,7 +205,7 @@ struct Opening {
 /// for bodies up to the largest half extent. Use a CollisionFilter for objects beside a container.
 struct ContainerGeometry {
   Vec3 half_extents{0.5f, 0.5f, 0.5f};  ///< m, of the inside
-  std::vector<Opening> openings{};
+  std::vector<Opening> openings{};      ///< at least one face is left
 };
 
 struct SphereGeometry {
@@ -281,7 +281,8 @@ struct ShapeDef {
 // ---- fluid volumes ----
 
 struct BoxRegion {
-  Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};  ///< m, before the pose
+  /// m, before the pose; lower < upper in every component
+  Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};
 };
 
 /// About the origin, before the pose.

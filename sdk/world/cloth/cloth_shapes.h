@@ -10,7 +10,7 @@
 
 namespace meniscus {
 
-/// The arguments must have passed check::cloth.
+/// The arguments must have passed check::def.
 cloth::ClothMesh sphere_mesh(const ClothSphere& sphere);
 cloth::ClothMesh tube_mesh(const ClothTube& tube);
 

@@ -111,7 +111,7 @@ float mean_edge(const cloth::ClothMesh& mesh) {
 }
 
 ClothEntry make_cloth(const ClothDef& def) {
-  check::cloth(def);
+  check::def(def);
   ClothEntry entry;
   entry.def = def;
   entry.mesh = std::visit(MakeMesh{}, def.geometry);
@@ -140,7 +140,7 @@ ClothEntry make_cloth(const ClothDef& def) {
 }
 
 RopeEntry make_rope(const RopeDef& def) {
-  check::rope(def);
+  check::def(def);
   RopeEntry entry;
   entry.def = def;
   std::vector<Vec3> points = def.segments > 0 ? divided(def.points, def.segments, def.closed) : def.points;

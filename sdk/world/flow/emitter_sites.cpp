@@ -80,7 +80,6 @@ struct MakeSites {
   double spacing;
 
   EmitterSites operator()(const DiscOpening& o) const {
-    check::positive("DiscOpening::radius", o.radius);
     EmitterSites sites;
     sites.area = std::numbers::pi * o.radius * o.radius;
     check_size("DiscOpening's area", sites.area, spacing);
@@ -94,8 +93,6 @@ struct MakeSites {
   }
 
   EmitterSites operator()(const RectangleOpening& o) const {
-    check::positive("RectangleOpening::width", o.width);
-    check::positive("RectangleOpening::depth", o.depth);
     EmitterSites sites;
     sites.area = double{o.width} * o.depth;
     check_size("RectangleOpening's area", sites.area, spacing);
@@ -113,7 +110,6 @@ struct MakeSites {
   }
 
   EmitterSites operator()(const MeshOpening& o) const {
-    check::positive("MeshOpening::scale", o.scale);
     const collision::TriangleMesh mesh = collision::load_mesh(o.file, o.scale);
     EmitterSites sites;
     sites.area = surface_area(mesh);

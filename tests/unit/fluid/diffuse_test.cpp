@@ -297,9 +297,9 @@ TEST_P(DiffuseTest, WrongArgumentsAreNamed) {
     return std::string();
   };
   EXPECT_EQ(message({}), "");
-  EXPECT_EQ(message({.capacity = 0}), "DiffuseDef::capacity is 0; it must be from 1 to 67108864");
-  EXPECT_EQ(message({.air = {2, 1}}),
-            "DiffuseDef::air is 2 to 1; it must be from a value ≥ 0 to a greater one");
+  EXPECT_EQ(message({.capacity = 0}),
+            "DiffuseDef::capacity is 0; it must be at least 1 and at most 67108864");
+  EXPECT_EQ(message({.air = {2, 1}}), "DiffuseDef::air.low is 2; low must be below high");
   EXPECT_NE(message({.lifetime = {-1, 1}}).find("lifetime"), std::string::npos);
   EXPECT_NE(message({.drag = std::nanf("")}).find("drag"), std::string::npos);
   EXPECT_NE(message({.spray_below = 0.5f, .bubbles_above = 0.4f}).find("bubbles_above"), std::string::npos);

@@ -275,10 +275,11 @@ TEST_P(SurfaceMeshTest, WrongArgumentsAreNamed) {
     }
     return std::string();
   };
-  EXPECT_EQ(message({.cell_size = 0.05f}), "SurfaceMeshDef::cell_size is 0.05; it must be from 0.1 to 2");
-  EXPECT_EQ(message({.level = 9}), "SurfaceMeshDef::level is 9; it must be from 0.2 to 3");
+  EXPECT_EQ(message({.cell_size = 0.05f}),
+            "SurfaceMeshDef::cell_size is 0.05; it must be at least 0.1 and at most 2 spacings");
+  EXPECT_EQ(message({.level = 9}), "SurfaceMeshDef::level is 9; it must be at least 0.2 and at most 3");
   EXPECT_EQ(message({.cell_size = std::nanf("")}),
-            "SurfaceMeshDef::cell_size is nan; it must be from 0.1 to 2");
+            "SurfaceMeshDef::cell_size is nan; it must be at least 0.1 and at most 2 spacings");
   EXPECT_NE(message({.fluid = FluidId{}}), "");
 }
 

@@ -81,7 +81,7 @@ class DefErrorTest : public OnDevice {
 
 TEST_P(DefErrorTest, Fluids) {
   const std::pair<const char*, std::function<void(FluidDef&)>> bad[] = {
-      {"FluidDef::rest_density is 0; it must be from 0.001 to 1e+06",
+      {"FluidDef::rest_density is 0; it must be at least 0.001 and at most 1000000 kg/m³",
        [](FluidDef& d) { d.rest_density = 0; }},
       {"rest_density", [](FluidDef& d) { d.rest_density = 1e-20f; }},
       {"rest_density", [](FluidDef& d) { d.rest_density = 1e20f; }},
@@ -185,7 +185,7 @@ TEST_P(DefErrorTest, AMeshFileThatIsNotThere) {
 TEST_P(DefErrorTest, SinksAndProbes) {
   SinkDef sink;
   sink.region = BoxRegion{{0, 0, 1}, {1, 1, 0}};
-  expect_error(invalid, "SinkDef::region", [&] { world_.create_sink(sink); });
+  expect_error(invalid, "BoxRegion::lower", [&] { world_.create_sink(sink); });
   sink.region = BallRegion{0};
   expect_error(invalid, "BallRegion::radius", [&] { world_.create_sink(sink); });
   sink.region = HalfSpaceRegion{{0, 0, 0}, 1};

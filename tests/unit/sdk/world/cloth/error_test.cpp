@@ -154,16 +154,16 @@ TEST_P(ClothErrorTest, TrianglesMustBeASurface) {
         },
         code);
   };
-  refused(invalid, "ClothTriangles::triangles is 0 numbers", square, {});
-  refused(invalid, "ClothTriangles::triangles is 4 numbers", square, {0, 1, 2, 3});
+  refused(invalid, "ClothTriangles::triangles is empty; it must be of at least 3 items", square, {});
+  refused(invalid, "ClothTriangles::triangles is a list of 4", square, {0, 1, 2, 3});
   refused(ErrorCode::mesh, "has the vertex 4", square, {0, 1, 2, 1, 3, 4});
   refused(ErrorCode::mesh, "vertex 3 of a cloth mesh is in no triangle", square, {0, 1, 2});
   refused(ErrorCode::mesh, "triangle 1 of a cloth mesh has no area", square, {0, 1, 2, 3, 3, 1});
   refused(ErrorCode::mesh, "triangle", square, {0, 1, 2, 0, 1, 3, 0, 1, 2});
   std::vector<Vec3> bad = square;
   bad[2].y = not_a_number;
-  refused(ErrorCode::mesh, "vertex 2 of a cloth mesh is not finite", bad, {0, 1, 2, 1, 3, 2});
-  refused(ErrorCode::mesh, "", {}, {0, 1, 2});
+  refused(invalid, "ClothTriangles::vertices[2] is (0, nan, 1)", bad, {0, 1, 2, 1, 3, 2});
+  refused(invalid, "ClothTriangles::vertices is empty", {}, {0, 1, 2});
 }
 
 TEST_P(ClothErrorTest, FilesMustBeThere) {
@@ -178,9 +178,9 @@ TEST_P(ClothErrorTest, FilesMustBeThere) {
 TEST_P(ClothErrorTest, PlacementIsChecked) {
   expect_cloth_refused("ClothDef::pose", [](ClothDef& d) { d.pose.position.x = not_a_number; });
   expect_cloth_refused("ClothDef::pose", [](ClothDef& d) { d.pose.rotation = {1, 1, 0, 0}; });
-  expect_cloth_refused("ClothDef::stretch.x is 0", [](ClothDef& d) { d.stretch = {0, 1, 1}; });
-  expect_cloth_refused("ClothDef::stretch.y is -1", [](ClothDef& d) { d.stretch = {1, -1, 1}; });
-  expect_cloth_refused("ClothDef::stretch.z is inf", [](ClothDef& d) { d.stretch = {1, 1, infinity}; });
+  expect_cloth_refused("ClothDef::stretch is (0, 1, 1)", [](ClothDef& d) { d.stretch = {0, 1, 1}; });
+  expect_cloth_refused("ClothDef::stretch is (1, -1, 1)", [](ClothDef& d) { d.stretch = {1, -1, 1}; });
+  expect_cloth_refused("ClothDef::stretch is (1, 1, inf)", [](ClothDef& d) { d.stretch = {1, 1, infinity}; });
   expect_cloth_refused("ClothDef::velocity is (inf, 0, 0)", [](ClothDef& d) {
     d.velocity = {infinity, 0, 0};
   });
@@ -207,8 +207,9 @@ TEST_P(ClothErrorTest, GasNeedsASkinAroundIt) {
 }
 
 TEST_P(ClothErrorTest, RopesAreChecked) {
-  expect_rope_refused("RopeDef::points is 0 points", [](RopeDef& d) { d.points.clear(); });
-  expect_rope_refused("RopeDef::points is 1 points", [](RopeDef& d) { d.points.pop_back(); });
+  expect_rope_refused("RopeDef::points is empty; it must be of at least 2 items",
+                      [](RopeDef& d) { d.points.clear(); });
+  expect_rope_refused("RopeDef::points is a list of 1", [](RopeDef& d) { d.points.pop_back(); });
   expect_rope_refused("at least 3", [](RopeDef& d) { d.closed = true; });
   expect_rope_refused("RopeDef::points", [](RopeDef& d) { d.points[1].z = not_a_number; });
   expect_rope_refused("of a rope coincide", [](RopeDef& d) { d.points[1] = d.points[0]; });
@@ -232,14 +233,15 @@ TEST_P(ClothErrorTest, RopesAreChecked) {
     expect_rope_refused("RopeDef::youngs_modulus", [&](RopeDef& d) { d.youngs_modulus = bad; });
     expect_rope_refused("RopeDef::shear_modulus", [&](RopeDef& d) { d.shear_modulus = bad; });
   }
+  expect_rope_refused("RopeDef::shear_modulus is inf", [](RopeDef& d) { d.shear_modulus = infinity; });
   for (float bad : {-1.0f, infinity, not_a_number})
     expect_rope_refused("RopeDef::damping", [&](RopeDef& d) { d.damping = bad; });
 }
 
 TEST_P(ClothErrorTest, AttachmentsAreChecked) {
-  expect_attachment_refused("a cloth or a rope", [](AttachmentDef& d) { d.cloth.reset(); });
-  expect_attachment_refused("a cloth or a rope", [&](AttachmentDef& d) { d.rope = tried_.rope; });
-  expect_attachment_refused("more than one", [&](AttachmentDef& d) {
+  expect_attachment_refused("exactly one of cloth and rope", [](AttachmentDef& d) { d.cloth.reset(); });
+  expect_attachment_refused("exactly one of cloth and rope", [&](AttachmentDef& d) { d.rope = tried_.rope; });
+  expect_attachment_refused("at most one of body, other_cloth and other_rope", [&](AttachmentDef& d) {
     d.body = tried_.body;
     d.other_rope = tried_.rope;
   });

@@ -84,18 +84,18 @@ TEST_P(BodyErrorTest, SizesMustBePositive) {
 }
 
 TEST_P(BodyErrorTest, TheMessageSaysWhatWasGivenAndWhatIsAllowed) {
-  expect_refused("SphereGeometry::radius is -3; it must be finite and > 0", SphereGeometry{-3});
-  expect_refused("BoxGeometry::half_extents is (1, 0, 1); it must be > 0 on each axis",
+  expect_refused("SphereGeometry::radius is -3; it must be greater than 0 m", SphereGeometry{-3});
+  expect_refused("BoxGeometry::half_extents is (1, 0, 1); it must be greater than 0 m in each component",
                  BoxGeometry{{1, 0, 1}});
-  expect_refused("HullGeometry::points is 3 points; it must be 4 or more",
+  expect_refused("HullGeometry::points is a list of 3; a hull needs at least 4 points, not 3",
                  HullGeometry{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
 }
 
 TEST_P(BodyErrorTest, WhatHasNoEndCannotFall) {
-  expect_refused(invalid, "plane", body(PlaneGeometry{}));
-  expect_refused(invalid, "plane", kinematic(PlaneGeometry{}));
-  expect_refused(invalid, "height field", body(HeightFieldGeometry{2, 2, 1, {0, 0, 0, 0}}));
-  expect_refused(invalid, "height field", kinematic(HeightFieldGeometry{2, 2, 1, {0, 0, 0, 0}}));
+  expect_refused(invalid, "a PlaneGeometry", body(PlaneGeometry{}));
+  expect_refused(invalid, "a PlaneGeometry", kinematic(PlaneGeometry{}));
+  expect_refused(invalid, "a HeightFieldGeometry", body(HeightFieldGeometry{2, 2, 1, {0, 0, 0, 0}}));
+  expect_refused(invalid, "a HeightFieldGeometry", kinematic(HeightFieldGeometry{2, 2, 1, {0, 0, 0, 0}}));
   expect_refused(invalid, "container", body(ContainerGeometry{}));
 }
 
@@ -187,7 +187,10 @@ TEST_P(BodyErrorTest, MotionsAreChecked) {
 }
 
 TEST_P(BodyErrorTest, KeyframesAreOfKinematicBodiesAndInOrder) {
-  expect_refused("BodyDef::keyframes is 1 keyframes", [](BodyDef& d) { d.keyframes = {{0, {}}}; });
+  expect_refused("BodyDef::keyframes is a list of 1; keyframes are for kinematic bodies alone",
+                 [](BodyDef& d) {
+                   d.keyframes = {{0, {}}};
+                 });
   const auto guided = [&](std::vector<Keyframe> keys) {
     BodyDef def = kinematic(BoxGeometry{});
     def.keyframes = std::move(keys);
@@ -195,8 +198,8 @@ TEST_P(BodyErrorTest, KeyframesAreOfKinematicBodiesAndInOrder) {
   };
   expect_refused(invalid, "Keyframe::time", guided({{-1, {}}}));
   expect_refused(invalid, "Keyframe::time", guided({{not_a_number, {}}}));
-  expect_refused(invalid, "above that of the keyframe before", guided({{1, {}}, {1, {}}}));
-  expect_refused(invalid, "above that of the keyframe before", guided({{0, {}}, {2, {}}, {1, {}}}));
+  expect_refused(invalid, "the times of keyframes must increase", guided({{1, {}}, {1, {}}}));
+  expect_refused(invalid, "the times of keyframes must increase", guided({{0, {}}, {2, {}}, {1, {}}}));
   expect_refused(invalid, "Keyframe::pose", guided({{0, {{0, 0, 0}, {0, 0, 0, 0}}}}));
 }
 
@@ -205,15 +208,16 @@ TEST_P(BodyErrorTest, JointsAreChecked) {
   const auto refused = [&](const std::string& named, const JointKind& kind) {
     expect_refused(invalid, named, [&] { world_.create_joint(joint(kind, a)); });
   };
-  refused("HingeJoint's limit is half given", HingeJoint{0.0f, {}});
-  refused("HingeJoint's limit", HingeJoint{-4.0f, 1.0f});
-  refused("HingeJoint's limit", HingeJoint{1.0f, -1.0f});
-  refused("HingeJoint's limit", HingeJoint{0.0f, not_a_number});
+  refused("HingeJoint: lower and upper must come together", HingeJoint{0.0f, {}});
+  refused("HingeJoint::lower is -4 rad; it must be at least -180 and at most 180 degrees",
+          HingeJoint{-4.0f, 1.0f});
+  refused("HingeJoint::lower is 1; lower must not be above upper", HingeJoint{1.0f, -1.0f});
+  refused("HingeJoint::upper", HingeJoint{0.0f, not_a_number});
   refused("HingeJoint::motor_speed", HingeJoint{{}, {}, infinity, 1});
   refused("HingeJoint::motor_torque", HingeJoint{{}, {}, 1, -1});
-  refused("SliderJoint's limit is half given", SliderJoint{{}, 1.0f});
-  refused("SliderJoint's limit", SliderJoint{1.0f, 0.0f});
-  refused("SliderJoint's limit", SliderJoint{-infinity, infinity});
+  refused("SliderJoint: lower and upper must come together", SliderJoint{{}, 1.0f});
+  refused("SliderJoint::lower", SliderJoint{1.0f, 0.0f});
+  refused("SliderJoint::lower is -inf", SliderJoint{-infinity, infinity});
   refused("SliderJoint::motor_speed", SliderJoint{{}, {}, not_a_number, 1});
   refused("SliderJoint::motor_force", SliderJoint{{}, {}, 1, infinity});
   refused("SpringJoint::stiffness", SpringJoint{{-1, 0, 0}});
