@@ -4,11 +4,7 @@
 // Checks a fabric, and builds the constraints and vertex masses of a mesh.
 #include "cloth/build/build_constraints.h"
 
-#include <meniscus/error.h>
-
 #include <array>
-#include <cmath>
-#include <string>
 
 #include "cloth/build/bending.h"
 #include "cloth/build/colouring.h"
@@ -17,24 +13,6 @@
 namespace meniscus::cloth {
 
 namespace {
-
-void refuse(const char* name, float value, const char* allowed) {
-  throw Error(ErrorCode::invalid_argument,
-              std::string(name) + " of a fabric is " + std::to_string(value) + "; it must be " + allowed);
-}
-
-void check_fabric(const FabricParameters& fabric) {
-  const auto stiffness = [](const char* name, float value) {
-    if (!(value >= 0)) refuse(name, value, "≥ 0, or infinity");
-  };
-  if (!(fabric.density > 0) || std::isinf(fabric.density)) {
-    refuse("density", fabric.density, "finite and > 0");
-  }
-  stiffness("warp_stiffness", fabric.warp_stiffness);
-  stiffness("weft_stiffness", fabric.weft_stiffness);
-  stiffness("shear_stiffness", fabric.shear_stiffness);
-  stiffness("bending_stiffness", fabric.bending_stiffness);
-}
 
 std::vector<float> lumped_masses(const ClothMesh& mesh, const std::vector<TriangleAtRest>& triangles,
                                  float density) {
@@ -70,7 +48,6 @@ Coloured<Constraint> coloured(const std::vector<Constraint>& constraints, size_t
 }  // namespace
 
 ClothConstraints build_constraints(const ClothMesh& mesh, const FabricParameters& fabric) {
-  check_fabric(fabric);
   const size_t vertices = mesh.vertices.size();
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   const std::vector<TriangleAtRest> triangles = triangles_at_rest(mesh);

@@ -38,7 +38,7 @@ struct ClothConstraints {
 };
 
 /// The constraints of a mesh that check_mesh accepts. Within a colour they are in the order of their lowest
-/// vertex. Throws Error(invalid_argument) if a parameter is out of range.
+/// vertex. The parameters must be in the ranges of FabricDef, which World checks.
 ClothConstraints build_constraints(const ClothMesh& mesh, const FabricParameters& fabric);
 
 }  // namespace meniscus::cloth

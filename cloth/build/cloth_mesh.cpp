@@ -4,10 +4,6 @@
 // Makes flat sheets, orients triangles, and finds closed meshes and connected parts.
 #include "cloth/build/cloth_mesh.h"
 
-#include <meniscus/error.h>
-
-#include <cmath>
-#include <string>
 #include <utility>
 
 #include "cloth/build/topology.h"
@@ -15,29 +11,6 @@
 namespace meniscus::cloth {
 
 namespace {
-
-void check_sheet(float width, float depth, uint32_t columns, uint32_t rows) {
-  const auto length = [](const char* name, float value) {
-    if (std::isfinite(value) && value > 0) return;
-    throw Error(ErrorCode::invalid_argument, std::string(name) + " of a sheet is " + std::to_string(value) +
-                                                 "; it must be finite and > 0");
-  };
-  const auto count = [](const char* name, uint32_t value) {
-    if (value >= 2) return;
-    throw Error(ErrorCode::invalid_argument,
-                std::string(name) + " of a sheet is " + std::to_string(value) + "; it must be at least 2");
-  };
-  length("width", width);
-  length("depth", depth);
-  count("columns", columns);
-  count("rows", rows);
-  constexpr uint64_t most_vertices = 1u << 27;
-  if (uint64_t{columns} * rows > most_vertices) {
-    throw Error(ErrorCode::invalid_argument, "a sheet of " + std::to_string(columns) + " × " +
-                                                 std::to_string(rows) +
-                                                 " vertices; it may have 2^27 at most");
-  }
-}
 
 // The triangle across each side of each triangle, and whether both face the same side.
 struct Neighbour {
@@ -61,7 +34,6 @@ Neighbours neighbours_of(const ClothMesh& mesh) {
 }  // namespace
 
 ClothMesh make_sheet(float width, float depth, uint32_t columns, uint32_t rows) {
-  check_sheet(width, depth, columns, rows);
   ClothMesh mesh;
   for (uint32_t j = 0; j < rows; ++j) {
     for (uint32_t i = 0; i < columns; ++i) {

@@ -27,8 +27,8 @@ struct ClothMesh {
 /// Makes a flat sheet in the plane y = 0, centred at the origin and facing up. It has columns × rows
 /// vertices, row by row: vertex (column, row) has the number row · columns + column. u runs along x and v
 /// along z, both from 0. Diagonals change direction from row to row, so that the sheet's stiffness has no
-/// handedness. Each inner vertex has six edges. Throws Error(invalid_argument) for a width or depth that is
-/// not positive, fewer than two columns or rows, or more than 2²⁷ vertices.
+/// handedness. Each inner vertex has six edges. The arguments must be in the ranges of SheetGeometry, which
+/// World checks.
 ClothMesh make_sheet(float width, float depth, uint32_t columns, uint32_t rows);
 
 /// Throws Error(mesh) that names the first vertex, triangle or edge at fault. A mesh must have triangles.
