@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The one description of all definitions. fields() lists what a struct holds: key, member, what is allowed,
-// unit, meaning; the key is the member's name. choices() lists what a variant may be; in a file the word is
-// the object's "type". names_of() lists the words for enumerators. The check() of a visitor holds what one
-// field alone cannot say: that something holds, the words for it, and where a member is at fault its name and
-// value.
+// The only description of the definition structs. fields() lists the members of a struct: key, member, rule,
+// unit, meaning. The key is the name of the member. choices() lists the alternatives of a variant. In a file
+// the word for an alternative is the "type" of the object. names_of() lists the words for enumerators. The
+// check() of a visitor takes conditions on several members: whether it holds, a message, and the name and the
+// value of the member at fault.
 //
-// Who visits: World's checks (world/check/), and by way of scene/scene_fields.h the reader and the schema of
-// scene files. In a file a rule of text, such as not_empty, holds for names; in C++ names are free, and ids
-// stand in the place of those that refer to other things.
+// Three visitors use it: the checks of World (world/check/member_check.h), and through scene/scene_fields.h
+// the reader and the schema of scene files. Rules of text, such as not_empty, apply to files only. Where a
+// file refers to another thing by name, C++ has an id, which these checks do not look at.
 #pragma once
 
 #include "sdk/fields/bodies.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Words for enumerators: names_of(E) of each enumeration lists them all.
+// Words for enumerators. names_of(E) lists those of an enumeration.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ struct FieldRule {
   bool needed = false;               ///< the key must be there
   bool or_infinite = false;          ///< in C++, infinity is allowed; JSON has none
   bool in_degrees = false;           ///< bounds, and files, are in degrees; C++ is in radians
-  bool key_only = false;             ///< files alone have it: a key without a member
+  bool key_only = false;             ///< only files have it: the key has no member
   std::size_t min_items = 0;         ///< of a list, or characters of a text
   std::size_t max_items = SIZE_MAX;  ///< of a list
 };
@@ -62,7 +62,7 @@ constexpr FieldRule of_item(FieldRule rule) {
   rule.max_items = FieldRule{}.max_items;
   return rule;
 }
-/// In C++ infinity as well.
+/// Allows infinity in C++ as well.
 constexpr FieldRule or_infinity(FieldRule rule) {
   rule.or_infinite = true;
   return rule;
@@ -71,7 +71,7 @@ constexpr FieldRule degrees(FieldRule rule) {
   rule.in_degrees = true;
   return rule;
 }
-/// Of a key that is a local variable of fields(), and tells a file's reader how to fill members.
+/// For a key that has no member: fields() reads it into a local variable, and sets members by it.
 constexpr FieldRule key_only(FieldRule rule) {
   rule.key_only = true;
   return rule;
@@ -86,7 +86,7 @@ inline constexpr FieldRule positive = above(0);
 inline constexpr FieldRule not_negative = at_least(0);
 inline constexpr FieldRule not_empty = with_items(1);
 
-/// How many of a member's units a unit of the rule, and of a file, is.
+/// The factor from the unit of the rule and of files to the unit of the member.
 constexpr float unit_of(const FieldRule& rule) {
   return rule.in_degrees ? std::numbers::pi_v<float> / 180 : 1;
 }

@@ -51,7 +51,7 @@ void fields(V& v, Opening& d) {
   }
 }
 
-/// Whether a face is left: those that are open as a whole are not there.
+/// Whether a face is left. An opening without a region removes its face.
 inline bool has_a_face(const std::vector<Opening>& openings) {
   std::array<bool, names_of(Face{}).size()> is_open{};
   for (const Opening& o : openings) {

@@ -23,7 +23,7 @@ void check_corners(V& v, Vec3 lower, Vec3 upper) {
   v.check(ordered(lower, upper), "lower must not be above upper in any component", "lower", lower);
 }
 
-/// What has a direction, and any length of which floats hold the square.
+/// Checks that a vector can be made a unit vector.
 template <class V>
 void check_direction(V& v, const char* name, Vec3 value) {
   v.check(pbd::is_direction(value), std::string(name) + " must be of a length from 1e-6 to 1e18", name,

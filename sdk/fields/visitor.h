@@ -24,7 +24,7 @@ struct NullVisitor {
   void check(bool, const std::string&, const Subject&...) {}
 };
 
-/// Of visitors that look at the structs as C++ has them. All others look at the objects of a file.
+/// A visitor that looks at the structs as C++ has them. All other visitors look at the objects of a file.
 template <class V>
 concept OfMembers = V::of_members;
 
@@ -56,7 +56,7 @@ struct IsVariant : std::false_type {};
 template <class... T>
 struct IsVariant<std::variant<T...>> : std::true_type {};
 
-/// A member whose own members are, in a file, keys of the object that it is in.
+/// Visits a member whose own members are keys of the enclosing object in a file.
 template <class V, class T>
 void flat(V& v, const char* member, T& part) {
   if constexpr (OfMembers<V>)
@@ -65,7 +65,7 @@ void flat(V& v, const char* member, T& part) {
     fields(v, part);
 }
 
-// What another thing is referred to by: its name in a file, its id in C++.
+// Whether a reference to another thing is set. It is a name in a file, and an id in C++.
 inline bool is_given(const std::string& name) {
   return !name.empty();
 }

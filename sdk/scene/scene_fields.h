@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The description of a scene file: that of all definitions (sdk/fields/fields.h), and what only a scene has,
-// such as names in place of ids, and cameras. A visitor reads a file by it (scene_reader.cpp) or writes the
+// such as cameras and names in place of ids. A visitor reads a file by it (scene_reader.cpp) or writes the
 // schema (scene_schema.cpp).
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Tests of single values, and the definitions that a world takes.
+// Checks of single values, and the list of definitions that are checked.
 #include "sdk/world/check/check.h"
 
 #include <meniscus/bodies.h>
@@ -32,7 +32,7 @@ std::string Place::text() const {
 
 namespace {
 
-/// The bounds of a float are floats, too: 0.01f is above the number 0.01 by a hair, and 0.1f below 0.1.
+/// The bounds as floats. 0.01f is less than 0.01, and must still be allowed where the bound is 0.01.
 FieldRule in_floats(const FieldRule& rule) {
   FieldRule rounded = rule;
   rounded.low = static_cast<float>(rule.low) * unit_of(rule);
@@ -45,7 +45,8 @@ bool is_allowed(float x, const FieldRule& rule) {
   return std::isfinite(x) && in_range(x, in_floats(rule));
 }
 
-/// "at least 0 and at most 1 m/s". Where infinity alone is what is wrong, that it is.
+/// As in "at least 0 and at most 1 m/s". For a value that is not finite it says "finite" if the range is
+/// open.
 std::string allowed_text(const Limits& limits, bool is_finite) {
   std::string text = range_text(limits.rule);
   const bool no_end = !std::isfinite(limits.rule.low) || !std::isfinite(limits.rule.high);

@@ -13,11 +13,11 @@
 
 namespace meniscus::check {
 
-/// A definition, and all that it holds, by its fields() (sdk/fields/fields.h). Ids are not looked at.
+/// Checks a definition and its members by fields() (sdk/fields/fields.h). Ids are not checked.
 template <class Def>
 void def(const Def& def);
 
-// An argument of a call that is no definition.
+// These check an argument that is not a definition.
 void value(const char* name, float value, const FieldRule& rule = any_value, const char* unit = "");
 void value(const char* name, int value, const FieldRule& rule, const char* unit = "");
 void value(const char* name, Vec3 value, const FieldRule& rule = any_value, const char* unit = "");

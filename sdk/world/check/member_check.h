@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The visitor of fields() that tests a definition in C++, as the reader of scene files does a file.
+// The visitor of fields() that checks a definition in C++. The reader of scene files is its counterpart.
 #pragma once
 
 #include <meniscus/error.h>
@@ -18,12 +18,12 @@
 
 namespace meniscus::check {
 
-/// What errors call a value: `FluidDef::color`, `BodyDef::pose.position`, `RopeDef::points[2]`. A chain of
-/// the things that it is in, from which the text is made for what is refused alone.
+/// The name of a value in errors: `FluidDef::color`, `BodyDef::pose.position`, `RopeDef::points[2]`. It is a
+/// chain of owners, so that the text is made only when a value is refused.
 struct Place {
   std::string_view name;
   const Place* owner = nullptr;
-  std::ptrdiff_t item = -1;  ///< of a list, which is the owner
+  std::ptrdiff_t item = -1;  ///< index in a list; the owner is the list
   const char* mark = ".";    ///< between it and its members
 
   template <class T>
@@ -51,7 +51,7 @@ void check_count(const Place& place, std::size_t count, const FieldRule& rule);
 template <class T>
 void check_value(const Place& place, T& value, const Limits& limits);
 
-/// As errors show them.
+/// The value as errors show it.
 template <class T>
 std::string shown(const T& value) {
   if constexpr (IsOptional<T>::value) {
@@ -127,7 +127,7 @@ class ChoiceCheck {
   bool is_allowed_ = false;
 };
 
-/// Errors call what these hold by the member that has them, and not by their own type.
+/// Types whose members errors name by the member that holds them, not by the type.
 template <class T>
 constexpr bool is_plain = std::is_same_v<T, Pose> || std::is_same_v<T, Aabb> || std::is_same_v<T, Range> ||
                           std::is_same_v<T, CollisionFilter>;
@@ -156,7 +156,7 @@ void check_name(const Place& place, E value) {
   refuse(place.text(), std::to_string(static_cast<int>(value)), "one of: " + allowed);
 }
 
-/// Text, truths and ids may be anything.
+/// Text, bools and ids are not checked.
 template <class T>
 constexpr bool is_free = std::is_same_v<T, bool> || std::is_same_v<T, std::string> || requires(T id) {
   id.generation;
@@ -185,7 +185,7 @@ void check_value(const Place& place, T& value, const Limits& limits) {
   }
 }
 
-/// fields() takes what a reader writes to; a check writes nothing.
+/// fields() takes a mutable struct because readers write to it. A check writes nothing.
 template <class Def>
 void def(const Def& def) {
   check_fields(Place::of_type<Def>(), const_cast<Def&>(def));

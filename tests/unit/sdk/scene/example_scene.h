@@ -66,7 +66,7 @@ inline Json with_fitting_names(Json document) {
   return document;
 }
 
-/// Of alternatives of solids, joints and so on this is how many the longest list has.
+/// The length of the longest list of alternatives.
 inline constexpr std::size_t most_alternatives = 14;
 
 /// A document with every key of the schema; which alternatives it has, `choice` picks.
