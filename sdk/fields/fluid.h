@@ -36,8 +36,8 @@ template <class V>
 void fields(V& v, BoxRegion& d) {
   v("lower", d.lower, any_value, "m", "least corner, before the pose");
   v("upper", d.upper, any_value, "m", "greatest corner, before the pose");
-  v.check(d.lower.x < d.upper.x && d.lower.y < d.upper.y && d.lower.z < d.upper.z,
-          "lower must be below upper in every component", "lower", d.lower);
+  v.check(d.lower.x <= d.upper.x && d.lower.y <= d.upper.y && d.lower.z <= d.upper.z,
+          "lower must not be above upper in any component", "lower", d.lower);
 }
 
 template <class V>

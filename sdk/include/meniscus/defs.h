@@ -281,7 +281,7 @@ struct ShapeDef {
 // ---- fluid volumes ----
 
 struct BoxRegion {
-  /// m, before the pose; lower < upper in every component
+  /// m, before the pose; lower ≤ upper in every component; where they are equal it is empty
   Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};
 };
 

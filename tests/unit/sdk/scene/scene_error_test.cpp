@@ -184,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(
                               "patch": {"lower": [0, 2, 0], "upper": [1, 1, 1]}}]})",
                 "probes[0].patch: lower must not be above upper in any component"},
         Mistake{"Region", R"({"name": "x", "volumes": [{"fluid": "water", "region":
-                          {"type": "box", "lower": [0, 0, 0], "upper": [1, 0, 1]}}]})",
-                "volumes[0].region: lower must be below upper in every component"},
+                          {"type": "box", "lower": [0, 0, 0], "upper": [1, -1, 1]}}]})",
+                "volumes[0].region: lower must not be above upper in any component"},
         Mistake{"Camera", R"({"name": "x", "camera": {"position": [1, 1, 1], "target": [1, 1, 1]}})",
                 "camera: position and target must differ"}),
     mistake_name);
