@@ -235,11 +235,14 @@ bool Solver<D>::had_room() {
          std::all_of(sets_.begin(), sets_.end(), [](ConstraintSet<D>* set) { return set->had_room(); });
 }
 
+/// Without room for all contacts the rest of the step works with an arbitrary part of them. So what else it
+/// found says nothing.
 template <class D>
 void Solver<D>::make_room() {
-  const Found& found = readout_.found;
+  const Found found = std::exchange(readout_.found, {});
+  readout_buffer_.write(std::span<const StepReadout>(&readout_, 1), 0);
+  if (found.contacts.most >= contacts_.capacity()) return contacts_.grow();
   if (found.longest_list > search_.row_capacity()) search_.grow_rows(found.longest_list);
-  if (found.contacts.most >= contacts_.capacity()) contacts_.grow();
   for (ConstraintSet<D>* set : sets_) {
     if (!set->had_room()) set->make_room();
   }
