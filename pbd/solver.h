@@ -72,6 +72,10 @@ class Solver {
   void reserve(uint32_t fluid, uint32_t vertices = 0);
   /// The particles [first, first + count) are new, or all were changed from outside.
   void particles_changed(uint32_t first, uint32_t count);
+  /// The arrays of all sets follow a removal of particles: see ParticleState.
+  void reorder(View<const uint32_t> order, uint32_t count) {
+    for (ConstraintSet<D>* set : sets_) set->reorder(order, count);
+  }
 
   /// Advances by dt. When the result's summary counts non-finite particles, the state is the one before the
   /// call.

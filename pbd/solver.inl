@@ -204,7 +204,7 @@ void Solver<D>::find(Substep<D>& s, bool prepares) {
     for (ConstraintSet<D>* set : sets_) set->prepare(s);
   };
   const auto find_contacts = [&] {
-    for (ConstraintSet<D>* set : sets_) set->reorder(search_.order(), s.particles.sorted);
+    reorder(search_.order(), s.particles.sorted);
     if (lists && !D::runs_at_once) timer_.enter(StageId::contacts);
     contacts_.find(s, {&readout->found.contacts, 1});
   };

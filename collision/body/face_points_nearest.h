@@ -158,9 +158,7 @@ MENISCUS_HD inline bool may_dip(const FaceField& field, const Triangle& t, float
       pbd::max(dot(s.a.normal - s.b.normal, t.a - t.b),
                pbd::max(dot(s.b.normal - s.c.normal, t.b - t.c), dot(s.c.normal - s.a.normal, t.c - t.a)));
   if (largest > 3 * dip) return true;
-  const ShapeKind kind = field.shape.kind;
-  const bool convex = kind != ShapeKind::sdf && kind != ShapeKind::height_field;
-  return !convex && field.seed(t).surface.distance < least(s) - 0.25f * dip;
+  return !is_convex(field.shape.kind) && field.seed(t).surface.distance < least(s) - 0.25f * dip;
 }
 
 /// Where a face meets a shape during its motion.

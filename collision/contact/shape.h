@@ -26,6 +26,21 @@ struct Surface {
 
 enum class ShapeKind : uint32_t { plane, box, sphere, capsule, cylinder, sdf, height_field };
 
+MENISCUS_HD inline bool is_convex(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::plane:
+    case ShapeKind::box:
+    case ShapeKind::sphere:
+    case ShapeKind::capsule:
+    case ShapeKind::cylinder:
+      return true;
+    case ShapeKind::sdf:
+    case ShapeKind::height_field:
+      break;
+  }
+  return false;
+}
+
 struct Shape {
   ShapeKind kind = ShapeKind::plane;
   uint32_t owner = 0;             ///< the user's shape or body that this belongs to

@@ -103,10 +103,8 @@ template <class D>
 std::vector<uint32_t> DeviceEngine<D>::remove_marked(uint32_t kept) {
   fetch_contacts();  // while they match the particles
   std::vector<uint32_t> by_slot =
-      removal_.apply(particles_, kept, [&](pbd::View<const uint32_t> order, uint32_t count) {
-        density_.reorder(order, count);
-        grains_.reorder(order, count);
-      });
+      removal_.apply(particles_, kept,
+                     [&](pbd::View<const uint32_t> order, uint32_t count) { solver_.reorder(order, count); });
   solver_.particles_changed(kept, 0);
   keep_contacts(by_slot);
   return by_slot;

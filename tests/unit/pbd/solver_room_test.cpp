@@ -37,7 +37,9 @@ class WildFirstPass : public ConstraintSet<CpuDevice> {
   void project(Substep<CpuDevice>& substep, int) override {
     if (passes > 1) return;
     substep.device.parallel_for("test/gather", substep.particles.owned,
-                                [to = substep.particles.position](uint32_t i) { to[i] = {0, 0, 0, 1}; });
+                                [to = substep.particles.position](uint32_t i) {
+                                  to[i] = {0, 0, 0, 1};
+                                });
   }
   bool had_room() override { return passes > 1; }
   void make_room() override { ++growths; }
