@@ -26,9 +26,10 @@ target_compile_features(meniscus_flags INTERFACE cxx_std_20)
 target_include_directories(meniscus_flags INTERFACE ${PROJECT_SOURCE_DIR})
 # Equal bits on every processor: no fused multiply-add behind our back. Without errno, sqrtf is one instruction.
 set(meniscus_host_flags -Wall -Wextra -Wshadow -ffp-contract=off -fno-math-errno)
-target_compile_options(meniscus_flags INTERFACE
-  $<$<COMPILE_LANGUAGE:CXX>:${meniscus_host_flags}>
-  $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-O3>)
+target_compile_options(meniscus_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:${meniscus_host_flags}>)
+# For code that does not have to be fast: readers of text, and the tests' own code. It compiles in two thirds of the time
+# of CMake's -O3. Results have the same bits.
+set(meniscus_fast_build $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-O1>)
 
 if(MENISCUS_SANITIZE)
   target_compile_options(meniscus_flags INTERFACE
