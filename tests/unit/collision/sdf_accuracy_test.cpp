@@ -128,10 +128,10 @@ TEST_P(ScannedSdf, IsOffByHalfACellAtMost) {
 }
 
 TEST_P(ScannedSdf, HasTheRightSignFurtherThanACellFromTheSurface) {
-  std::vector<Vec3> points = random_points(140000, 2);
+  std::vector<Vec3> points = random_points(14000, 2);
   std::erase_if(points, [&](Vec3 p) { return closest_point(tree_->view(), p).distance <= cell_; });
-  ASSERT_GE(points.size(), 100000u);
-  points.resize(100000);
+  ASSERT_GE(points.size(), 10000u);
+  points.resize(10000);
   std::vector<uint8_t> wrong(points.size());
   device_.parallel_for("exact signs", static_cast<uint32_t>(points.size()), [&](uint32_t i) {
     const bool inside = sample_sdf(sdf_->view(), points[i]).distance < 0;
