@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "pbd/tuning.h"
+
 namespace meniscus::pbd {
 
 /// Weights of one iteration: increment = momentum · last increment + step · residual.
@@ -23,7 +25,7 @@ class Chebyshev {
   IterationWeights next(int iteration, int iterations) {
     const float m = static_cast<float>(iterations);
     const float high = bound_;
-    const float low = high * std::fmin(0.5f, 2.25f / (m * m));
+    const float low = high * std::fmin(chebyshev_tuning::most_low, chebyshev_tuning::resolved2 / (m * m));
     const float centre = 0.5f * (high + low), radius = 0.5f * (high - low);
     const float sigma = centre / radius;
     if (iteration == 0) {

@@ -8,6 +8,7 @@
 #include "pbd/device/base/atomics.h"
 #include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
+#include "pbd/tuning.h"
 
 namespace meniscus::pbd {
 
@@ -47,7 +48,7 @@ struct alignas(16) Contact {
 MENISCUS_HD inline float fraction_of_radius(uint32_t number) {
   uint32_t x = number * 2654435761u;
   x ^= x >> 15;
-  return 1 - 0.01f * (static_cast<float>(x & 0xffff) * (1.0f / 65536));
+  return 1 - contact_tuning::radius_spread * (static_cast<float>(x & 0xffff) * (1.0f / 65536));
 }
 
 /// Whether the contact attaches the particle to its point, in all directions. BodyAttachments alone solves
@@ -138,10 +139,9 @@ MENISCUS_HD inline float plane_distance(const Contact& contact, Vec3 p) {
   return dot(contact.normal, p - contact.point);
 }
 
-/// kg·m, the lower limit of the normal multiplier at this distance. Adhesion acts up to twice the contact
-/// radius.
+/// kg·m, the lower limit of the normal multiplier at this distance. Adhesion has a short reach.
 MENISCUS_HD inline float least_push(const Contact& contact, float distance) {
-  return distance < 2 * contact.radius ? -contact.adhesion : 0.0f;
+  return distance < contact_tuning::adhesion_reach * contact.radius ? -contact.adhesion : 0.0f;
 }
 
 /// m, how far a particle with this displacement has slipped along the surface.

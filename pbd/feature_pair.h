@@ -9,6 +9,7 @@
 
 #include "pbd/device/base/qualifiers.h"
 #include "pbd/math/vec.h"
+#include "pbd/tuning.h"
 
 namespace meniscus::pbd {
 
@@ -201,16 +202,15 @@ MENISCUS_HD inline float time_apart(const FeaturePair& p, const Nearest& now, fl
 
 }  // namespace nearest_detail
 
-/// The fraction of the motion, 0 to 1, after which the two are as near as `gap`, and no nearer than 3/4 of
-/// it; 2 where they never are. At the start they must be further apart. Conservative advancement with bounds
-/// along the direction that separates them (Mirtich 1996; Tang, Kim & Manocha 2009). Each step is as long as
-/// the bounds allow, and no root can be missed.
+/// The fraction of the motion, 0 to 1, after which the two are as near as `gap`, and no nearer than
+/// `nearest_stop` of it; 2 where they never are. At the start they must be further apart. Conservative
+/// advancement with bounds along the direction that separates them (Mirtich 1996; Tang, Kim & Manocha 2009).
+/// Each step is as long as the bounds allow, and no root can be missed.
 MENISCUS_HD inline float time_of_nearness(const FeaturePair& p, float gap) {
-  constexpr int most_steps = 64;
   float t = 0;
   Nearest now = nearest(p, 0);
-  for (int k = 0; k < most_steps; ++k) {
-    t += nearest_detail::time_apart(p, now, t, 0.75f * gap);
+  for (int k = 0; k < nearness_tuning::most_steps; ++k) {
+    t += nearest_detail::time_apart(p, now, t, nearness_tuning::nearest_stop * gap);
     if (t >= 1) return 2;
     now = nearest(p, t);
     if (now.distance <= gap) return t;

@@ -11,6 +11,7 @@
 #include "pbd/device/base/atomics.h"
 #include "pbd/list_writers.h"
 #include "pbd/neighbour_search.h"
+#include "pbd/tuning.h"
 
 namespace meniscus::pbd {
 
@@ -190,9 +191,9 @@ inline uint32_t bits_for(float cells, uint32_t least) {
 /// As many rows as keep the indices of neighbours close to each other: all, if a layer has few particles;
 /// else as many as can be full, at h = 2 s.
 inline uint32_t strip_bits_for(Vec3 reaches, uint32_t count) {
-  constexpr float close = NeighbourView::narrow_reach, in_cube = 8, unevenness = 1.5f;
-  if (unevenness * static_cast<float>(count) < close * reaches.z) return 31;
-  const float rows = close / (in_cube * reaches.x) - 1;
+  constexpr float close = NeighbourView::narrow_reach;
+  if (search_tuning::unevenness * static_cast<float>(count) < close * reaches.z) return 31;
+  const float rows = close / (search_tuning::particles_in_cube * reaches.x) - 1;
   return static_cast<uint32_t>(std::bit_width(static_cast<uint32_t>(std::fmax(rows, 1.0f)))) - 1;
 }
 
@@ -231,7 +232,7 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
     // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.
     const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
     is_coarse_ = count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
-                 Surroundings::slack_at(far) < 0.004f;
+                 Surroundings::slack_at(far) < search_tuning::most_coarse_slack;
   }
   while (bits[0] + bits[1] + bits[2] > most_bits) --*std::max_element(bits, bits + 3);
   grid_.bits_x = bits[0];

@@ -19,6 +19,7 @@
 #include "pbd/neighbour_search.inl"
 #include "pbd/solver.h"
 #include "pbd/solver_kernels.h"
+#include "pbd/tuning.h"
 
 namespace meniscus::pbd {
 
@@ -266,7 +267,8 @@ MotionView Solver<D>::motion_of(const Substep<D>& s) {
 /// speed.
 template <class D>
 bool Solver<D>::is_fast(float dt) const {
-  return fresh_ || step_speed_ * dt > 0.5f * (parameters_.support_radius - parameters_.contact_radius);
+  return fresh_ || step_speed_ * dt > contact_tuning::fast_motion *
+                                          (parameters_.support_radius - parameters_.contact_radius);
 }
 
 template <class D>

@@ -3,6 +3,7 @@
 //
 // Builds the hinge constraints of bending.
 #include "cloth/build/bending.h"
+#include "cloth/build/tuning.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -12,9 +13,6 @@ namespace meniscus::cloth {
 namespace {
 
 using Eigen::Vector3d;
-
-// Below this angle, a rest shape counts as flat, and its hinge is isometric.
-constexpr double flat_angle = 1e-3;  // rad
 
 struct Corners {
   Vector3d a, b, c, d;
@@ -59,7 +57,7 @@ Hinges bending_of_edges(const ClothMesh& mesh, std::span<const EdgeUse> uses,
     const double area = triangles[edge[0].triangle].area + triangles[edge[1].triangle].area;
     const double compliance = area / fabric.bending_stiffness;
     const double rest_angle = angle_at_rest(x);
-    if (!fabric.dihedral && std::abs(rest_angle) < flat_angle) {
+    if (!fabric.dihedral && std::abs(rest_angle) < build_tuning::flat_angle) {
       IsometricConstraint hinge{a, b, c, d, {}, static_cast<float>(compliance)};
       set_weights(x, hinge.weight);
       hinges.isometric.push_back(hinge);

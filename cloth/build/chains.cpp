@@ -12,6 +12,7 @@
 
 #include "cloth/build/colouring.h"
 #include "cloth/build/incidence.h"
+#include "cloth/build/tuning.h"
 #include "pbd/device/scalar.h"
 
 namespace meniscus::cloth {
@@ -19,11 +20,6 @@ namespace meniscus::cloth {
 namespace {
 
 constexpr uint32_t none = 0xffffffff;
-constexpr uint32_t most_layers = 3;
-constexpr float least_cosine = 0.7f;       // of the angle between successive edges
-constexpr float much_softer = 8;           // than the stiffest edge around
-constexpr float stiff = 5e-5f;             // m/N, of an edge
-constexpr float fraction_of_grain = 0.5f;  // of a piece's edges that are stiff
 
 using Ends = std::array<uint32_t, 2>;
 
@@ -42,7 +38,8 @@ class Drawing {
       // A seam is not an edge of the mesh at rest.
       const float length_at_rest = length(rest[e.b] - rest[e.a]);
       left_[k] = (is_stiff[k] || !in_grain[e.a]) &&
-                 std::fabs(length_at_rest - e.rest_length) <= 0.01f * e.rest_length && !has_none(e.a, pieces);
+                 std::fabs(length_at_rest - e.rest_length) <= chain_tuning::same_length * e.rest_length &&
+                 !has_none(e.a, pieces);
     }
   }
 
@@ -77,7 +74,8 @@ class Drawing {
     }
     std::vector<bool> is_stiff;
     for (const EdgeConstraint& e : edges_)
-      is_stiff.push_back(e.compliance <= much_softer * std::max(stiff, std::min(least[e.a], least[e.b])));
+      is_stiff.push_back(e.compliance <= chain_tuning::much_softer *
+                                             std::max(chain_tuning::stiff, std::min(least[e.a], least[e.b])));
     return is_stiff;
   }
 
@@ -95,7 +93,7 @@ class Drawing {
         return std::accumulate(each.begin() + p.first_vertex, each.begin() + p.end_vertex, 0u);
       };
       std::fill(in_grain.begin() + p.first_vertex, in_grain.begin() + p.end_vertex,
-                sum(stiff_from) > fraction_of_grain * static_cast<float>(sum(edges_from)));
+                sum(stiff_from) > chain_tuning::fraction_of_grain * static_cast<float>(sum(edges_from)));
     }
     return in_grain;
   }
@@ -165,7 +163,7 @@ class Drawing {
     taken_[v] = true;
     for (;;) {
       uint32_t best = none;
-      float cosine = least_cosine;
+      float cosine = chain_tuning::least_cosine;
       for (uint32_t k : around_.at(v)) {
         if (!left_[k] || taken_[other_end(k, v)]) continue;
         const float c = dot(direction(k, v), along);
@@ -228,7 +226,7 @@ Chains draw_chains(ClothConstraints& constraints, std::span<const Vec3> rest, st
   std::vector<bool> stiff(edges.size()), stays(edges.size());
   for (uint32_t k = 0; k < edges.size(); ++k) stiff[k] = drawing.left(k);
   Chains out;
-  for (uint32_t layer = 0; layer < most_layers; ++layer) {
+  for (uint32_t layer = 0; layer < chain_tuning::most_layers; ++layer) {
     auto chains = drawing.layer();
     if (chains.empty()) break;
     std::stable_sort(chains.begin(), chains.end(),

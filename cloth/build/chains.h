@@ -10,6 +10,7 @@
 
 #include "cloth/build/build_constraints.h"
 #include "cloth/build/piece.h"
+#include "cloth/build/tuning.h"
 
 namespace meniscus::cloth {
 
@@ -17,7 +18,7 @@ namespace meniscus::cloth {
 struct Chain {
   uint32_t first, count;
 
-  static constexpr uint32_t fewest_edges = 4, most_edges = 512;
+  static constexpr uint32_t fewest_edges = chain_tuning::fewest_edges, most_edges = 512;
 };
 
 /// Chains of a layer share no vertex, so that they can be solved at once. Longer chains come first, so that

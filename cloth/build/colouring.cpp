@@ -11,6 +11,7 @@
 #include "cloth/build/incidence.h"
 #include "cloth/build/recolouring.h"
 #include "cloth/build/topology.h"
+#include "cloth/build/tuning.h"
 
 namespace meniscus::cloth {
 
@@ -92,7 +93,8 @@ std::vector<uint32_t> colour_constraints(Corners<Arity> constraints, uint32_t ve
   std::iota(order.begin(), order.end(), 0);
   std::vector<uint32_t> colours = first_fit<Arity>(constraints, incidence, order);
   // Meshes numbered along rows get few colours in their own order; other meshes do not.
-  if (4 * count_of(colours) > 5 * incidence.most_at_a_vertex()) {
+  if (colouring_tuning::accepted_under * count_of(colours) >
+      colouring_tuning::accepted_over * incidence.most_at_a_vertex()) {
     order = spreading_order<Arity>(constraints, incidence);
     std::vector<uint32_t> other = first_fit<Arity>(constraints, incidence, order);
     if (count_of(other) < count_of(colours)) colours = std::move(other);

@@ -10,6 +10,7 @@
 
 #include "cloth/build/incidence.h"
 #include "cloth/build/topology.h"
+#include "cloth/build/tuning.h"
 
 namespace meniscus::cloth {
 
@@ -91,11 +92,12 @@ class Recolouring {
     const auto smallest =
         static_cast<uint32_t>(std::min_element(sizes_.begin(), sizes_.end()) - sizes_.begin());
     const uint32_t size = sizes_[smallest];
-    if (size_t{4} * size * count_ > corners_.size()) return false;
+    if (colouring_tuning::small_colour * size * count_ > corners_.size()) return false;
     const Recolouring before = *this;
     const std::vector<uint32_t> colours_before = colours_;
     std::deque<uint32_t> homeless = remove_colour(smallest);
-    const size_t most_steps = corners_.size() / 5 + size_t{16} * size;
+    const size_t most_steps =
+        corners_.size() / colouring_tuning::constraints_a_step + colouring_tuning::steps_a_constraint * size;
     std::vector<uint32_t> placed(corners_.size(), 0);
     for (uint32_t step = 1; !homeless.empty(); ++step) {
       if (step > most_steps) {
@@ -143,8 +145,10 @@ class Recolouring {
       for (uint32_t v : corners_[i]) {
         const uint32_t other = holder(v, colour);
         if (other == none) continue;
-        const uint32_t age = placed[other] == 0 ? recent : std::min(recent, step - placed[other]);
-        cost += (free_for(other) != 0 ? 1 : 1000) + 5 * (recent - age);
+        const uint32_t age = placed[other] == 0 ? colouring_tuning::recent
+                                                : std::min(colouring_tuning::recent, step - placed[other]);
+        cost += (free_for(other) != 0 ? 1 : colouring_tuning::homeless_cost) +
+                colouring_tuning::recent_cost * (colouring_tuning::recent - age);
       }
       if (cost < best_cost) {
         best_cost = cost;
@@ -163,8 +167,6 @@ class Recolouring {
     }
     give(i, colour);
   }
-
-  static constexpr uint32_t recent = 400;  // steps
 
   Corners<Arity> corners_;
   const Incidence& incidence_;

@@ -3,6 +3,7 @@
 //
 // Normals, warp directions and areas of triangles at rest.
 #include "cloth/build/rest_geometry.h"
+#include "cloth/build/tuning.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -27,8 +28,8 @@ Vector3d along_u(const ClothMesh& mesh, const std::array<uint32_t, 3>& t, const 
 }
 
 Vector3d default_warp(const Vector3d& normal) {
-  constexpr double cos_8_degrees = 0.9903;
-  const Vector3d axis = std::abs(normal.x()) > cos_8_degrees ? Vector3d::UnitZ() : Vector3d::UnitX();
+  const Vector3d axis =
+      std::abs(normal.x()) > build_tuning::warp_along_normal ? Vector3d::UnitZ() : Vector3d::UnitX();
   return axis - normal.dot(axis) * normal;
 }
 

@@ -3,6 +3,7 @@
 //
 // Draws the waves of gusts from a seed.
 #include "cloth/build/wind.h"
+#include "cloth/build/tuning.h"
 
 #include <cmath>
 #include <random>
@@ -24,7 +25,8 @@ Wind make_wind(Vec3 velocity, float air_density, float gust_speed, float gust_si
   };
   for (Gust& g : wind.gusts) {
     const Vec3 n = direction();
-    const auto number = static_cast<float>(2 * pi / gust_size * (0.5 + 1.5 * uniform()));
+    const auto number = static_cast<float>(2 * pi / gust_size *
+                                           (build_tuning::least_gust + build_tuning::gust_range * uniform()));
     const Vec3 across = normalized_or(cross(n, direction()), {1, 0, 0});
     g.wave = number * n;
     g.amplitude = gust_speed * std::sqrt(2.0f / Wind::gust_count) * across;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/rods/rod_view.h"
+#include "cloth/rods/tuning.h"
 
 namespace meniscus::cloth::rod_kernels {
 
@@ -16,10 +17,6 @@ namespace meniscus::cloth::rod_kernels {
 /// of bending are in the axes of the joint. A block off the diagonal is written by the segment that both of
 /// its constraints share.
 struct Linearize {
-  /// Regularisation of the diagonal, as a fraction of it. It covers the rounding of an elimination, where
-  /// rods are unyielding and held at both ends. Later iterations correct the error that it leaves.
-  static constexpr float regularisation = 2e-7f;
-
   RodView rods;
 
   MENISCUS_HD void operator()(uint32_t k) const {
@@ -111,7 +108,7 @@ struct Linearize {
     m.zz = regularised(m.zz + added.z);
   }
   /// Where nothing may move there is no equation, and any Δλ does no harm.
-  MENISCUS_HD static float regularised(float m) { return m > 0 ? (1 + regularisation) * m : 1; }
+  MENISCUS_HD static float regularised(float m) { return m > 0 ? (1 + rod_tuning::regularisation) * m : 1; }
 
   MENISCUS_HD static Vec3 right_side(Vec3 strain, Vec3 start, Vec3 compliance, Vec3 multiplier,
                                      float damping) {

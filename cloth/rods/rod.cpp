@@ -11,6 +11,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "cloth/rods/tuning.h"
 #include "pbd/contacts.h"
 
 namespace meniscus::cloth {
@@ -112,7 +113,8 @@ void set_mobility(RodSegment& s, const Section& section) {
   const float l = s.rest_length, mass = section.mass * l;
   const float across = std::max(0.25f * mass * section.squared_radius, mass * l * l / 24);
   s.bend_mobility = 1 / across;
-  s.twist_mobility = 1 / std::max(0.5f * mass * section.squared_radius, 0.01f * across);
+  s.twist_mobility =
+      1 / std::max(0.5f * mass * section.squared_radius, rod_tuning::least_axial_inertia * across);
 }
 
 RodSegment make_segment(uint32_t a, uint32_t b, float rest_length, const Section& section, float damping) {

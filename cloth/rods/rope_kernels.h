@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/rods/elements.h"
+#include "cloth/rods/tuning.h"
 #include "cloth/solve/push_vertex.h"
 #include "pbd/contacts.h"
 #include "pbd/math/matrix.h"
@@ -55,14 +56,6 @@ struct Begin {
 /// a rope under tension. Without it a rope with a weight at its end overshoots (Tournier, Nesme, Gilles &
 /// Faure 2015, "Stable Constrained Dynamics"). A rope without tension has no lateral stiffness.
 struct Linearize {
-  /// Regularisation: the least compliance along the segment, as a fraction of the masses' part. It bounds Δλ
-  /// where a rope is unyielding, straight and held at both ends. Later iterations correct the error that it
-  /// leaves.
-  static constexpr float regularisation = 2e-7f;
-  /// The greatest lateral compliance, which stands for infinity. Floats can still resolve the compliance
-  /// along the segment beside it.
-  static constexpr float most = 100;
-
   RopeView ropes;
 
   MENISCUS_HD void operator()(uint32_t k) const {
@@ -79,9 +72,11 @@ struct Linearize {
 
     const float strain = length(apart) - s.rest_length;
     const float residual = strain + compliance * tension + damping * (strain - ropes.start[k]);
-    const float along = compliance / (1 + damping) + regularisation * mass;
+    const float along = compliance / (1 + damping) + rod_tuning::rope_regularisation * mass;
     const float pull = ropes.pull[k];
-    const float aside = pull * most * mass > s.rest_length ? s.rest_length / pull : most * mass;
+    const float aside = pull * rod_tuning::most_lateral * mass > s.rest_length
+                            ? s.rest_length / pull
+                            : rod_tuning::most_lateral * mass;
     const Vec3 right = -residual / (1 + damping) * n - aside * (multiplier - tension * n);
     ropes.rows[k] = {yield(n, along, aside), a.w, b.w, right};
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/folds.h"
+#include "cloth/self_contact/tuning.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -22,7 +23,7 @@ struct Room {
 /// vertex must stay inside its motion bound. The check adds room for the motion by the solve and for the
 /// thickness.
 struct Foresee {
-  static constexpr float room_for_thickness = 0.55f;
+  static constexpr float room_for_thickness = 0.5f * self_contact_tuning::reach;  // of two vertices, together
 
   View<const Vec4> previous, position;  // by vertex
   View<const uint32_t> vertex_part;
@@ -58,7 +59,9 @@ struct Foresee {
   MENISCUS_HD void foresee(uint32_t v) const {
     const Vec3 x = position[v].xyz(), displacement = x - previous[v].xyz();
     const float thickness = parts[vertex_part[v]].thickness;
-    const float room = room_for_thickness * thickness + 0.25f * length(displacement) + 1.5f * strayed[v];
+    const float room = room_for_thickness * thickness +
+                       self_contact_tuning::room_of_motion * length(displacement) +
+                       self_contact_tuning::room_of_strayed * strayed[v];
     foreseen[v] = pbd::with_w(x, room);
     if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
     if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[restless], 1);
@@ -90,13 +93,6 @@ struct CandidateLifetime {
   View<Vec4> kept, wide;  // balls: centre and radius, m; wide: for many substeps, whichever is kept
   View<uint32_t> counters;
 
-  // The balls of neighbouring vertices must not overlap, or all of a rough sheet would be listed.
-  static constexpr float longest = 16;  // substeps
-  static constexpr float furthest =
-      0.5f;  // of the thickness: the greatest motion, if it covers more than this substep
-  static constexpr float leeway = 0.25f;     // of the thickness: room for other motions
-  static constexpr float to_and_fro = 1.5f;  // times the room for the motion by the solve
-
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
     if (vertex_part[v] != no_index) keep(v);
@@ -107,6 +103,7 @@ struct CandidateLifetime {
   }
 
   MENISCUS_HD void keep(uint32_t v) const {
+    using namespace self_contact_tuning;
     const Vec3 from = previous[v].xyz(), displacement = foreseen[v].xyz() - from;
     const float thickness = parts[vertex_part[v]].thickness, far = length(displacement);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);

@@ -7,6 +7,7 @@
 #include "cloth/self_contact/cull.h"
 #include "cloth/self_contact/features.h"
 #include "cloth/self_contact/folds.h"
+#include "cloth/self_contact/tuning.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -225,8 +226,9 @@ struct FindCrossings {
     const FeaturePair pair = pair_of(corners);
     const float motion = relative_motion(pair), distance = nearest(pair, 0).distance;
     if (motion == 0 || distance <= 0) return;
-    const bool nearly_lost = distance < 0.1f * least;
-    const float gap = nearly_lost ? 0.5f * distance : pbd::min(0.9f * distance, least);
+    const bool nearly_lost = distance < self_contact_tuning::nearly_lost * least;
+    const float gap = nearly_lost ? self_contact_tuning::lost_gap * distance
+                                  : pbd::min(self_contact_tuning::gap * distance, least);
     const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
     if (nothing_moves(corners)) return;
@@ -248,7 +250,7 @@ struct FindCrossings {
   /// m: a motion up to this size may come from the rounding of a zone's motion.
   MENISCUS_HD float rounding(const Corners& corners) const {
     const Vec3 x = cloth.position[corners.vertex(0)].xyz();
-    return 1e-6f * max_component(max(x, -x));
+    return self_contact_tuning::rounding * max_component(max(x, -x));
   }
 };
 

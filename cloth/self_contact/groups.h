@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/candidate_lifetime.h"
+#include "cloth/self_contact/tuning.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -62,7 +63,8 @@ struct FitCones {
     }
     const float angle = acosf(pbd::clamp(least, -1, 1));
     cones[first + g] = pbd::with_w(axis, angle);
-    rough[first + g] = angle * sqrtf(longest2) > 0.2f * parts[tree.triangles[8 * (first + g)].part].thickness;
+    rough[first + g] = angle * sqrtf(longest2) >
+                       self_contact_tuning::rough * parts[tree.triangles[8 * (first + g)].part].thickness;
   }
 
   /// The normal of a triangle. Also updates the square of the longest edge so far.

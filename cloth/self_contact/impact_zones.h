@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/solve.h"
+#include "cloth/self_contact/tuning.h"
 #include "pbd/union_find.h"
 
 namespace meniscus::cloth::self_contact_kernels {
@@ -131,9 +132,6 @@ struct PartSums {
 /// stops in the next round. So does a zone that would enter a solid. If the last available round still finds
 /// a pair, all vertices return to their positions at the start of the substep.
 struct MoveImpactZones {
-  /// Fraction of the contact radius: no zone takes a vertex nearer than that to an immovable solid.
-  static constexpr float least_distance = 0.25f;
-
   ClothState cloth;
   pbd::ContactView contacts;               // of all particles
   uint32_t sorted;                         // see ParticleView
@@ -175,7 +173,8 @@ struct MoveImpactZones {
       const pbd::Contact& c = contacts.contacts[k];
       const bool gives_way = c.body == pbd::on_cloth || c.body_inverse_mass > 0 || is_attachment(c);
       const float distance = plane_distance(c, to);
-      if (!gives_way && distance < least_distance * c.radius && distance < plane_distance(c, from))
+      if (!gives_way && distance < self_contact_tuning::least_to_solid * c.radius &&
+          distance < plane_distance(c, from))
         return true;
     }
     return false;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/cull.h"
+#include "cloth/self_contact/tuning.h"
 #include "cloth/self_contact/views.h"
 
 namespace meniscus::cloth::self_contact_kernels {
@@ -42,7 +43,8 @@ struct MakeContacts {
     const float reach = reach_of(code);
     if (pbd::least_gap(pair) > reach) return false;
     const Nearest end = nearest(pair, 1);
-    return relative_motion(pair) >= 0.3f * end.distance || end.distance <= nearness_of(code) ||
+    return relative_motion(pair) >= self_contact_tuning::fast_by_end * end.distance ||
+           end.distance <= nearness_of(code) ||
            (end.distance <= reach && !is_another_pairs(code, corners, end));
   }
 
@@ -51,16 +53,18 @@ struct MakeContacts {
     const float thickness = thickness_of(code), reach = reach_of(code), near = nearness_of(code);
     const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
     const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
-    if (start - motion > reach || start < 1e-5f * thickness) return;
-    const bool fast = motion >= 0.5f * start;
-    const float t = fast ? time_of_nearness(pair, 0.5f * pbd::min(start, thickness)) : 2;
+    if (start - motion > reach || start < self_contact_tuning::coincident * thickness) return;
+    const bool fast = motion >= self_contact_tuning::fast * start;
+    const float t =
+        fast ? time_of_nearness(pair, self_contact_tuning::meeting * pbd::min(start, thickness)) : 2;
     const bool met = t <= 1;
     const Nearest now = nearest(pair, met ? t : 1);
-    const bool is_near = met || pbd::min(start, now.distance) < near || (fast && start < 1.8f * near);
+    const bool is_near = met || pbd::min(start, now.distance) < near ||
+                         (fast && start < self_contact_tuning::near_when_fast * near);
     if (!is_near && (now.distance > reach || is_another_pairs(code, corners, now))) return;
     const float apart = distance_to_keep(code, corners, thickness);
     if (apart <= 0 || now.distance <= 0) return;
-    if (!is_near && now.distance > apart + 0.1f * thickness) return;
+    if (!is_near && now.distance > apart + self_contact_tuning::margin * thickness) return;
     const float target = pbd::min(apart, start + separation * thickness);
     add(corners, now, target, friction_of(code));
   }
@@ -74,7 +78,9 @@ struct MakeContacts {
     return 0.5f * (first_part(code).thickness + second_part(code).thickness);
   }
   /// The distance beyond which two features count as apart.
-  MENISCUS_HD float reach_of(FeatureCode code) const { return 1.1f * thickness_of(code); }
+  MENISCUS_HD float reach_of(FeatureCode code) const {
+    return self_contact_tuning::reach * thickness_of(code);
+  }
   /// Any pair that comes nearer than this during its motion is a contact.
   MENISCUS_HD float nearness_of(FeatureCode code) const {
     return first_part(code).nearness + second_part(code).nearness;
@@ -113,7 +119,7 @@ struct MakeContacts {
     FeaturePair at_rest{};
     at_rest.edges = corners.edges();
     for (uint32_t k = 0; k < 4; ++k) at_rest.start[k] = rest[corners.vertex(k)] - rest[corners.vertex(0)];
-    return pbd::min(thickness, 0.7f * nearest(at_rest, 0).distance);
+    return pbd::min(thickness, self_contact_tuning::kept_of_rest * nearest(at_rest, 0).distance);
   }
 
   MENISCUS_HD void add(const Corners& corners, const Nearest& now, float target, float friction) const {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "cloth/self_contact/folds.h"
+#include "cloth/self_contact/tuning.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
 #include "pbd/surface_tree/surface_tree.h"
@@ -76,11 +77,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
     SelfContacts& contacts;
   };
 
-  static constexpr uint32_t first_rounds = 2;
   static constexpr uint32_t most_threads = 1u << 19;  // of a launch over a list: they fill a GPU
   static constexpr uint32_t threads_together = 128;   // in a group of them
-  static constexpr int sweeps =
-      2;  // an iteration: contacts need more sweeps than the cloth that they hold apart
 
   uint32_t found(uint32_t counter) const { return found_.host().empty() ? 0 : found_.host()[counter]; }
   /// The number of groups of threads for all groups of triangles, of which each takes Scratch::groups.
@@ -111,7 +109,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::SurfaceTree<D>& tree_;
   CcdFailsafe ccd_failsafe_;
   pbd::View<const Vec3> rest_;
-  uint32_t vertices_ = 0, groups_ = 0, rounds_ = first_rounds;
+  uint32_t vertices_ = 0, groups_ = 0, rounds_ = self_contact_tuning::first_rounds;
   float least_distance_ = 0;  // m: see FindCrossings
   float unit_ = 0;            // kg·m, of the integers that sum up pushes
   bool anew_ = true;          // search for pairs in any case

@@ -16,6 +16,7 @@
 #include "cloth/self_contact/narrow.h"
 #include "cloth/self_contact/self_contacts.h"
 #include "cloth/self_contact/solve.h"
+#include "cloth/self_contact/tuning.h"
 #include "pbd/device/launch_size.h"
 #include "pbd/filter.h"
 #include "pbd/surface_tree/surface_tree.inl"
@@ -58,7 +59,7 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
 template <class D>
 void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
-  constexpr float separation_time = 0.02f;  // s, in which an overlap is opened by one thickness
+  using self_contact_tuning::separation_time;
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for(
       "self contacts/foresee", vertices_,
@@ -99,7 +100,7 @@ void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
                        entries_.view(), sums,     threads};
   const MoveVertices move{entries_.view(), position, vertices_of(p.accumulated_delta, p.sorted, vertices_),
                           sums};
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
+  for (int sweep = 0; sweep < self_contact_tuning::sweeps; ++sweep) {
     device_.parallel_for("self contacts/push", threads, push);
     device_.parallel_for("self contacts/move", vertices_, move);
   }
@@ -165,7 +166,10 @@ void SelfContacts<D>::start_step() {
   using namespace self_contact_kernels;
   // Rounds that the last step did not use are dropped one by one. A superfluous round costs little. A
   // repeated step costs as much as the step itself.
-  if (!idle()) rounds_ = std::min(most_rounds, std::max({first_rounds, used_rounds() + 2, rounds_ - 1}));
+  if (!idle())
+    rounds_ =
+        std::min(most_rounds, std::max({self_contact_tuning::first_rounds,
+                                        used_rounds() + self_contact_tuning::spare_rounds, rounds_ - 1}));
   std::fill(found_.host().begin(), found_.host().end(), 0u);
   anew_ = true;
 }
@@ -274,8 +278,9 @@ void SelfContacts<D>::set_parts(std::span<const ContactPart> parts, std::span<co
   for (size_t k = 0; k < parts.size(); ++k) {
     const ContactPart& p = parts[k];
     const float least = std::min(p.thickness, fineness[k]);
-    least_distance_ = std::min(least_distance_, 0.02f * least);
-    rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self, 0.3f * least});
+    least_distance_ = std::min(least_distance_, self_contact_tuning::least_distance * least);
+    rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self,
+                    self_contact_tuning::nearness * least});
   }
   parts_.resize_discard(rows.size());
   parts_.write(rows);

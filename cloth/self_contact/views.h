@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/tables.h"
+#include "cloth/self_contact/tuning.h"
 #include "pbd/device/base/atomics.h"
 #include "pbd/feature_pair.h"
 #include "pbd/particles.h"
@@ -126,10 +127,9 @@ struct KeptPlaces {
   }
   /// The position inside the motion bound of v that is nearest to x.
   MENISCUS_HD Vec3 inside(uint32_t v, Vec3 x) const {
-    constexpr float within = 0.999f;  // of the radius, for rounding
     const Vec4 ball = balls[v];
     const Vec3 out = x - ball.xyz();
-    const float far2 = dot(out, out), most = within * ball.w;
+    const float far2 = dot(out, out), most = self_contact_tuning::within * ball.w;
     return far2 <= most * most ? x : ball.xyz() + (most / sqrtf(far2)) * out;
   }
 };
@@ -157,14 +157,13 @@ struct SheetViews {
   View<const uint32_t> neighbour_start, neighbours;  // by group, including itself
   View<uint32_t> smooth;                             // by group
 
-  static constexpr float widest = 1.3f;   // rad, from a group's axis to any normal around
-  static constexpr float leeway = 0.13f;  // rad: how much further normals may turn
-
   MENISCUS_HD bool is_smooth(uint32_t g) const {
     const Vec3 axis = cones[g].xyz();
     for (uint32_t n = neighbour_start[g]; n < neighbour_start[g + 1]; ++n) {
       const Vec4 cone = cones[neighbours[n]];
-      if (cone.w >= widest || dot(axis, cone.xyz()) <= cosf(widest - cone.w)) return false;
+      if (cone.w >= self_contact_tuning::widest_cone ||
+          dot(axis, cone.xyz()) <= cosf(self_contact_tuning::widest_cone - cone.w))
+        return false;
     }
     return true;
   }
@@ -179,11 +178,14 @@ struct SheetViews {
   /// no test of the surroundings.
   MENISCUS_HD bool is_in_cone(uint32_t g, Vec3 n) const {
     const Vec4 cone = cones[g];
-    return dot(n, cone.xyz()) >= cosf(pbd::min(3.1415927f, cone.w + leeway)) * length(n);
+    return dot(n, cone.xyz()) >=
+           cosf(pbd::min(3.1415927f, cone.w + self_contact_tuning::cone_leeway)) * length(n);
   }
   /// Whether a normal near a smooth group ends its smoothness.
   MENISCUS_HD bool ends_smoothness(uint32_t g, Vec3 n) const {
-    return smooth[g] && dot(n, cones[g].xyz()) < cosf(widest + leeway) * length(n);
+    return smooth[g] &&
+           dot(n, cones[g].xyz()) <
+               cosf(self_contact_tuning::widest_cone + self_contact_tuning::cone_leeway) * length(n);
   }
 };
 

@@ -7,6 +7,7 @@
 #include "cloth/solve/chains_at_once.h"
 #include "cloth/solve/edge_compliance.h"
 #include "cloth/solve/load_kernels.h"
+#include "cloth/solve/tuning.h"
 #include "cloth/solve/vertex_state.h"
 
 namespace meniscus::cloth {
@@ -151,10 +152,6 @@ class SolveChainsAtOnce {
   using Sideways = typename Scratch::Sideways;
   using Edge = typename Scratch::Edge;
 
-  /// Added to the diagonal, as a fraction of w_k + w_k₊₁. Without it, a straight chain between two fixed
-  /// vertices has no solution.
-  static constexpr float guard = 0.0003f;
-
   /// The direction of the chain at a vertex. Where the chain folds back, it is the direction of both
   /// branches: displacements across them shorten nothing.
   MENISCUS_HD static Vector direction(const Vector& before, const Vector& after) {
@@ -251,7 +248,7 @@ class SolveChainsAtOnce {
     Real error = l - rest;
     const auto was = [&] { return square_root(dot(then, then)); };
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
-                                            Real(recovery_rate / s_.all.inverse_dt), was);
+                                            Real(cloth_tuning::recovery_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
     const Real before = kept_ * (s_.takes_over ? chains_.if_edge(k, along(multiplier.xyz(), n)) : last);
     Real rate = dot(n, d - then);
@@ -268,7 +265,8 @@ class SolveChainsAtOnce {
     write_whole(scratch_.edges, slot, {{if_live(n.x, zero), if_live(n.y, zero), if_live(n.z, zero)}, before});
     write_whole(
         rows, k,
-        {if_live((Real(1) + gamma) * a.w, zero), if_live(compliance + Real(guard) * weight, Real(1)),
+        {if_live((Real(1) + gamma) * a.w, zero),
+         if_live(compliance + Real(cloth_tuning::chain_regularisation) * weight, Real(1)),
          if_live((Real(1) + gamma) * b.w, zero), if_live(-error - compliance * before - gamma * rate, zero)});
     stiffness(k) = resistance(last, rest);
     scratch_.rest_length[k] = rest;

@@ -15,6 +15,7 @@
 #include "cloth/solve/sweep_kernel.h"
 #include "cloth/solve/tear_kernels.h"
 #include "cloth/solve/tether_kernels.h"
+#include "cloth/solve/tuning.h"
 #include "cloth/solve/wind_kernels.h"
 
 namespace meniscus::cloth {
@@ -247,7 +248,7 @@ stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& subst
           .multiplier = edge_multiplier_.view(),
           .relaxation = parameters_.over_relaxation,
           .fraction = turn.starts ? share_ : 1,
-          .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
+          .momentum = turn.goes_on ? cloth_tuning::round_momentum : 0,
           .shears = starts_from_last(),
           .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},
           .ends = turn.ends,

@@ -9,15 +9,6 @@
 
 namespace meniscus::cloth {
 
-/// 1/s: the rate at which a compressed edge recovers, as a fraction of its length. Compressed fabric buckles,
-/// in folds that may be too fine for the mesh. If its edges regained their lengths within a substep, crumpled
-/// cloth would burst apart.
-inline constexpr float recovery_rate = 10;
-
-/// 1/s: the same for an edge that shears (SolveEdge). Buckling does not shorten such an edge before it has
-/// sheared.
-inline constexpr float shear_recovery_rate = 40;
-
 /// 1/kg: the compliance term of an edge. `compliance` is in m/N, and `error` is length minus rest length, m.
 /// was() returns the length of the edge at the start of the substep. An edge that was compressed then becomes
 /// soft enough to recover only the fraction `opens` of its rest length. It still pushes, and pulls on

@@ -7,6 +7,7 @@
 #include "cloth/build/constraints.h"
 #include "cloth/solve/edge_compliance.h"
 #include "cloth/solve/load_kernels.h"
+#include "cloth/solve/tuning.h"
 #include "cloth/solve/vertex_state.h"
 #include "pbd/device/side_by_side.h"
 
@@ -17,15 +18,6 @@ using pbd::gather_words;
 using pbd::max;
 using pbd::scatter;
 using pbd::square_root;
-
-/// The greatest relaxation of compressed edges. Some edges of a hanging mesh of triangles are compressed.
-/// Lengthened in full each substep, they buckle back and forth and never come to rest.
-inline constexpr float compressed_relaxation = 0.2f;
-
-/// Heavy-ball momentum (Polyak 1964) of pulling edges, from round to round. Chains take back most of a
-/// diagonal's step. Its multiplier would need w/α̃ rounds to reach what the shear stiffness asks for. With
-/// momentum it needs about the square root of that.
-inline constexpr float round_momentum = 0.85f;
 
 struct SolveEdge {
   View<const EdgeConstraint> edges;  ///< with vertices as numbered in their cluster
@@ -86,8 +78,9 @@ struct SolveEdge {
     const auto was = [&] { return vertices.previous(to) - vertices.previous(from); };
     const Real l = square_root(dot(d, d)), c = l - rest;
     const Real shearing = shearing_by_lane<D>(vertices, from);
-    const Real opens = select_less(zero, shearing, Real(shear_recovery_rate / vertices.inverse_dt()),
-                                   Real(recovery_rate / vertices.inverse_dt()));
+    const Real opens =
+        select_less(zero, shearing, Real(cloth_tuning::shear_recovery_rate / vertices.inverse_dt()),
+                    Real(cloth_tuning::recovery_rate / vertices.inverse_dt()));
     const Real compliance =
         edge_compliance(items.constants.w, rest, c, weight, vertices.inverse_dt(), opens, [&] {
           const Vector then = was();
@@ -118,13 +111,11 @@ struct SolveEdge {
   }
 
  private:
-  static constexpr float pushing_share = 0.4f;  // of next_fraction
-
   /// The applied part of a step that lengthens a compressed edge. What only reduces a pull is applied in
   /// full, and the rest by a fraction.
   template <class Real>
   MENISCUS_HD Real of_pressed(const Real& step, const Real& before, const Real& shearing) const {
-    const Real least(compressed_relaxation), pull = max(Real(0), -before);
+    const Real least(cloth_tuning::compressed_relaxation), pull = max(Real(0), -before);
     const Real sheared = select_less(pull, step, pull + least * (step - pull), step);
     return select_less(Real(0), shearing, sheared, least * step);
   }
@@ -144,8 +135,8 @@ struct SolveEdge {
   template <class Real>
   MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest,
                         const Real& shearing) const {
-    const Real of_push =
-        select_less(Real(0), shearing, Real(next_fraction), Real(pushing_share * next_fraction));
+    const Real of_push = select_less(Real(0), shearing, Real(next_fraction),
+                                     Real(cloth_tuning::pushing_start * next_fraction));
     const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_fraction), of_push);
     return max(-most, -max(-most, -part * lambda));
   }
@@ -251,7 +242,7 @@ struct SolveStrain {
     }
     // A strain with unlimited compliance, or without a gradient, is left unchanged.
     if (!(weight + compliance > 0) || !(compliance < 1e30f)) return before;
-    const float relaxing = strain.value < 0 && stretches ? compressed_relaxation : relaxation;
+    const float relaxing = strain.value < 0 && stretches ? cloth_tuning::compressed_relaxation : relaxation;
     const float step = relaxing * xpbd_step(strain.value, rate, weight, before, compliance, damping);
     for (int i = 0; i < 3; ++i) {
       t.impulse[i] += step * gradient[i];

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "collision/body/attachments.h"
+#include "collision/body/tuning.h"
 
 namespace meniscus::collision {
 
@@ -47,7 +48,7 @@ struct Count {
 
 /// Into how many parts a body is split: half of it is for its contacts.
 MENISCUS_HD inline float splits(View<const uint32_t> attachments_of_body, uint32_t body) {
-  return 2 * static_cast<float>(attachments_of_body[body]);
+  return body_tuning::splits * static_cast<float>(attachments_of_body[body]);
 }
 
 struct Fill {

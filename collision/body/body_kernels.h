@@ -6,6 +6,7 @@
 #pragma once
 
 #include "collision/body/proxy.h"
+#include "collision/body/tuning.h"
 
 namespace meniscus::collision::body_kernels {
 
@@ -96,7 +97,8 @@ struct NoteBodies {
     if (!(distance < c.radius)) return false;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const Contact& other = contacts.contacts[k];
-      if (dot(c.normal, other.normal) < -0.5f && distance + plane_distance(other, x) < c.radius) return true;
+      if (dot(c.normal, other.normal) < body_tuning::facing && distance + plane_distance(other, x) < c.radius)
+        return true;
     }
     return false;
   }

@@ -10,6 +10,7 @@
 
 #include "collision/body/face_points.h"
 #include "collision/body/face_points_ccd_failsafe.h"
+#include "collision/body/tuning.h"
 
 namespace meniscus::collision {
 
@@ -42,9 +43,8 @@ void FacePoints<D>::set_room(uint32_t points) {
 /// same result as if they had been enabled.
 template <class D>
 void FacePoints<D>::save() {
-  constexpr uint32_t longest_idle = 100;
   idle_ = wanted() == 0 ? idle_ + 1 : 0;
-  if (idle_ > longest_idle) active_ = false;
+  if (idle_ > face_tuning::longest_idle) active_ = false;
 }
 
 template <class D>
@@ -128,11 +128,10 @@ void FacePoints<D>::project(pbd::Substep<D>& substep, int iteration) {
 template <class D>
 void FacePoints<D>::settle(pbd::Substep<D>& substep) {
   using namespace face_kernels;
-  constexpr int rounds = 3;
   if (!any(substep)) return;
   const Points all = points(substep);
   const pbd::ParticleView& p = substep.particles;
-  for (int k = 0; k < rounds; ++k) {
+  for (int k = 0; k < face_tuning::rounds; ++k) {
     device_.parallel_for(
         "faces/demand", room_,
         Demand{all, p, substep.contacts, shapes_.shapes(), shapes_.touches(p.phase, p.sorted),

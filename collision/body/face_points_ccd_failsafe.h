@@ -8,6 +8,7 @@
 
 #include "collision/body/body_kernels.h"
 #include "collision/body/face_points_kernels.h"
+#include "collision/body/tuning.h"
 
 namespace meniscus::collision::face_kernels {
 
@@ -16,10 +17,6 @@ using body_kernels::ContactMotion;
 /// The displacement that each face demands, m. The solids themselves are sampled again. A face may have slid
 /// off the plane that stood for a solid, into another part of it.
 struct Demand {
-  // Fractions of the contact radius. A slow face is moved by little, because a great weight may press it
-  // there.
-  static constexpr float least = 0.25f, enough = 0.3f, enough_when_fast = 0.5f;
-
   Points points;
   ParticleView particles;
   pbd::ContactView contacts;
@@ -66,10 +63,11 @@ struct Demand {
     const FaceMotion motion = collision::face_kernels::motion_beside(shape, pose, world);
     const FaceField field{set, shape, radius_of(motion.to) + displacement_of(motion) + radius};
     if (!field.may_reach(motion)) return {0, 0, 0};
-    FaceMeeting meeting = meet_face(field, motion, least * radius);
+    FaceMeeting meeting = meet_face(field, motion, face_tuning::least * radius);
     float lacking = lacking_of(motion, meeting, radius);
-    if (lacking <= 0 && displacement_of(motion) > least * radius) {  // there; the end may have another
-      meeting = {field.nearest(motion.to, 0.01f * radius), motion.to};
+    if (lacking <= 0 &&
+        displacement_of(motion) > face_tuning::least * radius) {  // there; the end may have another
+      meeting = {field.nearest(motion.to, face_tuning::end_tolerance * radius), motion.to};
       lacking = lacking_of(motion, meeting, radius);
     }
     if (lacking <= 0) return {0, 0, 0};
@@ -83,8 +81,9 @@ struct Demand {
     const FaceSample& s = meeting.sample;
     const Vec3 displacement = point_of(motion.to, s.weights) - point_of(meeting.face, s.weights);
     const float distance = s.surface.distance + dot(displacement, s.surface.normal);
-    const float wanted = displacement_of(motion) > radius ? enough_when_fast : enough;
-    return distance < least * radius ? wanted * radius - distance : 0;
+    const float wanted =
+        displacement_of(motion) > radius ? face_tuning::enough_when_fast : face_tuning::enough;
+    return distance < face_tuning::least * radius ? wanted * radius - distance : 0;
   }
 
   /// The pose of the shape after the displacement of its body by contacts.
@@ -104,7 +103,7 @@ struct Demand {
     add_vertex(t.a, weights.x, mass, free);
     add_vertex(t.b, weights.y, mass, free);
     add_vertex(t.c, weights.z, mass, free);
-    if (free < 0.05f) return 0;
+    if (free < face_tuning::least_free) return 0;
     float body_w = 0;
     if (shape.body != pbd::no_index) {
       const BodyProxy& body = bodies[shape.body];

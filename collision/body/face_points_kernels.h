@@ -6,7 +6,9 @@
 #pragma once
 
 #include "collision/body/face_points_nearest.h"
+#include "collision/body/tuning.h"
 #include "collision/contact/shape_contacts.h"
+#include "collision/contact/tuning.h"
 #include "pbd/device/base/atomics.h"
 #include "pbd/surface_tree/surface.h"
 
@@ -45,12 +47,10 @@ MENISCUS_HD inline Aabb bounds_of(const FaceMotion& m) {
           max(max(max(from.a, from.b), from.c), max(max(to.a, to.b), to.c))};
 }
 
-/// Fraction of the contact radius: a face gets a point where it is nearer than its vertices by this much.
-constexpr float slack = 0.25f;
 // Points stop at less than 1 − slack. So where vertices rest, even slightly pressed in, points touch before
 // they push. If points appeared only where they push, resting cloth with faces near the slack would be kicked
 // for ever.
-static_assert(shape_contact_kernels::face_radius < 1 - slack);
+static_assert(shape_tuning::face_radius < 1 - face_tuning::slack);
 
 /// Decides whether a face needs a point. It does where it comes near a solid, and clearly nearer than its
 /// vertices.
@@ -90,7 +90,7 @@ struct Decide {
   /// The deepest point over all shapes, if the face needs one.
   MENISCUS_HD FaceSample look(const FaceMotion& motion, const Touch& touch) const {
     const Aabb box = bounds_of(motion);
-    const float reach = 2 * touch.radius;
+    const float reach = face_tuning::reach * touch.radius;
     FaceSample best = nothing();
     if (!is_finite(box.lower) || !is_finite(box.upper)) return best;
     for (uint32_t k = 0; k < set.shapes.count; ++k) {
@@ -107,7 +107,7 @@ struct Decide {
                                  float reach) const {
     const FaceField field{set, shape, radius_of(motion.to) + displacement_of(motion) + reach};
     if (!field.may_reach(motion)) return nothing();
-    const float touch = 0.5f * radius, dip = slack * radius;
+    const float touch = face_tuning::touch * radius, dip = face_tuning::slack * radius;
     if (displacement_of(motion) <= touch && !may_dip(field, motion.to, dip)) return nothing();
     const FaceMeeting meeting = meet_face(field, motion, touch);
     const float distance = meeting.sample.surface.distance;

@@ -7,6 +7,7 @@
 // which end at a box's corner or edge, where Frank–Wolfe zigzags.
 #pragma once
 
+#include "collision/body/tuning.h"
 #include "collision/contact/shape.h"
 #include "collision/mesh/triangle.h"
 
@@ -90,29 +91,28 @@ struct FaceField {
   /// steps are short and many. So the sum of the last two steps is repeated and doubled while it descends
   /// (Hooke & Jeeves 1961).
   MENISCUS_HD FaceSample descend(const Triangle& t, FaceSample best, float tolerance) const {
-    constexpr int most_steps = 24;
-    float beyond = 0.5f * radius_of(t);
+    float beyond = face_tuning::first_step * radius_of(t);
     Vec3 last = best.weights, before_last = last;
-    for (int k = 0; k < most_steps; ++k) {
+    for (int k = 0; k < face_tuning::descent_steps; ++k) {
       const float step = pbd::max(best.surface.distance, 0.0f) + beyond;
       const FaceSample next =
           at(t, nearest_weights(t, point_of(t, best.weights) - step * best.surface.normal));
-      if (next.surface.distance < best.surface.distance - 0.01f * tolerance) {
+      if (next.surface.distance < best.surface.distance - face_tuning::least_gain * tolerance) {
         best = next;
         best = go_on(t, best, best.weights - before_last);
         before_last = last;
         last = best.weights;
-        beyond = 1.5f * beyond;
+        beyond = face_tuning::longer * beyond;
       } else {
         if (beyond == 0) break;
-        beyond = beyond > tolerance ? 0.25f * beyond : 0;
+        beyond = beyond > tolerance ? face_tuning::shorter * beyond : 0;
       }
     }
     return best;
   }
 
   MENISCUS_HD FaceSample go_on(const Triangle& t, FaceSample best, Vec3 displacement) const {
-    for (float far = 1; far < 100; far *= 2) {
+    for (float far = 1; far < face_tuning::most_repeated; far *= 2) {
       const Vec3 weights = inside(best.weights + far * displacement);
       const FaceSample next = at(t, weights);
       if (!(next.surface.distance < best.surface.distance)) break;
@@ -158,7 +158,8 @@ MENISCUS_HD inline bool may_dip(const FaceField& field, const Triangle& t, float
       pbd::max(dot(s.a.normal - s.b.normal, t.a - t.b),
                pbd::max(dot(s.b.normal - s.c.normal, t.b - t.c), dot(s.c.normal - s.a.normal, t.c - t.a)));
   if (largest > 3 * dip) return true;
-  return !is_convex(field.shape.kind) && field.seed(t).surface.distance < least(s) - 0.25f * dip;
+  return !is_convex(field.shape.kind) &&
+         field.seed(t).surface.distance < least(s) - face_tuning::sampled_dip * dip;
 }
 
 /// Where a face meets a shape during its motion.
@@ -171,15 +172,15 @@ struct FaceMeeting {
 /// advancement. Where it does not, its nearest point at the end. A face that moves by less than `touch` is
 /// tested at the end alone.
 MENISCUS_HD inline FaceMeeting meet_face(const FaceField& field, const FaceMotion& m, float touch) {
-  constexpr int most_steps = 32;
-  const float displacement = displacement_of(m), tolerance = 0.02f * touch;
+  const float displacement = displacement_of(m), tolerance = face_tuning::advance_tolerance * touch;
   float t = displacement > touch ? 0.0f : 1.0f;
-  for (int k = 0; k < most_steps && t < 1; ++k) {
+  for (int k = 0; k < face_tuning::advance_steps && t < 1; ++k) {
     const Triangle now = between(m, t);
     const FaceSample s = field.nearest(now, tolerance);
     const Vec3 path = point_of(m.to, s.weights) - point_of(m.from, s.weights);
     if (s.surface.distance < touch && dot(s.surface.normal, path) < 0) return {s, now};
-    t += pbd::max(s.surface.distance - 0.5f * touch, 0.5f * touch) / displacement;
+    t += pbd::max(s.surface.distance - face_tuning::advance * touch, face_tuning::advance * touch) /
+         displacement;
   }
   return {field.nearest(m.to, tolerance), m.to};
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision/contact/contact_set.h"
+#include "collision/contact/tuning.h"
 #include "collision/contact/two_sided_contact.h"
 #include "pbd/device/scalar.h"
 
@@ -73,10 +74,11 @@ void ContactSet<D>::project(pbd::Substep<D>& substep, int) {
 
 template <class D>
 void ContactSet<D>::end(pbd::Substep<D>& substep) {
-  constexpr float gravity_scale = 9.81f;  // a contact at rest gains about g·h_t within a substep
-  device_.parallel_for("contacts/bounce", substep.contacts.contacts.count,
-                       contact_kernels::Bounce{substep.particles.velocity, substep.particles.position,
-                                               substep.contacts, substep.dt, 4 * gravity_scale * substep.dt});
+  constexpr float gravity_scale = 9.81f;  // m/s²
+  device_.parallel_for(
+      "contacts/bounce", substep.contacts.contacts.count,
+      contact_kernels::Bounce{substep.particles.velocity, substep.particles.position, substep.contacts,
+                              substep.dt, shape_tuning::resting_substeps * gravity_scale * substep.dt});
 }
 
 }  // namespace meniscus::collision

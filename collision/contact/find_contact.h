@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/contact/sweep.h"
+#include "collision/contact/tuning.h"
 
 namespace meniscus::collision {
 
@@ -51,7 +52,7 @@ MENISCUS_HD inline FoundContact find_face_contact(const ShapeSet& set, const Sha
   if (shape.kind == ShapeKind::plane) return find_plane_contact(set, shape, m, radius, h);
   if (out_of_reach(shape, m.from, m.to, h)) return no_contact();
   const SurfaceSample surface = sample_surface(set, shape, m.to, h);
-  if (surface.distance < 0.5f * radius || squared_length(m.to - m.from) > radius * radius) {
+  if (surface.distance < shape_tuning::touch * radius || squared_length(m.to - m.from) > radius * radius) {
     const Hit hit = sweep(set, shape, m, radius, surface.distance);
     if (hit.found) return {sample_surface(set, shape, hit.at, h), hit.at, true};
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/contact/sweep.h"
+#include "collision/contact/tuning.h"
 
 namespace meniscus::collision {
 
@@ -35,10 +36,9 @@ MENISCUS_HD inline Vec3 slide(const Hit& hit, Vec3 to) {
 /// contact search sees a half-space from behind as well.
 MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radius, bool planes_too,
                                        const CollisionFilter& filter) {
-  constexpr int most_hits = 4;
-  for (int k = 0; k < most_hits; ++k) {
+  for (int k = 0; k < shape_tuning::fixed_hits; ++k) {
     const Vec3 path = m.to - m.from;
-    if (dot(path, path) < 1e-6f * radius * radius) return m.to;
+    if (dot(path, path) < shape_tuning::no_motion2 * radius * radius) return m.to;
     const Hit hit = first_fixed_hit(set, m, radius, planes_too, filter);
     if (!hit.found) return m.to;
     m = {hit.at, slide(hit, m.to)};
@@ -52,9 +52,8 @@ MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radi
 template <class Candidates>
 MENISCUS_HD Vec3 limit_by_moving(const ShapeSet& set, const Candidates& candidates, uint32_t i, Motion m,
                                  float radius, const CollisionFilter& filter, uint32_t attached_body) {
-  constexpr int most_hits = 8;
   Vec3 carried = m.to;
-  for (int k = 0; k < most_hits; ++k) {
+  for (int k = 0; k < shape_tuning::moving_hits; ++k) {
     Hit first;
     candidates.for_each_near(set, i, m, radius, [&](uint32_t number) {
       const Shape& shape = set.shapes[number];

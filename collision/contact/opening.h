@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/contact/shape.h"
+#include "collision/contact/tuning.h"
 
 namespace meniscus::collision {
 
@@ -17,7 +18,8 @@ MENISCUS_HD inline bool left_through_opening(const ShapeSet& set, const Shape& p
   for (uint32_t k = 0; k < plane.wall_count; k += shapes_at_once) {
     const uint32_t outside_of = which_shapes(plane.first_wall + k, plane.wall_count - k, [&](uint32_t n) {
       const Shape& wall = set.shapes[n];
-      return plane_surface(wall, m.from).distance < (wall.opening_count ? 0.0f : -2 * radius);
+      return plane_surface(wall, m.from).distance <
+             (wall.opening_count ? 0.0f : shape_tuning::outside_depth * radius);
     });
     if (outside_of) return true;
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/contact/candidates.h"
+#include "collision/contact/tuning.h"
 #include "pbd/substep.h"
 
 namespace meniscus::collision {
@@ -17,15 +18,10 @@ struct Touch {
 
 namespace shape_contact_kernels {
 
-/// Points of faces stop at this fraction of the contact radius. Resting cloth then touches with its vertices
-/// before the points push; see face_points_kernels.h.
-constexpr float face_radius = 0.7f;
-
 /// The distance (m) by which an overlapping particle leaves a solid in a substep. If it left at once, it
 /// would get the speed of that displacement.
 MENISCUS_HD inline float exit_distance(float contact_radius, float dt) {
-  constexpr float time = 0.02f;  // s, for one contact radius
-  return contact_radius * dt / time;
+  return contact_radius * dt / shape_tuning::exit_time;
 }
 
 /// How a particle collides with solids, by its fluid or its piece of cloth. A vertex does not collide with

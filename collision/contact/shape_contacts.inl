@@ -8,6 +8,7 @@
 
 #include "collision/contact/limit_motion.h"
 #include "collision/contact/shape_contacts.h"
+#include "collision/contact/tuning.h"
 
 namespace meniscus::collision {
 
@@ -166,7 +167,7 @@ struct Fill {
     c.solid = shape.owner;
     c.normal = normal;
     c.fraction = 1;
-    c.radius = find.touches.of(i).radius * (find.touches.is_face(i) ? face_radius : 1.0f);
+    c.radius = find.touches.of(i).radius * (find.touches.is_face(i) ? shape_tuning::face_radius : 1.0f);
     if (!only_fixed_planes && !find.touches.is_vertex(i))
       c.fraction = solid_fraction(find.set, shape, f.at, f.surface.distance, find.h);
     c.friction = shape.surface.friction;

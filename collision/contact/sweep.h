@@ -7,6 +7,7 @@
 #pragma once
 
 #include "collision/contact/opening.h"
+#include "collision/contact/tuning.h"
 
 namespace meniscus::collision {
 
@@ -23,19 +24,18 @@ struct Hit {
 /// `end_distance` is the surface's distance from the end of the motion, or less.
 MENISCUS_HD inline Hit sweep(const ShapeSet& set, const Shape& shape, const Motion& m, float radius,
                              float end_distance) {
-  constexpr int most_steps = 256;
   const Vec3 path = m.to - m.from;
-  const float path_length = length(path), touch = 0.5f * radius;
+  const float path_length = length(path), touch = shape_tuning::touch * radius;
   float t = 0;
   SurfaceSample s{};
-  for (int k = 0; k < most_steps; ++k) {
+  for (int k = 0; k < shape_tuning::sweep_steps; ++k) {
     s = sample_surface(set, shape, m.from + t * path, path_length + radius);
     // No distance changes by more than the length of the path. If the distances at both ends add up to more,
-    // nothing is met. The margin is twice what is needed, because fields are not exact.
-    if (k == 0 && s.distance + end_distance > path_length + 4 * touch) return {};
+    // nothing is met.
+    if (k == 0 && s.distance + end_distance > path_length + shape_tuning::sweep_margin * touch) return {};
     if (s.distance < touch && dot(s.normal, path) < 0) return {t, m.from + t * path, s.normal, true};
     // A motion that slides along the surface must still advance.
-    t += pbd::max(s.distance - 0.5f * touch, 0.5f * touch) / path_length;
+    t += pbd::max(s.distance - shape_tuning::advance * touch, shape_tuning::advance * touch) / path_length;
     if (t >= 1) return {};
   }
   return {t, m.from + t * path, s.normal, true};  // too many steps: the motion stops here
@@ -50,7 +50,7 @@ MENISCUS_HD inline float end_distance(const ShapeSet& set, const Shape& shape, c
 /// The same for a plane, from its open side.
 MENISCUS_HD inline Hit cross_plane(const ShapeSet& set, const Shape& plane, const Motion& m, float radius) {
   const float before = plane_surface(plane, m.from).distance, after = plane_surface(plane, m.to).distance;
-  const float touch = 0.5f * radius;
+  const float touch = shape_tuning::touch * radius;
   if (before < 0 || after >= touch || after >= before || left_through_opening(set, plane, m, radius))
     return {};
   const float t = before > touch ? (before - touch) / (before - after) : 0;

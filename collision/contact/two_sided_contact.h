@@ -6,6 +6,7 @@
 // to either. So both are solved at once.
 #pragma once
 
+#include "collision/contact/tuning.h"
 #include "pbd/contact_projection.h"
 
 namespace meniscus::collision {
@@ -30,7 +31,7 @@ MENISCUS_HD inline bool contact_presses(const pbd::Contact& c, Vec3 x) {
 MENISCUS_HD inline OpposedPair find_opposed(pbd::View<const pbd::Contact> contacts, uint32_t first,
                                             uint32_t end, Vec3 x) {
   OpposedPair pair;
-  float least = -0.9f;
+  float least = shape_tuning::opposed;
   for (uint32_t a = first; a + 1 < end; ++a) {
     if (!contact_presses(contacts[a], x)) continue;
     for (uint32_t b = a + 1; b < end; ++b) {
@@ -107,15 +108,12 @@ struct TwoSidedContact {
                                     fraction_within(b.tangent_multiplier, -1.0f * more, most_friction(b)));
     const float least = pbd::min(length(slip_a), length(slip_b)),
                 most = pbd::max(length(slip_a), length(slip_b));
-    if (fraction < 1 && least > sticking * most) return;
+    if (fraction < 1 && least > shape_tuning::sticking * most) return;
     a.tangent_multiplier += fraction * more;
     b.tangent_multiplier -= fraction * more;
   }
 
  private:
-  /// A vertex sticks to one surface if its slip there is at most this fraction of its slip on the other.
-  static constexpr float sticking = 0.1f;
-
   MENISCUS_HD float inverse_mass_a() const { return a.body_inverse_mass; }
   MENISCUS_HD float inverse_mass_b() const { return b.body_inverse_mass; }
   /// Of the matrix {w + w_a, −w; −w, w + w_b}, with the inverse masses w_a and w_b of the surfaces.

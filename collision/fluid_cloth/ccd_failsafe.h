@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/fluid_cloth/find.h"
+#include "collision/fluid_cloth/tuning.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
@@ -18,8 +19,7 @@ struct ClampAtImpact {
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 from = surface.previous[i].xyz(), wanted = position[i].xyz();
     Vec3 to = wanted;
-    constexpr int most_rounds = 6;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < fluid_cloth_tuning::clamp_rounds; ++round) {
       const Vec3 end = first_stop(i, from, to, round);
       if (end == to) break;
       to = end;
@@ -37,7 +37,8 @@ struct ClampAtImpact {
       const float radius = surface.parts[t.part].radius;
       const pbd::FeaturePair pair = surface.pair(from, to, t);
       const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
-      const float gap = pbd::min(0.5f * start, 1e-3f * radius);
+      const float gap =
+          pbd::min(fluid_cloth_tuning::clamp_gap * start, fluid_cloth_tuning::clamp_gap_of_radius * radius);
       if (start <= 0 || motion < start - gap) return;
       const float time = time_of_nearness(pair, gap);
       if (time >= first) return;

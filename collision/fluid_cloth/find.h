@@ -10,6 +10,7 @@
 #include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/fluid_cloth/marks.h"
 #include "collision/fluid_cloth/spread.h"
+#include "collision/fluid_cloth/tuning.h"
 #include "pbd/contacts.h"
 #include "pbd/device/base/atomics.h"
 
@@ -55,7 +56,7 @@ class Layers {
   /// Adds a place inside a triangle, or one met during the motion: the surface around it is nowhere nearer.
   MENISCUS_HD void add(const Place& place) {
     for (uint32_t k = 0; k < count_; ++k) {
-      if (dot(layer_[k].normal, place.normal) < same) continue;
+      if (dot(layer_[k].normal, place.normal) < fluid_cloth_tuning::same_layer) continue;
       if (place.distance < layer_[k].distance) layer_[k] = place;
       return;
     }
@@ -91,8 +92,6 @@ class Layers {
   }
 
  private:
-  static constexpr float same = 0.7f;  // cosine
-
   MENISCUS_HD static Place from(uint32_t thread, const Place& p) {
     return {SearchTeam::from(thread, p.distance), SearchTeam::from(thread, p.normal),
             SearchTeam::from(thread, p.triangle), SearchTeam::from(thread, p.u),
@@ -158,9 +157,9 @@ struct FindTouches {
                            float radius) const {
     const pbd::Nearest end = nearest(pair, 1);
     const float motion = may_meet ? relative_motion(pair) : 0;
-    if (may_meet && motion >= 0.3f * end.distance) {
+    if (may_meet && motion >= fluid_cloth_tuning::fast_by_end * end.distance) {
       const float start = nearest(pair, 0).distance;
-      const float gap = 0.5f * pbd::min(start, radius);
+      const float gap = fluid_cloth_tuning::meeting * pbd::min(start, radius);
       const float t = start > 0 && motion > start - gap ? time_of_nearness(pair, gap) : 2;
       if (t <= 1) {
         const pbd::Nearest met = nearest(pair, t);
@@ -213,7 +212,7 @@ struct FindTouches {
   /// The fraction of the plane through the place that cloth covers, within the particle's support.
   MENISCUS_HD float covered(Vec3 foot, const Place& place) const {
     const float reach2 = h * h - pbd::max(0, place.distance) * pbd::max(0, place.distance);
-    const float reach = sqrtf(pbd::max(reach2, 0.01f * h * h));
+    const float reach = sqrtf(pbd::max(reach2, fluid_cloth_tuning::least_cover2 * h * h));
     const Disc disc(foot, place.normal, reach);
     float sum = 0;
     pbd::for_each_overlap_in_warp(surface.tree, motion_box(foot, foot, reach),
@@ -222,7 +221,7 @@ struct FindTouches {
                                     const Vec3 a = surface.end(t.a), b = surface.end(t.b),
                                                c = surface.end(t.c);
                                     const Vec3 normal = normalized_or(cross(b - a, c - a), {0, 0, 0});
-                                    if (fabsf(dot(normal, disc.normal())) > 0.5f)
+                                    if (fabsf(dot(normal, disc.normal())) > fluid_cloth_tuning::covering)
                                       sum += disc.covered(a, b, c);
                                   });
     return pbd::min(1, SearchTeam::sum(sum));

@@ -15,6 +15,7 @@
 #include "collision/fluid_cloth/marks.h"
 #include "collision/fluid_cloth/parting.h"
 #include "collision/fluid_cloth/passing.h"
+#include "collision/fluid_cloth/tuning.h"
 #include "collision/fluid_cloth/wetting.h"
 #include "pbd/device/launch_size.h"
 #include "pbd/surface_tree/surface_tree.inl"
@@ -53,9 +54,10 @@ void FluidClothContacts<D>::count(const pbd::Substep<D>& substep, const pbd::Con
   pbd::parallel_for_teams<pbd::GroupTeam>(device_, "fluid cloth/shapes",
                                           static_cast<uint32_t>(shapes_.size()),
                                           FitShapes{surface(substep), shapes_.view()});
-  pbd::parallel_for_teams<SearchTeam>(device_, "fluid cloth/touches", near_count(),
-                                      FindTouches{surface(substep), near(), counter, entry_count_.view(),
-                                                  shapes_.view(), support_radius_, 0.51f * largest_radius_});
+  pbd::parallel_for_teams<SearchTeam>(
+      device_, "fluid cloth/touches", near_count(),
+      FindTouches{surface(substep), near(), counter, entry_count_.view(), shapes_.view(), support_radius_,
+                  fluid_cloth_tuning::largest_gap * largest_radius_});
   device_.exclusive_scan("fluid cloth/offsets", entry_count_.view(), entry_start_.view());
   pbd::parallel_for_teams<TouchTeam>(
       device_, "fluid cloth/entries", most_touches * near_count(),
@@ -84,7 +86,7 @@ template <class D>
 void FluidClothContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
-  tree_.refit(pbd::WayBoxes(p, 2e-3f * largest_radius_));
+  tree_.refit(pbd::WayBoxes(p, 2 * fluid_cloth_tuning::clamp_gap_of_radius * largest_radius_));
   device_.parallel_for("fluid cloth/hold back", p.sorted, ClampAtImpact{surface(substep), p.position});
 }
 

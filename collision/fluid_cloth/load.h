@@ -17,6 +17,7 @@
 #pragma once
 
 #include "collision/fluid_cloth/cloth_surface.h"
+#include "collision/fluid_cloth/tuning.h"
 #include "pbd/contacts.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
@@ -151,17 +152,17 @@ struct AtTouches {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
     const Vec3 x = position[i].xyz(), displacement = x - previous[i].xyz() - c.surface_motion;
-    return dot(x - c.point, c.normal) < 1.1f * c.radius &&
+    return dot(x - c.point, c.normal) < fluid_cloth_tuning::about_to_press * c.radius &&
            bears(c.normal, -dot(displacement, c.normal) / position[i].w, i);
   }
 
  private:
-  /// Whether an impulse `normal`, kg·m, is enough to carry particle i: at least a quarter of the tangential
-  /// component of its weight. A particle with less must run down vertical cloth. If it stuck, the topmost
-  /// layer around a hull would weigh on the hull. With a higher bound, taut light cloth became unstable.
+  /// Whether an impulse `normal`, kg·m, is enough to carry particle i, by the tangential component of its
+  /// weight. A particle with less must run down vertical cloth. If it stuck, the topmost layer around a hull
+  /// would weigh on the hull.
   MENISCUS_HD bool bears(Vec3 direction, float normal, uint32_t i) const {
     const Vec3 weight = fall / position[i].w, drag = weight - dot(weight, direction) * direction;
-    return normal > 0 && length(drag) <= 4 * normal;
+    return normal > 0 && length(drag) <= fluid_cloth_tuning::most_drag * normal;
   }
 };
 

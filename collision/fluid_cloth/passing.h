@@ -12,6 +12,7 @@
 
 #include "collision/fluid_cloth/find.h"
 #include "collision/fluid_cloth/load.h"
+#include "collision/fluid_cloth/tuning.h"
 #include "pbd/math/random.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
@@ -19,7 +20,7 @@ namespace meniscus::collision::fluid_cloth_kernels {
 /// m: a passing particle is clear of cloth at this distance, and one that begins to pass is nearer. The
 /// second layer of particles is further away.
 MENISCUS_HD inline float clear_of_cloth(float radius) {
-  return 1.5f * radius;
+  return fluid_cloth_tuning::clear * radius;
 }
 
 /// Whether a particle in contact at x may begin to pass.

@@ -8,6 +8,7 @@
 #include "collision/fluid_cloth/area.h"
 #include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/fluid_cloth/marks.h"
+#include "collision/fluid_cloth/tuning.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
@@ -76,7 +77,7 @@ class Spread {
     const float uu = SearchTeam::sum(uu_), uv = SearchTeam::sum(uv_), vv = SearchTeam::sum(vv_);
     const float a = uu * vv - uv * uv, b = uv * v - u * vv, c = u * uv - uu * v;
     const float determinant = one * a + u * b + v * c;
-    bool good = determinant > 1e-4f * one * one * one;
+    bool good = determinant > fluid_cloth_tuning::least_moments * one * one * one;
     for (uint32_t k = SearchTeam::rank(); k < count_ && good; k += SearchTeam::count()) {
       const Offset o = offset(touch_.vertex[k]);
       touch_.weight[k] *= (a + b * o.u + c * o.v) / determinant;
@@ -97,7 +98,8 @@ class Spread {
 /// their number, or 0 where no radius works.
 MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAround& around,
                                        FluidClothContact& touch) {
-  for (float r = around.radius; r > 0.4f * around.radius; r *= 0.75f) {
+  for (float r = around.radius; r > fluid_cloth_tuning::least_spread * around.radius;
+       r *= fluid_cloth_tuning::next_spread) {
     const SpreadAround within{around.point, around.normal, r, around.part};
     const uint32_t vertices = Spread(surface, within, touch).find();
     if (vertices > 0) return vertices;

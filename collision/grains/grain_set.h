@@ -8,6 +8,7 @@
 
 #include "collision/contact/contact_set.h"
 #include "collision/grains/rows.h"
+#include "collision/grains/tuning.h"
 #include "pbd/chebyshev.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/restorable_buffer.h"
@@ -24,7 +25,9 @@ struct GrainMaterial {
 /// The μ of contacts with which a heap comes to rest at this slope. Measured on columns of about 2000 grains
 /// that collapse: tan φ = 0.18 + 1.4 μ for μ up to 0.3, and 0.17 for frictionless grains.
 constexpr float contact_friction(float slope) {
-  return slope > 0.18f ? (slope - 0.18f) / 1.4f : 0.0f;
+  return slope > grain_tuning::frictionless_slope
+             ? (slope - grain_tuning::frictionless_slope) / grain_tuning::slope_of_friction
+             : 0.0f;
 }
 
 /// Contacts with Coulomb friction among grains. Grains are balls of one diameter d that do not rotate

@@ -11,27 +11,10 @@
 
 #include "collision/grains/grain_kernels.h"
 #include "collision/grains/grain_set.h"
+#include "collision/grains/tuning.h"
 #include "pbd/gather.h"
 
 namespace meniscus::collision {
-
-namespace grain_tuning {
-
-/// Contacts are found for grains nearer than this, over their diameter: they may touch before the substep's
-/// end.
-inline constexpr float reach = 1.15f;
-/// Fraction of the last substep's impulses to start from. The rest has to be found again from overlaps, so a
-/// pile is softer the smaller this is.
-inline constexpr float warm_start = 0.985f;
-/// 1/s: the rate at which overlaps from before the substep are removed.
-inline constexpr float recovery_rate = 15;
-/// The largest fraction of an overlap that is removed in a substep. A mode of which the solve relieves the
-/// fraction ε is stable with warm starting while recovery < ε + 1 − warm_start.
-inline constexpr float most_recovery = 0.06f;
-/// Bound of the solve's spectrum. It includes the effect of what else pushes on grains between iterations.
-inline constexpr float spectral_bound = 1.1f;
-
-}  // namespace grain_tuning
 
 template <class D>
 GrainSet<D>::GrainSet(D& device, float diameter, ContactSet<D>& contacts)

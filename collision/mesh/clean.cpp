@@ -3,6 +3,7 @@
 //
 // Welds vertices and drops degenerate, repeated and unused parts of a mesh.
 #include "collision/mesh/clean.h"
+#include "collision/mesh/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace {
 
 using Corners = std::array<uint32_t, 3>;
 
-constexpr double weld_fraction = 1e-6;  // of the box's diagonal
-constexpr double flat_fraction = 1e-7;  // height over longest edge; below it a float normal is all rounding
 constexpr uint32_t none = 0xffffffff;
 
 struct Double3 {
@@ -37,7 +36,7 @@ class Welder {
   Welder(const std::vector<Vec3>& vertices, const Aabb& box)
       : vertices_(vertices),
         lower_(box.lower),
-        reach_(weld_fraction * std::sqrt(squared(difference(box.upper, box.lower)))) {
+        reach_(mesh_tuning::weld_distance * std::sqrt(squared(difference(box.upper, box.lower)))) {
     next_.resize(vertices.size(), none);
   }
 
@@ -100,7 +99,7 @@ bool is_flat(Vec3 a, Vec3 b, Vec3 c) {
   const Double3 ab = difference(b, a), ac = difference(c, a), bc = difference(c, b);
   const Double3 n{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x};
   const double longest = std::max({squared(ab), squared(ac), squared(bc)});
-  return squared(n) <= flat_fraction * flat_fraction * longest * longest;
+  return squared(n) <= mesh_tuning::flat_height * mesh_tuning::flat_height * longest * longest;
 }
 
 // The same triangle with its smallest corner first, so that equal triangles compare equal. Its orientation

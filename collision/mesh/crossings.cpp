@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "collision/mesh/triangle_bvh.h"
+#include "collision/mesh/tuning.h"
 
 namespace meniscus::collision {
 
@@ -16,8 +17,6 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 using Corners = std::array<uint32_t, 3>;
-
-constexpr double touch_fraction = 1e-6;  // of the box's diagonal: welded vertices are no crossing
 
 Vector exact(Vec3 v) {
   return {v.x, v.y, v.z};
@@ -55,7 +54,7 @@ class Search {
  public:
   explicit Search(const TriangleMesh& mesh) : mesh_(mesh), tree_(mesh) {
     const Aabb box = tree_.bounds();
-    touch_ = touch_fraction * (exact(box.upper) - exact(box.lower)).norm();
+    touch_ = mesh_tuning::touch_distance * (exact(box.upper) - exact(box.lower)).norm();
   }
 
   std::vector<std::pair<uint32_t, uint32_t>> run() {

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "collision/mesh/tuning.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::collision {
@@ -40,7 +41,7 @@ TriangleMesh hull_mesh(std::span<const Vec3> points) {
   }
   const double volume = mesh.triangles.size() >= 4 ? std::fabs(signed_volume(mesh)) : 0;
   const Vec3 size = mesh.vertices.empty() ? Vec3{0, 0, 0} : bounds(mesh).upper - bounds(mesh).lower;
-  if (!(volume > 1e-6 * std::pow(double{length(size)}, 3))) {
+  if (!(volume > mesh_tuning::least_volume * std::pow(double{length(size)}, 3))) {
     throw Error(ErrorCode::invalid_argument,
                 "HullGeometry::points has " + std::to_string(points.size()) +
                     " points that span no volume; it must have 4 or more that do not lie in a plane");

@@ -3,6 +3,7 @@
 //
 // Computes mass, centre and principal moments of inertia.
 #include "collision/mesh/mass_properties.h"
+#include "collision/mesh/tuning.h"
 
 #include <meniscus/error.h>
 
@@ -21,8 +22,6 @@ using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
 
 constexpr double pi = std::numbers::pi;
-constexpr double least_ratio = 1e-6;     // of a principal moment to the largest
-constexpr double rounding_ratio = 1e-9;  // of products of inertia to the trace: smaller products are rounding
 
 void check_positive(double value, const char* name, const char* unit) {
   if (value > 0 && std::isfinite(value)) return;
@@ -51,13 +50,14 @@ Quat rounded(const Eigen::Quaterniond& q) {
 
 void check_moments(double mass, const Vector& moments) {
   const bool sound = std::isfinite(mass) && moments.allFinite() && mass > 0 &&
-                     moments.minCoeff() > least_ratio * moments.maxCoeff() && rounded(moments).x > 0 &&
-                     rounded(moments).y > 0 && rounded(moments).z > 0;
+                     moments.minCoeff() > mesh_tuning::least_moment * moments.maxCoeff() &&
+                     rounded(moments).x > 0 && rounded(moments).y > 0 && rounded(moments).z > 0;
   if (sound) return;
   std::ostringstream message;
   message << "a body of " << mass << " kg has the principal moments of inertia " << moments.x() << ", "
           << moments.y() << " and " << moments.z()
-          << " kg m²: mass and moments must be positive, and none below " << least_ratio << " of the largest";
+          << " kg m²: mass and moments must be positive, and none below " << mesh_tuning::least_moment
+          << " of the largest";
   throw Error(ErrorCode::mesh, message.str());
 }
 
@@ -71,7 +71,7 @@ MassProperties principal(double mass, const Vector& centre, const Matrix& inerti
   const Matrix products = inertia - Matrix(inertia.diagonal().asDiagonal());
   Vector moments = inertia.diagonal();
   Eigen::Quaterniond axes = Eigen::Quaterniond::Identity();
-  if (products.cwiseAbs().maxCoeff() > rounding_ratio * inertia.trace()) {
+  if (products.cwiseAbs().maxCoeff() > mesh_tuning::rounded_product * inertia.trace()) {
     const Eigen::SelfAdjointEigenSolver<Matrix> solver(inertia);
     Matrix frame = solver.eigenvectors();
     if (frame.determinant() < 0) frame.col(2) = -frame.col(2);

@@ -13,14 +13,12 @@
 
 #include "collision/mesh/hull.h"
 #include "collision/rigid/rays.h"
+#include "collision/rigid/tuning.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::collision {
 
 namespace {
-
-constexpr float margin_share = 0.04f;  // of the smallest half extent
-constexpr int most_hull_points = 200;
 
 [[maybe_unused]] bool is_fixed_kind(RigidPart::Kind kind) {
   return kind == RigidPart::Kind::mesh || kind == RigidPart::Kind::height_field ||
@@ -50,7 +48,7 @@ std::vector<Vec3> even_directions(int count) {
 /// The points that are outermost in some of many directions.
 std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
   std::vector<size_t> picked;
-  for (const Vec3 d : even_directions(most_hull_points)) {
+  for (const Vec3 d : even_directions(rigid_tuning::most_hull_points)) {
     const auto further = [d](Vec3 a, Vec3 b) { return dot(d, a) < dot(d, b); };
     picked.push_back(static_cast<size_t>(std::ranges::max_element(points, further) - points.begin()));
   }
@@ -65,7 +63,7 @@ std::vector<Vec3> outermost(const std::vector<Vec3>& points) {
 /// The hull's points, in the frame that it gets.
 std::vector<Vec3> hull_points(const RigidPart& part, const Pose& frame) {
   std::vector<Vec3> points = hull_mesh(part.mesh->vertices).vertices;
-  if (points.size() > most_hull_points) points = outermost(points);
+  if (points.size() > rigid_tuning::most_hull_points) points = outermost(points);
   const Pose placed = inverse(frame) * part.pose;
   for (Vec3& p : points) p = to_world(placed, p);
   return points;
@@ -89,10 +87,10 @@ btConvexShape* make_hull(RigidShape& shape, const std::vector<Vec3>& points) {
   Aabb box{points[0], points[0]};
   for (const Vec3 p : points) box = {min(box.lower, p), max(box.upper, p)};
   const Vec3 half = 0.5f * (box.upper - box.lower);
-  const float wanted = margin_share * pbd::min(half.x, pbd::min(half.y, half.z));
+  const float wanted = rigid_tuning::margin * pbd::min(half.x, pbd::min(half.y, half.z));
   btConvexHullComputer hull;
-  const float margin =
-      hull.compute(&points[0].x, sizeof(Vec3), static_cast<int>(points.size()), wanted, 0.25f);
+  const float margin = hull.compute(&points[0].x, sizeof(Vec3), static_cast<int>(points.size()), wanted,
+                                    rigid_tuning::most_shrinkage);
   auto* made = keep<btConvexHullShape>(shape, &hull.vertices[0].x(), hull.vertices.size(),
                                        static_cast<int>(sizeof(btVector3)));
   made->setMargin(margin);
@@ -105,13 +103,13 @@ btConvexShape* make_hull(RigidShape& shape, const std::vector<Vec3>& points) {
 
 btConvexShape* make_box(RigidShape& shape, Vec3 half) {
   auto* box = keep<btBoxShape>(shape, to_bullet(half));
-  box->setMargin(margin_share * pbd::min(half.x, pbd::min(half.y, half.z)));
+  box->setMargin(rigid_tuning::margin * pbd::min(half.x, pbd::min(half.y, half.z)));
   return box;
 }
 
 btConvexShape* make_cylinder(RigidShape& shape, Vec3 size) {
   auto* cylinder = keep<btCylinderShape>(shape, btVector3{size.x, size.y, size.x});
-  cylinder->setMargin(margin_share * pbd::min(size.x, size.y));
+  cylinder->setMargin(rigid_tuning::margin * pbd::min(size.x, size.y));
   return cylinder;
 }
 

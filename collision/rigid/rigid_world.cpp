@@ -8,14 +8,12 @@
 #include <cmath>
 
 #include "collision/rigid/rigid_impl.h"
+#include "collision/rigid/tuning.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::collision {
 
 namespace {
-
-/// Below this fraction of √(g r) for two seconds, a body may fall asleep.
-constexpr float sleep_share = 0.01f;
 
 btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const RigidShape& shape,
                                                  float mass) {
@@ -32,10 +30,10 @@ btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const 
 /// Without gravity none sleeps, because sleep would stop a drifting body. A body is swept if it moves so far
 /// in a step that it could pass through something.
 void scale_to_size(btRigidBody& body, const RigidShape& shape, float gravity) {
-  const float speed = sleep_share * std::sqrt(gravity * shape.radius);
+  const float speed = rigid_tuning::sleep_speed * std::sqrt(gravity * shape.radius);
   body.setSleepingThresholds(speed, speed / shape.radius);
-  body.setCcdMotionThreshold(0.5f * shape.inner_radius);
-  body.setCcdSweptSphereRadius(0.4f * shape.inner_radius);
+  body.setCcdMotionThreshold(rigid_tuning::swept_motion * shape.inner_radius);
+  body.setCcdSweptSphereRadius(rigid_tuning::swept_radius * shape.inner_radius);
 }
 
 void place(btRigidBody& body, const btTransform& at) {
@@ -109,7 +107,7 @@ RigidBodyRecord& RigidWorld::Impl::body(uint32_t n) const {
 }
 
 float RigidWorld::Impl::acceleration_scale() const {
-  return pbd::max(length(def.gravity), 1.0f);
+  return pbd::max(length(def.gravity), rigid_tuning::least_gravity);
 }
 
 void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& meets) {

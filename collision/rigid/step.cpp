@@ -9,20 +9,15 @@
 #include <cmath>
 
 #include "collision/rigid/rigid_impl.h"
+#include "collision/rigid/tuning.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::collision {
 
 namespace {
 
-constexpr float smoothing_time = 0.1f;  // s, averaging time of a body's usual push
-constexpr float waking_share = 0.1f;    // of its weight: a larger change of push wakes a body
-
 /// Bullet limits the rotation of a body in a step to this, rad.
 constexpr float most_turn = ANGULAR_MOTION_THRESHOLD;
-
-/// Contacts slower than gravity accelerates in this many steps do not bounce: they are at rest.
-constexpr float resting_steps = 4;
 
 Vec3 limited_turn(Vec3 angular_velocity, float dt) {
   const float speed = length(angular_velocity);
@@ -40,8 +35,7 @@ btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
   const btVector3 before = angular * axes;
   const float speed = before.length(), turning = btMin(dt, most_turn / btMax(speed, FLT_MIN));
   btVector3 after = before;
-  constexpr int newton_steps = 3;
-  for (int i = 0; i < newton_steps; ++i) {
+  for (int i = 0; i < rigid_tuning::newton_steps; ++i) {
     const btVector3 w = 0.5f * (before + after), momentum = inertia * w;
     const btVector3 error = after - before + turning * inverse * w.cross(momentum);
     if (error.length() <= FLT_EPSILON * speed) break;
@@ -87,12 +81,13 @@ void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, 
   const Vec3 force = impulse.linear / dt, torque = impulse.angular / dt;
   const float weight = gravity * mass_unit / body.bullet->getInvMass();
   if (!body.bullet->isActive()) {
-    const bool as_usual = length(force - memory.usual_force) <= waking_share * weight &&
-                          length(torque - memory.usual_torque) <= waking_share * weight * body.shape.radius;
+    const bool as_usual =
+        length(force - memory.usual_force) <= rigid_tuning::waking_change * weight &&
+        length(torque - memory.usual_torque) <= rigid_tuning::waking_change * weight * body.shape.radius;
     if (as_usual) return;
     wake_up(*body.bullet);
   }
-  const float fraction = dt / (smoothing_time + dt);
+  const float fraction = dt / (rigid_tuning::smoothing_time + dt);
   memory.usual_force += fraction * (force - memory.usual_force);
   memory.usual_torque += fraction * (torque - memory.usual_torque);
   if (is_sprung(*body.bullet)) {
@@ -220,7 +215,7 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
   world.take_impulses(dt, impulses);
   world.limit_motors(h);
   world.dynamics.getSolverInfo().m_restitutionVelocityThreshold =
-      resting_steps * h * length(world.def.gravity);
+      rigid_tuning::resting_steps * h * length(world.def.gravity);
   for (int i = 1; i <= substeps; ++i) {
     if (i > 1) world.dynamics.detect(h);
     world.apply_forces(h);

@@ -3,6 +3,7 @@
 //
 // Computes the points and weights of a density map's quadrature.
 #include "collision/sdf/density_map_quadrature.h"
+#include "collision/sdf/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,6 @@
 namespace meniscus::collision {
 
 namespace {
-
-constexpr double steps_a_radius = 8, samples_a_radius = 4;
-constexpr double rounding = 1e-4;  // a cell of h/4 counts as one despite rounding
 
 // Variance, in squared steps, of the smoothing of a sample: of its fraction, and of two means over `width`
 // samples.
@@ -59,10 +57,11 @@ std::vector<QuadraturePoint> points_of(double step, uint32_t stride, double h) {
 }  // namespace
 
 DensityQuadrature density_quadrature(float cell_size, float h, uint32_t most) {
+  using namespace sdf_tuning;
   const double cells = std::max(1.0, static_cast<double>(h) / cell_size);
-  const auto refinement = static_cast<uint32_t>(
-      std::clamp(std::ceil(steps_a_radius / cells - rounding), 1.0, static_cast<double>(std::max(most, 1u))));
-  const double samples = std::floor(cells * refinement / samples_a_radius + rounding);
+  const auto refinement = static_cast<uint32_t>(std::clamp(std::ceil(steps_a_radius / cells - step_rounding),
+                                                           1.0, static_cast<double>(std::max(most, 1u))));
+  const double samples = std::floor(cells * refinement / samples_a_radius + step_rounding);
   const auto stride = static_cast<uint32_t>(std::max(1.0, samples));
   const double step = static_cast<double>(cell_size) / refinement;
   return {refinement, stride, static_cast<float>(step), points_of(step, stride, h)};

@@ -11,12 +11,11 @@
 #include "collision/mesh/triangle_bvh_query.h"
 #include "collision/sdf/sdf_error.h"
 #include "collision/sdf/sdf_error_points.h"
+#include "collision/sdf/tuning.h"
 
 namespace meniscus::collision {
 
 namespace sdf_error_kernels {
-
-constexpr uint32_t strewn_points = 1u << 15;
 
 struct OnSurface {
   SdfView field;
@@ -35,7 +34,8 @@ struct NearSurface {
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 p = points[i];
     const float winding = fabsf(winding_number(mesh, p)), distance = closest_point(mesh, p).distance;
-    const bool beside_hole = winding > 0.1f && winding < 0.9f;
+    const bool beside_hole =
+        winding > sdf_tuning::least_beside_hole && winding < sdf_tuning::most_beside_hole;
     const float exact = winding > 0.5f ? -distance : distance;
     errors[i] =
         beside_hole || !(clamp_to_grid(field, p) == p) ? 0 : fabsf(sample_sdf(field, p).distance - exact);
@@ -48,7 +48,7 @@ template <class D>
 float sdf_error(D& device, const TriangleMesh& mesh, const DeviceTriangleBvh& tree, const Sdf& field) {
   using namespace sdf_error_kernels;
   const std::vector<Vec3> on = points_on_surface(mesh);
-  const std::vector<Vec3> near = points_near_surface(mesh, strewn_points, field.nodes().spacing);
+  const std::vector<Vec3> near = points_near_surface(mesh, sdf_tuning::strewn_points, field.nodes().spacing);
   const auto on_count = static_cast<uint32_t>(on.size()), near_count = static_cast<uint32_t>(near.size());
   pbd::Buffer<Vec3> on_points(device, "points on a mesh"), near_points(device, "points near a mesh");
   pbd::Buffer<float> on_errors(device, "errors on a mesh"), near_errors(device, "errors near a mesh");
@@ -71,7 +71,8 @@ Sdf build_sdf_to_error(D& device, const TriangleMesh& mesh, const DeviceTriangle
                        float margin, uint32_t max_points) {
   check_error_target(target_error, margin);
   const Aabb box = tree.bounds();
-  float cell_size = max_component(box.upper - box.lower) / 8, error = std::numeric_limits<float>::infinity();
+  float cell_size = max_component(box.upper - box.lower) / sdf_tuning::first_cells,
+        error = std::numeric_limits<float>::infinity();
   double points = lattice_points_around(box, cell_size, margin);
   while (points <= max_points) {
     Sdf field = build_sdf(device, tree, cell_size, margin);

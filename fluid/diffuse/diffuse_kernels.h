@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid/diffuse/diffuse.h"
+#include "fluid/diffuse/tuning.h"
 #include "fluid/kernel/kernel.h"
 #include "pbd/math/random.h"
 #include "pbd/neighbours.h"
@@ -20,9 +21,6 @@ using pbd::View;
 MENISCUS_HD inline float share_of(const Range& range, float value) {
   return pbd::clamp((value - range.low) / (range.high - range.low), 0, 1);
 }
-
-/// The least |Σ x w|, in support radii, at a surface.
-inline constexpr float least_normal = 0.05f;
 
 /// The outward normal of a particle at a surface, and its trapped air.
 template <class D>
@@ -47,7 +45,7 @@ struct FindSurface {
       air += w * (v2 * inverse_sqrt(v2) - dot(dv, d) * inverse_r);
     });
     const Vec3 n = (inverse_h / parameters.full_weight) * sum(outward);
-    const Vec3 unit = length(n) > least_normal ? normalized_or(n, {0, 0, 0}) : Vec3{0, 0, 0};
+    const Vec3 unit = length(n) > diffuse_tuning::least_normal ? normalized_or(n, {0, 0, 0}) : Vec3{0, 0, 0};
     normal[i] = pbd::with_w(unit, sum(air) / parameters.full_weight);
   }
 };
@@ -72,8 +70,9 @@ struct CountBirths {
     if (pbd::is_grain(phase[i]) || !(energy > 0)) return;
     const Vec4 self = normal[i];
     float rate = def.air_rate * share_of(def.air, self.w);
-    if (dot(self.xyz(), v) > 0.6f * length(v)) rate += def.crest_rate * share_of(def.crest, crest(i));
-    const float n = pbd::min(rate * energy * dt, 64);
+    if (dot(self.xyz(), v) > diffuse_tuning::crest_cosine * length(v))
+      rate += def.crest_rate * share_of(def.crest, crest(i));
+    const float n = pbd::min(rate * energy * dt, diffuse_tuning::most_births);
     const float whole = floorf(n);
     const float chance = random_numbers(number[i], step, 0).x;
     born[i] = static_cast<uint32_t>(whole) + (chance < n - whole);

@@ -3,6 +3,7 @@
 //
 // Calibrates the surface tension forces on the rest lattice, so that tensions are in N/m.
 #include "fluid/forces/surface_tension.h"
+#include "fluid/forces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ double flat_tension(double spacing, int reach, F force) {
 // h³/44V) |φ'|, where φ' = −315/ (256 h) is the slope of the smoothed edge. The measured period of a drop
 // shows a tension that is a sixth too high, for both terms together. Both are divided by that.
 TensionKernel calibrate_tension(const Kernel& kernel, double spacing) {
-  constexpr double measured_over_asked = 1.17;
+  using forces_tuning::measured_over_asked;
   const double h = kernel.h;
   TensionKernel t{kernel.h, static_cast<float>(4 / (h * h)), 1, 1};
   const double cohesion = flat_tension(spacing, static_cast<int>(std::ceil(h / spacing)),

@@ -7,6 +7,7 @@
 
 #include "fluid/kernel/density_kernels.h"
 #include "fluid/kernel/mirror_ghosts.h"
+#include "fluid/kernel/tuning.h"
 #include "pbd/contact_projection.h"
 
 namespace meniscus::fluid::density_kernels {
@@ -198,9 +199,9 @@ struct Measure {
       return;
     }
     error[slot[i]] = c.value;
-    // At a free surface |Σe| is about ½ over the spacing; inside it is the noise of disorder.
-    const float threshold2 = 0.04f / cbrtf(kernel.volume * kernel.volume);
-    full[slot[i]] = dot(c.gradient, c.gradient) < threshold2 && c.value > -0.3f ? 1.0f : 0.0f;
+    const float threshold2 = kernel_tuning::full_gradient2 / cbrtf(kernel.volume * kernel.volume);
+    full[slot[i]] =
+        dot(c.gradient, c.gradient) < threshold2 && c.value > kernel_tuning::full_density ? 1.0f : 0.0f;
   }
 };
 

@@ -20,6 +20,7 @@
 #pragma once
 
 #include "fluid/kernel/kernel.h"
+#include "fluid/kernel/tuning.h"
 #include "pbd/contacts.h"
 #include "pbd/particles.h"
 
@@ -228,7 +229,7 @@ MENISCUS_HD inline int place_for(const MirrorPlanes& m, float d) {
 /// registers.
 MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
   MirrorPlanes m{};
-  m.slack = 0.25f * h;
+  m.slack = kernel_tuning::mirror_slack * h;
   for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c) {
     const pbd::Contact& contact = contacts.contacts[c];
     const float d = plane_distance(contact, x);
@@ -249,7 +250,8 @@ MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uin
   for (int k = 1; k < MirrorPlanes::most; ++k) {  // two solids that form one wall share it
     MENISCUS_UNROLL
     for (int l = 0; l < k; ++l) {
-      if (dot(m.normal[k], m.normal[l]) > 0.9f) m.weight[k] = pbd::min(m.weight[k], 1 - m.weight[l]);
+      if (dot(m.normal[k], m.normal[l]) > kernel_tuning::same_wall)
+        m.weight[k] = pbd::min(m.weight[k], 1 - m.weight[l]);
     }
   }
   MENISCUS_UNROLL

@@ -6,6 +6,7 @@
 
 #include "fluid/kernel/density_wall_kernels.h"
 #include "fluid/pressure_grid/nodes_kernels.h"
+#include "fluid/pressure_grid/tuning.h"
 
 namespace meniscus::fluid::grid_kernels {
 
@@ -20,7 +21,8 @@ struct ExcessOf {
     // A motion that closes a gap is not resisted until the gap is closed.
     const float change = pbd::min(constraint - kept * last[i].relieved, pbd::max(constraint, 0.0f));
     // A slightly low density is disorder of the lattice, so its sign counts. A very low density is a surface.
-    return change * pbd::clamp(5 * constraint + 1.5f, 0.0f, 1.0f);
+    return change *
+           pbd::clamp(grid_tuning::disorder_slope * constraint + grid_tuning::disorder_offset, 0.0f, 1.0f);
   }
 };
 

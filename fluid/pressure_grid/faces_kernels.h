@@ -6,16 +6,13 @@
 
 #include "fluid/pressure_grid/multigrid_kernels.h"
 #include "fluid/pressure_grid/nodes_kernels.h"
+#include "fluid/pressure_grid/tuning.h"
 #include "pbd/neighbours.h"
 
 namespace meniscus::fluid::grid_kernels {
 
 using multigrid_kernels::along;
 using multigrid_kernels::Coefficients;
-
-/// Particles with fewer neighbours than this are separate drops, and take no part. Where the table wraps
-/// around they could be among the nodes of distant fluid.
-inline constexpr uint32_t least_neighbours = 4;
 
 /// The factors for a particle's weights on the faces of each axis, such that the weights of faces that can
 /// move it add up to 1. The factor is 0 if these weights almost vanish.
@@ -29,7 +26,7 @@ struct Normalize {
   View<Found> found;  ///< weights on nodes in solids are moved to the other nodes
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (neighbours.size(i) < least_neighbours) {
+    if (neighbours.size(i) < grid_tuning::least_neighbours) {
       scale[i] = {0, 0, 0, 0};
       found[i].w = 0;
       return;
@@ -42,7 +39,7 @@ struct Normalize {
       scale[i] = {1, 1, 1, mass_of(i)};
       return;
     }
-    found[i].w /= pbd::max(outside_solids(place), 0.1f);
+    found[i].w /= pbd::max(outside_solids(place), grid_tuning::least_outside);
     scale[i] = {inverse_total(place, 0), inverse_total(place, 1), inverse_total(place, 2), mass_of(i)};
   }
 
@@ -51,7 +48,7 @@ struct Normalize {
     for_each_face(space.nodes, place, axis, [&](uint32_t node, float weight) {
       if (map.face(node, axis) != Face::none) total += weight;
     });
-    return total > 0.05f ? 1 / total : 0.0f;
+    return total > grid_tuning::least_on_faces ? 1 / total : 0.0f;
   }
 
   MENISCUS_HD float outside_solids(const Place& place) const {
@@ -116,7 +113,7 @@ struct GatherFaces {
     const float inverse_width = space.cells.inverse_reach;
     const float fraction = sums.filled * volume * inverse_width * inverse_width * inverse_width;
     return {both & node_touched ? pbd::min(1.0f, fraction) : 1.0f, sums.mass,
-            sums.mass > 0 ? 1 / pbd::max(sums.mass, 0.5f * sums.heaviest) : 0.0f};
+            sums.mass > 0 ? 1 / pbd::max(sums.mass, grid_tuning::least_face_mass * sums.heaviest) : 0.0f};
   }
 
   /// The offset of a cell from the cell behind the face's node: along the face's axis, and across it.

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "fluid/pressure_grid/motion_kernels.h"
+#include "fluid/pressure_grid/tuning.h"
 
 namespace meniscus::fluid::grid_kernels {
 
@@ -42,10 +43,10 @@ struct NodeLoad {
 MENISCUS_HD inline Vec3 contact_weights(const Contact& c, Vec3 particle, float at_node, Vec3 area,
                                         float width) {
   if (pbd::is_attachment(c)) return {0, 0, 0};
-  const float near = pbd::clamp(1 - plane_distance(c, particle) / width, 0.01f, 1.0f);
+  const float near = pbd::clamp(1 - plane_distance(c, particle) / width, grid_tuning::least_nearness, 1.0f);
   const auto facing = [](float normal, float push) {
     const float along_push = push < 0 ? -normal : normal;
-    return 1e-5f + (along_push > 0 ? along_push * along_push : 0.0f);
+    return grid_tuning::least_facing + (along_push > 0 ? along_push * along_push : 0.0f);
   };
   const float weight = at_node * near * near;
   return weight * Vec3{facing(c.normal.x, area.x), facing(c.normal.y, area.y), facing(c.normal.z, area.z)};

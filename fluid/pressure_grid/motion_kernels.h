@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid/pressure_grid/sealed_component_kernels.h"
+#include "fluid/pressure_grid/tuning.h"
 
 namespace meniscus::fluid::grid_kernels {
 
@@ -105,7 +106,7 @@ struct MoveParticles {
   View<float> multiplier;  ///< kg·m², in the units of the density constraint's multipliers
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (neighbours.size(i) < least_neighbours) {
+    if (neighbours.size(i) < grid_tuning::least_neighbours) {
       multiplier[i] = 0;
       return;
     }

@@ -8,16 +8,9 @@
 #include <utility>
 
 #include "fluid/pressure_grid/multigrid.h"
+#include "fluid/pressure_grid/tuning.h"
 
 namespace meniscus::fluid {
-
-namespace multigrid_tuning {
-
-inline constexpr uint32_t small_bits = 6;  ///< one group of threads solves tables up to this size
-inline constexpr int small_sweeps =
-    2;  ///< before and after each visit of the coarser level; on other levels one
-
-}  // namespace multigrid_tuning
 
 template <class D>
 void Multigrid<D>::fit(const NodeTable& table) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid/pressure_grid/node_table.h"
+#include "fluid/pressure_grid/tuning.h"
 #include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
 
@@ -123,8 +124,6 @@ struct Parents {
 /// only the adjacent nodes determine p, is rounding. In a sealed component, p would be that of the sums
 /// divided by the remainder, and would dominate the solution.
 struct Coarsen {
-  static constexpr float rounding = 2e-6f;  // relative to the sum of the diagonals
-
   Level fine, coarse;
 
   MENISCUS_HD void operator()(uint32_t node) const {
@@ -153,7 +152,7 @@ struct Coarsen {
         }
       }
     });
-    self.w = faces + (extra > rounding * whole ? extra : 0.0f);
+    self.w = faces + (extra > multigrid_tuning::coarse_rounding * whole ? extra : 0.0f);
     coarse.coefficients[node] = self;
   }
 
@@ -201,7 +200,7 @@ struct ProlongAndRelax {
 
 /// The levels that one group of threads solves alone, as a launch would take longer than its work.
 struct SmallLevels {
-  static constexpr uint32_t most = 7;  // from 2^6 nodes on, halved on one axis at least
+  static constexpr uint32_t most = multigrid_tuning::small_bits + 1;  // halved on one axis at least
   Level level[most];
   uint32_t count;
   int sweeps;

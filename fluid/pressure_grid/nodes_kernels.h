@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid/pressure_grid/space.h"
+#include "fluid/pressure_grid/tuning.h"
 
 namespace meniscus::fluid::grid_kernels {
 
@@ -45,14 +46,6 @@ MENISCUS_HD inline float fraction_behind(float distance) {
   const float a = pbd::max(0.0f, 1 - fabsf(distance)), half = 0.5f * a * a;
   return distance > 0 ? half : 1 - half;
 }
-
-/// The greatest depth in a solid, in widths of a cell, at which a node is an unknown. Half a width deeper
-/// than the fluid, no face moves any particle.
-inline constexpr float deepest = -0.45f;
-
-/// The least weight of a particle on a node at which the particle counts there. If a particle that touches a
-/// solid has no weight, as at its cell's border, its contacts could not receive the node's load.
-inline constexpr float least_weight = 1e-6f;
 
 /// The inputs of the classification.
 struct NodeSources {
@@ -117,12 +110,12 @@ struct GatherNodes {
 
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
     const float weight = node_weight(away);
-    if (weight < least_weight) return;
+    if (weight < grid_tuning::least_weight) return;
     float open = 1, open_by_cloth = 1;
     bool hidden = false;
     for (uint32_t k = from.contacts.start[i]; k < from.contacts.start[i + 1]; ++k) {
       const Contact& c = from.contacts.contacts[k];
-      if (pbd::is_attachment(c) || c.fraction < 0.5f) continue;
+      if (pbd::is_attachment(c) || c.fraction < grid_tuning::least_wall) continue;
       const float distance =
           from.space.cells.inverse_reach * plane_distance(c, from.position[i].xyz()) + dot(c.normal, away);
       const float share = 1 - fraction_behind(distance);
@@ -138,14 +131,14 @@ struct GatherNodes {
 
   /// Cloth is a wall where there is fluid on one of its sides.
   MENISCUS_HD static uint32_t flags_of(const Sight& sight, float share) {
-    constexpr float few = 0.05f;
+    using namespace grid_tuning;
     Walls walls = sight.solids;
     const float seen = sight.weight - sight.hidden;
-    if (any_moving && pbd::min(seen, sight.hidden) <= few * sight.weight) walls.add(sight.sheets);
+    if (any_moving && pbd::min(seen, sight.hidden) <= dry_side * sight.weight) walls.add(sight.sheets);
     uint32_t flags = walls.touched ? node_touched : 0u;
     if (walls.distance < deepest)
       flags |= node_solid;
-    else if (share > (walls.open < 0.5f ? 0.3f : 0.5f) * walls.open)
+    else if (share > (walls.open < mostly_open ? filled_beside_walls : grid_tuning::filled) * walls.open)
       flags |= node_fluid;
     for (int b = 0; b < 6; ++b) {
       if (walls.beside[b] < deepest) flags |= wall_flag(b / 2, b % 2);

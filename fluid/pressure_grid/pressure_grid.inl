@@ -8,18 +8,9 @@
 
 #include "fluid/pressure_grid/multigrid.inl"
 #include "fluid/pressure_grid/pressure_grid.h"
+#include "fluid/pressure_grid/tuning.h"
 
 namespace meniscus::fluid {
-
-namespace grid_tuning {
-
-inline constexpr int iterations = 2;          ///< of conjugate gradients
-inline constexpr float fraction = 0.9f;       ///< ω
-inline constexpr float recovery = 30;         ///< 1/s: the rate at which old errors are corrected
-inline constexpr float most_lacking = 0.02f;  ///< of a node's volume; a lack up to this counts as noise
-inline constexpr float farthest = 0.5f;       ///< spacings, the greatest displacement of particles by a face
-
-}  // namespace grid_tuning
 
 template <class D>
 void PressureGrid<D>::reserve(uint32_t size) {

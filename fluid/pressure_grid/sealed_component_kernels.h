@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "fluid/pressure_grid/faces_kernels.h"
+#include "fluid/pressure_grid/tuning.h"
 #include "pbd/union_find.h"
 
 namespace meniscus::fluid::grid_kernels {
@@ -103,7 +104,7 @@ struct MarkOpen {
       if (components.is_fluid(before)) within += along(components.coefficients[before], axis);
       if (components.is_fluid(after)) within += along(self, axis);
     }
-    return self.w - within > 1e-6f * self.w;
+    return self.w - within > grid_tuning::sealed_rounding * self.w;
   }
 };
 

@@ -15,17 +15,18 @@
 
 #include <meniscus/outputs.h>
 
+#include "fluid/surface/tuning.h"
 #include "pbd/substep.h"
 
 namespace meniscus::fluid {
 
 struct AnisotropyParameters {
-  float support = 0;         ///< h, m
-  float smoothing = 0.9f;    ///< λ
-  float ratio = 4;           ///< k: the longest radius over the shortest, at most
-  float radius = 0;          ///< m: with neighbours
-  float lone_radius = 0;     ///< m: of a single particle
-  float grain_radius = 0;    ///< m
+  float support = 0;                                    ///< h, m
+  float smoothing = surface_tuning::smoothing;          ///< λ
+  float ratio = surface_tuning::longest_over_shortest;  ///< k
+  float radius = 0;                                     ///< m: with neighbours
+  float lone_radius = 0;                                ///< m: of a single particle
+  float grain_radius = 0;                               ///< m
   float surface_weight = 0;  ///< Σ w of a particle at a flat surface, itself included
 };
 

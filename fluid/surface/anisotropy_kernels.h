@@ -7,6 +7,7 @@
 #include "fluid/kernel/kernel.h"
 #include "fluid/surface/anisotropy.h"
 #include "fluid/surface/principal_axes.h"
+#include "fluid/surface/tuning.h"
 
 namespace meniscus::fluid::anisotropy_kernels {
 
@@ -48,9 +49,8 @@ MENISCUS_HD inline Ellipsoid ellipsoid_of(const AnisotropyParameters& p, Vec3 x,
   const Vec3 m = inverse * Vec3{s.first.x, s.first.y, s.first.z};
   const Symmetric3 c{inverse * s.xx - m.x * m.x, inverse * s.yy - m.y * m.y, inverse * s.zz - m.z * m.z,
                      inverse * s.xy - m.x * m.y, inverse * s.xz - m.x * m.z, inverse * s.yz - m.y * m.z};
-  // It rises from a sixth of a flat surface's weight, about two neighbours, to more than half of it. A thin
-  // layer has 0.6.
-  const float fraction = pbd::clamp(2.6f * (weight / p.surface_weight) - 0.44f, 0, 1);
+  const float fraction = pbd::clamp(
+      surface_tuning::ellipsoid_slope * (weight / p.surface_weight) - surface_tuning::ellipsoid_offset, 0, 1);
   const PrincipalAxes axes = principal_axes(c);
   Vec3 radii{sqrtf(pbd::max(axes.values.x, 0)), sqrtf(pbd::max(axes.values.y, 0)),
              sqrtf(pbd::max(axes.values.z, 0))};

@@ -4,6 +4,7 @@
 // Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix, for kernels.
 #pragma once
 
+#include "fluid/surface/tuning.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::fluid {
@@ -43,7 +44,7 @@ MENISCUS_HD inline void turn(float& a, float& b, float& off, float& o1, float& o
 MENISCUS_HD inline PrincipalAxes principal_axes(Symmetric3 m) {
   using principal_axes_detail::turn;
   Quat q{0, 0, 0, 1};
-  for (int sweep = 0; sweep < 5; ++sweep) {
+  for (int sweep = 0; sweep < surface_tuning::jacobi_sweeps; ++sweep) {
     turn(m.xx, m.yy, m.xy, m.xz, m.yz, q, {0, 0, 1});
     turn(m.yy, m.zz, m.yz, m.xy, m.xz, q, {1, 0, 0});
     turn(m.zz, m.xx, m.xz, m.yz, m.xy, q, {0, 1, 0});

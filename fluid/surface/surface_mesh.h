@@ -19,17 +19,18 @@
 #include "fluid/surface/anisotropy.h"
 #include "fluid/surface/block_grid.h"
 #include "fluid/surface/marching_cubes.h"
+#include "fluid/surface/tuning.h"
 #include "pbd/particles.h"
 
 namespace meniscus::fluid {
 
 struct SurfaceField {
-  float cell = 0;         ///< m, between nodes
-  float reach = 1.5f;     ///< of a particle's influence, in radii of its ellipsoid
-  float weight = 0;       ///< a at unit_volume
-  float power = 0;        ///< exponent of unit_volume over an ellipsoid's own volume
-  float unit_volume = 0;  ///< m³, the product of the radii inside a fluid
-  float iso = 0;          ///< φ at the surface
+  float cell = 0;                       ///< m, between nodes
+  float reach = surface_tuning::reach;  ///< of a particle's influence, in radii of its ellipsoid
+  float weight = 0;                     ///< a at unit_volume
+  float power = 0;                      ///< exponent of unit_volume over an ellipsoid's own volume
+  float unit_volume = 0;                ///< m³, the product of the radii inside a fluid
+  float iso = 0;                        ///< φ at the surface
 };
 
 /// For rest spacing s and support radius h, m; sets all fields but the cell. Takes milliseconds.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid/surface/surface_mesh.h"
+#include "fluid/surface/tuning.h"
 
 namespace meniscus::fluid::surface_kernels {
 
@@ -203,8 +204,8 @@ struct WriteVertices {
     for (uint32_t a = 0; a < 3; ++a) {
       if (!(cut >> a & 1)) continue;
       const GridPlace end = FieldView::corner(1u << a);
-      // Kept away from the nodes, where the vertices of several edges would coincide.
-      const float t = pbd::clamp(crossing(field.values[i], field.at(i, end)), 1e-3f, 1 - 1e-3f);
+      const float t = pbd::clamp(crossing(field.values[i], field.at(i, end)), surface_tuning::least_from_node,
+                                 1 - surface_tuning::least_from_node);
       const Vec3 along{static_cast<float>(end.x), static_cast<float>(end.y), static_cast<float>(end.z)};
       vertices[to] = cell * (place + t * along);
       const Vec3 slope = (1 - t) * slope_at(i, {0, 0, 0}) + t * slope_at(i, end);

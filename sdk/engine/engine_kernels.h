@@ -8,6 +8,7 @@
 #include "pbd/math/hash.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"
+#include "sdk/engine/tuning.h"
 
 namespace meniscus::engine_kernels {
 
@@ -93,7 +94,7 @@ struct NotePlaced {
     const collision::Touch touch = touches.of(i);
     const uint32_t attached_body = touches.body_of(i);
     const Vec3 p = position[i].xyz();
-    const float least = 0.5f * touch.radius;
+    const float least = engine_tuning::overlapping * touch.radius;
     bool is_in = false;
     candidates.for_each(i, [&](uint32_t k) {
       const collision::Shape& shape = set.shapes[k];

@@ -10,6 +10,7 @@
 #include "pbd/device/buffer.h"
 #include "sdk/engine/engine.h"
 #include "sdk/engine/free_room_kernels.h"
+#include "sdk/engine/tuning.h"
 
 namespace meniscus {
 
@@ -65,9 +66,8 @@ class FreeRoom {
   }
 
  private:
-  float apart() const { return 0.7f * spacing_; }
-  /// Half a spacing, less a margin for rounding.
-  float clearance() const { return 0.49f * spacing_; }
+  float apart() const { return engine_tuning::apart * spacing_; }
+  float clearance() const { return engine_tuning::clearance * spacing_; }
 
   void fill_table(std::span<const Arrival> arrivals) {
     points_.clear();

@@ -4,13 +4,14 @@
 // Removes seed points that are too near to cloth.
 #include "collision/mesh/triangle_bvh_query.h"
 #include "pbd/filter.h"
+#include "sdk/engine/tuning.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
 
 void World::Impl::keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter) {
   // As beside solids, the margin keeps rounding from removing a layer that just fits.
-  const float clearance = 0.49f * def.particle_spacing;
+  const float clearance = engine_tuning::clearance * def.particle_spacing;
   fetch_cloth();
   cloths.for_each([&](uint32_t, const ClothEntry& entry) {
     if (points.empty() || !pbd::meet(entry.def.filter, filter)) return;

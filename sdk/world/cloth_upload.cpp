@@ -10,6 +10,7 @@
 #include "cloth/build/merge.h"
 #include "cloth/build/tearing.h"
 #include "pbd/filter.h"
+#include "sdk/world/tuning.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
@@ -119,7 +120,10 @@ class Assembly {
   /// contact has too many vertices.
   float spread_on(const ClothEntry& entry) const {
     const float edge = mean_edge(entry.mesh);
-    return edge < 0.9f * spacing_ ? std::min(std::max(1.2f * edge, spacing_), 2.6f * edge) : 0.0f;
+    return edge < world_tuning::fine_mesh * spacing_
+               ? std::min(std::max(world_tuning::least_spread * edge, spacing_),
+                          world_tuning::most_spread * edge)
+               : 0.0f;
   }
 
   cloth::Piece piece_of(const ClothEntry& entry) const {
@@ -242,7 +246,6 @@ void World::Impl::note_cloth_step(float dt) {
 }
 
 void World::Impl::tear_cloth() {
-  constexpr uint32_t most_splits = 64;  // per piece and step
   if (vertex_count == 0 || !engine->found_tears()) return;
   read_reactions();
   fetch_cloth();
@@ -259,7 +262,7 @@ void World::Impl::tear_cloth() {
         if (stretch > 1 + limit) edges.push_back({std::min(a, b), std::max(a, b), stretch});
       }
     }
-    const auto torn = cloth::tear_along(entry.mesh, range.state.positions, edges, most_splits);
+    const auto torn = cloth::tear_along(entry.mesh, range.state.positions, edges, world_tuning::most_splits);
     if (torn.empty()) return;
     cloth_is_on_device = false;
     for (const cloth::TornVertex& t : torn) {

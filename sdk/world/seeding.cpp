@@ -15,6 +15,8 @@
 #include "collision/mesh/mesh.h"
 #include "pbd/math/vec.h"
 #include "sdk/engine/point_table.h"
+#include "sdk/engine/tuning.h"
+#include "sdk/world/tuning.h"
 
 namespace meniscus {
 
@@ -75,7 +77,9 @@ std::vector<Vec3> shaken(std::vector<Vec3> points, Engine& engine, float spacing
                          const CollisionFilter& filter) {
   const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
   std::mt19937 random(1);
-  const auto shift = [&] { return spacing * (static_cast<float>(random()) * 0x1p-32f - 0.5f) * 0.5f; };
+  const auto shift = [&] {
+    return spacing * (static_cast<float>(random()) * 0x1p-32f - 0.5f) * world_tuning::shaking;
+  };
   for (size_t i = 0; i < points.size(); ++i) {
     const float x = shift(), y = shift(), z = shift();
     if (distance[i] >= spacing) points[i] += Vec3{x, y, z};
@@ -85,9 +89,7 @@ std::vector<Vec3> shaken(std::vector<Vec3> points, Engine& engine, float spacing
 
 std::vector<Vec3> safe_points(std::span<const Vec3> points, std::span<const Vec3> taken, Engine& engine,
                               float spacing, const CollisionFilter& filter) {
-  // In a lattice that just fits a container, the outer layer is half a spacing from the walls. The margin
-  // absorbs rounding.
-  const float clearance = 0.49f * spacing, apart = 0.7f * spacing;
+  const float clearance = engine_tuning::clearance * spacing, apart = engine_tuning::apart * spacing;
   const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
   PointTable near;
   near.fill(taken, apart);

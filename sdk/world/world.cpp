@@ -10,6 +10,7 @@
 
 #include "sdk/world/check/check.h"
 #include "sdk/world/seeding.h"
+#include "sdk/world/tuning.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
@@ -146,7 +147,7 @@ void World::remove_particles(std::span<const ParticleId> gone) {
 void World::relax(int iterations) {
   check::value("relax's iterations", iterations, between(0, 100000));
   impl_->read_reactions();  // of the last step
-  impl_->with_all().relax(0.001f, iterations);
+  impl_->with_all().relax(world_tuning::relaxing_step, iterations);
   impl_->state_changed();
   impl_->cloth_is_on_host = impl_->vertex_count == 0;
 }

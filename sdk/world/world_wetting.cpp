@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "sdk/world/cloth/cloth_water.h"
+#include "sdk/world/tuning.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
@@ -117,7 +118,8 @@ uint32_t World::Impl::drip(Vec3 down, std::vector<WetPiece>& wet) {
   for (WetPiece& piece : wet) {
     const ClothEntry& entry = cloths.get(piece.id);
     // Below the cloth's contact distance; otherwise it would absorb the drop again.
-    const float below = 1.6f * std::max(def.contact_radius * def.particle_spacing, 0.5f * entry.thickness);
+    const float below = world_tuning::drop_distance *
+                        std::max(def.contact_radius * def.particle_spacing, 0.5f * entry.thickness);
     piece.dripping.resize(std::min(piece.dripping.size(), planned_drips - places.size()));
     for (const uint32_t v : piece.dripping) {
       const Vec3 to = entry.range.state.positions[v] + below * down;

@@ -14,6 +14,7 @@
 #include "sdk/world/check/check.h"
 #include "sdk/world/cloth/cloth_shapes.h"
 #include "sdk/world/cloth/cloth_water.h"
+#include "sdk/world/cloth/tuning.h"
 
 namespace meniscus {
 
@@ -127,7 +128,8 @@ ClothEntry make_cloth(const ClothDef& def) {
   }
   build_constraints(entry);
   if (def.fabric.absorbency > 0) entry.water.resize(entry.range.masses.size());
-  entry.thickness = def.fabric.thickness > 0 ? def.fabric.thickness : 0.25f * mean_edge(entry.mesh);
+  entry.thickness = def.fabric.thickness > 0 ? def.fabric.thickness
+                                             : cloth_world_tuning::default_thickness * mean_edge(entry.mesh);
   VertexRange& range = entry.range;
   range.filter = def.filter;
   range.contact_radius = 0.5f * entry.thickness;

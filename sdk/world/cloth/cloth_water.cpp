@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "pbd/mesh_edges.h"
+#include "sdk/world/cloth/tuning.h"
 
 namespace meniscus {
 
@@ -68,8 +69,8 @@ ClothWater::ClothWater(ClothEntry& entry, double particle_mass, std::vector<bool
       open_(open_pores(entry.mesh, entry.range.state.positions)),
       momentum_(dry_.size()),
       way_(dry_.size(), infinite) {
-  // 1.5 times the radius of the circle that a particle fills, and an edge.
-  reach_ = 1.5 * std::sqrt(particle_ / (M_PI * double{entry.def.fabric.absorbency})) +
+  reach_ = cloth_world_tuning::wetting_reach *
+               std::sqrt(particle_ / (M_PI * double{entry.def.fabric.absorbency})) +
            double{mean_edge(entry.mesh)};
   for (uint32_t v = 0; v < dry_.size(); ++v) {
     const Vec3 u = entry.range.state.velocities[v];
@@ -176,9 +177,10 @@ std::vector<uint32_t> ClothWater::dripping(Vec3 down) {
   for (uint32_t v = 0; v < water_.size(); ++v) {
     if (surplus(v) == 0) continue;
     const auto edges = entry_.graph.of(v);
-    if (std::all_of(
-            edges.begin(), edges.end(),
-            [&](const VertexGraph::Edge& e) { return dot(x[e.to] - x[v], down) <= 0.02f * e.length; }) &&
+    if (std::all_of(edges.begin(), edges.end(),
+                    [&](const VertexGraph::Edge& e) {
+                      return dot(x[e.to] - x[v], down) <= cloth_world_tuning::level * e.length;
+                    }) &&
         !gather(v, [&](uint32_t u) { return surplus(u); }).empty())
       lowest.push_back(v);
   }

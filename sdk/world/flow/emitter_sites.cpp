@@ -12,6 +12,7 @@
 #include "collision/mesh/mesh.h"
 #include "pbd/math/vec.h"
 #include "sdk/world/check/check.h"
+#include "sdk/world/flow/tuning.h"
 #include "sdk/world/solids/surface_samples.h"
 
 namespace meniscus {
@@ -19,7 +20,6 @@ namespace meniscus {
 namespace {
 
 constexpr double most_places = 1e6;
-constexpr double closest = 0.7;  // spacings: at a smaller distance a particle has no room
 
 void check_size(const char* name, double area, double spacing) {
   if (area / (spacing * spacing) <= most_places) return;
@@ -31,7 +31,7 @@ void check_size(const char* name, double area, double spacing) {
 /// The number of particles side by side: one per spacing squared. It is rounded so that layers are never
 /// closer than `closest`.
 int places_on(double area, double spacing) {
-  return std::max(1, static_cast<int>(area / (spacing * spacing) + 0.6));
+  return std::max(1, static_cast<int>(area / (spacing * spacing) + flow_tuning::place_rounding));
 }
 
 /// The `count` points of a square lattice that are nearest to its origin, relative to their centre. The
@@ -64,11 +64,12 @@ std::pair<int, int> divide(double width, double depth, double spacing) {
   const int columns = static_cast<int>(width / spacing), rows = static_cast<int>(depth / spacing);
   for (int c : {columns, columns + 1}) {
     for (int r : {rows, rows + 1}) {
-      const double least_side = 0.999 * closest * spacing;
+      const double least_side = 0.999 * flow_tuning::closest * spacing;
       const bool too_close = (c > 1 && width < c * least_side) || (r > 1 && depth < r * least_side);
       if (c < 1 || r < 1 || too_close) continue;
       const double layer = c * r * spacing * spacing / (width * depth);
-      const double off = std::fabs(std::log(layer)) + (layer < closest ? 10 : 0);
+      const double off =
+          std::fabs(std::log(layer)) + (layer < flow_tuning::closest ? flow_tuning::close_layer_cost : 0);
       if (off < least) best = {c, r};
       least = std::min(least, off);
     }

@@ -12,6 +12,7 @@
 #include "collision/mesh/triangle.h"
 #include "pbd/math/vec.h"
 #include "sdk/engine/point_table.h"
+#include "sdk/world/solids/tuning.h"
 
 namespace meniscus {
 
@@ -68,10 +69,11 @@ class Elimination {
     for (uint32_t i = 0; i < points.size(); ++i) {
       table.view().for_each_near(points[i], [&](uint32_t j) {
         const double d = double{length(points[j] - points[i])};
-        if (j == i || d >= 2 * radius || dot(samples[i].normal, samples[j].normal) < -0.5f) return;
+        if (j == i || d >= 2 * radius || dot(samples[i].normal, samples[j].normal) < solids_tuning::same_side)
+          return;
         const auto known = [&](const Crowding& c) { return c.other == j; };
         if (std::any_of(crowds_[i].begin(), crowds_[i].end(), known)) return;
-        crowds_[i].push_back({j, std::pow(1 - d / (2 * radius), 8)});
+        crowds_[i].push_back({j, std::pow(1 - d / (2 * radius), solids_tuning::crowding_exponent)});
         weight_[i] += crowds_[i].back().weight;
       });
     }

@@ -13,6 +13,7 @@
 #include "collision/mesh/lattice.h"
 #include "collision/mesh/mesh.h"
 #include "sdk/world/solids/container_walls.h"
+#include "sdk/world/solids/tuning.h"
 
 namespace meniscus {
 
@@ -68,7 +69,7 @@ class SolidBuilder {
     const bool falls = role_ == SolidRole::dynamic;
     const auto mesh = std::make_shared<const TriangleMesh>(falls ? collision::load_solid(g.file, g.scale)
                                                                  : collision::load_mesh(g.file, g.scale));
-    const float cell_size = g.cell_size > 0 ? g.cell_size : 0.5f * context_.spacing;
+    const float cell_size = g.cell_size > 0 ? g.cell_size : solids_tuning::field_cell * context_.spacing;
     weigh([&](double d) {
       return collision::mesh_mass(*mesh, d);
     });  // may throw, so it comes before a field is made
@@ -77,7 +78,7 @@ class SolidBuilder {
   }
   void operator()(const HullGeometry& g) {
     const auto mesh = std::make_shared<const TriangleMesh>(collision::hull_mesh(g.points));
-    const float cell_size = 0.5f * context_.spacing;
+    const float cell_size = solids_tuning::field_cell * context_.spacing;
     collision::lattice_around(collision::bounds(*mesh), cell_size, context_.reach,
                               "half of WorldDef::particle_spacing");  // a field's, which may be too large
     add_field(*mesh, cell_size, 0);

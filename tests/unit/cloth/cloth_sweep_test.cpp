@@ -85,7 +85,7 @@ struct Crumpled {
                      .multiplier = view_of(edge_multiplier),
                      .relaxation = 1.2f,
                      .fraction = starts ? 0.9f : 1,
-                     .momentum = starts ? 0 : stretch_kernels::round_momentum,
+                     .momentum = starts ? 0 : cloth_tuning::round_momentum,
                      .shears = starts,
                      .ends = !starts,
                      .next_fraction = 0.7f},

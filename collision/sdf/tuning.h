@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The tuned constants of signed distance fields and density maps: symbol or name, unit, why this value, and
+// the test that notices.
+#pragma once
+
+#include <cstdint>
+
+namespace meniscus::collision::sdf_tuning {
+
+/// Steps of the grid, and samples of the quadrature, in a support radius of the density map.
+/// Test: DensityMap.EdgesAndCornersOfABoxAgreeWithQuadrature.
+inline constexpr double steps_a_radius = 8, samples_a_radius = 4;
+
+/// Of a step: a cell of h/4 counts as one despite rounding.
+/// Test: DensityQuadrature.CellsAreDividedAsOftenAsAllowed.
+inline constexpr double step_rounding = 1e-4;
+
+/// Random points near a mesh at which the error of its field is measured, beside the points on it.
+/// Test: SdfToError.CellsAreAsSmallAsTheTargetAsks.
+inline constexpr uint32_t strewn_points = 1u << 15;
+
+/// The winding numbers between which a point lies beside a hole, where the sign of the distance is open.
+/// Test: SdfToError.AHoleIsNoError.
+inline constexpr float least_beside_hole = 0.1f, most_beside_hole = 0.9f;
+
+/// Cells along the longest side of a mesh in the first grid that is tried for a given error.
+/// Test: none.
+inline constexpr float first_cells = 8;
+
+}  // namespace meniscus::collision::sdf_tuning

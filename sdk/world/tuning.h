@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The tuned constants of World: symbol or name, unit, why this value, and the test that notices.
+#pragma once
+
+#include <cstdint>
+
+namespace meniscus::world_tuning {
+
+/// Spacings: the range within which the points of a fluid that is shaken lie around their lattice. It breaks
+/// the lattice and lets no two points come close.
+/// Test: none.
+inline constexpr float shaking = 0.5f;
+
+/// Spacings: a mesh with shorter edges, in the mean, spreads contacts with fluid over vertices. On a coarser
+/// one each triangle has its own particles.
+/// Test: FluidAndCloth.FineLightClothBearsDeepWater.
+inline constexpr float fine_mesh = 0.9f;
+
+/// Mean edges: the least and the largest radius over which a contact is spread. Every vertex between
+/// particles must get its part, and no contact may have too many vertices.
+/// Test: FluidAndCloth.FineLightClothBearsDeepWater.
+inline constexpr float least_spread = 1.2f, most_spread = 2.6f;
+
+/// Vertices that are split in a piece and step, at most. It bounds the work where much tears at once.
+/// Test: none.
+inline constexpr uint32_t most_splits = 64;
+
+/// Contact distances: how far below a wet piece a drop appears. Nearer, cloth would absorb it again.
+/// Test: WetCloth.HungUpItDripsAndIsHeavierByWhatItKeeps.
+inline constexpr float drop_distance = 1.6f;
+
+/// s: the step of a relaxation. It is short, so that nothing passes through anything.
+/// Test: none.
+inline constexpr float relaxing_step = 0.001f;
+
+}  // namespace meniscus::world_tuning
