@@ -19,6 +19,15 @@ using pbd::square_root;
 using pbd::Vec3Of;
 using pbd::Vec4Of;
 
+/// What a solve of chains continues from.
+enum class ChainStage : uint32_t {
+  absorbs_pending,    ///< no multipliers; pushes are pending
+  starts,             ///< no multipliers
+  follows_absorbing,  ///< the pushes that absorbed the pending ones. These stand in the multiplier beside λ
+                      ///< of the last substep, which serves only as the tension of the chain.
+  continues,          ///< the last solve of the substep
+};
+
 /// XPBD for all edges of a chain at once (the direct solve of Deul et al. 2018, for points), with the
 /// geometric stiffness of taut edges (Tournier et al. 2015). An edge with multiplier λ and length l that
 /// turns by Δd across itself pushes with λ Δd/l. Without this term a taut chain flies to the sides wherever
@@ -57,16 +66,13 @@ struct SolveChains {
   View<const EdgeConstraint> edges;
   View<Vec4> multiplier;  ///< kg·m: the impulse that an edge pushes with, and λ
   VertexState all;
-  View<Vec4> pending;         ///< kg·m, by vertex; empty if nothing is pending
+  View<Vec4> pending;         ///< kg·m, by vertex; if the stage absorbs them
   View<Vec4> effective_mass;  ///< see Substep::effective_mass
   /// By piece, see load_kernels::Load; empty if no piece may be loaded. Chains of loaded pieces absorb
   /// nothing that is pending, and start without the multipliers of the last substep. If this view is empty,
   /// all chains start without them.
   View<const uint32_t> loaded;
-  bool starts;
-  /// This is the first solve after pending pushes were absorbed. These stand in the multiplier beside λ of
-  /// the last substep, which serves only as the tension of the chain.
-  bool takes_over;
+  ChainStage stage;
   uint32_t first, end;  ///< chains of the layer
 
   /// Loads constants: the rest lengths of edges, and their compliances into the diagonal.
@@ -117,7 +123,7 @@ class SolveChainsAtOnce {
       : s_(solve),
         scratch_(scratch),
         chains_(chains),
-        bears_(solve.starts && any_bears() ? bears() : Real(0)),
+        bears_(starts() && any_bears() ? bears() : Real(0)),
         kept_(kept()) {}
 
   MENISCUS_HD void run(const Group& group) const {
@@ -181,7 +187,12 @@ class SolveChainsAtOnce {
     return has_effective_mass() ? gather(s_.effective_mass, vertex(k).index()).w : Real(0);
   }
   MENISCUS_HD bool has_effective_mass() const { return s_.effective_mass.count > 0; }
-  MENISCUS_HD bool puts_aside() const { return s_.pending.count > 0; }
+  MENISCUS_HD bool puts_aside() const { return s_.stage == ChainStage::absorbs_pending; }
+  MENISCUS_HD bool follows_absorbing() const { return s_.stage == ChainStage::follows_absorbing; }
+  /// Whether chains start without the multipliers of the last substep, or those of loaded pieces do.
+  MENISCUS_HD bool starts() const {
+    return follows_absorbing() ? any_bears() : s_.stage != ChainStage::continues;
+  }
   MENISCUS_HD bool any_bears() const { return s_.loaded.count > 0; }
   MENISCUS_HD Real bears() const {
     const Places starts = start_of(0);
@@ -190,7 +201,7 @@ class SolveChainsAtOnce {
     });
   }
   MENISCUS_HD Real kept() const {
-    if (!s_.starts) return Real(1);
+    if (!starts()) return Real(1);
     return any_bears() && !puts_aside() ? Real(1) - bears_ : Real(0);
   }
   MENISCUS_HD Vector pending(const Places& v) const { return gather(s_.pending, v.index()).xyz(); }
@@ -253,7 +264,7 @@ class SolveChainsAtOnce {
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
                                             Real(recovery_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
-    const Real before = kept_ * (s_.takes_over ? chains_.if_edge(k, along(multiplier.xyz(), n)) : last);
+    const Real before = kept_ * (follows_absorbing() ? chains_.if_edge(k, along(multiplier.xyz(), n)) : last);
     Real rate = dot(n, d - then);
     if (puts_aside()) {
       error = dot(n, b.w * pending(to) - a.w * pending(from));
@@ -296,9 +307,10 @@ class SolveChainsAtOnce {
 
   /// kg·m, and λ: what edge k has pushed its end with so far in this substep.
   MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
-    if (s_.starts && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
+    if (starts() && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
     const Vec4Of<Real> v = gather(s_.multiplier, chains_.edge(k).index());
-    const Real kept = chains_.if_edge(k, kept_), lambda = s_.takes_over ? along(v.xyz(), edge(k).n) : v.w;
+    const Real kept = chains_.if_edge(k, kept_),
+               lambda = follows_absorbing() ? along(v.xyz(), edge(k).n) : v.w;
     return {kept * v.x, kept * v.y, kept * v.z, kept * lambda};
   }
   /// λ of an edge that pushes along itself, in either direction.

@@ -19,6 +19,7 @@ namespace meniscus::cloth {
 namespace stretch_kernels {
 struct SolveEdge;
 }
+enum class ChainStage : uint32_t;
 
 struct ClothSolverParameters {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear outside chains, 1 to 1.3
@@ -87,28 +88,32 @@ class ClothSet final : public pbd::ConstraintSet<D> {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
   View<Vec4> chain_multiplier() { return edge_multiplier_.view().from(first_chain_edge_); }
-  /// How a sweep runs over the constraints.
-  struct Turn {
-    bool starts = false;      ///< the multipliers of the substep start here
-    bool backwards = false;   ///< through passes, colours and layers
-    bool goes_on = false;     ///< continues from the round before
-    bool takes_over = false;  ///< the first solve after chains absorbed pending pushes
-    bool ends = false;        ///< the last turn of the substep for edges
+  /// Through passes, colours and layers.
+  enum class Direction { forwards, backwards };
+  /// What a sweep continues from. The multipliers of a substep start in its first iteration.
+  enum class Follows { last_substep, last_iteration, last_round };
+  struct SweepOrder {
+    Follows follows;
+    Direction direction;
+    bool ends = false;  ///< the last sweep of the substep
+
+    bool starts() const { return follows == Follows::last_substep; }
+    bool is_backwards() const { return direction == Direction::backwards; }
   };
-  void bend(pbd::Substep<D>& substep, const Turn& turn);
-  void stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn);
-  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
+  void bend(pbd::Substep<D>& substep, const SweepOrder& order);
+  void stretch(pbd::Substep<D>& substep, int rounds, const SweepOrder& order);
+  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const SweepOrder& order);
   bool starts_from_last() const { return share_ > 0 && first_chain_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
   /// Whether any piece may be loaded. Its multipliers must then be forgotten.
   static bool may_bear(const pbd::Substep<D>& substep) {
     return substep.effective_mass.count > 0 || substep.fluid_near.count > 0;
   }
-  stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const Turn& turn);
-  void sweep_colours(pbd::Substep<D>& substep, const Turn& turn);
+  stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const SweepOrder& order);
+  void sweep_colours(pbd::Substep<D>& substep, const SweepOrder& order);
   void note_loads(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
-  void solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
+  void solve_chains(pbd::Substep<D>& substep, ChainStage stage, Direction direction);
   void apply_gas(pbd::Substep<D>& substep, bool starts);
 
   D& device_;

@@ -165,7 +165,7 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   device_.parallel_for("cloth/start", vertex_count_,
                        StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
                                    pending_.view()});
-  solve_chains(substep, {.starts = true}, pending_.view());
+  solve_chains(substep, ChainStage::absorbs_pending, Direction::forwards);
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
 
@@ -200,66 +200,67 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (iteration == 0 && starts_from_last()) start_from_last(substep);
   // The constraint that is solved last holds best: lengths or, where there is gas, its volume.
   const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
-  const Turn turn{
-      .starts = iteration == 0, .backwards = turns % 2 != 0, .ends = iteration + 1 == substep.iterations};
-  if (any_gas_ && !turn.backwards) apply_gas(substep, turn.starts);
+  const SweepOrder order{.follows = iteration == 0 ? Follows::last_substep : Follows::last_iteration,
+                         .direction = turns % 2 != 0 ? Direction::backwards : Direction::forwards,
+                         .ends = iteration + 1 == substep.iterations};
+  const bool backwards = order.is_backwards();
+  if (any_gas_ && !backwards) apply_gas(substep, order.starts());
   // Rounds improve the final state. Iterations that others follow do without them.
-  const int rounds = turn.ends ? parameters_.stretch_rounds : 1;
-  if (!turn.backwards) bend(substep, turn);
-  stretch(substep, rounds, turn);
-  if (turn.backwards) bend(substep, turn);
-  if (any_gas_ && turn.backwards) apply_gas(substep, turn.starts);
-  device_.parallel_for_lanes(
-      "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
-      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), turn.starts});
+  const int rounds = order.ends ? parameters_.stretch_rounds : 1;
+  if (!backwards) bend(substep, order);
+  stretch(substep, rounds, order);
+  if (backwards) bend(substep, order);
+  if (any_gas_ && backwards) apply_gas(substep, order.starts());
+  device_.parallel_for_lanes("cloth/tethers", static_cast<uint32_t>(tethers_.size()),
+                             tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(),
+                                                            vertices(substep), order.starts()});
 }
 
 template <class D>
-void ClothSet<D>::bend(pbd::Substep<D>& substep, const Turn& turn) {
-  sweep(substep, 0, bending_passes_, {.starts = turn.starts, .backwards = turn.backwards});
+void ClothSet<D>::bend(pbd::Substep<D>& substep, const SweepOrder& order) {
+  sweep(substep, 0, bending_passes_, {.follows = order.follows, .direction = order.direction});
 }
 
 /// Every other round runs through colours and layers in the other direction. The error that remains between
 /// rounds is what sweeps and chains undo of one another.
 template <class D>
-void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn) {
+void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const SweepOrder& order) {
   const size_t stretch_end = pass_starts_.size() - 1;
   for (int round = 0; round < rounds; ++round) {
     const int left = rounds - 1 - round;
-    const Turn edges{.starts = turn.starts && round == 0,
-                     .backwards = (turn.backwards ? round + 1 : left) % 2 != 0,
-                     .goes_on = round > 0,
-                     .ends = turn.ends && left == 0};
-    const bool any_starts = !starts_from_last() || may_bear(substep);
-    const Turn chains{.starts = edges.starts && any_starts,
-                      .backwards = edges.backwards,
-                      .takes_over = edges.starts && starts_from_last()};
-    if (turn.backwards) solve_chains(substep, chains);
+    const bool backwards = (order.is_backwards() ? round + 1 : left) % 2 != 0;
+    const SweepOrder edges{.follows = round == 0 ? order.follows : Follows::last_round,
+                           .direction = backwards ? Direction::backwards : Direction::forwards,
+                           .ends = order.ends && left == 0};
+    const ChainStage chains = !edges.starts()      ? ChainStage::continues
+                              : starts_from_last() ? ChainStage::follows_absorbing
+                                                   : ChainStage::starts;
+    if (order.is_backwards()) solve_chains(substep, chains, edges.direction);
     colour_starts_.empty() ? sweep(substep, bending_passes_, stretch_end, edges)
                            : sweep_colours(substep, edges);
-    if (!turn.backwards) solve_chains(substep, chains);
+    if (!order.is_backwards()) solve_chains(substep, chains, edges.direction);
   }
 }
 
 template <class D>
-stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& substep, const Turn& turn) {
+stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& substep, const SweepOrder& order) {
   return {.edges = edges_.view(),
           .multiplier = edge_multiplier_.view(),
           .relaxation = parameters_.over_relaxation,
-          .fraction = turn.starts ? share_ : 1,
-          .momentum = turn.goes_on ? stretch_kernels::round_momentum : 0,
+          .fraction = order.starts() ? share_ : 1,
+          .momentum = order.follows == Follows::last_round ? stretch_kernels::round_momentum : 0,
           .shears = starts_from_last(),
           .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},
-          .ends = turn.ends,
+          .ends = order.ends,
           .next_fraction = parameters_.warm_start};
 }
 
 template <class D>
-void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const Turn& turn) {
-  const SolveColour solve{edge_solver(substep, turn), vertices(substep)};
+void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const SweepOrder& order) {
+  const SolveColour solve{edge_solver(substep, order), vertices(substep)};
   const size_t colours = colour_starts_.size() - 1;
   for (size_t k = 0; k < colours; ++k) {
-    const size_t colour = turn.backwards ? colours - 1 - k : k;
+    const size_t colour = order.is_backwards() ? colours - 1 - k : k;
     const uint32_t first = colour_starts_[colour];
     SolveColour one = solve;
     one.edge.edges = solve.edge.edges.from(first);
@@ -269,43 +270,43 @@ void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const Turn& turn) {
 }
 
 template <class D>
-void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn) {
+void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass,
+                        const SweepOrder& order) {
   SolveClusters solve{
       .clusters = clusters_.view(),
       .batches = batches_.view(),
       .numbers = cluster_vertices_.view(),
       .all = vertices(substep),
       .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(),
-                    turn.starts},
-      .hinge = {hinges_.view(), hinge_multiplier_.view(), turn.starts},
-      .strain = {strains_.view(), strain_multiplier_.view(), parameters_.over_relaxation, turn.starts},
-      .edge = edge_solver(substep, turn),
+                    order.starts()},
+      .hinge = {hinges_.view(), hinge_multiplier_.view(), order.starts()},
+      .strain = {strains_.view(), strain_multiplier_.view(), parameters_.over_relaxation, order.starts()},
+      .edge = edge_solver(substep, order),
       .first = 0,
       .bends = first_pass < bending_passes_,
-      .backwards = turn.backwards};
+      .backwards = order.is_backwards()};
   for (size_t k = first_pass; k < end_pass; ++k) {
-    const size_t pass = turn.backwards ? first_pass + end_pass - 1 - k : k;
+    const size_t pass = order.is_backwards() ? first_pass + end_pass - 1 - k : k;
     solve.first = pass_starts_[pass];
     device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
   }
 }
 
 template <class D>
-void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending) {
+void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, ChainStage stage, Direction direction) {
   SolveChains solve{.chains = chains_.view(),
                     .edges = edges_.view().from(first_chain_edge_),
                     .multiplier = chain_multiplier(),
                     .all = vertices(substep),
-                    .pending = pending,
+                    .pending = pending_.view(),
                     .effective_mass = substep.effective_mass,
                     .loaded = starts_from_last() && may_bear(substep) ? loaded_.view() : View<uint32_t>{},
-                    .starts = turn.starts,
-                    .takes_over = turn.takes_over,
+                    .stage = stage,
                     .first = 0,
                     .end = 0};
   const size_t layers = layer_starts_.size() - 1;
   for (size_t k = 0; k < layers; ++k) {
-    const size_t layer = turn.backwards ? layers - 1 - k : k;
+    const size_t layer = direction == Direction::backwards ? layers - 1 - k : k;
     solve.first = layer_starts_[layer];
     solve.end = layer_starts_[layer + 1];
     device_.parallel_for_lane_groups("cloth/chains", solve.end - solve.first, solve);

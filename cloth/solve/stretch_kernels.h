@@ -41,7 +41,7 @@ struct SolveEdge {
   /// buckle.
   bool shears;
   View<const uint32_t> loaded;  ///< by piece, see load_kernels::Load
-  bool ends;                    ///< the last turn of the substep: what remains is for the next one
+  bool ends;                    ///< the last sweep of the substep: what remains is for the next one
   float next_fraction;  ///< of the multiplier for the next substep, where the edge pulls (λ < 0) or shears;
                         ///< other pushes keep less, as they buckle
 
