@@ -90,10 +90,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   const Kernel& kernel() const { return kernel_; }
 
  private:
-  template <bool any_moving, bool with_grains>
+  template <density_kernels::WallMotion motion, density_kernels::Grains grains>
   void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                const density_kernels::PairPressure& pair);
-  template <bool with_pair_pressure, bool any_moving>
+  template <density_kernels::Repulsion repulsion, density_kernels::WallMotion motion>
   void correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
 
   template <class Kernel, class LongKernel>
