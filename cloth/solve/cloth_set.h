@@ -66,7 +66,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void restore() override;
 
   pbd::SurfaceView surface() const {
-    return {triangles_.view(), rest_.view(), fan_start_.view(), fan_.view()};
+    return {triangles_.view(), rest_.view(), corner_start_.view(), corners_.view()};
   }
   /// The pull at each held vertex in the last step, N·s.
   std::vector<Vec3> read_reactions() const;
@@ -83,7 +83,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains);
   void upload_isometric(const std::vector<IsometricConstraint>& hinges);
   void reserve_bending_multipliers(int iterations);
-  void upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
+  void upload_adjacency(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
   VertexState vertices(const pbd::Substep<D>& substep) const {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
@@ -148,9 +148,10 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
-  pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
+  pbd::Buffer<uint32_t> edge_end_start_{device_, "edges by vertex"}, edge_ends_{device_, "edges by vertex"};
   pbd::Buffer<uint32_t> loaded_{device_, "pieces that bear bodies"};
-  pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};
+  pbd::Buffer<uint32_t> corner_start_{device_, "triangles by vertex"},
+      corners_{device_, "triangles by vertex"};
   pbd::Buffer<Tether> tethers_{device_, "tethers"};
   pbd::Buffer<Vec4> tether_pull_{device_, "tether pulls"};
   pbd::Buffer<uint32_t> held_{device_, "held vertices"}, tether_start_{device_, "tethers by anchor"};

@@ -98,7 +98,7 @@ void ClothSet<D>::reserve_bending_multipliers(int iterations) {
 /// Uploads the edges of clusters, with vertices numbered within their cluster, then the edges of chains.
 template <class D>
 void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains) {
-  upload_fans(model, clusters.edges);
+  upload_adjacency(model, clusters.edges);
   number_locally(clusters);
   std::vector<EdgeConstraint> edges = clusters.edges;
   edges.insert(edges.end(), chains.edges.begin(), chains.edges.end());
@@ -113,15 +113,15 @@ void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, cons
 }
 
 template <class D>
-void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges) {
-  const Fans triangles = triangle_fans(model.triangles, model.rest.size());
-  upload(fan_start_, triangles.start);
-  upload(fan_, triangles.items);
+void ClothSet<D>::upload_adjacency(const ClothModel& model, const std::vector<EdgeConstraint>& edges) {
+  const Adjacency triangles = corners_by_vertex(model.triangles, model.rest.size());
+  upload(corner_start_, triangles.start);
+  upload(corners_, triangles.items);
   const bool warm_starts = parameters_.warm_start > 0;
   pending_.resize_discard(warm_starts && !edges.empty() ? vertex_count_ : 0);
-  const Fans by_edge = warm_starts ? edge_fans(edges, model.rest.size()) : Fans{};
-  upload(edge_fan_start_, by_edge.start);
-  upload(edge_fan_, by_edge.items);
+  const Adjacency by_edge = warm_starts ? edge_ends_by_vertex(edges, model.rest.size()) : Adjacency{};
+  upload(edge_end_start_, by_edge.start);
+  upload(edge_ends_, by_edge.items);
 }
 
 template <class D>
@@ -134,7 +134,7 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   last_dt_ = substep.dt;
   if (std::exchange(feels_wind_, false)) {
     device_.parallel_for("cloth/blow", vertex_count_,
-                         wind_kernels::Blow{fan_start_.view(), fan_.view(), wind_force_.view(),
+                         wind_kernels::Blow{corner_start_.view(), corners_.view(), wind_force_.view(),
                                             vertices(substep), substep.dt});
   }
   time_ += substep.dt;
@@ -163,7 +163,7 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   note_loads(substep);
   forget_pulls(substep);
   device_.parallel_for("cloth/start", vertex_count_,
-                       StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
+                       StartPushes{edge_end_start_.view(), edge_ends_.view(), edge_multiplier_.view(), share_,
                                    pending_.view()});
   solve_chains(substep, ChainStage::absorbs_pending, Direction::forwards);
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
@@ -190,7 +190,7 @@ template <class D>
 void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
   if (!may_bear(substep)) return;
   device_.parallel_for("cloth/forget", vertex_count_,
-                       load_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), loaded_.view(),
+                       load_kernels::Forget{edge_end_start_.view(), edge_ends_.view(), loaded_.view(),
                                             vertices(substep), edge_multiplier_.view()});
 }
 
@@ -320,7 +320,7 @@ void ClothSet<D>::apply_gas(pbd::Substep<D>& substep, bool starts) {
   const VertexState state = vertices(substep);
   device_.parallel_for(
       "cloth/volume gradients", vertex_count_,
-      Gradients{triangles_.view(), fan_start_.view(), fan_.view(), state, volume_gradient_.view()});
+      Gradients{triangles_.view(), corner_start_.view(), corners_.view(), state, volume_gradient_.view()});
   device_.parallel_for("cloth/volume sums", pieces * lanes,
                        SumLanes{volume_gradient_.view(), state, gas_partial_.view()});
   device_.parallel_for(

@@ -153,15 +153,15 @@ struct SolveEdge {
 
 /// Sums up the pushes that edges start with, by vertex.
 struct StartPushes {
-  View<const uint32_t> fan_start, fan;
+  View<const uint32_t> edge_end_start, edge_ends;
   View<const Vec4> multiplier;
   float fraction;
   View<Vec4> pending;  ///< kg·m, by vertex; w is 0
 
   MENISCUS_HD void operator()(uint32_t v) const {
     Vec4 push{0, 0, 0, 0};
-    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k)
-      push = plus(push, fan[k] % 2 ? fraction : -fraction, load(multiplier, fan[k] / 2));
+    for (uint32_t k = edge_end_start[v]; k < edge_end_start[v + 1]; ++k)
+      push = plus(push, edge_ends[k] % 2 ? fraction : -fraction, load(multiplier, edge_ends[k] / 2));
     push.w = 0;
     pending[v] = push;
   }

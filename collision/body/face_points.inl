@@ -17,7 +17,7 @@ template <class D>
 void FacePoints<D>::set_surface(const pbd::SurfaceView& surface) {
   device_.wait();
   surface_ = surface;
-  vertices_ = surface.triangles.count ? surface.fan_start.count - 1 : 0;
+  vertices_ = surface.triangles.count ? surface.corner_start.count - 1 : 0;
   wanted_.host()[0] = 0;
   set_room(surface.triangles.count ? room_ : 0);
 }
@@ -61,8 +61,8 @@ face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const
           number_.view(),
           weights_.view(),
           triangle_of_.view(),
-          surface_.fan_start,
-          surface_.fan,
+          surface_.corner_start,
+          surface_.corners,
           substep.particles.owned - room_,
           room_};
 }

@@ -119,12 +119,12 @@ struct Decide {
 /// The points in use, as kernels read them.
 struct Points {
   View<const SurfaceTriangle> triangles;
-  View<const uint32_t> needed;          ///< by triangle
-  View<const uint32_t> number;          ///< by triangle: number of its point, where needed; last: the total
-  View<const Vec4> weights;             ///< by triangle
-  View<const uint32_t> triangle_of;     ///< by point
-  View<const uint32_t> fan_start, fan;  ///< CSR, by vertex: its corners, 3 · triangle + corner
-  uint32_t first = 0;                   ///< the particle that is point 0
+  View<const uint32_t> needed;       ///< by triangle
+  View<const uint32_t> number;       ///< by triangle: number of its point, where needed; last: the total
+  View<const Vec4> weights;          ///< by triangle
+  View<const uint32_t> triangle_of;  ///< by point
+  View<const uint32_t> corner_start, corners;  ///< CSR, by vertex: its corners, 3 · triangle + corner
+  uint32_t first = 0;                          ///< the particle that is point 0
   uint32_t room = 0;
 
   MENISCUS_HD uint32_t count() const {
@@ -142,10 +142,10 @@ struct Points {
   /// Calls visit(particle, weight) for the points on the triangles of a vertex, in a fixed order.
   template <class Visit>
   MENISCUS_HD void for_each_at(uint32_t vertex, const Visit& visit) const {
-    for (uint32_t k = fan_start[vertex]; k < fan_start[vertex + 1]; ++k) {
-      const uint32_t triangle = fan[k] / 3;
+    for (uint32_t k = corner_start[vertex]; k < corner_start[vertex + 1]; ++k) {
+      const uint32_t triangle = corners[k] / 3;
       if (has_point(triangle))
-        visit(first + number[triangle], component(weights[triangle].xyz(), fan[k] % 3));
+        visit(first + number[triangle], component(weights[triangle].xyz(), corners[k] % 3));
     }
   }
 };

@@ -20,9 +20,9 @@ struct SurfaceTriangle {
 struct SurfaceView {
   View<const SurfaceTriangle> triangles;
   View<const Vec3> rest;  ///< m, of each vertex: the shape in which it is free of strain
-  /// The corners of triangles at each vertex, 3 · triangle + corner: fan[fan_start[v]] to fan[fan_start[v +
-  /// 1] − 1].
-  View<const uint32_t> fan_start, fan;
+  /// The corners of triangles at each vertex, 3 · triangle + corner: corners[corner_start[v]] to
+  /// corners[corner_start[v + 1] − 1].
+  View<const uint32_t> corner_start, corners;
 };
 
 }  // namespace meniscus::pbd
