@@ -35,8 +35,8 @@ struct Foresee {
   Folds folds;
   View<uint32_t> entries, counters;
   Room room_for;
-  bool anew;         // search in any case
-  bool begin_brief;  // if anew: search for one substep only, see CandidateLifetime
+  bool anew;                   // search in any case
+  bool begin_for_one_substep;  // if anew: search for one substep only, see CandidateLifetime
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (vertex_part[v] != no_index) foresee(v);
@@ -46,8 +46,8 @@ struct Foresee {
     entries[v] = 0;
     if (v != 0) return;
     if (anew) {
-      counters[listings] = counters[brief] = counters[overflowed] = 0;
-      counters[restless] = counters[age] = begin_brief;
+      counters[listings] = counters[one_substep_listings] = counters[overflowed] = 0;
+      counters[long_expired] = counters[age] = begin_for_one_substep;
     } else if (!room_for.sufficed(counters)) {
       counters[overflowed] = 1;
     }
@@ -61,12 +61,12 @@ struct Foresee {
     const float room = room_for_thickness * thickness + 0.25f * length(displacement) + 1.5f * strayed[v];
     foreseen[v] = pbd::with_w(x, room);
     if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
-    if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[restless], 1);
+    if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[long_expired], 1);
   }
 
  private:
-  MENISCUS_HD static bool leaves(const Vec4& ball, Vec3 x, float room) {
-    return length(x - ball.xyz()) + room > ball.w;
+  MENISCUS_HD static bool leaves(const Vec4& bound, Vec3 x, float room) {
+    return length(x - bound.xyz()) + room > bound.w;
   }
 };
 
@@ -78,7 +78,7 @@ struct Listing {
   MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[overflowed] == 0; }
 };
 
-/// Chooses the motion bound of each vertex until the next search: a ball around its expected motion. Where
+/// Chooses the motion bound of each vertex until the next search: a sphere around its expected motion. Where
 /// such bounds did not hold even for the next substep, they are made for this substep alone. There are then
 /// far fewer pairs. A vertex whose displacement is not finite gets no valid bound and meets nothing, so that
 /// the step fails.
@@ -87,10 +87,10 @@ struct CandidateLifetime {
   View<const Vec4> previous, foreseen;
   View<const uint32_t> vertex_part;
   View<const Part> parts;
-  View<Vec4> kept, wide;  // balls: centre and radius, m; wide: for many substeps, whichever is kept
+  View<Vec4> kept, wide;  // spheres: centre and radius, m; wide: for many substeps, whichever is kept
   View<uint32_t> counters;
 
-  // The balls of neighbouring vertices must not overlap, or all of a rough sheet would be listed.
+  // The bounds of neighbouring vertices must not overlap, or all of a rough sheet would be listed.
   static constexpr float longest = 16;  // substeps
   static constexpr float furthest =
       0.5f;  // of the thickness: the greatest motion, if it covers more than this substep
@@ -103,7 +103,7 @@ struct CandidateLifetime {
     if (v != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];
-    if (is_brief()) ++counters[brief];
+    if (is_for_one_substep()) ++counters[one_substep_listings];
   }
 
   MENISCUS_HD void keep(uint32_t v) const {
@@ -113,13 +113,13 @@ struct CandidateLifetime {
     const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
     const float radius =
         0.5f * substeps * far + foreseen[v].w + leeway * thickness + to_and_fro * pbd::max(0, solve);
-    wide[v] = ball(from + 0.5f * substeps * displacement, radius);
-    kept[v] = is_brief() ? ball(from + 0.5f * displacement, 0.5f * far + foreseen[v].w) : wide[v];
+    wide[v] = sphere(from + 0.5f * substeps * displacement, radius);
+    kept[v] = is_for_one_substep() ? sphere(from + 0.5f * displacement, 0.5f * far + foreseen[v].w) : wide[v];
   }
 
  private:
-  MENISCUS_HD bool is_brief() const { return counters[restless] != 0 && counters[age] == 1; }
-  MENISCUS_HD static Vec4 ball(Vec3 centre, float radius) {
+  MENISCUS_HD bool is_for_one_substep() const { return counters[long_expired] != 0 && counters[age] == 1; }
+  MENISCUS_HD static Vec4 sphere(Vec3 centre, float radius) {
     return pbd::with_w(centre, radius < pbd::most_finite ? radius : NAN);
   }
 };
@@ -127,7 +127,7 @@ struct CandidateLifetime {
 /// Boxes around the motion bounds of triangles, for the tree.
 struct KeptBoxes {
   Listing listing;
-  KeptPlaces kept;
+  MotionBounds kept;
 
   MENISCUS_HD bool wanted() const { return listing.wanted(); }
   MENISCUS_HD Aabb of(uint32_t v) const { return kept.box(v); }

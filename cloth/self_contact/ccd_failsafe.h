@@ -15,7 +15,7 @@ namespace meniscus::cloth::self_contact_kernels {
 struct Contain {
   View<const Vec4> previous;  // by vertex
   View<const uint32_t> vertex_part;
-  KeptPlaces kept;
+  MotionBounds kept;
   View<Vec4> foreseen;  // afterwards: see RolledBack
   View<Vec4> position, accumulated_delta;
   View<float> strayed;
@@ -43,7 +43,7 @@ struct Contain {
   /// Expired lists have been made again.
   MENISCUS_HD void grow_old() const {
     counters[age] = counters[expired] != 0 ? 1 : counters[age] + 1;
-    counters[expired] = counters[restless] = 0;
+    counters[expired] = counters[long_expired] = 0;
   }
 };
 

@@ -30,8 +30,8 @@ struct ContactPart {
 ///              suffice, it unites vertices in impact zones.
 ///
 /// Both use the same list of pairs, which is kept over several substeps. Each vertex has a motion bound, a
-/// ball that it is to stay in. Pairs are searched for again at the start of a step, and when a vertex would
-/// leave its ball.
+/// sphere that it is to stay in. Pairs are searched for again at the start of a step, and when a vertex would
+/// leave its motion bound.
 ///
 /// This set should come after cloth's own constraints, and the fail-safe after everything else that moves
 /// vertices. At the start of a substep no cloth may have passed through cloth. Overlap by thickness alone is
@@ -64,7 +64,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   /// The number of searches for pairs in the last step.
   uint32_t listings() const { return found(self_contact_kernels::listings); }
   /// The number of these searches that were made for one substep only.
-  uint32_t brief_listings() const { return found(self_contact_kernels::brief); }
+  uint32_t one_substep_listings() const { return found(self_contact_kernels::one_substep_listings); }
   /// The greatest number of pairs in any substep of the last step that would have passed through one another.
   uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
 
@@ -117,7 +117,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   bool anew_ = true;          // search for pairs in any case
   /// Whether most lists of the last step were made for one substep only, and whether those of the step before
   /// were.
-  bool is_brief_ = false, was_brief_ = false;
+  bool lasts_one_substep_ = false, lasted_one_substep_ = false;
 
   pbd::Buffer<self_contact_kernels::Part> parts_{device_, "cloth contact parts"};
   pbd::Buffer<uint16_t> features_{device_, "cloth features"};

@@ -78,7 +78,7 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
               {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
                static_cast<uint32_t>(corners_.size())},
               std::exchange(anew_, false),
-              is_brief_});
+              lasts_one_substep_});
   list_pairs(substep);
   const uint32_t blocks = launched(candidates, candidates_.size()) / threads_together + 1;
   device_.parallel_for_groups("self contacts/contacts", blocks,
@@ -173,8 +173,8 @@ void SelfContacts<D>::start_step() {
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  is_brief_ =
-      2 * brief_listings() > listings();  // known only now; where there was no room, restore() follows
+  lasts_one_substep_ =
+      2 * one_substep_listings() > listings();  // known only now; where there was no room, restore() follows
   return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }
@@ -284,13 +284,13 @@ void SelfContacts<D>::set_parts(std::span<const ContactPart> parts, std::span<co
 
 template <class D>
 void SelfContacts<D>::save() {
-  was_brief_ = is_brief_;
+  lasted_one_substep_ = lasts_one_substep_;
   if (!idle()) device_.copy(saved_strayed_.view().data, strayed_.view().data, vertices_ * sizeof(float));
 }
 
 template <class D>
 void SelfContacts<D>::restore() {
-  is_brief_ = was_brief_;
+  lasts_one_substep_ = lasted_one_substep_;
   if (!idle()) device_.copy(strayed_.view().data, saved_strayed_.view().data, vertices_ * sizeof(float));
 }
 

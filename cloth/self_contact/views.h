@@ -39,14 +39,14 @@ enum Counter : uint32_t {
   candidates,
   contacts,
   group_pairs,
-  expired,        // not 0: the lists of pairs no longer hold
-  restless,       // not 0: lists made for many substeps would not hold either
-  age,            // of the lists, substeps
-  listings,       // searches since the step's start
-  brief,          // those made for one substep only
-  overflowed,     // not 0: a list had no room, and the step will be repeated
-  lost,           // not 0: a vertex was rolled back, and its momentum is still to be transferred
-  folded_sheets,  // groups whose sheets have folded, in this round of the fail-safe
+  expired,               // not 0: the lists of pairs no longer hold
+  long_expired,          // not 0: lists made for many substeps would not hold either
+  age,                   // of the lists, substeps
+  listings,              // searches since the step's start
+  one_substep_listings,  // those made for one substep only
+  overflowed,            // not 0: a list had no room, and the step will be repeated
+  lost,                  // not 0: a vertex was rolled back, and its momentum is still to be transferred
+  folded_sheets,         // groups whose sheets have folded, in this round of the fail-safe
   crossings,
   counter_count = crossings + most_rounds
 };
@@ -117,20 +117,20 @@ class Appending {
 };
 
 /// The motion bounds of vertices while lists of pairs are kept.
-struct KeptPlaces {
-  View<const Vec4> balls;  // by vertex: centre and radius, m
+struct MotionBounds {
+  View<const Vec4> spheres;  // by vertex: centre and radius, m
 
   MENISCUS_HD Aabb box(uint32_t v) const {
-    const Vec4 ball = load(balls, v);
-    return pbd::inflated({ball.xyz(), ball.xyz()}, ball.w);
+    const Vec4 sphere = load(spheres, v);
+    return pbd::inflated({sphere.xyz(), sphere.xyz()}, sphere.w);
   }
   /// The position inside the motion bound of v that is nearest to x.
   MENISCUS_HD Vec3 inside(uint32_t v, Vec3 x) const {
     constexpr float within = 0.999f;  // of the radius, for rounding
-    const Vec4 ball = balls[v];
-    const Vec3 out = x - ball.xyz();
-    const float far2 = dot(out, out), most = within * ball.w;
-    return far2 <= most * most ? x : ball.xyz() + (most / sqrtf(far2)) * out;
+    const Vec4 sphere = spheres[v];
+    const Vec3 out = x - sphere.xyz();
+    const float far2 = dot(out, out), most = within * sphere.w;
+    return far2 <= most * most ? x : sphere.xyz() + (most / sqrtf(far2)) * out;
   }
 };
 
@@ -225,7 +225,7 @@ struct ContactList {
 /// The vertices of a substep, and the tables of the surface.
 struct ClothState {
   View<const Vec4> previous, position;  // by vertex
-  KeptPlaces kept;
+  MotionBounds kept;
   pbd::SurfaceTreeView tree;
   View<const uint16_t> features;
   View<const Part> parts;

@@ -62,7 +62,7 @@ class SelfContactBench {
   virtual uint32_t most_contacts() = 0;
   virtual uint32_t most_crossings() = 0;
   virtual uint32_t listings() = 0;
-  virtual uint32_t brief_listings() = 0;
+  virtual uint32_t one_substep_listings() = 0;
   /// For each box, the triangles whose swept boxes, widened by `reach`, overlap it, in ascending order. One
   /// thread or one warp searches for them.
   virtual std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from,

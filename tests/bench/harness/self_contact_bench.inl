@@ -121,7 +121,7 @@ class SelfContactBenchOn final : public SelfContactBench {
   uint32_t most_contacts() override { return contacts_.most_contacts(); }
   uint32_t most_crossings() override { return contacts_.most_crossings(); }
   uint32_t listings() override { return contacts_.listings(); }
-  uint32_t brief_listings() override { return contacts_.brief_listings(); }
+  uint32_t one_substep_listings() override { return contacts_.one_substep_listings(); }
 
   std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from, std::span<const pbd::Vec4> to,
                                               float reach, std::span<const Aabb> boxes,

@@ -204,7 +204,7 @@ TEST_P(SelfContactTest, PairsAreLookedForAsOftenAsClothMoves) {
   const auto b = bench(c);
   for (int k = 0; k < 40; ++k) b->step(5 * substep);
   EXPECT_EQ(b->listings(), 1u);  // of 5 substeps
-  EXPECT_EQ(b->brief_listings(), 0u);
+  EXPECT_EQ(b->one_substep_listings(), 0u);
   const ClothCase fast = two_sheets(2 * thickness, 3, 9);
   const auto other = bench(fast);
   other->step(5 * substep);
@@ -222,12 +222,12 @@ TEST_P(SelfContactTest, PairsOfFastClothAreLookedForForASubstepAlone) {
   const auto b = bench(c);
   b->step(5 * substep);
   EXPECT_EQ(b->listings(), 5u);
-  EXPECT_EQ(b->brief_listings(), 4u);
+  EXPECT_EQ(b->one_substep_listings(), 4u);
   b->step(5 * substep);
-  EXPECT_EQ(b->brief_listings(), 5u);
+  EXPECT_EQ(b->one_substep_listings(), 5u);
   for (int k = 2; k < steps + 1; ++k) b->step(5 * substep);
   EXPECT_LT(b->listings(), 5u);
-  EXPECT_EQ(b->brief_listings(), 0u);
+  EXPECT_EQ(b->one_substep_listings(), 0u);
 }
 
 TEST_P(SelfContactTest, SameBitsForAnyNumberOfThreads) {
