@@ -25,13 +25,13 @@ struct Foresee {
   static constexpr float room_for_thickness = 0.55f;
 
   View<const Vec4> previous, position;  // by vertex
-  View<const uint32_t> vertex_part;
-  View<const Part> parts;
+  View<const uint32_t> vertex_piece;
+  View<const PieceProperties> pieces;
   View<const float> strayed;    // m, in the last substep
   View<const Vec4> kept, wide;  // motion bounds, see CandidateLifetime
   View<Vec4> foreseen;          // w: the room, m
   ImpactZones impact_zones;
-  PartSums sums;
+  PieceSums sums;
   Folds folds;
   View<uint32_t> entries, counters;
   Room room_for;
@@ -39,10 +39,10 @@ struct Foresee {
   bool begin_for_one_substep;  // if anew: search for one substep only, see CandidateLifetime
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (vertex_part[v] != no_index) foresee(v);
+    if (vertex_piece[v] != no_index) foresee(v);
     impact_zones.begin(v);
-    folds.begin(v, vertex_part.count);
-    for (uint32_t part = v; part < parts.count; part += vertex_part.count) sums.begin(part);
+    folds.begin(v, vertex_piece.count);
+    for (uint32_t piece = v; piece < pieces.count; piece += vertex_piece.count) sums.begin(piece);
     entries[v] = 0;
     if (v != 0) return;
     if (anew) {
@@ -57,7 +57,7 @@ struct Foresee {
 
   MENISCUS_HD void foresee(uint32_t v) const {
     const Vec3 x = position[v].xyz(), displacement = x - previous[v].xyz();
-    const float thickness = parts[vertex_part[v]].thickness;
+    const float thickness = pieces[vertex_piece[v]].thickness;
     const float room = room_for_thickness * thickness + 0.25f * length(displacement) + 1.5f * strayed[v];
     foreseen[v] = pbd::with_w(x, room);
     if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
@@ -85,8 +85,8 @@ struct Listing {
 struct CandidateLifetime {
   Listing listing;
   View<const Vec4> previous, foreseen;
-  View<const uint32_t> vertex_part;
-  View<const Part> parts;
+  View<const uint32_t> vertex_piece;
+  View<const PieceProperties> pieces;
   View<Vec4> kept, wide;  // spheres: centre and radius, m; wide: for many substeps, whichever is kept
   View<uint32_t> counters;
 
@@ -99,7 +99,7 @@ struct CandidateLifetime {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
-    if (vertex_part[v] != no_index) keep(v);
+    if (vertex_piece[v] != no_index) keep(v);
     if (v != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];
@@ -108,7 +108,7 @@ struct CandidateLifetime {
 
   MENISCUS_HD void keep(uint32_t v) const {
     const Vec3 from = previous[v].xyz(), displacement = foreseen[v].xyz() - from;
-    const float thickness = parts[vertex_part[v]].thickness, far = length(displacement);
+    const float thickness = pieces[vertex_piece[v]].thickness, far = length(displacement);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
     const float radius =

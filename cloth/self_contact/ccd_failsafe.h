@@ -14,7 +14,7 @@ namespace meniscus::cloth::self_contact_kernels {
 /// records how far the vertex strays from its predicted motion. The next substep allows for that.
 struct Contain {
   View<const Vec4> previous;  // by vertex
-  View<const uint32_t> vertex_part;
+  View<const uint32_t> vertex_piece;
   MotionBounds kept;
   View<Vec4> foreseen;  // afterwards: see RolledBack
   View<Vec4> position, accumulated_delta;
@@ -23,7 +23,7 @@ struct Contain {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v == 0) grow_old();
-    if (vertex_part[v] == no_index) return;
+    if (vertex_piece[v] == no_index) return;
     const Vec4 x = position[v], ahead = foreseen[v];
     const Vec3 from = previous[v].xyz(), to = ahead.xyz();
     const Vec3 lower = min(from, to), upper = max(from, to);
@@ -53,16 +53,16 @@ struct LostScratch {
 
   Vec3 impulse[groups];  // kg·m
   float mass[groups];    // kg
-  uint32_t part[groups];
+  uint32_t piece[groups];
 };
 
-/// Sums up the momentum of vertices that were rolled back, and the mass of each part.
+/// Sums up the momentum of vertices that were rolled back, and the mass of each piece.
 struct SumLost {
   using Scratch = LostScratch;
 
   ClothState cloth;
   View<const Vec4> taken;  // by vertex, m: see RolledBack
-  PartSums sums;
+  PieceSums sums;
   View<const uint32_t> counters;
 
   template <class Group>
@@ -71,17 +71,17 @@ struct SumLost {
     const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
     const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
     group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
-    // The first group of each part adds up the groups of that part which follow it.
+    // The first group of each piece adds up the groups of that piece which follow it.
     group.for_each(count, [&](uint32_t k) {
-      const uint32_t part = scratch.part[k];
-      if (k > 0 && scratch.part[k - 1] == part) return;
+      const uint32_t piece = scratch.piece[k];
+      if (k > 0 && scratch.piece[k - 1] == piece) return;
       Vec3 impulse{0, 0, 0};
       float mass = 0;
-      for (uint32_t other = k; other < count && scratch.part[other] == part; ++other) {
+      for (uint32_t other = k; other < count && scratch.piece[other] == piece; ++other) {
         impulse += scratch.impulse[other];
         mass += scratch.mass[other];
       }
-      sums.add(part, impulse, mass);
+      sums.add(piece, impulse, mass);
     });
   }
 
@@ -102,28 +102,28 @@ struct SumLost {
     }
     scratch.impulse[k] = impulse;
     scratch.mass[k] = mass;
-    scratch.part[k] = cloth.tree.triangles[8 * g].part;
+    scratch.piece[k] = cloth.tree.triangles[8 * g].piece;
   }
 };
 
-/// Transfers the momentum of vertices that were rolled back to all vertices of their part, whose positions do
-/// not change. This causes no relative motion within the part. Given only to the vertices around, the
+/// Transfers the momentum of vertices that were rolled back to all vertices of their piece, whose positions
+/// do not change. This causes no relative motion within the piece. Given only to the vertices around, the
 /// momentum kept crumpled cloth stretched. Also records for the host the greatest counters of any substep, up
 /// to the first one whose lists had no room.
 struct TransferPush {
-  View<const uint32_t> vertex_part;
+  View<const uint32_t> vertex_piece;
   View<const Vec4> position;     // by vertex
   View<Vec4> accumulated_delta;  // by vertex
-  PartSums sums;
+  PieceSums sums;
   View<const uint32_t> counters;
   View<uint32_t> found;
 
   /// Runs for each vertex and for each counter.
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
-    if (v >= vertex_part.count || counters[lost] == 0) return;
-    if (vertex_part[v] == no_index || position[v].w == 0) return;
-    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], sums.displacement(vertex_part[v]));
+    if (v >= vertex_piece.count || counters[lost] == 0) return;
+    if (vertex_piece[v] == no_index || position[v].w == 0) return;
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], sums.displacement(vertex_piece[v]));
   }
 };
 

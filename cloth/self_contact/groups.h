@@ -26,7 +26,7 @@ struct FitCones {
 
   Listing listing;
   pbd::SurfaceTreeView tree;
-  View<const Part> parts;
+  View<const PieceProperties> pieces;
   View<const Vec4> previous, position;
   View<Vec4> cones;
   View<uint32_t> rough;
@@ -62,7 +62,8 @@ struct FitCones {
     }
     const float angle = acosf(pbd::clamp(least, -1, 1));
     cones[first + g] = pbd::with_w(axis, angle);
-    rough[first + g] = angle * sqrtf(longest2) > 0.2f * parts[tree.triangles[8 * (first + g)].part].thickness;
+    rough[first + g] =
+        angle * sqrtf(longest2) > 0.2f * pieces[tree.triangles[8 * (first + g)].piece].thickness;
   }
 
   /// The normal of a triangle. Also updates the square of the longest edge so far.
@@ -92,7 +93,7 @@ struct FindGroups {
 
   Listing listing;
   pbd::SurfaceTreeView tree;
-  View<const Part> parts;
+  View<const PieceProperties> pieces;
   SheetViews sheets;
   GroupPairs pairs;
 
@@ -160,18 +161,18 @@ struct FindGroups {
     uint32_t mask = overlap_mask(tree.group(1, eight), tree.box(1, g));
     if (eight == g / 8) mask &= ~0u << g % 8;
     if (mask == 0) return;
-    const uint32_t part = tree.triangles[8 * g].part;
+    const uint32_t piece = tree.triangles[8 * g].piece;
     Appending<GroupPair> found(pairs.list, pairs.counters[group_pairs]);
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t other = 8 * eight + pbd::lowest_bit(mask);
-      if (may_touch(part, tree.triangles[8 * other].part) && !sheets.has_in_sheet(g, other))
+      if (may_touch(piece, tree.triangles[8 * other].piece) && !sheets.has_in_sheet(g, other))
         found.add({g, other});
     }
     found.flush();
   }
 
   MENISCUS_HD bool may_touch(uint32_t p, uint32_t q) const {
-    const Part a = parts[p], b = parts[q];
+    const PieceProperties a = pieces[p], b = pieces[q];
     if (p == q) return a.self != 0;
     return (a.filter_groups & b.filter_mask) != 0 && (b.filter_groups & a.filter_mask) != 0;
   }

@@ -103,24 +103,24 @@ struct RolledBack {
   }
 };
 
-/// By part: three numbers of momentum and one of mass. These integers have the same sum in any order.
-struct PartSums {
+/// By piece: three numbers of momentum and one of mass. These integers have the same sum in any order.
+struct PieceSums {
   View<int64_t> sums;
   float unit;       // kg·m, of the momentum; a power of 2
   float mass_unit;  // kg, coarse: it includes fluid that cloth carries
 
-  MENISCUS_HD void begin(uint32_t part) const {
-    for (uint32_t k = 0; k < 4; ++k) sums[4 * part + k] = 0;
+  MENISCUS_HD void begin(uint32_t piece) const {
+    for (uint32_t k = 0; k < 4; ++k) sums[4 * piece + k] = 0;
   }
-  MENISCUS_HD void add(uint32_t part, Vec3 impulse, float mass) const {
-    pbd::atomic_add(sums[4 * part], llrintf(impulse.x / unit));
-    pbd::atomic_add(sums[4 * part + 1], llrintf(impulse.y / unit));
-    pbd::atomic_add(sums[4 * part + 2], llrintf(impulse.z / unit));
-    pbd::atomic_add(sums[4 * part + 3], llrintf(mass / mass_unit));
+  MENISCUS_HD void add(uint32_t piece, Vec3 impulse, float mass) const {
+    pbd::atomic_add(sums[4 * piece], llrintf(impulse.x / unit));
+    pbd::atomic_add(sums[4 * piece + 1], llrintf(impulse.y / unit));
+    pbd::atomic_add(sums[4 * piece + 2], llrintf(impulse.z / unit));
+    pbd::atomic_add(sums[4 * piece + 3], llrintf(mass / mass_unit));
   }
-  /// The displacement of the whole part, m.
-  MENISCUS_HD Vec3 displacement(uint32_t part) const {
-    const int64_t* sum = &sums[4 * part];
+  /// The displacement of the whole piece, m.
+  MENISCUS_HD Vec3 displacement(uint32_t piece) const {
+    const int64_t* sum = &sums[4 * piece];
     if (sum[3] == 0) return {0, 0, 0};
     const float scale = unit / (mass_unit * static_cast<float>(sum[3]));
     return scale * Vec3{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};

@@ -25,7 +25,7 @@ using pbd::time_of_nearness;
 using pbd::Vec4;
 using pbd::View;
 
-struct Part {
+struct PieceProperties {
   float thickness;  // m
   float friction;
   uint32_t filter_groups, filter_mask;
@@ -228,7 +228,7 @@ struct ClothState {
   MotionBounds kept;
   pbd::SurfaceTreeView tree;
   View<const uint16_t> features;
-  View<const Part> parts;
+  View<const PieceProperties> pieces;
   View<const uint32_t> rough;  // by group: whether it is bent so much that its edges stand out
 
   /// The vertices of a pair of features.

@@ -45,7 +45,7 @@ struct BlowOnTriangles {
     const auto of_piece = [&](float Piece::*value) {
       if (vertices.pieces.count == 1) return Real(vertices.pieces[0].*value);
       return pbd::by_lane<D>(
-          [&](uint32_t lane) { return vertices.pieces[triangles[together.items.at[lane]].part].*value; });
+          [&](uint32_t lane) { return vertices.pieces[triangles[together.items.at[lane]].piece].*value; });
     };
     const View<Vec4> position = vertices.particles.position, velocity = vertices.particles.velocity;
     const Vector a = of_all(position, 0), b = of_all(position, 1), c = of_all(position, 2);

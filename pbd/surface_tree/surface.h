@@ -14,7 +14,7 @@ namespace meniscus::pbd {
 /// Vertex numbers: vertex v is the particle ParticleView::sorted + v.
 struct SurfaceTriangle {
   uint32_t a, b, c;
-  uint32_t part;  ///< the piece of cloth that it belongs to
+  uint32_t piece;  ///< the piece of cloth that it belongs to
 };
 
 struct SurfaceView {

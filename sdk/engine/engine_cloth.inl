@@ -27,7 +27,7 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   for (const pbd::Vec4& x : cloth.position) {
     if (x.w > 0) heaviest = std::max(heaviest, 1 / x.w);
   }
-  self_contacts_.set_surface(triangles, cloth.model.rest, cloth_.surface().rest, cloth.contact_parts,
+  self_contacts_.set_surface(triangles, cloth.model.rest, cloth_.surface().rest, cloth.contact_pieces,
                              heaviest);
   const std::vector<cloth::Piece>& pieces = cloth.model.pieces;
   const bool bears_fluid =

@@ -57,7 +57,7 @@ class Assembly {
       model.triangles.push_back({first + t[0], first + t[1], first + t[2], part});
     model.rest.insert(model.rest.end(), entry.mesh.vertices.begin(), entry.mesh.vertices.end());
     model.pieces.push_back(piece_of(entry));
-    cloth.contact_parts.push_back(
+    cloth.contact_pieces.push_back(
         {entry.thickness, entry.def.fabric.friction, entry.def.filter, entry.def.self_collision});
     if (entry.def.tethers) {
       attach_to_held(entry, numbers_of(held));
@@ -78,7 +78,7 @@ class Assembly {
                             entry.range.state.positions.end());
     cloth.model.pieces.push_back(
         {.first_vertex = first, .end_vertex = vertices(), .stretch_damping = -1, .bending_damping = -1});
-    cloth.contact_parts.push_back({.filter = {0, 0}, .self = false});
+    cloth.contact_pieces.push_back({.filter = {0, 0}, .self = false});
     for (size_t s = 0; s < entry.segments.size(); ++s) {
       entry.segments[s].held = clamped[s];
       cloth.segments.push_back(entry.segments[s]);

@@ -112,7 +112,7 @@ class SelfContactBenchOn final : public SelfContactBench {
     float least = 1e30f;
     for (const pbd::Vec4& x : cloth.vertices)
       if (x.w > 0) least = std::min(least, x.w);
-    contacts_.set_surface(cloth.triangles, cloth.rest, rest_.view(), cloth.parts, 1 / least);
+    contacts_.set_surface(cloth.triangles, cloth.rest, rest_.view(), cloth.pieces, 1 / least);
   }
 
   void step(float dt) override { solver_.step(dt); }
