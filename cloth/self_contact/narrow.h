@@ -36,7 +36,7 @@ struct MakeContacts {
  private:
   /// A quick test, which few pairs pass.
   MENISCUS_HD bool may_be_contact(FeatureCode code) const {
-    if (code.is_guards()) return false;
+    if (code.is_for_failsafe()) return false;
     const Corners corners = cloth.corners_of(code);
     const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
     const float reach = reach_of(code);

@@ -68,12 +68,12 @@ MENISCUS_HD constexpr Feature feature(uint32_t place, uint32_t which) {
 /// A vertex and a face, or two edges. Bit 31 of the first: only the fail-safe checks the pair, and it becomes
 /// no contact.
 struct FeatureCode {
-  static constexpr uint32_t guard_bit = 1u << 31;
+  static constexpr uint32_t failsafe_bit = 1u << 31;
 
   Feature first, second;
 
-  MENISCUS_HD bool is_guards() const { return (first & guard_bit) != 0; }
-  MENISCUS_HD uint32_t first_place() const { return (first & ~guard_bit) >> 3; }
+  MENISCUS_HD bool is_for_failsafe() const { return (first & failsafe_bit) != 0; }
+  MENISCUS_HD uint32_t first_place() const { return (first & ~failsafe_bit) >> 3; }
   MENISCUS_HD uint32_t second_place() const { return second >> 3; }
 };
 
