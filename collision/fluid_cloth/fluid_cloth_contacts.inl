@@ -40,7 +40,7 @@ void FluidClothContacts<D>::count(const pbd::Substep<D>& substep, const pbd::Con
   using namespace fluid_cloth_kernels;
   if (!any()) return;
   const pbd::ParticleView& p = substep.particles;
-  tree_.refit(pbd::WayBoxes(p, 0));
+  tree_.refit(pbd::PathBoxes(p, 0));
   counter_.fill(0);
   entry_count_.fill(0);
   if (permeable_) {
@@ -84,7 +84,7 @@ template <class D>
 void FluidClothContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
-  tree_.refit(pbd::WayBoxes(p, 2e-3f * largest_radius_));
+  tree_.refit(pbd::PathBoxes(p, 2e-3f * largest_radius_));
   device_.parallel_for("fluid cloth/hold back", p.sorted, ClampAtImpact{surface(substep), p.position});
 }
 

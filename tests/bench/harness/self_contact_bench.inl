@@ -131,7 +131,7 @@ class SelfContactBenchOn final : public SelfContactBench {
     pbd::ParticleView particles{};
     particles.previous = previous.view();
     particles.position = position.view();
-    tree_.refit(pbd::WayBoxes(particles, reach));
+    tree_.refit(pbd::PathBoxes(particles, reach));
     pbd::Buffer<uint32_t> marks(device_, "marks");
     marks.resize_discard(boxes.size() * tree_.places());
     marks.fill(0);
