@@ -173,10 +173,9 @@ struct MoveImpactZones {
   MENISCUS_HD bool enters_solid(uint32_t v, Vec3 from, Vec3 to) const {
     for (uint32_t k = contacts.start[sorted + v]; k < contacts.start[sorted + v + 1]; ++k) {
       const pbd::Contact& c = contacts.contacts[k];
-      const bool gives_way = c.body == pbd::on_cloth || c.body_inverse_mass > 0 || is_attachment(c);
+      const bool yields = c.body == pbd::on_cloth || c.body_inverse_mass > 0 || is_attachment(c);
       const float distance = plane_distance(c, to);
-      if (!gives_way && distance < least_distance * c.radius && distance < plane_distance(c, from))
-        return true;
+      if (!yields && distance < least_distance * c.radius && distance < plane_distance(c, from)) return true;
     }
     return false;
   }

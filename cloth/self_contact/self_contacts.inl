@@ -145,7 +145,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   }
   device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
                               SumLost{cloth(substep), foreseen_.view(), piece_sums(), counters_.view()});
-  device_.parallel_for("self contacts/hand on", std::max<uint32_t>(vertices_, counter_count),
+  device_.parallel_for("self contacts/transfer", std::max<uint32_t>(vertices_, counter_count),
                        TransferPush{vertex_piece_.view(), position, accumulated_delta, piece_sums(),
                                     counters_.view(), found_.view()});
 }

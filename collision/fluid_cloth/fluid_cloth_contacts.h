@@ -43,7 +43,7 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
 
   /// Clamps particles that would end on the other side at the time of impact. The contacts correct their
   /// velocity.
-  void hold_back(const pbd::Substep<D>& substep);
+  void clamp_at_impact(const pbd::Substep<D>& substep);
 
   /// Particles that touched absorbent pieces at the end of the last substep, by slot.
   std::vector<WettingTouch> read_wetting(pbd::View<const pbd::Contact> contacts);

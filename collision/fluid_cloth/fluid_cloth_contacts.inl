@@ -81,11 +81,11 @@ void FluidClothContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
 }
 
 template <class D>
-void FluidClothContacts<D>::hold_back(const pbd::Substep<D>& substep) {
+void FluidClothContacts<D>::clamp_at_impact(const pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(pbd::PathBoxes(p, 2e-3f * largest_radius_));
-  device_.parallel_for("fluid cloth/hold back", p.sorted, ClampAtImpact{surface(substep), p.position});
+  device_.parallel_for("fluid cloth/clamp at impact", p.sorted, ClampAtImpact{surface(substep), p.position});
 }
 
 template <class D>

@@ -55,7 +55,7 @@ void FluidClothSet<D>::settle(pbd::Substep<D>& substep) {
   carry(substep);  // because fail-safes of other sets have moved vertices since
   device_.parallel_for("fluid cloth/unload", contacts_.vertices(),
                        Unload{loaded_vertices(), p.position.from(p.sorted), loaded_.view()});
-  contacts_.hold_back(substep);
+  contacts_.clamp_at_impact(substep);
 }
 
 template <class D>
