@@ -106,7 +106,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   bool starts_from_last() const { return share_ > 0 && first_chain_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
   /// Whether any piece may be loaded. Its multipliers must then be forgotten.
-  static bool may_bear(const pbd::Substep<D>& substep) {
+  static bool may_be_loaded(const pbd::Substep<D>& substep) {
     return substep.effective_mass.count > 0 || substep.fluid_near.count > 0;
   }
   stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const SweepOrder& order);
@@ -149,7 +149,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
   pbd::Buffer<uint32_t> edge_end_start_{device_, "edges by vertex"}, edge_ends_{device_, "edges by vertex"};
-  pbd::Buffer<uint32_t> loaded_{device_, "pieces that bear bodies"};
+  pbd::Buffer<uint32_t> loaded_{device_, "loaded pieces"};
   pbd::Buffer<uint32_t> corner_start_{device_, "triangles by vertex"},
       corners_{device_, "triangles by vertex"};
   pbd::Buffer<Tether> tethers_{device_, "tethers"};

@@ -172,14 +172,14 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
 template <class D>
 void ClothSet<D>::note_loads(pbd::Substep<D>& substep) {
   using namespace load_kernels;
-  if (!may_bear(substep)) return;
+  if (!may_be_loaded(substep)) return;
   loaded_.fill(0);
   if (substep.effective_mass.count > 0) {
-    device_.parallel_for("cloth/bearing", substep.contacts.contacts.count,
+    device_.parallel_for("cloth/loads of bodies", substep.contacts.contacts.count,
                          NoteBodyLoads{substep.contacts, vertices(substep), vertex_count_, loaded_.view()});
   }
   if (substep.fluid_near.count > 0) {
-    device_.parallel_for("cloth/bearing fluid", vertex_count_,
+    device_.parallel_for("cloth/loads of fluid", vertex_count_,
                          NoteFluidLoads{substep.fluid_near, vertices(substep), loaded_.view()});
   }
 }
@@ -188,7 +188,7 @@ void ClothSet<D>::note_loads(pbd::Substep<D>& substep) {
 /// either.
 template <class D>
 void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
-  if (!may_bear(substep)) return;
+  if (!may_be_loaded(substep)) return;
   device_.parallel_for("cloth/forget", vertex_count_,
                        load_kernels::Forget{edge_end_start_.view(), edge_ends_.view(), loaded_.view(),
                                             vertices(substep), edge_multiplier_.view()});
@@ -294,16 +294,17 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
 
 template <class D>
 void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, ChainStage stage, Direction direction) {
-  SolveChains solve{.chains = chains_.view(),
-                    .edges = edges_.view().from(first_chain_edge_),
-                    .multiplier = chain_multiplier(),
-                    .all = vertices(substep),
-                    .pending = pending_.view(),
-                    .effective_mass = substep.effective_mass,
-                    .loaded = starts_from_last() && may_bear(substep) ? loaded_.view() : View<uint32_t>{},
-                    .stage = stage,
-                    .first = 0,
-                    .end = 0};
+  SolveChains solve{
+      .chains = chains_.view(),
+      .edges = edges_.view().from(first_chain_edge_),
+      .multiplier = chain_multiplier(),
+      .all = vertices(substep),
+      .pending = pending_.view(),
+      .effective_mass = substep.effective_mass,
+      .loaded = starts_from_last() && may_be_loaded(substep) ? loaded_.view() : View<uint32_t>{},
+      .stage = stage,
+      .first = 0,
+      .end = 0};
   const size_t layers = layer_starts_.size() - 1;
   for (size_t k = 0; k < layers; ++k) {
     const size_t layer = direction == Direction::backwards ? layers - 1 - k : k;

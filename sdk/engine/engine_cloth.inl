@@ -30,12 +30,12 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   self_contacts_.set_surface(triangles, cloth.model.rest, cloth_.surface().rest, cloth.contact_pieces,
                              heaviest);
   const std::vector<cloth::Piece>& pieces = cloth.model.pieces;
-  const bool bears_fluid =
-      std::any_of(pieces.begin(), pieces.end(), [](const cloth::Piece& p) { return p.bears_fluid; });
-  fluid_cloth_contacts_.set_surface(bears_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
+  const bool carries_fluid =
+      std::any_of(pieces.begin(), pieces.end(), [](const cloth::Piece& p) { return p.carries_fluid; });
+  fluid_cloth_contacts_.set_surface(carries_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
                                     cloth.model.rest, cloth.sheets);
   std::vector<float> inverse_masses;
-  if (bears_fluid) {
+  if (carries_fluid) {
     for (const pbd::Vec4& x : cloth.position) inverse_masses.push_back(x.w);
   }
   const float s = def_.particle_spacing, water = 1000.0f * s * s * s;

@@ -110,7 +110,7 @@ class Assembly {
     return first;
   }
 
-  bool bears_fluid(const CollisionFilter& filter) const {
+  bool carries_fluid(const CollisionFilter& filter) const {
     return std::any_of(fluids_.begin(), fluids_.end(),
                        [&](const CollisionFilter& fluid) { return pbd::meet(filter, fluid); });
   }
@@ -131,7 +131,7 @@ class Assembly {
                        .drag = f.drag,
                        .lift = f.lift,
                        .tear_strain = f.tear_strain,
-                       .bears_fluid = bears_fluid(entry.def.filter)};
+                       .carries_fluid = carries_fluid(entry.def.filter)};
     if (entry.def.inflation && entry.closed) {
       // p V is constant: at the outside pressure the gas would fill V₀ (1 + p/p_air).
       const InflationDef& gas = *entry.def.inflation;
