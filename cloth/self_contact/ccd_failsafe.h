@@ -180,10 +180,10 @@ struct FindCrossings {
   /// share them: each group of threads takes every 32nd neighbour of a sheet's central group.
   template <class Group>
   MENISCUS_HD void check_folds(const Group& group, Scratch& scratch, uint32_t n) const {
-    constexpr uint32_t shares = 32;
-    for (uint32_t item = n; item < shares * folds.counters[folded_sheets]; item += stride) {
-      const uint32_t g = folds.list[item / shares], end = sheets.neighbour_start[g + 1];
-      for (uint32_t k = sheets.neighbour_start[g] + item % shares; k < end; k += shares)
+    constexpr uint32_t groups_of_threads = 32;
+    for (uint32_t item = n; item < groups_of_threads * folds.counters[folded_sheets]; item += stride) {
+      const uint32_t g = folds.list[item / groups_of_threads], end = sheets.neighbour_start[g + 1];
+      for (uint32_t k = sheets.neighbour_start[g] + item % groups_of_threads; k < end; k += groups_of_threads)
         check_two(group, scratch, g, sheets.neighbours[k]);
     }
   }

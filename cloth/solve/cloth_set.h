@@ -103,7 +103,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void bend(pbd::Substep<D>& substep, const SweepOrder& order);
   void stretch(pbd::Substep<D>& substep, int rounds, const SweepOrder& order);
   void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const SweepOrder& order);
-  bool starts_from_last() const { return share_ > 0 && first_chain_edge_ > 0; }
+  bool starts_from_last() const { return warm_start_fraction_ > 0 && first_chain_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
   /// Whether any piece may be loaded. Its multipliers must then be forgotten.
   static bool may_be_loaded(const pbd::Substep<D>& substep) {
@@ -125,7 +125,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   bool any_air_ = false, any_gas_ = false, any_tears_ = false;
   bool feels_wind_ = false;                // in this substep
   float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
-  float share_ = 0;                        // of the multipliers that the last substep left
+  float warm_start_fraction_ = 0;          // of the multipliers that the last substep left
 
   pbd::Buffer<EdgeConstraint> edges_{device_, "cloth edges"};
   pbd::Buffer<StrainConstraint> strains_{device_, "cloth strains"};

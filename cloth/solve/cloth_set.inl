@@ -130,7 +130,7 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   reserve_bending_multipliers(substep.iterations);
   // A multiplier is proportional to the square of the substep.
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
-  share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
+  warm_start_fraction_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
   if (std::exchange(feels_wind_, false)) {
     device_.parallel_for("cloth/blow", vertex_count_,
@@ -163,8 +163,8 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   note_loads(substep);
   forget_pulls(substep);
   device_.parallel_for("cloth/start", vertex_count_,
-                       StartPushes{edge_end_start_.view(), edge_ends_.view(), edge_multiplier_.view(), share_,
-                                   pending_.view()});
+                       StartPushes{edge_end_start_.view(), edge_ends_.view(), edge_multiplier_.view(),
+                                   warm_start_fraction_, pending_.view()});
   solve_chains(substep, ChainStage::absorbs_pending, Direction::forwards);
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
@@ -247,7 +247,7 @@ stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& subst
   return {.edges = edges_.view(),
           .multiplier = edge_multiplier_.view(),
           .relaxation = parameters_.over_relaxation,
-          .fraction = order.starts() ? share_ : 1,
+          .fraction = order.starts() ? warm_start_fraction_ : 1,
           .momentum = order.follows == Follows::last_round ? stretch_kernels::round_momentum : 0,
           .shears = starts_from_last(),
           .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},

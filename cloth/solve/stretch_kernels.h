@@ -118,7 +118,7 @@ struct SolveEdge {
   }
 
  private:
-  static constexpr float pushing_share = 0.4f;  // of next_fraction
+  static constexpr float pushing_fraction = 0.4f;  // of next_fraction
 
   /// The applied part of a step that lengthens a compressed edge. What only reduces a pull is applied in
   /// full, and the rest by a fraction.
@@ -145,7 +145,7 @@ struct SolveEdge {
   MENISCUS_HD Real kept(const Real& lambda, const Real& weight, const Real& rest,
                         const Real& shearing) const {
     const Real of_push =
-        select_less(Real(0), shearing, Real(next_fraction), Real(pushing_share * next_fraction));
+        select_less(Real(0), shearing, Real(next_fraction), Real(pushing_fraction * next_fraction));
     const Real most = rest / weight, part = select_less(lambda, Real(0), Real(next_fraction), of_push);
     return max(-most, -max(-most, -part * lambda));
   }

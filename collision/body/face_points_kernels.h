@@ -272,11 +272,12 @@ struct Weigh {
     const uint32_t triangle = points.triangle_of[n];
     const SurfaceTriangle t = points.triangles[triangle];
     const Vec4 b = points.weights[triangle];
-    const float w = b.x * b.x * share_of(t.a) + b.y * b.y * share_of(t.b) + b.z * b.z * share_of(t.c);
+    const float w = b.x * b.x * split_inverse_mass(t.a) + b.y * b.y * split_inverse_mass(t.b) +
+                    b.z * b.z * split_inverse_mass(t.c);
     const uint32_t i = points.first + n;
     particles.position[i] = pbd::with_w(particles.position[i].xyz(), w);
   }
-  MENISCUS_HD float share_of(uint32_t vertex) const {
+  MENISCUS_HD float split_inverse_mass(uint32_t vertex) const {
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
     uint32_t count = is_pushed(contacts, i, x.xyz());

@@ -19,7 +19,7 @@ namespace meniscus::collision {
 
 namespace {
 
-constexpr float margin_share = 0.04f;  // of the smallest half extent
+constexpr float margin_fraction = 0.04f;  // of the smallest half extent
 constexpr int most_hull_points = 200;
 
 [[maybe_unused]] bool is_fixed_kind(RigidPart::Kind kind) {
@@ -89,7 +89,7 @@ btConvexShape* make_hull(RigidShape& shape, const std::vector<Vec3>& points) {
   Aabb box{points[0], points[0]};
   for (const Vec3 p : points) box = {min(box.lower, p), max(box.upper, p)};
   const Vec3 half = 0.5f * (box.upper - box.lower);
-  const float wanted = margin_share * pbd::min(half.x, pbd::min(half.y, half.z));
+  const float wanted = margin_fraction * pbd::min(half.x, pbd::min(half.y, half.z));
   btConvexHullComputer hull;
   const float margin =
       hull.compute(&points[0].x, sizeof(Vec3), static_cast<int>(points.size()), wanted, 0.25f);
@@ -105,13 +105,13 @@ btConvexShape* make_hull(RigidShape& shape, const std::vector<Vec3>& points) {
 
 btConvexShape* make_box(RigidShape& shape, Vec3 half) {
   auto* box = keep<btBoxShape>(shape, to_bullet(half));
-  box->setMargin(margin_share * pbd::min(half.x, pbd::min(half.y, half.z)));
+  box->setMargin(margin_fraction * pbd::min(half.x, pbd::min(half.y, half.z)));
   return box;
 }
 
 btConvexShape* make_cylinder(RigidShape& shape, Vec3 size) {
   auto* cylinder = keep<btCylinderShape>(shape, btVector3{size.x, size.y, size.x});
-  cylinder->setMargin(margin_share * pbd::min(size.x, size.y));
+  cylinder->setMargin(margin_fraction * pbd::min(size.x, size.y));
   return cylinder;
 }
 

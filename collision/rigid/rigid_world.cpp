@@ -15,7 +15,7 @@ namespace meniscus::collision {
 namespace {
 
 /// Below this fraction of √(g r) for two seconds, a body may fall asleep.
-constexpr float sleep_share = 0.01f;
+constexpr float sleep_fraction = 0.01f;
 
 btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const RigidShape& shape,
                                                  float mass) {
@@ -32,7 +32,7 @@ btRigidBody::btRigidBodyConstructionInfo info_of(const RigidSolid& solid, const 
 /// Without gravity none sleeps, because sleep would stop a drifting body. A body is swept if it moves so far
 /// in a step that it could pass through something.
 void scale_to_size(btRigidBody& body, const RigidShape& shape, float gravity) {
-  const float speed = sleep_share * std::sqrt(gravity * shape.radius);
+  const float speed = sleep_fraction * std::sqrt(gravity * shape.radius);
   body.setSleepingThresholds(speed, speed / shape.radius);
   body.setCcdMotionThreshold(0.5f * shape.inner_radius);
   body.setCcdSweptSphereRadius(0.4f * shape.inner_radius);

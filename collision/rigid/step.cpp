@@ -15,8 +15,8 @@ namespace meniscus::collision {
 
 namespace {
 
-constexpr float smoothing_time = 0.1f;  // s, averaging time of a body's usual push
-constexpr float waking_share = 0.1f;    // of its weight: a larger change of push wakes a body
+constexpr float smoothing_time = 0.1f;   // s, averaging time of a body's usual push
+constexpr float waking_fraction = 0.1f;  // of its weight: a larger change of push wakes a body
 
 /// Bullet limits the rotation of a body in a step to this, rad.
 constexpr float most_turn = ANGULAR_MOTION_THRESHOLD;
@@ -87,8 +87,9 @@ void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, 
   const Vec3 force = impulse.linear / dt, torque = impulse.angular / dt;
   const float weight = gravity * mass_unit / body.bullet->getInvMass();
   if (!body.bullet->isActive()) {
-    const bool as_usual = length(force - memory.usual_force) <= waking_share * weight &&
-                          length(torque - memory.usual_torque) <= waking_share * weight * body.shape.radius;
+    const bool as_usual =
+        length(force - memory.usual_force) <= waking_fraction * weight &&
+        length(torque - memory.usual_torque) <= waking_fraction * weight * body.shape.radius;
     if (as_usual) return;
     wake_up(*body.bullet);
   }

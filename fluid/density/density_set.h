@@ -105,7 +105,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   DensityParameters parameters_;
   float last_dt_ = 0, saved_dt_ = 0;
   bool saving_ = false;
-  float share_ = 0;  // the fraction of the last substep's multipliers
+  float warm_start_fraction_ = 0;  // the fraction of the last substep's multipliers
   bool any_fluid_ = true, any_grains_ = false;
   pbd::Chebyshev chebyshev_;
   std::unique_ptr<PressureGrid<D>> pressure_grid_;  // exists if the parameters ask for it

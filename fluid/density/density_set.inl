@@ -60,7 +60,7 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   // A multiplier grows with the square of the step. But after a step that was short for its error, the
   // multiplier exceeds that of a longer step. With a pressure grid the multipliers include its pressure, so
   // they are no estimate for the remaining iterations.
-  share_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
+  warm_start_fraction_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
 }
 
 template <class D>
@@ -88,7 +88,7 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt),
       .limit = parameters_.correction_limit,
       .first = iteration == 0,
-      .fraction = share_,
+      .fraction = warm_start_fraction_,
       .phase = substep.particles.phase,
       .recorded = recorded};
   const ArtificialPressure& artificial = parameters_.artificial_pressure;

@@ -17,7 +17,7 @@ using pbd::Vec4;
 using pbd::View;
 
 /// Φ: rises from 0 to 1 over a range.
-MENISCUS_HD inline float share_of(const Range& range, float value) {
+MENISCUS_HD inline float fraction_of(const Range& range, float value) {
   return pbd::clamp((value - range.low) / (range.high - range.low), 0, 1);
 }
 
@@ -68,11 +68,11 @@ struct CountBirths {
     const DiffuseDef& def = parameters.def;
     born[i] = 0;
     const Vec3 v = velocity[i].xyz();
-    const float energy = share_of(def.energy, 0.5f * dot(v, v));
+    const float energy = fraction_of(def.energy, 0.5f * dot(v, v));
     if (pbd::is_grain(phase[i]) || !(energy > 0)) return;
     const Vec4 self = normal[i];
-    float rate = def.air_rate * share_of(def.air, self.w);
-    if (dot(self.xyz(), v) > 0.6f * length(v)) rate += def.crest_rate * share_of(def.crest, crest(i));
+    float rate = def.air_rate * fraction_of(def.air, self.w);
+    if (dot(self.xyz(), v) > 0.6f * length(v)) rate += def.crest_rate * fraction_of(def.crest, crest(i));
     const float n = pbd::min(rate * energy * dt, 64);
     const float whole = floorf(n);
     const float chance = random_numbers(number[i], step, 0).x;
