@@ -121,8 +121,8 @@ void FacePoints<D>::project(pbd::Substep<D>& substep, int iteration) {
   device_.parallel_for("faces/weigh", room_,
                        Weigh{points(substep), substep.particles, substep.contacts, pushed_.view()});
   contacts_.project(substep, iteration);
-  device_.parallel_for("faces/hand back", vertices_,
-                       HandBack{points(substep), substep.particles, at_vertex_.view()});
+  device_.parallel_for("faces/transfer", vertices_,
+                       TransferDisplacement{points(substep), substep.particles, at_vertex_.view()});
 }
 
 template <class D>
@@ -154,8 +154,7 @@ void FacePoints<D>::end(pbd::Substep<D>& substep) {
   device_.parallel_for("faces/velocities", room_, PlaceVelocities{all, p, substep.contacts, pushed_.view()});
   device_.parallel_for("faces/weigh", room_, Weigh{all, p, substep.contacts, pushed_.view()});
   contacts_.end(substep);
-  device_.parallel_for("faces/hand back velocities", vertices_,
-                       HandBackVelocities{all, p, at_vertex_.view()});
+  device_.parallel_for("faces/transfer velocities", vertices_, TransferVelocities{all, p, at_vertex_.view()});
 }
 
 }  // namespace meniscus::collision

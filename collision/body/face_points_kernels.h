@@ -288,7 +288,7 @@ struct Weigh {
 
 /// Transfers a point's displacement to the vertices. It is an impulse of the displacement over the point's w,
 /// and the vertices get fractions of it by the point's weights.
-struct HandBack {
+struct TransferDisplacement {
   Points points;
   ParticleView particles;
   View<const uint32_t> at_vertex;
@@ -325,7 +325,7 @@ struct PlaceVelocities {
   }
 };
 
-struct HandBackVelocities {
+struct TransferVelocities {
   Points points;
   ParticleView particles;
   View<const uint32_t> at_vertex;
