@@ -51,8 +51,8 @@ struct Contain {
 struct LostScratch {
   static constexpr uint32_t groups = 64;
 
-  Vec3 impulse[groups];  // kg·m
-  float mass[groups];    // kg
+  Vec3 positional_impulse[groups];  // kg·m
+  float mass[groups];               // kg
   uint32_t piece[groups];
 };
 
@@ -75,20 +75,20 @@ struct SumLost {
     group.for_each(count, [&](uint32_t k) {
       const uint32_t piece = scratch.piece[k];
       if (k > 0 && scratch.piece[k - 1] == piece) return;
-      Vec3 impulse{0, 0, 0};
+      Vec3 positional_impulse{0, 0, 0};
       float mass = 0;
       for (uint32_t other = k; other < count && scratch.piece[other] == piece; ++other) {
-        impulse += scratch.impulse[other];
+        positional_impulse += scratch.positional_impulse[other];
         mass += scratch.mass[other];
       }
-      sums.add(piece, impulse, mass);
+      sums.add(piece, positional_impulse, mass);
     });
   }
 
  private:
   /// Each vertex belongs to one of its triangles.
   MENISCUS_HD void sum(Scratch& scratch, uint32_t k, uint32_t g) const {
-    Vec3 impulse{0, 0, 0};
+    Vec3 positional_impulse{0, 0, 0};
     float mass = 0;
     for (uint32_t place = 8 * g; place < 8 * g + 8; ++place) {
       const SurfaceTriangle t = load(cloth.tree.triangles, place);
@@ -96,11 +96,11 @@ struct SumLost {
         if (!(cloth.features[place] & owns_vertex << corner)) continue;
         const uint32_t v = corner_of(t, corner);
         const float w = cloth.position[v].w, m = w > 0 ? 1 / w : 0.0f;
-        impulse += m * taken[v].xyz();
+        positional_impulse += m * taken[v].xyz();
         mass += m;
       }
     }
-    scratch.impulse[k] = impulse;
+    scratch.positional_impulse[k] = positional_impulse;
     scratch.mass[k] = mass;
     scratch.piece[k] = cloth.tree.triangles[8 * g].piece;
   }

@@ -112,10 +112,10 @@ struct PieceSums {
   MENISCUS_HD void begin(uint32_t piece) const {
     for (uint32_t k = 0; k < 4; ++k) sums[4 * piece + k] = 0;
   }
-  MENISCUS_HD void add(uint32_t piece, Vec3 impulse, float mass) const {
-    pbd::atomic_add(sums[4 * piece], llrintf(impulse.x / unit));
-    pbd::atomic_add(sums[4 * piece + 1], llrintf(impulse.y / unit));
-    pbd::atomic_add(sums[4 * piece + 2], llrintf(impulse.z / unit));
+  MENISCUS_HD void add(uint32_t piece, Vec3 positional_impulse, float mass) const {
+    pbd::atomic_add(sums[4 * piece], llrintf(positional_impulse.x / unit));
+    pbd::atomic_add(sums[4 * piece + 1], llrintf(positional_impulse.y / unit));
+    pbd::atomic_add(sums[4 * piece + 2], llrintf(positional_impulse.z / unit));
     pbd::atomic_add(sums[4 * piece + 3], llrintf(mass / mass_unit));
   }
   /// The displacement of the whole piece, m.

@@ -64,7 +64,7 @@ struct SolveChains {
 
   View<const Chain> chains;
   View<const EdgeConstraint> edges;
-  View<Vec4> multiplier;  ///< kg·m: the impulse that an edge pushes with, and λ
+  View<Vec4> multiplier;  ///< kg·m: the positional impulse that an edge pushes with, and λ
   VertexState all;
   View<Vec4> pending;         ///< kg·m, by vertex; if the stage absorbs them
   View<Vec4> effective_mass;  ///< see Substep::effective_mass

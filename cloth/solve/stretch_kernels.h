@@ -184,7 +184,7 @@ struct SolveStrain {
 
   struct Corners {
     Vec4 x[3];
-    Vec3 impulse[3];
+    Vec3 positional_impulse[3];
   };
   /// One strain and its gradients at b and c. The gradient at a is minus their sum.
   struct Strain {
@@ -209,9 +209,9 @@ struct SolveStrain {
     now.y = solve(vertices, s, t, stretch(s, t, 1), start.y, scale * s.weft_compliance, true);
     now.z = solve(vertices, s, t, shear(s, t), start.z, scale * s.shear_compliance, false);
     multiplier[k] = now;
-    vertices.push(s.a, a, t.impulse[0]);
-    vertices.push(s.b, b, t.impulse[1]);
-    vertices.push(s.c, c, t.impulse[2]);
+    vertices.push(s.a, a, t.positional_impulse[0]);
+    vertices.push(s.b, b, t.positional_impulse[1]);
+    vertices.push(s.c, c, t.positional_impulse[2]);
   }
 
   MENISCUS_HD static Vec3 direction(const StrainConstraint& s, const Corners& t, int axis) {
@@ -254,7 +254,7 @@ struct SolveStrain {
     const float relaxing = strain.value < 0 && stretches ? compressed_relaxation : relaxation;
     const float step = relaxing * xpbd_step(strain.value, rate, weight, before, compliance, damping);
     for (int i = 0; i < 3; ++i) {
-      t.impulse[i] += step * gradient[i];
+      t.positional_impulse[i] += step * gradient[i];
       t.x[i] = pbd::with_w(t.x[i].xyz() + t.x[i].w * step * gradient[i], t.x[i].w);
     }
     return before + step;

@@ -286,8 +286,8 @@ struct Weigh {
   }
 };
 
-/// Transfers a point's displacement to the vertices. It is an impulse of the displacement over the point's w,
-/// and the vertices get fractions of it by the point's weights.
+/// Transfers a point's displacement to the vertices. It is a positional impulse of the displacement over the
+/// point's w, and the vertices get fractions of it by the point's weights.
 struct TransferDisplacement {
   Points points;
   ParticleView particles;
@@ -295,14 +295,15 @@ struct TransferDisplacement {
 
   MENISCUS_HD void operator()(uint32_t vertex) const {
     if (at_vertex[vertex] == 0) return;
-    Vec3 impulse{0, 0, 0};
+    Vec3 positional_impulse{0, 0, 0};
     points.for_each_at(vertex, [&](uint32_t i, float weight) {
       const float w = particles.position[i].w;
-      if (w > 0) impulse += (weight / w) * particles.accumulated_delta[i].xyz();
+      if (w > 0) positional_impulse += (weight / w) * particles.accumulated_delta[i].xyz();
     });
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
-    const Vec3 by = x.w > 0 ? x.w * impulse : impulse;  // a held vertex stores the impulse that it resists
+    // A held vertex stores the positional impulse that it resists.
+    const Vec3 by = x.w > 0 ? x.w * positional_impulse : positional_impulse;
     particles.accumulated_delta[i] = pbd::with_w(particles.accumulated_delta[i].xyz() + by, 0);
     if (x.w > 0) particles.position[i] = pbd::with_w(x.xyz() + by, x.w);
   }
