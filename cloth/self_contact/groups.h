@@ -107,7 +107,7 @@ struct FindGroups {
     for (uint32_t first = large ? n / 64 : n / 8; first < end; first += Scratch::boxes) {
       const uint32_t boxes = end - first < Scratch::boxes ? end - first : Scratch::boxes;
       if (large)
-        look_below(group, scratch, n, first, boxes);
+        search_below(group, scratch, n, first, boxes);
       else
         pair_up_all(group, scratch, n, boxes, [&](uint32_t k) { return first + k; });
     }
@@ -116,8 +116,8 @@ struct FindGroups {
  private:
   /// Boxes of level 4 from `first` on.
   template <class Group>
-  MENISCUS_HD void look_below(const Group& group, Scratch& scratch, uint32_t n, uint32_t first,
-                              uint32_t boxes) const {
+  MENISCUS_HD void search_below(const Group& group, Scratch& scratch, uint32_t n, uint32_t first,
+                                uint32_t boxes) const {
     group.for_each(1, [&](uint32_t) { scratch.top_count = 0; });
     group.for_each(boxes, [&](uint32_t k) {
       if (overlap(tree.box(4, first + k), tree.box(2, n)))
@@ -135,7 +135,7 @@ struct FindGroups {
   MENISCUS_HD void pair_up_all(const Group& group, Scratch& scratch, uint32_t n, uint32_t count,
                                const BoxAt& box_at) const {
     group.for_each(1, [&](uint32_t) { scratch.count = 0; });
-    group.for_each(count, [&](uint32_t k) { look_into(scratch, n, box_at(k)); });
+    group.for_each(count, [&](uint32_t k) { find_eights(scratch, n, box_at(k)); });
     const uint32_t found = scratch.count;
     group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
   }
@@ -146,7 +146,7 @@ struct FindGroups {
     sheets.smooth[g] = sheets.is_smooth(g);
   }
 
-  MENISCUS_HD void look_into(Scratch& scratch, uint32_t n, uint32_t box) const {
+  MENISCUS_HD void find_eights(Scratch& scratch, uint32_t n, uint32_t box) const {
     const Aabb own = eights_have_boxes() ? tree.box(2, n) : pbd::empty_box;
     if (tree.levels > 3 && !overlap(tree.box(3, box), own)) return;
     uint32_t mask =

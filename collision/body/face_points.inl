@@ -70,7 +70,7 @@ face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const
 template <class D>
 void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
   using namespace face_kernels;
-  if (!looks() || !active_) return;
+  if (!may_need_points() || !active_) return;
   decide(substep, needed_.view());
   device_.exclusive_scan("faces/number", needed_.view(), number_.view());
   device_.parallel_for("faces/list", surface_.triangles.count,
@@ -89,7 +89,7 @@ void FacePoints<D>::prepare(pbd::Substep<D>& substep) {
 }
 
 template <class D>
-bool FacePoints<D>::looks() const {
+bool FacePoints<D>::may_need_points() const {
   return surface_.triangles.count > 0 && shapes_.any_but_fixed_planes();
 }
 

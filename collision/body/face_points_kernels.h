@@ -66,7 +66,7 @@ struct Decide {
   MENISCUS_HD void operator()(uint32_t n) const {
     const SurfaceTriangle t = triangles[n];
     const FaceSample best =
-        may_meet(t) ? look(motion_of(particles, t), touches.of(particles.sorted + t.a)) : nothing();
+        may_meet(t) ? deepest_point(motion_of(particles, t), touches.of(particles.sorted + t.a)) : nothing();
     const bool needs = best.surface.distance < nothing().surface.distance;
     if (needed.count == 0) {
       if (needs) pbd::atomic_max(wanted[0], 1);
@@ -88,7 +88,7 @@ struct Decide {
   }
 
   /// The deepest point over all shapes, if the face needs one.
-  MENISCUS_HD FaceSample look(const FaceMotion& motion, const Touch& touch) const {
+  MENISCUS_HD FaceSample deepest_point(const FaceMotion& motion, const Touch& touch) const {
     const Aabb box = bounds_of(motion);
     const float reach = 2 * touch.radius;
     FaceSample best = nothing();
@@ -97,14 +97,15 @@ struct Decide {
       const Shape& shape = set.shapes[k];
       if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, reach)) continue;
       if (!collide(shape, touch.filter)) continue;
-      const FaceSample found = look_at(shape, motion_beside(shape, shape.pose, motion), touch.radius, reach);
+      const FaceSample found =
+          deepest_point_in(shape, motion_beside(shape, shape.pose, motion), touch.radius, reach);
       if (found.surface.distance < best.surface.distance) best = found;
     }
     return best;
   }
 
-  MENISCUS_HD FaceSample look_at(const Shape& shape, const FaceMotion& motion, float radius,
-                                 float reach) const {
+  MENISCUS_HD FaceSample deepest_point_in(const Shape& shape, const FaceMotion& motion, float radius,
+                                          float reach) const {
     const FaceField field{set, shape, radius_of(motion.to) + displacement_of(motion) + reach};
     if (!field.may_reach(motion)) return nothing();
     const float touch = 0.5f * radius, dip = slack * radius;

@@ -137,7 +137,7 @@ struct FindTouches {
           !pbd::is_over_triangle(to, surface.end(t.a), surface.end(t.b), surface.end(t.c)))
         return;
       const pbd::FeaturePair pair = surface.pair(from, to, t);
-      if (look_at(layers, pair, may_meet, place, surface.pieces[t.piece].radius)) at_border |= border;
+      if (find_place(layers, pair, may_meet, place, surface.pieces[t.piece].radius)) at_border |= border;
     });
     at_border = SearchTeam::any(at_border);
     layers.gather();
@@ -154,8 +154,8 @@ struct FindTouches {
 
   /// Whether the triangle is within the support radius. Of the places at the end, only those inside the
   /// triangle count.
-  MENISCUS_HD bool look_at(Layers& layers, const pbd::FeaturePair& pair, bool may_meet, uint32_t place,
-                           float radius) const {
+  MENISCUS_HD bool find_place(Layers& layers, const pbd::FeaturePair& pair, bool may_meet, uint32_t place,
+                              float radius) const {
     const pbd::Nearest end = nearest(pair, 1);
     const float motion = may_meet ? relative_motion(pair) : 0;
     if (may_meet && motion >= 0.3f * end.distance) {

@@ -117,7 +117,7 @@ struct Move {
   MENISCUS_HD void operator()(uint32_t i) const {
     DiffuseParticle p = from[i];
     p.life -= dt;
-    const Surroundings around = look_around(p.position);
+    const Surroundings around = surroundings_at(p.position);
     const DiffuseDef& def = parameters.def;
     if (around.weight < def.spray_below) {
       p.kind = DiffuseKind::spray;
@@ -136,7 +136,7 @@ struct Move {
   }
 
  private:
-  MENISCUS_HD Surroundings look_around(Vec3 at) const {
+  MENISCUS_HD Surroundings surroundings_at(Vec3 at) const {
     Surroundings sum;
     const float h = parameters.support;
     if (fluid == 0) return sum;
