@@ -71,7 +71,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   /// The pull at each held vertex in the last step, N·s.
   std::vector<Vec3> read_reactions() const;
   /// Whether any edge was stretched beyond its limit in the last step.
-  bool found_tears() const { return tears_.host().size() && tears_.host()[0] != 0; }
+  bool found_tears() const { return !tears_.host().empty() && tears_.host()[0] != 0; }
 
  private:
   template <class T>

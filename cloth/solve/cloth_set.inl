@@ -351,7 +351,7 @@ void ClothSet<D>::start_step() {
   feels_wind_ = false;  // a step may have failed before its wind acted
   start_time_ = time_;
   reaction_.fill(0);
-  if (tears_.host().size()) tears_.host()[0] = 0;
+  if (!tears_.host().empty()) tears_.host()[0] = 0;
 }
 
 /// Chains start without a push. Only the sizes of their last multipliers matter.
