@@ -66,10 +66,10 @@ struct BlockBySolids {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Arrival& a = arrivals[i];
-    const Vec3 way = a.to - a.from;
-    const float whole = length(way);
+    const Vec3 path = a.to - a.from;
+    const float whole = length(path);
     for (float along = 0;;) {
-      const float nearest = distance(a.from + (whole > 0 ? along / whole : 0) * way, a.filter);
+      const float nearest = distance(a.from + (whole > 0 ? along / whole : 0) * path, a.filter);
       if (nearest < clearance) return pbd::atomic_max(blocked[i], 1);
       if (along >= whole) return;
       along = pbd::min(whole, along + pbd::max(nearest - clearance, clearance));
