@@ -19,7 +19,7 @@ MENISCUS_HD inline Vec3 push_out(Contact& c, Vec3 x, float w, float radius) {
 }
 
 /// The increment of the friction, kg·m, for a particle with this displacement.
-MENISCUS_HD inline Vec3 hold_back(Contact& c, Vec3 displacement, float w) {
+MENISCUS_HD inline Vec3 apply_friction(Contact& c, Vec3 displacement, float w) {
   const Vec3 old = c.tangent_multiplier;
   c.tangent_multiplier =
       shortened_to(old - slip(c, displacement) / (w + c.body_inverse_mass), most_friction(c));
@@ -53,7 +53,7 @@ struct ContactProjection {
       next = contacts.contacts[k + 1 < end ? k + 1 : k];
       if (is_attachment(c)) continue;
       step += p.w * push_out(c, x + step, p.w, tighter * c.radius);
-      if (c.friction > 0) step += p.w * hold_back(c, x + step - start, p.w);
+      if (c.friction > 0) step += p.w * apply_friction(c, x + step - start, p.w);
       Contact& to = contacts.contacts[k];
       to.normal_multiplier = c.normal_multiplier;
       to.tangent_multiplier = c.tangent_multiplier;

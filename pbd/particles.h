@@ -57,13 +57,14 @@ MENISCUS_HD constexpr bool is_vertex_slot(uint32_t slot) {
 
 /// The particles as kernels see them. Loops run over [0, owned) and may read [0, owned + ghosts).
 struct ParticleView {
-  View<Vec4> position;           ///< m; w: inverse mass, 1/kg, 0 for fixed particles
-  View<const Vec4> previous;     ///< m, at the substep's start
-  View<Vec4> accumulated_delta;  ///< m, by constraints in this substep, kept separately because the position
-                                 ///< rounds it; of fixed particles the accumulated impulse, kg·m. w: of
-                                 ///< fluids the inverse mass again, for kernels that do not need the position
-  View<Vec4> velocity;  ///< m/s; w: of fluids, the magnitude of the last substep's curl, 1/s, for vorticity
-                        ///< confinement
+  View<Vec4> position;        ///< m; w: inverse mass, 1/kg, 0 for fixed particles
+  View<const Vec4> previous;  ///< m, at the substep's start
+  View<Vec4>
+      accumulated_delta;  ///< m, by constraints in this substep, kept separately because the position
+                          ///< rounds it; of fixed particles the accumulated positional impulse, kg·m. w: of
+                          ///< fluids the inverse mass again, for kernels that do not need the position
+  View<Vec4> velocity;    ///< m/s; w: of fluids, the magnitude of the last substep's curl, 1/s, for vorticity
+                          ///< confinement
   View<const Phase> phase;
   View<const uint32_t> slot;
   View<const uint32_t> number;  ///< persistent: random choices are hashed from it

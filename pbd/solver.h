@@ -87,10 +87,10 @@ class Solver {
   /// change.
   void measure(const std::function<void(Substep<D>&, const Found&)>& measure);
 
-  /// Calls look(substep) with the neighbours and contacts of the last substep, and does not wait. They lack
+  /// Calls read(substep) with the neighbours and contacts of the last substep, and does not wait. They lack
   /// only pairs that came into reach within that substep. Returns false, without a call, if they do not
   /// belong to the present particles.
-  bool look(const std::function<void(Substep<D>&)>& look);
+  bool read_last_substep(const std::function<void(Substep<D>&)>& read);
 
   const ParticleSummary& summary();
   /// The contacts of the last substep, or measurement.

@@ -148,13 +148,13 @@ void Solver<D>::measure(const std::function<void(Substep<D>&, const Found&)>& me
 }
 
 template <class D>
-bool Solver<D>::look(const std::function<void(Substep<D>&)>& look) {
+bool Solver<D>::read_last_substep(const std::function<void(Substep<D>&)>& read) {
   if (!has_found_) return false;
   Substep<D> s = make_substep(0);
   s.neighbours = search_.view(particles_.sentinel());
   s.grid = search_.grid();
   s.contacts = contacts_.view();
-  look(s);
+  read(s);
   return true;
 }
 

@@ -12,27 +12,27 @@ namespace {
 
 /// Builds CSR adjacency: item k belongs to vertex_of(k).
 template <class VertexOf>
-Fans fans(size_t items, size_t vertices, const VertexOf& vertex_of) {
-  Fans f{std::vector<uint32_t>(vertices + 1), std::vector<uint32_t>(items)};
-  for (uint32_t k = 0; k < items; ++k) ++f.start[vertex_of(k) + 1];
-  std::partial_sum(f.start.begin(), f.start.end(), f.start.begin());
-  std::vector<uint32_t> next(f.start.begin(), f.start.end() - 1);
-  for (uint32_t k = 0; k < items; ++k) f.items[next[vertex_of(k)]++] = k;
-  return f;
+Adjacency adjacency(size_t items, size_t vertices, const VertexOf& vertex_of) {
+  Adjacency by_vertex{std::vector<uint32_t>(vertices + 1), std::vector<uint32_t>(items)};
+  for (uint32_t k = 0; k < items; ++k) ++by_vertex.start[vertex_of(k) + 1];
+  std::partial_sum(by_vertex.start.begin(), by_vertex.start.end(), by_vertex.start.begin());
+  std::vector<uint32_t> next(by_vertex.start.begin(), by_vertex.start.end() - 1);
+  for (uint32_t k = 0; k < items; ++k) by_vertex.items[next[vertex_of(k)]++] = k;
+  return by_vertex;
 }
 
 }  // namespace
 
-Fans triangle_fans(const std::vector<pbd::SurfaceTriangle>& triangles, size_t vertices) {
-  return fans(3 * triangles.size(), vertices, [&](uint32_t k) {
+Adjacency corners_by_vertex(const std::vector<pbd::SurfaceTriangle>& triangles, size_t vertices) {
+  return adjacency(3 * triangles.size(), vertices, [&](uint32_t k) {
     const pbd::SurfaceTriangle& t = triangles[k / 3];
     return k % 3 == 0 ? t.a : k % 3 == 1 ? t.b : t.c;
   });
 }
 
-Fans edge_fans(const std::vector<EdgeConstraint>& edges, size_t vertices) {
-  return fans(2 * edges.size(), vertices,
-              [&](uint32_t k) { return k % 2 == 0 ? edges[k / 2].a : edges[k / 2].b; });
+Adjacency edge_ends_by_vertex(const std::vector<EdgeConstraint>& edges, size_t vertices) {
+  return adjacency(2 * edges.size(), vertices,
+                   [&](uint32_t k) { return k % 2 == 0 ? edges[k / 2].a : edges[k / 2].b; });
 }
 
 CommonDamping common_damping(const std::vector<Piece>& pieces) {

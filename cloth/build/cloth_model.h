@@ -23,14 +23,14 @@ struct ClothModel {
 };
 
 /// CSR adjacency: the list of vertex v is items[start[v]] to items[start[v + 1] − 1].
-struct Fans {
+struct Adjacency {
   std::vector<uint32_t> start, items;
 };
 
 /// The corners of triangles at each vertex: 3 · triangle + corner.
-Fans triangle_fans(const std::vector<pbd::SurfaceTriangle>& triangles, size_t vertices);
+Adjacency corners_by_vertex(const std::vector<pbd::SurfaceTriangle>& triangles, size_t vertices);
 /// The ends of edges at each vertex: 2 · edge + end.
-Fans edge_fans(const std::vector<EdgeConstraint>& edges, size_t vertices);
+Adjacency edge_ends_by_vertex(const std::vector<EdgeConstraint>& edges, size_t vertices);
 
 /// The damping that all pieces of cloth have in common.
 CommonDamping common_damping(const std::vector<Piece>& pieces);

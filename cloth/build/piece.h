@@ -20,7 +20,7 @@ struct Piece {
   float inside = 0;             ///< m³, the volume that the gas inside would fill without strain; 0: no gas
   float inside_compliance = 0;  ///< m³/Pa
   float tear_strain = 0;        ///< edges with a greater strain tear; 0: never
-  bool bears_fluid = false;     ///< whether fluid may load it
+  bool carries_fluid = false;   ///< whether fluid may load it
 };
 
 /// Rayleigh damping of all pieces, s; negative where pieces differ.

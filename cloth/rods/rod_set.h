@@ -66,15 +66,15 @@ class RodSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<pbd::Vec4> frame_{device_, "rod frames"};
   pbd::Buffer<pbd::Vec4> spin_{device_, "rod spins"};
   pbd::Buffer<pbd::Vec4> previous_{device_, "rod frames of before"};
-  pbd::Buffer<pbd::Vec4> aside_frame_{device_, "rod frames put aside"};
-  pbd::Buffer<pbd::Vec4> aside_spin_{device_, "rod spins put aside"};
+  pbd::Buffer<pbd::Vec4> saved_frame_{device_, "saved rod frames"};
+  pbd::Buffer<pbd::Vec4> saved_spin_{device_, "saved rod spins"};
   pbd::Buffer<rod_kernels::Strain> start_{device_, "rod strains at the start"};
   pbd::Buffer<rod_kernels::Strain> multiplier_{device_, "rod multipliers"};
   pbd::Buffer<rod_kernels::Link> link_{device_, "rod links"};
   pbd::Buffer<BandRow> row_{device_, "rod equations"};
   pbd::Buffer<pbd::Vec4> torque_{device_, "rod torques"};
   pbd::Buffer<float> pull_{device_, "rod tensions"};
-  pbd::Buffer<float> aside_pull_{device_, "rod tensions put aside"};
+  pbd::Buffer<float> saved_pull_{device_, "saved rod tensions"};
 };
 
 }  // namespace meniscus::cloth

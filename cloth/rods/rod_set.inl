@@ -19,11 +19,11 @@ void RodSet<D>::set_model(const RodModel& model) {
   segment_.resize_discard(count);
   segment_.write(model.segments);
   for (pbd::Buffer<pbd::Vec4>* b : {&frame_, &spin_, &torque_}) b->resize_keep(count, kept);
-  for (pbd::Buffer<pbd::Vec4>* b : {&previous_, &aside_frame_, &aside_spin_}) b->resize_discard(count);
+  for (pbd::Buffer<pbd::Vec4>* b : {&previous_, &saved_frame_, &saved_spin_}) b->resize_discard(count);
   start_.resize_discard(count);
   multiplier_.resize_discard(count);
   pull_.resize_keep(count, kept);
-  aside_pull_.resize_discard(count);
+  saved_pull_.resize_discard(count);
   link_.resize_discard(count);
   row_.resize_discard(2 * size_t{count});
   row_.fill(0);  // blocks beyond a rod's end stay 0
@@ -107,17 +107,17 @@ void RodSet<D>::end(pbd::Substep<D>& substep) {
 template <class D>
 void RodSet<D>::save() {
   if (!segments_) return;
-  device_.copy(aside_frame_.view().data, frame_.view().data, segments_ * sizeof(pbd::Vec4));
-  device_.copy(aside_spin_.view().data, spin_.view().data, segments_ * sizeof(pbd::Vec4));
-  device_.copy(aside_pull_.view().data, pull_.view().data, segments_ * sizeof(float));
+  device_.copy(saved_frame_.view().data, frame_.view().data, segments_ * sizeof(pbd::Vec4));
+  device_.copy(saved_spin_.view().data, spin_.view().data, segments_ * sizeof(pbd::Vec4));
+  device_.copy(saved_pull_.view().data, pull_.view().data, segments_ * sizeof(float));
 }
 
 template <class D>
 void RodSet<D>::restore() {
   if (!segments_) return;
-  device_.copy(frame_.view().data, aside_frame_.view().data, segments_ * sizeof(pbd::Vec4));
-  device_.copy(spin_.view().data, aside_spin_.view().data, segments_ * sizeof(pbd::Vec4));
-  device_.copy(pull_.view().data, aside_pull_.view().data, segments_ * sizeof(float));
+  device_.copy(frame_.view().data, saved_frame_.view().data, segments_ * sizeof(pbd::Vec4));
+  device_.copy(spin_.view().data, saved_spin_.view().data, segments_ * sizeof(pbd::Vec4));
+  device_.copy(pull_.view().data, saved_pull_.view().data, segments_ * sizeof(float));
   row_.fill(0);  // a step that failed has left values in them that are not finite
 }
 

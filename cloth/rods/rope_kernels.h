@@ -74,21 +74,21 @@ struct Linearize {
     const float residual = strain + compliance * tension + damping * (strain - ropes.start[k]);
     const float along = compliance / (1 + damping) + rod_tuning::rope_regularisation * mass;
     const float pull = ropes.pull[k];
-    const float aside = pull * rod_tuning::most_lateral * mass > s.rest_length
-                            ? s.rest_length / pull
-                            : rod_tuning::most_lateral * mass;
-    const Vec3 right = -residual / (1 + damping) * n - aside * (multiplier - tension * n);
-    ropes.rows[k] = {yield(n, along, aside), a.w, b.w, right};
+    const float lateral = pull * rod_tuning::most_lateral * mass > s.rest_length
+                              ? s.rest_length / pull
+                              : rod_tuning::most_lateral * mass;
+    const Vec3 right = -residual / (1 + damping) * n - lateral * (multiplier - tension * n);
+    ropes.rows[k] = {compliance_matrix(n, along, lateral), a.w, b.w, right};
   }
 
  private:
   MENISCUS_HD Vec4 at(uint32_t vertex) const {
     return ropes.particles.position[ropes.particles.sorted + vertex];
   }
-  MENISCUS_HD static Sym3 yield(Vec3 n, float along, float aside) {
-    const float d = along - aside;
-    return {aside + d * n.x * n.x, aside + d * n.y * n.y, aside + d * n.z * n.z,
-            d * n.x * n.y,         d * n.x * n.z,         d * n.y * n.z};
+  MENISCUS_HD static Sym3 compliance_matrix(Vec3 n, float along, float lateral) {
+    const float d = along - lateral;
+    return {lateral + d * n.x * n.x, lateral + d * n.y * n.y, lateral + d * n.z * n.z,
+            d * n.x * n.y,           d * n.x * n.z,           d * n.y * n.z};
   }
 };
 

@@ -43,7 +43,7 @@ class RopeSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<float> start_{device_, "rope strains at the start"};
   pbd::Buffer<Vec3> multiplier_{device_, "rope multipliers"};
   pbd::Buffer<float> pull_{device_, "rope tensions"};
-  pbd::Buffer<float> aside_pull_{device_, "rope tensions put aside"};
+  pbd::Buffer<float> saved_pull_{device_, "saved rope tensions"};
   pbd::Buffer<rope_kernels::Row> row_{device_, "rope equations"};
 };
 

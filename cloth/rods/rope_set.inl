@@ -22,7 +22,7 @@ void RopeSet<D>::set_model(const RodModel& model) {
   multiplier_.resize_discard(count);
   pull_.resize_keep(count, kept);
   pull_.write(std::vector<float>(count - kept), kept);
-  aside_pull_.resize_discard(count);
+  saved_pull_.resize_discard(count);
   row_.resize_discard(count);
   segments_ = count;
   chains_ = chains;
@@ -52,12 +52,12 @@ void RopeSet<D>::project(pbd::Substep<D>& substep, int iteration) {
 
 template <class D>
 void RopeSet<D>::save() {
-  if (segments_) device_.copy(aside_pull_.view().data, pull_.view().data, segments_ * sizeof(float));
+  if (segments_) device_.copy(saved_pull_.view().data, pull_.view().data, segments_ * sizeof(float));
 }
 
 template <class D>
 void RopeSet<D>::restore() {
-  if (segments_) device_.copy(pull_.view().data, aside_pull_.view().data, segments_ * sizeof(float));
+  if (segments_) device_.copy(pull_.view().data, saved_pull_.view().data, segments_ * sizeof(float));
 }
 
 template <class D>

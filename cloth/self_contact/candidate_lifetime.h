@@ -26,29 +26,29 @@ struct Foresee {
   static constexpr float room_for_thickness = 0.5f * self_contact_tuning::reach;  // of two vertices, together
 
   View<const Vec4> previous, position;  // by vertex
-  View<const uint32_t> vertex_part;
-  View<const Part> parts;
+  View<const uint32_t> vertex_piece;
+  View<const PieceProperties> pieces;
   View<const float> strayed;    // m, in the last substep
   View<const Vec4> kept, wide;  // motion bounds, see CandidateLifetime
   View<Vec4> foreseen;          // w: the room, m
   ImpactZones impact_zones;
-  PartSums sums;
+  PieceSums sums;
   Folds folds;
   View<uint32_t> entries, counters;
   Room room_for;
-  bool anew;         // search in any case
-  bool begin_brief;  // if anew: search for one substep only, see CandidateLifetime
+  bool anew;                   // search in any case
+  bool begin_for_one_substep;  // if anew: search for one substep only, see CandidateLifetime
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (vertex_part[v] != no_index) foresee(v);
+    if (vertex_piece[v] != no_index) foresee(v);
     impact_zones.begin(v);
-    folds.begin(v, vertex_part.count);
-    for (uint32_t part = v; part < parts.count; part += vertex_part.count) sums.begin(part);
+    folds.begin(v, vertex_piece.count);
+    for (uint32_t piece = v; piece < pieces.count; piece += vertex_piece.count) sums.begin(piece);
     entries[v] = 0;
     if (v != 0) return;
     if (anew) {
-      counters[listings] = counters[brief] = counters[overflowed] = 0;
-      counters[restless] = counters[age] = begin_brief;
+      counters[listings] = counters[one_substep_listings] = counters[overflowed] = 0;
+      counters[long_expired] = counters[age] = begin_for_one_substep;
     } else if (!room_for.sufficed(counters)) {
       counters[overflowed] = 1;
     }
@@ -58,18 +58,18 @@ struct Foresee {
 
   MENISCUS_HD void foresee(uint32_t v) const {
     const Vec3 x = position[v].xyz(), displacement = x - previous[v].xyz();
-    const float thickness = parts[vertex_part[v]].thickness;
+    const float thickness = pieces[vertex_piece[v]].thickness;
     const float room = room_for_thickness * thickness +
                        self_contact_tuning::room_of_motion * length(displacement) +
                        self_contact_tuning::room_of_strayed * strayed[v];
     foreseen[v] = pbd::with_w(x, room);
     if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
-    if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[restless], 1);
+    if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[long_expired], 1);
   }
 
  private:
-  MENISCUS_HD static bool leaves(const Vec4& ball, Vec3 x, float room) {
-    return length(x - ball.xyz()) + room > ball.w;
+  MENISCUS_HD static bool leaves(const Vec4& bound, Vec3 x, float room) {
+    return length(x - bound.xyz()) + room > bound.w;
   }
 };
 
@@ -81,42 +81,42 @@ struct Listing {
   MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[overflowed] == 0; }
 };
 
-/// Chooses the motion bound of each vertex until the next search: a ball around its expected motion. Where
+/// Chooses the motion bound of each vertex until the next search: a sphere around its expected motion. Where
 /// such bounds did not hold even for the next substep, they are made for this substep alone. There are then
 /// far fewer pairs. A vertex whose displacement is not finite gets no valid bound and meets nothing, so that
 /// the step fails.
 struct CandidateLifetime {
   Listing listing;
   View<const Vec4> previous, foreseen;
-  View<const uint32_t> vertex_part;
-  View<const Part> parts;
-  View<Vec4> kept, wide;  // balls: centre and radius, m; wide: for many substeps, whichever is kept
+  View<const uint32_t> vertex_piece;
+  View<const PieceProperties> pieces;
+  View<Vec4> kept, wide;  // spheres: centre and radius, m; wide: for many substeps, whichever is kept
   View<uint32_t> counters;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
-    if (vertex_part[v] != no_index) keep(v);
+    if (vertex_piece[v] != no_index) keep(v);
     if (v != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];
-    if (is_brief()) ++counters[brief];
+    if (is_for_one_substep()) ++counters[one_substep_listings];
   }
 
   MENISCUS_HD void keep(uint32_t v) const {
     using namespace self_contact_tuning;
     const Vec3 from = previous[v].xyz(), displacement = foreseen[v].xyz() - from;
-    const float thickness = parts[vertex_part[v]].thickness, far = length(displacement);
+    const float thickness = pieces[vertex_piece[v]].thickness, far = length(displacement);
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
     const float radius =
         0.5f * substeps * far + foreseen[v].w + leeway * thickness + to_and_fro * pbd::max(0, solve);
-    wide[v] = ball(from + 0.5f * substeps * displacement, radius);
-    kept[v] = is_brief() ? ball(from + 0.5f * displacement, 0.5f * far + foreseen[v].w) : wide[v];
+    wide[v] = sphere(from + 0.5f * substeps * displacement, radius);
+    kept[v] = is_for_one_substep() ? sphere(from + 0.5f * displacement, 0.5f * far + foreseen[v].w) : wide[v];
   }
 
  private:
-  MENISCUS_HD bool is_brief() const { return counters[restless] != 0 && counters[age] == 1; }
-  MENISCUS_HD static Vec4 ball(Vec3 centre, float radius) {
+  MENISCUS_HD bool is_for_one_substep() const { return counters[long_expired] != 0 && counters[age] == 1; }
+  MENISCUS_HD static Vec4 sphere(Vec3 centre, float radius) {
     return pbd::with_w(centre, radius < pbd::most_finite ? radius : NAN);
   }
 };
@@ -124,7 +124,7 @@ struct CandidateLifetime {
 /// Boxes around the motion bounds of triangles, for the tree.
 struct KeptBoxes {
   Listing listing;
-  KeptPlaces kept;
+  MotionBounds kept;
 
   MENISCUS_HD bool wanted() const { return listing.wanted(); }
   MENISCUS_HD Aabb of(uint32_t v) const { return kept.box(v); }

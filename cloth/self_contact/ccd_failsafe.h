@@ -15,8 +15,8 @@ namespace meniscus::cloth::self_contact_kernels {
 /// records how far the vertex strays from its predicted motion. The next substep allows for that.
 struct Contain {
   View<const Vec4> previous;  // by vertex
-  View<const uint32_t> vertex_part;
-  KeptPlaces kept;
+  View<const uint32_t> vertex_piece;
+  MotionBounds kept;
   View<Vec4> foreseen;  // afterwards: see RolledBack
   View<Vec4> position, accumulated_delta;
   View<float> strayed;
@@ -24,7 +24,7 @@ struct Contain {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v == 0) grow_old();
-    if (vertex_part[v] == no_index) return;
+    if (vertex_piece[v] == no_index) return;
     const Vec4 x = position[v], ahead = foreseen[v];
     const Vec3 from = previous[v].xyz(), to = ahead.xyz();
     const Vec3 lower = min(from, to), upper = max(from, to);
@@ -44,7 +44,7 @@ struct Contain {
   /// Expired lists have been made again.
   MENISCUS_HD void grow_old() const {
     counters[age] = counters[expired] != 0 ? 1 : counters[age] + 1;
-    counters[expired] = counters[restless] = 0;
+    counters[expired] = counters[long_expired] = 0;
   }
 };
 
@@ -52,18 +52,18 @@ struct Contain {
 struct LostScratch {
   static constexpr uint32_t groups = 64;
 
-  Vec3 impulse[groups];  // kg·m
-  float mass[groups];    // kg
-  uint32_t part[groups];
+  Vec3 positional_impulse[groups];  // kg·m
+  float mass[groups];               // kg
+  uint32_t piece[groups];
 };
 
-/// Sums up the momentum of vertices that were rolled back, and the mass of each part.
+/// Sums up the momentum of vertices that were rolled back, and the mass of each piece.
 struct SumLost {
   using Scratch = LostScratch;
 
   ClothState cloth;
   View<const Vec4> taken;  // by vertex, m: see RolledBack
-  PartSums sums;
+  PieceSums sums;
   View<const uint32_t> counters;
 
   template <class Group>
@@ -72,24 +72,24 @@ struct SumLost {
     const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
     const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
     group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
-    // The first group of each part adds up the groups of that part which follow it.
+    // The first group of each piece adds up the groups of that piece which follow it.
     group.for_each(count, [&](uint32_t k) {
-      const uint32_t part = scratch.part[k];
-      if (k > 0 && scratch.part[k - 1] == part) return;
-      Vec3 impulse{0, 0, 0};
+      const uint32_t piece = scratch.piece[k];
+      if (k > 0 && scratch.piece[k - 1] == piece) return;
+      Vec3 positional_impulse{0, 0, 0};
       float mass = 0;
-      for (uint32_t other = k; other < count && scratch.part[other] == part; ++other) {
-        impulse += scratch.impulse[other];
+      for (uint32_t other = k; other < count && scratch.piece[other] == piece; ++other) {
+        positional_impulse += scratch.positional_impulse[other];
         mass += scratch.mass[other];
       }
-      sums.add(part, impulse, mass);
+      sums.add(piece, positional_impulse, mass);
     });
   }
 
  private:
   /// Each vertex belongs to one of its triangles.
   MENISCUS_HD void sum(Scratch& scratch, uint32_t k, uint32_t g) const {
-    Vec3 impulse{0, 0, 0};
+    Vec3 positional_impulse{0, 0, 0};
     float mass = 0;
     for (uint32_t place = 8 * g; place < 8 * g + 8; ++place) {
       const SurfaceTriangle t = load(cloth.tree.triangles, place);
@@ -97,34 +97,34 @@ struct SumLost {
         if (!(cloth.features[place] & owns_vertex << corner)) continue;
         const uint32_t v = corner_of(t, corner);
         const float w = cloth.position[v].w, m = w > 0 ? 1 / w : 0.0f;
-        impulse += m * taken[v].xyz();
+        positional_impulse += m * taken[v].xyz();
         mass += m;
       }
     }
-    scratch.impulse[k] = impulse;
+    scratch.positional_impulse[k] = positional_impulse;
     scratch.mass[k] = mass;
-    scratch.part[k] = cloth.tree.triangles[8 * g].part;
+    scratch.piece[k] = cloth.tree.triangles[8 * g].piece;
   }
 };
 
-/// Transfers the momentum of vertices that were rolled back to all vertices of their part, whose positions do
-/// not change. This causes no relative motion within the part. Given only to the vertices around, the
+/// Transfers the momentum of vertices that were rolled back to all vertices of their piece, whose positions
+/// do not change. This causes no relative motion within the piece. Given only to the vertices around, the
 /// momentum kept crumpled cloth stretched. Also records for the host the greatest counters of any substep, up
 /// to the first one whose lists had no room.
 struct TransferPush {
-  View<const uint32_t> vertex_part;
+  View<const uint32_t> vertex_piece;
   View<const Vec4> position;     // by vertex
   View<Vec4> accumulated_delta;  // by vertex
-  PartSums sums;
+  PieceSums sums;
   View<const uint32_t> counters;
   View<uint32_t> found;
 
   /// Runs for each vertex and for each counter.
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
-    if (v >= vertex_part.count || counters[lost] == 0) return;
-    if (vertex_part[v] == no_index || position[v].w == 0) return;
-    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], sums.displacement(vertex_part[v]));
+    if (v >= vertex_piece.count || counters[lost] == 0) return;
+    if (vertex_piece[v] == no_index || position[v].w == 0) return;
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], sums.displacement(vertex_piece[v]));
   }
 };
 
@@ -181,10 +181,10 @@ struct FindCrossings {
   /// share them: each group of threads takes every 32nd neighbour of a sheet's central group.
   template <class Group>
   MENISCUS_HD void check_folds(const Group& group, Scratch& scratch, uint32_t n) const {
-    constexpr uint32_t shares = 32;
-    for (uint32_t item = n; item < shares * folds.counters[folded_sheets]; item += stride) {
-      const uint32_t g = folds.list[item / shares], end = sheets.neighbour_start[g + 1];
-      for (uint32_t k = sheets.neighbour_start[g] + item % shares; k < end; k += shares)
+    constexpr uint32_t groups_of_threads = 32;
+    for (uint32_t item = n; item < groups_of_threads * folds.counters[folded_sheets]; item += stride) {
+      const uint32_t g = folds.list[item / groups_of_threads], end = sheets.neighbour_start[g + 1];
+      for (uint32_t k = sheets.neighbour_start[g] + item % groups_of_threads; k < end; k += groups_of_threads)
         check_two(group, scratch, g, sheets.neighbours[k]);
     }
   }

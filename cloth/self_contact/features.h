@@ -39,8 +39,8 @@ MENISCUS_HD inline OwnFeatures own_features(const ClothState& cloth, uint32_t pl
 struct PairsOfTwo {
   static constexpr uint32_t most = 15;
 
-  uint32_t mask = 0;    ///< the pairs that exist
-  uint32_t guards = 0;  ///< those that only the fail-safe checks, and that never become contacts
+  uint32_t mask = 0;          ///< the pairs that exist
+  uint32_t for_failsafe = 0;  ///< those that only the fail-safe checks, and that never become contacts
 
   /// All pairs that share no vertex. Pairs with an edge that is neither on a border nor in a rough group are
   /// only for the fail-safe.
@@ -55,7 +55,7 @@ struct PairsOfTwo {
       const uint32_t e = k / 3, f = k % 3;
       if (!a.has_edge(e) || !b.has_edge(f) || a.shares_end(e, b, f)) continue;
       mask |= 64u << k;
-      if (!(a.shows_edge(e) && b.shows_edge(f))) guards |= 64u << k;
+      if (!(a.shows_edge(e) && b.shows_edge(f))) for_failsafe |= 64u << k;
     }
   }
 
@@ -64,7 +64,7 @@ struct PairsOfTwo {
     if (k < 3) return {feature(places.first, k), feature(places.second, face)};
     if (k < 6) return {feature(places.second, k - 3), feature(places.first, face)};
     const uint32_t e = (k - 6) / 3, f = (k - 6) % 3;
-    return {feature(places.first, 3 + e) | (guards >> k & 1 ? FeatureCode::guard_bit : 0),
+    return {feature(places.first, 3 + e) | (for_failsafe >> k & 1 ? FeatureCode::failsafe_bit : 0),
             feature(places.second, 3 + f)};
   }
 };

@@ -11,7 +11,7 @@ namespace meniscus::cloth::self_contact_kernels {
 
 /// The four corners of a pair of features, each with its motion bound. They are a vertex and the three
 /// corners of a triangle, or the ends of two edges.
-struct CornerBalls {
+struct CornerBounds {
   Vec4 corner[4];
   bool edges;
 
@@ -20,8 +20,8 @@ struct CornerBalls {
     const Aabb last = joined(box(2), box(3));
     return edges ? overlap(joined(box(0), box(1)), last) : overlap(box(0), joined(box(1), last));
   }
-  /// Whether the features may come near. No point of a feature leaves the feature of the balls' centres by
-  /// more than the greatest radius of its balls.
+  /// Whether the features may come near. No point of a feature leaves the feature of the spheres' centres by
+  /// more than the greatest radius of its spheres.
   MENISCUS_HD bool may_come_near() const {
     const Vec3 origin = corner[0].xyz();
     const uint32_t first = edges ? 2 : 1;
@@ -49,7 +49,7 @@ struct TrianglesOfTwo {
   GroupPair groups;
   uint16_t features[count];  // see OwnFeatures
   uint32_t vertex[3 * count];
-  Vec4 ball[3 * count];  // by corner: its motion bound
+  Vec4 bound[3 * count];  // by corner: its motion bound
 
   MENISCUS_HD void load_triangle(const ClothState& cloth, uint32_t k) {
     const uint32_t place = 8 * (k < 8 ? groups.first : groups.second) + k % 8;
@@ -58,7 +58,7 @@ struct TrianglesOfTwo {
     features[k] = bits_of_features(cloth, place);
     for (uint32_t corner = 0; corner < 3; ++corner) {
       vertex[3 * k + corner] = corner_of(t, corner);
-      ball[3 * k + corner] = load(cloth.kept.balls, corner_of(t, corner));
+      bound[3 * k + corner] = load(cloth.kept.spheres, corner_of(t, corner));
     }
   }
 
@@ -66,8 +66,8 @@ struct TrianglesOfTwo {
     return {{vertex[3 * k], vertex[3 * k + 1], vertex[3 * k + 2], 0}, features[k]};
   }
   /// The corners of the k-th pair of features of triangles s and t.
-  MENISCUS_HD CornerBalls balls(uint32_t s, uint32_t t, uint32_t k) const {
-    const Vec4 *a = ball + 3 * s, *b = ball + 3 * t;
+  MENISCUS_HD CornerBounds bounds(uint32_t s, uint32_t t, uint32_t k) const {
+    const Vec4 *a = bound + 3 * s, *b = bound + 3 * t;
     if (k < 3) return {{a[k], b[0], b[1], b[2]}, false};
     if (k < 6) return {{b[k - 3], a[0], a[1], a[2]}, false};
     const uint32_t e = (k - 6) / 3, f = (k - 6) % 3;
@@ -78,8 +78,8 @@ struct TrianglesOfTwo {
   MENISCUS_HD bool are_parted(uint32_t s, uint32_t t) const {
     for (uint32_t k = 0; k < 9; ++k)
       if (vertex[3 * s + k / 3] == vertex[3 * t + k % 3]) return false;
-    const Vec3 origin = ball[3 * s].xyz();
-    const Middle a(ball + 3 * s, origin), b(ball + 3 * t, origin);
+    const Vec3 origin = bound[3 * s].xyz();
+    const Middle a(bound + 3 * s, origin), b(bound + 3 * t, origin);
     const float reach = a.radius + b.radius;
     const auto parts = [&](Vec3 n) {
       return pbd::max(a.least(n) - b.most(n), b.least(n) - a.most(n)) > reach * length(n);
@@ -88,16 +88,16 @@ struct TrianglesOfTwo {
   }
 
  private:
-  /// A triangle between the centres of its vertices' balls, relative to an origin.
+  /// A triangle between the centres of its vertices' spheres, relative to an origin.
   struct Middle {
     Vec3 corner[3];
     float radius = 0;
 
-    MENISCUS_HD Middle(const Vec4* ball, Vec3 origin) {
+    MENISCUS_HD Middle(const Vec4* bound, Vec3 origin) {
       MENISCUS_UNROLL
       for (uint32_t k = 0; k < 3; ++k) {
-        corner[k] = ball[k].xyz() - origin;
-        radius = pbd::max(radius, ball[k].w);
+        corner[k] = bound[k].xyz() - origin;
+        radius = pbd::max(radius, bound[k].w);
       }
     }
     MENISCUS_HD Vec3 normal() const { return cross(corner[1] - corner[0], corner[2] - corner[0]); }
@@ -173,7 +173,7 @@ struct FindCandidates {
     uint32_t mask = PairsOfTwo(two.self(s), two.self(t)).mask, touching = 0;
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t k = pbd::lowest_bit(mask);
-      if (two.balls(s, t, k).have_boxes_in_touch()) touching |= 1u << k;
+      if (two.bounds(s, t, k).have_boxes_in_touch()) touching |= 1u << k;
     }
     if (touching == 0) return;
     uint32_t place = pbd::append(scratch.touching_count, pbd::bit_count(touching));
@@ -184,7 +184,7 @@ struct FindCandidates {
     const uint32_t hit = number / PairsOfTwo::most, k = number % PairsOfTwo::most;
     const TrianglesOfTwo& two = scratch.two[hit / 64];
     const uint32_t s = hit % 64 / 8, t = 8 + hit % 8;
-    if (!two.balls(s, t, k).may_come_near()) return;
+    if (!two.bounds(s, t, k).may_come_near()) return;
     const uint32_t place = pbd::append(pairs.counters[candidates], 1);
     if (place < candidate_list.count)
       candidate_list[place] = PairsOfTwo(two.self(s), two.self(t)).code(places_of(two.groups, hit % 64), k);

@@ -70,7 +70,7 @@ struct FindFolds {
     });
     group.for_each(count, [&](uint32_t k) { note(scratch, k, folds.state[first + k]); });
     for (uint32_t k = 0; k < count; ++k)
-      if (scratch.bent[k]) look_around(group, first + k);
+      if (scratch.bent[k]) mark_folded_neighbours(group, first + k);
   }
 
  private:
@@ -103,7 +103,7 @@ struct FindFolds {
     return t.a != no_index && sheets.ends_smoothness(g, normal(t));
   }
   template <class Group>
-  MENISCUS_HD void look_around(const Group& group, uint32_t g) const {
+  MENISCUS_HD void mark_folded_neighbours(const Group& group, uint32_t g) const {
     const uint32_t begin = sheets.neighbour_start[g], count = sheets.neighbour_start[g + 1] - begin;
     group.for_each(8 * count, [&](uint32_t k) {
       const uint32_t other = sheets.neighbours[begin + k / 8];

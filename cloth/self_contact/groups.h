@@ -27,7 +27,7 @@ struct FitCones {
 
   Listing listing;
   pbd::SurfaceTreeView tree;
-  View<const Part> parts;
+  View<const PieceProperties> pieces;
   View<const Vec4> previous, position;
   View<Vec4> cones;
   View<uint32_t> rough;
@@ -64,7 +64,7 @@ struct FitCones {
     const float angle = acosf(pbd::clamp(least, -1, 1));
     cones[first + g] = pbd::with_w(axis, angle);
     rough[first + g] = angle * sqrtf(longest2) >
-                       self_contact_tuning::rough * parts[tree.triangles[8 * (first + g)].part].thickness;
+                       self_contact_tuning::rough * pieces[tree.triangles[8 * (first + g)].piece].thickness;
   }
 
   /// The normal of a triangle. Also updates the square of the longest edge so far.
@@ -94,7 +94,7 @@ struct FindGroups {
 
   Listing listing;
   pbd::SurfaceTreeView tree;
-  View<const Part> parts;
+  View<const PieceProperties> pieces;
   SheetViews sheets;
   GroupPairs pairs;
 
@@ -108,7 +108,7 @@ struct FindGroups {
     for (uint32_t first = large ? n / 64 : n / 8; first < end; first += Scratch::boxes) {
       const uint32_t boxes = end - first < Scratch::boxes ? end - first : Scratch::boxes;
       if (large)
-        look_below(group, scratch, n, first, boxes);
+        search_below(group, scratch, n, first, boxes);
       else
         pair_up_all(group, scratch, n, boxes, [&](uint32_t k) { return first + k; });
     }
@@ -117,8 +117,8 @@ struct FindGroups {
  private:
   /// Boxes of level 4 from `first` on.
   template <class Group>
-  MENISCUS_HD void look_below(const Group& group, Scratch& scratch, uint32_t n, uint32_t first,
-                              uint32_t boxes) const {
+  MENISCUS_HD void search_below(const Group& group, Scratch& scratch, uint32_t n, uint32_t first,
+                                uint32_t boxes) const {
     group.for_each(1, [&](uint32_t) { scratch.top_count = 0; });
     group.for_each(boxes, [&](uint32_t k) {
       if (overlap(tree.box(4, first + k), tree.box(2, n)))
@@ -136,7 +136,7 @@ struct FindGroups {
   MENISCUS_HD void pair_up_all(const Group& group, Scratch& scratch, uint32_t n, uint32_t count,
                                const BoxAt& box_at) const {
     group.for_each(1, [&](uint32_t) { scratch.count = 0; });
-    group.for_each(count, [&](uint32_t k) { look_into(scratch, n, box_at(k)); });
+    group.for_each(count, [&](uint32_t k) { find_eights(scratch, n, box_at(k)); });
     const uint32_t found = scratch.count;
     group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
   }
@@ -147,7 +147,7 @@ struct FindGroups {
     sheets.smooth[g] = sheets.is_smooth(g);
   }
 
-  MENISCUS_HD void look_into(Scratch& scratch, uint32_t n, uint32_t box) const {
+  MENISCUS_HD void find_eights(Scratch& scratch, uint32_t n, uint32_t box) const {
     const Aabb own = eights_have_boxes() ? tree.box(2, n) : pbd::empty_box;
     if (tree.levels > 3 && !overlap(tree.box(3, box), own)) return;
     uint32_t mask =
@@ -162,18 +162,18 @@ struct FindGroups {
     uint32_t mask = overlap_mask(tree.group(1, eight), tree.box(1, g));
     if (eight == g / 8) mask &= ~0u << g % 8;
     if (mask == 0) return;
-    const uint32_t part = tree.triangles[8 * g].part;
+    const uint32_t piece = tree.triangles[8 * g].piece;
     Appending<GroupPair> found(pairs.list, pairs.counters[group_pairs]);
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t other = 8 * eight + pbd::lowest_bit(mask);
-      if (may_touch(part, tree.triangles[8 * other].part) && !sheets.has_in_sheet(g, other))
+      if (may_touch(piece, tree.triangles[8 * other].piece) && !sheets.has_in_sheet(g, other))
         found.add({g, other});
     }
     found.flush();
   }
 
   MENISCUS_HD bool may_touch(uint32_t p, uint32_t q) const {
-    const Part a = parts[p], b = parts[q];
+    const PieceProperties a = pieces[p], b = pieces[q];
     if (p == q) return a.self != 0;
     return (a.filter_groups & b.filter_mask) != 0 && (b.filter_groups & a.filter_mask) != 0;
   }

@@ -104,24 +104,24 @@ struct RolledBack {
   }
 };
 
-/// By part: three numbers of momentum and one of mass. These integers have the same sum in any order.
-struct PartSums {
+/// By piece: three numbers of momentum and one of mass. These integers have the same sum in any order.
+struct PieceSums {
   View<int64_t> sums;
   float unit;       // kg·m, of the momentum; a power of 2
   float mass_unit;  // kg, coarse: it includes fluid that cloth carries
 
-  MENISCUS_HD void begin(uint32_t part) const {
-    for (uint32_t k = 0; k < 4; ++k) sums[4 * part + k] = 0;
+  MENISCUS_HD void begin(uint32_t piece) const {
+    for (uint32_t k = 0; k < 4; ++k) sums[4 * piece + k] = 0;
   }
-  MENISCUS_HD void add(uint32_t part, Vec3 impulse, float mass) const {
-    pbd::atomic_add(sums[4 * part], llrintf(impulse.x / unit));
-    pbd::atomic_add(sums[4 * part + 1], llrintf(impulse.y / unit));
-    pbd::atomic_add(sums[4 * part + 2], llrintf(impulse.z / unit));
-    pbd::atomic_add(sums[4 * part + 3], llrintf(mass / mass_unit));
+  MENISCUS_HD void add(uint32_t piece, Vec3 positional_impulse, float mass) const {
+    pbd::atomic_add(sums[4 * piece], llrintf(positional_impulse.x / unit));
+    pbd::atomic_add(sums[4 * piece + 1], llrintf(positional_impulse.y / unit));
+    pbd::atomic_add(sums[4 * piece + 2], llrintf(positional_impulse.z / unit));
+    pbd::atomic_add(sums[4 * piece + 3], llrintf(mass / mass_unit));
   }
-  /// The displacement of the whole part, m.
-  MENISCUS_HD Vec3 displacement(uint32_t part) const {
-    const int64_t* sum = &sums[4 * part];
+  /// The displacement of the whole piece, m.
+  MENISCUS_HD Vec3 displacement(uint32_t piece) const {
+    const int64_t* sum = &sums[4 * piece];
     if (sum[3] == 0) return {0, 0, 0};
     const float scale = unit / (mass_unit * static_cast<float>(sum[3]));
     return scale * Vec3{static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2])};
@@ -171,9 +171,9 @@ struct MoveImpactZones {
   MENISCUS_HD bool enters_solid(uint32_t v, Vec3 from, Vec3 to) const {
     for (uint32_t k = contacts.start[sorted + v]; k < contacts.start[sorted + v + 1]; ++k) {
       const pbd::Contact& c = contacts.contacts[k];
-      const bool gives_way = c.body == pbd::on_cloth || c.body_inverse_mass > 0 || is_attachment(c);
+      const bool yields = c.body == pbd::on_cloth || c.body_inverse_mass > 0 || is_attachment(c);
       const float distance = plane_distance(c, to);
-      if (!gives_way && distance < self_contact_tuning::least_to_solid * c.radius &&
+      if (!yields && distance < self_contact_tuning::least_to_solid * c.radius &&
           distance < plane_distance(c, from))
         return true;
     }

@@ -37,7 +37,7 @@ struct MakeContacts {
  private:
   /// A quick test, which few pairs pass.
   MENISCUS_HD bool may_be_contact(FeatureCode code) const {
-    if (code.is_guards()) return false;
+    if (code.is_for_failsafe()) return false;
     const Corners corners = cloth.corners_of(code);
     const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
     const float reach = reach_of(code);
@@ -69,13 +69,17 @@ struct MakeContacts {
     add(corners, now, target, friction_of(code));
   }
 
-  MENISCUS_HD const Part& first_part(FeatureCode code) const { return part_at(code.first_place()); }
-  MENISCUS_HD const Part& second_part(FeatureCode code) const { return part_at(code.second_place()); }
-  MENISCUS_HD const Part& part_at(uint32_t place) const {
-    return cloth.parts[cloth.tree.triangles[place].part];
+  MENISCUS_HD const PieceProperties& first_piece(FeatureCode code) const {
+    return piece_at(code.first_place());
+  }
+  MENISCUS_HD const PieceProperties& second_piece(FeatureCode code) const {
+    return piece_at(code.second_place());
+  }
+  MENISCUS_HD const PieceProperties& piece_at(uint32_t place) const {
+    return cloth.pieces[cloth.tree.triangles[place].piece];
   }
   MENISCUS_HD float thickness_of(FeatureCode code) const {
-    return 0.5f * (first_part(code).thickness + second_part(code).thickness);
+    return 0.5f * (first_piece(code).thickness + second_piece(code).thickness);
   }
   /// The distance beyond which two features count as apart.
   MENISCUS_HD float reach_of(FeatureCode code) const {
@@ -83,10 +87,10 @@ struct MakeContacts {
   }
   /// Any pair that comes nearer than this during its motion is a contact.
   MENISCUS_HD float nearness_of(FeatureCode code) const {
-    return first_part(code).nearness + second_part(code).nearness;
+    return first_piece(code).nearness + second_piece(code).nearness;
   }
   MENISCUS_HD float friction_of(FeatureCode code) const {
-    return sqrtf(first_part(code).friction * second_part(code).friction);
+    return sqrtf(first_piece(code).friction * second_piece(code).friction);
   }
 
   /// Whether the nearest point also belongs to another pair of features. That is an end of one of two edges,
@@ -114,7 +118,7 @@ struct MakeContacts {
 
   /// Features that are nearer than the thickness at rest, as in a fine mesh, are not pushed apart.
   MENISCUS_HD float distance_to_keep(FeatureCode code, const Corners& corners, float thickness) const {
-    if (cloth.tree.triangles[code.first_place()].part != cloth.tree.triangles[code.second_place()].part)
+    if (cloth.tree.triangles[code.first_place()].piece != cloth.tree.triangles[code.second_place()].piece)
       return thickness;
     FeaturePair at_rest{};
     at_rest.edges = corners.edges();

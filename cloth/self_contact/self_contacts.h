@@ -15,11 +15,11 @@
 
 namespace meniscus::cloth {
 
-/// How the triangles of one part collide with other parts and with one another.
-struct ContactPart {
-  float thickness = 0.01f;   ///< m, > 0: two parts keep half the sum of their thicknesses
-  float friction = 0.3f;     ///< Coulomb's μ, ≥ 0; two parts use the geometric mean
-  CollisionFilter filter{};  ///< which other parts it collides with
+/// How the triangles of one piece collide with other pieces and with one another.
+struct ContactPiece {
+  float thickness = 0.01f;   ///< m, > 0: two pieces keep half the sum of their thicknesses
+  float friction = 0.3f;     ///< Coulomb's μ, ≥ 0; two pieces use the geometric mean
+  CollisionFilter filter{};  ///< which other pieces it collides with
   bool self = true;          ///< whether it collides with itself
 };
 
@@ -31,8 +31,8 @@ struct ContactPart {
 ///              suffice, it unites vertices in impact zones.
 ///
 /// Both use the same list of pairs, which is kept over several substeps. Each vertex has a motion bound, a
-/// ball that it is to stay in. Pairs are searched for again at the start of a step, and when a vertex would
-/// leave its ball.
+/// sphere that it is to stay in. Pairs are searched for again at the start of a step, and when a vertex would
+/// leave its motion bound.
 ///
 /// This set should come after cloth's own constraints, and the fail-safe after everything else that moves
 /// vertices. At the start of a substep no cloth may have passed through cloth. Overlap by thickness alone is
@@ -45,11 +45,11 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
 
   pbd::ConstraintSet<D>& ccd_failsafe() { return ccd_failsafe_; }
 
-  /// Replaces all cloth. A triangle's part is an element of `parts`. `rest` (m, by vertex) is the shape
+  /// Replaces all cloth. A triangle's piece is an element of `pieces`. `rest` (m, by vertex) is the shape
   /// without strain. `device_rest` is the same in the device's memory, and must stay valid. `heaviest` is the
   /// mass of the heaviest vertex, kg.
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
-                   pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts, float heaviest);
+                   pbd::View<const Vec3> device_rest, std::span<const ContactPiece> pieces, float heaviest);
 
   void project(pbd::Substep<D>& substep, int iteration) override;
 
@@ -65,7 +65,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   /// The number of searches for pairs in the last step.
   uint32_t listings() const { return found(self_contact_kernels::listings); }
   /// The number of these searches that were made for one substep only.
-  uint32_t brief_listings() const { return found(self_contact_kernels::brief); }
+  uint32_t one_substep_listings() const { return found(self_contact_kernels::one_substep_listings); }
   /// The greatest number of pairs in any substep of the last step that would have passed through one another.
   uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
 
@@ -89,9 +89,9 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   uint32_t used_rounds() const;
   bool ran_short() const { return used_rounds() == rounds_; }
   uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
-  static bool any_meet(std::span<const ContactPart> parts);
+  static bool any_meet(std::span<const ContactPiece> pieces);
   bool idle() const { return tree_.places() == 0; }
-  void set_parts(std::span<const ContactPart> parts, std::span<const float> fineness);
+  void set_pieces(std::span<const ContactPiece> pieces, std::span<const float> fineness);
   void reserve_contacts(uint32_t capacity);
   void list_pairs(pbd::Substep<D>& substep);
   void find_pairs(pbd::Substep<D>& substep);
@@ -100,7 +100,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::SheetViews sheets();
   self_contact_kernels::ImpactZones impact_zones();
-  self_contact_kernels::PartSums part_sums();
+  self_contact_kernels::PieceSums piece_sums();
   self_contact_kernels::Folds folds();
   self_contact_kernels::ContactList list();
   uint32_t launched(uint32_t counter, size_t capacity);
@@ -115,11 +115,11 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   bool anew_ = true;          // search for pairs in any case
   /// Whether most lists of the last step were made for one substep only, and whether those of the step before
   /// were.
-  bool is_brief_ = false, was_brief_ = false;
+  bool lasts_one_substep_ = false, lasted_one_substep_ = false;
 
-  pbd::Buffer<self_contact_kernels::Part> parts_{device_, "cloth contact parts"};
+  pbd::Buffer<self_contact_kernels::PieceProperties> pieces_{device_, "cloth contact pieces"};
   pbd::Buffer<uint16_t> features_{device_, "cloth features"};
-  pbd::Buffer<uint32_t> vertex_part_{device_, "parts of cloth vertices"};
+  pbd::Buffer<uint32_t> vertex_piece_{device_, "pieces of cloth vertices"};
   pbd::Buffer<uint32_t> neighbour_start_{device_, "cloth neighbourhoods"};
   pbd::Buffer<uint32_t> neighbours_{device_, "cloth neighbourhoods"};
   pbd::Buffer<pbd::Vec4> cones_{device_, "cloth normal cones"};
@@ -130,7 +130,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> impact_zone_label_{device_, "cloth zones"}, impact_zone_mark_{device_, "cloth zones"},
       impact_zone_anchor_{device_, "cloth zones"};
   pbd::Buffer<int64_t> impact_zone_mass_{device_, "cloth zones"};
-  pbd::Buffer<int64_t> part_sums_{device_, "momentum of cloth taken back"};
+  pbd::Buffer<int64_t> piece_sums_{device_, "momentum of cloth rolled back"};
   pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"};
   pbd::Buffer<uint32_t> fold_state_{device_, "cloth folds"}, fold_noted_{device_, "cloth folds"},
       fold_list_{device_, "cloth folds"};

@@ -41,15 +41,15 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
   const Listing listing{counters_.view()};
   device_.parallel_for("self contacts/keep", vertices_,
-                       CandidateLifetime{listing, previous, foreseen_.view(), vertex_part_.view(),
-                                         parts_.view(), kept_.view(), wide_.view(), counters_.view()});
+                       CandidateLifetime{listing, previous, foreseen_.view(), vertex_piece_.view(),
+                                         pieces_.view(), kept_.view(), wide_.view(), counters_.view()});
   tree_.refit(KeptBoxes{listing, {kept_.view()}});
   const pbd::SurfaceTreeView tree = tree_.view();
   device_.parallel_for_groups(
       "self contacts/cones", blocks_of<ConeScratch>(),
-      FitCones{listing, tree, parts_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
+      FitCones{listing, tree, pieces_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
   device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
-                              FindGroups{listing, tree, parts_.view(), sheets(), pairs()});
+                              FindGroups{listing, tree, pieces_.view(), sheets(), pairs()});
   constexpr uint32_t each = CandidateScratch::pairs;
   const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
   device_.parallel_for_groups("self contacts/candidates", blocks,
@@ -65,21 +65,21 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
       "self contacts/foresee", vertices_,
       Foresee{vertices_of(p.previous, p.sorted, vertices_),
               vertices_of(p.position, p.sorted, vertices_),
-              vertex_part_.view(),
-              parts_.view(),
+              vertex_piece_.view(),
+              pieces_.view(),
               strayed_.view(),
               kept_.view(),
               wide_.view(),
               foreseen_.view(),
               impact_zones(),
-              part_sums(),
+              piece_sums(),
               folds(),
               entries_.view(),
               counters_.view(),
               {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
                static_cast<uint32_t>(corners_.size())},
               std::exchange(anew_, false),
-              is_brief_});
+              lasts_one_substep_});
   list_pairs(substep);
   const uint32_t blocks = launched(candidates, candidates_.size()) / threads_together + 1;
   device_.parallel_for_groups("self contacts/contacts", blocks,
@@ -116,7 +116,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   const View<Vec4> accumulated_delta = vertices_of(p.accumulated_delta, p.sorted, vertices_);
   device_.parallel_for("self contacts/contain", vertices_,
                        Contain{previous,
-                               vertex_part_.view(),
+                               vertex_piece_.view(),
                                {kept_.view()},
                                foreseen_.view(),
                                position,
@@ -145,9 +145,9 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                          round});
   }
   device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
-                              SumLost{cloth(substep), foreseen_.view(), part_sums(), counters_.view()});
-  device_.parallel_for("self contacts/hand on", std::max<uint32_t>(vertices_, counter_count),
-                       TransferPush{vertex_part_.view(), position, accumulated_delta, part_sums(),
+                              SumLost{cloth(substep), foreseen_.view(), piece_sums(), counters_.view()});
+  device_.parallel_for("self contacts/transfer", std::max<uint32_t>(vertices_, counter_count),
+                       TransferPush{vertex_piece_.view(), position, accumulated_delta, piece_sums(),
                                     counters_.view(), found_.view()});
 }
 
@@ -177,8 +177,8 @@ void SelfContacts<D>::start_step() {
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  is_brief_ =
-      2 * brief_listings() > listings();  // known only now; where there was no room, restore() follows
+  lasts_one_substep_ =
+      2 * one_substep_listings() > listings();  // known only now; where there was no room, restore() follows
   return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
                     found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
 }
@@ -206,20 +206,20 @@ void SelfContacts<D>::reserve_contacts(uint32_t capacity) {
 
 template <class D>
 void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
-                                  pbd::View<const Vec3> device_rest, std::span<const ContactPart> parts,
+                                  pbd::View<const Vec3> device_rest, std::span<const ContactPiece> pieces,
                                   float heaviest) {
-  if (!any_meet(parts)) triangles = {};
+  if (!any_meet(pieces)) triangles = {};
   tree_.set_surface(triangles, rest);
-  const SelfContactTables tables = build_tables(tree_.triangles(), rest, parts.size());
+  const SelfContactTables tables = build_tables(tree_.triangles(), rest, pieces.size());
   const auto upload = [](auto& buffer, const auto& values) {
     buffer.resize_discard(values.size());
     buffer.write(values);
   };
   upload(features_, tables.features);
-  upload(vertex_part_, tables.vertex_part);
+  upload(vertex_piece_, tables.vertex_piece);
   upload(neighbour_start_, tables.neighbour_start);
   upload(neighbours_, tables.neighbours);
-  set_parts(parts, tables.fineness);
+  set_pieces(pieces, tables.fineness);
   rest_ = device_rest;
   vertices_ = static_cast<uint32_t>(rest.size());
   groups_ = tree_.places() / 8;
@@ -259,43 +259,43 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   if (corners_.size() < least_contacts) reserve_contacts(least_contacts);
 }
 
-/// Whether any part collides with itself or with another.
+/// Whether any piece collides with itself or with another.
 template <class D>
-bool SelfContacts<D>::any_meet(std::span<const ContactPart> parts) {
-  for (size_t k = 0; k < parts.size(); ++k) {
-    if (parts[k].self) return true;
+bool SelfContacts<D>::any_meet(std::span<const ContactPiece> pieces) {
+  for (size_t k = 0; k < pieces.size(); ++k) {
+    if (pieces[k].self) return true;
     for (size_t n = 0; n < k; ++n) {
-      if (pbd::meet(parts[k].filter, parts[n].filter)) return true;
+      if (pbd::meet(pieces[k].filter, pieces[n].filter)) return true;
     }
   }
   return false;
 }
 
 template <class D>
-void SelfContacts<D>::set_parts(std::span<const ContactPart> parts, std::span<const float> fineness) {
-  std::vector<self_contact_kernels::Part> rows;
+void SelfContacts<D>::set_pieces(std::span<const ContactPiece> pieces, std::span<const float> fineness) {
+  std::vector<self_contact_kernels::PieceProperties> rows;
   least_distance_ = 1e30f;
-  for (size_t k = 0; k < parts.size(); ++k) {
-    const ContactPart& p = parts[k];
+  for (size_t k = 0; k < pieces.size(); ++k) {
+    const ContactPiece& p = pieces[k];
     const float least = std::min(p.thickness, fineness[k]);
     least_distance_ = std::min(least_distance_, self_contact_tuning::least_distance * least);
     rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self,
                     self_contact_tuning::nearness * least});
   }
-  parts_.resize_discard(rows.size());
-  parts_.write(rows);
-  part_sums_.resize_discard(4 * rows.size());
+  pieces_.resize_discard(rows.size());
+  pieces_.write(rows);
+  piece_sums_.resize_discard(4 * rows.size());
 }
 
 template <class D>
 void SelfContacts<D>::save() {
-  was_brief_ = is_brief_;
+  lasted_one_substep_ = lasts_one_substep_;
   if (!idle()) device_.copy(saved_strayed_.view().data, strayed_.view().data, vertices_ * sizeof(float));
 }
 
 template <class D>
 void SelfContacts<D>::restore() {
-  is_brief_ = was_brief_;
+  lasts_one_substep_ = lasted_one_substep_;
   if (!idle()) device_.copy(strayed_.view().data, saved_strayed_.view().data, vertices_ * sizeof(float));
 }
 
@@ -308,7 +308,7 @@ self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& s
           {kept_.view()},
           tree_.view(),
           features_.view(),
-          parts_.view(),
+          pieces_.view(),
           rough_.view()};
 }
 
@@ -335,9 +335,9 @@ self_contact_kernels::ImpactZones SelfContacts<D>::impact_zones() {
 }
 
 template <class D>
-self_contact_kernels::PartSums SelfContacts<D>::part_sums() {
-  constexpr float coarser = 1 << 9, coarse = 1 << 29;  // a part may have a million vertices, under water
-  return {part_sums_.view(), coarser * unit_, coarse * unit_};
+self_contact_kernels::PieceSums SelfContacts<D>::piece_sums() {
+  constexpr float coarser = 1 << 9, coarse = 1 << 29;  // a piece may have a million vertices, under water
+  return {piece_sums_.view(), coarser * unit_, coarse * unit_};
 }
 
 template <class D>

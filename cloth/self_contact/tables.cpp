@@ -31,12 +31,12 @@ bool stands(const SurfaceTriangle& t) {
 }
 
 void own_vertices(std::span<const SurfaceTriangle> triangles, SelfContactTables& tables) {
-  std::vector<bool> owned(tables.vertex_part.size());
+  std::vector<bool> owned(tables.vertex_piece.size());
   for (size_t place = 0; place < triangles.size(); ++place) {
     const SurfaceTriangle& t = triangles[place];
     for (uint32_t k = 0; stands(t) && k < 3; ++k) {
       const uint32_t v = corner(t, k);
-      tables.vertex_part[v] = t.part;
+      tables.vertex_piece[v] = t.piece;
       if (!owned[v]) tables.features[place] |= static_cast<uint16_t>(owns_vertex << k);
       owned[v] = true;
     }
@@ -94,7 +94,7 @@ void measure_fineness(std::span<const SurfaceTriangle> triangles, std::span<cons
     if (!stands(t)) continue;
     const Vec3 ab = positions[t.b] - positions[t.a], ac = positions[t.c] - positions[t.a], bc = ac - ab;
     const float longest = std::sqrt(std::max({dot(ab, ab), dot(ac, ac), dot(bc, bc)}));
-    float& fineness = tables.fineness[t.part];
+    float& fineness = tables.fineness[t.piece];
     if (longest > 0) fineness = std::min(fineness, length(cross(ab, ac)) / longest);
   }
 }
@@ -102,11 +102,11 @@ void measure_fineness(std::span<const SurfaceTriangle> triangles, std::span<cons
 }  // namespace
 
 SelfContactTables build_tables(std::span<const SurfaceTriangle> triangles, std::span<const Vec3> positions,
-                               size_t parts) {
+                               size_t pieces) {
   SelfContactTables tables;
   tables.features.assign(triangles.size(), 0);
-  tables.fineness.assign(parts, 1e30f);
-  tables.vertex_part.assign(positions.size(), pbd::no_index);
+  tables.fineness.assign(pieces, 1e30f);
+  tables.vertex_piece.assign(positions.size(), pbd::no_index);
   own_vertices(triangles, tables);
   own_edges(triangles, tables);
   find_neighbours(triangles, tables);

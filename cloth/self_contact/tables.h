@@ -20,12 +20,12 @@ struct SelfContactTables {
   std::vector<uint16_t> features;  ///< by place in the tree
   /// By group of eight places, ascending: the groups that share a vertex with it, including itself.
   std::vector<uint32_t> neighbour_start, neighbours;
-  std::vector<float> fineness;        ///< m, by part: the least height of a triangle
-  std::vector<uint32_t> vertex_part;  ///< no_index for a vertex in no triangle, as in ropes
+  std::vector<float> fineness;         ///< m, by piece: the least height of a triangle
+  std::vector<uint32_t> vertex_piece;  ///< no_index for a vertex in no triangle, as in ropes
 };
 
 /// `triangles` in the order of the tree, with a = no_index at empty places.
 SelfContactTables build_tables(std::span<const pbd::SurfaceTriangle> triangles,
-                               std::span<const Vec3> positions, size_t parts);
+                               std::span<const Vec3> positions, size_t pieces);
 
 }  // namespace meniscus::cloth

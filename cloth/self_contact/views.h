@@ -26,7 +26,7 @@ using pbd::time_of_nearness;
 using pbd::Vec4;
 using pbd::View;
 
-struct Part {
+struct PieceProperties {
   float thickness;  // m
   float friction;
   uint32_t filter_groups, filter_mask;
@@ -40,14 +40,14 @@ enum Counter : uint32_t {
   candidates,
   contacts,
   group_pairs,
-  expired,        // not 0: the lists of pairs no longer hold
-  restless,       // not 0: lists made for many substeps would not hold either
-  age,            // of the lists, substeps
-  listings,       // searches since the step's start
-  brief,          // those made for one substep only
-  overflowed,     // not 0: a list had no room, and the step will be repeated
-  lost,           // not 0: a vertex was rolled back, and its momentum is still to be transferred
-  folded_sheets,  // groups whose sheets have folded, in this round of the fail-safe
+  expired,               // not 0: the lists of pairs no longer hold
+  long_expired,          // not 0: lists made for many substeps would not hold either
+  age,                   // of the lists, substeps
+  listings,              // searches since the step's start
+  one_substep_listings,  // those made for one substep only
+  overflowed,            // not 0: a list had no room, and the step will be repeated
+  lost,                  // not 0: a vertex was rolled back, and its momentum is still to be transferred
+  folded_sheets,         // groups whose sheets have folded, in this round of the fail-safe
   crossings,
   counter_count = crossings + most_rounds
 };
@@ -69,12 +69,12 @@ MENISCUS_HD constexpr Feature feature(uint32_t place, uint32_t which) {
 /// A vertex and a face, or two edges. Bit 31 of the first: only the fail-safe checks the pair, and it becomes
 /// no contact.
 struct FeatureCode {
-  static constexpr uint32_t guard_bit = 1u << 31;
+  static constexpr uint32_t failsafe_bit = 1u << 31;
 
   Feature first, second;
 
-  MENISCUS_HD bool is_guards() const { return (first & guard_bit) != 0; }
-  MENISCUS_HD uint32_t first_place() const { return (first & ~guard_bit) >> 3; }
+  MENISCUS_HD bool is_for_failsafe() const { return (first & failsafe_bit) != 0; }
+  MENISCUS_HD uint32_t first_place() const { return (first & ~failsafe_bit) >> 3; }
   MENISCUS_HD uint32_t second_place() const { return second >> 3; }
 };
 
@@ -118,19 +118,19 @@ class Appending {
 };
 
 /// The motion bounds of vertices while lists of pairs are kept.
-struct KeptPlaces {
-  View<const Vec4> balls;  // by vertex: centre and radius, m
+struct MotionBounds {
+  View<const Vec4> spheres;  // by vertex: centre and radius, m
 
   MENISCUS_HD Aabb box(uint32_t v) const {
-    const Vec4 ball = load(balls, v);
-    return pbd::inflated({ball.xyz(), ball.xyz()}, ball.w);
+    const Vec4 sphere = load(spheres, v);
+    return pbd::inflated({sphere.xyz(), sphere.xyz()}, sphere.w);
   }
   /// The position inside the motion bound of v that is nearest to x.
   MENISCUS_HD Vec3 inside(uint32_t v, Vec3 x) const {
-    const Vec4 ball = balls[v];
-    const Vec3 out = x - ball.xyz();
-    const float far2 = dot(out, out), most = self_contact_tuning::within * ball.w;
-    return far2 <= most * most ? x : ball.xyz() + (most / sqrtf(far2)) * out;
+    const Vec4 sphere = spheres[v];
+    const Vec3 out = x - sphere.xyz();
+    const float far2 = dot(out, out), most = self_contact_tuning::within * sphere.w;
+    return far2 <= most * most ? x : sphere.xyz() + (most / sqrtf(far2)) * out;
   }
 };
 
@@ -227,10 +227,10 @@ struct ContactList {
 /// The vertices of a substep, and the tables of the surface.
 struct ClothState {
   View<const Vec4> previous, position;  // by vertex
-  KeptPlaces kept;
+  MotionBounds kept;
   pbd::SurfaceTreeView tree;
   View<const uint16_t> features;
-  View<const Part> parts;
+  View<const PieceProperties> pieces;
   View<const uint32_t> rough;  // by group: whether it is bent so much that its edges stand out
 
   /// The vertices of a pair of features.

@@ -20,6 +20,15 @@ using pbd::square_root;
 using pbd::Vec3Of;
 using pbd::Vec4Of;
 
+/// What a solve of chains continues from.
+enum class ChainStage : uint32_t {
+  absorbs_pending,    ///< no multipliers; pushes are pending
+  starts,             ///< no multipliers
+  follows_absorbing,  ///< the pushes that absorbed the pending ones. These stand in the multiplier beside λ
+                      ///< of the last substep, which serves only as the tension of the chain.
+  continues,          ///< the last solve of the substep
+};
+
 /// XPBD for all edges of a chain at once (the direct solve of Deul et al. 2018, for points), with the
 /// geometric stiffness of taut edges (Tournier et al. 2015). An edge with multiplier λ and length l that
 /// turns by Δd across itself pushes with λ Δd/l. Without this term a taut chain flies to the sides wherever
@@ -56,18 +65,15 @@ struct SolveChains {
 
   View<const Chain> chains;
   View<const EdgeConstraint> edges;
-  View<Vec4> multiplier;  ///< kg·m: the impulse that an edge pushes with, and λ
+  View<Vec4> multiplier;  ///< kg·m: the positional impulse that an edge pushes with, and λ
   VertexState all;
-  View<Vec4> pending;         ///< kg·m, by vertex; empty if nothing is pending
+  View<Vec4> pending;         ///< kg·m, by vertex; if the stage absorbs them
   View<Vec4> effective_mass;  ///< see Substep::effective_mass
   /// By piece, see load_kernels::Load; empty if no piece may be loaded. Chains of loaded pieces absorb
   /// nothing that is pending, and start without the multipliers of the last substep. If this view is empty,
   /// all chains start without them.
   View<const uint32_t> loaded;
-  bool starts;
-  /// This is the first solve after pending pushes were absorbed. These stand in the multiplier beside λ of
-  /// the last substep, which serves only as the tension of the chain.
-  bool takes_over;
+  ChainStage stage;
   uint32_t first, end;  ///< chains of the layer
 
   /// Loads constants: the rest lengths of edges, and their compliances into the diagonal.
@@ -118,7 +124,7 @@ class SolveChainsAtOnce {
       : s_(solve),
         scratch_(scratch),
         chains_(chains),
-        bears_(solve.starts && any_bears() ? bears() : Real(0)),
+        loaded_(starts() && any_loaded() ? loaded_by_lane() : Real(0)),
         kept_(kept()) {}
 
   MENISCUS_HD void run(const Group& group) const {
@@ -128,20 +134,20 @@ class SolveChainsAtOnce {
     group.for_each(edges, [&](uint32_t k) { couple(lengths, k); });
     solve_tridiagonal<Coupling::tight>(group, lengths, scratch_.template other_rows<Length>(), edges);
     group.for_each(edges, [&](uint32_t k) { take(lengths[k].right, k); });
-    if (puts_aside()) {
-      group.for_each(vertices, [&](uint32_t k) { put_aside(k); });
-      return group.for_each(edges, [&](uint32_t k) { note_aside(k); });
+    if (absorbs_pending()) {
+      group.for_each(vertices, [&](uint32_t k) { add_pending(k); });
+      return group.for_each(edges, [&](uint32_t k) { note_pending(k); });
     }
 
-    Sideways* ways = scratch_.template first_rows<Sideways>();
-    group.for_each(vertices, [&](uint32_t k) { write_whole(ways, k, turn(k)); });
-    solve_tridiagonal<Coupling::loose>(group, ways, scratch_.template other_rows<Sideways>(), vertices);
+    Lateral* lateral = scratch_.template first_rows<Lateral>();
+    group.for_each(vertices, [&](uint32_t k) { write_whole(lateral, k, turn(k)); });
+    solve_tridiagonal<Coupling::loose>(group, lateral, scratch_.template other_rows<Lateral>(), vertices);
     const Real furthest = greatest_from_one(group, scratch_.template other_rows<Real>(), vertices,
-                                            [&](uint32_t k) { return reach(ways, k); });
+                                            [&](uint32_t k) { return reach(lateral, k); });
     const Real fraction = Real(1) / furthest;
     group.for_each(vertices, [&](uint32_t k) { move(k, fraction); });
-    if (has_effective_mass()) group.for_each(vertices, [&](uint32_t k) { press(ways, k, fraction); });
-    group.for_each(edges, [&](uint32_t k) { note(ways, k, fraction); });
+    if (has_effective_mass()) group.for_each(vertices, [&](uint32_t k) { press(lateral, k, fraction); });
+    group.for_each(edges, [&](uint32_t k) { note(lateral, k, fraction); });
   }
 
  private:
@@ -149,7 +155,7 @@ class SolveChainsAtOnce {
   using Vector = Vec3Of<Real>;
   using Places = pbd::Places<D>;
   using Length = typename Scratch::Length;
-  using Sideways = typename Scratch::Sideways;
+  using Lateral = typename Scratch::Lateral;
   using Edge = typename Scratch::Edge;
 
   /// The direction of the chain at a vertex. Where the chain folds back, it is the direction of both
@@ -164,12 +170,12 @@ class SolveChainsAtOnce {
   /// The mobility of a vertex, 1/kg.
   struct Mobility {
     Vector along;
-    Real w, sideways;
+    Real w, lateral;
 
     MENISCUS_HD Mobility(const Vector& before, const Vector& after, const Real& weight, const Real& stiffness)
-        : along(direction(before, after)), w(weight), sideways(Real(1) / (Real(1) + weight * stiffness)) {}
+        : along(direction(before, after)), w(weight), lateral(Real(1) / (Real(1) + weight * stiffness)) {}
     MENISCUS_HD Real operator()(const Vector& p, const Vector& q) const {
-      return w * ((Real(1) - sideways) * dot(p, along) * dot(q, along) + sideways * dot(p, q));
+      return w * ((Real(1) - lateral) * dot(p, along) * dot(q, along) + lateral * dot(p, q));
     }
   };
 
@@ -178,17 +184,22 @@ class SolveChainsAtOnce {
     return has_effective_mass() ? gather(s_.effective_mass, vertex(k).index()).w : Real(0);
   }
   MENISCUS_HD bool has_effective_mass() const { return s_.effective_mass.count > 0; }
-  MENISCUS_HD bool puts_aside() const { return s_.pending.count > 0; }
-  MENISCUS_HD bool any_bears() const { return s_.loaded.count > 0; }
-  MENISCUS_HD Real bears() const {
+  MENISCUS_HD bool absorbs_pending() const { return s_.stage == ChainStage::absorbs_pending; }
+  MENISCUS_HD bool follows_absorbing() const { return s_.stage == ChainStage::follows_absorbing; }
+  /// Whether chains start without the multipliers of the last substep, or those of loaded pieces do.
+  MENISCUS_HD bool starts() const {
+    return follows_absorbing() ? any_loaded() : s_.stage != ChainStage::continues;
+  }
+  MENISCUS_HD bool any_loaded() const { return s_.loaded.count > 0; }
+  MENISCUS_HD Real loaded_by_lane() const {
     const Places starts = start_of(0);
     return pbd::by_lane<D>([&](uint32_t lane) {
       return s_.loaded[s_.all.piece_number(starts.at[lane])] == load_kernels::nothing ? 0.0f : 1.0f;
     });
   }
   MENISCUS_HD Real kept() const {
-    if (!s_.starts) return Real(1);
-    return any_bears() && !puts_aside() ? Real(1) - bears_ : Real(0);
+    if (!starts()) return Real(1);
+    return any_loaded() && !absorbs_pending() ? Real(1) - loaded_ : Real(0);
   }
   MENISCUS_HD Vector pending(const Places& v) const { return gather(s_.pending, v.index()).xyz(); }
 
@@ -250,9 +261,9 @@ class SolveChainsAtOnce {
     const Real compliance = edge_compliance(soft, rest, error, weight, s_.all.inverse_dt,
                                             Real(cloth_tuning::recovery_rate / s_.all.inverse_dt), was);
     const Vector n = (Real(1) / l) * d;
-    const Real before = kept_ * (s_.takes_over ? chains_.if_edge(k, along(multiplier.xyz(), n)) : last);
+    const Real before = kept_ * (follows_absorbing() ? chains_.if_edge(k, along(multiplier.xyz(), n)) : last);
     Real rate = dot(n, d - then);
-    if (puts_aside()) {
+    if (absorbs_pending()) {
       error = dot(n, b.w * pending(to) - a.w * pending(from));
       rate = zero;
     }
@@ -294,9 +305,10 @@ class SolveChainsAtOnce {
 
   /// kg·m, and λ: what edge k has pushed its end with so far in this substep.
   MENISCUS_HD Vec4Of<Real> given(uint32_t k) const {
-    if (s_.starts && !any_bears()) return {Real(0), Real(0), Real(0), Real(0)};
+    if (starts() && !any_loaded()) return {Real(0), Real(0), Real(0), Real(0)};
     const Vec4Of<Real> v = gather(s_.multiplier, chains_.edge(k).index());
-    const Real kept = chains_.if_edge(k, kept_), lambda = s_.takes_over ? along(v.xyz(), edge(k).n) : v.w;
+    const Real kept = chains_.if_edge(k, kept_),
+               lambda = follows_absorbing() ? along(v.xyz(), edge(k).n) : v.w;
     return {kept * v.x, kept * v.y, kept * v.z, kept * lambda};
   }
   /// λ of an edge that pushes along itself, in either direction.
@@ -314,7 +326,7 @@ class SolveChainsAtOnce {
     }
   };
   /// In a taut edge the whole push is to point as the edge does now. In a compressed edge the earlier push
-  /// stays as taken_back() has turned it.
+  /// stays as released_push() has turned it.
   MENISCUS_HD Change change(const Edge& e, const Vec4Of<Real>& before) const {
     const Vector straight = (e.lambda - before.w) * e.n, taut = e.lambda * e.n - before.xyz();
     const auto either = [&](const Real& x, const Real& y) { return select_less(Real(0), e.lambda, x, y); };
@@ -329,7 +341,7 @@ class SolveChainsAtOnce {
   /// The row of the lateral displacement of vertex k, m. The push from turning λ belongs to it along the
   /// chain as well, since the lengths do not contain it. Where a chain folds, that push would throw a light
   /// vertex between heavy ones. Stores the push of the edges on the vertex.
-  MENISCUS_HD Sideways turn(uint32_t k) const {
+  MENISCUS_HD Lateral turn(uint32_t k) const {
     const Real w = scratch_.weight[k], lower = w * stiffness(k - 1), upper = w * stiffness(k);
     const Vector along = direction(edge(k - 1).n, edge(k).n);
     const Change on_it = changes_on(k);
@@ -339,34 +351,34 @@ class SolveChainsAtOnce {
   }
 
   /// kg·m: the part of its push that edge k releases as it turns.
-  MENISCUS_HD Vector taken_back(const Sideways* ways, uint32_t k) const {
-    return stiffness(k) * (ways[k + 1].right - ways[k].right);
+  MENISCUS_HD Vector released_push(const Lateral* lateral, uint32_t k) const {
+    return stiffness(k) * (lateral[k + 1].right - lateral[k].right);
   }
   /// kg·m: the resulting push of both edges on vertex k.
-  MENISCUS_HD Vector push_on(const Sideways* ways, uint32_t k) const {
+  MENISCUS_HD Vector push_on(const Lateral* lateral, uint32_t k) const {
     Vector push = scratch_.push[k];
-    if (k > 0) push = push - taken_back(ways, k - 1);
-    if (k < chains_.most) push += taken_back(ways, k);
-    return has_effective_mass() ? push - mass_behind(k) * ways[k].right : push;
+    if (k > 0) push = push - released_push(lateral, k - 1);
+    if (k < chains_.most) push += released_push(lateral, k);
+    return has_effective_mass() ? push - mass_behind(k) * lateral[k].right : push;
   }
   /// How far that push would move the vertex, in edge lengths. Stores the push.
-  MENISCUS_HD Real reach(const Sideways* ways, uint32_t k) const {
-    const Vector push = scratch_.push[k] = push_on(ways, k);
+  MENISCUS_HD Real reach(const Lateral* lateral, uint32_t k) const {
+    const Vector push = scratch_.push[k] = push_on(lateral, k);
     const Real rest = scratch_.rest_length[k < chains_.most ? k : k - 1];
     return select_less(Real(0), rest, scratch_.weight[k] * square_root(dot(push, push)) / rest, Real(0));
   }
   /// Adds only the pushes of lengths to the pending ones. Nothing has moved yet that could turn, and the next
   /// solve uses the positions that the chain then has.
-  MENISCUS_HD void put_aside(uint32_t k) const {
+  MENISCUS_HD void add_pending(uint32_t k) const {
     const Places at = vertex(k);
     const Vector now = pending(at) + changes_on(k).whole;
     scatter(s_.pending, at.index(), {now.x, now.y, now.z, Real(0)}, chains_.have_edge(k == 0 ? 0 : k - 1));
   }
-  MENISCUS_HD void note_aside(uint32_t k) const {
+  MENISCUS_HD void note_pending(uint32_t k) const {
     const Vector push = change(k).whole;
     const Real last = gather(s_.multiplier, chains_.edge(k).index()).w;
     scatter(s_.multiplier, chains_.edge(k).index(), {push.x, push.y, push.z, last},
-            chains_.have_edge(k) & ~less_mask(Real(0), bears_));
+            chains_.have_edge(k) & ~less_mask(Real(0), loaded_));
   }
   /// Vertices that do not exist get no push.
   MENISCUS_HD void move(uint32_t k, const Real& fraction) const {
@@ -375,18 +387,18 @@ class SolveChainsAtOnce {
     vertex.x.w = scratch_.weight[k];
     push_side_by_side(positions(), moves(), at, vertex, Real(1), fraction * scratch_.push[k]);
   }
-  MENISCUS_HD void press(const Sideways* ways, uint32_t k, const Real& fraction) const {
+  MENISCUS_HD void press(const Lateral* lateral, uint32_t k, const Real& fraction) const {
     const Places at = vertex(k);
     const Vec4Of<Real> before = gather(s_.effective_mass, at.index());
-    const Vector now = before.xyz() + fraction * before.w * ways[k].right;
+    const Vector now = before.xyz() + fraction * before.w * lateral[k].right;
     scatter(s_.effective_mass, at.index(), {now.x, now.y, now.z, before.w},
             chains_.have_edge(k == 0 ? 0 : k - 1));
   }
   MENISCUS_HD Places vertex(uint32_t k) const { return k == 0 ? start_of(0) : end_of(k - 1); }
-  MENISCUS_HD void note(const Sideways* ways, uint32_t k, const Real& fraction) const {
+  MENISCUS_HD void note(const Lateral* lateral, uint32_t k, const Real& fraction) const {
     const Edge e = edge(k);
     const Vec4Of<Real> last = given(k);
-    const Vector push = last.xyz() + fraction * (change(e, last).whole - taken_back(ways, k));
+    const Vector push = last.xyz() + fraction * (change(e, last).whole - released_push(lateral, k));
     scatter(s_.multiplier, chains_.edge(k).index(),
             {push.x, push.y, push.z, last.w + fraction * (e.lambda - last.w)}, chains_.have_edge(k));
   }
@@ -394,8 +406,8 @@ class SolveChainsAtOnce {
   const SolveChains& s_;
   Scratch& scratch_;
   const ChainsAtOnce<D> chains_;
-  const Real bears_;  ///< 1 in lanes whose chains belong to loaded pieces, where that matters; else 0
-  const Real kept_;   ///< 1 in lanes that continue from their earlier pushes, else 0
+  const Real loaded_;  ///< 1 in lanes whose chains belong to loaded pieces, where that matters; else 0
+  const Real kept_;    ///< 1 in lanes that continue from their earlier pushes, else 0
 };
 
 template <class Group>

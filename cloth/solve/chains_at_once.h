@@ -61,7 +61,7 @@ template <class Group>
 struct ChainScratch {
   using Real = typename Group::Device::Real;
   using Length = TridiagonalRow<Real>;
-  using Sideways = TridiagonalRow<Real, pbd::Vec3Of<Real>>;
+  using Lateral = TridiagonalRow<Real, pbd::Vec3Of<Real>>;
 
   struct alignas(alignof(Real) > 16 ? alignof(Real) : 16) Edge {
     pbd::Vec3Of<Real> n;
@@ -75,7 +75,7 @@ struct ChainScratch {
   uint32_t vertex[Group::is_one_thread ? 1 : Chain::most_edges + 1];  ///< its vertices
   pbd::Vec3Of<Real> push[Chain::most_edges + 1];
   struct alignas(64) {
-    unsigned char bytes[(Chain::most_edges + 1) * sizeof(Sideways)];
+    unsigned char bytes[(Chain::most_edges + 1) * sizeof(Lateral)];
   } rows[Group::is_one_thread ? 1 : 2];
 
   template <class Row>

@@ -19,6 +19,7 @@ namespace meniscus::cloth {
 namespace stretch_kernels {
 struct SolveEdge;
 }
+enum class ChainStage : uint32_t;
 
 struct ClothSolverParameters {
   float over_relaxation = 1.2f;  ///< ω of stretch and shear outside chains, 1 to 1.3
@@ -65,12 +66,12 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void restore() override;
 
   pbd::SurfaceView surface() const {
-    return {triangles_.view(), rest_.view(), fan_start_.view(), fan_.view()};
+    return {triangles_.view(), rest_.view(), corner_start_.view(), corners_.view()};
   }
   /// The pull at each held vertex in the last step, N·s.
   std::vector<Vec3> read_reactions() const;
   /// Whether any edge was stretched beyond its limit in the last step.
-  bool found_tears() const { return tears_.host().size() && tears_.host()[0] != 0; }
+  bool found_tears() const { return !tears_.host().empty() && tears_.host()[0] != 0; }
 
  private:
   template <class T>
@@ -82,33 +83,37 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains);
   void upload_isometric(const std::vector<IsometricConstraint>& hinges);
   void reserve_bending_multipliers(int iterations);
-  void upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
+  void upload_adjacency(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
   VertexState vertices(const pbd::Substep<D>& substep) const {
     return {substep.particles, pieces_.view(), damping_, 1 / substep.dt};
   }
   View<Vec4> chain_multiplier() { return edge_multiplier_.view().from(first_chain_edge_); }
-  /// How a sweep runs over the constraints.
-  struct Turn {
-    bool starts = false;      ///< the multipliers of the substep start here
-    bool backwards = false;   ///< through passes, colours and layers
-    bool goes_on = false;     ///< continues from the round before
-    bool takes_over = false;  ///< the first solve after chains absorbed pending pushes
-    bool ends = false;        ///< the last turn of the substep for edges
+  /// Through passes, colours and layers.
+  enum class Direction { forwards, backwards };
+  /// What a sweep continues from. The multipliers of a substep start in its first iteration.
+  enum class Follows { last_substep, last_iteration, last_round };
+  struct SweepOrder {
+    Follows follows;
+    Direction direction;
+    bool ends = false;  ///< the last sweep of the substep
+
+    bool starts() const { return follows == Follows::last_substep; }
+    bool is_backwards() const { return direction == Direction::backwards; }
   };
-  void bend(pbd::Substep<D>& substep, const Turn& turn);
-  void stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn);
-  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn);
-  bool starts_from_last() const { return share_ > 0 && first_chain_edge_ > 0; }
+  void bend(pbd::Substep<D>& substep, const SweepOrder& order);
+  void stretch(pbd::Substep<D>& substep, int rounds, const SweepOrder& order);
+  void sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const SweepOrder& order);
+  bool starts_from_last() const { return warm_start_fraction_ > 0 && first_chain_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
   /// Whether any piece may be loaded. Its multipliers must then be forgotten.
-  static bool may_bear(const pbd::Substep<D>& substep) {
+  static bool may_be_loaded(const pbd::Substep<D>& substep) {
     return substep.effective_mass.count > 0 || substep.fluid_near.count > 0;
   }
-  stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const Turn& turn);
-  void sweep_colours(pbd::Substep<D>& substep, const Turn& turn);
+  stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const SweepOrder& order);
+  void sweep_colours(pbd::Substep<D>& substep, const SweepOrder& order);
   void note_loads(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
-  void solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending = {});
+  void solve_chains(pbd::Substep<D>& substep, ChainStage stage, Direction direction);
   void apply_gas(pbd::Substep<D>& substep, bool starts);
 
   D& device_;
@@ -120,7 +125,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   bool any_air_ = false, any_gas_ = false, any_tears_ = false;
   bool feels_wind_ = false;                // in this substep
   float last_dt_ = 0, saved_last_dt_ = 0;  // s, of the substep that left its multipliers; 0: none has
-  float share_ = 0;                        // of the multipliers that the last substep left
+  float warm_start_fraction_ = 0;          // of the multipliers that the last substep left
 
   pbd::Buffer<EdgeConstraint> edges_{device_, "cloth edges"};
   pbd::Buffer<StrainConstraint> strains_{device_, "cloth strains"};
@@ -143,9 +148,10 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
-  pbd::Buffer<uint32_t> edge_fan_start_{device_, "edge fans"}, edge_fan_{device_, "edge fans"};
-  pbd::Buffer<uint32_t> loaded_{device_, "pieces that bear bodies"};
-  pbd::Buffer<uint32_t> fan_start_{device_, "triangle fans"}, fan_{device_, "triangle fans"};
+  pbd::Buffer<uint32_t> edge_end_start_{device_, "edges by vertex"}, edge_ends_{device_, "edges by vertex"};
+  pbd::Buffer<uint32_t> loaded_{device_, "loaded pieces"};
+  pbd::Buffer<uint32_t> corner_start_{device_, "triangles by vertex"},
+      corners_{device_, "triangles by vertex"};
   pbd::Buffer<Tether> tethers_{device_, "tethers"};
   pbd::Buffer<Vec4> tether_pull_{device_, "tether pulls"};
   pbd::Buffer<uint32_t> held_{device_, "held vertices"}, tether_start_{device_, "tethers by anchor"};

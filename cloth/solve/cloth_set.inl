@@ -99,7 +99,7 @@ void ClothSet<D>::reserve_bending_multipliers(int iterations) {
 /// Uploads the edges of clusters, with vertices numbered within their cluster, then the edges of chains.
 template <class D>
 void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains) {
-  upload_fans(model, clusters.edges);
+  upload_adjacency(model, clusters.edges);
   number_locally(clusters);
   std::vector<EdgeConstraint> edges = clusters.edges;
   edges.insert(edges.end(), chains.edges.begin(), chains.edges.end());
@@ -114,15 +114,15 @@ void ClothSet<D>::upload_edges(const ClothModel& model, Clusters& clusters, cons
 }
 
 template <class D>
-void ClothSet<D>::upload_fans(const ClothModel& model, const std::vector<EdgeConstraint>& edges) {
-  const Fans triangles = triangle_fans(model.triangles, model.rest.size());
-  upload(fan_start_, triangles.start);
-  upload(fan_, triangles.items);
+void ClothSet<D>::upload_adjacency(const ClothModel& model, const std::vector<EdgeConstraint>& edges) {
+  const Adjacency triangles = corners_by_vertex(model.triangles, model.rest.size());
+  upload(corner_start_, triangles.start);
+  upload(corners_, triangles.items);
   const bool warm_starts = parameters_.warm_start > 0;
   pending_.resize_discard(warm_starts && !edges.empty() ? vertex_count_ : 0);
-  const Fans by_edge = warm_starts ? edge_fans(edges, model.rest.size()) : Fans{};
-  upload(edge_fan_start_, by_edge.start);
-  upload(edge_fan_, by_edge.items);
+  const Adjacency by_edge = warm_starts ? edge_ends_by_vertex(edges, model.rest.size()) : Adjacency{};
+  upload(edge_end_start_, by_edge.start);
+  upload(edge_ends_, by_edge.items);
 }
 
 template <class D>
@@ -131,11 +131,11 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   reserve_bending_multipliers(substep.iterations);
   // A multiplier is proportional to the square of the substep.
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
-  share_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
+  warm_start_fraction_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
   if (std::exchange(feels_wind_, false)) {
     device_.parallel_for("cloth/blow", vertex_count_,
-                         wind_kernels::Blow{fan_start_.view(), fan_.view(), wind_force_.view(),
+                         wind_kernels::Blow{corner_start_.view(), corners_.view(), wind_force_.view(),
                                             vertices(substep), substep.dt});
   }
   time_ += substep.dt;
@@ -164,23 +164,23 @@ void ClothSet<D>::start_from_last(pbd::Substep<D>& substep) {
   note_loads(substep);
   forget_pulls(substep);
   device_.parallel_for("cloth/start", vertex_count_,
-                       StartPushes{edge_fan_start_.view(), edge_fan_.view(), edge_multiplier_.view(), share_,
-                                   pending_.view()});
-  solve_chains(substep, {.starts = true}, pending_.view());
+                       StartPushes{edge_end_start_.view(), edge_ends_.view(), edge_multiplier_.view(),
+                                   warm_start_fraction_, pending_.view()});
+  solve_chains(substep, ChainStage::absorbs_pending, Direction::forwards);
   device_.parallel_for("cloth/give pending", vertex_count_, GivePending{pending_.view(), vertices(substep)});
 }
 
 template <class D>
 void ClothSet<D>::note_loads(pbd::Substep<D>& substep) {
   using namespace load_kernels;
-  if (!may_bear(substep)) return;
+  if (!may_be_loaded(substep)) return;
   loaded_.fill(0);
   if (substep.effective_mass.count > 0) {
-    device_.parallel_for("cloth/bearing", substep.contacts.contacts.count,
+    device_.parallel_for("cloth/loads of bodies", substep.contacts.contacts.count,
                          NoteBodyLoads{substep.contacts, vertices(substep), vertex_count_, loaded_.view()});
   }
   if (substep.fluid_near.count > 0) {
-    device_.parallel_for("cloth/bearing fluid", vertex_count_,
+    device_.parallel_for("cloth/loads of fluid", vertex_count_,
                          NoteFluidLoads{substep.fluid_near, vertices(substep), loaded_.view()});
   }
 }
@@ -189,9 +189,9 @@ void ClothSet<D>::note_loads(pbd::Substep<D>& substep) {
 /// either.
 template <class D>
 void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
-  if (!may_bear(substep)) return;
+  if (!may_be_loaded(substep)) return;
   device_.parallel_for("cloth/forget", vertex_count_,
-                       load_kernels::Forget{edge_fan_start_.view(), edge_fan_.view(), loaded_.view(),
+                       load_kernels::Forget{edge_end_start_.view(), edge_ends_.view(), loaded_.view(),
                                             vertices(substep), edge_multiplier_.view()});
 }
 
@@ -201,66 +201,67 @@ void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (iteration == 0 && starts_from_last()) start_from_last(substep);
   // The constraint that is solved last holds best: lengths or, where there is gas, its volume.
   const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
-  const Turn turn{
-      .starts = iteration == 0, .backwards = turns % 2 != 0, .ends = iteration + 1 == substep.iterations};
-  if (any_gas_ && !turn.backwards) apply_gas(substep, turn.starts);
+  const SweepOrder order{.follows = iteration == 0 ? Follows::last_substep : Follows::last_iteration,
+                         .direction = turns % 2 != 0 ? Direction::backwards : Direction::forwards,
+                         .ends = iteration + 1 == substep.iterations};
+  const bool backwards = order.is_backwards();
+  if (any_gas_ && !backwards) apply_gas(substep, order.starts());
   // Rounds improve the final state. Iterations that others follow do without them.
-  const int rounds = turn.ends ? parameters_.stretch_rounds : 1;
-  if (!turn.backwards) bend(substep, turn);
-  stretch(substep, rounds, turn);
-  if (turn.backwards) bend(substep, turn);
-  if (any_gas_ && turn.backwards) apply_gas(substep, turn.starts);
-  device_.parallel_for_lanes(
-      "cloth/tethers", static_cast<uint32_t>(tethers_.size()),
-      tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(), vertices(substep), turn.starts});
+  const int rounds = order.ends ? parameters_.stretch_rounds : 1;
+  if (!backwards) bend(substep, order);
+  stretch(substep, rounds, order);
+  if (backwards) bend(substep, order);
+  if (any_gas_ && backwards) apply_gas(substep, order.starts());
+  device_.parallel_for_lanes("cloth/tethers", static_cast<uint32_t>(tethers_.size()),
+                             tether_kernels::ProjectTethers{tethers_.view(), tether_pull_.view(),
+                                                            vertices(substep), order.starts()});
 }
 
 template <class D>
-void ClothSet<D>::bend(pbd::Substep<D>& substep, const Turn& turn) {
-  sweep(substep, 0, bending_passes_, {.starts = turn.starts, .backwards = turn.backwards});
+void ClothSet<D>::bend(pbd::Substep<D>& substep, const SweepOrder& order) {
+  sweep(substep, 0, bending_passes_, {.follows = order.follows, .direction = order.direction});
 }
 
 /// Every other round runs through colours and layers in the other direction. The error that remains between
 /// rounds is what sweeps and chains undo of one another.
 template <class D>
-void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const Turn& turn) {
+void ClothSet<D>::stretch(pbd::Substep<D>& substep, int rounds, const SweepOrder& order) {
   const size_t stretch_end = pass_starts_.size() - 1;
   for (int round = 0; round < rounds; ++round) {
     const int left = rounds - 1 - round;
-    const Turn edges{.starts = turn.starts && round == 0,
-                     .backwards = (turn.backwards ? round + 1 : left) % 2 != 0,
-                     .goes_on = round > 0,
-                     .ends = turn.ends && left == 0};
-    const bool any_starts = !starts_from_last() || may_bear(substep);
-    const Turn chains{.starts = edges.starts && any_starts,
-                      .backwards = edges.backwards,
-                      .takes_over = edges.starts && starts_from_last()};
-    if (turn.backwards) solve_chains(substep, chains);
+    const bool backwards = (order.is_backwards() ? round + 1 : left) % 2 != 0;
+    const SweepOrder edges{.follows = round == 0 ? order.follows : Follows::last_round,
+                           .direction = backwards ? Direction::backwards : Direction::forwards,
+                           .ends = order.ends && left == 0};
+    const ChainStage chains = !edges.starts()      ? ChainStage::continues
+                              : starts_from_last() ? ChainStage::follows_absorbing
+                                                   : ChainStage::starts;
+    if (order.is_backwards()) solve_chains(substep, chains, edges.direction);
     colour_starts_.empty() ? sweep(substep, bending_passes_, stretch_end, edges)
                            : sweep_colours(substep, edges);
-    if (!turn.backwards) solve_chains(substep, chains);
+    if (!order.is_backwards()) solve_chains(substep, chains, edges.direction);
   }
 }
 
 template <class D>
-stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& substep, const Turn& turn) {
+stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& substep, const SweepOrder& order) {
   return {.edges = edges_.view(),
           .multiplier = edge_multiplier_.view(),
           .relaxation = parameters_.over_relaxation,
-          .fraction = turn.starts ? share_ : 1,
-          .momentum = turn.goes_on ? cloth_tuning::round_momentum : 0,
+          .fraction = order.starts() ? warm_start_fraction_ : 1,
+          .momentum = order.follows == Follows::last_round ? cloth_tuning::round_momentum : 0,
           .shears = starts_from_last(),
           .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},
-          .ends = turn.ends,
+          .ends = order.ends,
           .next_fraction = parameters_.warm_start};
 }
 
 template <class D>
-void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const Turn& turn) {
-  const SolveColour solve{edge_solver(substep, turn), vertices(substep)};
+void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const SweepOrder& order) {
+  const SolveColour solve{edge_solver(substep, order), vertices(substep)};
   const size_t colours = colour_starts_.size() - 1;
   for (size_t k = 0; k < colours; ++k) {
-    const size_t colour = turn.backwards ? colours - 1 - k : k;
+    const size_t colour = order.is_backwards() ? colours - 1 - k : k;
     const uint32_t first = colour_starts_[colour];
     SolveColour one = solve;
     one.edge.edges = solve.edge.edges.from(first);
@@ -270,43 +271,44 @@ void ClothSet<D>::sweep_colours(pbd::Substep<D>& substep, const Turn& turn) {
 }
 
 template <class D>
-void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass, const Turn& turn) {
+void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_pass,
+                        const SweepOrder& order) {
   SolveClusters solve{
       .clusters = clusters_.view(),
       .batches = batches_.view(),
       .numbers = cluster_vertices_.view(),
       .all = vertices(substep),
       .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(),
-                    turn.starts},
-      .hinge = {hinges_.view(), hinge_multiplier_.view(), turn.starts},
-      .strain = {strains_.view(), strain_multiplier_.view(), parameters_.over_relaxation, turn.starts},
-      .edge = edge_solver(substep, turn),
+                    order.starts()},
+      .hinge = {hinges_.view(), hinge_multiplier_.view(), order.starts()},
+      .strain = {strains_.view(), strain_multiplier_.view(), parameters_.over_relaxation, order.starts()},
+      .edge = edge_solver(substep, order),
       .first = 0,
       .bends = first_pass < bending_passes_,
-      .backwards = turn.backwards};
+      .backwards = order.is_backwards()};
   for (size_t k = first_pass; k < end_pass; ++k) {
-    const size_t pass = turn.backwards ? first_pass + end_pass - 1 - k : k;
+    const size_t pass = order.is_backwards() ? first_pass + end_pass - 1 - k : k;
     solve.first = pass_starts_[pass];
     device_.parallel_for_groups("cloth/sweep", pass_starts_[pass + 1] - solve.first, solve);
   }
 }
 
 template <class D>
-void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, const Turn& turn, View<Vec4> pending) {
-  SolveChains solve{.chains = chains_.view(),
-                    .edges = edges_.view().from(first_chain_edge_),
-                    .multiplier = chain_multiplier(),
-                    .all = vertices(substep),
-                    .pending = pending,
-                    .effective_mass = substep.effective_mass,
-                    .loaded = starts_from_last() && may_bear(substep) ? loaded_.view() : View<uint32_t>{},
-                    .starts = turn.starts,
-                    .takes_over = turn.takes_over,
-                    .first = 0,
-                    .end = 0};
+void ClothSet<D>::solve_chains(pbd::Substep<D>& substep, ChainStage stage, Direction direction) {
+  SolveChains solve{
+      .chains = chains_.view(),
+      .edges = edges_.view().from(first_chain_edge_),
+      .multiplier = chain_multiplier(),
+      .all = vertices(substep),
+      .pending = pending_.view(),
+      .effective_mass = substep.effective_mass,
+      .loaded = starts_from_last() && may_be_loaded(substep) ? loaded_.view() : View<uint32_t>{},
+      .stage = stage,
+      .first = 0,
+      .end = 0};
   const size_t layers = layer_starts_.size() - 1;
   for (size_t k = 0; k < layers; ++k) {
-    const size_t layer = turn.backwards ? layers - 1 - k : k;
+    const size_t layer = direction == Direction::backwards ? layers - 1 - k : k;
     solve.first = layer_starts_[layer];
     solve.end = layer_starts_[layer + 1];
     device_.parallel_for_lane_groups("cloth/chains", solve.end - solve.first, solve);
@@ -320,7 +322,7 @@ void ClothSet<D>::apply_gas(pbd::Substep<D>& substep, bool starts) {
   const VertexState state = vertices(substep);
   device_.parallel_for(
       "cloth/volume gradients", vertex_count_,
-      Gradients{triangles_.view(), fan_start_.view(), fan_.view(), state, volume_gradient_.view()});
+      Gradients{triangles_.view(), corner_start_.view(), corners_.view(), state, volume_gradient_.view()});
   device_.parallel_for("cloth/volume sums", pieces * lanes,
                        SumLanes{volume_gradient_.view(), state, gas_partial_.view()});
   device_.parallel_for(
@@ -350,7 +352,7 @@ void ClothSet<D>::start_step() {
   feels_wind_ = false;  // a step may have failed before its wind acted
   start_time_ = time_;
   reaction_.fill(0);
-  if (tears_.host().size()) tears_.host()[0] = 0;
+  if (!tears_.host().empty()) tears_.host()[0] = 0;
 }
 
 /// Chains start without a push. Only the sizes of their last multipliers matter.

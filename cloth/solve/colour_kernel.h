@@ -35,8 +35,8 @@ struct SolveColour {
   }
   template <class D, class R = typename D::Real>
   MENISCUS_HD void push(const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
-                        const pbd::Vec3Of<R>& impulse) const {
-    push_side_by_side(x(), accumulated_delta(), v, vertex, s, impulse);
+                        const pbd::Vec3Of<R>& positional_impulse) const {
+    push_side_by_side(x(), accumulated_delta(), v, vertex, s, positional_impulse);
   }
 
  private:

@@ -48,15 +48,15 @@ struct NoteFluidLoads {
 
 /// Clears the multipliers of edges outside chains in loaded pieces.
 struct Forget {
-  View<const uint32_t> fan_start, fan;  ///< the ends of edges at each vertex: 2 · edge + end
+  View<const uint32_t> edge_end_start, edge_ends;  ///< the ends of edges at each vertex: 2 · edge + end
   View<const uint32_t> loaded;
   VertexState vertices;
   View<Vec4> multiplier;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (loaded[vertices.piece_number(v)] == nothing) return;
-    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k) {
-      if (fan[k] % 2 == 0) multiplier[fan[k] / 2] = {0, 0, 0, 0};
+    for (uint32_t k = edge_end_start[v]; k < edge_end_start[v + 1]; ++k) {
+      if (edge_ends[k] % 2 == 0) multiplier[edge_ends[k] / 2] = {0, 0, 0, 0};
     }
   }
 };

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Moves a vertex by an impulse, alone or one vertex in each SIMD lane.
+// Moves a vertex by a positional impulse, alone or one vertex in each SIMD lane. A positional impulse is an
+// impulse times the substep, kg·m (Müller et al. 2020).
 #pragma once
 
 #include "pbd/device/scalar.h"
@@ -29,22 +30,23 @@ MENISCUS_HD inline Vertex vertex_at(const pbd::ParticleView& particles, uint32_t
   return {particles.position[i], particles.accumulated_delta[i]};
 }
 
-/// A vertex moved by w times s times an impulse over h (kg·m; the w of the impulse is 0). A held vertex
-/// stays, and records the impulse as its reaction.
-MENISCUS_HD inline Vertex pushed(const Vertex& vertex, float s, const pbd::Vec4& impulse) {
+/// A vertex moved by w times s times a positional impulse, whose w is 0. A held vertex stays, and records the
+/// positional impulse as its reaction.
+MENISCUS_HD inline Vertex pushed(const Vertex& vertex, float s, const pbd::Vec4& positional_impulse) {
   const float w = vertex.x.w;
-  return {plus(vertex.x, s * w, impulse), plus(vertex.accumulated_delta, w > 0 ? s * w : s, impulse)};
+  return {plus(vertex.x, s * w, positional_impulse),
+          plus(vertex.accumulated_delta, w > 0 ? s * w : s, positional_impulse)};
 }
 
 MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t v, const Vertex& vertex,
-                                    float s, const pbd::Vec4& impulse) {
+                                    float s, const pbd::Vec4& positional_impulse) {
   const uint32_t i = particles.sorted + v;
-  const Vertex after = pushed(vertex, s, impulse);
+  const Vertex after = pushed(vertex, s, positional_impulse);
   particles.position[i] = after.x;
   particles.accumulated_delta[i] = after.accumulated_delta;
 }
-MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t v, Vec3 impulse) {
-  push_vertex(particles, v, vertex_at(particles, v), 1, pbd::with_w(impulse, 0));
+MENISCUS_HD inline void push_vertex(const pbd::ParticleView& particles, uint32_t v, Vec3 positional_impulse) {
+  push_vertex(particles, v, vertex_at(particles, v), 1, pbd::with_w(positional_impulse, 0));
 }
 
 /// A vertex in each of D's lanes.
@@ -53,15 +55,16 @@ struct LaneVertex {
   pbd::Vec4Of<typename D::Real> x, accumulated_delta;
 };
 
-/// pushed() for one vertex in each lane: pushes by s times an impulse. Lanes may share a vertex if all but
-/// one of them push it by 0.
+/// pushed() for one vertex in each lane: pushes by s times a positional impulse. Lanes may share a vertex if
+/// all but one of them push it by 0.
 template <class D, class R = typename D::Real>
 MENISCUS_HD void push_side_by_side(pbd::View<pbd::Vec4> x, pbd::View<pbd::Vec4> accumulated_delta,
                                    const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
-                                   const pbd::Vec3Of<R>& impulse) {
+                                   const pbd::Vec3Of<R>& positional_impulse) {
   const R zero(0), w = vertex.x.w, fraction = s * w, taken = select_less(zero, w, fraction, s);
   const auto times = [&](const R& by) {
-    return pbd::Vec4Of<R>{by * impulse.x, by * impulse.y, by * impulse.z, zero};
+    return pbd::Vec4Of<R>{by * positional_impulse.x, by * positional_impulse.y, by * positional_impulse.z,
+                          zero};
   };
   if constexpr (D::lane_count == 1) {
     const auto sum = [](const pbd::Vec4Of<float>& a, const pbd::Vec4Of<float>& b) {

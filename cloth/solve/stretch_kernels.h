@@ -33,7 +33,7 @@ struct SolveEdge {
   /// buckle.
   bool shears;
   View<const uint32_t> loaded;  ///< by piece, see load_kernels::Load
-  bool ends;                    ///< the last turn of the substep: what remains is for the next one
+  bool ends;                    ///< the last sweep of the substep: what remains is for the next one
   float next_fraction;  ///< of the multiplier for the next substep, where the edge pulls (λ < 0) or shears;
                         ///< other pushes keep less, as they buckle
 
@@ -144,15 +144,15 @@ struct SolveEdge {
 
 /// Sums up the pushes that edges start with, by vertex.
 struct StartPushes {
-  View<const uint32_t> fan_start, fan;
+  View<const uint32_t> edge_end_start, edge_ends;
   View<const Vec4> multiplier;
   float fraction;
   View<Vec4> pending;  ///< kg·m, by vertex; w is 0
 
   MENISCUS_HD void operator()(uint32_t v) const {
     Vec4 push{0, 0, 0, 0};
-    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k)
-      push = plus(push, fan[k] % 2 ? fraction : -fraction, load(multiplier, fan[k] / 2));
+    for (uint32_t k = edge_end_start[v]; k < edge_end_start[v + 1]; ++k)
+      push = plus(push, edge_ends[k] % 2 ? fraction : -fraction, load(multiplier, edge_ends[k] / 2));
     push.w = 0;
     pending[v] = push;
   }
@@ -175,7 +175,7 @@ struct SolveStrain {
 
   struct Corners {
     Vec4 x[3];
-    Vec3 impulse[3];
+    Vec3 positional_impulse[3];
   };
   /// One strain and its gradients at b and c. The gradient at a is minus their sum.
   struct Strain {
@@ -200,9 +200,9 @@ struct SolveStrain {
     now.y = solve(vertices, s, t, stretch(s, t, 1), start.y, scale * s.weft_compliance, true);
     now.z = solve(vertices, s, t, shear(s, t), start.z, scale * s.shear_compliance, false);
     multiplier[k] = now;
-    vertices.push(s.a, a, t.impulse[0]);
-    vertices.push(s.b, b, t.impulse[1]);
-    vertices.push(s.c, c, t.impulse[2]);
+    vertices.push(s.a, a, t.positional_impulse[0]);
+    vertices.push(s.b, b, t.positional_impulse[1]);
+    vertices.push(s.c, c, t.positional_impulse[2]);
   }
 
   MENISCUS_HD static Vec3 direction(const StrainConstraint& s, const Corners& t, int axis) {
@@ -245,7 +245,7 @@ struct SolveStrain {
     const float relaxing = strain.value < 0 && stretches ? cloth_tuning::compressed_relaxation : relaxation;
     const float step = relaxing * xpbd_step(strain.value, rate, weight, before, compliance, damping);
     for (int i = 0; i < 3; ++i) {
-      t.impulse[i] += step * gradient[i];
+      t.positional_impulse[i] += step * gradient[i];
       t.x[i] = pbd::with_w(t.x[i].xyz() + t.x[i].w * step * gradient[i], t.x[i].w);
     }
     return before + step;

@@ -57,8 +57,8 @@ struct ClusterVertices {
   MENISCUS_HD uint32_t piece_number(uint32_t v) const { return all.piece_number(scratch.number[v]); }
   MENISCUS_HD float stretch_damping(uint32_t v) const { return all.stretch_damping(scratch.number[v]); }
   MENISCUS_HD float bending_damping(uint32_t v) const { return all.bending_damping(scratch.number[v]); }
-  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 impulse) const {
-    const Vertex after = pushed(vertex, 1, pbd::with_w(impulse, 0));
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 positional_impulse) const {
+    const Vertex after = pushed(vertex, 1, pbd::with_w(positional_impulse, 0));
     scratch.x[v] = after.x;
     scratch.accumulated_delta[v] = after.accumulated_delta;
   }
@@ -81,8 +81,8 @@ struct ClusterVertices {
   }
   template <class D, class R = typename D::Real>
   MENISCUS_HD void push(const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
-                        const pbd::Vec3Of<R>& impulse) const {
-    push_side_by_side(x(), accumulated_delta(), v, vertex, s, impulse);
+                        const pbd::Vec3Of<R>& positional_impulse) const {
+    push_side_by_side(x(), accumulated_delta(), v, vertex, s, positional_impulse);
   }
 
  private:

@@ -18,7 +18,7 @@ struct FindTears {
 
   MENISCUS_HD void operator()(uint32_t k) const {
     const pbd::SurfaceTriangle t = surface.triangles[k];
-    const float limit = vertices.pieces[t.part].tear_strain;
+    const float limit = vertices.pieces[t.piece].tear_strain;
     if (limit == 0) return;
     const bool tears = beyond(t.a, t.b, limit) || beyond(t.b, t.c, limit) || beyond(t.c, t.a, limit);
     if (tears) pbd::atomic_max(found[0], 1);

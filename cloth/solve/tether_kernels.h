@@ -49,12 +49,15 @@ struct ProjectTethers {
     const uint32_t taut = less_mask(zero, lacks) & less_mask(zero, w) & together.mask();
     if (taut == 0 && !starts) return;
     const Real step = select_less(zero, lacks, select_less(zero, w, lacks / (w + soft), zero), zero);
-    const Vector impulse = select_less(zero, step, step / l, zero) * d;
-    scatter(pull, at, {before.x + impulse.x, before.y + impulse.y, before.z + impulse.z, before.w + step},
+    const Vector positional_impulse = select_less(zero, step, step / l, zero) * d;
+    scatter(pull, at,
+            {before.x + positional_impulse.x, before.y + positional_impulse.y,
+             before.z + positional_impulse.z, before.w + step},
             together.mask());
     if (taut == 0) return;
     const auto moved_by = [&](const pbd::Vec4Of<Real>& v) {
-      return pbd::Vec4Of<Real>{v.x - w * impulse.x, v.y - w * impulse.y, v.z - w * impulse.z, v.w};
+      return pbd::Vec4Of<Real>{v.x - w * positional_impulse.x, v.y - w * positional_impulse.y,
+                               v.z - w * positional_impulse.z, v.w};
     };
     scatter(x, vertex.index(), moved_by(end), taut);
     scatter(accumulated_delta, vertex.index(), moved_by(gather(accumulated_delta, vertex.index())), taut);

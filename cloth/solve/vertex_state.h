@@ -49,12 +49,12 @@ struct VertexState {
     return pbd::by_lane<D>([&](uint32_t lane) { return bending_damping(v(lane)); });
   }
 
-  /// Pushes v by s times an impulse (kg·m; w is 0).
-  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& impulse) const {
-    push_vertex(particles, v, vertex, s, impulse);
+  /// Pushes v by s times a positional impulse (kg·m; w is 0).
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& positional_impulse) const {
+    push_vertex(particles, v, vertex, s, positional_impulse);
   }
-  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 impulse) const {
-    push(v, vertex, 1, pbd::with_w(impulse, 0));
+  MENISCUS_HD void push(uint32_t v, const Vertex& vertex, Vec3 positional_impulse) const {
+    push(v, vertex, 1, pbd::with_w(positional_impulse, 0));
   }
 };
 

@@ -23,7 +23,7 @@ struct GasState {
 /// relative to the first vertex of the piece. Relative to a distant origin, only rounding would be left.
 struct Gradients {
   View<const pbd::SurfaceTriangle> triangles;
-  View<const uint32_t> fan_start, fan;
+  View<const uint32_t> corner_start, corners;
   VertexState vertices;
   View<Vec4> gradient;  ///< m²; w: the vertex's contribution to V, m³
 
@@ -32,9 +32,9 @@ struct Gradients {
     if (piece.inside == 0) return;
     const Vec3 origin = vertices.position(piece.first_vertex).xyz();
     Vec3 sum{0, 0, 0};
-    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k) {
-      const pbd::SurfaceTriangle t = triangles[fan[k] / 3];
-      const uint32_t corner = fan[k] % 3;
+    for (uint32_t k = corner_start[v]; k < corner_start[v + 1]; ++k) {
+      const pbd::SurfaceTriangle t = triangles[corners[k] / 3];
+      const uint32_t corner = corners[k] % 3;
       const uint32_t next = corner == 0 ? t.b : corner == 1 ? t.c : t.a;
       const uint32_t last = corner == 0 ? t.c : corner == 1 ? t.a : t.b;
       sum += cross(vertices.position(next).xyz() - origin, vertices.position(last).xyz() - origin);

@@ -45,7 +45,7 @@ struct BlowOnTriangles {
     const auto of_piece = [&](float Piece::*value) {
       if (vertices.pieces.count == 1) return Real(vertices.pieces[0].*value);
       return pbd::by_lane<D>(
-          [&](uint32_t lane) { return vertices.pieces[triangles[together.items.at[lane]].part].*value; });
+          [&](uint32_t lane) { return vertices.pieces[triangles[together.items.at[lane]].piece].*value; });
     };
     const View<Vec4> position = vertices.particles.position, velocity = vertices.particles.velocity;
     const Vector a = of_all(position, 0), b = of_all(position, 1), c = of_all(position, 2);
@@ -70,14 +70,15 @@ struct BlowOnTriangles {
 
 /// Moves vertices by the forces on their triangles.
 struct Blow {
-  View<const uint32_t> fan_start, fan;
+  View<const uint32_t> corner_start, corners;
   View<const Vec4> force;
   VertexState vertices;
   float dt;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     Vec4 sum{0, 0, 0, 0};
-    for (uint32_t k = fan_start[v]; k < fan_start[v + 1]; ++k) sum = plus(sum, 1, load(force, fan[k] / 3));
+    for (uint32_t k = corner_start[v]; k < corner_start[v + 1]; ++k)
+      sum = plus(sum, 1, load(force, corners[k] / 3));
     const Vertex vertex = vertices.at(v);
     // A light vertex reaches the speed of the wind, and no more.
     const float stiffness = sum.w;

@@ -74,12 +74,12 @@ class BodyAttachments final : public pbd::ContactSource<D>,
  private:
   struct Release final : pbd::ConstraintSet<D> {
     explicit Release(BodyAttachments& owner) : attachments(owner) {}
-    void project(pbd::Substep<D>& substep, int) override { attachments.hand_on(substep); }
-    void settle(pbd::Substep<D>& substep) override { attachments.let_go(substep); }
+    void project(pbd::Substep<D>& substep, int) override { attachments.transfer_push(substep); }
+    void settle(pbd::Substep<D>& substep) override { attachments.release_vertices(substep); }
     BodyAttachments& attachments;
   };
-  void hand_on(pbd::Substep<D>& substep);
-  void let_go(pbd::Substep<D>& substep);
+  void transfer_push(pbd::Substep<D>& substep);
+  void release_vertices(pbd::Substep<D>& substep);
   attachment_kernels::JoinedAttachments joined(const pbd::Substep<D>& substep);
 
   D& device_;

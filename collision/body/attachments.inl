@@ -176,7 +176,7 @@ struct TransferPush {
 };
 
 /// Restores the vertices' own masses. Attachments that held a vertex get the impulse that they resisted.
-struct LetGo {
+struct ReleaseVertices {
   JoinedAttachments of;
 
   MENISCUS_HD void operator()(uint32_t n) const {
@@ -292,15 +292,15 @@ void BodyAttachments<D>::project(pbd::Substep<D>& substep, int) {
 }
 
 template <class D>
-void BodyAttachments<D>::hand_on(pbd::Substep<D>& substep) {
-  device_.parallel_for("attachments/hand on", attachments_.view().count,
+void BodyAttachments<D>::transfer_push(pbd::Substep<D>& substep) {
+  device_.parallel_for("attachments/transfer", attachments_.view().count,
                        attachment_kernels::TransferPush{joined(substep)});
 }
 
 template <class D>
-void BodyAttachments<D>::let_go(pbd::Substep<D>& substep) {
-  device_.parallel_for("attachments/let go", attachments_.view().count,
-                       attachment_kernels::LetGo{joined(substep)});
+void BodyAttachments<D>::release_vertices(pbd::Substep<D>& substep) {
+  device_.parallel_for("attachments/release", attachments_.view().count,
+                       attachment_kernels::ReleaseVertices{joined(substep)});
 }
 
 template <class D>

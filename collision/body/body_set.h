@@ -70,7 +70,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
 
  private:
   void sum_contacts(pbd::Substep<D>& substep);
-  void look_ahead(float dt);
+  void predict_motions(float dt);
   template <class Place>
   void place_bodies(const char* name, const Place& place);
   void rest();

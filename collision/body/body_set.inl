@@ -65,7 +65,7 @@ uint32_t BodySet<D>::lanes() const {
 template <class D>
 float BodySet<D>::speed(float dt) {
   if (bodies_ == 0) return 0;
-  look_ahead(dt);
+  predict_motions(dt);
   float fastest = 0;
   for (uint32_t b = 0; b < bodies_; ++b) {
     const RigidMotion& m = motion_.host()[b];
@@ -76,7 +76,7 @@ float BodySet<D>::speed(float dt) {
 
 /// Predicts the motions of the next dt, unless they are predicted already.
 template <class D>
-void BodySet<D>::look_ahead(float dt) {
+void BodySet<D>::predict_motions(float dt) {
   if (ahead_ != dt) world_.predict(dt, motion_.host());
   ahead_ = dt;
 }
@@ -93,7 +93,7 @@ template <class D>
 void BodySet<D>::predict(float dt) {
   step_time_ += dt;
   if (bodies_ == 0) return;
-  look_ahead(dt);
+  predict_motions(dt);
   place_bodies("bodies/predict", body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
   begin_rigid_step(dt);
 }

@@ -18,11 +18,11 @@ struct BodyContacts;
 /// cloth's mass fell through.
 ///
 /// So a vertex that a contact pushes, or is about to, resists motion across its chain by what is behind it as
-/// well, 1/w_b (Substep::effective_mass): its share of the body, as for contacts (BodySet). What it has
-/// pressed that with, the contact hands on to the body; along its chain it slides as it did. Friction comes
+/// well, 1/w_b (Substep::effective_mass): its fraction of the body, as for contacts (BodySet). What it has
+/// pressed that with, the contact transfers to the body; along its chain it slides as it did. Friction comes
 /// before the chains, not after them: with the load of a heavy body it holds a light vertex wherever it is,
 /// and what comes last must leave chains at their lengths. What lies between a body and something behind it
-/// is pinched (collision/contact/two_sided_contact.h).
+/// has two-sided contacts (collision/contact/two_sided_contact.h).
 ///
 /// Must come before the cloth's sets. transfer() must come after them, and before the contacts.
 template <class D>
@@ -40,10 +40,10 @@ class EffectiveMass final : public pbd::ConstraintSet<D> {
  private:
   struct Transfer final : pbd::ConstraintSet<D> {
     explicit Transfer(EffectiveMass& owner) : vertices(owner) {}
-    void project(pbd::Substep<D>& substep, int) override { vertices.hand_on(substep); }
+    void project(pbd::Substep<D>& substep, int) override { vertices.transfer_push(substep); }
     EffectiveMass& vertices;
   };
-  void hand_on(pbd::Substep<D>& substep);
+  void transfer_push(pbd::Substep<D>& substep);
   effective_mass_kernels::BodyContacts contacts(const pbd::Substep<D>& substep) const;
 
   D& device_;

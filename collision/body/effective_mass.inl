@@ -27,7 +27,7 @@ struct BodyContacts {
     const uint32_t i = contacts.touching_particle(n);
     return i != pbd::no_index && i >= sorted && i - sorted < effective_mass.count ? i : pbd::no_index;
   }
-  MENISCUS_HD static bool gives_way(const Contact& c) {
+  MENISCUS_HD static bool yields(const Contact& c) {
     return c.body < pbd::on_cloth && c.body_inverse_mass > 0 && !is_attachment(c);
   }
   MENISCUS_HD static float mass(const Contact& c) { return 1 / c.body_inverse_mass; }
@@ -45,10 +45,10 @@ struct Weigh {
     float mass = 0;
     for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
       const Contact& c = of.contacts.contacts[k];
-      if (BodyContacts::gives_way(c) && contact_presses(c, x)) mass += BodyContacts::mass(c);
+      if (BodyContacts::yields(c) && contact_presses(c, x)) mass += BodyContacts::mass(c);
     }
     of.effective_mass[i - of.sorted] = {0, 0, 0, mass};
-    if (mass > 0) two_sided.hold_back(i);
+    if (mass > 0) two_sided.apply_friction(i);
   }
 };
 
@@ -66,11 +66,11 @@ struct TransferPush {
     float mass = 0;
     for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
       const Contact& c = of.contacts.contacts[k];
-      if (BodyContacts::gives_way(c)) mass += BodyContacts::mass(c);
+      if (BodyContacts::yields(c)) mass += BodyContacts::mass(c);
     }
     for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
       Contact& c = of.contacts.contacts[k];
-      if (!BodyContacts::gives_way(c)) continue;
+      if (!BodyContacts::yields(c)) continue;
       const Vec3 push = -BodyContacts::mass(c) / mass * effective_mass.xyz();
       const float normal = pbd::max(dot(push, c.normal), -c.normal_multiplier);
       c.normal_multiplier += normal;
@@ -102,7 +102,7 @@ void EffectiveMass<D>::project(pbd::Substep<D>& substep, int) {
 }
 
 template <class D>
-void EffectiveMass<D>::hand_on(pbd::Substep<D>& substep) {
+void EffectiveMass<D>::transfer_push(pbd::Substep<D>& substep) {
   if (substep.effective_mass.count == 0) return;
   device_.parallel_for("effective mass/transfer", substep.contacts.contacts.count,
                        effective_mass_kernels::TransferPush{contacts(substep)});

@@ -47,7 +47,7 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   void save() override;
   void start_step() override { wanted_.host()[0] = 0; }
   void arrange(pbd::Substep<D>& substep) override;
-  bool prepares() const override { return looks() && !active_; }
+  bool prepares() const override { return may_need_points() && !active_; }
   void prepare(pbd::Substep<D>& substep) override;
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
@@ -59,7 +59,7 @@ class FacePoints final : public pbd::ConstraintSet<D> {
  private:
   void set_room(uint32_t points);
   /// Whether any face may need a point.
-  bool looks() const;
+  bool may_need_points() const;
   void decide(const pbd::Substep<D>& substep, pbd::View<uint32_t> needed);
   face_kernels::Points points(const pbd::Substep<D>& substep) const;
   /// Whether points take part. They do not while the solver only measures or relaxes.

@@ -18,7 +18,7 @@ template <class D>
 void FacePoints<D>::set_surface(const pbd::SurfaceView& surface) {
   device_.wait();
   surface_ = surface;
-  vertices_ = surface.triangles.count ? surface.fan_start.count - 1 : 0;
+  vertices_ = surface.triangles.count ? surface.corner_start.count - 1 : 0;
   wanted_.host()[0] = 0;
   set_room(surface.triangles.count ? room_ : 0);
 }
@@ -61,8 +61,8 @@ face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const
           number_.view(),
           weights_.view(),
           triangle_of_.view(),
-          surface_.fan_start,
-          surface_.fan,
+          surface_.corner_start,
+          surface_.corners,
           substep.particles.owned - room_,
           room_};
 }
@@ -70,7 +70,7 @@ face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const
 template <class D>
 void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
   using namespace face_kernels;
-  if (!looks() || !active_) return;
+  if (!may_need_points() || !active_) return;
   decide(substep, needed_.view());
   device_.exclusive_scan("faces/number", needed_.view(), number_.view());
   device_.parallel_for("faces/list", surface_.triangles.count,
@@ -89,7 +89,7 @@ void FacePoints<D>::prepare(pbd::Substep<D>& substep) {
 }
 
 template <class D>
-bool FacePoints<D>::looks() const {
+bool FacePoints<D>::may_need_points() const {
   return surface_.triangles.count > 0 && shapes_.any_but_fixed_planes();
 }
 
@@ -121,8 +121,8 @@ void FacePoints<D>::project(pbd::Substep<D>& substep, int iteration) {
   device_.parallel_for("faces/weigh", room_,
                        Weigh{points(substep), substep.particles, substep.contacts, pushed_.view()});
   contacts_.project(substep, iteration);
-  device_.parallel_for("faces/hand back", vertices_,
-                       HandBack{points(substep), substep.particles, at_vertex_.view()});
+  device_.parallel_for("faces/transfer", vertices_,
+                       TransferDisplacement{points(substep), substep.particles, at_vertex_.view()});
 }
 
 template <class D>
@@ -153,8 +153,7 @@ void FacePoints<D>::end(pbd::Substep<D>& substep) {
   device_.parallel_for("faces/velocities", room_, PlaceVelocities{all, p, substep.contacts, pushed_.view()});
   device_.parallel_for("faces/weigh", room_, Weigh{all, p, substep.contacts, pushed_.view()});
   contacts_.end(substep);
-  device_.parallel_for("faces/hand back velocities", vertices_,
-                       HandBackVelocities{all, p, at_vertex_.view()});
+  device_.parallel_for("faces/transfer velocities", vertices_, TransferVelocities{all, p, at_vertex_.view()});
 }
 
 }  // namespace meniscus::collision

@@ -73,7 +73,7 @@ struct Demand {
     if (lacking <= 0) return {0, 0, 0};
     const FaceSample& s = meeting.sample;
     const Vec3 normal = rotate(pose.rotation, s.surface.normal);
-    return lacking * share_of(shape, t, s.weights, point_of(world.to, s.weights), normal) * normal;
+    return lacking * displacement_factor(shape, t, s.weights, point_of(world.to, s.weights), normal) * normal;
   }
 
   /// The distance that the point of the meeting lacks at the end, from the plane that it met, m.
@@ -97,8 +97,8 @@ struct Demand {
 
   /// The factor from the lacking distance to the vertices' displacement. Some vertices may be held, so the
   /// others move further. The body moves the rest when it has got its impulse.
-  MENISCUS_HD float share_of(const Shape& shape, const SurfaceTriangle& t, Vec3 weights, Vec3 at,
-                             Vec3 normal) const {
+  MENISCUS_HD float displacement_factor(const Shape& shape, const SurfaceTriangle& t, Vec3 weights, Vec3 at,
+                                        Vec3 normal) const {
     float mass = 0, free = 0;
     add_vertex(t.a, weights.x, mass, free);
     add_vertex(t.b, weights.y, mass, free);

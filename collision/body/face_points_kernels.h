@@ -66,7 +66,7 @@ struct Decide {
   MENISCUS_HD void operator()(uint32_t n) const {
     const SurfaceTriangle t = triangles[n];
     const FaceSample best =
-        may_meet(t) ? look(motion_of(particles, t), touches.of(particles.sorted + t.a)) : nothing();
+        may_meet(t) ? deepest_point(motion_of(particles, t), touches.of(particles.sorted + t.a)) : nothing();
     const bool needs = best.surface.distance < nothing().surface.distance;
     if (needed.count == 0) {
       if (needs) pbd::atomic_max(wanted[0], 1);
@@ -88,7 +88,7 @@ struct Decide {
   }
 
   /// The deepest point over all shapes, if the face needs one.
-  MENISCUS_HD FaceSample look(const FaceMotion& motion, const Touch& touch) const {
+  MENISCUS_HD FaceSample deepest_point(const FaceMotion& motion, const Touch& touch) const {
     const Aabb box = bounds_of(motion);
     const float reach = face_tuning::reach * touch.radius;
     FaceSample best = nothing();
@@ -97,14 +97,15 @@ struct Decide {
       const Shape& shape = set.shapes[k];
       if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, reach)) continue;
       if (!collide(shape, touch.filter)) continue;
-      const FaceSample found = look_at(shape, motion_beside(shape, shape.pose, motion), touch.radius, reach);
+      const FaceSample found =
+          deepest_point_in(shape, motion_beside(shape, shape.pose, motion), touch.radius, reach);
       if (found.surface.distance < best.surface.distance) best = found;
     }
     return best;
   }
 
-  MENISCUS_HD FaceSample look_at(const Shape& shape, const FaceMotion& motion, float radius,
-                                 float reach) const {
+  MENISCUS_HD FaceSample deepest_point_in(const Shape& shape, const FaceMotion& motion, float radius,
+                                          float reach) const {
     const FaceField field{set, shape, radius_of(motion.to) + displacement_of(motion) + reach};
     if (!field.may_reach(motion)) return nothing();
     const float touch = face_tuning::touch * radius, dip = face_tuning::slack * radius;
@@ -119,12 +120,12 @@ struct Decide {
 /// The points in use, as kernels read them.
 struct Points {
   View<const SurfaceTriangle> triangles;
-  View<const uint32_t> needed;          ///< by triangle
-  View<const uint32_t> number;          ///< by triangle: number of its point, where needed; last: the total
-  View<const Vec4> weights;             ///< by triangle
-  View<const uint32_t> triangle_of;     ///< by point
-  View<const uint32_t> fan_start, fan;  ///< CSR, by vertex: its corners, 3 · triangle + corner
-  uint32_t first = 0;                   ///< the particle that is point 0
+  View<const uint32_t> needed;       ///< by triangle
+  View<const uint32_t> number;       ///< by triangle: number of its point, where needed; last: the total
+  View<const Vec4> weights;          ///< by triangle
+  View<const uint32_t> triangle_of;  ///< by point
+  View<const uint32_t> corner_start, corners;  ///< CSR, by vertex: its corners, 3 · triangle + corner
+  uint32_t first = 0;                          ///< the particle that is point 0
   uint32_t room = 0;
 
   MENISCUS_HD uint32_t count() const {
@@ -142,10 +143,10 @@ struct Points {
   /// Calls visit(particle, weight) for the points on the triangles of a vertex, in a fixed order.
   template <class Visit>
   MENISCUS_HD void for_each_at(uint32_t vertex, const Visit& visit) const {
-    for (uint32_t k = fan_start[vertex]; k < fan_start[vertex + 1]; ++k) {
-      const uint32_t triangle = fan[k] / 3;
+    for (uint32_t k = corner_start[vertex]; k < corner_start[vertex + 1]; ++k) {
+      const uint32_t triangle = corners[k] / 3;
       if (has_point(triangle))
-        visit(first + number[triangle], component(weights[triangle].xyz(), fan[k] % 3));
+        visit(first + number[triangle], component(weights[triangle].xyz(), corners[k] % 3));
     }
   }
 };
@@ -272,11 +273,12 @@ struct Weigh {
     const uint32_t triangle = points.triangle_of[n];
     const SurfaceTriangle t = points.triangles[triangle];
     const Vec4 b = points.weights[triangle];
-    const float w = b.x * b.x * share_of(t.a) + b.y * b.y * share_of(t.b) + b.z * b.z * share_of(t.c);
+    const float w = b.x * b.x * split_inverse_mass(t.a) + b.y * b.y * split_inverse_mass(t.b) +
+                    b.z * b.z * split_inverse_mass(t.c);
     const uint32_t i = points.first + n;
     particles.position[i] = pbd::with_w(particles.position[i].xyz(), w);
   }
-  MENISCUS_HD float share_of(uint32_t vertex) const {
+  MENISCUS_HD float split_inverse_mass(uint32_t vertex) const {
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
     uint32_t count = is_pushed(contacts, i, x.xyz());
@@ -285,23 +287,24 @@ struct Weigh {
   }
 };
 
-/// Transfers a point's displacement to the vertices. It is an impulse of the displacement over the point's w,
-/// and the vertices get fractions of it by the point's weights.
-struct HandBack {
+/// Transfers a point's displacement to the vertices. It is a positional impulse of the displacement over the
+/// point's w, and the vertices get fractions of it by the point's weights.
+struct TransferDisplacement {
   Points points;
   ParticleView particles;
   View<const uint32_t> at_vertex;
 
   MENISCUS_HD void operator()(uint32_t vertex) const {
     if (at_vertex[vertex] == 0) return;
-    Vec3 impulse{0, 0, 0};
+    Vec3 positional_impulse{0, 0, 0};
     points.for_each_at(vertex, [&](uint32_t i, float weight) {
       const float w = particles.position[i].w;
-      if (w > 0) impulse += (weight / w) * particles.accumulated_delta[i].xyz();
+      if (w > 0) positional_impulse += (weight / w) * particles.accumulated_delta[i].xyz();
     });
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
-    const Vec3 by = x.w > 0 ? x.w * impulse : impulse;  // a held vertex stores the impulse that it resists
+    // A held vertex stores the positional impulse that it resists.
+    const Vec3 by = x.w > 0 ? x.w * positional_impulse : positional_impulse;
     particles.accumulated_delta[i] = pbd::with_w(particles.accumulated_delta[i].xyz() + by, 0);
     if (x.w > 0) particles.position[i] = pbd::with_w(x.xyz() + by, x.w);
   }
@@ -324,7 +327,7 @@ struct PlaceVelocities {
   }
 };
 
-struct HandBackVelocities {
+struct TransferVelocities {
   Points points;
   ParticleView particles;
   View<const uint32_t> at_vertex;

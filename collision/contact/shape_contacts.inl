@@ -130,7 +130,7 @@ struct Fill {
     float in = 0;  // depth in a solid, m
     find.for_each(i, [&](const Shape& shape, const FoundContact& found) {
       pbd::Contact c = make_contact(i, shape, found);
-      if (placed) in = pbd::max(in, give_way(i, shape, c));
+      if (placed) in = pbd::max(in, recede(i, shape, c));
       writer.write(i, c);
     });
     writer.finish(i, inert(i));
@@ -140,7 +140,7 @@ struct Fill {
   /// Moves the surface back so that the particle leaves it slowly, and returns by how much, m. So deep
   /// inside, the surface yields as readily as the particle does. The cloth around a vertex may leave by
   /// another side, and must not be torn.
-  MENISCUS_HD float give_way(uint32_t i, const Shape& shape, pbd::Contact& c) const {
+  MENISCUS_HD float recede(uint32_t i, const Shape& shape, pbd::Contact& c) const {
     const Motion motion{find.previous[i].xyz(), find.position[i].xyz()};
     const Vec3 start = shape.body == pbd::no_index ? motion.from : motion_beside(shape, motion).from;
     const float stop = pbd::fraction_of_radius(number[i]) * c.radius;

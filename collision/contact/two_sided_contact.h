@@ -78,7 +78,7 @@ struct TwoSidedContact {
 
   /// Solves friction on both contacts for a vertex with this displacement; returns the impulse on it, kg·m.
   /// The contact with the lower bound slips, and the vertex follows the other.
-  MENISCUS_HD Vec3 hold_back(Vec3 displacement) const {
+  MENISCUS_HD Vec3 apply_friction(Vec3 displacement) const {
     const Vec3 old_a = a.tangent_multiplier, old_b = b.tangent_multiplier;
     const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
     const Vec3 wanted_a = old_a - (1 / determinant()) * ((w + inverse_mass_b()) * slip_a - w * slip_b);
@@ -93,15 +93,15 @@ struct TwoSidedContact {
       const bool is_a = !holds_a && (holds_b || most_a <= most_b);
       pbd::Contact &slipping = is_a ? a : b, &holding = is_a ? b : a;
       slipping.tangent_multiplier = shortened_to(is_a ? wanted_a : wanted_b, is_a ? most_a : most_b);
-      hold_back(holding, displacement + moved());
-      hold_back(slipping, displacement + moved());
+      apply_friction(holding, displacement + moved());
+      apply_friction(slipping, displacement + moved());
     }
     return moved() / w;
   }
 
   /// Transfers friction between the two surfaces through a vertex that sticks to one of them and is not
   /// moved. Each contact gets the opposite of what the other gets.
-  MENISCUS_HD void hand_through(Vec3 displacement) const {
+  MENISCUS_HD void transfer_friction(Vec3 displacement) const {
     const Vec3 slip_a = slip(a, displacement), slip_b = slip(b, displacement);
     const Vec3 more = (1 / (inverse_mass_a() + inverse_mass_b())) * (slip_b - slip_a);
     const float fraction = pbd::min(fraction_within(a.tangent_multiplier, more, most_friction(a)),
@@ -140,7 +140,7 @@ struct TwoSidedContact {
     return on_surface - dot(on_surface, axis) * axis;
   }
   /// Friction of one contact alone.
-  MENISCUS_HD void hold_back(pbd::Contact& c, Vec3 displacement) const {
+  MENISCUS_HD void apply_friction(pbd::Contact& c, Vec3 displacement) const {
     const Vec3 wanted = c.tangent_multiplier - slip(c, displacement) / (w + c.body_inverse_mass);
     c.tangent_multiplier = shortened_to(wanted, most_friction(c));
   }
@@ -166,15 +166,15 @@ struct TwoSidedContacts {
     else if (n < effective_mass.count && effective_mass[n].w > 0)
       push_out(i);
     else
-      push_and_hold(i);
+      push_out_with_friction(i);
   }
 
   /// Friction alone.
-  MENISCUS_HD void hold_back(uint32_t i) const {
+  MENISCUS_HD void apply_friction(uint32_t i) const {
     const Vec3 start = all.previous[i].xyz();
     solve(
-        i, [&](Contact& c, Vec3 x, float w) { return pbd::hold_back(c, x - start, w); },
-        [&](const TwoSidedContact& both_sides, Vec3 x) { return both_sides.hold_back(x - start); });
+        i, [&](Contact& c, Vec3 x, float w) { return pbd::apply_friction(c, x - start, w); },
+        [&](const TwoSidedContact& both_sides, Vec3 x) { return both_sides.apply_friction(x - start); });
   }
 
  private:
@@ -187,22 +187,22 @@ struct TwoSidedContacts {
         i, [&](Contact& c, Vec3 x, float w) { return pbd::push_out(c, x, w, tighter * c.radius); },
         [&](const TwoSidedContact& both_sides, Vec3 x) {
           const Vec3 push = both_sides.push_apart(x, tighter);
-          both_sides.hand_through(x + both_sides.w * push - start);
+          both_sides.transfer_friction(x + both_sides.w * push - start);
           return push;
         });
   }
-  MENISCUS_HD void push_and_hold(uint32_t i) const {
+  MENISCUS_HD void push_out_with_friction(uint32_t i) const {
     const float tighter = pbd::fraction_of_radius(all.number[i]);
     const Vec3 start = all.previous[i].xyz();
     solve(
         i,
         [&](Contact& c, Vec3 x, float w) {
           const Vec3 push = pbd::push_out(c, x, w, tighter * c.radius);
-          return push + pbd::hold_back(c, x + w * push - start, w);
+          return push + pbd::apply_friction(c, x + w * push - start, w);
         },
         [&](const TwoSidedContact& both_sides, Vec3 x) {
           const Vec3 push = both_sides.push_apart(x, tighter);
-          return push + both_sides.hold_back(x + both_sides.w * push - start);
+          return push + both_sides.apply_friction(x + both_sides.w * push - start);
         });
   }
 

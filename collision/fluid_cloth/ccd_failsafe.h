@@ -33,8 +33,8 @@ struct ClampAtImpact {
     Vec3 stop = to;
     pbd::for_each_overlap(surface.tree, motion_box(from, to, 0), 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      if (!surface.meets(i, t.part)) return;
-      const float radius = surface.parts[t.part].radius;
+      if (!surface.meets(i, t.piece)) return;
+      const float radius = surface.pieces[t.piece].radius;
       const pbd::FeaturePair pair = surface.pair(from, to, t);
       const float motion = relative_motion(pair), start = nearest(pair, 0).distance;
       const float gap =

@@ -46,19 +46,19 @@ struct Surface {
   pbd::SurfaceTreeView tree;
   View<const Vec4> previous, position;  // of all particles
   uint32_t first_vertex;                // vertex v is particle first_vertex + v
-  View<const FluidClothPiece> parts;
+  View<const FluidClothPiece> pieces;
   View<const uint32_t> marks;            // by place in the tree: see triangle_marks()
   View<const CollisionFilter> by_fluid;  // empty where all collide with everything
   View<const pbd::Phase> phase;          // of all particles
 
   /// Whether particle i collides with the piece.
-  MENISCUS_HD bool meets(uint32_t i, uint32_t part) const {
-    return !((phase[i] & pbd::phase_passing) && parts[part].flow > 0) && may_meet(i, part);
+  MENISCUS_HD bool meets(uint32_t i, uint32_t piece) const {
+    return !((phase[i] & pbd::phase_passing) && pieces[piece].flow > 0) && may_meet(i, piece);
   }
   /// The same for a particle that is not passing through.
-  MENISCUS_HD bool may_meet(uint32_t i, uint32_t part) const {
+  MENISCUS_HD bool may_meet(uint32_t i, uint32_t piece) const {
     const CollisionFilter filter = by_fluid.count ? by_fluid[pbd::phase_group(phase[i])] : CollisionFilter{};
-    return pbd::meet(parts[part].filter, filter);
+    return pbd::meet(pieces[piece].filter, filter);
   }
 
   MENISCUS_HD Vec3 start(uint32_t v) const { return load(previous, first_vertex + v).xyz(); }
@@ -101,7 +101,7 @@ struct alignas(16) FluidClothContact {
   uint32_t vertices;  ///< the number of vertices that share it; 0: no contact
   Vec3 normal;        ///< unit, towards the particle
   float fraction;     ///< see pbd::Contact
-  uint32_t part;
+  uint32_t piece;
   uint32_t contact;        ///< its number among all contacts
   float carried_fraction;  ///< of the particle that the sheet carries: 1 over the number of sheets that do
   float carried;           ///< kg, the same
@@ -113,12 +113,12 @@ struct alignas(16) FluidClothContact {
 
   MENISCUS_HD void add(uint32_t v, float w) { set(vertices++, v, w); }
   /// A new contact that nothing has acted on. Its vertices are set.
-  MENISCUS_HD void begin(Vec3 at, Vec3 towards, float of_plane, uint32_t of_part, uint32_t count) {
+  MENISCUS_HD void begin(Vec3 at, Vec3 towards, float of_plane, uint32_t of_piece, uint32_t count) {
     point = at;
     vertices = count;
     normal = towards;
     fraction = of_plane;
-    part = of_part;
+    piece = of_piece;
     contact = no_index;
     carried_fraction = carried = 0;
     followed = given = pending = {0, 0, 0};

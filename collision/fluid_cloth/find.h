@@ -129,14 +129,14 @@ struct FindTouches {
     };
     pbd::for_each_overlap_in_warp(surface.tree, motion_box(from, to, h), wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      if (!surface.meets(i, t.part)) return;
+      if (!surface.meets(i, t.piece)) return;
       const bool border = (surface.marks[place] & border_marks) != 0;
       const bool may_meet = pbd::overlap(surface.tree.box(0, place), on_way);
       if (!border && !may_meet &&
           !pbd::is_over_triangle(to, surface.end(t.a), surface.end(t.b), surface.end(t.c)))
         return;
       const pbd::FeaturePair pair = surface.pair(from, to, t);
-      if (look_at(layers, pair, may_meet, place, surface.parts[t.part].radius)) at_border |= border;
+      if (find_place(layers, pair, may_meet, place, surface.pieces[t.piece].radius)) at_border |= border;
     });
     at_border = SearchTeam::any(at_border);
     layers.gather();
@@ -153,8 +153,8 @@ struct FindTouches {
 
   /// Whether the triangle is within the support radius. Of the places at the end, only those inside the
   /// triangle count.
-  MENISCUS_HD bool look_at(Layers& layers, const pbd::FeaturePair& pair, bool may_meet, uint32_t place,
-                           float radius) const {
+  MENISCUS_HD bool find_place(Layers& layers, const pbd::FeaturePair& pair, bool may_meet, uint32_t place,
+                              float radius) const {
     const pbd::Nearest end = nearest(pair, 1);
     const float motion = may_meet ? relative_motion(pair) : 0;
     if (may_meet && motion >= fluid_cloth_tuning::fast_by_end * end.distance) {
@@ -180,7 +180,7 @@ struct FindTouches {
     const pbd::GroupsInBall wanted{surface.tree, to, reach};
     pbd::for_each_overlap_in_warp(surface.tree, motion_box(to, to, reach), wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      if (!surface.meets(i, t.part)) return;
+      if (!surface.meets(i, t.piece)) return;
       const pbd::Nearest end =
           pbd::nearest_on_triangle(to, surface.end(t.a), surface.end(t.b), surface.end(t.c));
       if (end.distance > 0 && end.distance < pbd::min(reach, edge.distance))
@@ -195,14 +195,14 @@ struct FindTouches {
     const Vec3 point = w * surface.end(t.a) + place.u * surface.end(t.b) + place.v * surface.end(t.c);
     const float fraction = at_border ? covered(point, place) : 1;
     uint32_t vertices =
-        spread_out(surface, {point, place.normal, surface.parts[t.part].spread, t.part}, touch);
+        spread_out(surface, {point, place.normal, surface.pieces[t.piece].spread, t.piece}, touch);
     if (SearchTeam::leads()) {
       if (vertices == 0) {
         touch.set(vertices++, t.a, w);
         touch.set(vertices++, t.b, place.u);
         touch.set(vertices++, t.c, place.v);
       }
-      touch.begin(point, place.normal, fraction, t.part, vertices);
+      touch.begin(point, place.normal, fraction, t.piece, vertices);
     }
     SearchTeam::sync();
     for (uint32_t k = SearchTeam::rank(); k < touch.vertices; k += SearchTeam::count())
@@ -252,16 +252,16 @@ struct WriteContacts {
   }
 
   MENISCUS_HD pbd::Contact contact_of(const FluidClothContact& touch, uint32_t i) const {
-    const FluidClothPiece part = surface.parts[touch.part];
+    const FluidClothPiece piece = surface.pieces[touch.piece];
     pbd::Contact c{};
     const Vec3 speed = touch.mean([&](uint32_t v) { return velocity[surface.first_vertex + v].xyz(); });
     c.point = touch.point;
-    c.solid = touch.part;
+    c.solid = touch.piece;
     c.normal = touch.normal;
     c.fraction = touch.fraction;
-    c.radius = part.radius;
-    c.friction = part.friction;
-    c.adhesion = part.adhesion * dt * dt;
+    c.radius = piece.radius;
+    c.friction = piece.friction;
+    c.adhesion = piece.adhesion * dt * dt;
     c.body = pbd::on_cloth;
     c.approach_speed = dot(touch.normal, velocity[i].xyz() - speed);
     c.surface_motion = touch.mean([&](uint32_t v) { return surface.end(v) - surface.start(v); });

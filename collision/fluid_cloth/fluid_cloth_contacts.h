@@ -31,7 +31,7 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
   /// Sets all triangles of all pieces, and the pieces by number. `positions` are those of the vertices at
   /// rest.
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> positions,
-                   std::span<const FluidClothPiece> parts);
+                   std::span<const FluidClothPiece> pieces);
   /// One filter a fluid, or empty where all collide with everything. Must stay valid until the next call.
   void set_filters(pbd::View<const CollisionFilter> filters) { filters_ = filters; }
 
@@ -43,14 +43,14 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
 
   /// Clamps particles that would end on the other side at the time of impact. The contacts correct their
   /// velocity.
-  void hold_back(const pbd::Substep<D>& substep);
+  void clamp_at_impact(const pbd::Substep<D>& substep);
 
   /// Particles that touched absorbent pieces at the end of the last substep, by slot.
   std::vector<WettingTouch> read_wetting(pbd::View<const pbd::Contact> contacts);
 
   /// Whether fluid passes through any piece.
   bool permeable() const { return permeable_; }
-  pbd::View<const FluidClothPiece> parts() const { return parts_.view(); }
+  pbd::View<const FluidClothPiece> pieces() const { return pieces_.view(); }
 
   // For FluidClothSet: the results of the last search.
   fluid_cloth_kernels::NearList near();
@@ -80,7 +80,7 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
   float largest_radius_ = 0;
   bool permeable_ = false, absorbent_ = false;
   pbd::View<const CollisionFilter> filters_;
-  pbd::Buffer<FluidClothPiece> parts_{device_, "cloth parts"};
+  pbd::Buffer<FluidClothPiece> pieces_{device_, "cloth pieces"};
   pbd::Buffer<uint32_t> marks_{device_, "cloth marks"};
   pbd::Buffer<fluid_cloth_kernels::GroupShape> shapes_{device_, "shapes of sheets"};
   pbd::Buffer<uint32_t> near_{device_, "particles near sheets"};

@@ -41,7 +41,7 @@ void FluidClothContacts<D>::count(const pbd::Substep<D>& substep, const pbd::Con
   using namespace fluid_cloth_kernels;
   if (!any()) return;
   const pbd::ParticleView& p = substep.particles;
-  tree_.refit(pbd::WayBoxes(p, 0));
+  tree_.refit(pbd::PathBoxes(p, 0));
   counter_.fill(0);
   entry_count_.fill(0);
   if (permeable_) {
@@ -83,11 +83,11 @@ void FluidClothContacts<D>::part_neighbours(const pbd::Substep<D>& substep) {
 }
 
 template <class D>
-void FluidClothContacts<D>::hold_back(const pbd::Substep<D>& substep) {
+void FluidClothContacts<D>::clamp_at_impact(const pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
-  tree_.refit(pbd::WayBoxes(p, 2 * fluid_cloth_tuning::clamp_gap_of_radius * largest_radius_));
-  device_.parallel_for("fluid cloth/hold back", p.sorted, ClampAtImpact{surface(substep), p.position});
+  tree_.refit(pbd::PathBoxes(p, 2 * fluid_cloth_tuning::clamp_gap_of_radius * largest_radius_));
+  device_.parallel_for("fluid cloth/clamp at impact", p.sorted, ClampAtImpact{surface(substep), p.position});
 }
 
 template <class D>
@@ -98,7 +98,7 @@ std::vector<WettingTouch> FluidClothContacts<D>::read_wetting(pbd::View<const pb
   if (most > wetting_.size()) wetting_.resize_or_stay(most + most / 4);
   wetting_count_.fill(0);
   device_.parallel_for("fluid cloth/wetting", near_count(),
-                       ListWetting{near(), contacts, parts_.view(), particles_.position.current.view(),
+                       ListWetting{near(), contacts, pieces_.view(), particles_.position.current.view(),
                                    particles_.slot.current.view(), wetting_.view(), wetting_count_.view()});
   uint32_t count = 0;
   wetting_count_.read(std::span(&count, 1));
@@ -111,7 +111,7 @@ std::vector<WettingTouch> FluidClothContacts<D>::read_wetting(pbd::View<const pb
 template <class D>
 fluid_cloth_kernels::Surface FluidClothContacts<D>::surface(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
-  return {tree_.view(), p.previous, p.position, p.sorted, parts_.view(), marks_.view(), filters_, p.phase};
+  return {tree_.view(), p.previous, p.position, p.sorted, pieces_.view(), marks_.view(), filters_, p.phase};
 }
 
 template <class D>
@@ -141,18 +141,18 @@ void FluidClothContacts<D>::reserve_near(uint32_t capacity) {
 template <class D>
 void FluidClothContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles,
                                         std::span<const Vec3> positions,
-                                        std::span<const FluidClothPiece> parts) {
+                                        std::span<const FluidClothPiece> pieces) {
   device_.wait();
   tree_.set_surface(triangles, positions);
   vertices_ = triangles.empty() ? 0 : static_cast<uint32_t>(positions.size());
-  parts_.resize_discard(parts.size());
-  parts_.write(parts);
+  pieces_.resize_discard(pieces.size());
+  pieces_.write(pieces);
   largest_radius_ = 0;
   permeable_ = absorbent_ = false;
-  for (const FluidClothPiece& part : parts) {
-    largest_radius_ = std::max(largest_radius_, part.radius);
-    permeable_ |= part.flow > 0;
-    absorbent_ |= part.absorbs != 0;
+  for (const FluidClothPiece& piece : pieces) {
+    largest_radius_ = std::max(largest_radius_, piece.radius);
+    permeable_ |= piece.flow > 0;
+    absorbent_ |= piece.absorbs != 0;
   }
   const std::vector<uint32_t> marks = triangle_marks(tree_.triangles());
   marks_.resize_discard(marks.size());

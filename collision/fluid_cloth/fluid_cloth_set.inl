@@ -55,7 +55,7 @@ void FluidClothSet<D>::settle(pbd::Substep<D>& substep) {
   carry(substep);  // because fail-safes of other sets have moved vertices since
   device_.parallel_for("fluid cloth/unload", contacts_.vertices(),
                        Unload{loaded_vertices(), p.position.from(p.sorted), loaded_.view()});
-  contacts_.hold_back(substep);
+  contacts_.clamp_at_impact(substep);
 }
 
 template <class D>
@@ -80,9 +80,10 @@ void FluidClothSet<D>::pass(pbd::Substep<D>& substep) {
   device_.parallel_for("fluid cloth/pushes", most_touches * contacts_.near_count(),
                        NotePushes{contacts_.near(), contacts, substep.particles.position});
   at_vertices("fluid cloth/drive", DrivePassing{loaded_vertices(), change_.view()});
-  at_particles("fluid cloth/pass", BeginPassing{contacts_.near(), contacts, contacts_.parts(), change_.view(),
-                                                substep.particles.position, substep.particles.number,
-                                                particles_.phase.current.view(), draws_++, substep.dt});
+  at_particles(
+      "fluid cloth/pass",
+      BeginPassing{contacts_.near(), contacts, contacts_.pieces(), change_.view(), substep.particles.position,
+                   substep.particles.number, particles_.phase.current.view(), draws_++, substep.dt});
 }
 
 /// Launches a team for each near particle.

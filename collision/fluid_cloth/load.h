@@ -74,7 +74,7 @@ struct AtTouches {
   View<const Vec4> previous;
   View<const pbd::Phase> phase;
   uint32_t first_vertex;
-  Vec3 fall;  ///< m: the displacement by gravity alone in the substep
+  Vec3 gravity_step;  ///< m: the displacement by gravity alone in the substep
 
   MENISCUS_HD FluidClothContact& touch(uint32_t k, uint32_t n) const {
     return near.touches[most_touches * k + n];
@@ -144,7 +144,7 @@ struct AtTouches {
   MENISCUS_HD bool presses(const FluidClothContact& t, uint32_t i) const {
     if (!is_live(t)) return false;
     const pbd::Contact& c = contacts[t.contact];
-    return bears(c.normal, c.normal_multiplier + dot(c.density_push, c.normal), i);
+    return supports(c.normal, c.normal_multiplier + dot(c.density_push, c.normal), i);
   }
   /// Whether it is predicted to press, or nearly so. A particle that would stop just before the cloth is
   /// pressed against it by the layers behind.
@@ -153,15 +153,15 @@ struct AtTouches {
     const pbd::Contact& c = contacts[t.contact];
     const Vec3 x = position[i].xyz(), displacement = x - previous[i].xyz() - c.surface_motion;
     return dot(x - c.point, c.normal) < fluid_cloth_tuning::about_to_press * c.radius &&
-           bears(c.normal, -dot(displacement, c.normal) / position[i].w, i);
+           supports(c.normal, -dot(displacement, c.normal) / position[i].w, i);
   }
 
  private:
   /// Whether an impulse `normal`, kg·m, is enough to carry particle i, by the tangential component of its
   /// weight. A particle with less must run down vertical cloth. If it stuck, the topmost layer around a hull
   /// would weigh on the hull.
-  MENISCUS_HD bool bears(Vec3 direction, float normal, uint32_t i) const {
-    const Vec3 weight = fall / position[i].w, drag = weight - dot(weight, direction) * direction;
+  MENISCUS_HD bool supports(Vec3 direction, float normal, uint32_t i) const {
+    const Vec3 weight = gravity_step / position[i].w, drag = weight - dot(weight, direction) * direction;
     return normal > 0 && length(drag) <= fluid_cloth_tuning::most_drag * normal;
   }
 };

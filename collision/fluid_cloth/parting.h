@@ -76,7 +76,7 @@ struct PartNeighbours {
                q = load(surface.previous, i < j ? j : i).xyz();
     for (uint32_t left = pbd::overlap_mask(surface.tree.group(0, group), box); left; left &= left - 1) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, 8 * group + pbd::lowest_bit(left));
-      if (surface.meets(i, t.part) && surface.meets(j, t.part) && passes(p, q, t)) return true;
+      if (surface.meets(i, t.piece) && surface.meets(j, t.piece) && passes(p, q, t)) return true;
     }
     return false;
   }

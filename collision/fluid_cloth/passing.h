@@ -68,7 +68,7 @@ struct DrivePassing {
 struct BeginPassing {
   NearList near;
   View<const pbd::Contact> contacts;
-  View<const FluidClothPiece> parts;
+  View<const FluidClothPiece> pieces;
   View<const Vec4> drive;  // by vertex
   View<const Vec4> position;
   View<const uint32_t> number;
@@ -87,7 +87,7 @@ struct BeginPassing {
       if (!is_at_cloth(c, position[i].xyz())) continue;
       const Vec3 driven = t.mean([&](uint32_t v) { return drive[v].xyz(); });
       const float fraction = pbd::max(0, dot(driven, c.normal));
-      chance += parts[t.part].flow * fraction * pbd::max(0, dot(t.pending, c.normal)) / dt;
+      chance += pieces[t.piece].flow * fraction * pbd::max(0, dot(t.pending, c.normal)) / dt;
     }
     if (TouchTeam::leads() && chance > 0 && pbd::random_numbers(number[i], draw, 0).x < chance)
       phase[i] = (phase[i] | pbd::phase_passing) & ~pbd::phase_pressing;
@@ -107,9 +107,9 @@ struct EndPassing {
     const Aabb box = motion_box(at, at, clear_of_cloth(largest_radius));
     pbd::for_each_overlap(surface.tree, box, 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
-      const FluidClothPiece& part = surface.parts[t.part];
-      if (part.flow == 0 || !surface.may_meet(i, t.part)) return;
-      clear = clear && nearest(surface.pair(at, at, t), 0).distance >= clear_of_cloth(part.radius);
+      const FluidClothPiece& piece = surface.pieces[t.piece];
+      if (piece.flow == 0 || !surface.may_meet(i, t.piece)) return;
+      clear = clear && nearest(surface.pair(at, at, t), 0).distance >= clear_of_cloth(piece.radius);
     });
     if (clear) phase[i] &= ~pbd::phase_passing;
   }

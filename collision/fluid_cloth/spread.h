@@ -16,7 +16,7 @@ namespace meniscus::collision::fluid_cloth_kernels {
 struct SpreadAround {
   Vec3 point, normal;
   float radius;  // m
-  uint32_t part;
+  uint32_t piece;
 };
 
 /// The vertices near a contact, each with a kernel's weight, as a warp gathers them in the contact. The
@@ -53,7 +53,8 @@ class Spread {
   /// Adds those of a triangle's vertices that it is the first to use.
   MENISCUS_HD void add(uint32_t place, bool overlaps) {
     const pbd::SurfaceTriangle t = load(surface_.tree.triangles, place);
-    const uint32_t firsts = overlaps && t.part == around_.part ? surface_.marks[place] >> first_use_mark : 0;
+    const uint32_t firsts =
+        overlaps && t.piece == around_.piece ? surface_.marks[place] >> first_use_mark : 0;
     const uint32_t corner[3] = {t.a, t.b, t.c};
     uint32_t near = 0;
     for (uint32_t k = 0; k < 3; ++k)
@@ -100,7 +101,7 @@ MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAroun
                                        FluidClothContact& touch) {
   for (float r = around.radius; r > fluid_cloth_tuning::least_spread * around.radius;
        r *= fluid_cloth_tuning::next_spread) {
-    const SpreadAround within{around.point, around.normal, r, around.part};
+    const SpreadAround within{around.point, around.normal, r, around.piece};
     const uint32_t vertices = Spread(surface, within, touch).find();
     if (vertices > 0) return vertices;
   }

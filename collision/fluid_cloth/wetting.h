@@ -12,7 +12,7 @@ namespace meniscus::collision::fluid_cloth_kernels {
 struct ListWetting {
   NearList near;
   View<const pbd::Contact> contacts;
-  View<const FluidClothPiece> parts;
+  View<const FluidClothPiece> pieces;
   View<const Vec4> position;
   View<const uint32_t> slot;
   View<WettingTouch> found;
@@ -25,7 +25,7 @@ struct ListWetting {
     float least = 1e30f;
     for (uint32_t n = 0; n < most_touches; ++n) {
       const FluidClothContact& t = near.touches[most_touches * k + n];
-      if (!is_used(t) || t.contact >= contacts.count || !parts[t.part].absorbs) continue;
+      if (!is_used(t) || t.contact >= contacts.count || !pieces[t.piece].absorbs) continue;
       const pbd::Contact& c = contacts[t.contact];
       const float distance = plane_distance(c, position[i].xyz());
       if (distance >= clear_of_cloth(c.radius) || distance >= least) continue;

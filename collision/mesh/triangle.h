@@ -59,7 +59,7 @@ MENISCUS_HD inline Vec3 offset_to_triangle(const Triangle& t, Vec3 p) {
 
 /// The fraction of the sphere around p that the triangle covers, 1 for all of it. Positive where p sees the
 /// back, as it does from inside. Van Oosterom and Strackee 1983.
-MENISCUS_HD inline float covered_share(const Triangle& t, Vec3 p) {
+MENISCUS_HD inline float covered_fraction(const Triangle& t, Vec3 p) {
   const Vec3 a = t.a - p, b = t.b - p, c = t.c - p;
   const float la = length(a), lb = length(b), lc = length(c);
   const float volume = dot(a, cross(b, c));

@@ -105,7 +105,8 @@ MENISCUS_HD inline float winding_number(const TriangleBvhView& bvh, Vec3 p) {
       at = node.end;
       continue;
     }
-    for (uint32_t i = node.first; i < node.first + node.count; ++i) sum += covered_share(bvh.triangles[i], p);
+    for (uint32_t i = node.first; i < node.first + node.count; ++i)
+      sum += covered_fraction(bvh.triangles[i], p);
     ++at;
   }
   return sum;

@@ -18,16 +18,16 @@ namespace meniscus::collision {
 
 namespace density_map_kernels {
 
-struct SolidShares {
+struct SolidFractions {
   SdfView sdf;
   TriangleBvhView mesh;
   Lattice samples;
   bool on_nodes;  // each sample is a node of the field
-  pbd::View<float> shares;
+  pbd::View<float> fractions;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const float distance = on_nodes ? sdf.values[i] : distance_between_nodes(samples.point(i));
-    shares[i] = fraction_at(distance / samples.spacing);
+    fractions[i] = fraction_at(distance / samples.spacing);
   }
 
   // The trilinear field cuts off edges, so near the surface the distance comes from the mesh. A point further
@@ -75,7 +75,7 @@ struct Integrate {
   Lattice samples;
   uint32_t refinement;
   float h;
-  pbd::View<const float> shares;
+  pbd::View<const float> fractions;
   pbd::View<const QuadraturePoint> points;
   pbd::View<pbd::Vec4> density;
 
@@ -96,7 +96,7 @@ struct Integrate {
       const uint32_t x = i + static_cast<uint32_t>(point.x), y = j + static_cast<uint32_t>(point.y),
                      z = k + static_cast<uint32_t>(point.z);
       if (x >= samples.nx || y >= samples.ny || z >= samples.nz) continue;
-      const float fraction = shares[samples.index(x, y, z)], slope = point.slope * fraction;
+      const float fraction = fractions[samples.index(x, y, z)], slope = point.slope * fraction;
       density_sum += point.weight * fraction;
       gradient +=
           slope * Vec3{static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
@@ -121,17 +121,17 @@ inline Lattice refined(const Lattice& nodes, uint32_t refinement, float step) {
 
 // Two box filters make a tent.
 template <class D>
-void take_means(D& device, const Lattice& samples, uint32_t width, pbd::Buffer<float>& shares) {
-  pbd::Buffer<float> means(device, "means of a solid's shares");
+void take_means(D& device, const Lattice& samples, uint32_t width, pbd::Buffer<float>& fractions) {
+  pbd::Buffer<float> means(device, "means of a solid's fractions");
   means.resize_discard(samples.count());
   const uint32_t strides[] = {1, samples.nx, samples.nx * samples.ny};
   const uint32_t counts[] = {samples.nx, samples.ny, samples.nz};
   for (int pass = 0; pass < 6; ++pass) {
     const int axis = pass % 3;
     device.parallel_for(
-        "means of a solid's shares", samples.count(),
-        density_map_kernels::MeanAlong{strides[axis], counts[axis], width, shares.view(), means.view()});
-    shares.swap(means);
+        "means of a solid's fractions", samples.count(),
+        density_map_kernels::MeanAlong{strides[axis], counts[axis], width, fractions.view(), means.view()});
+    fractions.swap(means);
   }
   device.wait();  // one of the two is freed from here on
 }
@@ -145,20 +145,20 @@ void build_density_map(D& device, const DeviceTriangleBvh& mesh, Sdf& sdf, float
   using namespace density_map_kernels;
   const DensityQuadrature quadrature = density_quadrature(sdf.nodes().spacing, h, most_refined(sdf.nodes()));
   const Lattice samples = refined(sdf.nodes(), quadrature.refinement, quadrature.step);
-  pbd::Buffer<float> shares(device, "a solid's shares");
+  pbd::Buffer<float> fractions(device, "a solid's fractions");
   pbd::Buffer<QuadraturePoint> points(device, "quadrature of a density map");
-  shares.resize_discard(samples.count());
+  fractions.resize_discard(samples.count());
   points.resize_discard(quadrature.points.size());
   points.write(quadrature.points);
   device.parallel_for(
-      "a solid's shares", samples.count(),
-      SolidShares{sdf.view(), mesh.view(), samples, quadrature.refinement == 1, shares.view()});
-  if (quadrature.stride > 1) take_means(device, samples, quadrature.stride, shares);
+      "a solid's fractions", samples.count(),
+      SolidFractions{sdf.view(), mesh.view(), samples, quadrature.refinement == 1, fractions.view()});
+  if (quadrature.stride > 1) take_means(device, samples, quadrature.stride, fractions);
   sdf.density().resize_discard(sdf.nodes().count());
   device.parallel_for("density map", sdf.nodes().count(),
-                      Integrate{sdf.view(), samples, quadrature.refinement, h, shares.view(), points.view(),
-                                sdf.density().view()});
-  device.wait();  // the shares are freed from here on
+                      Integrate{sdf.view(), samples, quadrature.refinement, h, fractions.view(),
+                                points.view(), sdf.density().view()});
+  device.wait();  // the fractions are freed from here on
 }
 
 }  // namespace meniscus::collision

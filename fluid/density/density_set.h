@@ -90,10 +90,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   const Kernel& kernel() const { return kernel_; }
 
  private:
-  template <bool any_moving, bool with_grains>
+  template <density_kernels::WallMotion motion, density_kernels::Grains grains>
   void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                const density_kernels::PairPressure& pair);
-  template <bool with_pair_pressure, bool any_moving>
+  template <density_kernels::Repulsion repulsion, density_kernels::WallMotion motion>
   void correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
 
   template <class Kernel, class LongKernel>
@@ -105,7 +105,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   DensityParameters parameters_;
   float last_dt_ = 0, saved_dt_ = 0;
   bool saving_ = false;
-  float share_ = 0;  // the fraction of the last substep's multipliers
+  float warm_start_fraction_ = 0;  // the fraction of the last substep's multipliers
   bool any_fluid_ = true, any_grains_ = false;
   pbd::Chebyshev chebyshev_;
   std::unique_ptr<PressureGrid<D>> pressure_grid_;  // exists if the parameters ask for it

@@ -60,7 +60,7 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   // A multiplier grows with the square of the step. But after a step that was short for its error, the
   // multiplier exceeds that of a longer step. With a pressure grid the multipliers include its pressure, so
   // they are no estimate for the remaining iterations.
-  share_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
+  warm_start_fraction_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
 }
 
 template <class D>
@@ -74,6 +74,10 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
                                             ? chebyshev_.next(iteration, substep.iterations)
                                             : pbd::IterationWeights{0, parameters_.relaxation};
   const bool last = iteration + 1 == substep.iterations;
+  // With a stop, any iteration may turn out to be the last.
+  const Recorded recorded = stop_ || (pressure_grid_ && last) ? Recorded::last_error
+                            : last && iteration > 0           ? Recorded::decrease
+                                                              : Recorded::error_at_start;
   const Advancing advancing{
       .position = substep.particles.position,
       .multiplier = multiplier_.current.view(),
@@ -84,10 +88,9 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt),
       .limit = parameters_.correction_limit,
       .first = iteration == 0,
-      .last = last || stop_ != nullptr,  // any iteration may turn out to be the last
-      .fraction = share_,
+      .fraction = warm_start_fraction_,
       .phase = substep.particles.phase,
-      .keeps_error = pressure_grid_ || stop_};
+      .recorded = recorded};
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
@@ -96,39 +99,43 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   }
   const bool is_over = stop_ && stop_->is_over();
   if (!is_over && any_grains_) {
-    substep.contacts.any_moving ? iterate<true, true>(substep, advancing, pair)
-                                : iterate<false, true>(substep, advancing, pair);
+    substep.contacts.any_moving ? iterate<WallMotion::any, Grains::present>(substep, advancing, pair)
+                                : iterate<WallMotion::none, Grains::present>(substep, advancing, pair);
   } else if (!is_over) {
-    substep.contacts.any_moving ? iterate<true, false>(substep, advancing, pair)
-                                : iterate<false, false>(substep, advancing, pair);
+    substep.contacts.any_moving ? iterate<WallMotion::any, Grains::absent>(substep, advancing, pair)
+                                : iterate<WallMotion::none, Grains::absent>(substep, advancing, pair);
   }
   if (stop_ && last)
-    stop_->finish(substep, multiplier_.current.view(), increment_.view(), pressure_grid_ || iteration == 0);
+    stop_->finish(substep, multiplier_.current.view(), increment_.view(),
+                  pressure_grid_ || iteration == 0 ? Recorded::last_error : Recorded::decrease);
   if (pressure_grid_ && last)
     device_.parallel_for("density/pressure", substep.particles.sorted,
                          AddPressure{pressure_grid_->multipliers(), multiplier_.current.view()});
 }
 
 template <class D>
-template <bool any_moving, bool with_grains>
+template <density_kernels::WallMotion motion, density_kernels::Grains grains>
 void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                             const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
   const uint32_t fluid = substep.particles.sorted;
   const pbd::ContactView contacts = substep.contacts.of_first(fluid);
   launch_both("density/multipliers", fluid,
-              Advance<with_grains>{kernel_, substep.neighbours, contacts.start, advancing},
+              Advance<grains>{kernel_, substep.neighbours, contacts.start, advancing},
               contacts.contacts.count,
-              AdvanceAtWalls<any_moving, with_grains>{kernel_, substep.neighbours, contacts, advancing});
+              AdvanceAtWalls<motion, grains>{kernel_, substep.neighbours, contacts, advancing});
   // The first iteration applies the initial multipliers, so it always runs.
-  if (stop_)
-    stop_->look(substep, multiplier_.current.view(), parameters_.tolerance, advancing.first,
-                pressure_grid_ || !advancing.first);
-  pair.multiplier > 0 ? correct<true, any_moving>(substep, pair) : correct<false, any_moving>(substep, pair);
+  if (stop_) {
+    if (advancing.first) stop_->start_substep(substep, multiplier_.current.view());
+    stop_->test_convergence(substep, multiplier_.current.view(), parameters_.tolerance,
+                            pressure_grid_ || !advancing.first);
+  }
+  pair.multiplier > 0 ? correct<Repulsion::on, motion>(substep, pair)
+                      : correct<Repulsion::off, motion>(substep, pair);
 }
 
 template <class D>
-template <bool with_pair_pressure, bool any_moving>
+template <density_kernels::Repulsion repulsion, density_kernels::WallMotion motion>
 void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
   const pbd::ParticleView& p = substep.particles;
@@ -137,12 +144,12 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   walls.contacts = contacts;
   // True if nothing else moves fluid within an iteration, and every iteration applies all corrections.
   const bool projects = p.owned == p.sorted && !any_grains_ && !stop_;
-  launch_both("density/correct", p.sorted,
-              Correct<with_pair_pressure>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start,
-                                          p.position, p.accumulated_delta},
-              contacts.contacts.count,
-              CorrectAtWalls<with_pair_pressure, any_moving>{kernel_, pair, staged_.view(),
-                                                             substep.neighbours, walls, projects});
+  launch_both(
+      "density/correct", p.sorted,
+      Correct<repulsion>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start, p.position,
+                         p.accumulated_delta},
+      contacts.contacts.count,
+      CorrectAtWalls<repulsion, motion>{kernel_, pair, staged_.view(), substep.neighbours, walls, projects});
   substep.are_contacts_projected = projects;
 }
 

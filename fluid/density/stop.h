@@ -46,12 +46,16 @@ class DensityStop {
   /// The moment varies from run to run, without an effect on the results.
   bool is_over() const { return *static_cast<const volatile uint32_t*>(ended_.host().data()) == number_; }
 
+  /// Call it when the multipliers of the first iteration are known, before it tests the convergence.
+  void start_substep(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier) {
+    device_.parallel_for("density/start", substep.particles.sorted,
+                         density_kernels::KeepStart{multiplier, start_.view()});
+  }
   /// Call it when the multipliers of an iteration are known, and have not moved any particle.
-  void look(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
-            float tolerance, bool first, bool may_end) {
+  void test_convergence(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
+                        float tolerance, bool may_end) {
     using namespace density_kernels;
     const uint32_t fluid = substep.particles.sorted;
-    if (first) device_.parallel_for("density/start", fluid, KeepStart{multiplier, start_.view()});
     device_.reduce("density/error", fluid, ErrorSum{},
                    MeanError{multiplier, substep.particles.phase, progress_.view()}, AddErrors{},
                    sum_.view());
@@ -61,10 +65,10 @@ class DensityStop {
 
   /// Call it when all iterations have been launched.
   void finish(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
-              pbd::View<const float> increment, bool keeps_error) {
+              pbd::View<const float> increment, density_kernels::Recorded recorded) {
     using namespace density_kernels;
     device_.parallel_for("density/finish", substep.particles.sorted,
-                         Finish{multiplier, increment, start_.view(), progress_.view(), keeps_error});
+                         Finish{multiplier, increment, start_.view(), progress_.view(), recorded});
     device_.parallel_for("density/report", 1, Report{progress_.view(), done_.view()});
     ++number_;
   }

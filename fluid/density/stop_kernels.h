@@ -88,12 +88,12 @@ struct Finish {
   View<Multiplier> multiplier;
   View<const float> increment, start;
   View<const Progress> progress;
-  bool keeps_error;
+  Recorded recorded;  ///< last_error or decrease
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Multiplier m = multiplier[i];
     const float value = progress[0].ended ? pbd::max(m.value - increment[i], 0.0f) : m.value;
-    multiplier[i] = {value, keeps_error ? m.relieved : start[i] - m.relieved};
+    multiplier[i] = {value, recorded == Recorded::last_error ? m.relieved : start[i] - m.relieved};
   }
 };
 

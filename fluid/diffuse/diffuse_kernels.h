@@ -18,7 +18,7 @@ using pbd::Vec4;
 using pbd::View;
 
 /// Φ: rises from 0 to 1 over a range.
-MENISCUS_HD inline float share_of(const Range& range, float value) {
+MENISCUS_HD inline float fraction_of(const Range& range, float value) {
   return pbd::clamp((value - range.low) / (range.high - range.low), 0, 1);
 }
 
@@ -66,12 +66,12 @@ struct CountBirths {
     const DiffuseDef& def = parameters.def;
     born[i] = 0;
     const Vec3 v = velocity[i].xyz();
-    const float energy = share_of(def.energy, 0.5f * dot(v, v));
+    const float energy = fraction_of(def.energy, 0.5f * dot(v, v));
     if (pbd::is_grain(phase[i]) || !(energy > 0)) return;
     const Vec4 self = normal[i];
-    float rate = def.air_rate * share_of(def.air, self.w);
+    float rate = def.air_rate * fraction_of(def.air, self.w);
     if (dot(self.xyz(), v) > diffuse_tuning::crest_cosine * length(v))
-      rate += def.crest_rate * share_of(def.crest, crest(i));
+      rate += def.crest_rate * fraction_of(def.crest, crest(i));
     const float n = pbd::min(rate * energy * dt, diffuse_tuning::most_births);
     const float whole = floorf(n);
     const float chance = random_numbers(number[i], step, 0).x;
@@ -116,7 +116,7 @@ struct Move {
   MENISCUS_HD void operator()(uint32_t i) const {
     DiffuseParticle p = from[i];
     p.life -= dt;
-    const Surroundings around = look_around(p.position);
+    const Surroundings around = surroundings_at(p.position);
     const DiffuseDef& def = parameters.def;
     if (around.weight < def.spray_below) {
       p.kind = DiffuseKind::spray;
@@ -135,7 +135,7 @@ struct Move {
   }
 
  private:
-  MENISCUS_HD Surroundings look_around(Vec3 at) const {
+  MENISCUS_HD Surroundings surroundings_at(Vec3 at) const {
     Surroundings sum;
     const float h = parameters.support;
     if (fluid == 0) return sum;

@@ -68,6 +68,14 @@ struct alignas(8) Multiplier {
                    ///< grid, the last C
 };
 
+/// What an iteration leaves in Multiplier::relieved.
+enum class Recorded : uint32_t { error_at_start, decrease, last_error };
+
+// The variants of the kernels, by what a scene has.
+enum class WallMotion : bool { none, any };
+enum class Grains : bool { absent, present };
+enum class Repulsion : bool { off, on };
+
 /// Adds the multipliers of the pressure grid, so that the sum is the pressure.
 struct AddPressure {
   View<const float> found;  ///< kg·m²
@@ -89,10 +97,10 @@ struct Advancing {
   float momentum, step;
   float compliance;  ///< α̃
   float limit;       ///< m
-  bool first, last;  ///< iteration of the substep
+  bool first;        ///< iteration of the substep
   float fraction;    ///< of the last substep's multiplier
   View<const pbd::Phase> phase;
-  bool keeps_error;  ///< for a pressure grid
+  Recorded recorded;
 
   /// Grains have no density constraint of their own. They count in that of the fluid, and its pressure moves
   /// them.
@@ -126,13 +134,15 @@ struct Advancing {
     change = pbd::clamp(change, -bound, bound);
     const float next = pbd::max(0.0f, old + change);
     const float start = first ? c.value : before.relieved;
-    multiplier[i] = {next, last && keeps_error ? c.value : last && !first ? start - c.value : start};
+    multiplier[i] = {next, recorded == Recorded::last_error ? c.value
+                           : recorded == Recorded::decrease ? start - c.value
+                                                            : start};
     increment[i] = next - old;
     staged[i] = pbd::with_w(p.xyz(), first ? next : next - old);
   }
 };
 
-template <bool with_grains>
+template <Grains grains>
 struct Advance {
   static constexpr uint32_t resident_blocks = 10;  // see CudaDevice
 
@@ -144,7 +154,7 @@ struct Advance {
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
     if (contact_start[i] != contact_start[i + 1]) return;
-    if (with_grains && advancing.passes_over(i)) return;
+    if (grains == Grains::present && advancing.passes_over(i)) return;
     const auto own = advancing.own(i);
     const Constraint c = density_constraint<D>(kernel, advancing.position, neighbours, i);
     if (D::leads()) advancing.advance(i, own, c);
@@ -167,15 +177,15 @@ struct PairPressure {
 };
 
 /// The push of one pair's multipliers, divided by peak_pull · (x_i − x_j), before the inverse mass.
-template <bool with_pair_pressure, class R>
+template <Repulsion repulsion, class R>
 MENISCUS_HD R push_shape(const PairPressure& pair, const R& t, R multiplier) {
   const R inverse_root = inverse_sqrt(t);
-  if constexpr (with_pair_pressure) multiplier += pair.at(Kernel::weight_shape(t));
+  if constexpr (repulsion == Repulsion::on) multiplier += pair.at(Kernel::weight_shape(t));
   return multiplier * Kernel::slope_shape(t, inverse_root) * inverse_root;
 }
 
 /// Moves each particle by the staged multipliers of itself and its neighbours.
-template <bool with_pair_pressure>
+template <Repulsion repulsion>
 struct Correct {
   static constexpr uint32_t resident_blocks = 10;
 
@@ -195,8 +205,7 @@ struct Correct {
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
       const Vec3Of<Real> d = self.xyz() - other.xyz();
-      push +=
-          push_shape<with_pair_pressure, Real>(pair, kernel.distance_ratio2(d), Real(self.w) + other.w) * d;
+      push += push_shape<repulsion, Real>(pair, kernel.distance_ratio2(d), Real(self.w) + other.w) * d;
     });
     const Vec3 total = sum(push);
     if (!D::leads()) return;

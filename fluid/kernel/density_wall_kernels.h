@@ -30,7 +30,7 @@ MENISCUS_HD float give_of_bodies(const ContactView& contacts, const MirrorPlanes
 
 /// D includes the effect of each particle's motion on C through its mirror ghosts: when i approaches the
 /// wall, so does its mirror ghost.
-template <class D, int n, bool any_moving>
+template <class D, int n, WallMotion motion>
 MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
                                                const NeighbourView& neighbours, const ContactView& contacts,
                                                const MirrorPlanes& mirrors, uint32_t i) {
@@ -64,7 +64,7 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
   });
   const float pull = kernel.peak_pull;  // a common factor of all terms except the weights
   float give = 0;
-  if constexpr (any_moving) {
+  if constexpr (motion == WallMotion::any) {
     give = give_of_bodies(contacts, mirrors, n,
                           [&](int k) { return pull * (sums.through(mirrors, k) + own.through(mirrors, k)); });
   }
@@ -75,19 +75,19 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
           self.w * dot(with_motion, with_motion) + pull * pull * sum(gradient2) + give, gradient};
 }
 
-template <class D, bool any_moving>
+template <class D, WallMotion motion>
 MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<const Vec4> position,
                                                    const NeighbourView& neighbours,
                                                    const ContactView& contacts, uint32_t i) {
   const MirrorPlanes mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
   if (mirrors.count <= 1) {
-    return constraint_with_mirrors<D, 1, any_moving>(kernel, position, neighbours, contacts, mirrors, i);
+    return constraint_with_mirrors<D, 1, motion>(kernel, position, neighbours, contacts, mirrors, i);
   }
-  return constraint_with_mirrors<D, MirrorPlanes::most, any_moving>(kernel, position, neighbours, contacts,
-                                                                    mirrors, i);
+  return constraint_with_mirrors<D, MirrorPlanes::most, motion>(kernel, position, neighbours, contacts,
+                                                                mirrors, i);
 }
 
-template <bool any_moving, bool with_grains>
+template <WallMotion motion, Grains grains>
 struct AdvanceAtWalls {
   Kernel kernel;
   NeighbourView neighbours;
@@ -98,17 +98,19 @@ struct AdvanceAtWalls {
   MENISCUS_HD void run(uint32_t k) const {
     const uint32_t i = contacts.touching_particle(k);
     if (i == pbd::no_index) return;
-    if (with_grains && advancing.passes_over(i)) return;
+    if (grains == Grains::present && advancing.passes_over(i)) return;
     const Constraint c =
-        density_constraint_at_walls<D, any_moving>(kernel, advancing.position, neighbours, contacts, i);
+        density_constraint_at_walls<D, motion>(kernel, advancing.position, neighbours, contacts, i);
     if (D::leads()) advancing.advance(i, advancing.own(i), c);  // loading it earlier would take registers
   }
 };
 
-/// With `any_moving`, the contacts record all pushes of the mirror ghosts; else only the components through
+/// If any wall moves, the contacts record all pushes of the mirror ghosts; else only the components through
 /// the walls. Along a fixed wall the components have no effect, and would take registers.
-template <bool with_pair_pressure, bool any_moving>
+template <Repulsion repulsion, WallMotion motion>
 struct CorrectAtWalls {
+  static constexpr bool any_moving = motion == WallMotion::any;
+
   Kernel kernel;
   PairPressure pair;
   View<const Vec4> staged;
@@ -137,8 +139,7 @@ struct CorrectAtWalls {
       const Vec3Of<Real> d = x - other.xyz();
       const Real r2 = dot(d, d) + Real(tiny_distance2), multiplier = Real(self.w) + other.w;
       const auto term = [&](const Real& fraction, const Real& ghost_r2) {
-        return pull * fraction *
-               push_shape<with_pair_pressure>(pair, Real(kernel.inverse_h2) * ghost_r2, multiplier);
+        return pull * fraction * push_shape<repulsion>(pair, Real(kernel.inverse_h2) * ghost_r2, multiplier);
       };
       PairTerms<Real, n, any_moving> terms;
       terms.total = term(Real(1.0f), r2);
@@ -146,8 +147,7 @@ struct CorrectAtWalls {
       pushes.add(mirrors, distances, d, terms);
     });
     const auto own = self_ghosts<n, any_moving>(mirrors, [&](float fraction, float r2) {
-      return kernel.peak_pull * fraction *
-             push_shape<with_pair_pressure>(pair, kernel.inverse_h2 * r2, 2 * self.w);
+      return kernel.peak_pull * fraction * push_shape<repulsion>(pair, kernel.inverse_h2 * r2, 2 * self.w);
     });
     const auto others = pushes.in_one(mirrors);
     if (!D::leads()) return;
@@ -192,7 +192,8 @@ struct Measure {
 
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
-    const Constraint c = density_constraint_at_walls<D, false>(kernel, position, neighbours, contacts, i);
+    const Constraint c =
+        density_constraint_at_walls<D, WallMotion::none>(kernel, position, neighbours, contacts, i);
     if (!D::leads()) return;
     if (pbd::is_grain(phase[i])) {
       error[slot[i]] = full[slot[i]] = 0;

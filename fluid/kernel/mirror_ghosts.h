@@ -34,11 +34,11 @@ struct MirrorPlanes {
   int count = 0;
   uint32_t contact[most];
   Vec3 normal[most];
-  float offset[most];        ///< m: the plane is normal · x = offset
-  float distance[most];      ///< m, of the particle; 0 if it is behind the plane
-  float weight[most];        ///< the fraction of a half-space behind it
-  float share[most_ghosts];  ///< the weight of each mirror ghost
-  float slack;               ///< m: a penetration up to this depth counts as on the surface
+  float offset[most];           ///< m: the plane is normal · x = offset
+  float distance[most];         ///< m, of the particle; 0 if it is behind the plane
+  float weight[most];           ///< the fraction of a half-space behind it
+  float fraction[most_ghosts];  ///< of each mirror ghost that counts
+  float slack;                  ///< m: a penetration up to this depth counts as on the surface
 
   /// Mirror ghosts are numbered 1 to ghost_count(): bit k is set if mirror k takes part.
   MENISCUS_HD int ghost_count() const { return (1 << count) - 1; }
@@ -82,7 +82,7 @@ struct PairTerms {
     for (int k = 0; k < n; ++k) by_first[k] = by_mirror[k] = R(0.0f);
   }
 
-  /// Adds the coefficients of the mirror ghosts; `coefficient(share, r²)` gives each. j: distances of the
+  /// Adds the coefficients of the mirror ghosts; `coefficient(fraction, r²)` gives each. j: distances of the
   /// pair's other particle.
   template <class Coefficient>
   MENISCUS_HD void add_ghosts(const MirrorPlanes& m, const MirrorDistances<R, n>& j, const R& r2,
@@ -90,14 +90,14 @@ struct PairTerms {
     MENISCUS_UNROLL
     for (int ghost = 1; ghost < 1 << n; ++ghost) {
       if (n > 1 && ghost > m.ghost_count()) break;
-      R share(m.share[ghost]), ghost_r2 = r2;
+      R fraction(m.fraction[ghost]), ghost_r2 = r2;
       MENISCUS_UNROLL
       for (int k = 0; k < n; ++k) {
         if (!(ghost >> k & 1)) continue;
-        share = share * j.present[k];
+        fraction = fraction * j.present[k];
         ghost_r2 += R(4 * m.distance[k]) * j.distance[k];
       }
-      const R c = coefficient(share, ghost_r2);
+      const R c = coefficient(fraction, ghost_r2);
       if constexpr (!apart) total += c;
       MENISCUS_UNROLL
       for (int k = 0; k < n; ++k) {
@@ -197,17 +197,17 @@ struct GhostSums {
 
 /// Mirrors at right angles have mirror ghosts of mirror ghosts; parallel mirrors do not.
 MENISCUS_HD inline float fraction_of_ghost(const MirrorPlanes& m, int ghost) {
-  float share = 1;
+  float fraction = 1;
   MENISCUS_UNROLL
   for (int k = 0; k < MirrorPlanes::most; ++k) {
     if (!(ghost >> k & 1)) continue;
-    share *= m.weight[k];
+    fraction *= m.weight[k];
     MENISCUS_UNROLL
     for (int l = 0; l < k; ++l) {
-      if (ghost >> l & 1) share *= 1 - fabsf(dot(m.normal[k], m.normal[l]));
+      if (ghost >> l & 1) fraction *= 1 - fabsf(dot(m.normal[k], m.normal[l]));
     }
   }
-  return share;
+  return fraction;
 }
 
 /// The mirror that a contact at distance d replaces: a free one, or the farthest if that is farther.
@@ -258,7 +258,7 @@ MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uin
   for (int k = 0; k < MirrorPlanes::most; ++k) m.distance[k] = pbd::max(m.distance[k], 0.0f);
   MENISCUS_UNROLL
   for (int ghost = 1; ghost < MirrorPlanes::most_ghosts; ++ghost) {
-    m.share[ghost] = ghost <= m.ghost_count() ? fraction_of_ghost(m, ghost) : 0;
+    m.fraction[ghost] = ghost <= m.ghost_count() ? fraction_of_ghost(m, ghost) : 0;
   }
   return m;
 }

@@ -60,9 +60,9 @@ struct ExcessAtWalls {
   MENISCUS_HD void run(uint32_t k) const {
     const uint32_t i = contacts.touching_particle(k);
     if (i == pbd::no_index) return;
-    const float value =
-        density_kernels::density_constraint_at_walls<D, false>(kernel, position, neighbours, contacts, i)
-            .value;
+    const float value = density_kernels::density_constraint_at_walls<D, density_kernels::WallMotion::none>(
+                            kernel, position, neighbours, contacts, i)
+                            .value;
     if (!D::leads()) return;
     const float excess = pbd::is_grain(phase[i]) ? 0.0f : excess_of(i, value);
     found[i] = pbd::with_w(space.part(position[i].xyz(), i), excess);

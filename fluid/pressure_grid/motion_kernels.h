@@ -20,8 +20,8 @@ struct FaceMoves {
 
   /// kg·m
   MENISCUS_HD float impulse(const NodeCoordinates& c, uint32_t node, int axis) const {
-    const float fall = pressure[node] - pressure[nodes.beside(c, axis, 1)];
-    return fraction * faces[node].face[axis].area * width2 * fall;
+    const float pressure_drop = pressure[node] - pressure[nodes.beside(c, axis, 1)];
+    return fraction * faces[node].face[axis].area * width2 * pressure_drop;
   }
   /// m
   MENISCUS_HD float displacement(const NodeCoordinates& c, uint32_t node, int axis) const {
@@ -60,8 +60,8 @@ struct FindLost {
         lost.impulse[axis] = double{moves.impulse(c, node, axis)} -
                              double{face.mass} * double{moves.displacement(c, node, axis)};
       } else if (face.area > 0) {
-        const float fall = in_the_open(node) - in_the_open(moves.nodes.beside(c, axis, 1));
-        lost.impulse[axis] = double{moves.fraction * face.area * moves.width2 * fall};
+        const float pressure_drop = in_the_open(node) - in_the_open(moves.nodes.beside(c, axis, 1));
+        lost.impulse[axis] = double{moves.fraction * face.area * moves.width2 * pressure_drop};
       }
     }
     return lost;

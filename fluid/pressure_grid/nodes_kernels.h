@@ -103,9 +103,9 @@ struct GatherNodes {
     for_each_around(from.space, node, from.found, TouchingCells{from.contacts.start},
                     [&](uint32_t i, Vec3 away) { add(sight, i, away); });
     const float inverse_width = from.space.cells.inverse_reach;
-    const float share = from.volume * inverse_width * inverse_width * inverse_width * sight.weight;
-    flags[node] = flags_of(sight, share);
-    filled[node] = share;
+    const float filled_fraction = from.volume * inverse_width * inverse_width * inverse_width * sight.weight;
+    flags[node] = flags_of(sight, filled_fraction);
+    filled[node] = filled_fraction;
   }
 
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
@@ -118,19 +118,19 @@ struct GatherNodes {
       if (pbd::is_attachment(c) || c.fraction < grid_tuning::least_wall) continue;
       const float distance =
           from.space.cells.inverse_reach * plane_distance(c, from.position[i].xyz()) + dot(c.normal, away);
-      const float share = 1 - fraction_behind(distance);
+      const float open_fraction = 1 - fraction_behind(distance);
       if (any_moving && c.body == pbd::on_cloth) {
-        sight.sheets.add(open_by_cloth *= share, distance, c.normal);
+        sight.sheets.add(open_by_cloth *= open_fraction, distance, c.normal);
         hidden = hidden || distance < 0;
       } else {
-        sight.solids.add(open *= share, distance, c.normal);
+        sight.solids.add(open *= open_fraction, distance, c.normal);
       }
     }
     if (hidden) sight.hidden += weight;
   }
 
   /// Cloth is a wall where there is fluid on one of its sides.
-  MENISCUS_HD static uint32_t flags_of(const Sight& sight, float share) {
+  MENISCUS_HD static uint32_t flags_of(const Sight& sight, float filled_fraction) {
     using namespace grid_tuning;
     Walls walls = sight.solids;
     const float seen = sight.weight - sight.hidden;
@@ -138,7 +138,8 @@ struct GatherNodes {
     uint32_t flags = walls.touched ? node_touched : 0u;
     if (walls.distance < deepest)
       flags |= node_solid;
-    else if (share > (walls.open < mostly_open ? filled_beside_walls : grid_tuning::filled) * walls.open)
+    else if (filled_fraction >
+             (walls.open < mostly_open ? filled_beside_walls : grid_tuning::filled) * walls.open)
       flags |= node_fluid;
     for (int b = 0; b < 6; ++b) {
       if (walls.beside[b] < deepest) flags |= wall_flag(b / 2, b % 2);

@@ -65,7 +65,7 @@ class PressureGrid {
   pbd::Buffer<float> multiplier_{device_, "grid multipliers"};
   pbd::Buffer<uint32_t> flags_{device_, "grid nodes"};
   pbd::Buffer<uint32_t> inside_{device_, "grid nodes"};
-  pbd::Buffer<float> filled_{device_, "grid shares"};
+  pbd::Buffer<float> filled_{device_, "grid filled fractions"};
   pbd::Buffer<float> give_{device_, "give of bodies"};
   pbd::Buffer<grid_kernels::NodeFaces> faces_{device_, "grid faces"};
   pbd::Buffer<grid_kernels::NodeLoad> load_{device_, "grid loads"};

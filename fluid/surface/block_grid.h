@@ -40,7 +40,7 @@ struct BlockTable {
       size;  ///< one element: the number of blocks; at or above the capacity the table was full
 
   MENISCUS_HD static uint64_t key_of(GridPlace block) {
-    const auto part = [](int32_t v) { return static_cast<uint64_t>(v + most_blocks_out); };
+    const auto part = [](int32_t v) { return static_cast<uint64_t>(int64_t{v} + most_blocks_out); };
     return part(block.x) | part(block.y) << 21 | part(block.z) << 42;
   }
   MENISCUS_HD static GridPlace place_of(uint64_t key) {

@@ -65,15 +65,15 @@ std::vector<uint32_t> tree_order(std::span<const SurfaceTriangle> triangles,
   std::vector<uint32_t> numbers(triangles.size());
   std::iota(numbers.begin(), numbers.end(), 0u);
   std::stable_sort(numbers.begin(), numbers.end(),
-                   [&](uint32_t a, uint32_t b) { return triangles[a].part < triangles[b].part; });
+                   [&](uint32_t a, uint32_t b) { return triangles[a].piece < triangles[b].piece; });
 
   std::vector<uint32_t> order;
   order.reserve(numbers.size());
   const Halving halving(centroids);
   for (Place begin = numbers.begin(); begin != numbers.end();) {
-    const uint32_t part = triangles[*begin].part;
+    const uint32_t piece = triangles[*begin].piece;
     const Place end =
-        std::find_if(begin, numbers.end(), [&](uint32_t t) { return triangles[t].part != part; });
+        std::find_if(begin, numbers.end(), [&](uint32_t t) { return triangles[t].piece != piece; });
     halving.run(begin, end);
     order.insert(order.end(), begin, end);
     while (order.size() % BoxGroup::size != 0) order.push_back(no_index);

@@ -14,15 +14,15 @@ namespace meniscus::pbd {
 /// Vertex numbers: vertex v is the particle ParticleView::sorted + v.
 struct SurfaceTriangle {
   uint32_t a, b, c;
-  uint32_t part;  ///< the piece of cloth that it belongs to
+  uint32_t piece;  ///< the piece of cloth that it belongs to
 };
 
 struct SurfaceView {
   View<const SurfaceTriangle> triangles;
   View<const Vec3> rest;  ///< m, of each vertex: the shape in which it is free of strain
-  /// The corners of triangles at each vertex, 3 · triangle + corner: fan[fan_start[v]] to fan[fan_start[v +
-  /// 1] − 1].
-  View<const uint32_t> fan_start, fan;
+  /// The corners of triangles at each vertex, 3 · triangle + corner: corners[corner_start[v]] to
+  /// corners[corner_start[v + 1] − 1].
+  View<const uint32_t> corner_start, corners;
 };
 
 }  // namespace meniscus::pbd

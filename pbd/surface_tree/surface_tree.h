@@ -14,12 +14,12 @@
 namespace meniscus::pbd {
 
 /// Boxes around the present and previous positions of vertices, inflated by `reach` (m).
-struct WayBoxes {
+struct PathBoxes {
   View<const Vec4> previous, position;
   uint32_t first_vertex;
   float reach;
 
-  WayBoxes(const ParticleView& particles, float reach_)
+  PathBoxes(const ParticleView& particles, float reach_)
       : previous(particles.previous),
         position(particles.position),
         first_vertex(particles.sorted),

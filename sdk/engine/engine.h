@@ -105,10 +105,10 @@ struct ParticleBatch {
 struct EngineCloth {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
-  std::vector<pbd::Phase> phase;                   ///< the group is the piece
-  std::vector<collision::Touch> touches;           ///< by piece
-  std::vector<cloth::ContactPart> contact_parts;   ///< by piece
-  std::vector<collision::FluidClothPiece> sheets;  ///< by piece
+  std::vector<pbd::Phase> phase;                    ///< the group is the piece
+  std::vector<collision::Touch> touches;            ///< by piece
+  std::vector<cloth::ContactPiece> contact_pieces;  ///< by piece
+  std::vector<collision::FluidClothPiece> sheets;   ///< by piece
   std::vector<collision::BodyAttachment> attachments;
   cloth::ClothModel model;
   cloth::RodModel rods, ropes;

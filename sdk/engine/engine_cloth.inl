@@ -27,15 +27,15 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   for (const pbd::Vec4& x : cloth.position) {
     if (x.w > 0) heaviest = std::max(heaviest, 1 / x.w);
   }
-  self_contacts_.set_surface(triangles, cloth.model.rest, cloth_.surface().rest, cloth.contact_parts,
+  self_contacts_.set_surface(triangles, cloth.model.rest, cloth_.surface().rest, cloth.contact_pieces,
                              heaviest);
   const std::vector<cloth::Piece>& pieces = cloth.model.pieces;
-  const bool bears_fluid =
-      std::any_of(pieces.begin(), pieces.end(), [](const cloth::Piece& p) { return p.bears_fluid; });
-  fluid_cloth_contacts_.set_surface(bears_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
+  const bool carries_fluid =
+      std::any_of(pieces.begin(), pieces.end(), [](const cloth::Piece& p) { return p.carries_fluid; });
+  fluid_cloth_contacts_.set_surface(carries_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
                                     cloth.model.rest, cloth.sheets);
   std::vector<float> inverse_masses;
-  if (bears_fluid) {
+  if (carries_fluid) {
     for (const pbd::Vec4& x : cloth.position) inverse_masses.push_back(x.w);
   }
   const float s = def_.particle_spacing, water = 1000.0f * s * s * s;

@@ -85,7 +85,7 @@ void DeviceEngine<D>::write_particles(const ParticleArrays& arrays) {
         "read-out/fluids", count,
         engine_kernels::ReadGroup{substep.particles.phase, substep.particles.slot, {arrays.fluids, count}});
   };
-  if (solver_.look(write)) return;
+  if (solver_.read_last_substep(write)) return;
   fetch_contacts();
   solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) { write(substep); });
 }

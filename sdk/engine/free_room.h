@@ -82,11 +82,10 @@ class FreeRoom {
   void choose(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) const {
     has_room.assign(arrivals.size(), 0);
     for (uint32_t i = 0; i < arrivals.size(); ++i) {
-      bool room = seen_[i] == 0;
-      table_.view().for_each_near(points_[i], [&](uint32_t j) {
-        if (j < i && has_room[j] && length(points_[j] - points_[i]) < apart()) room = false;
-      });
-      has_room[i] = room;
+      bool near = false;
+      table_.view().for_each_near(
+          points_[i], free_room_kernels::FindEarlier{points_.data(), has_room.data(), i, apart(), near});
+      has_room[i] = seen_[i] == 0 && !near;
     }
   }
 

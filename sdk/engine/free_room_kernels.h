@@ -42,6 +42,20 @@ struct BlockByParticles {
   }
 };
 
+/// Visits points near arrival i, and notes whether an earlier arrival with room is too near. The host runs
+/// it. A lambda of the host cannot be passed to a function for both devices.
+struct FindEarlier {
+  const Vec3* points;
+  const uint8_t* has_room;
+  uint32_t i;
+  float apart;
+  bool& near;
+
+  MENISCUS_HD void operator()(uint32_t j) const {
+    if (j < i && has_room[j] && length(points[j] - points[i]) < apart) near = true;
+  }
+};
+
 /// Runs over arrivals, and marks those with a solid in their way. It marches from the opening in steps so
 /// short that no solid is missed.
 struct BlockBySolids {
@@ -52,10 +66,10 @@ struct BlockBySolids {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Arrival& a = arrivals[i];
-    const Vec3 way = a.to - a.from;
-    const float whole = length(way);
+    const Vec3 path = a.to - a.from;
+    const float whole = length(path);
     for (float along = 0;;) {
-      const float nearest = distance(a.from + (whole > 0 ? along / whole : 0) * way, a.filter);
+      const float nearest = distance(a.from + (whole > 0 ? along / whole : 0) * path, a.filter);
       if (nearest < clearance) return pbd::atomic_max(blocked[i], 1);
       if (along >= whole) return;
       along = pbd::min(whole, along + pbd::max(nearest - clearance, clearance));

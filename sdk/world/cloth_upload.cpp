@@ -58,7 +58,7 @@ class Assembly {
       model.triangles.push_back({first + t[0], first + t[1], first + t[2], part});
     model.rest.insert(model.rest.end(), entry.mesh.vertices.begin(), entry.mesh.vertices.end());
     model.pieces.push_back(piece_of(entry));
-    cloth.contact_parts.push_back(
+    cloth.contact_pieces.push_back(
         {entry.thickness, entry.def.fabric.friction, entry.def.filter, entry.def.self_collision});
     if (entry.def.tethers) {
       attach_to_held(entry, numbers_of(held));
@@ -79,7 +79,7 @@ class Assembly {
                             entry.range.state.positions.end());
     cloth.model.pieces.push_back(
         {.first_vertex = first, .end_vertex = vertices(), .stretch_damping = -1, .bending_damping = -1});
-    cloth.contact_parts.push_back({.filter = {0, 0}, .self = false});
+    cloth.contact_pieces.push_back({.filter = {0, 0}, .self = false});
     for (size_t s = 0; s < entry.segments.size(); ++s) {
       entry.segments[s].held = clamped[s];
       cloth.segments.push_back(entry.segments[s]);
@@ -111,7 +111,7 @@ class Assembly {
     return first;
   }
 
-  bool bears_fluid(const CollisionFilter& filter) const {
+  bool carries_fluid(const CollisionFilter& filter) const {
     return std::any_of(fluids_.begin(), fluids_.end(),
                        [&](const CollisionFilter& fluid) { return pbd::meet(filter, fluid); });
   }
@@ -135,7 +135,7 @@ class Assembly {
                        .drag = f.drag,
                        .lift = f.lift,
                        .tear_strain = f.tear_strain,
-                       .bears_fluid = bears_fluid(entry.def.filter)};
+                       .carries_fluid = carries_fluid(entry.def.filter)};
     if (entry.def.inflation && entry.closed) {
       // p V is constant: at the outside pressure the gas would fill V₀ (1 + p/p_air).
       const InflationDef& gas = *entry.def.inflation;

@@ -161,13 +161,13 @@ void ClothCrossings::keep(const FrameSample& sample) {
 }
 
 /// The displacements of particles that exist in both frames; ids are in ascending order.
-std::vector<Way> ClothCrossings::ways_to(const io::ParticleFrame& now) const {
-  std::vector<Way> ways;
+std::vector<Path> ClothCrossings::paths_to(const io::ParticleFrame& now) const {
+  std::vector<Path> paths;
   for (std::size_t i = 0, old = 0; i < now.size(); ++i) {
     while (old < ids_.size() && ids_[old] < now.ids[i]) ++old;
-    if (old < ids_.size() && ids_[old] == now.ids[i]) ways.push_back({positions_[old], now.positions[i]});
+    if (old < ids_.size() && ids_[old] == now.ids[i]) paths.push_back({positions_[old], now.positions[i]});
   }
-  return ways;
+  return paths;
 }
 
 void ClothCrossings::add(const FrameSample& sample) {
@@ -175,16 +175,16 @@ void ClothCrossings::add(const FrameSample& sample) {
   for (std::size_t t = 0; t < corners_.size(); ++t)
     boxes.push_back(around_both(corners_[t].at, corners_of(sample.cloth, t)));
   if (!boxes.empty()) {
-    count(
-        WayColumns(ways_to(sample.particles), std::accumulate(boxes.begin(), boxes.end(), boxes[0], united)),
-        boxes, sample.cloth);
+    count(PathColumns(paths_to(sample.particles),
+                      std::accumulate(boxes.begin(), boxes.end(), boxes[0], united)),
+          boxes, sample.cloth);
   }
   keep(sample);
 }
 
-void ClothCrossings::count(const WayColumns& ways, const std::vector<Aabb>& boxes,
+void ClothCrossings::count(const PathColumns& paths, const std::vector<Aabb>& boxes,
                            const io::ClothFrame& cloth) {
-  std::vector<int> net(ways.count(), 0);
+  std::vector<int> net(paths.count(), 0);
   uint32_t piece = 0;
   const auto finish_piece = [&] {
     for (int& passages : net) counts_[piece] += static_cast<uint64_t>(std::abs(std::exchange(passages, 0)));
@@ -193,8 +193,8 @@ void ClothCrossings::count(const WayColumns& ways, const std::vector<Aabb>& boxe
     if (cloth.pieces[t] != piece) finish_piece();
     piece = cloth.pieces[t];
     const std::array<Vec3, 3>&from = corners_[t].at, to = corners_of(cloth, t);
-    ways.for_each_near(boxes[t],
-                       [&](std::size_t n, const Way& way) { net[n] += passage(from, to, way.from, way.to); });
+    paths.for_each_near(
+        boxes[t], [&](std::size_t n, const Path& path) { net[n] += passage(from, to, path.from, path.to); });
   }
   finish_piece();
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sdk/cli/record/frame_sample.h"
-#include "sdk/cli/record/way_columns.h"
+#include "sdk/cli/record/path_columns.h"
 
 namespace meniscus::cli {
 
@@ -33,8 +33,8 @@ class ClothCrossings {
     std::array<Vec3, 3> at;
   };
 
-  std::vector<Way> ways_to(const io::ParticleFrame& now) const;
-  void count(const WayColumns& ways, const std::vector<Aabb>& boxes, const io::ClothFrame& cloth);
+  std::vector<Path> paths_to(const io::ParticleFrame& now) const;
+  void count(const PathColumns& paths, const std::vector<Aabb>& boxes, const io::ClothFrame& cloth);
   void keep(const FrameSample& sample);
 
   std::vector<Corners> corners_;  // of the triangles in the last frame

@@ -102,7 +102,7 @@ void RunRecorder::add(const FrameSample& sample) {
 }
 
 nlohmann::ordered_json RunRecorder::finish(const RunEnd& end) {
-  const nlohmann::ordered_json figures = summary(end);
+  nlohmann::ordered_json figures = summary(end);
   io::OutputFile file(folder_ / "summary.json");
   // File names need not be UTF-8; JSON must be.
   file.write(figures.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');

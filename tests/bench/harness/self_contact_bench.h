@@ -22,7 +22,7 @@ struct ClothCase {
   std::vector<Vec3> velocities;     ///< m/s
   std::vector<Vec3> rest;           ///< m
   std::vector<pbd::SurfaceTriangle> triangles;
-  std::vector<cloth::ContactPart> parts;
+  std::vector<cloth::ContactPiece> pieces;
   Vec3 gravity{0, 0, 0};
   int substeps = 5, iterations = 4;
   bool keeps_edges = true;  ///< at their lengths at rest
@@ -30,10 +30,10 @@ struct ClothCase {
   /// Adds a grid of columns × rows vertices, all of the same mass (kg), whose vertex (u, v) of the rest plane
   /// stands at shape(u, v).
   template <class Shape>
-  void add_sheet(int columns, int rows, float spacing, float mass, const cloth::ContactPart& part,
+  void add_sheet(int columns, int rows, float spacing, float mass, const cloth::ContactPiece& piece,
                  const Shape& shape, Vec3 velocity = {0, 0, 0}) {
-    const auto first = static_cast<uint32_t>(vertices.size()), number = static_cast<uint32_t>(parts.size());
-    parts.push_back(part);
+    const auto first = static_cast<uint32_t>(vertices.size()), number = static_cast<uint32_t>(pieces.size());
+    pieces.push_back(piece);
     for (int n = 0; n < columns * rows; ++n) {
       const float u = spacing * (float(n % columns) - 0.5f * float(columns - 1));
       const float v = spacing * (float(n / columns) - 0.5f * float(rows - 1));
@@ -62,7 +62,7 @@ class SelfContactBench {
   virtual uint32_t most_contacts() = 0;
   virtual uint32_t most_crossings() = 0;
   virtual uint32_t listings() = 0;
-  virtual uint32_t brief_listings() = 0;
+  virtual uint32_t one_substep_listings() = 0;
   /// For each box, the triangles whose swept boxes, widened by `reach`, overlap it, in ascending order. One
   /// thread or one warp searches for them.
   virtual std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from,

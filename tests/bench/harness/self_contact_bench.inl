@@ -112,7 +112,7 @@ class SelfContactBenchOn final : public SelfContactBench {
     float least = 1e30f;
     for (const pbd::Vec4& x : cloth.vertices)
       if (x.w > 0) least = std::min(least, x.w);
-    contacts_.set_surface(cloth.triangles, cloth.rest, rest_.view(), cloth.parts, 1 / least);
+    contacts_.set_surface(cloth.triangles, cloth.rest, rest_.view(), cloth.pieces, 1 / least);
   }
 
   void step(float dt) override { solver_.step(dt); }
@@ -121,7 +121,7 @@ class SelfContactBenchOn final : public SelfContactBench {
   uint32_t most_contacts() override { return contacts_.most_contacts(); }
   uint32_t most_crossings() override { return contacts_.most_crossings(); }
   uint32_t listings() override { return contacts_.listings(); }
-  uint32_t brief_listings() override { return contacts_.brief_listings(); }
+  uint32_t one_substep_listings() override { return contacts_.one_substep_listings(); }
 
   std::vector<std::vector<uint32_t>> overlaps(std::span<const pbd::Vec4> from, std::span<const pbd::Vec4> to,
                                               float reach, std::span<const Aabb> boxes,
@@ -131,7 +131,7 @@ class SelfContactBenchOn final : public SelfContactBench {
     pbd::ParticleView particles{};
     particles.previous = previous.view();
     particles.position = position.view();
-    tree_.refit(pbd::WayBoxes(particles, reach));
+    tree_.refit(pbd::PathBoxes(particles, reach));
     pbd::Buffer<uint32_t> marks(device_, "marks");
     marks.resize_discard(boxes.size() * tree_.places());
     marks.fill(0);

@@ -234,7 +234,7 @@ struct Layer {
       multiplier.push_back({1e-4f * any(bits), 1e-4f * any(bits), 1e-4f * any(bits), 2e-4f * any(bits)});
   }
 
-  SolveChains solver(bool starts, bool puts_aside) {
+  SolveChains solver(ChainStage stage) {
     const auto view = [](auto& values) {
       return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
     };
@@ -242,9 +242,10 @@ struct Layer {
                       .edges = view(std::as_const(edges)),
                       .multiplier = view(multiplier),
                       .all = {},
-                      .pending = puts_aside ? view(pending) : pbd::View<pbd::Vec4>{},
+                      .pending = view(pending),
                       .effective_mass = {},
-                      .starts = starts,
+                      .loaded = {},
+                      .stage = stage,
                       .first = 0,
                       .end = static_cast<uint32_t>(chains.size())};
     solve.all.particles.position = view(position);
@@ -267,8 +268,8 @@ struct Layer {
 template <class Run>
 std::vector<float> solved(const Run& run) {
   Layer layer;
-  for (bool puts_aside : {true, false}) run(layer.solver(true, puts_aside));
-  run(layer.solver(false, false));
+  for (const auto stage : {ChainStage::absorbs_pending, ChainStage::starts, ChainStage::continues})
+    run(layer.solver(stage));
   return layer.results();
 }
 

@@ -30,12 +30,12 @@ class SelfContactSlowTest : public OnDevice {
   ClothCase thrown(float speed, float shaken) {
     ClothCase c;
     c.substeps = 1;
-    cloth::ContactPart part;
-    part.thickness = thickness;
+    cloth::ContactPiece piece;
+    piece.thickness = thickness;
     for (int k = 0; k < 3; ++k) {
       const float angle = anywhere(3).x, phase = anywhere(3).x, height = 0.03f * float(k);
       c.add_sheet(
-          13, 13, spacing, 2e-5f, part,
+          13, 13, spacing, 2e-5f, piece,
           [=](float u, float v) {
             return Vec3{std::cos(angle) * u - std::sin(angle) * v,
                         height + thickness * std::sin(60 * u + phase),

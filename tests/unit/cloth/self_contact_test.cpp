@@ -20,8 +20,8 @@ namespace {
 
 constexpr float spacing = 0.01f, thickness = 0.006f, mass = 2e-5f, substep = 0.002f;
 
-cloth::ContactPart part(float friction = 0.3f) {
-  cloth::ContactPart p;
+cloth::ContactPiece piece(float friction = 0.3f) {
+  cloth::ContactPiece p;
   p.thickness = thickness;
   p.friction = friction;
   return p;
@@ -50,12 +50,12 @@ Momentum momentum(SelfContactBench& bench, const ClothCase& c) {
 /// A sheet above another, turned by 30° and a little wavy, so that vertices meet triangles everywhere.
 ClothCase two_sheets(float gap, float speed, int side = 21) {
   ClothCase c;
-  c.add_sheet(side, side, spacing, mass, part(),
+  c.add_sheet(side, side, spacing, mass, piece(),
               [](float u, float v) {
                 return Vec3{u, 0, v};
               },
               {0, 0.5f * speed, 0});
-  c.add_sheet(side, side, spacing, 2 * mass, part(),
+  c.add_sheet(side, side, spacing, 2 * mass, piece(),
               [=](float u, float v) {
                 const float wave = 0.2f * thickness * std::sin(200 * u);
                 return Vec3{0.866f * u - 0.5f * v, gap + wave, 0.5f * u + 0.866f * v};
@@ -71,7 +71,7 @@ ClothCase folded(int columns, int rows) {
   c.gravity = {0, -9.81f, 0};
   const float gap = 1.5f * thickness, radius = 0.5f * gap, bend = 3.14159265f * radius;
   const float straight = (spacing * float(columns - 1) - 2 * bend) / 3;
-  c.add_sheet(columns, rows, spacing, mass, part(), [=](float u, float v) {
+  c.add_sheet(columns, rows, spacing, mass, piece(), [=](float u, float v) {
     float s = u + 0.5f * spacing * float(columns - 1);
     if (s < straight) return Vec3{s, 0, v};
     s -= straight;
@@ -204,7 +204,7 @@ TEST_P(SelfContactTest, PairsAreLookedForAsOftenAsClothMoves) {
   const auto b = bench(c);
   for (int k = 0; k < 40; ++k) b->step(5 * substep);
   EXPECT_EQ(b->listings(), 1u);  // of 5 substeps
-  EXPECT_EQ(b->brief_listings(), 0u);
+  EXPECT_EQ(b->one_substep_listings(), 0u);
   const ClothCase fast = two_sheets(2 * thickness, 3, 9);
   const auto other = bench(fast);
   other->step(5 * substep);
@@ -217,17 +217,17 @@ TEST_P(SelfContactTest, PairsOfFastClothAreLookedForForASubstepAlone) {
   constexpr float speed = 6;
   constexpr int steps = 20;  // to the top
   ClothCase c;
-  c.add_sheet(9, 9, spacing, mass, part(), [](float u, float v) { return Vec3{u, 0, v}; }, {0, speed, 0});
+  c.add_sheet(9, 9, spacing, mass, piece(), [](float u, float v) { return Vec3{u, 0, v}; }, {0, speed, 0});
   c.gravity = {0, -speed / (steps * 5 * substep), 0};
   const auto b = bench(c);
   b->step(5 * substep);
   EXPECT_EQ(b->listings(), 5u);
-  EXPECT_EQ(b->brief_listings(), 4u);
+  EXPECT_EQ(b->one_substep_listings(), 4u);
   b->step(5 * substep);
-  EXPECT_EQ(b->brief_listings(), 5u);
+  EXPECT_EQ(b->one_substep_listings(), 5u);
   for (int k = 2; k < steps + 1; ++k) b->step(5 * substep);
   EXPECT_LT(b->listings(), 5u);
-  EXPECT_EQ(b->brief_listings(), 0u);
+  EXPECT_EQ(b->one_substep_listings(), 0u);
 }
 
 TEST_P(SelfContactTest, SameBitsForAnyNumberOfThreads) {
@@ -259,7 +259,7 @@ TEST_P(SelfContactTest, SameBitsEachTime) {
 
 TEST_P(SelfContactTest, FiltersSayWhoMeetsWhom) {
   ClothCase c = two_sheets(2 * thickness, 3.0f, 11);
-  c.parts[1].filter.mask = ~1u;
+  c.pieces[1].filter.mask = ~1u;
   c.keeps_edges = false;
   const auto b = bench(c);
   for (int k = 0; k < 4; ++k) b->step(5 * substep);
@@ -269,7 +269,7 @@ TEST_P(SelfContactTest, FiltersSayWhoMeetsWhom) {
 
 TEST_P(SelfContactTest, APartMayLeaveItselfAlone) {
   ClothCase c = folded(41, 10);
-  c.parts[0].self = false;
+  c.pieces[0].self = false;
   const auto b = bench(c);
   for (int k = 0; k < 15; ++k) b->step(5 * substep);
   EXPECT_EQ(b->most_contacts(), 0u);
@@ -278,7 +278,7 @@ TEST_P(SelfContactTest, APartMayLeaveItselfAlone) {
 
 TEST_P(SelfContactTest, AMeshFinerThanItsThicknessStaysAtRest) {
   ClothCase c;
-  cloth::ContactPart thick = part();
+  cloth::ContactPiece thick = piece();
   thick.thickness = 3.7f * spacing;
   // Bent along a quarter of a cylinder, so that its normals are no one sheet's.
   const float radius = 0.03f;
@@ -309,9 +309,9 @@ TEST_P(SelfContactTest, FrictionStopsASlidingSheet) {
   constexpr float mu = 0.4f, speed = 0.5f;
   ClothCase c;
   c.gravity = {0, -9.81f, 0};
-  c.add_sheet(41, 15, spacing, mass, part(mu), [](float u, float v) { return Vec3{u, 0, v}; });
+  c.add_sheet(41, 15, spacing, mass, piece(mu), [](float u, float v) { return Vec3{u, 0, v}; });
   for (pbd::Vec4& x : c.vertices) x.w = 0;
-  c.add_sheet(9, 9, spacing, mass, part(mu),
+  c.add_sheet(9, 9, spacing, mass, piece(mu),
               [](float u, float v) {
                 return Vec3{u - 0.1f, thickness, v + 0.002f};
               },

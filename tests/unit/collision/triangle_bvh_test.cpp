@@ -30,7 +30,7 @@ float brute_distance(const TriangleMesh& mesh, Vec3 p) {
 
 double brute_winding(const TriangleMesh& mesh, Vec3 p) {
   double sum = 0;
-  for (uint32_t t = 0; t < mesh.triangles.size(); ++t) sum += covered_share(triangle_of(mesh, t), p);
+  for (uint32_t t = 0; t < mesh.triangles.size(); ++t) sum += covered_fraction(triangle_of(mesh, t), p);
   return sum;
 }
 
@@ -70,8 +70,8 @@ TEST(Triangle, NearestPointIsRightForSmallAndFlatTrianglesFarAway) {
 
 TEST(Triangle, AFaceOfAnOctahedronCoversAnEighth) {
   const Triangle face{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  EXPECT_NEAR(covered_share(face, {0, 0, 0}), 0.125f, 1e-6f);
-  EXPECT_NEAR(covered_share({face.a, face.c, face.b}, {0, 0, 0}), -0.125f, 1e-6f);
+  EXPECT_NEAR(covered_fraction(face, {0, 0, 0}), 0.125f, 1e-6f);
+  EXPECT_NEAR(covered_fraction({face.a, face.c, face.b}, {0, 0, 0}), -0.125f, 1e-6f);
 }
 
 struct MeshCase {

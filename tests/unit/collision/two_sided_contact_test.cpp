@@ -79,7 +79,7 @@ TEST(TwoSidedContactTest, IsWhereSweepsWouldTakeIt) {
 }
 
 // Contacts take back what they pushed too far, and never pull.
-TEST(TwoSidedContactTest, IsLetGoOf) {
+TEST(TwoSidedContactTest, IsReleased) {
   for (const TwoSided& before : cases()) {
     TwoSided p = before;
     p.x += p.w * two_sided_between(p.floor, p.body, p.w).push_apart(p.x, 1);
@@ -110,7 +110,7 @@ class TwoSidedFriction : public testing::Test {
 TEST_F(TwoSidedFriction, TakesTheBodyBack) {
   constexpr float give = 0.1f, way = 0.02f;
   TwoSided p = under_load(give, way);
-  const Vec3 push = two_sided_between(p.floor, p.body, p.w).hold_back({0, 0, 0});
+  const Vec3 push = two_sided_between(p.floor, p.body, p.w).apply_friction({0, 0, 0});
   EXPECT_NEAR(p.body.tangent_multiplier.x, way / give, 1e-3f * way / give);
   EXPECT_NEAR(p.floor.tangent_multiplier.x, -way / give, 1e-3f * way / give);
   EXPECT_LT(length(p.w * push), 1e-3f * way) << "the vertex stays on the floor";
@@ -123,9 +123,9 @@ TEST_F(TwoSidedFriction, EndsWithTheLoad) {
     TwoSided p = under_load(give, way);
     const TwoSidedContact both_sides = two_sided_between(p.floor, p.body, p.w);
     if (through)
-      both_sides.hand_through({0, 0, 0});
+      both_sides.transfer_friction({0, 0, 0});
     else
-      EXPECT_LT(length(p.w * both_sides.hold_back({0, 0, 0})), 1e-3f * way);
+      EXPECT_LT(length(p.w * both_sides.apply_friction({0, 0, 0})), 1e-3f * way);
     EXPECT_NEAR(p.body.tangent_multiplier.x, 0.5f, 1e-4f);
     EXPECT_NEAR(p.floor.tangent_multiplier.x, -0.5f, 1e-4f);
   }
@@ -136,7 +136,7 @@ TEST_F(TwoSidedFriction, LeavesTheVertexOnTheRougherOne) {
   constexpr float give = 0.1f, way = 0.2f;
   TwoSided p = under_load(give, way);
   p.floor.friction = 0.2f;
-  const Vec3 push = two_sided_between(p.floor, p.body, p.w).hold_back({0, 0, 0});
+  const Vec3 push = two_sided_between(p.floor, p.body, p.w).apply_friction({0, 0, 0});
   EXPECT_NEAR(p.floor.tangent_multiplier.x, -0.2f, 1e-4f);
   EXPECT_NEAR(p.body.tangent_multiplier.x, 0.2f, 1e-3f);
   EXPECT_NEAR(p.w * push.x, way - give * 0.2f, 1e-2f * way);
@@ -146,7 +146,7 @@ TEST_F(TwoSidedFriction, LeavesTheVertexOnTheRougherOne) {
 // between them. Each has its own friction.
 TEST_F(TwoSidedFriction, IsNotHandedThroughAVertexThatSlipsOnBoth) {
   TwoSided p = under_load(0.1f, 0.2f);
-  two_sided_between(p.floor, p.body, p.w).hand_through({0.5f, 0, 0});
+  two_sided_between(p.floor, p.body, p.w).transfer_friction({0.5f, 0, 0});
   EXPECT_EQ(length(p.body.tangent_multiplier), 0);
   EXPECT_EQ(length(p.floor.tangent_multiplier), 0);
 }

@@ -89,7 +89,7 @@ TEST(SurfaceOrder, HasEachTriangleOnceAndNoGroupOfTwoParts) {
     ++seen[order[place]];
     const uint32_t first = order[place / 8 * 8];
     ASSERT_NE(first, pbd::no_index);
-    EXPECT_EQ(c.triangles[order[place]].part, c.triangles[first].part);
+    EXPECT_EQ(c.triangles[order[place]].piece, c.triangles[first].piece);
   }
   for (int times : seen) EXPECT_EQ(times, 1);
 }

@@ -50,7 +50,7 @@ EngineCloth cloth_on_the_floor() {
   piece.drag = piece.lift = 1;
   all.model.pieces = {piece};
   all.touches = {{{}, 0.005f}};
-  all.contact_parts = {{0.01f, 0.3f, {}, true}};
+  all.contact_pieces = {{0.01f, 0.3f, {}, true}};
   return all;
 }
 

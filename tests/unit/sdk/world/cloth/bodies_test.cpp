@@ -12,8 +12,8 @@
 namespace meniscus::tests {
 namespace {
 
-class ClothBearingTest : public OnDevice {};
-MENISCUS_ON_EACH_DEVICE(ClothBearingTest);
+class LoadedClothTest : public OnDevice {};
+MENISCUS_ON_EACH_DEVICE(LoadedClothTest);
 
 constexpr int columns = 33;
 
@@ -57,7 +57,7 @@ Borne fall_on_sheet(pbd::DeviceKind device, const std::vector<uint32_t>& held, f
   return borne;
 }
 
-TEST_P(ClothBearingTest, AHeavyBallLiesInATrampoline) {
+TEST_P(LoadedClothTest, AHeavyBallLiesInATrampoline) {
   for (float mass : {0.3f, 3.0f}) {
     const Borne borne = fall_on_sheet(GetParam(), border(), mass, 10);
     EXPECT_LT(borne.stretch, 1.5f) << mass;
@@ -67,7 +67,7 @@ TEST_P(ClothBearingTest, AHeavyBallLiesInATrampoline) {
 }
 
 /// The worst edge is at 1.6 to 2.2 of its length at the impact, whichever the mass.
-TEST_P(ClothBearingTest, OneOfFiftyTimesItsWeightAsWell) {
+TEST_P(LoadedClothTest, OneOfFiftyTimesItsWeightAsWell) {
   constexpr float masses[] = {9, 9.5f, 10, 10.5f, 11};
   float mean_stretch = 0;
   for (float mass : masses) {
@@ -79,14 +79,14 @@ TEST_P(ClothBearingTest, OneOfFiftyTimesItsWeightAsWell) {
   EXPECT_LT(mean_stretch, 2);
 }
 
-TEST_P(ClothBearingTest, FewIterationsBearItToo) {
+TEST_P(LoadedClothTest, FewIterationsBearItToo) {
   const Borne borne = fall_on_sheet(GetParam(), border(), 3, 4);
   EXPECT_LT(borne.stretch, 1.8f);
   EXPECT_NEAR(borne.mean_push, 1, 0.1f);
   EXPECT_GT(borne.centre.y, 0.05f);
 }
 
-TEST_P(ClothBearingTest, ASheetHeldByItsCornersBearsABallInItsMiddle) {
+TEST_P(LoadedClothTest, ASheetHeldByItsCornersBearsABallInItsMiddle) {
   const Borne borne = fall_on_sheet(GetParam(), corners(), 1, 10);
   EXPECT_LT(borne.stretch, 1.4f);
   EXPECT_NEAR(borne.mean_push, 1, 0.2f);
@@ -124,7 +124,7 @@ double stretch_on_ball(pbd::DeviceKind device, Elsewhere elsewhere) {
 }
 
 /// What it pulled with in the last substep does not fit the masses of this one.
-TEST_P(ClothBearingTest, UnderWaterItStartsFromNothing) {
+TEST_P(LoadedClothTest, UnderWaterItStartsFromNothing) {
   constexpr int fine = 41;
   WorldDef def = world_def(GetParam(), 0.04f);
   def.substeps = 4;
@@ -145,7 +145,7 @@ TEST_P(ClothBearingTest, UnderWaterItStartsFromNothing) {
   EXPECT_LT(most, 1.4f);
 }
 
-TEST_P(ClothBearingTest, WhatLiesElsewhereIsNothingToIt) {
+TEST_P(LoadedClothTest, WhatLiesElsewhereIsNothingToIt) {
   const double alone = stretch_on_ball(GetParam(), Elsewhere::nothing) - 1;
   EXPECT_LT(alone, 0.05);
   for (const Elsewhere elsewhere : {Elsewhere::body, Elsewhere::fluid, Elsewhere::fluid_on_cloth}) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Sorts displacements into columns.
-#include "sdk/cli/record/way_columns.h"
+#include "sdk/cli/record/path_columns.h"
 
 #include <cmath>
 #include <numeric>
@@ -22,30 +22,30 @@ std::size_t column(float at, std::size_t columns) {
 }  // namespace
 
 // Displacements far from the region must not widen the columns: water that has run off falls for ever.
-WayColumns::WayColumns(const std::vector<Way>& ways, const Aabb& region)
+PathColumns::PathColumns(const std::vector<Path>& paths, const Aabb& region)
     : start_(each * each + 1, 0),
       lower_(region.lower),
       per_x_(columns_per_metre(each, region.upper.x - region.lower.x)),
       per_z_(columns_per_metre(each, region.upper.z - region.lower.z)) {
-  std::vector<Way> inside;
-  for (const Way& way : ways) {
-    const Aabb box = around(way);
+  std::vector<Path> inside;
+  for (const Path& path : paths) {
+    const Aabb box = around(path);
     if (!pbd::overlap(box, region)) continue;
-    inside.push_back(way);
+    inside.push_back(path);
     longest_ = max(longest_, box.upper - box.lower);
   }
-  const auto column_of = [&](const Way& way) {
-    const Place place = place_of(around(way).lower);
+  const auto column_of = [&](const Path& path) {
+    const Place place = place_of(around(path).lower);
     return each * place.z + place.x;
   };
-  for (const Way& way : inside) ++start_[column_of(way) + 1];
+  for (const Path& path : inside) ++start_[column_of(path) + 1];
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   std::vector<std::size_t> next = start_;
-  ways_.resize(inside.size());
-  for (const Way& way : inside) ways_[next[column_of(way)]++] = way;
+  paths_.resize(inside.size());
+  for (const Path& path : inside) paths_[next[column_of(path)]++] = path;
 }
 
-WayColumns::Place WayColumns::place_of(Vec3 point) const {
+PathColumns::Place PathColumns::place_of(Vec3 point) const {
   return {column((point.x - lower_.x) * per_x_, each), column((point.z - lower_.z) * per_z_, each)};
 }
 
