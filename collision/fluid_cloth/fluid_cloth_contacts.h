@@ -64,7 +64,7 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
 
   void start_step();
   bool had_room() const { return most_near() <= near_.size(); }
-  void make_room() { reserve_near(most_near() + most_near() / 4); }
+  void make_room();
   /// The largest number of particles near cloth in any substep of the last step.
   uint32_t most_near() const { return found_.host().empty() ? 0 : found_.host()[0]; }
 

@@ -5,7 +5,10 @@
 // ccd_failsafe.h.
 #pragma once
 
+#include <meniscus/error.h>
+
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "collision/fluid_cloth/ccd_failsafe.h"
@@ -125,6 +128,20 @@ uint32_t FluidClothContacts<D>::near_count() {
 template <class D>
 void FluidClothContacts<D>::start_step() {
   std::fill(found_.host().begin(), found_.host().end(), 0u);
+}
+
+template <class D>
+void FluidClothContacts<D>::make_room() {
+  using namespace fluid_cloth_kernels;
+  // The entries of vertices are counted with 32 bits.
+  constexpr uint32_t most = ~0u / (FluidClothContact::most_vertices * most_touches);
+  const uint32_t wanted = most_near();
+  if (wanted > most) {
+    throw Error(ErrorCode::capacity, "at most " + std::to_string(most) + " particles may be near cloth; " +
+                                         std::to_string(wanted) +
+                                         " are. A wider particle_spacing needs fewer");
+  }
+  reserve_near(std::min(wanted + wanted / 4, most));
 }
 
 template <class D>

@@ -106,6 +106,8 @@ struct World::Impl {
   std::vector<bool> held_vertices(ClothId cloth) const;
   std::vector<bool> held_vertices(RopeId rope) const;
   const VertexRange& range_of(const AttachmentDef& def) const;
+  /// Throws Error(capacity) if there is no room for another piece of cloth or rope.
+  void check_pieces() const;
   /// Destroys the attachments for which this returns true.
   template <class Gone>
   void drop_attachments(const Gone& gone);
