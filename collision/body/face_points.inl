@@ -128,7 +128,7 @@ void FacePoints<D>::project(pbd::Substep<D>& substep, int iteration) {
 template <class D>
 void FacePoints<D>::settle(pbd::Substep<D>& substep) {
   using namespace face_kernels;
-  constexpr int rounds = 3;
+  constexpr int rounds = 3;  // what these leave, the contacts of the next substep correct
   if (!any(substep)) return;
   const Points all = points(substep);
   const pbd::ParticleView& p = substep.particles;

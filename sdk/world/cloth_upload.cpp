@@ -242,7 +242,7 @@ void World::Impl::note_cloth_step(float dt) {
 }
 
 void World::Impl::tear_cloth() {
-  constexpr uint32_t most_splits = 64;  // per piece and step
+  constexpr uint32_t most_splits = 64;  // per piece and step; the rest tears in the steps after it
   if (vertex_count == 0 || !engine->found_tears()) return;
   read_reactions();
   fetch_cloth();
