@@ -12,16 +12,22 @@ namespace meniscus::collision::fluid_cloth_kernels {
 /// along with the triangle, on its own side. Cloth is at its final positions, so each particle is tested
 /// alone. The contact corrects the velocity.
 struct ClampAtImpact {
+  static constexpr int most_rounds = 6;
+
   Surface surface;
   View<Vec4> position;
+  View<uint32_t> found;  // see Found
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 from = surface.previous[i].xyz(), wanted = position[i].xyz();
     Vec3 to = wanted;
-    constexpr int most_rounds = 6;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0;; ++round) {
       const Vec3 end = first_stop(i, from, to, round);
       if (end == to) break;
+      if (round == most_rounds) {
+        pbd::atomic_add(found[unstopped], 1);
+        break;
+      }
       to = end;
     }
     if (!(to == wanted)) position[i] = pbd::with_w(to, position[i].w);

@@ -32,7 +32,7 @@ struct NoteNear {
   View<uint32_t> found;
 
   MENISCUS_HD void operator()(uint32_t) const {
-    if (found[0] < counter[0]) found[0] = counter[0];
+    if (found[near_cloth] < counter[0]) found[near_cloth] = counter[0];
   }
 };
 
@@ -56,9 +56,10 @@ void FluidClothContacts<D>::count(const pbd::Substep<D>& substep, const pbd::Con
   pbd::parallel_for_teams<pbd::GroupTeam>(device_, "fluid cloth/shapes",
                                           static_cast<uint32_t>(shapes_.size()),
                                           FitShapes{surface(substep), shapes_.view()});
-  pbd::parallel_for_teams<SearchTeam>(device_, "fluid cloth/touches", near_count(),
-                                      FindTouches{surface(substep), near(), counter, entry_count_.view(),
-                                                  shapes_.view(), support_radius_, 0.51f * largest_radius_});
+  pbd::parallel_for_teams<SearchTeam>(
+      device_, "fluid cloth/touches", near_count(),
+      FindTouches{surface(substep), near(), counter, entry_count_.view(), shapes_.view(), found_.view(),
+                  support_radius_, 0.51f * largest_radius_});
   device_.exclusive_scan("fluid cloth/offsets", entry_count_.view(), entry_start_.view());
   pbd::parallel_for_teams<TouchTeam>(
       device_, "fluid cloth/entries", most_touches * near_count(),
@@ -88,7 +89,8 @@ void FluidClothContacts<D>::hold_back(const pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(pbd::WayBoxes(p, 2e-3f * largest_radius_));
-  device_.parallel_for("fluid cloth/hold back", p.sorted, ClampAtImpact{surface(substep), p.position});
+  device_.parallel_for("fluid cloth/hold back", p.sorted,
+                       ClampAtImpact{surface(substep), p.position, found_.view()});
 }
 
 template <class D>
@@ -175,7 +177,7 @@ void FluidClothContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> tr
   shapes_.resize_discard(marks.size() / pbd::BoxGroup::size);
   counter_.resize_discard(1);
   wetting_count_.resize_discard(1);
-  found_.resize_discard(1);
+  found_.resize_discard(fluid_cloth_kernels::found_count);
   start_step();
   entry_count_.resize_discard(vertices_);
   entry_start_.resize_discard(vertices_ + 1);
