@@ -110,7 +110,7 @@ struct SumLost {
 /// Transfers the momentum of vertices that were rolled back to all vertices of their piece, whose positions
 /// do not change. This causes no relative motion within the piece. Given only to the vertices around, the
 /// momentum kept crumpled cloth stretched. Also records for the host the greatest counters of any substep, up
-/// to the first one whose lists had no room.
+/// to the first one whose lists had no room, and the number of substeps in which the rounds did not suffice.
 struct TransferPush {
   View<const uint32_t> vertex_piece;
   View<const Vec4> position;     // by vertex
@@ -122,6 +122,7 @@ struct TransferPush {
   /// Runs for each vertex and for each counter.
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
+    if (v == given_up && counters[crossings + most_rounds - 1] != 0) ++found[v];
     if (v >= vertex_piece.count || counters[lost] == 0) return;
     if (vertex_piece[v] == no_index || position[v].w == 0) return;
     accumulated_delta[v] = pbd::shifted(accumulated_delta[v], sums.displacement(vertex_piece[v]));

@@ -68,6 +68,9 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   uint32_t one_substep_listings() const { return found(self_contact_kernels::one_substep_listings); }
   /// The greatest number of pairs in any substep of the last step that would have passed through one another.
   uint32_t most_crossings() const { return found(self_contact_kernels::crossings); }
+  /// The number of substeps of the last step in which no number of rounds of the fail-safe sufficed. All
+  /// cloth stayed where it was in these.
+  uint32_t given_up() const { return found(self_contact_kernels::given_up); }
 
  private:
   struct CcdFailsafe final : pbd::ConstraintSet<D> {

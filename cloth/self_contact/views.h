@@ -48,6 +48,7 @@ enum Counter : uint32_t {
   overflowed,            // not 0: a list had no room, and the step will be repeated
   lost,                  // not 0: a vertex was rolled back, and its momentum is still to be transferred
   folded_sheets,         // groups whose sheets have folded, in this round of the fail-safe
+  given_up,              // for the host alone: substeps whose last possible round still found a pair
   crossings,
   counter_count = crossings + most_rounds
 };

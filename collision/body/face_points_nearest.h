@@ -170,19 +170,23 @@ struct FaceMeeting {
 
 /// Where the moving face first comes within `touch` (m) of the shape and moves on into it, by conservative
 /// advancement. Where it does not, its nearest point at the end. A face that moves by less than `touch` is
-/// tested at the end alone.
+/// tested at the end alone. A face that slides along a surface for more than half as many `touch` as there
+/// are steps is tested where the steps end and at its own end: the nearer of the two counts.
 MENISCUS_HD inline FaceMeeting meet_face(const FaceField& field, const FaceMotion& m, float touch) {
   const float displacement = displacement_of(m), tolerance = face_tuning::advance_tolerance * touch;
+  const float least = face_tuning::advance * touch;
   float t = displacement > touch ? 0.0f : 1.0f;
+  FaceMeeting last{{{1, 0, 0}, {1e30f, {0, 1, 0}}}, m.from};
   for (int k = 0; k < face_tuning::advance_steps && t < 1; ++k) {
-    const Triangle now = between(m, t);
-    const FaceSample s = field.nearest(now, tolerance);
-    const Vec3 path = point_of(m.to, s.weights) - point_of(m.from, s.weights);
-    if (s.surface.distance < touch && dot(s.surface.normal, path) < 0) return {s, now};
-    t += pbd::max(s.surface.distance - face_tuning::advance * touch, face_tuning::advance * touch) /
-         displacement;
+    last.face = between(m, t);
+    last.sample = field.nearest(last.face, tolerance);
+    const SurfaceSample& s = last.sample.surface;
+    const Vec3 path = point_of(m.to, last.sample.weights) - point_of(m.from, last.sample.weights);
+    if (s.distance < touch && dot(s.normal, path) < 0) return last;
+    t += pbd::max(s.distance - least, least) / displacement;
   }
-  return {field.nearest(m.to, tolerance), m.to};
+  const FaceMeeting end{field.nearest(m.to, tolerance), m.to};
+  return t < 1 && last.sample.surface.distance < end.sample.surface.distance ? last : end;
 }
 
 }  // namespace meniscus::collision

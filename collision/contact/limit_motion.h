@@ -43,7 +43,7 @@ MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radi
     if (!hit.found) return m.to;
     m = {hit.at, slide(hit, m.to)};
   }
-  return m.from;
+  return m.from;  // too many hits: the motion stops at the last one
 }
 
 /// Where the motion ends if it passes through no moving shape. Each shape sees the motion in its own frame,

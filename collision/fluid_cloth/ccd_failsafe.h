@@ -15,13 +15,18 @@ namespace meniscus::collision::fluid_cloth_kernels {
 struct ClampAtImpact {
   Surface surface;
   View<Vec4> position;
+  View<uint32_t> found;  // see Found
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 from = surface.previous[i].xyz(), wanted = position[i].xyz();
     Vec3 to = wanted;
-    for (int round = 0; round < fluid_cloth_tuning::clamp_rounds; ++round) {
+    for (int round = 0;; ++round) {
       const Vec3 end = first_stop(i, from, to, round);
       if (end == to) break;
+      if (round == fluid_cloth_tuning::clamp_rounds) {
+        pbd::atomic_add(found[unstopped], 1);
+        break;
+      }
       to = end;
     }
     if (!(to == wanted)) position[i] = pbd::with_w(to, position[i].w);

@@ -93,7 +93,7 @@ MENISCUS_HD inline Vec3 turned_to_end(const pbd::FeaturePair& p, Vec3 direction,
 
 /// A particle near cloth. It has a contact for each layer of cloth near it, at most three. The corners of the
 /// triangle that it touches share its push. In a mesh finer than the particles, all vertices within a spacing
-/// share it.
+/// share it, at most 32.
 struct alignas(16) FluidClothContact {
   static constexpr uint32_t most_vertices = 32;
 
@@ -138,6 +138,16 @@ struct alignas(16) FluidClothContact {
 };
 
 inline constexpr uint32_t most_touches = 3;
+
+/// What the host reads of a step: the greatest number of particles near cloth in a substep, and what exceeded
+/// a fixed size, summed over the substeps.
+enum Found : uint32_t {
+  near_cloth,
+  crowded,    // particles with more than most_touches layers
+  cut,        // contacts with more than FluidClothContact::most_vertices vertices
+  unstopped,  // particles that ClampAtImpact did not stop
+  found_count
+};
 
 MENISCUS_HD inline bool is_used(const FluidClothContact& t) {
   return t.vertices > 0;

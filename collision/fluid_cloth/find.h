@@ -68,10 +68,14 @@ class Layers {
     for (uint32_t k = 1; k < count_; ++k)
       furthest = layer_[k].distance > layer_[furthest].distance ? k : furthest;
     if (place.distance < layer_[furthest].distance) layer_[furthest] = place;
+    crowded_ = true;
   }
+  /// Whether there were more layers than fit.
+  MENISCUS_HD bool is_crowded() const { return crowded_; }
   /// Merges what a warp's threads have found, for all of them.
   MENISCUS_HD void gather() {
     Layers all;
+    all.crowded_ = SearchTeam::any(crowded_);
     for (uint32_t left = SearchTeam::ballot(count_ > 0); left; left &= left - 1) {
       const uint32_t thread = pbd::lowest_bit(left), places = SearchTeam::from(thread, count_);
       for (uint32_t k = 0; k < places; ++k) all.add(from(thread, layer_[k]));
@@ -100,6 +104,7 @@ class Layers {
 
   Place layer_[most_touches];
   uint32_t count_ = 0;
+  bool crowded_ = false;
 };
 
 /// Finds the contacts of the listed particles, a warp each. No particle has passed through cloth at the
@@ -114,6 +119,7 @@ struct FindTouches {
   pbd::ContactCounter counter;
   View<uint32_t> entries;  // number of contacts of each vertex
   View<const GroupShape> shapes;
+  View<uint32_t> found;  // see Found
   float h, largest_gap;
 
   MENISCUS_HD void operator()(uint32_t k) const {
@@ -149,6 +155,7 @@ struct FindTouches {
         touch.vertices = 0;
     }
     if (SearchTeam::leads()) counter.add(i, layers.count());
+    if (SearchTeam::leads() && layers.is_crowded()) pbd::atomic_add(found[crowded], 1);
   }
 
   /// Whether the triangle is within the support radius. Of the places at the end, only those inside the
@@ -194,8 +201,8 @@ struct FindTouches {
     const float w = 1 - place.u - place.v;
     const Vec3 point = w * surface.end(t.a) + place.u * surface.end(t.b) + place.v * surface.end(t.c);
     const float fraction = at_border ? covered(point, place) : 1;
-    uint32_t vertices =
-        spread_out(surface, {point, place.normal, surface.pieces[t.piece].spread, t.piece}, touch);
+    uint32_t vertices = spread_out(surface, {point, place.normal, surface.pieces[t.piece].spread, t.piece},
+                                   touch, found[cut]);
     if (SearchTeam::leads()) {
       if (vertices == 0) {
         touch.set(vertices++, t.a, w);

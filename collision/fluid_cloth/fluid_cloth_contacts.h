@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "collision/fluid_cloth/cloth_shapes.h"
+#include "collision/fluid_cloth/cloth_surface.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
 #include "pbd/surface_tree/surface_tree.h"
@@ -64,9 +65,13 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
 
   void start_step();
   bool had_room() const { return most_near() <= near_.size(); }
-  void make_room() { reserve_near(most_near() + most_near() / 4); }
+  void make_room();
   /// The largest number of particles near cloth in any substep of the last step.
-  uint32_t most_near() const { return found_.host().empty() ? 0 : found_.host()[0]; }
+  uint32_t most_near() const { return found(fluid_cloth_kernels::near_cloth); }
+  /// Of the last step, summed over its substeps: see fluid_cloth_kernels::Found.
+  uint32_t found(fluid_cloth_kernels::Found what) const {
+    return found_.host().empty() ? 0 : found_.host()[what];
+  }
 
  private:
   fluid_cloth_kernels::Surface surface(const pbd::Substep<D>& substep);

@@ -5,7 +5,10 @@
 // ccd_failsafe.h.
 #pragma once
 
+#include <meniscus/error.h>
+
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "collision/fluid_cloth/ccd_failsafe.h"
@@ -30,7 +33,7 @@ struct NoteNear {
   View<uint32_t> found;
 
   MENISCUS_HD void operator()(uint32_t) const {
-    if (found[0] < counter[0]) found[0] = counter[0];
+    if (found[near_cloth] < counter[0]) found[near_cloth] = counter[0];
   }
 };
 
@@ -56,8 +59,8 @@ void FluidClothContacts<D>::count(const pbd::Substep<D>& substep, const pbd::Con
                                           FitShapes{surface(substep), shapes_.view()});
   pbd::parallel_for_teams<SearchTeam>(
       device_, "fluid cloth/touches", near_count(),
-      FindTouches{surface(substep), near(), counter, entry_count_.view(), shapes_.view(), support_radius_,
-                  fluid_cloth_tuning::largest_gap * largest_radius_});
+      FindTouches{surface(substep), near(), counter, entry_count_.view(), shapes_.view(), found_.view(),
+                  support_radius_, fluid_cloth_tuning::largest_gap * largest_radius_});
   device_.exclusive_scan("fluid cloth/offsets", entry_count_.view(), entry_start_.view());
   pbd::parallel_for_teams<TouchTeam>(
       device_, "fluid cloth/entries", most_touches * near_count(),
@@ -87,7 +90,8 @@ void FluidClothContacts<D>::clamp_at_impact(const pbd::Substep<D>& substep) {
   using namespace fluid_cloth_kernels;
   const pbd::ParticleView& p = substep.particles;
   tree_.refit(pbd::PathBoxes(p, 2 * fluid_cloth_tuning::clamp_gap_of_radius * largest_radius_));
-  device_.parallel_for("fluid cloth/clamp at impact", p.sorted, ClampAtImpact{surface(substep), p.position});
+  device_.parallel_for("fluid cloth/clamp at impact", p.sorted,
+                       ClampAtImpact{surface(substep), p.position, found_.view()});
 }
 
 template <class D>
@@ -130,6 +134,20 @@ void FluidClothContacts<D>::start_step() {
 }
 
 template <class D>
+void FluidClothContacts<D>::make_room() {
+  using namespace fluid_cloth_kernels;
+  // The entries of vertices are counted with 32 bits.
+  constexpr uint32_t most = ~0u / (FluidClothContact::most_vertices * most_touches);
+  const uint32_t wanted = most_near();
+  if (wanted > most) {
+    throw Error(ErrorCode::capacity, "at most " + std::to_string(most) + " particles may be near cloth; " +
+                                         std::to_string(wanted) +
+                                         " are. A wider particle_spacing needs fewer");
+  }
+  reserve_near(std::min(wanted + wanted / 4, most));
+}
+
+template <class D>
 void FluidClothContacts<D>::reserve_near(uint32_t capacity) {
   using namespace fluid_cloth_kernels;
   near_.resize_discard(0);
@@ -160,7 +178,7 @@ void FluidClothContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> tr
   shapes_.resize_discard(marks.size() / pbd::BoxGroup::size);
   counter_.resize_discard(1);
   wetting_count_.resize_discard(1);
-  found_.resize_discard(1);
+  found_.resize_discard(fluid_cloth_kernels::found_count);
   start_step();
   entry_count_.resize_discard(vertices_);
   entry_start_.resize_discard(vertices_ + 1);

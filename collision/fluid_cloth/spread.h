@@ -9,6 +9,7 @@
 #include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/fluid_cloth/marks.h"
 #include "collision/fluid_cloth/tuning.h"
+#include "pbd/device/base/atomics.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
@@ -27,6 +28,8 @@ class Spread {
   MENISCUS_HD Spread(const Surface& surface, const SpreadAround& around, FluidClothContact& touch)
       : surface_(surface), around_(around), axes_(around.normal), touch_(touch) {}
 
+  /// Whether there were more vertices than fit. The weights of those that fit are corrected all the same.
+  MENISCUS_HD bool is_cut() const { return cut_; }
   /// The number of vertices that share the contact; 0 where they are too few, or all on one side.
   MENISCUS_HD uint32_t find() {
     const float r = around_.radius;
@@ -69,7 +72,9 @@ class Spread {
       uu_ += o.weight * o.u * o.u, uv_ += o.weight * o.u * o.v, vv_ += o.weight * o.v * o.v;
     }
     count_ += SearchTeam::sum(many);
-    if (count_ > FluidClothContact::most_vertices) count_ = FluidClothContact::most_vertices;
+    if (count_ <= FluidClothContact::most_vertices) return;
+    count_ = FluidClothContact::most_vertices;
+    cut_ = true;
   }
 
   /// Corrects the weights by the first row of the inverse of the moment matrix.
@@ -92,20 +97,25 @@ class Spread {
   const Tangents axes_;
   FluidClothContact& touch_;
   uint32_t count_ = 0;
+  bool cut_ = false;
   float one_ = 0, u_ = 0, v_ = 0, uu_ = 0, uv_ = 0, vv_ = 0;
 };
 
 /// Distributes a contact among the vertices within the radius, or within a smaller one near a border. Returns
-/// their number, or 0 where no radius works.
+/// their number, or 0 where no radius works. Counts the contact in `cuts` if a radius had more than fit.
 MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAround& around,
-                                       FluidClothContact& touch) {
-  for (float r = around.radius; r > fluid_cloth_tuning::least_spread * around.radius;
-       r *= fluid_cloth_tuning::next_spread) {
+                                       FluidClothContact& touch, uint32_t& cuts) {
+  using namespace fluid_cloth_tuning;
+  bool is_cut = false;
+  uint32_t vertices = 0;
+  for (float r = around.radius; r > least_spread * around.radius && vertices == 0; r *= next_spread) {
     const SpreadAround within{around.point, around.normal, r, around.piece};
-    const uint32_t vertices = Spread(surface, within, touch).find();
-    if (vertices > 0) return vertices;
+    Spread spread(surface, within, touch);
+    vertices = spread.find();
+    is_cut = is_cut || spread.is_cut();
   }
-  return 0;
+  if (is_cut && SearchTeam::leads()) pbd::atomic_add(cuts, 1);
+  return vertices;
 }
 
 }  // namespace meniscus::collision::fluid_cloth_kernels

@@ -225,6 +225,20 @@ MENISCUS_HD inline int place_for(const MirrorPlanes& m, float d) {
   return farthest > d ? at : MirrorPlanes::most;
 }
 
+/// Whether a contact at distance d (m) from a particle may be its mirror.
+MENISCUS_HD inline bool may_mirror(const pbd::Contact& contact, float d, float h) {
+  return d < h && contact.fraction != 0;
+}
+
+/// The number of contacts of particle i at x that may be its mirrors. Beyond MirrorPlanes::most the furthest
+/// are none.
+MENISCUS_HD inline int walls_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
+  int count = 0;
+  for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c)
+    count += may_mirror(contacts.contacts[c], plane_distance(contacts.contacts[c], x), h);
+  return count;
+}
+
 /// The mirrors of the contacts of particle i at x. Loops are unrolled, so that a GPU keeps the mirrors in
 /// registers.
 MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uint32_t i, Vec3 x, float h) {
@@ -233,7 +247,7 @@ MENISCUS_HD inline MirrorPlanes mirrors_at(const pbd::ContactView& contacts, uin
   for (uint32_t c = contacts.start[i]; c < contacts.start[i + 1]; ++c) {
     const pbd::Contact& contact = contacts.contacts[c];
     const float d = plane_distance(contact, x);
-    if (d >= h || contact.fraction == 0) continue;
+    if (!may_mirror(contact, d, h)) continue;
     const int at = place_for(m, d);
     MENISCUS_UNROLL
     for (int k = 0; k < MirrorPlanes::most; ++k) {

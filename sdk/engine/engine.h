@@ -120,12 +120,14 @@ struct EngineStep {
   std::array<double, stage_count> stage_ms{};
   double rigid_ms = 0;
   uint32_t density_iterations = 0;  ///< over all substeps
+  Overflows overflows;
 };
 
 /// Results of a fresh neighbour search.
 struct EngineMeasure {
   double neighbours_mean = 0;
   uint32_t contacts = 0;
+  std::size_t wall_overflows = 0;
 };
 
 class Engine {

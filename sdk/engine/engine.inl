@@ -189,6 +189,7 @@ class DeviceEngine final : public Engine {
   std::vector<uint32_t> remove_marked(uint32_t kept);
   void fetch_contacts();
   void keep_contacts(std::span<const uint32_t> stays);
+  Overflows overflows() const;  // of the last step
 
   template <class T>
   static void replace(pbd::Buffer<T>& buffer, std::span<const T> values) {
@@ -245,7 +246,7 @@ class DeviceEngine final : public Engine {
   pbd::Buffer<float> full_out_{device_, "read-out"};
   pbd::Buffer<uint32_t> index_out_{device_, "read-out"};
   pbd::Buffer<Ellipsoid> ellipsoid_out_{device_, "read-out"};
-  pbd::Buffer<uint64_t> count_out_{device_, "neighbour total"};
+  pbd::Buffer<uint64_t> count_out_{device_, "totals"};
   pbd::Buffer<engine_kernels::StateSum> state_sum_{device_, "state sum"};
 };
 

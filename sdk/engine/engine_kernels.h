@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/contact/shape_contacts.h"
+#include "fluid/kernel/mirror_ghosts.h"
 #include "pbd/math/hash.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"
@@ -176,6 +177,19 @@ struct AddStates {
   MENISCUS_HD StateSum operator()(const StateSum& a, const StateSum& b) const {
     return {a.kinetic + b.kinetic, a.potential + b.potential, pbd::max(a.max_speed2, b.max_speed2),
             a.non_finite + b.non_finite, a.outside + b.outside};
+  }
+};
+
+/// Counts the particles with more walls in reach than may be mirrors.
+struct CountCrowdedAtWalls {
+  pbd::ContactView contacts;
+  View<const pbd::Vec4> position;
+  View<const pbd::Phase> phase;
+  float h;  // m
+
+  MENISCUS_HD uint64_t operator()(uint32_t i) const {
+    return !pbd::is_grain(phase[i]) &&
+           fluid::walls_at(contacts, i, position[i].xyz(), h) > fluid::MirrorPlanes::most;
   }
 };
 

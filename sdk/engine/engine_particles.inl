@@ -20,7 +20,7 @@ void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
   full_out_.resize_or_stay(fluid);
   index_out_.resize_or_stay(fluid);
   state_sum_.resize_or_stay(1);
-  count_out_.resize_or_stay(1);
+  count_out_.resize_or_stay(2);
   removal_.reserve(capacity);
   fluid_capacity_ = fluid;  // last: if memory ran out, the old capacity still holds
   vertex_capacity_ = vertices;
@@ -155,6 +155,15 @@ std::vector<bool> DeviceEngine<D>::take_sinks(std::span<uint32_t> taken) {
 }
 
 template <class D>
+Overflows DeviceEngine<D>::overflows() const {
+  using namespace collision::fluid_cloth_kernels;
+  return {.cloth_layers = fluid_cloth_contacts_.found(crowded),
+          .cloth_vertices = fluid_cloth_contacts_.found(cut),
+          .fluid_failsafe = fluid_cloth_contacts_.found(unstopped),
+          .cloth_failsafe = self_contacts_.given_up()};
+}
+
+template <class D>
 EngineStep DeviceEngine<D>::step(float dt) {
   EngineStep done;
   fetched_contacts_.clear();  // after a failed step there are none
@@ -169,6 +178,7 @@ EngineStep DeviceEngine<D>::step(float dt) {
   if (diffuse_) diffuse_->accept();
   done.stage_ms = solver_.timer().read_ms();
   done.rigid_ms = bodies_.step_ms();
+  done.overflows = overflows();
   done.density_iterations =
       density_.iterations_done(static_cast<uint32_t>(done.result.substeps * def_.solver.iterations));
   return done;

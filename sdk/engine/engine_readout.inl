@@ -29,7 +29,7 @@ uint64_t DeviceEngine<D>::hash_particles() {
   const pbd::ParticleView p = particles_.view();
   device_.reduce("read-out/hash", p.sorted, uint64_t{0},
                  engine_kernels::HashParticle{p.position, p.velocity, p.number}, engine_kernels::AddCounts{},
-                 count_out_.view());
+                 count_out_.view().first(1));
   uint64_t sum = 0;
   count_out_.read(std::span(&sum, 1));
   return sum;
@@ -53,13 +53,17 @@ EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::
     contacts = found.contacts.last;
     density_.measure(substep, scalar_out_.view(), full_out_.view());
     device_.reduce("measure/neighbours", particles_.sorted(), uint64_t{0},
-                   CountNeighbours{substep.neighbours}, AddCounts{}, count_out_.view());
+                   CountNeighbours{substep.neighbours}, AddCounts{}, count_out_.view().first(1));
+    device_.reduce("measure/walls", particles_.sorted(), uint64_t{0},
+                   CountCrowdedAtWalls{substep.contacts, substep.particles.position, substep.particles.phase,
+                                       def_.kernel.h},
+                   AddCounts{}, count_out_.view().from(1));
   });
   scalar_out_.read(error);
   full_out_.read(full);
-  uint64_t total = 0;
-  count_out_.read(std::span(&total, 1));
-  return {static_cast<double>(total) / std::max(1u, particles_.sorted()), contacts};
+  std::array<uint64_t, 2> counts{};
+  count_out_.read(std::span(counts));
+  return {static_cast<double>(counts[0]) / std::max(1u, particles_.sorted()), contacts, counts[1]};
 }
 
 template <class D>

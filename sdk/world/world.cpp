@@ -179,7 +179,8 @@ StepReport World::step(float dt) {
   impl_->wet_cloth(dt, report);
   impl_->tear_cloth();  // last: contacts with cloth use the vertex numbers of before
   report.removed = impl_->take_sinks();
-  report.emitted = impl_->emit(dt);
+  report.overflows = done.overflows;
+  impl_->emit(dt, report);
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report.substeps = done.result.substeps;
   report.iterations = impl_->def.iterations;

@@ -75,7 +75,14 @@ void World::Impl::drop_attachments(const Gone& gone) {
   for (AttachmentId id : dropped) attachments.erase(id);
 }
 
+/// A vertex names its piece with as many bits as a particle names its fluid.
+void World::Impl::check_pieces() const {
+  if (cloths.size() + ropes.size() <= pbd::phase_group_mask) return;
+  throw Error(ErrorCode::capacity, "a world has no room for more than 65536 pieces of cloth and ropes");
+}
+
 ClothId World::create_cloth(const ClothDef& def) {
+  impl_->check_pieces();
   ClothEntry entry = make_cloth(def);
   impl_->cloth_changed();
   return impl_->cloths.insert(std::move(entry));
@@ -90,6 +97,7 @@ void World::destroy_cloth(ClothId id) {
 }
 
 RopeId World::create_rope(const RopeDef& def) {
+  impl_->check_pieces();
   RopeEntry entry = make_rope(def);
   impl_->cloth_changed();
   return impl_->ropes.insert(std::move(entry));

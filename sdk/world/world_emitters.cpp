@@ -129,19 +129,19 @@ Vec3 World::Impl::carried_velocity(BodyId body, Vec3 p, Quat turned) const {
 
 /// The number of steps for which a particle keeps its velocity: until it is a support radius in front of the
 /// opening.
-uint32_t World::Impl::held_steps(const EmitterEntry& e, const Departure& d, float dt) const {
+double World::Impl::held_steps(const EmitterEntry& e, const Departure& d, float dt) const {
   const double left = double{kernel.h} / double{e.def.speed} - (time - d.time);
-  return static_cast<uint32_t>(std::clamp(std::ceil(left / double{dt}), 0.0, double{pbd::most_held}));
+  return std::max(std::ceil(left / double{dt}), 0.0);
 }
 
-/// Makes the particles that are due and have room. Returns their number.
-uint32_t World::Impl::emit(float dt) {
+/// Makes the particles that are due and have room.
+void World::Impl::emit(float dt, StepReport& report) {
   emission.arrivals.clear();
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
     e.count.last_step = 0;
     add_arrivals(e, dt);
   });
-  if (emission.arrivals.empty()) return 0;
+  if (emission.arrivals.empty()) return;
   state_changed();
   engine->find_room(emission.arrivals, emission.has_room);
   emission.batch.clear();
@@ -153,13 +153,15 @@ uint32_t World::Impl::emit(float dt) {
       e.clock.note(d, leaves);
       if (!leaves) continue;
       add_to(emission.batch, e.def.fluid, emission.arrivals[at].to, emission.arrivals[at].velocity);
-      emission.batch.phase.back() |= pbd::held_for(held_steps(e, d, dt));
+      const double steps = held_steps(e, d, dt), most = pbd::most_held;
+      emission.batch.phase.back() |= pbd::held_for(static_cast<uint32_t>(std::min(steps, most)));
+      if (steps > most) ++report.overflows.emitter_hold;
       ++e.count.last_step;
       ++e.count.total;
     }
   });
   append(emission.batch);
-  return static_cast<uint32_t>(emission.batch.position.size());
+  report.emitted = static_cast<uint32_t>(emission.batch.position.size());
 }
 
 }  // namespace meniscus

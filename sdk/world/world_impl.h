@@ -76,8 +76,8 @@ struct World::Impl {
   void plan_emission(float dt);
   void add_arrivals(const EmitterEntry& emitter, float dt);
   Vec3 carried_velocity(BodyId body, Vec3 p, Quat turned) const;
-  uint32_t held_steps(const EmitterEntry& emitter, const Departure& departure, float dt) const;
-  uint32_t emit(float dt);
+  double held_steps(const EmitterEntry& emitter, const Departure& departure, float dt) const;
+  void emit(float dt, StepReport& report);
   void sinks_changed();
   uint32_t take_sinks();
   void drop_flow_of(BodyId body);
@@ -106,6 +106,8 @@ struct World::Impl {
   std::vector<bool> held_vertices(ClothId cloth) const;
   std::vector<bool> held_vertices(RopeId rope) const;
   const VertexRange& range_of(const AttachmentDef& def) const;
+  /// Throws Error(capacity) if there is no room for another piece of cloth or rope.
+  void check_pieces() const;
   /// Destroys the attachments for which this returns true.
   template <class Gone>
   void drop_attachments(const Gone& gone);

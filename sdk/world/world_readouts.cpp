@@ -87,6 +87,7 @@ Diagnostics World::diagnostics() const {
     d.density_error_mean = over / static_cast<double>(error.size());
     d.neighbours_mean = impl_->measured.neighbours_mean;
     d.contacts = impl_->measured.contacts;
+    d.wall_overflows = impl_->measured.wall_overflows;
   }
   if (interior_count > 0) d.density_error_interior = interior / interior_count;
   return d;

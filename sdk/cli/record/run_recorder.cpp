@@ -40,6 +40,14 @@ nlohmann::ordered_json by_name(const Things& things, const std::vector<uint64_t>
   return values;
 }
 
+void add(Overflows& sum, const Overflows& step) {
+  sum.cloth_layers += step.cloth_layers;
+  sum.cloth_vertices += step.cloth_vertices;
+  sum.fluid_failsafe += step.fluid_failsafe;
+  sum.cloth_failsafe += step.cloth_failsafe;
+  sum.emitter_hold += step.emitter_hold;
+}
+
 /// 0.016 rather than 0.01600000076: a float has seven digits.
 double without_noise(double value) {
   return std::stod(fmt::format("{:.7g}", value));
@@ -94,6 +102,8 @@ void RunRecorder::add(const FrameSample& sample) {
   taken_by_ = sample.taken;
   outside_ = std::max(outside_, diagnostics_.outside);
   non_finite_ = std::max(non_finite_, diagnostics_.non_finite);
+  wall_overflows_ = std::max(wall_overflows_, diagnostics_.wall_overflows);
+  cli::add(overflows_, step_.overflows);
   cloth_.add(sample);
   energy_.add(sample);
   checks_.add(sample, energy_.ratio());
@@ -130,6 +140,7 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"energy", energy_.summary()},
           {"outside", outside_},
           {"non_finite", non_finite_},
+          {"overflows", overflows()},
           {"removed", removed_},
           {"emitted", emitted_},
           {"contacts", diagnostics_.contacts},
@@ -169,6 +180,13 @@ nlohmann::ordered_json RunRecorder::probes() const {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < probes_.size(); ++i) values[scene_.probes[i].def.name] = probes_[i];
   return values;
+}
+
+/// Sums over the run; of walls the most of any frame.
+nlohmann::ordered_json RunRecorder::overflows() const {
+  return {{"cloth_layers", overflows_.cloth_layers},     {"cloth_vertices", overflows_.cloth_vertices},
+          {"fluid_failsafe", overflows_.fluid_failsafe}, {"cloth_failsafe", overflows_.cloth_failsafe},
+          {"emitter_hold", overflows_.emitter_hold},     {"walls", wall_overflows_}};
 }
 
 /// The last state of each body, and its constants.

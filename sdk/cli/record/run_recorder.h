@@ -48,6 +48,7 @@ class RunRecorder {
   nlohmann::ordered_json density() const;
   nlohmann::ordered_json probes() const;
   nlohmann::ordered_json bodies() const;
+  nlohmann::ordered_json overflows() const;
 
   std::filesystem::path folder_;
   const Scene& scene_;
@@ -68,7 +69,8 @@ class RunRecorder {
   // Over all frames so far.
   double density_sum_ = 0, interior_sum_ = 0, density_iterations_ = 0;
   uint64_t substeps_ = 0, removed_ = 0, emitted_ = 0;
-  std::size_t outside_ = 0, non_finite_ = 0;
+  std::size_t outside_ = 0, non_finite_ = 0, wall_overflows_ = 0;
+  Overflows overflows_;
 
   // Of the last frame.
   StepReport step_;

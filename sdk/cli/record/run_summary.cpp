@@ -76,6 +76,15 @@ std::string trouble_line(const json& figures) {
   return fmt::format("{} outside, {} not finite", count(figures, "outside"), count(figures, "non_finite"));
 }
 
+/// What exceeded a fixed size (Overflows in outputs.h); empty if nothing did.
+std::string overflow_line(const json& overflows) {
+  std::string text;
+  for (const auto& [name, value] : overflows.items()) {
+    if (value != 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, value.get<uint64_t>());
+  }
+  return text;
+}
+
 std::string body_line(const json& bodies) {
   const auto awake = std::count_if(bodies.begin(), bodies.end(),
                                    [](const json& body) { return body.at("awake").get<bool>(); });
@@ -154,6 +163,8 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
     text += line("density error", density_line(figures.at("density_error")));
   if (!figures.at("energy").is_null()) text += line("energy", energy_line(figures.at("energy")));
   text += line("lost", trouble_line(figures));
+  const std::string overflows = overflow_line(figures.at("overflows"));
+  if (!overflows.empty()) text += line("overflows", overflows);
   if (!figures.at("emitters").empty() || !figures.at("sinks").empty())
     text += line("flow", flow_line(figures));
   for (const auto& [name, value] : figures.at("probes").items()) {

@@ -52,6 +52,20 @@ inline constexpr std::size_t stage_count = 7;
 const char* stage_name(Stage stage);
 
 /// Counts and times of one step.
+/// What exceeded a fixed size in a step, summed over its substeps. The step goes on without the excess.
+struct Overflows {
+  /// Particles near more than three layers of cloth. They touch the nearest three.
+  uint32_t cloth_layers = 0;
+  /// Contacts of particles with more than 32 vertices of cloth in reach. At most 32 of these share them.
+  uint32_t cloth_vertices = 0;
+  /// Particles that six rounds of the fail-safe did not keep from passing through cloth.
+  uint32_t fluid_failsafe = 0;
+  /// Substeps in which 32 rounds of the fail-safe did not keep cloth apart. All cloth stays where it was.
+  uint32_t cloth_failsafe = 0;
+  /// Particles from emitters that keep their velocity for 255 steps, in which they do not get far enough.
+  uint32_t emitter_hold = 0;
+};
+
 struct StepReport {
   int substeps = 0;
   int iterations = 0;  ///< per substep
@@ -71,6 +85,7 @@ struct StepReport {
   uint32_t diffuse = 0;          ///< all spray, foam and bubbles
   uint32_t diffuse_refused = 0;  ///< those that were not made for lack of room: see DiffuseDef::capacity
   float max_speed = 0;           ///< m/s, of particles and of vertices of cloth and ropes
+  Overflows overflows;
 };
 
 /// The state of the particles, measured from their present positions. The density error is C = ρ/ρ₀ − 1.
@@ -87,6 +102,8 @@ struct Diagnostics {
   std::size_t contacts = 0;           ///< between particles and solids near enough to count in the density
   std::size_t non_finite = 0;         ///< of all
   std::size_t outside = 0;            ///< of all, beyond the wall of a container or inside a solid
+  /// Particles of fluids with more than three walls in reach. The nearest three complete their density.
+  std::size_t wall_overflows = 0;
 };
 
 /// A device as `meniscus devices` lists it.

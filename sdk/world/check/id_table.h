@@ -7,6 +7,7 @@
 #include <meniscus/error.h>
 #include <meniscus/ids.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,18 +23,24 @@ class IdTable {
   IdTable(const char* what, uint32_t first_generation) : what_(what), first_generation_(first_generation) {}
 
   IdType insert(T value) {
-    uint32_t index = 0;
+    uint32_t index = first_free_;
     while (index < entries_.size() && entries_[index].value) ++index;
     if (index == entries_.size()) entries_.push_back({std::nullopt, first_generation_});
     entries_[index].value = std::move(value);
+    first_free_ = index + 1;
+    ++size_;
     return {index, entries_[index].generation};
   }
 
   void erase(IdType id) {
     get(id);
     entries_[id.index].value.reset();
+    first_free_ = std::min(first_free_, id.index);
+    --size_;
     ++entries_[id.index].generation;
   }
+
+  uint32_t size() const { return size_; }
 
   /// nullptr where there is none.
   const T* find(IdType id) const {
@@ -75,6 +82,8 @@ class IdTable {
 
   const char* what_;
   uint32_t first_generation_;
+  uint32_t first_free_ = 0;  // below it all places are taken
+  uint32_t size_ = 0;
   std::vector<Entry> entries_;
 };
 

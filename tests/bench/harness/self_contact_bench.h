@@ -61,6 +61,7 @@ class SelfContactBench {
   virtual std::vector<Vec3> velocities() = 0;
   virtual uint32_t most_contacts() = 0;
   virtual uint32_t most_crossings() = 0;
+  virtual uint32_t given_up() = 0;
   virtual uint32_t listings() = 0;
   virtual uint32_t one_substep_listings() = 0;
   /// For each box, the triangles whose swept boxes, widened by `reach`, overlap it, in ascending order. One

@@ -120,6 +120,7 @@ class SelfContactBenchOn final : public SelfContactBench {
   std::vector<Vec3> velocities() override { return fetched(particles_.velocity.current); }
   uint32_t most_contacts() override { return contacts_.most_contacts(); }
   uint32_t most_crossings() override { return contacts_.most_crossings(); }
+  uint32_t given_up() override { return contacts_.given_up(); }
   uint32_t listings() override { return contacts_.listings(); }
   uint32_t one_substep_listings() override { return contacts_.one_substep_listings(); }
 

@@ -144,6 +144,28 @@ TEST_P(SelfContactTest, WhatTheGuardJoinsKeepsItsMomentum) {
   }
 }
 
+/// A sheet between two that are driven through it and through one another: no motion of it is right.
+TEST_P(SelfContactTest, CountsSubstepsInWhichNoRoundsSuffice) {
+  ClothCase c;
+  c.substeps = 1;
+  c.keeps_edges = false;
+  for (const float side : {0.0f, -1.0f, 1.0f}) {
+    c.add_sheet(9, 9, spacing, mass, part(),
+                [&](float u, float v) {
+                  return Vec3{u + 0.2f * spacing * side, 1.5f * thickness * side, v};
+                },
+                {0, -4 * side * thickness / substep, 0});
+  }
+  for (size_t i = 81; i < c.vertices.size(); ++i) c.vertices[i].w = 0;
+  const auto b = bench(c);
+  b->step(substep);
+  EXPECT_EQ(b->given_up(), 1u);
+  for (size_t i = 0; i < 81; ++i) EXPECT_EQ(b->positions()[i].y, 0);
+  const auto others = bench(two_sheets(2 * thickness, 6, 15));
+  others->step(5 * substep);
+  EXPECT_EQ(others->given_up(), 0u);
+}
+
 /// Whether vertices of the first sheet's middle are still below those of the second near them.
 void expect_in_order(std::span<const Vec3> x, size_t first_sheet, float thicknesses) {
   for (size_t i = 0; i < first_sheet; ++i) {

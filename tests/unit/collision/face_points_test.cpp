@@ -88,5 +88,20 @@ TEST(FaceNearest, IsTheLeastDistanceOverTheFaceForAllKinds) {
   }
 }
 
+/// It slides along for tens of steps before it goes in, and ends on the other side.
+TEST(FaceNearest, ALongWayIntoAThinPlateMeetsItsNearSide) {
+  constexpr float touch = 5e-4f;
+  const Shape plate = shape_of(solids[2]);
+  const ShapeSet set;
+  const FaceField field{set, plate, reach};
+  const Vec3 from{-0.4f, 0.005f + 1.5f * touch, 0}, to{0.4f, -0.005f - 2 * touch, 0};
+  const Triangle face{{0, 0, 0}, {0.01f, 0, 0}, {0, 0, 0.01f}};
+  const auto at = [&](Vec3 p) { return Triangle{face.a + p, face.b + p, face.c + p}; };
+  const collision::FaceMeeting met = meet_face(field, FaceMotion{at(from), at(to)}, touch);
+  EXPECT_GT(met.sample.surface.normal.y, 0.99f);
+  EXPECT_LT(met.sample.surface.distance, touch);
+  EXPECT_GT(met.sample.surface.distance, 0);
+}
+
 }  // namespace
 }  // namespace meniscus::tests

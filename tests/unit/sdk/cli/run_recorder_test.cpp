@@ -47,6 +47,7 @@ class RunRecorderTest : public testing::Test {
     s.step.density_iterations = 1 + 0.5 * frame;
     s.step.removed = 1;
     s.step.emitted = 5;
+    s.step.overflows = {.cloth_layers = 2, .emitter_hold = 1};
     s.step.stage_ms[static_cast<std::size_t>(Stage::solve)] = 5 * frame;
     s.diagnostics = {.particles = 2,
                      .density_error_mean = worst / 2,
@@ -57,7 +58,8 @@ class RunRecorderTest : public testing::Test {
                      .max_speed = 1.5f,
                      .contacts = 7,
                      .non_finite = 0,
-                     .outside = frame == 2 ? 3u : 0u};
+                     .outside = frame == 2 ? 3u : 0u,
+                     .wall_overflows = frame == 2 ? 4u : 0u};
     s.mass = 2;
     s.particles.time = 0.01 * frame;
     s.particles.positions = positions_;
@@ -120,6 +122,10 @@ TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
   EXPECT_EQ(figures["ms_per_step"]["p90"], 30);
   EXPECT_EQ(figures["ms_per_step"]["stages"]["solve"], 10);
   EXPECT_EQ(figures["outside"], 3) << "the most of any frame";
+  EXPECT_EQ(figures["overflows"]["walls"], 4) << "the most of any frame";
+  EXPECT_EQ(figures["overflows"]["cloth_layers"], 6);
+  EXPECT_EQ(figures["overflows"]["cloth_failsafe"], 0);
+  EXPECT_EQ(figures["overflows"]["emitter_hold"], 3);
   EXPECT_EQ(figures["removed"], 3);
   EXPECT_EQ(figures["emitted"], 15);
   EXPECT_EQ(figures["probes"]["wall, left"], 103);

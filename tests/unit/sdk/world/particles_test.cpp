@@ -110,6 +110,18 @@ TEST_P(ParticlesTest, ErrorsOfDensityAreMeasuredAnewWithoutTheClothThatWasThere)
   EXPECT_EQ(errors(), before);
 }
 
+/// In a corner of a tank, and near a fourth wall.
+TEST_P(ParticlesTest, WallsThatAreNotMirroredAreCounted) {
+  for (const bool fourth : {false, true}) {
+    World world(def_);
+    world.create_shape(tank({0, 0, 0}, {1, 1, 1}));
+    if (fourth) world.create_shape(shape(BoxGeometry{{0.5f, 0.5f, 0.5f}}, {0.5f + 1.3f * s, 0.5f, 0.5f}));
+    const Vec3 corner[] = {{0.5f * s, 0.5f * s, 0.5f * s}};
+    world.add_particles(world.create_fluid({}), corner);
+    EXPECT_EQ(world.diagnostics().wall_overflows, fourth ? 1u : 0u);
+  }
+}
+
 TEST_P(ParticlesTest, AnIdIsNeverUsedAgain) {
   World world(def_);
   const FluidId water = world.create_fluid({});

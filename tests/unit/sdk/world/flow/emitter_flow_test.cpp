@@ -157,6 +157,20 @@ TEST_P(EmitterFlowTest, ItMakesNoMoreThanItMay) {
   EXPECT_EQ(world_.step(0.01f).emitted, 0u);
 }
 
+/// A step may be so short that a particle cannot keep its velocity until it is far enough.
+TEST_P(EmitterFlowTest, ParticlesThatAreLetGoTooSoonAreCounted) {
+  constexpr float speed = 1;
+  const float far = world_.support_radius() / speed;
+  world_.create_emitter(emitter(water_, DiscOpening{s}, speed));
+  StepReport report = world_.step(far / 100);
+  while (report.emitted == 0) report = world_.step(far / 100);
+  EXPECT_EQ(report.overflows.emitter_hold, 0u);
+  do {
+    report = world_.step(far / 1000);
+  } while (report.emitted == 0);
+  EXPECT_EQ(report.overflows.emitter_hold, report.emitted);
+}
+
 TEST_P(EmitterFlowTest, OneMadeLateStartsThen) {
   run_for(1);
   jet();
