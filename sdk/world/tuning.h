@@ -23,9 +23,8 @@ inline constexpr float fine_mesh = 0.9f;
 /// Test: FluidAndCloth.FineLightClothBearsDeepWater.
 inline constexpr float least_spread = 1.2f, most_spread = 2.6f;
 
-/// Vertices that are split in a piece and step, at most. It bounds the work where much tears at once. The rest
-/// tears in the next steps.
-/// Test: none.
+/// Vertices that are split in a piece and step, at most. It bounds the work where much tears at once. The
+/// rest tears in the next steps. Test: none.
 inline constexpr uint32_t most_splits = 64;
 
 /// Contact distances: how far below a wet piece a drop appears. Nearer, cloth would absorb it again.
