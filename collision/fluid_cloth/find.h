@@ -50,12 +50,14 @@ struct Place {
 /// The layers of cloth near one particle. Places that face it from the same direction belong to one layer.
 class Layers {
  public:
-  MENISCUS_HD uint32_t count() const { return count_; }
+  MENISCUS_HD uint32_t count() const { return count_ < most_touches ? count_ : most_touches; }
+  /// Whether there were more layers than fit.
+  MENISCUS_HD bool is_crowded() const { return count_ > most_touches; }
   MENISCUS_HD const Place& operator[](uint32_t k) const { return layer_[k]; }
 
   /// Adds a place inside a triangle, or one met during the motion: the surface around it is nowhere nearer.
   MENISCUS_HD void add(const Place& place) {
-    for (uint32_t k = 0; k < count_; ++k) {
+    for (uint32_t k = 0; k < count(); ++k) {
       if (dot(layer_[k].normal, place.normal) < fluid_cloth_tuning::same_layer) continue;
       if (place.distance < layer_[k].distance) layer_[k] = place;
       return;
@@ -65,27 +67,26 @@ class Layers {
       return;
     }
     uint32_t furthest = 0;
-    for (uint32_t k = 1; k < count_; ++k)
+    for (uint32_t k = 1; k < most_touches; ++k)
       furthest = layer_[k].distance > layer_[furthest].distance ? k : furthest;
     if (place.distance < layer_[furthest].distance) layer_[furthest] = place;
-    crowded_ = true;
+    count_ = most_touches + 1;
   }
-  /// Whether there were more layers than fit.
-  MENISCUS_HD bool is_crowded() const { return crowded_; }
   /// Merges what a warp's threads have found, for all of them.
   MENISCUS_HD void gather() {
     Layers all;
-    all.crowded_ = SearchTeam::any(crowded_);
+    const bool crowded = SearchTeam::any(is_crowded());
     for (uint32_t left = SearchTeam::ballot(count_ > 0); left; left &= left - 1) {
-      const uint32_t thread = pbd::lowest_bit(left), places = SearchTeam::from(thread, count_);
+      const uint32_t thread = pbd::lowest_bit(left), places = SearchTeam::from(thread, count());
       for (uint32_t k = 0; k < places; ++k) all.add(from(thread, layer_[k]));
     }
     *this = all;
+    if (crowded && count_ == most_touches) ++count_;
   }
   /// The distance of the nearest place, m; less than 0 where one was met during the motion.
   MENISCUS_HD float nearest() const {
     float least = 3e38f;
-    for (uint32_t k = 0; k < count_; ++k) least = pbd::min(least, layer_[k].distance);
+    for (uint32_t k = 0; k < count(); ++k) least = pbd::min(least, layer_[k].distance);
     return least;
   }
   /// Adds the nearest place on an edge that a warp's threads have found, if no other place is nearer.
@@ -103,8 +104,7 @@ class Layers {
   }
 
   Place layer_[most_touches];
-  uint32_t count_ = 0;
-  bool crowded_ = false;
+  uint32_t count_ = 0;  // most_touches + 1: there were more
 };
 
 /// Finds the contacts of the listed particles, a warp each. No particle has passed through cloth at the
