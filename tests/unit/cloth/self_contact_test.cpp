@@ -150,7 +150,7 @@ TEST_P(SelfContactTest, CountsSubstepsInWhichNoRoundsSuffice) {
   c.substeps = 1;
   c.keeps_edges = false;
   for (const float side : {0.0f, -1.0f, 1.0f}) {
-    c.add_sheet(9, 9, spacing, mass, part(),
+    c.add_sheet(9, 9, spacing, mass, piece(),
                 [&](float u, float v) {
                   return Vec3{u + 0.2f * spacing * side, 1.5f * thickness * side, v};
                 },
