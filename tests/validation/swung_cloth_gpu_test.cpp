@@ -16,7 +16,9 @@ TEST_P(SwungClothForAMinute, IsNotCrossed) {
   SwungVessel vessel(device, kind);
   vessel.swing(60);
   EXPECT_EQ(vessel.crossed(), 0u);
-  if (kind != ClothVessel::sling) EXPECT_EQ(vessel.lost(), 0u);
+  if (kind != ClothVessel::sling) {
+    EXPECT_EQ(vessel.lost(), 0u);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(On, SwungClothForAMinute,

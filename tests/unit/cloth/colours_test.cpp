@@ -69,6 +69,7 @@ struct Crumpled {
                          .fraction = starts ? 0.9f : 1,
                          .momentum = starts ? 0 : cloth_tuning::round_momentum,
                          .shears = starts,
+                         .loaded = {},
                          .ends = !starts,
                          .next_fraction = 0.7f},
                         vertices.state()},

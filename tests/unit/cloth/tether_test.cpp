@@ -192,7 +192,9 @@ TEST(Tethers, YieldAsStripsOfTheFabricDo) {
 
 // Of a sheet of 7 × 7 with tethers, the vertices in the order of rows: whether what they carry counts.
 std::string what_counts(std::vector<uint32_t> held, float gas = 0) {
-  ClothModel model{.rest = make_sheet(1, 1, 7, 7).vertices, .held = std::move(held)};
+  ClothModel model;
+  model.rest = make_sheet(1, 1, 7, 7).vertices;
+  model.held = std::move(held);
   ClothConstraints constraints = build_constraints(make_sheet(1, 1, 7, 7), {.shear_stiffness = 100});
   for (const Tether& t : unyielding_tethers(make_sheet(1, 1, 7, 7), model.held))
     model.tethers.push_back({t.vertex, t.anchor, t.length, t.compliance, 0.5f});

@@ -171,7 +171,9 @@ TEST_P(BodyAttachments, OfAHeldVertexHoldAFreeBody) {
     EXPECT_LT(length(bench->rigid().pose(0).position - Vec3{0, -1, 0}), 2e-3f) << by_a_body;
     EXPECT_NEAR(bench->attachment_impulses()[0].y / dt, -0.5f * 9.81f, 0.05f * 0.5f * 9.81f) << by_a_body;
     // Here `moved` is all that a vertex withstands which the world holds; else its body gets it.
-    if (by_a_body) EXPECT_GT(bench->attachment_impulses()[1].y / dt, 0.5f * 9.81f);
+    if (by_a_body) {
+      EXPECT_GT(bench->attachment_impulses()[1].y / dt, 0.5f * 9.81f);
+    }
   }
 }
 

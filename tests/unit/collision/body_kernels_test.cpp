@@ -99,7 +99,8 @@ struct Bench {
 
   void iterate() {
     launch(touching.size(),
-           contact_kernels::Project{view(position), view(moved), view(previous), view(slot), contact_view()});
+           contact_kernels::Project{
+               {{view(position), view(moved), view(previous), view(slot), contact_view()}, {}, 0}});
     sum();
     launch(contacts.size(), Follow{view(grouped), view(bodies), view(partial), view(motion),
                                    view(next_motion), contact_view(), lanes});

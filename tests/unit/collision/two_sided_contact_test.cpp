@@ -87,7 +87,9 @@ TEST(TwoSidedContactTest, IsReleased) {
     p.x += p.w * two_sided_between(p.floor, p.body, p.w).push_apart(p.x, 1);
     EXPECT_GE(p.floor.normal_multiplier, 0);
     EXPECT_EQ(p.body.normal_multiplier, 0);
-    if (p.floor.body_inverse_mass == 0) EXPECT_GT(plane_distance(p.floor, p.x), 0.99f * radius);
+    if (p.floor.body_inverse_mass == 0) {
+      EXPECT_GT(plane_distance(p.floor, p.x), 0.99f * radius);
+    }
   }
 }
 
