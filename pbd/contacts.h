@@ -134,6 +134,40 @@ struct ContactWriter {
   }
 };
 
+/// The contact by which an immovable body holds particle i, or no_index. A particle's attachments are its
+/// first contacts.
+MENISCUS_HD inline uint32_t holding_attachment(const ContactView& contacts, uint32_t i) {
+  for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
+    const Contact& c = contacts.contacts[k];
+    if (!is_attachment(c)) return no_index;
+    if (c.body_inverse_mass == 0) return k;
+  }
+  return no_index;
+}
+
+/// Whether nothing moves particle i, of inverse mass w. What an immovable body holds has w = 0 only while
+/// constraints are solved.
+MENISCUS_HD inline bool is_held(const ContactView& contacts, uint32_t i, float w) {
+  return w == 0 || holding_attachment(contacts, i) != no_index;
+}
+
+/// Records what held particles withstand after the solve.
+struct Withstanding {
+  View<const Vec4> position;
+  View<Vec4> accumulated_delta;
+  ContactView contacts;
+
+  /// Adds a positional impulse, kg·m, to what held particle i has withstood.
+  MENISCUS_HD void add(uint32_t i, Vec3 push) const {
+    if (position[i].w == 0) {
+      accumulated_delta[i] = shifted(accumulated_delta[i], push);
+    } else {
+      Contact& holder = contacts.contacts[holding_attachment(contacts, i)];
+      holder.tangent_multiplier = holder.tangent_multiplier - push;
+    }
+  }
+};
+
 /// Signed distance of p from the contact's plane, m.
 MENISCUS_HD inline float plane_distance(const Contact& contact, Vec3 p) {
   return dot(contact.normal, p - contact.point);

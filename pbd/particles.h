@@ -74,6 +74,16 @@ struct ParticleView {
       0;  ///< the number of fluid particles, which come first; vertex v is the particle sorted + v
 };
 
+/// What the accumulated delta of a particle of inverse mass w gets of a positional impulse: w of it, or all
+/// of it where w = 0. A held particle records what it withstands.
+MENISCUS_HD inline float recorded_part(float w) {
+  return w > 0 ? w : 1.0f;
+}
+/// The positional impulse that a particle of inverse mass w has recorded as this delta.
+MENISCUS_HD inline Vec3 recorded_impulse(float w, Vec3 delta) {
+  return w > 0 ? (1 / w) * delta : delta;
+}
+
 /// Two arrays of which one is current: a reordering reads that one and writes the other.
 template <class T>
 struct DoubleBuffer {

@@ -34,6 +34,11 @@ struct Substep {
   bool are_contacts_projected = false;
 };
 
+template <class D>
+Withstanding withstanding(const Substep<D>& substep) {
+  return {substep.particles.position, substep.particles.accumulated_delta, substep.contacts};
+}
+
 /// Arrays of fluid particles that a set stores. They follow when particles are sorted, added and removed.
 class ParticleState {
  public:

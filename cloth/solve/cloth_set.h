@@ -43,7 +43,7 @@ struct ClothSolverParameters {
 /// and amplifies them. Over-relaxation above 1.33 and a fraction above 0.38 do so as well: with a residual
 /// factor p and v = Δx/h, each mode obeys z² = p (2z − 1).
 template <class D>
-class ClothSet final : public pbd::ConstraintSet<D> {
+class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
  public:
   ClothSet(D& device, const ClothSolverParameters& parameters) : device_(device), parameters_(parameters) {}
 
@@ -60,6 +60,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& substep, int iteration) override;
   void settle(pbd::Substep<D>& substep) override;
   void end(pbd::Substep<D>& substep) override;
+  void observe(const pbd::Substep<D>& substep) override;
   void start_step() override;
   void undo_step() override { time_ = start_time_; }
   void save() override;
@@ -68,7 +69,7 @@ class ClothSet final : public pbd::ConstraintSet<D> {
   pbd::SurfaceView surface() const {
     return {triangles_.view(), rest_.view(), corner_start_.view(), corners_.view()};
   }
-  /// The pull at each held vertex in the last step, N·s.
+  /// What pulled and pushed at each held vertex in the last step, N·s.
   std::vector<Vec3> read_reactions() const;
   /// Whether any edge was stretched beyond its limit in the last step.
   bool found_tears() const { return !tears_.host().empty() && tears_.host()[0] != 0; }

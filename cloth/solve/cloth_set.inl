@@ -334,9 +334,6 @@ void ClothSet<D>::apply_gas(pbd::Substep<D>& substep, bool starts) {
 
 template <class D>
 void ClothSet<D>::settle(pbd::Substep<D>& substep) {
-  device_.parallel_for("cloth/reactions", static_cast<uint32_t>(held_.size()),
-                       tether_kernels::NoteReactions{held_.view(), tether_start_.view(), tether_pull_.view(),
-                                                     vertices(substep), reaction_.view()});
   if (starts_from_last()) forget_pulls(substep);
 }
 
@@ -345,6 +342,14 @@ void ClothSet<D>::end(pbd::Substep<D>& substep) {
   if (!any_tears_) return;
   device_.parallel_for("cloth/tears", static_cast<uint32_t>(triangles_.size()),
                        tear_kernels::FindTears{surface(), vertices(substep), tears_.view()});
+}
+
+/// Late, because contacts push on held vertices until the substep's end.
+template <class D>
+void ClothSet<D>::observe(const pbd::Substep<D>& substep) {
+  device_.parallel_for("cloth/reactions", static_cast<uint32_t>(held_.size()),
+                       tether_kernels::NoteReactions{held_.view(), tether_start_.view(), tether_pull_.view(),
+                                                     vertices(substep), reaction_.view()});
 }
 
 template <class D>

@@ -39,7 +39,8 @@ struct JoinedAttachments;
 /// iteration starts by solving C = 0 with the mass of each: Δλ = −(w_v + 2 n K)⁻¹ C. Constraints must see the
 /// result. If both corrected the same error at once, light vertices would overshoot.
 ///
-/// A vertex that is attached to an immovable body is moved to its anchor at once, and has w = 0.
+/// A vertex that is attached to an immovable body is at its anchor before contacts are found, moves as the
+/// anchor does, and has w = 0. Like any held particle, it records the impulses that it withstands.
 ///
 /// Must be the first source of contacts, so that a vertex's attachments come before its other contacts. Among
 /// the constraint sets it must come before those that move vertices.
@@ -56,9 +57,8 @@ class BodyAttachments final : public pbd::ContactSource<D>,
 
   /// Sets all attachments. A body that is gone must have none.
   void set_attachments(std::span<const BodyAttachment> attachments);
-  /// By vertex: a body that it is attached to, or no_index; for ShapeContacts. Valid until the next
-  /// set_attachments().
-  pbd::View<const uint32_t> attached_bodies() const { return attached_body_.view(); }
+  /// For ShapeContacts. Valid until the next set_attachments().
+  AttachedBodies attached_bodies() const { return {attached_start_.view(), attached_body_.view()}; }
   /// By attachment: the impulse on its vertex in the last step, N·s. The body got the opposite.
   std::vector<Vec3> read_impulses() const;
 
@@ -66,7 +66,11 @@ class BodyAttachments final : public pbd::ContactSource<D>,
   bool any_moving() const override { return any(); }
   void count(const pbd::Substep<D>& substep, const pbd::ContactCounter& counter) override;
   void fill(const pbd::Substep<D>& substep, const pbd::ContactWriter& writer) override;
-  void start_step() override { impulse_.fill(0); }
+  void start_step() override {
+    impulse_.fill(0);
+    holds_ = false;  // a step may have failed before begin()
+  }
+  void arrange(pbd::Substep<D>& substep) override;
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
   void observe(const pbd::Substep<D>& substep) override;
@@ -78,6 +82,7 @@ class BodyAttachments final : public pbd::ContactSource<D>,
     void settle(pbd::Substep<D>& substep) override { attachments.release_vertices(substep); }
     BodyAttachments& attachments;
   };
+  void hold(pbd::Substep<D>& substep);
   void transfer_push(pbd::Substep<D>& substep);
   void release_vertices(pbd::Substep<D>& substep);
   attachment_kernels::JoinedAttachments joined(const pbd::Substep<D>& substep);
@@ -85,11 +90,13 @@ class BodyAttachments final : public pbd::ContactSource<D>,
   D& device_;
   const BodySet<D>& bodies_;
   Release release_;
+  bool holds_ = false;           // whether vertices are held since arrange()
   std::vector<uint32_t> place_;  // of each attachment: its index in the order of vertices
   pbd::Buffer<BodyAttachment> attachments_{device_, "attachments"};
   pbd::Buffer<pbd::Vec4> impulse_{device_, "attachment impulses"};
   pbd::Buffer<pbd::Vec4> joined_{device_, "attached vertices"};  // see attachment_kernels::JoinedAttachments
   pbd::Buffer<uint32_t> attachments_of_body_{device_, "attachments of bodies"};
+  pbd::Buffer<uint32_t> attached_start_{device_, "attached bodies"};
   pbd::Buffer<uint32_t> attached_body_{device_, "attached bodies"};
 };
 

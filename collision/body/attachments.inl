@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "collision/body/attachments.h"
 #include "collision/body/tuning.h"
@@ -85,7 +86,7 @@ struct JoinedAttachments {
   View<pbd::Contact> contacts;
   View<Vec4> position, accumulated_delta;
   /// By leading attachment. w: the vertex's own. xyz: the vertex's accumulated delta when its bodies last got
-  /// their part of it. For a vertex held by an immovable body: its displacement, m.
+  /// their part of it. For a vertex held by an immovable body: its displacement to the anchor, m.
   View<Vec4> joined;
 
   /// Where there is no room for all contacts, the step is repeated.
@@ -98,33 +99,49 @@ struct JoinedAttachments {
   }
 };
 
-/// Gives vertices the mass of what they are attached to. An immovable body holds its vertices at their
-/// anchors.
+/// Moves the vertices that immovable bodies hold to their anchors. The first of several holds.
+struct Hold {
+  Attachments attachments;
+  View<const BodyProxy> bodies;
+  View<Vec4> position, accumulated_delta, velocity;
+  View<Vec4> joined;  ///< see JoinedAttachments
+  float inverse_dt;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    if (!attachments.leads(n)) return;
+    const uint32_t i = attachments.particle_of(n);
+    const Vec4 x = position[i];
+    const Vec3 displacement = accumulated_delta[i].xyz();
+    joined[n] = pbd::with_w(displacement, x.w);
+    bool is_held = x.w == 0;
+    attachments.for_each_beside(n, [&](uint32_t k) {
+      const BodyAttachment& a = attachments.attachments[k];
+      const BodyProxy& body = bodies[a.body];
+      const Vec3 anchor = to_world(body.pose, a.anchor);
+      if (is_held || largest_inverse_mass_at(body, anchor - body.pose.position) > 0) return;
+      is_held = true;
+      const Vec3 to_anchor = displacement + anchor - x.xyz();
+      joined[n] = pbd::with_w(to_anchor, x.w);
+      velocity[i] = pbd::shifted(velocity[i], inverse_dt * to_anchor);
+      position[i] = pbd::with_w(anchor, 0);
+      accumulated_delta[i] = {0, 0, 0, 0};  // from now on, the impulse that the attachment resists
+    });
+  }
+};
+
+/// Gives the vertices that are not held the mass of what they are attached to.
 struct Join {
   JoinedAttachments of;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (!of.attachments.leads(n)) return;
     const uint32_t i = of.attachments.particle_of(n);
-    const Vec4 x = of.position[i];
-    const Vec3 displacement = of.accumulated_delta[i].xyz();
-    of.joined[n] = pbd::with_w(displacement, x.w);
-    if (x.w == 0) return;
-    float mass = 1 / x.w;
-    bool is_held = false;
-    Vec3 anchor{0, 0, 0};
-    of.for_each_contact(n, [&](const pbd::Contact& c) {
-      if (c.body_inverse_mass > 0) mass += 1 / c.body_inverse_mass;
-      if (c.body_inverse_mass == 0 && !is_held) {
-        is_held = true;
-        anchor = c.point;
-      }
-    });
-    of.position[i].w = is_held ? 0 : 1 / mass;
-    if (!is_held) return;
-    of.joined[n] = pbd::with_w(displacement + anchor - x.xyz(), x.w);
-    of.position[i] = pbd::with_w(anchor, 0);
-    of.accumulated_delta[i] = {0, 0, 0, 0};  // from now on, the impulse that the attachment resists
+    const float w = of.position[i].w;
+    if (w == 0) return;
+    float mass = 1 / w;
+    of.for_each_contact(n, [&](const pbd::Contact& c) { mass += 1 / c.body_inverse_mass; });
+    of.joined[n] = pbd::with_w(of.accumulated_delta[i].xyz(), w);
+    of.position[i].w = 1 / mass;
   }
 };
 
@@ -186,13 +203,14 @@ struct ReleaseVertices {
     const bool is_held = of.position[i].w == 0;
     of.position[i].w = joined.w;
     if (!is_held || joined.w == 0) return;
+    // The anchor accelerated the vertex itself as well.
     Vec3 withstood = 1 / joined.w * joined.xyz() - of.accumulated_delta[i].xyz();
     of.for_each_contact(n, [&](pbd::Contact& c) {
       if (c.body_inverse_mass > 0) return;
       c.tangent_multiplier += withstood;
       withstood = {0, 0, 0};  // the first of several takes it all
     });
-    of.accumulated_delta[i] = pbd::with_w(joined.xyz(), 0);
+    of.accumulated_delta[i] = {0, 0, 0, 0};  // the velocity is the anchor's already
   }
 };
 
@@ -224,13 +242,15 @@ void BodyAttachments<D>::set_attachments(std::span<const BodyAttachment> attachm
     place_[k] = static_cast<uint32_t>(by_vertex.size());
     by_vertex.push_back(attachments[k]);
   }
-  std::vector<uint32_t> attached(attachments.empty() ? 0 : by_vertex.back().vertex + 1, pbd::no_index);
-  std::vector<uint32_t> attachments_of_body;
+  std::vector<uint32_t> attached_start(attachments.empty() ? 0 : by_vertex.back().vertex + 2);
+  std::vector<uint32_t> attached, attachments_of_body;
   for (const BodyAttachment& attachment : by_vertex) {
-    attached[attachment.vertex] = attachment.body;
+    ++attached_start[attachment.vertex + 1];
+    attached.push_back(attachment.body);
     if (attachments_of_body.size() <= attachment.body) attachments_of_body.resize(attachment.body + 1);
     ++attachments_of_body[attachment.body];
   }
+  std::partial_sum(attached_start.begin(), attached_start.end(), attached_start.begin());
 
   device_.wait();
   attachments_.resize_discard(by_vertex.size());
@@ -240,6 +260,8 @@ void BodyAttachments<D>::set_attachments(std::span<const BodyAttachment> attachm
   joined_.resize_discard(by_vertex.size());
   attachments_of_body_.resize_discard(attachments_of_body.size());
   attachments_of_body_.write(attachments_of_body);
+  attached_start_.resize_discard(attached_start.size());
+  attached_start_.write(attached_start);
   attached_body_.resize_discard(attached.size());
   attached_body_.write(attached);
 }
@@ -279,7 +301,28 @@ void BodyAttachments<D>::fill(const pbd::Substep<D>& substep, const pbd::Contact
 }
 
 template <class D>
+void BodyAttachments<D>::arrange(pbd::Substep<D>& substep) {
+  hold(substep);
+  holds_ = true;
+}
+
+template <class D>
+void BodyAttachments<D>::hold(pbd::Substep<D>& substep) {
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("attachments/hold", attachments_.view().count,
+                       attachment_kernels::Hold{{attachments_.view(), p.sorted},
+                                                bodies_.proxies(),
+                                                p.position,
+                                                p.accumulated_delta,
+                                                p.velocity,
+                                                joined_.view(),
+                                                1 / substep.dt});
+}
+
+/// Overlaps are relaxed without arrange().
+template <class D>
 void BodyAttachments<D>::begin(pbd::Substep<D>& substep) {
+  if (!std::exchange(holds_, false)) hold(substep);
   device_.parallel_for("attachments/join", attachments_.view().count,
                        attachment_kernels::Join{joined(substep)});
 }
@@ -297,8 +340,10 @@ void BodyAttachments<D>::transfer_push(pbd::Substep<D>& substep) {
                        attachment_kernels::TransferPush{joined(substep)});
 }
 
+/// Fail-safes may have moved the vertices since the last iteration.
 template <class D>
 void BodyAttachments<D>::release_vertices(pbd::Substep<D>& substep) {
+  transfer_push(substep);
   device_.parallel_for("attachments/release", attachments_.view().count,
                        attachment_kernels::ReleaseVertices{joined(substep)});
 }

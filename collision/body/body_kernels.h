@@ -69,7 +69,7 @@ struct WithShapes {
 
 /// The kinds by which a body's contacts are sorted, in this order. A key is contact_kinds times the body's
 /// number, plus the kind.
-enum ContactKind : uint32_t { is_free, is_two_sided, is_attached, contact_kinds };
+enum ContactKind : uint32_t { is_free, is_unyielding, is_attached, contact_kinds };
 
 /// Writes the key of each contact: its body and its kind. Contacts of no body come last.
 struct NoteBodies {
@@ -84,17 +84,19 @@ struct NoteBodies {
     if (n >= contacts.total()) return;
     const Contact& c = contacts.contacts[n];
     if (c.body >= body_count) return;
-    key[n] = contact_kinds * c.body + (is_attachment(c)    ? is_attached
-                                       : has_no_room(n, c) ? is_two_sided
-                                                           : is_free);
+    key[n] = contact_kinds * c.body + (is_attachment(c)     ? is_attached
+                                       : cannot_yield(n, c) ? is_unyielding
+                                                            : is_free);
   }
 
-  /// Whether the gap between the contact's surface and another one is less than half of the particle.
-  MENISCUS_HD bool has_no_room(uint32_t n, const Contact& c) const {
+  /// Whether the particle is pressed, and held or has no room: the gap between the contact's surface and
+  /// another one is less than half of the particle.
+  MENISCUS_HD bool cannot_yield(uint32_t n, const Contact& c) const {
     const uint32_t i = contacts.particle[n];
     const Vec3 x = position[i].xyz();
     const float distance = plane_distance(c, x);
     if (!(distance < c.radius)) return false;
+    if (position[i].w == 0) return true;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const Contact& other = contacts.contacts[k];
       if (dot(c.normal, other.normal) < body_tuning::facing && distance + plane_distance(other, x) < c.radius)
@@ -116,20 +118,20 @@ struct FindGroups {
     const uint32_t none = contact_kinds * b;  // less than the kind that follows
     const uint32_t before = n == 0 || sorted_key[n - 1] < none ? none : sorted_key[n - 1];
     if (n == 0 || sorted_key[n - 1] < none) body.first = n;
-    if (key >= none + is_two_sided && before < none + is_two_sided) body.two_sided = n;
+    if (key >= none + is_unyielding && before < none + is_unyielding) body.unyielding = n;
     if (key == none + is_attached && before != key) body.attached = n;
     if (n + 1 < sorted_key.count && sorted_key[n + 1] / contact_kinds == b) return;
     body.end = n + 1;
-    if (key == none + is_free) body.two_sided = n + 1;
+    if (key == none + is_free) body.unyielding = n + 1;
     if (key != none + is_attached) body.attached = n + 1;
   }
 };
 
 /// Gives each contact its lever arm and its fraction of the body (mass splitting, Tonge, Benevolenski &
 /// Voroshilov 2012). The body is treated as if it were as many bodies as it has contacts, each with that part
-/// of the mass. Then all contacts together move the body no further than it can go. If there are two-sided
-/// contacts, half of the body is for them. Each of these may have to hold the body alone, because its
-/// particle cannot yield. Half is for the attachments, which compute their own fraction (BodyAttachments).
+/// of the mass. Then all contacts together move the body no further than it can go. If some particles cannot
+/// yield, half of the body is for their contacts. Each of these may have to hold the body alone. Half is for
+/// the attachments, which compute their own fraction (BodyAttachments).
 struct Split {
   View<const uint32_t> grouped;
   View<const BodyProxy> bodies;
@@ -143,8 +145,9 @@ struct Split {
     if (c.body >= bodies.count || is_attachment(c)) return;
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
-    const uint32_t free = body.two_sided - body.first, two_sided = body.attached - body.two_sided;
-    const uint32_t alike = k < body.two_sided ? free : two_sided, kinds = free > 0 && two_sided > 0 ? 2 : 1;
+    const uint32_t free = body.unyielding - body.first, unyielding = body.attached - body.unyielding;
+    const uint32_t alike = k < body.unyielding ? free : unyielding,
+                   kinds = free > 0 && unyielding > 0 ? 2 : 1;
     const float fraction = static_cast<float>(alike * kinds * (body.attached < body.end ? 2 : 1));
     c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
     c.body_inverse_mass += fraction * inverse_mass_at(body, c.arm, c.normal);

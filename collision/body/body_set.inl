@@ -172,7 +172,8 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
   world_.check_finite();
   place_bodies("bodies/arrive", body_kernels::Arrive{arrived_.view(), proxies_.view()});
   const pbd::ParticleView& p = substep.particles;
-  contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, furthest_motion());
+  contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, substep.contacts,
+                                furthest_motion());
 }
 
 template <class D>

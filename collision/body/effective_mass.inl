@@ -41,11 +41,12 @@ struct Weigh {
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = of.vertex(n);
     if (i == pbd::no_index) return;
-    const Vec3 x = of.position[i].xyz();
+    const Vec4 x = of.position[i];
+    if (x.w == 0) return;  // it resists any motion already
     float mass = 0;
     for (uint32_t k = of.contacts.start[i]; k < of.contacts.start[i + 1]; ++k) {
       const Contact& c = of.contacts.contacts[k];
-      if (BodyContacts::yields(c) && contact_presses(c, x)) mass += BodyContacts::mass(c);
+      if (BodyContacts::yields(c) && contact_presses(c, x.xyz())) mass += BodyContacts::mass(c);
     }
     of.effective_mass[i - of.sorted] = {0, 0, 0, mass};
     if (mass > 0) two_sided.apply_friction(i);

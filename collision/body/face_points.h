@@ -26,12 +26,13 @@ namespace meniscus::collision {
 ///   settle    is the fail-safe: it moves out the faces that the iterations have left inside;
 ///   end       does the same with velocities as project.
 ///
-/// The transfer keeps impulses, so momentum is conserved. While no face needs a point, a substep costs one
-/// launch.
+/// The transfer keeps impulses, so momentum is conserved. A point between held vertices is held as well: w =
+/// 0, and it records the impulse that it withstands, as they do. While no face needs a point, a substep costs
+/// one launch.
 template <class D>
 class FacePoints final : public pbd::ConstraintSet<D> {
  public:
-  FacePoints(D& device, pbd::Particles& particles, const ShapeContacts<D>& shapes, const BodySet<D>& bodies,
+  FacePoints(D& device, pbd::Particles& particles, ShapeContacts<D>& shapes, const BodySet<D>& bodies,
              ContactSet<D>& contacts)
       : device_(device), particles_(particles), shapes_(shapes), bodies_(bodies), contacts_(contacts) {
     wanted_.resize_discard(1);
@@ -69,7 +70,7 @@ class FacePoints final : public pbd::ConstraintSet<D> {
 
   D& device_;
   pbd::Particles& particles_;
-  const ShapeContacts<D>& shapes_;
+  ShapeContacts<D>& shapes_;
   const BodySet<D>& bodies_;
   ContactSet<D>& contacts_;
   uint32_t vertices_ = 0;  // number of vertices of the faces

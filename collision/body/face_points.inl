@@ -77,9 +77,10 @@ void FacePoints<D>::arrange(pbd::Substep<D>& substep) {
                        ListPoints{needed_.view(), number_.view(), triangle_of_.view(), wanted_.view()});
   substep.particles.owned += room_;
   device_.parallel_for("faces/particles", room_,
-                       MakeParticles{points(substep), substep.particles, particles_.previous.view(),
-                                     particles_.phase.current.view(), particles_.slot.current.view(),
-                                     particles_.number.current.view()});
+                       MakeParticles{points(substep), triangle_of_.view(), substep.particles,
+                                     particles_.previous.view(), particles_.phase.current.view(),
+                                     particles_.slot.current.view(), particles_.number.current.view()});
+  shapes_.set_points({surface_.triangles, triangle_of_.view(), substep.particles.owned - room_});
 }
 
 /// While points are disabled, the host learns at the step's end whether any were needed.
@@ -150,10 +151,13 @@ void FacePoints<D>::end(pbd::Substep<D>& substep) {
   const Points all = points(substep);
   const pbd::ParticleView& p = substep.particles;
   // Masses are computed again, because vertices have their own masses back.
-  device_.parallel_for("faces/velocities", room_, PlaceVelocities{all, p, substep.contacts, pushed_.view()});
+  device_.parallel_for("faces/velocities", room_,
+                       PlaceVelocities{all, p, substep.contacts, pushed_.view(), demand_.view()});
   device_.parallel_for("faces/weigh", room_, Weigh{all, p, substep.contacts, pushed_.view()});
   contacts_.end(substep);
-  device_.parallel_for("faces/transfer velocities", vertices_, TransferVelocities{all, p, at_vertex_.view()});
+  device_.parallel_for(
+      "faces/transfer velocities", vertices_,
+      TransferVelocities{all, p, at_vertex_.view(), demand_.view(), withstanding(substep), substep.dt});
 }
 
 }  // namespace meniscus::collision

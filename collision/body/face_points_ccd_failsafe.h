@@ -50,7 +50,7 @@ struct Demand {
       // The displacement of a body by contacts may be as large as its own motion, so the bounds are tested
       // with it.
       if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, touch.radius)) continue;
-      if (!collide(shape, touch.filter)) continue;
+      if (!collide(shape, touch.filter) || touches.is_face_attached(t, shape.body)) continue;
       const Vec3 other = step_from(shape, motion, t, touch.radius);
       if (squared_length(other) > squared_length(step)) step = other;
     }

@@ -65,8 +65,7 @@ struct Decide {
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const SurfaceTriangle t = triangles[n];
-    const FaceSample best =
-        may_meet(t) ? deepest_point(motion_of(particles, t), touches.of(particles.sorted + t.a)) : nothing();
+    const FaceSample best = deepest_point(t);
     const bool needs = best.surface.distance < nothing().surface.distance;
     if (needed.count == 0) {
       if (needs) pbd::atomic_max(wanted[0], 1);
@@ -78,30 +77,29 @@ struct Decide {
 
   MENISCUS_HD static FaceSample nothing() { return {{1, 0, 0}, {1e30f, {0, 1, 0}}}; }
 
-  /// Whether some vertex can move and none is attached to a body. An attached vertex lies on the body and
-  /// would always touch it.
-  MENISCUS_HD bool may_meet(const SurfaceTriangle& t) const {
-    const uint32_t a = particles.sorted + t.a, b = particles.sorted + t.b, c = particles.sorted + t.c;
-    return particles.position[a].w + particles.position[b].w + particles.position[c].w > 0 &&
-           touches.body_of(a) == pbd::no_index && touches.body_of(b) == pbd::no_index &&
-           touches.body_of(c) == pbd::no_index;
-  }
-
-  /// The deepest point over all shapes, if the face needs one.
-  MENISCUS_HD FaceSample deepest_point(const FaceMotion& motion, const Touch& touch) const {
+  /// The deepest point over all shapes, if the face needs one. A held face needs none at fixed shapes.
+  MENISCUS_HD FaceSample deepest_point(const SurfaceTriangle& t) const {
+    const FaceMotion motion = motion_of(particles, t);
+    const Touch touch = touches.of(particles.sorted + t.a);
+    const uint32_t first = is_held(t) ? set.fixed : 0;
     const Aabb box = bounds_of(motion);
     const float reach = face_tuning::reach * touch.radius;
     FaceSample best = nothing();
     if (!is_finite(box.lower) || !is_finite(box.upper)) return best;
-    for (uint32_t k = 0; k < set.shapes.count; ++k) {
+    for (uint32_t k = first; k < set.shapes.count; ++k) {
       const Shape& shape = set.shapes[k];
       if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, reach)) continue;
-      if (!collide(shape, touch.filter)) continue;
+      if (!collide(shape, touch.filter) || touches.is_face_attached(t, shape.body)) continue;
       const FaceSample found =
           deepest_point_in(shape, motion_beside(shape, shape.pose, motion), touch.radius, reach);
       if (found.surface.distance < best.surface.distance) best = found;
     }
     return best;
+  }
+
+  MENISCUS_HD bool is_held(const SurfaceTriangle& t) const {
+    const View<const Vec4> vertex = particles.position.from(particles.sorted);
+    return vertex[t.a].w + vertex[t.b].w + vertex[t.c].w == 0;
   }
 
   MENISCUS_HD FaceSample deepest_point_in(const Shape& shape, const FaceMotion& motion, float radius,
@@ -161,9 +159,10 @@ struct ListPoints {
   }
 };
 
-/// Makes a particle of each point. Particles of unused points are placed at a vertex and cannot move.
+/// Makes a particle of each point. Particles of unused points are placed at a vertex and find no contacts.
 struct MakeParticles {
   Points points;
+  View<uint32_t> triangle_of;
   ParticleView particles;
   View<Vec4> previous;
   View<pbd::Phase> phase;
@@ -179,6 +178,7 @@ struct MakeParticles {
                (of_any(points.triangles[triangle]) & pbd::phase_overlapping);
     slot[i] = number[i] = pbd::vertex_slot + (i - sorted);
     if (!used) {
+      triangle_of[n] = pbd::no_index;
       particles.position[i] = previous[i] = pbd::with_w(particles.position[corner].xyz(), 0);
       particles.velocity[i] = {0, 0, 0, 0};
       return;
@@ -189,15 +189,13 @@ struct MakeParticles {
     previous[i] = pbd::with_w(points.mix(previous, sorted, triangle), w);
     particles.velocity[i] = pbd::with_w(points.mix(particles.velocity, sorted, triangle), 0);
   }
-  /// Σ b² w over the corners. Never 0, because 0 marks an unused point.
+  /// Σ b² w over the corners.
   MENISCUS_HD float inverse_mass(uint32_t triangle) const {
     const uint32_t sorted = particles.sorted;
     const SurfaceTriangle t = points.triangles[triangle];
     const Vec4 b = points.weights[triangle];
     const View<Vec4> x = particles.position;
-    return pbd::max(
-        b.x * b.x * x[sorted + t.a].w + b.y * b.y * x[sorted + t.b].w + b.z * b.z * x[sorted + t.c].w,
-        1e-30f);
+    return b.x * b.x * x[sorted + t.a].w + b.y * b.y * x[sorted + t.b].w + b.z * b.z * x[sorted + t.c].w;
   }
   MENISCUS_HD pbd::Phase of_any(const SurfaceTriangle& t) const {
     const uint32_t sorted = particles.sorted;
@@ -281,14 +279,15 @@ struct Weigh {
   MENISCUS_HD float split_inverse_mass(uint32_t vertex) const {
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
+    if (is_held(contacts, i, x.w)) return 0;
     uint32_t count = is_pushed(contacts, i, x.xyz());
     points.for_each_at(vertex, [&](uint32_t point, float) { count += pushed[point - points.first]; });
     return static_cast<float>(count > 0 ? count : 1) * x.w;
   }
 };
 
-/// Transfers a point's displacement to the vertices. It is a positional impulse of the displacement over the
-/// point's w, and the vertices get fractions of it by the point's weights.
+/// Transfers the positional impulse that a point has recorded to the vertices, which get fractions of it by
+/// the point's weights.
 struct TransferDisplacement {
   Points points;
   ParticleView particles;
@@ -298,31 +297,31 @@ struct TransferDisplacement {
     if (at_vertex[vertex] == 0) return;
     Vec3 positional_impulse{0, 0, 0};
     points.for_each_at(vertex, [&](uint32_t i, float weight) {
-      const float w = particles.position[i].w;
-      if (w > 0) positional_impulse += (weight / w) * particles.accumulated_delta[i].xyz();
+      positional_impulse +=
+          weight * pbd::recorded_impulse(particles.position[i].w, particles.accumulated_delta[i].xyz());
     });
     const uint32_t i = particles.sorted + vertex;
     const Vec4 x = particles.position[i];
-    // A held vertex stores the positional impulse that it resists.
-    const Vec3 by = x.w > 0 ? x.w * positional_impulse : positional_impulse;
-    particles.accumulated_delta[i] = pbd::with_w(particles.accumulated_delta[i].xyz() + by, 0);
-    if (x.w > 0) particles.position[i] = pbd::with_w(x.xyz() + by, x.w);
+    const Vec3 delta = particles.accumulated_delta[i].xyz();
+    particles.accumulated_delta[i] = pbd::with_w(delta + pbd::recorded_part(x.w) * positional_impulse, 0);
+    particles.position[i] = pbd::with_w(x.xyz() + x.w * positional_impulse, x.w);
   }
 };
 
-/// Gives the points their triangles' velocities, and saves these in the accumulated delta, which is no longer
-/// needed.
+/// Gives the points their triangles' velocities, saves these, and starts the accumulated delta anew.
 struct PlaceVelocities {
   Points points;
   ParticleView particles;
   pbd::ContactView contacts;
   View<uint32_t> pushed;  ///< by point, 1 or 0
+  View<Vec4> before;      ///< by point, m/s
 
   MENISCUS_HD void operator()(uint32_t n) const {
     if (n >= points.count()) return;
     const uint32_t i = points.first + n;
     const Vec3 v = points.mix(particles.velocity, particles.sorted, points.triangle_of[n]);
-    particles.velocity[i] = particles.accumulated_delta[i] = pbd::with_w(v, 0);
+    particles.velocity[i] = before[n] = pbd::with_w(v, 0);
+    particles.accumulated_delta[i] = {0, 0, 0, 0};
     pushed[n] = was_pushed(contacts, i);
   }
 };
@@ -331,19 +330,23 @@ struct TransferVelocities {
   Points points;
   ParticleView particles;
   View<const uint32_t> at_vertex;
+  View<const Vec4> before;  ///< by point, m/s
+  pbd::Withstanding held;
+  float dt;
 
   MENISCUS_HD void operator()(uint32_t vertex) const {
-    const uint32_t i = particles.sorted + vertex;
-    const float vertex_w = particles.position[i].w;
-    if (at_vertex[vertex] == 0 || vertex_w == 0) return;
-    Vec3 impulse{0, 0, 0};
+    if (at_vertex[vertex] == 0) return;
+    Vec3 push{0, 0, 0};  // kg·m
     points.for_each_at(vertex, [&](uint32_t point, float weight) {
       const float w = particles.position[point].w;
-      if (w > 0)
-        impulse +=
-            (weight / w) * (particles.velocity[point].xyz() - particles.accumulated_delta[point].xyz());
+      const Vec3 step = particles.velocity[point].xyz() - before[point - points.first].xyz();
+      push += w > 0 ? (dt * weight / w) * step : weight * particles.accumulated_delta[point].xyz();
     });
-    particles.velocity[i] = pbd::with_w(particles.velocity[i].xyz() + vertex_w * impulse, 0);
+    if (push == Vec3{0, 0, 0}) return;
+    const uint32_t i = particles.sorted + vertex;
+    const float w = particles.position[i].w;
+    if (is_held(held.contacts, i, w)) return held.add(i, push);
+    particles.velocity[i] = pbd::with_w(particles.velocity[i].xyz() + (w / dt) * push, 0);
   }
 };
 

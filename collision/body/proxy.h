@@ -17,7 +17,7 @@ struct BodyProxy {
   float inverse_mass;
   Vec3 inverse_inertia;  ///< principal
   uint32_t first, end;   ///< the range of its contacts, in the order grouped by body
-  uint32_t two_sided;    ///< the first of its two-sided contacts
+  uint32_t unyielding;   ///< the first of its contacts with what cannot yield
   uint32_t attached;     ///< the first of its attachments, which come last
 };
 

@@ -48,16 +48,16 @@ MENISCUS_HD inline Vec3 limit_by_fixed(const ShapeSet& set, Motion m, float radi
 
 /// Where the motion ends if it passes through no moving shape. Each shape sees the motion in its own frame,
 /// so after a hit the whole motion is tested again. If there is no way out, the particle moves along with the
-/// last shape that it met. The body that a vertex is attached to is left out.
-template <class Candidates>
+/// last shape that it met. Shapes count that the particle may meet, by meets(shape).
+template <class Candidates, class Meets>
 MENISCUS_HD Vec3 limit_by_moving(const ShapeSet& set, const Candidates& candidates, uint32_t i, Motion m,
-                                 float radius, const CollisionFilter& filter, uint32_t attached_body) {
+                                 float radius, const Meets& meets) {
   Vec3 carried = m.to;
   for (int k = 0; k < shape_tuning::moving_hits; ++k) {
     Hit first;
     candidates.for_each_near(set, i, m, radius, [&](uint32_t number) {
       const Shape& shape = set.shapes[number];
-      if (number < set.fixed || shape.body == attached_body || !collide(shape, filter)) return;
+      if (number < set.fixed || !meets(shape)) return;
       const Hit hit = meet(set, shape, m, radius);
       if (!hit.found || hit.t > first.t) return;
       first = hit;

@@ -7,6 +7,7 @@
 #include "collision/contact/candidates.h"
 #include "collision/contact/tuning.h"
 #include "pbd/substep.h"
+#include "pbd/surface_tree/surface.h"
 
 namespace meniscus::collision {
 
@@ -14,6 +15,27 @@ namespace meniscus::collision {
 struct Touch {
   CollisionFilter filter;
   float radius;
+};
+
+/// The bodies that vertices are attached to: those of vertex v are bodies[start[v]] to bodies[start[v + 1] −
+/// 1]. Vertices from start.count − 1 on are attached to none.
+struct AttachedBodies {
+  pbd::View<const uint32_t> start, bodies;
+
+  MENISCUS_HD bool has(uint32_t vertex, uint32_t body) const {
+    if (vertex + 1 >= start.count) return false;
+    for (uint32_t k = start[vertex]; k < start[vertex + 1]; ++k) {
+      if (bodies[k] == body) return true;
+    }
+    return false;
+  }
+};
+
+/// The triangles of points of faces, which are the particles from `first` on; see FacePoints.
+struct PointTriangles {
+  pbd::View<const pbd::SurfaceTriangle> triangles;
+  pbd::View<const uint32_t> triangle_of;  ///< by point; no_index where it is not in use
+  uint32_t first = 0;
 };
 
 namespace shape_contact_kernels {
@@ -25,14 +47,15 @@ MENISCUS_HD inline float exit_distance(float contact_radius, float dt) {
 }
 
 /// How a particle collides with solids, by its fluid or its piece of cloth. A vertex does not collide with
-/// the body that it is attached to.
+/// the bodies that it is attached to. Nor does a face that it belongs to: the face would always touch them.
 struct Touches {
   pbd::View<const pbd::Phase> phase;
   pbd::View<const CollisionFilter> by_fluid;
   pbd::View<const Touch> by_piece;
   float fluid_radius;
-  pbd::View<const uint32_t> attached_body;  ///< by vertex; no_index where it is attached to none
-  uint32_t sorted = 0;                      ///< see ParticleView
+  AttachedBodies attached;
+  PointTriangles points;
+  uint32_t sorted = 0;  ///< see ParticleView
 
   MENISCUS_HD Touch of(uint32_t i) const {
     if (by_piece.count && is_vertex(i)) return by_piece[pbd::phase_group(phase[i])];
@@ -41,9 +64,18 @@ struct Touches {
   MENISCUS_HD bool is_vertex(uint32_t i) const { return (phase[i] & pbd::phase_vertex) != 0; }
   MENISCUS_HD bool is_face(uint32_t i) const { return by_piece.count && (phase[i] & pbd::phase_face) != 0; }
   MENISCUS_HD bool may_overlap(uint32_t i) const { return (phase[i] & pbd::phase_overlapping) != 0; }
-  /// The body that i is attached to, or no_index.
-  MENISCUS_HD uint32_t body_of(uint32_t i) const {
-    return i >= sorted && i - sorted < attached_body.count ? attached_body[i - sorted] : pbd::no_index;
+  /// Whether i is a point of a face, and in use.
+  MENISCUS_HD bool is_used_point(uint32_t i) const {
+    return points.triangle_of[i - points.first] != pbd::no_index;
+  }
+  /// Whether i, or a vertex of its face, is attached to the body.
+  MENISCUS_HD bool is_attached(uint32_t i, uint32_t body) const {
+    if (body == pbd::no_index || i < sorted || attached.bodies.count == 0) return false;
+    return is_face(i) ? is_face_attached(points.triangles[points.triangle_of[i - points.first]], body)
+                      : attached.has(i - sorted, body);
+  }
+  MENISCUS_HD bool is_face_attached(const pbd::SurfaceTriangle& t, uint32_t body) const {
+    return attached.has(t.a, body) || attached.has(t.b, body) || attached.has(t.c, body);
   }
 };
 
@@ -71,8 +103,10 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   pbd::View<const CollisionFilter> filters() const { return filters_.view(); }
   /// One entry a piece of cloth.
   void set_pieces(std::span<const Touch> pieces);
-  /// By vertex: the body that it is attached to, or no_index. Must stay valid until the next call.
-  void set_attached_bodies(pbd::View<const uint32_t> bodies) { attached_body_ = bodies; }
+  /// The views must stay valid until the next call.
+  void set_attached_bodies(const AttachedBodies& bodies) { attached_ = bodies; }
+  /// The views must stay valid for the substep.
+  void set_points(const PointTriangles& points) { points_ = points; }
 
   void reserve(uint32_t particles) override;
   bool any() const override { return shapes_.shapes.count > 0; }
@@ -86,10 +120,10 @@ class ShapeContacts final : public pbd::ContactSource<D> {
 
   /// Rolls back motions that have passed through a moving shape since the substep began. Shapes are at their
   /// final poses, and have moved by `furthest` (m) at most. A particle may be carried that far, and meet
-  /// another shape there.
-  void limit_beside_moving(const pbd::MotionView& motion, float furthest);
+  /// another shape there. What is held stays.
+  void limit_beside_moving(const pbd::MotionView& motion, const pbd::ContactView& contacts, float furthest);
   shape_contact_kernels::Touches touches(pbd::View<const pbd::Phase> phase, uint32_t sorted) const {
-    return {phase, filters_.view(), pieces_.view(), contact_radius_, attached_body_, sorted};
+    return {phase, filters_.view(), pieces_.view(), contact_radius_, attached_, points_, sorted};
   }
   /// Finds the shapes that are within `reach` (m) of the particles' positions.
   CandidateView find_near(pbd::View<const pbd::Vec4> position, uint32_t particles, float reach);
@@ -113,7 +147,8 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   Candidates candidates_;
   pbd::Buffer<CollisionFilter> filters_;
   pbd::Buffer<Touch> pieces_;
-  pbd::View<const uint32_t> attached_body_;
+  AttachedBodies attached_;
+  PointTriangles points_;
 };
 
 }  // namespace meniscus::collision

@@ -23,7 +23,7 @@ struct LimitByFixed {
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
     const Vec3 path = motion.to - motion.from;
-    if (touches.is_face(i)) return;  // its triangle's vertices are limited
+    if (motions.to[i].w == 0 || touches.is_face(i)) return;  // of a face, the vertices are limited
     const Touch touch = touches.of(i);
     // The contact search sees a slower particle wherever it ends.
     if (!(dot(path, path) > touch.radius * touch.radius) || !is_finite(path)) return;
@@ -39,14 +39,17 @@ struct LimitByMoving {
   CandidateView candidates;
   Touches touches;
   pbd::MotionView motions;
+  pbd::ContactView contacts;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Motion motion{motions.from[i].xyz(), motions.to[i].xyz()};
     // The shape would hold a particle that overlaps it inside.
     if (!is_finite(motion.to) || touches.is_face(i) || touches.may_overlap(i)) return;
+    if (touches.is_vertex(i) && is_held(contacts, i, motions.to[i].w)) return;
     const Touch touch = touches.of(i);
-    const Vec3 end =
-        limit_by_moving(set, candidates, i, motion, touch.radius, touch.filter, touches.body_of(i));
+    const Vec3 end = limit_by_moving(set, candidates, i, motion, touch.radius, [&](const Shape& shape) {
+      return collide(shape, touch.filter) && !touches.is_attached(i, shape.body);
+    });
     motions.to[i] = pbd::with_w(end, motions.to[i].w);
   }
 };
@@ -64,12 +67,10 @@ struct Finder {
   MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
     const Touch touch = touches.of(i);
     const bool face = touches.is_face(i);
-    if (face && position[i].w == 0) return;  // not in use
-    const uint32_t attached_body = touches.body_of(i);
+    if (face && !touches.is_used_point(i)) return;
     const auto look_at = [&](uint32_t number) {
       const Shape& shape = set.shapes[number];
-      if (!collide(shape, touch.filter)) return;
-      if (attached_body != pbd::no_index && shape.body == attached_body) return;
+      if (!collide(shape, touch.filter) || touches.is_attached(i, shape.body)) return;
       const FoundContact found = find(shape, {previous[i].xyz(), position[i].xyz()}, touch.radius, face);
       if (found.found) visit(shape, found);
     };
@@ -231,12 +232,14 @@ void ShapeContacts<D>::limit_motion(const pbd::MotionView& motion, bool planes_t
 }
 
 template <class D>
-void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, float furthest) {
+void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, const pbd::ContactView& contacts,
+                                           float furthest) {
   if (shapes_.fixed == shapes_.shapes.count || motion.count == 0) return;
   candidates_.find(device_, shapes_, motion.from, motion.to, motion.count, largest_radius_ + furthest);
-  device_.parallel_for("contacts/limit beside moving", motion.count,
-                       shape_contact_kernels::LimitByMoving{shapes_, candidates_.view(),
-                                                            touches(motion.phase, motion.sorted), motion});
+  device_.parallel_for(
+      "contacts/limit beside moving", motion.count,
+      shape_contact_kernels::LimitByMoving{shapes_, candidates_.view(), touches(motion.phase, motion.sorted),
+                                           motion, contacts});
 }
 
 template <class D>

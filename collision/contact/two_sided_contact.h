@@ -206,22 +206,24 @@ struct TwoSidedContacts {
         });
   }
 
-  /// Solves the two-sided pair last, because it must yield to all other contacts.
+  /// Solves the two-sided pair last, because it must yield to all other contacts. Through a held particle two
+  /// contacts exert nothing on each other, so they are no pair.
   template <class One, class Pair>
   MENISCUS_HD void solve(uint32_t i, const One& one, const Pair& both) const {
     const pbd::Vec4 p = all.position[i];
-    if (p.w == 0) return;
     const uint32_t begin = all.contacts.start[i], end = all.contacts.start[i + 1];
     const pbd::View<Contact> contacts = all.contacts.contacts;
     const Vec3 x = p.xyz();
-    const OpposedPair pair = find_opposed(contacts, begin, end, x);
-    Vec3 step{0, 0, 0};
+    const float recorded = pbd::recorded_part(p.w), moves = p.w > 0 ? 1.0f : 0.0f;
+    const OpposedPair pair = p.w > 0 ? find_opposed(contacts, begin, end, x) : OpposedPair{};
+    Vec3 step{0, 0, 0};  // of the accumulated delta
+    const auto at = [&] { return x + moves * step; };
     for (uint32_t k = begin; k < end; ++k) {
-      if (!pair.has(k) && !is_attachment(contacts[k])) step += p.w * one(contacts[k], x + step, p.w);
+      if (!pair.has(k) && !is_attachment(contacts[k])) step += recorded * one(contacts[k], at(), p.w);
     }
     if (pair.is_there())
-      step += p.w * both(two_sided_between(contacts[pair.a], contacts[pair.b], p.w), x + step);
-    all.position[i] = pbd::with_w(x + step, p.w);
+      step += recorded * both(two_sided_between(contacts[pair.a], contacts[pair.b], p.w), at());
+    all.position[i] = pbd::with_w(at(), p.w);
     all.accumulated_delta[i] = pbd::shifted(all.accumulated_delta[i], step);
   }
 };

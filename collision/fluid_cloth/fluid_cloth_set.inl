@@ -67,7 +67,7 @@ void FluidClothSet<D>::end(pbd::Substep<D>& substep) {
                        WeighVelocities{at_touches(substep)});
   at_vertices("fluid cloth/load velocities",
               LoadVelocities{loaded_vertices(), loaded_.view(), p.velocity.from(p.sorted), change_.view(),
-                             1 / substep.dt});
+                             withstanding(substep), p.sorted, 1 / substep.dt});
   at_particles("fluid cloth/carry velocities", CarryVelocities{at_touches(substep), change_.view(),
                                                                p.velocity, particles_.phase.current.view()});
   if (contacts_.permeable()) pass(substep);

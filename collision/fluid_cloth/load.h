@@ -205,7 +205,7 @@ struct ShareMomentum {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
-    const float self = vertices.self_weight[v];
+    const float self = position[v].w;
     const float carried = vertices.sum(v, [](const FluidClothContact& t, float w) { return w * t.carried; });
     const Vec3 pending = vertices.pending(v);
     if (!VertexTeam::leads()) return;
@@ -269,11 +269,11 @@ struct PushVertices {
     if (!VertexTeam::leads()) return;
     const Vec4 x = position[v];
     position[v] = pbd::with_w(x.xyz() + x.w * push, x.w);
-    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], (x.w > 0 ? x.w : 1) * push);
+    accumulated_delta[v] = pbd::shifted(accumulated_delta[v], pbd::recorded_part(x.w) * push);
   }
 };
 
-/// Restores the vertices' own masses, and stores the loaded ones.
+/// Restores the vertices' own masses, and stores the loaded ones. Held ones have their own.
 struct Unload {
   LoadedVertices vertices;
   View<Vec4> position;  // by vertex
@@ -318,19 +318,24 @@ struct WeighVelocities {
   }
 };
 
-/// Applies them to the vertices.
+/// Applies them to the vertices. A held vertex stores the impulse.
 struct LoadVelocities {
   LoadedVertices vertices;
   View<const float> loaded;  // by vertex, 1/kg
   View<Vec4> velocity;       // by vertex
   View<Vec4> change;         // by vertex, m/s
+  pbd::Withstanding held;
+  uint32_t first_vertex;
   float inverse_dt;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!vertices.any(v)) return;
-    const Vec3 step = (loaded[v] * inverse_dt) * vertices.pending(v);
+    const Vec3 pending = vertices.pending(v);
     if (!VertexTeam::leads()) return;
+    const bool stays = is_held(held.contacts, first_vertex + v, loaded[v]);
+    const Vec3 step = (stays ? 0 : loaded[v] * inverse_dt) * pending;
     change[v] = pbd::with_w(step, 0);
+    if (stays) return held.add(first_vertex + v, pending);
     velocity[v] = pbd::with_w(velocity[v].xyz() + step, velocity[v].w);
   }
 };

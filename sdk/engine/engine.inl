@@ -170,6 +170,7 @@ class DeviceEngine final : public Engine {
         .place(VelocityPhase::viscosity, viscosity_)
         .for_each([this](auto& pass) { solver_.add(pass); });
     solver_.add(probes_);
+    solver_.add(static_cast<pbd::Observer<D>&>(cloth_));
     solver_.add(static_cast<pbd::Observer<D>&>(attachments_));
   }
   void add_diffuse(const fluid::DiffuseParameters& parameters) {

@@ -93,14 +93,12 @@ struct NotePlaced {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const collision::Touch touch = touches.of(i);
-    const uint32_t attached_body = touches.body_of(i);
     const Vec3 p = position[i].xyz();
     const float least = engine_tuning::overlapping * touch.radius;
     bool is_in = false;
     candidates.for_each(i, [&](uint32_t k) {
       const collision::Shape& shape = set.shapes[k];
-      if (is_in || !collide(shape, touch.filter)) return;
-      if (attached_body != pbd::no_index && shape.body == attached_body) return;
+      if (is_in || !collide(shape, touch.filter) || touches.is_attached(i, shape.body)) return;
       is_in = collision::sample_surface(set, shape, p, touch.radius).distance < least;
     });
     if (is_in) phase[i] |= pbd::phase_overlapping;

@@ -155,6 +155,7 @@ struct RopeDef {
 /// Holds vertices of a piece of cloth or a rope where they are. They are held to the world, to a body, or to
 /// other vertices at their present distance. These may belong to another piece or rope or to the same one.
 /// Exactly one of `cloth` and `rope` is given, and at most one of `body`, `other_cloth` and `other_rope`.
+/// Vertices do not collide with a body that they are attached to, nor do faces with such a vertex.
 struct AttachmentDef {
   std::string name;
   std::optional<ClothId> cloth{};

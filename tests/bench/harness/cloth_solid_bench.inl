@@ -24,13 +24,14 @@ class ClothSolidBenchOn final : public ClothSolidBench {
     solver_.add(static_cast<pbd::ContactSource<D>&>(attachments_));
     solver_.add(shapes_);
     solver_.add(static_cast<pbd::ConstraintSet<D>&>(attachments_));
-    solver_.add(cloth_);
+    solver_.add(static_cast<pbd::ConstraintSet<D>&>(cloth_));
     if (setup.face_points)
       solver_.add(faces_);
     else
       solver_.add(contacts_);
     solver_.add(attachments_.release());
     solver_.add(bodies_);
+    solver_.add(static_cast<pbd::Observer<D>&>(cloth_));
     solver_.add(static_cast<pbd::Observer<D>&>(attachments_));
     add_cloth(setup);
     add_solids(setup);

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -199,6 +200,44 @@ TEST(BodyKernels, AParticleBetweenTwoBodiesHoldsThemApart) {
   EXPECT_NEAR(bench.motion[1].shift.y - bench.motion[0].shift.y, wanted - gap, 0.02f * wanted);
 }
 
+// A held particle stays, and records the impulse by which it has moved the body out, with friction.
+TEST(BodyKernels, AHeldParticleRecordsWhatItWithstands) {
+  constexpr float depth = 0.004f, held = std::numeric_limits<float>::infinity();
+  for (int around : {0, 30}) {
+    Bench bench;
+    bench.add_body(2, {1, 1, 1}, {0, 0, 0});
+    bench.add_contact(0, {0, 0.1f, 0}, {0, 1, 0}, held, depth);
+    bench.contacts[0].friction = 0.5f;
+    bench.contacts[0].surface_motion = {0.001f, 0, 0};
+    for (int n = 0; n < around; ++n)  // near, and not touched
+      bench.add_contact(0, {0, 0.1f, 0}, {0, 1, 0}, 0.1f, -0.5f * Bench::radius);
+    bench.group();
+    EXPECT_EQ(bench.position[0].w, 0);
+    EXPECT_NEAR(bench.contacts[0].body_inverse_mass, around ? 1 : 0.5f, 1e-6f) << around;
+    for (int k = 0; k < 20; ++k) bench.iterate();
+    const Vec3 recorded = bench.moved[0].xyz() - bench.previous[0].xyz();  // it starts as the position
+    const Vec3 motion = bench.motion[0].shift;
+    EXPECT_EQ(bench.position[0].xyz(), bench.previous[0].xyz());
+    EXPECT_NEAR(motion.y, -depth, 0.011f * Bench::radius) << around;
+    EXPECT_NEAR(motion.x, -0.001f, 2e-4f) << around;
+    EXPECT_NEAR(length(recorded + 2.0f * motion), 0, 1e-5f) << around;
+  }
+}
+
+TEST(BodyKernels, NothingHappensBetweenAHeldParticleAndAnImmovableSurface) {
+  Bench bench;
+  bench.add_contact(pbd::no_index, {0, 0, 0}, {0, 1, 0}, std::numeric_limits<float>::infinity(), 0.01f);
+  bench.contacts[0].friction = 0.5f;
+  bench.add_contact_of_last(pbd::no_index, {0, 0.02f, 0}, {0, -1, 0});
+  launch(1, contact_kernels::Project{{{view(bench.position), view(bench.moved), view(bench.previous),
+                                       view(bench.slot), bench.contact_view()},
+                                      {},
+                                      0}});
+  EXPECT_EQ(bench.position[0].xyz(), bench.previous[0].xyz());
+  EXPECT_EQ(bench.moved[0].xyz(), bench.previous[0].xyz());
+  EXPECT_EQ(bench.contacts[0].normal_multiplier, 0);
+}
+
 // Attachments are the last of a body's contacts, and leave half of the body to the others.
 TEST(BodyKernels, TiesStandApartAndLeaveHalfOfTheBody) {
   Bench bench;
@@ -216,7 +255,7 @@ TEST(BodyKernels, TiesStandApartAndLeaveHalfOfTheBody) {
   const uint32_t expected[2][4] = {{0, 2, 2, 4}, {4, 5, 5, 5}};
   for (int b = 0; b < 2; ++b) {
     const BodyProxy& body = bench.bodies[b];
-    const uint32_t found[] = {body.first, body.two_sided, body.attached, body.end};
+    const uint32_t found[] = {body.first, body.unyielding, body.attached, body.end};
     EXPECT_TRUE(std::equal(found, found + 4, expected[b])) << b;
   }
   EXPECT_EQ(bench.contacts[0].body_inverse_mass, 7);
