@@ -33,9 +33,9 @@ ClothMesh make_sheet(float width, float depth, uint32_t columns, uint32_t rows);
 
 /// Throws Error(mesh) that names the first vertex, triangle or edge at fault. A mesh must have triangles.
 /// Each vertex must be finite and used by a triangle, and each index in range. The height of a triangle must
-/// be above 10⁻⁶ of its longest edge. No two triangles may have the same three vertices, and no edge more
-/// than two triangles. Material coordinates, if any, must be one per vertex, finite, and give a direction in
-/// each triangle.
+/// be at least build_tuning::least_height of its longest edge. No two triangles may have the same three
+/// vertices, and no edge more than two triangles. Material coordinates, if any, must be one per vertex,
+/// finite, and give a direction in each triangle.
 void check_mesh(const ClothMesh& mesh);
 
 /// Orients triangles so that neighbours face the same side. Each connected part takes the side of its first

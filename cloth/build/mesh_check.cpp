@@ -12,14 +12,15 @@
 #include "cloth/build/cloth_mesh.h"
 #include "cloth/build/rest_geometry.h"
 #include "cloth/build/topology.h"
+#include "cloth/build/tuning.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::cloth {
 
 namespace {
 
-// The least ratio of a triangle's height to its longest edge. Below it, a normal in floats is meaningless.
-constexpr double least_height = 1e-6;
+// The ratio of a triangle's height to its longest edge below which its corners lie on a line, to rounding.
+constexpr double no_area = 1e-6;
 
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
@@ -61,16 +62,37 @@ void check_indices(const ClothMesh& mesh) {
   if (idle != used.end()) refuse("vertex ", idle - used.begin(), " of a cloth mesh is in no triangle");
 }
 
-bool has_area(const ClothMesh& mesh, const std::array<uint32_t, 3>& t) {
-  const Eigen::Vector3d a = to_double(mesh.vertices[t[0]]);
-  const Eigen::Vector3d ab = to_double(mesh.vertices[t[1]]) - a, ac = to_double(mesh.vertices[t[2]]) - a;
-  const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
-  return ab.cross(ac).norm() > least_height * longest;
+// The height of a triangle over its longest edge, and its shortest edge, which starts at a corner.
+struct Proportions {
+  double height, longest, shortest;
+  size_t corner;
+};
+
+Proportions proportions(const ClothMesh& mesh, const std::array<uint32_t, 3>& t) {
+  Eigen::Vector3d x[3];
+  for (size_t k = 0; k < 3; ++k) x[k] = to_double(mesh.vertices[t[k]]);
+  double lengths[3];
+  for (size_t k = 0; k < 3; ++k) lengths[k] = (x[(k + 1) % 3] - x[k]).norm();
+  const auto [shortest, longest] = std::minmax_element(lengths, lengths + 3);
+  const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
+  return {*longest > 0 ? twice_area / *longest : 0, *longest, *shortest,
+          static_cast<size_t>(shortest - lengths)};
+}
+
+void check_area(const ClothMesh& mesh, uint32_t t) {
+  const std::array<uint32_t, 3>& corners = mesh.triangles[t];
+  const Proportions p = proportions(mesh, corners);
+  if (p.height <= no_area * p.longest) refuse("triangle ", t, " of a cloth mesh has no area");
+  if (p.height >= build_tuning::least_height * p.longest) return;
+  refuse("triangle ", t, " of a cloth mesh is ", p.height, " m high over an edge of ", p.longest,
+         " m; its height must be at least ", build_tuning::least_height,
+         " of that. Its shortest edge, between the vertices ", corners[p.corner], " and ",
+         corners[(p.corner + 1) % 3], ", is ", p.shortest, " m long");
 }
 
 void check_triangles(const ClothMesh& mesh) {
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!has_area(mesh, mesh.triangles[t])) refuse("triangle ", t, " of a cloth mesh has no area");
+    check_area(mesh, t);
     if (triangle_at_rest(mesh, t).warp.isZero()) {
       refuse("the material coordinates of triangle ", t, " of a cloth mesh lie on a line");
     }

@@ -86,6 +86,7 @@ template <class V>
 void fields(V& v, ClothFile& d) {
   v("file", d.file, required(any_value), "", mesh_file_text);
   v("scale", d.scale, positive, "m", "length of a unit of the file");
+  v("weld", d.weld, between(0, 0.1), "", "in mean edges: vertices no further apart are merged");
 }
 
 template <class V>

@@ -64,6 +64,10 @@ std::span<const uint32_t> World::cloth_triangles(ClothId id) const {
   return {triangles.front().data(), 3 * triangles.size()};
 }
 
+uint32_t World::cloth_welded_vertices(ClothId id) const {
+  return impl_->cloths.get(id).welded;
+}
+
 std::span<const float> World::cloth_strains(ClothId id) const {
   impl_->fetch_cloth();
   ClothEntry& entry = impl_->cloths.edit(id);

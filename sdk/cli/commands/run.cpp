@@ -108,6 +108,7 @@ class Run {
                     .ropes = io::rope_frame_of(world, built_.ropes, scene_.ropes),
                     .liquid = {},
                     .cloths = {},
+                    .welded = {},
                     .tears = tears(),
                     .attachment_forces = {}};
     std::vector<std::size_t> counts(built_.fluids.size());
@@ -120,6 +121,7 @@ class Run {
     for (const ProbeId probe : built_.probes) now.probes.push_back(world.probe(probe));
     for (const ClothId cloth : built_.cloths) {
       now.cloths.push_back(world.cloth_state(cloth));
+      now.welded.push_back(world.cloth_welded_vertices(cloth));
       now.mass += double{now.cloths.back().mass};
     }
     now.mass += rope_mass_;

@@ -45,6 +45,7 @@ void ClothRecord::start(const FrameSample& sample) {
   forces_ = sample.attachment_forces;
   vertices_ = sample.cloth.vertex_counts();
   triangles_ = sample.cloth.triangle_counts();
+  welded_ = sample.welded;
 }
 
 void ClothRecord::add(const FrameSample& sample) {
@@ -53,6 +54,7 @@ void ClothRecord::add(const FrameSample& sample) {
   forces_ = sample.attachment_forces;
   vertices_ = sample.cloth.vertex_counts();
   triangles_ = sample.cloth.triangle_counts();
+  welded_ = sample.welded;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     max_stretch_[i] = std::max(max_stretch_[i], states_[i].max_stretch);
     tears_[i] += sample.tears.at(i);
@@ -97,6 +99,7 @@ json ClothRecord::cloths() const {
                     {"area_m2", s.area},
                     {"vertices", vertices_[i]},
                     {"triangles", triangles_[i]},
+                    {"welded_vertices", welded_.at(i)},
                     {"mean_stretch", s.mean_stretch},
                     {"max_stretch", s.max_stretch},
                     {"max_stretch_of_run", max_stretch_[i]},

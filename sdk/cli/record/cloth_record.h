@@ -48,6 +48,7 @@ class ClothRecord {
   // Of the last frame.
   std::vector<ClothState> states_;
   std::vector<std::size_t> vertices_, triangles_;
+  std::vector<uint32_t> welded_;
   std::vector<double> lengths_;  // m, of the ropes
   std::vector<Vec3> forces_;
 

@@ -97,6 +97,9 @@ std::string cloth_line(const json& cloth) {
              text_of(cloth, "name"), count(cloth, "vertices"), count(cloth, "triangles"),
              number(cloth, "mass_kg"), 100 * number(cloth, "mean_stretch"),
              100 * (number(cloth, "max_stretch") - 1)) +
+         (count(cloth, "welded_vertices") > 0
+              ? fmt::format("; {} vertices welded", count(cloth, "welded_vertices"))
+              : "") +
          (count(cloth, "tears") > 0 ? fmt::format("; {} tears", count(cloth, "tears")) : "");
 }
 

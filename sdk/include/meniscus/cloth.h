@@ -69,13 +69,16 @@ struct SheetGeometry {
   int rows = 33;
 };
 
-/// Any triangles, from a file that assimp reads. Vertices at the same position are merged.
+/// Any triangles, from a file that assimp reads. Vertices at the same position are merged, and then those
+/// within `weld`. Numbers of vertices are those after that.
 struct ClothFile {
   std::string file;
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
+  /// Mean edges, 0 to 0.1: vertices no further apart are merged. World::cloth_welded_vertices counts them.
+  float weld = 1e-3f;
 };
 
-/// Any triangles. An edge has at most two.
+/// Any triangles. An edge has at most two. Vertices keep their numbers, and none are merged.
 struct ClothTriangles {
   std::vector<Vec3> vertices;       ///< m, at rest; at least 3
   std::vector<uint32_t> triangles;  ///< three numbers each; at least one triangle

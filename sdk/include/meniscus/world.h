@@ -125,7 +125,9 @@ class World {
   /// Unit, one a vertex: the mean over its triangles with the weights of Max (1999), exact on a ball.
   std::span<const Vec3> cloth_normals(ClothId id) const;
   std::span<const uint32_t> cloth_triangles(ClothId id) const;  ///< three vertices each
-  std::span<const float> cloth_strains(ClothId id) const;       ///< largest principal strain of each triangle
+  /// How many vertices of its file were merged into others (ClothFile::weld).
+  uint32_t cloth_welded_vertices(ClothId id) const;
+  std::span<const float> cloth_strains(ClothId id) const;  ///< largest principal strain of each triangle
   /// For each vertex: the fluid that it holds over FabricDef::absorbency, or 0 if that is 0.
   std::span<const float> cloth_wetness(ClothId id) const;
   ClothState cloth_state(ClothId id) const;

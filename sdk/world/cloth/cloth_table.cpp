@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "cloth/build/tethers.h"
+#include "cloth/build/weld.h"
 #include "collision/mesh/mesh.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/cloth/cloth_shapes.h"
@@ -38,6 +39,13 @@ struct MakeMesh {
   cloth::ClothMesh operator()(const ClothSphere& g) const { return sphere_mesh(g); }
   cloth::ClothMesh operator()(const ClothTube& g) const { return tube_mesh(g); }
 };
+
+/// Merges vertices of a file that are too near to one another. Other geometry keeps its numbers.
+uint32_t weld_file(const ClothGeometry& geometry, cloth::ClothMesh& mesh) {
+  const auto* file = std::get_if<ClothFile>(&geometry);
+  if (!file || mesh.triangles.empty()) return 0;
+  return cloth::weld(mesh, double{file->weld} * mean_edge(mesh));
+}
 
 cloth::FabricParameters parameters(const FabricDef& f) {
   return {f.density,
@@ -116,6 +124,7 @@ ClothEntry make_cloth(const ClothDef& def) {
   ClothEntry entry;
   entry.def = def;
   entry.mesh = std::visit(MakeMesh{}, def.geometry);
+  entry.welded = weld_file(def.geometry, entry.mesh);
   cloth::check_mesh(entry.mesh);
   cloth::orient_triangles(entry.mesh);
   entry.closed = cloth::is_closed(entry.mesh);

@@ -57,6 +57,7 @@ struct ClothEntry {
   float thickness = 0;  ///< m
   bool closed = false;
   float rest_volume = 0;               ///< m³, of a closed piece
+  uint32_t welded = 0;                 ///< vertices of a file that were merged into others
   std::vector<uint32_t> held;          ///< vertices for which the tethers were found
   std::vector<cloth::Tether> tethers;  ///< numbered within the piece
   std::vector<Vec3> normals;           ///< of the latest state, computed on request

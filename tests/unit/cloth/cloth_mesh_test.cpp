@@ -128,10 +128,24 @@ TEST(ClothMesh, ACheckNamesTheFault) {
 }
 
 TEST(ClothMesh, NarrowTrianglesAreTaken) {
-  ClothMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-5f, 0}}, {{0, 1, 2}}, {}};
+  ClothMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-3f, 0}}, {{0, 1, 2}}, {}};
   check_mesh(mesh);
   mesh.vertices[2].y = 1e-7f;
-  expect_error(ErrorCode::mesh, "triangle 0", [&] { check_mesh(mesh); });
+  expect_error(ErrorCode::mesh, "triangle 0 of a cloth mesh has no area", [&] { check_mesh(mesh); });
+}
+
+TEST(ClothMesh, AThinTriangleIsRefusedByItsEdge) {
+  // A seam 4 µm wide between triangles of 0.1 m.
+  ClothMesh mesh{{{0.1f, 0, 0.1f}, {0, 0, 0}, {0, 0, 0.1f}, {4e-6f, 0, 0}}, {{2, 3, 0}, {1, 3, 2}}, {}};
+  expect_error(ErrorCode::mesh, "triangle 1 of a cloth mesh is 4e-06 m high over an edge of 0.1 m",
+               [&] { check_mesh(mesh); });
+  expect_error(ErrorCode::mesh, "shortest edge, between the vertices 1 and 3, is 4e-06 m long",
+               [&] { check_mesh(mesh); });
+  mesh.vertices[3].x = 1e-4f;
+  check_mesh(mesh);
+  // A cap is as thin, without a short edge.
+  mesh = {{{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-5f, 0}}, {{0, 1, 2}}, {}};
+  expect_error(ErrorCode::mesh, "triangle 0 of a cloth mesh is 1e-05 m high", [&] { check_mesh(mesh); });
 }
 
 TEST(ClothMesh, OrientingMakesNeighboursAgree) {

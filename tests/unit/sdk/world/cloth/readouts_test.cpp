@@ -155,6 +155,22 @@ TEST_P(ClothReadoutTest, AFileIsWelded) {
   EXPECT_NEAR(world_.cloth_state(id).volume, 0.006f, 1e-6f);
 }
 
+TEST_P(ClothReadoutTest, ASeamOfAFileIsWeldedAndCounted) {
+  const TemporaryFolder folder;
+  const char* seam =
+      "v 0 0 0\nv 0.1 0 0\nv 0.100004 0 0\nv 0.2 0 0\nv 0 0 0.1\nv 0.1 0 0.1\nv 0.100004 0 0.1\nv 0.2 0 0.1\n"
+      "f 1 5 6\nf 1 6 2\nf 2 6 7\nf 2 7 3\nf 3 7 8\nf 3 8 4\n";
+  ClothDef def;
+  ClothFile file{folder.write("seam.obj", seam), 1};
+  def.geometry = file;
+  const ClothId id = world_.create_cloth(def);
+  expect_sizes(id, 6, 4);
+  EXPECT_EQ(world_.cloth_welded_vertices(id), 2u);
+  file.weld = 0;
+  def.geometry = file;
+  expect_error(ErrorCode::mesh, "of a cloth mesh is 4", [&] { world_.create_cloth(def); });
+}
+
 TEST_P(ClothReadoutTest, RopesHaveVerticesAndRodsFrames) {
   RopeDef line = rope({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 8), rod = line;
   rod.bends_and_twists = true;
