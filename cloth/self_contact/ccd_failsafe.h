@@ -20,10 +20,17 @@ struct Contain {
   View<Vec4> foreseen;  // afterwards: see RolledBack
   View<Vec4> position, accumulated_delta;
   View<float> strayed;
+  OwnMotion own_motion;
   View<uint32_t> counters;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v == 0) grow_old();
+    contain(v);
+    own_motion.begin(v, position[v]);
+  }
+
+ private:
+  MENISCUS_HD void contain(uint32_t v) const {
     if (vertex_piece[v] == no_index) return;
     const Vec4 x = position[v], ahead = foreseen[v];
     const Vec3 from = previous[v].xyz(), to = ahead.xyz();
@@ -39,8 +46,6 @@ struct Contain {
     position[v] = pbd::with_w(inside, x.w);
     accumulated_delta[v] = pbd::shifted(accumulated_delta[v], inside - x.xyz());
   }
-
- private:
   /// Expired lists have been made again.
   MENISCUS_HD void grow_old() const {
     counters[age] = counters[expired] != 0 ? 1 : counters[age] + 1;
@@ -151,6 +156,7 @@ struct FindCrossings {
   View<const FeatureCode> candidate_list;
   SheetViews sheets;
   ImpactZones impact_zones;
+  OwnMotion own_motion;
   Folds folds;
   uint32_t round, stride;
   /// m: a pair that is nearer than this hardly comes nearer still. A pair that is nearer than a tenth of it
@@ -225,16 +231,21 @@ struct FindCrossings {
   }
   MENISCUS_HD void check(const Corners& corners) const {
     const FeaturePair pair = pair_of(corners);
-    const float motion = relative_motion(pair), distance = nearest(pair, 0).distance;
+    const float motion = relative_motion(pair);
+    const Nearest at_start = nearest(pair, 0);
+    const float distance = at_start.distance;
     if (motion == 0 || distance <= 0) return;
     const bool nearly_lost = distance < self_contact_tuning::nearly_lost * least;
     const float gap = nearly_lost ? self_contact_tuning::lost_gap * distance
                                   : pbd::min(self_contact_tuning::gap * distance, least);
+    own_motion.part(corners, pair, cloth.previous, at_start, gap);
     const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
     if (nothing_moves(corners)) return;
     pbd::atomic_add(folds.counters[crossings + round], 1);
-    impact_zones.unite(corners, round, nearly_lost || motion < rounding(corners));
+    const bool holds = nearly_lost || motion < rounding(corners) || have_parted(corners);
+    if (holds) own_motion.hold(corners);
+    impact_zones.unite(corners, round, holds);
   }
 
   /// Whether a vertex has moved in the last round.
@@ -242,6 +253,12 @@ struct FindCrossings {
     for (uint32_t k = 0; k < 4; ++k)
       if (impact_zones.has_moved(corners.vertex(k), round)) return true;
     return false;
+  }
+  /// Whether all four have been moved by their own motion. Where they still meet, it is by rounding.
+  MENISCUS_HD bool have_parted(const Corners& corners) const {
+    for (uint32_t k = 0; k < 4; ++k)
+      if (!impact_zones.has_parted(corners.vertex(k))) return false;
+    return true;
   }
   MENISCUS_HD bool nothing_moves(const Corners& corners) const {
     for (uint32_t k = 0; k < 4; ++k)

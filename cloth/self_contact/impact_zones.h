@@ -4,6 +4,7 @@
 // Impact zones: vertices that would pass through one another share one motion.
 #pragma once
 
+#include "cloth/self_contact/own_motion.h"
 #include "cloth/self_contact/solve.h"
 #include "cloth/self_contact/tuning.h"
 #include "pbd/union_find.h"
@@ -17,7 +18,8 @@ struct ImpactZones {
   View<uint32_t> label;
   /// By vertex; 0 for a vertex in no zone. Bits 0 to 7: the last round, counted from 1, in which the zone was
   /// found to need a new motion. Bits 8 to 15: the last round in which the vertex moved with its zone. The
-  /// bit `stopped` marks a vertex that could not move with it.
+  /// bit `stopped` marks a vertex that could not move with it. The bit `parted` marks one that has made its
+  /// own motion.
   View<uint32_t> mark;
   /// By zone, at the vertex that names it: the vertex that determines the motion of the zone, if any.
   View<uint32_t> anchor;
@@ -25,12 +27,13 @@ struct ImpactZones {
   PushSums momentum;   // likewise, kg·m
   float mass_unit;     // kg
 
-  static constexpr uint32_t stopped = 1u << 31, a_round = 0xff, moved_shift = 8;
-  /// Anchors: none; the positions at the start of the substep; else, minus 1, a vertex that nothing moves.
-  static constexpr uint32_t itself = no_index, the_start = 0;
+  static constexpr uint32_t stopped = 1u << 31, parted = 1u << 30, a_round = 0xff, moved_shift = 8;
+  /// Anchors: none; each vertex's own motion; else, minus 1, a vertex that nothing moves.
+  static constexpr uint32_t itself = no_index, own = 0;
 
   MENISCUS_HD uint32_t name(uint32_t v) const { return pbd::UnionFind{label}.name(v); }
   MENISCUS_HD uint32_t mark_of(uint32_t v) const { return pbd::atomic_load(mark[v]); }
+  MENISCUS_HD bool has_parted(uint32_t v) const { return (mark_of(v) & parted) != 0; }
   MENISCUS_HD static bool is_stopped(uint32_t mark) { return (mark & stopped) != 0; }
   /// Whether a vertex with this mark was found to need a new motion in this round.
   MENISCUS_HD static bool is_needed(uint32_t mark, uint32_t round) { return (mark & a_round) == round + 1; }
@@ -55,12 +58,12 @@ struct ImpactZones {
     mass[v] = 0;
   }
 
-  /// From now on these vertices move together. With `stop`, they do not move at all.
+  /// From now on these vertices move together. With `stop`, their zone stops.
   MENISCUS_HD void unite(const Corners& corners, uint32_t round, bool stop) const {
     for (uint32_t k = 0; k < 4; ++k) {
       const uint32_t v = corners.vertex(k);
       need(v, round);
-      if (stop) pbd::atomic_min(anchor[v], the_start);
+      if (stop) pbd::atomic_min(anchor[v], own);
       if (k > 0) pbd::UnionFind{label}.unite(corners.vertex(0), v);
     }
   }
@@ -81,7 +84,7 @@ struct GatherImpactZones {
     const bool stopped = ImpactZones::is_stopped(mark);
     if (stopped || ImpactZones::is_needed(mark, round)) impact_zones.need(name, round);
     const Vec4 x = position[v];
-    const uint32_t anchor = stopped ? ImpactZones::the_start : x.w == 0 ? v + 1 : ImpactZones::itself;
+    const uint32_t anchor = stopped ? ImpactZones::own : x.w == 0 ? v + 1 : ImpactZones::itself;
     pbd::atomic_min(impact_zones.anchor[name], anchor);
     if (v != name) pbd::atomic_min(impact_zones.anchor[name], impact_zones.anchor[v]);
     if (x.w == 0) return;
@@ -129,14 +132,16 @@ struct PieceSums {
 };
 
 /// Moves vertices with their zones, inside the place that was searched. A zone that would have to leave it
-/// stops in the next round. So does a zone that would enter a solid. If the last available round still finds
-/// a pair, all vertices return to their positions at the start of the substep.
+/// stops in the next round. So does a zone that would enter a solid. Its vertices then move by their own
+/// motion. If the last available round still finds a pair, all vertices return to their positions at the
+/// start of the substep.
 struct MoveImpactZones {
   ClothState cloth;
   pbd::ContactView contacts;               // of all particles
   uint32_t sorted;                         // see ParticleView
   View<Vec4> position, accumulated_delta;  // by vertex
   ImpactZones impact_zones;
+  OwnMotion own_motion;
   RolledBack taken;
   View<uint32_t> counters;
   uint32_t round;
@@ -150,20 +155,24 @@ struct MoveImpactZones {
     if (!last && !ImpactZones::is_needed(of_name, round) && !ImpactZones::is_stopped(of_name)) return;
     const Vec4 x = position[v];
     if (x.w == 0) return;
-    const bool stays = last || impact_zones.anchor[name] == ImpactZones::the_start;
+    const bool is_own = last || impact_zones.anchor[name] == ImpactZones::own;
     // Computed with displacements, not positions: the rounding of positions would lose momentum.
     const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
-    const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
-    const Vec3 inside = cloth.kept.inside(v, to);
-    const bool leaves = inside != to, stops = leaves || (!stays && enters_solid(v, from, to));
+    const Vec3 wanted = last ? Vec3{0, 0, 0} : is_own ? own_motion.displacement(v, from) : motion_of(name);
+    const Vec3 to = from + wanted;
+    // A vertex's own motion ends inside, as that of the solve does.
+    const Vec3 inside = is_own ? to : cloth.kept.inside(v, to);
+    const bool leaves = inside != to, stops = leaves || (!is_own && enters_solid(v, from, to));
     const Vec3 displacement = leaves ? inside - from : wanted;
-    // In a zone that stays, each vertex loses its fraction of the whole momentum, as if the zone had moved
+    // In a stopped zone, each vertex loses its fraction of the whole momentum, as if the zone had moved
     // on.
-    const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
+    const Vec3 due = !is_own ? wanted : mark == 0 ? now : mean_motion(name);
     if (due != displacement) taken.add(v, due - displacement);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
+    constexpr uint32_t kept = ImpactZones::stopped | ImpactZones::parted;
     pbd::atomic_store(impact_zones.mark[v], (round + 1) << ImpactZones::moved_shift | (round + 1) |
-                                                (stops ? ImpactZones::stopped : mark & ImpactZones::stopped));
+                                                (mark & kept) | (stops ? ImpactZones::stopped : 0) |
+                                                (is_own ? ImpactZones::parted : 0));
     position[v] = pbd::with_w(inside, x.w);
     accumulated_delta[v] = pbd::shifted(accumulated_delta[v], displacement - now);
   }

@@ -103,6 +103,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::SheetViews sheets();
   self_contact_kernels::ImpactZones impact_zones();
+  self_contact_kernels::OwnMotion own_motion();
   self_contact_kernels::PieceSums piece_sums();
   self_contact_kernels::Folds folds();
   self_contact_kernels::ContactList list();
@@ -133,6 +134,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> impact_zone_label_{device_, "cloth zones"}, impact_zone_mark_{device_, "cloth zones"},
       impact_zone_anchor_{device_, "cloth zones"};
   pbd::Buffer<int64_t> impact_zone_mass_{device_, "cloth zones"};
+  pbd::Buffer<pbd::Vec4> solved_{device_, "solved cloth"};
+  pbd::Buffer<uint32_t> safe_fraction_{device_, "solved cloth"};
   pbd::Buffer<int64_t> piece_sums_{device_, "momentum of cloth rolled back"};
   pbd::Buffer<uint32_t> rough_{device_, "cloth group flags"}, smooth_{device_, "cloth group flags"};
   pbd::Buffer<uint32_t> fold_state_{device_, "cloth folds"}, fold_noted_{device_, "cloth folds"},

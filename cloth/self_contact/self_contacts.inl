@@ -122,6 +122,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                position,
                                accumulated_delta,
                                strayed_.view(),
+                               own_motion(),
                                counters_.view()});
   const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_);
   const uint32_t blocks = std::min(most, most_threads) / threads_together + 1;
@@ -130,7 +131,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                 FindFolds{cloth(substep), sheets(), impact_zones(), folds(), round});
     device_.parallel_for_groups("self contacts/crossings", blocks,
                                 FindCrossings{cloth(substep), candidates_.view(), sheets(), impact_zones(),
-                                              folds(), round, blocks, least_distance_});
+                                              own_motion(), folds(), round, blocks, least_distance_});
     device_.parallel_for("self contacts/zones", vertices_,
                          GatherImpactZones{previous, position, impact_zones(), counters_.view(), round});
     device_.parallel_for("self contacts/move zones", vertices_,
@@ -140,6 +141,7 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                          position,
                                          accumulated_delta,
                                          impact_zones(),
+                                         own_motion(),
                                          {foreseen_.view(), counters_.view()},
                                          counters_.view(),
                                          round});
@@ -235,6 +237,8 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   foreseen_.resize_discard(vertices_);
   for (pbd::Buffer<uint32_t>* buffer : {&impact_zone_label_, &impact_zone_mark_, &impact_zone_anchor_})
     buffer->resize_discard(vertices_);
+  solved_.resize_discard(vertices_);
+  safe_fraction_.resize_discard(vertices_);
   impact_zone_mark_.fill(0);
   impact_zone_mass_.resize_discard(vertices_);
   impact_zone_mass_.fill(0);
@@ -332,6 +336,11 @@ self_contact_kernels::ImpactZones SelfContacts<D>::impact_zones() {
           impact_zone_mass_.view(),
           {push_sums_.view(), coarser * unit_},
           coarser * unit_};
+}
+
+template <class D>
+self_contact_kernels::OwnMotion SelfContacts<D>::own_motion() {
+  return {solved_.view(), safe_fraction_.view()};
 }
 
 template <class D>

@@ -186,7 +186,9 @@ TEST_P(SelfContactTest, NothingGoesThroughHoweverFast) {
     for (int n = 0; n < 2; ++n) {
       b->step(5 * substep);
       EXPECT_EQ(intersections(*b, c), 0u) << thicknesses << " thicknesses a substep";
-      expect_in_order(b->positions(), 81, thicknesses);
+      EXPECT_EQ(b->given_up(), 0u) << thicknesses << " thicknesses a substep";
+      // Faster sheets crumple to bundles of upright folds.
+      if (thicknesses < 20) expect_in_order(b->positions(), 81, thicknesses);
     }
   }
 }
