@@ -53,7 +53,8 @@ const Edges folders{
     {"cloth/rods", {"cloth/solve"}},
     {"cloth/self_contact", {}},
 
-    {"collision/mesh", {}},
+    {"collision/mesh/file", {}},
+    {"collision/mesh", {"collision/mesh/file"}},
     {"collision/sdf", {"collision/mesh"}},
     {"collision/contact", {"collision/mesh", "collision/sdf"}},
     {"collision/rigid", {"collision/mesh"}},
