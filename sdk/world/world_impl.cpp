@@ -5,7 +5,6 @@
 #include "sdk/world/world_impl.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <sstream>
 
@@ -63,11 +62,6 @@ void check_room(size_t present, double added, std::string_view emitter) {
   if (!emitter.empty()) why << ", most of them by the emitter \"" << emitter << "\"";
   why << ". A wider particle_spacing needs fewer";
   throw Error(ErrorCode::capacity, why.str());
-}
-
-uint32_t World::Impl::next_first_generation() {
-  static std::atomic<uint32_t> worlds{0};
-  return ++worlds << 16;
 }
 
 World::Impl::Impl(const WorldDef& world_def)

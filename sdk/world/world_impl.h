@@ -51,9 +51,6 @@ struct BodyEntry {
 struct World::Impl {
   explicit Impl(const WorldDef& world_def);
 
-  /// The first generation of this world's ids, far from that of any other world of this process.
-  static uint32_t next_first_generation();
-
   EngineDef engine_def();
   void set_materials();
   FluidId create_material(const ParticleMaterial& material);
@@ -122,7 +119,8 @@ struct World::Impl {
   double time = 0;
   float last_substep = 0;
 
-  const uint32_t first_generation = next_first_generation();
+  const WorldNumber world_number;
+  const uint32_t first_generation = world_number.first_generation();
   IdTable<FluidId, ParticleMaterial> fluids{"fluid", first_generation};  // and granular materials
   IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
   IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
