@@ -1,31 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Loads meshes, with assimp.
+// Loads meshes: reads, cleans and checks them.
 #include "collision/mesh/mesh.h"
 
 #include <meniscus/error.h>
 
-#include <assimp/material.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-#include <assimp/Importer.hpp>
 #include <cmath>
-#include <filesystem>
-#include <limits>
 #include <sstream>
 #include <utility>
 
 #include "collision/mesh/clean.h"
 #include "collision/mesh/defects.h"
+#include "collision/mesh/file/defect.h"
 #include "collision/mesh/orient.h"
+#include "collision/mesh/soup.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::collision {
 
 namespace {
 
-constexpr size_t most_vertices = std::numeric_limits<uint32_t>::max();
 // Bounds of the size, m, for which products of six lengths are well within the range of float.
 constexpr float smallest_size = 1e-6f, largest_size = 1e6f;
 
@@ -33,97 +28,10 @@ constexpr float smallest_size = 1e-6f, largest_size = 1e6f;
   throw Error(code, "mesh file '" + path + "' " + why);
 }
 
-void check_arguments(const std::string& path, float scale) {
-  if (!(scale > 0) || !std::isfinite(scale)) {
-    throw Error(ErrorCode::invalid_argument, "scale of mesh file '" + path + "' is " + std::to_string(scale) +
-                                                 ": it must be a positive number of metres a file unit");
-  }
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(path, status))
-    refuse(ErrorCode::io, path, "is not there, or is not a file");
-  if (std::filesystem::file_size(path, status) == 0) refuse(ErrorCode::mesh, path, "is empty");
-}
-
-// An FBX file states its unit in centimetres.
-double metres_a_unit(const aiScene& scene) {
-  double centimetres = 0;
-  float single = 0;
-  if (!scene.mMetaData) return 1;
-  if (scene.mMetaData->Get("UnitScaleFactor", single)) centimetres = single;
-  scene.mMetaData->Get("UnitScaleFactor", centimetres);
-  return centimetres > 0 ? 0.01 * centimetres : 1;
-}
-
-// A mesh that several nodes refer to appears several times.
-struct PlacedNode {
-  const aiNode* node;
-  aiMatrix4x4 to_world;
-};
-
-// Parents before children. Iterative and not recursive, because the file determines the depth.
-std::vector<PlacedNode> placed_nodes(const aiScene& scene) {
-  std::vector<PlacedNode> nodes;
-  if (scene.mRootNode) nodes.push_back({scene.mRootNode, scene.mRootNode->mTransformation});
-  for (size_t i = 0; i < nodes.size(); ++i) {
-    const PlacedNode parent = nodes[i];
-    for (unsigned c = 0; c < parent.node->mNumChildren; ++c) {
-      const aiNode* child = parent.node->mChildren[c];
-      nodes.push_back({child, parent.to_world * child->mTransformation});
-    }
-  }
-  return nodes;
-}
-
-void append_vertices(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& to_world, float scale,
-                     const std::string& path) {
-  if (soup.vertices.size() + part.mNumVertices > most_vertices) {
-    refuse(ErrorCode::mesh, path, "has more than " + std::to_string(most_vertices) + " vertices");
-  }
-  for (unsigned v = 0; v < part.mNumVertices; ++v) {
-    const aiVector3D p = to_world * part.mVertices[v];
-    const Vec3 vertex = scale * Vec3{p.x, p.y, p.z};
-    if (!is_finite(vertex)) {
-      refuse(ErrorCode::mesh, path,
-             "has a vertex that is not finite: number " + std::to_string(v) + " of its part '" +
-                 part.mName.C_Str() + "', at scale " + std::to_string(scale));
-    }
-    soup.vertices.push_back(vertex);
-  }
-}
-
-// The colour of a material; none for the default material that assimp adds to files without materials.
-std::optional<Vec3> color_of(const aiMaterial& material) {
-  aiString name;
-  if (material.Get(AI_MATKEY_NAME, name) != aiReturn_SUCCESS || name.length == 0) return {};
-  if (name == aiString(AI_DEFAULT_MATERIAL_NAME)) return {};
-  aiColor4D color;
-  if (material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS &&
-      material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != aiReturn_SUCCESS)
-    return {};
-  const Vec3 rgb{color.r, color.g, color.b};
-  if (!is_finite(rgb)) return {};
-  return min(max(rgb, {0, 0, 0}), {1, 1, 1});
-}
-
-void append_part(PaintedMesh& all, const aiMesh& part, std::optional<Vec3> color, const aiMatrix4x4& to_world,
-                 float scale, const std::string& path) {
-  TriangleMesh& soup = all.mesh;
-  const auto first = static_cast<uint32_t>(soup.vertices.size());
-  append_vertices(soup, part, to_world, scale, path);
-  const bool mirrored = to_world.Determinant() < 0;  // a reflection, which would invert the orientation
-  for (unsigned f = 0; f < part.mNumFaces; ++f) {
-    const aiFace& face = part.mFaces[f];
-    if (face.mNumIndices != 3) continue;  // a point or a line
-    std::array<uint32_t, 3> corners{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
-    for (uint32_t& corner : corners) {
-      if (corner >= part.mNumVertices)
-        refuse(ErrorCode::mesh, path, "has a face that names a vertex it lacks");
-      corner += first;
-    }
-    if (mirrored) std::swap(corners[1], corners[2]);
-    soup.triangles.push_back(corners);
-    all.colors.push_back(color);
-  }
+void check_scale(const std::string& path, float scale) {
+  if (scale > 0 && std::isfinite(scale)) return;
+  throw Error(ErrorCode::invalid_argument, "scale of mesh file '" + path + "' is " + std::to_string(scale) +
+                                               ": it must be a positive number of metres a file unit");
 }
 
 void check_size(const TriangleMesh& mesh, const std::string& path) {
@@ -137,20 +45,12 @@ void check_size(const TriangleMesh& mesh, const std::string& path) {
 }
 
 PaintedMesh read_triangles(const std::string& path, float scale) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
-  if (!scene) refuse(ErrorCode::io, path, std::string("cannot be read: ") + importer.GetErrorString());
-  const auto metres = static_cast<float>(scale * metres_a_unit(*scene));
-  PaintedMesh soup;
-  for (const PlacedNode& placed : placed_nodes(*scene)) {
-    for (unsigned m = 0; m < placed.node->mNumMeshes; ++m) {
-      const aiMesh& part = *scene->mMeshes[placed.node->mMeshes[m]];
-      const bool has_material = part.mMaterialIndex < scene->mNumMaterials;
-      append_part(soup, part, has_material ? color_of(*scene->mMaterials[part.mMaterialIndex]) : std::nullopt,
-                  placed.to_world, metres, path);
-    }
+  check_scale(path, scale);
+  try {
+    return read_soup(path, scale);
+  } catch (const FileDefect& defect) {
+    refuse(ErrorCode::mesh, path, defect.what());
   }
-  return soup;
 }
 
 CleanedMesh cleaned(const TriangleMesh& soup, const std::string& path) {
@@ -162,7 +62,6 @@ CleanedMesh cleaned(const TriangleMesh& soup, const std::string& path) {
 }
 
 CleanedMesh load(const std::string& path, float scale) {
-  check_arguments(path, scale);
   return cleaned(read_triangles(path, scale).mesh, path);
 }
 
@@ -195,7 +94,6 @@ TriangleMesh load_solid(const std::string& path, float scale) {
 }
 
 PaintedMesh load_painted_mesh(const std::string& path, float scale) {
-  check_arguments(path, scale);
   const PaintedMesh soup = read_triangles(path, scale);
   CleanedMesh clean = cleaned(soup.mesh, path);
   PaintedMesh painted{std::move(clean.mesh), {}};

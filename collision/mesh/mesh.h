@@ -20,13 +20,14 @@ struct TriangleMesh {
   std::vector<std::array<uint32_t, 3>> triangles;
 };
 
-/// Reads any file that assimp supports and makes one clean mesh of all its contents (see clean_mesh). Node
+/// Reads a file and makes one clean mesh of all its contents (see clean_mesh). Formats are OBJ, PLY, STL,
+/// glTF, FBX, Collada and 3DS, by their extensions (see file/format.h). Node
 /// transforms are applied, polygons are triangulated, points and lines are skipped, and faces are turned
 /// outwards (see orient_faces). The mesh may have holes. `scale` is in metres per file unit. For a format
 /// that states its unit, as FBX does, it is in metres per metre. Axes stay as in the file. Throws Error(io)
-/// for a file that is missing or invalid. Throws Error(mesh) for one without a triangle, with a vertex that
-/// is not finite, or of a size outside 1e-6 to 1e6 m. Throws Error(invalid_argument) for a scale that is not
-/// positive.
+/// for a file that is missing or cannot be read. Throws Error(mesh) for one that is not valid or not of
+/// these formats, without a triangle, with a vertex that is not finite, or of a size outside 1e-6 to 1e6 m.
+/// Throws Error(invalid_argument) for a scale that is not positive.
 TriangleMesh load_mesh(const std::string& path, float scale = 1.0f);
 
 /// The same for a mesh that must bound a solid. Also throws Error(mesh) where it does not (see find_defects).

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "pbd/device/start_thread.h"
+
 namespace meniscus::pbd {
 
 SideThread::~SideThread() {
@@ -19,11 +21,12 @@ SideThread::~SideThread() {
 }
 
 void SideThread::run(std::function<void()> task) {
+  // A task that no thread takes would be waited for without end. So the thread comes before its first task.
+  if (!thread_.joinable()) thread_ = start_thread("the side thread of a step", [this] { work(); });
   {
     const std::lock_guard lock(mutex_);
     tasks_.push_back(std::move(task));
   }
-  if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
   given_.notify_one();
 }
 

@@ -21,7 +21,8 @@ class SideThread {
   SideThread(const SideThread&) = delete;
   SideThread& operator=(const SideThread&) = delete;
 
-  /// Returns at once. The caller must wait() before it accesses data that the task uses.
+  /// Returns at once. The caller must wait() before it accesses data that the task uses. Throws
+  /// Error(out_of_memory) if the thread cannot be started. The task then never runs, and wait() returns.
   void run(std::function<void()> task);
   /// Returns when all tasks are done. Rethrows the exception of a task; the tasks after that one do not run.
   void wait();

@@ -20,6 +20,7 @@
 #include "sdk/cli/commands/run.h"
 #include "sdk/cli/commands/schema.h"
 #include "sdk/cli/commands/view.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
 namespace {
@@ -134,12 +135,22 @@ void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
   });
 }
 
+/// Writes messages as plain text: names and paths in them come from files.
+class PlainSink : public spdlog::sinks::stderr_sink_st {
+ public:
+  void log(const spdlog::details::log_msg& message) override {
+    const std::string text = io::plain_text({message.payload.data(), message.payload.size()});
+    spdlog::details::log_msg plain = message;
+    plain.payload = text;
+    spdlog::sinks::stderr_sink_st::log(plain);
+  }
+};
+
 /// Errors and progress go to stderr as `meniscus: ...`; stdout is for results.
 void start_log() {
   // Not a named logger of spdlog's registry: a program that runs twice in one process would find that name
   // taken.
-  spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>("meniscus", std::make_shared<spdlog::sinks::stderr_sink_st>()));
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("meniscus", std::make_shared<PlainSink>()));
   spdlog::set_pattern("%n: %v");
 }
 

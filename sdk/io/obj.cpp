@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sdk/io/output_file.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::io {
 namespace {
@@ -23,7 +24,7 @@ void add_vertices(std::string& text, std::span<const Vec3> vertices) {
 std::string object_name(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return c <= ' '; }, '_');
-  return name;
+  return plain_text(name);
 }
 
 /// A line that begins an object.

@@ -4,13 +4,20 @@
 // Writes files under a temporary name and renames them.
 #include "sdk/io/output_file.h"
 
+#include <fcntl.h>
 #include <meniscus/error.h>
+#include <spdlog/fmt/fmt.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
+#include <random>
+
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::io {
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(path_.string() + ".part") {
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(make_part(path_)) {
   errno = 0;
   stream_.open(part_, std::ios::binary | std::ios::trunc);
   if (!stream_) throw_io_error("write", path_);
@@ -34,6 +41,30 @@ void OutputFile::commit() {
   if (!stream_ || std::rename(part_.c_str(), path_.c_str()) != 0) throw_io_error("write", path_);
 }
 
+std::filesystem::path make_part(const std::filesystem::path& path) {
+  std::random_device random;
+  for (;;) {
+    const std::string part = fmt::format("{}.{:08x}.part", path.string(), random());
+    const int file = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file < 0 && errno == EEXIST) continue;
+    if (file < 0) throw_io_error("write", path);
+    close(file);
+    return part;
+  }
+}
+
+std::ofstream open_afresh(const std::filesystem::path& path) {
+  const std::filesystem::path part = make_part(path);
+  errno = 0;
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  if (stream && std::rename(part.c_str(), path.c_str()) == 0) return stream;
+  const int reason = errno;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  errno = reason;
+  throw_io_error("write", path);
+}
+
 void throw_io_error(const std::string& what, const std::filesystem::path& path) {
   const std::string reason = errno ? std::strerror(errno) : "the system gives no reason";
   throw Error(ErrorCode::io, "cannot " + what + " " + path.string() + ": " + reason);
@@ -41,7 +72,7 @@ void throw_io_error(const std::string& what, const std::filesystem::path& path) 
 
 std::string xml_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : plain_text(text)) {
     switch (c) {
       case '&':
         escaped += "&amp;";

@@ -12,7 +12,8 @@
 
 namespace meniscus::io {
 
-/// A file that appears complete or not at all: it is written as PATH.part, and commit() gives it its name.
+/// A file that appears complete or not at all: it is written under a name of make_part, and commit() gives it
+/// its own. What stands at PATH is replaced and never written through, even if it is a symbolic link.
 class OutputFile {
  public:
   /// Throws Error(io) if the file cannot be made.
@@ -38,10 +39,17 @@ class OutputFile {
   std::ofstream stream_;
 };
 
+/// Makes an empty file PATH.XXXXXXXX.part, with hexadecimal digits that no other file there has, and returns
+/// its path. Throws Error(io).
+std::filesystem::path make_part(const std::filesystem::path& path);
+
+/// A new file at PATH, open for writing. It replaces what stands there, as OutputFile does. Throws Error(io).
+std::ofstream open_afresh(const std::filesystem::path& path);
+
 /// Throws Error(io): "cannot WHAT PATH: REASON", the reason from errno.
 [[noreturn]] void throw_io_error(const std::string& what, const std::filesystem::path& path);
 
-/// Text for an XML element or attribute.
+/// Plain text for an XML element or attribute (see plain_text.h).
 std::string xml_escaped(std::string_view text);
 
 }  // namespace meniscus::io

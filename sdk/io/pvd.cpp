@@ -17,10 +17,7 @@ constexpr const char* pvd_end = "</Collection>\n</VTKFile>\n";
 
 }  // namespace
 
-PvdFile::PvdFile(std::filesystem::path path) : path_(std::move(path)) {
-  errno = 0;
-  stream_.open(path_, std::ios::binary | std::ios::trunc);
-  if (!stream_) throw_io_error("write", path_);
+PvdFile::PvdFile(std::filesystem::path path) : path_(std::move(path)), stream_(open_afresh(path_)) {
   write_and_close(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n");

@@ -15,7 +15,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -49,13 +48,12 @@ int spawn(pid_t& process, std::vector<std::string> words, int in, int out) {
 }  // namespace
 
 VideoFile::VideoFile(std::filesystem::path path, int width, int height, double rate)
-    : path_(std::move(path)), part_(path_.string() + ".part") {
+    : path_(std::move(path)) {
   if (path_.extension() != ".mp4") {
     throw Error(ErrorCode::invalid_argument,
                 "the video is to be '" + path_.string() + "', but its name must end in .mp4");
   }
-  errno = 0;
-  if (!std::ofstream(part_)) throw_io_error("write", path_);
+  part_ = make_part(path_);
   try {
     start(width, height, rate);
   } catch (...) {

@@ -8,10 +8,10 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
+#include <vector>
 
 #include "sdk/scene/scene_meshes.h"
 #include "sdk/scene/scene_override.h"
@@ -22,6 +22,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t most_bytes = std::size_t{256} << 20;  ///< a hundred times the largest sample, and more
+constexpr int most_levels = 256;
+
 std::string read_text(const std::string& path) {
   const ScenePlace place{path, ""};
   std::error_code ignored;
@@ -29,17 +32,32 @@ std::string read_text(const std::string& path) {
     place.fail("is a folder, not a scene file", ErrorCode::io);
   std::ifstream file(path, std::ios::binary);
   if (!file) place.fail("cannot be read: " + std::generic_category().message(errno), ErrorCode::io);
-  std::string text(std::istreambuf_iterator<char>(file), {});
+  // A pipe or a device need not end.
+  std::string text;
+  for (std::vector<char> block(std::size_t{1} << 16); file;) {
+    file.read(block.data(), std::ptrdiff_t(block.size()));
+    text.append(block.data(), std::size_t(file.gcount()));
+    if (text.size() > most_bytes) {
+      place.fail(
+          "is longer than " + std::to_string(most_bytes) + " bytes, the most that a scene file may have",
+          ErrorCode::io);
+    }
+  }
   if (file.bad()) place.fail("cannot be read to its end", ErrorCode::io);
   return text;
 }
 
-/// Refuses an object in which a key stands twice; the library would keep the last and say nothing.
-class RepeatedKeyCheck {
+/// Refuses an object in which a key stands twice; the library would keep the last and say nothing. Refuses a
+/// text with a NUL, which would end messages that name it, and nesting that overruns the stack.
+class DocumentCheck {
  public:
-  explicit RepeatedKeyCheck(const std::string& source) : source_(source) {}
+  explicit DocumentCheck(const std::string& source) : source_(source) {}
 
-  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    if (depth > most_levels)
+      ScenePlace{source_, ""}.fail("is nested more than " + std::to_string(most_levels) + " levels deep");
+    if (parsed.is_string() && parsed.get_ref<const std::string&>().find('\0') != std::string::npos)
+      ScenePlace{source_, ""}.fail("the text " + parsed.dump() + " has a NUL character");
     if (event == Json::parse_event_t::object_start) open_.emplace_back();
     if (event == Json::parse_event_t::object_end) open_.pop_back();
     if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second) {
@@ -106,7 +124,7 @@ Json parse_text(const std::string& text, const std::string& source) {
   constexpr bool throws = true, comments_allowed = true;
   const ScenePlace place{source, ""};
   try {
-    return Json::parse(text, RepeatedKeyCheck(source), throws, comments_allowed);
+    return Json::parse(text, DocumentCheck(source), throws, comments_allowed);
   } catch (const Json::parse_error& error) {
     place.fail(position_of(error.byte, text) + ": " + plain_message(error, ": "));
   } catch (const Json::exception& error) {  // of a number that no double holds

@@ -105,6 +105,8 @@ void apply_override(Json& document, const std::string& override_text) {
     target = &std::visit([&](const auto& way) -> Json& { return walk.follow(*target, way); }, step);
   }
   *target = parse_value(override_text.substr(equals + 1), steps.back());
+  if (target->is_string() && target->get_ref<const std::string&>().find('\0') != std::string::npos)
+    fail(override_text, "the text has a NUL character");
 }
 
 }  // namespace meniscus

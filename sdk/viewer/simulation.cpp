@@ -4,10 +4,13 @@
 // Runs the simulation thread, and publishes its snapshots.
 #include "sdk/viewer/simulation.h"
 
+#include "pbd/device/start_thread.h"
+
 namespace meniscus::viewer {
 
 Simulation::Simulation(std::function<void()> notify)
-    : notify_(std::move(notify)), thread_([this] { run(); }) {}
+    : notify_(std::move(notify)),
+      thread_(pbd::start_thread("the thread of the simulation", [this] { run(); })) {}
 
 Simulation::~Simulation() {
   {

@@ -5,7 +5,6 @@
 #include "sdk/world/world_impl.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <sstream>
 
@@ -65,11 +64,6 @@ void check_room(size_t present, double added, std::string_view emitter) {
   throw Error(ErrorCode::capacity, why.str());
 }
 
-uint32_t World::Impl::next_first_generation() {
-  static std::atomic<uint32_t> worlds{0};
-  return ++worlds << 16;
-}
-
 World::Impl::Impl(const WorldDef& world_def)
     : def((check::def(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
@@ -83,13 +77,7 @@ FluidId World::Impl::create_material(const ParticleMaterial& material) {
     fluids.erase(id);
     throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
   }
-  try {
-    set_materials();
-  } catch (...) {
-    fluids.erase(id);
-    set_materials();
-    throw;
-  }
+  materials_are_on_device = false;
   cloth_changed();  // this fluid may load it
   return id;
 }
@@ -97,7 +85,13 @@ FluidId World::Impl::create_material(const ParticleMaterial& material) {
 void World::Impl::set_materials() {
   std::vector<ParticleMaterial> all;
   fluids.for_each([&](uint32_t, const ParticleMaterial& m) { all.push_back(m); });
+  materials_are_on_device = false;  // should this fail in the middle
   engine->set_materials(all);
+  materials_are_on_device = true;
+}
+
+void World::Impl::upload_materials() {
+  if (!materials_are_on_device) set_materials();
 }
 
 void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
@@ -119,6 +113,7 @@ void World::Impl::add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec
 }
 
 void World::Impl::append(const ParticleBatch& batch) {
+  upload_materials();
   engine->append(batch);
   for (size_t i = 0; i < batch.position.size(); ++i) ids.push_back(next_id++);
   state_changed();
@@ -164,7 +159,8 @@ void World::Impl::upload_solids() {
   solids_are_on_device = true;
 }
 
-void World::Impl::probes_changed() {
+void World::Impl::upload_probes() {
+  if (probes_are_on_device) return;
   std::vector<fluid::Probe> all;
   constexpr float everywhere = 1e30f;
   probes.for_each([&](uint32_t, const ProbeDef& probe) {
@@ -176,6 +172,7 @@ void World::Impl::probes_changed() {
   });
   engine->set_probes(all);
   probe_sums.assign(all.size(), {});
+  probes_are_on_device = true;
 }
 
 void World::Impl::read_probes() {

@@ -51,11 +51,9 @@ struct BodyEntry {
 struct World::Impl {
   explicit Impl(const WorldDef& world_def);
 
-  /// The first generation of this world's ids, far from that of any other world of this process.
-  static uint32_t next_first_generation();
-
   EngineDef engine_def();
   void set_materials();
+  void upload_materials();
   FluidId create_material(const ParticleMaterial& material);
   void add(FluidId fluid, std::span<const Vec3> positions, std::span<const Vec3> velocities, Vec3 velocity);
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
@@ -65,9 +63,9 @@ struct World::Impl {
   upload_solids();  // after solids were created or destroyed: all at once, since one costs as much as all
   /// The engine with all solids uploaded, for queries of solids or contacts. Otherwise it would look among
   /// removed solids.
-  Engine& with_solids() { return upload_solids(), *engine; }
+  Engine& with_solids() { return upload_materials(), upload_solids(), *engine; }
   /// The engine with solids and cloth uploaded.
-  Engine& with_all() { return upload_solids(), upload_cloth(), *engine; }
+  Engine& with_all() { return with_solids(), upload_probes(), upload_cloth(), *engine; }
   SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
@@ -81,7 +79,8 @@ struct World::Impl {
   void sinks_changed();
   uint32_t take_sinks();
   void drop_flow_of(BodyId body);
-  void probes_changed();
+  void probes_changed() { probes_are_on_device = false; }
+  void upload_probes();
   void read_probes();
   void state_changed();
   void push_vertices(const VertexRange& range, const char* kind, std::span<const uint32_t> vertices,
@@ -122,7 +121,8 @@ struct World::Impl {
   double time = 0;
   float last_substep = 0;
 
-  const uint32_t first_generation = next_first_generation();
+  const WorldNumber world_number;
+  const uint32_t first_generation = world_number.first_generation();
   IdTable<FluidId, ParticleMaterial> fluids{"fluid", first_generation};  // and granular materials
   IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
   IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
@@ -136,6 +136,8 @@ struct World::Impl {
   std::vector<uint32_t> taken;     // by sink, in the last step
   Emission emission;
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
+  // Each creation that uploads all before it would make many of them quadratic. So the next use uploads.
+  bool materials_are_on_device = true, probes_are_on_device = true;
   std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes
   std::vector<fluid::ProbeSum> probe_values;  // by the index of their ids
 

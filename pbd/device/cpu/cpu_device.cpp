@@ -6,8 +6,13 @@
 
 #include <tbb/info.h>
 
+#include <meniscus/error.h>
+#include <pthread.h>
+
 #include <cstdlib>
 #include <cstring>
+#include <latch>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -28,11 +33,45 @@ bool has_wide_lanes() {
 #endif
 }
 
+/// Starts and ends this many threads at once. oneTBB starts its own when there is work, some of them from one
+/// another, where a failure ends the process. So a failure is found here first. The C library keeps the
+/// stacks of these threads for those of oneTBB.
+int tried(int threads) {
+  constexpr size_t stack = size_t{4} << 20;  // bytes, as oneTBB asks for
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, stack);
+  std::latch all_started(1);
+  const auto wait = [](void* latch) -> void* {
+    static_cast<std::latch*>(latch)->wait();
+    return nullptr;
+  };
+  std::vector<pthread_t> started;
+  started.reserve(static_cast<size_t>(threads));
+  int failure = 0;
+  while (failure == 0 && static_cast<int>(started.size()) + 1 < threads) {
+    pthread_t thread;
+    failure = pthread_create(&thread, &attributes, wait, &all_started);
+    if (failure == 0) started.push_back(thread);
+  }
+  all_started.count_down();
+  for (const pthread_t thread : started) pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+  if (failure == 0) return threads;
+  throw Error(ErrorCode::out_of_memory, "the system has room for " + std::to_string(started.size() + 1) +
+                                            " of the " + std::to_string(threads) +
+                                            " threads of the CPU device. Fewer may be asked for");
+}
+
+int threads_or_all(int threads) {
+  return threads > 0 ? threads : tbb::info::default_concurrency();
+}
+
 }  // namespace
 
 CpuDevice::CpuDevice(int threads, Registers registers)
-    : arena_(threads > 0 ? threads : tbb::info::default_concurrency()),
-      threads_(threads > 0 ? threads : tbb::info::default_concurrency()),
+    : arena_(tried(threads_or_all(threads))),
+      threads_(threads_or_all(threads)),
       wide_(registers == Registers::widest && has_wide_lanes()) {}
 
 std::string CpuDevice::name() const {

@@ -10,6 +10,7 @@
 #include "sdk/cli/commands/scene_lookup.h"
 #include "sdk/cli/commands/scene_warnings.h"
 #include "sdk/cli/record/scene_checks.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
 
@@ -35,8 +36,8 @@ int check_scene(const CheckOptions& options) {
   const BuiltScene built = build_scene(scene);
   expect_floor(scene);
   warn_of_oddities(built);
-  fmt::print("{}: valid\n", scene.name);
-  if (!scene.description.empty()) fmt::print("  {}\n", scene.description);
+  fmt::print("{}: valid\n", io::plain_text(scene.name));
+  if (!scene.description.empty()) fmt::print("  {}\n", io::plain_text(scene.description, "\n"));
   fmt::print("  fluids {}, shapes {}, bodies {}, joints {}, volumes {}, emitters {}, sinks {}, probes {}\n",
              scene.fluids.size(), scene.shapes.size(), built.bodies.size(), scene.joints.size(),
              scene.volumes.size(), scene.emitters.size(), scene.sinks.size(), scene.probes.size());

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "sdk/cli/commands/exit_code.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
 namespace {
@@ -81,8 +82,8 @@ int show_memory(const SceneChoice& choice) {
   const BuiltScene built = build_scene(scene);
   const DeviceInfo device = built.world.device();
   const std::size_t particles = built.world.particle_count(), vertices = vertices_of(built);
-  fmt::print("{} on {} ({}): {} particles, {} vertices of cloth and ropes\n", scene.name, device.kind,
-             device.name, particles, vertices);
+  fmt::print("{} on {} ({}): {} particles, {} vertices of cloth and ropes\n", io::plain_text(scene.name),
+             device.kind, device.name, particles, vertices);
   print_shares(built.world.memory_shares(), particles + vertices);
   fmt::print("as the first step starts; lists of neighbours and contacts grow where there are more{}\n",
              scene.emitters.empty() ? "" : ", and all with what is emitted");

@@ -14,12 +14,14 @@
 #include "sdk/cli/commands/interrupt.h"
 #include "sdk/cli/commands/progress.h"
 #include "sdk/cli/commands/scene_warnings.h"
+#include "sdk/cli/output/folder_lock.h"
 #include "sdk/cli/output/frame_exporter.h"
 #include "sdk/cli/output/frame_pictures.h"
 #include "sdk/cli/output/old_results.h"
 #include "sdk/cli/record/run_recorder.h"
 #include "sdk/cli/record/run_summary.h"
 #include "sdk/cli/record/scene_checks.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
 namespace {
@@ -35,8 +37,13 @@ std::filesystem::path folder_of(const RunOptions& options, const Scene& scene) {
   return options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out);
 }
 
+const std::filesystem::path& made(const std::filesystem::path& folder) {
+  make_folder(folder);
+  return folder;
+}
+
 const std::filesystem::path& cleared(const std::filesystem::path& folder, const RunOptions& options) {
-  make_folder(options.formats.empty() ? folder : folder / "frames");
+  if (!options.formats.empty()) make_frames_folder(folder);
   remove_old_results(folder);  // after everything that may fail: a run that cannot start changes nothing
   return folder;
 }
@@ -52,6 +59,7 @@ class Run {
         rope_mass_(mass_of_ropes()),
         first_(sample(0, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
+        lock_(made(folder_)),
         exporter_(cleared(folder_, options), options.formats, options.surface, scene_),
         recorder_(folder_, scene_) {
     warn_of_oddities(built_);
@@ -172,6 +180,7 @@ class Run {
   double rope_mass_;
   FrameSample first_;       // the state before the first frame
   FramePictures pictures_;  // made before the folder: a run that cannot start leaves it as it was
+  FolderLock lock_;         // before the first file of the run
   FrameExporter exporter_;  // first removes the files of the run before
   RunRecorder recorder_;
   RunEnd end_;
@@ -200,7 +209,9 @@ int run_scene(const RunOptions& options) {
   try {
     const nlohmann::ordered_json figures = run.write_results();
     if (!options.quiet)
-      fmt::print("{}", run_summary(figures, run.folder(), options.formats, run.pictures(), options.surface));
+      fmt::print("{}", io::plain_text(run_summary(figures, run.folder(), options.formats, run.pictures(),
+                                                  options.surface),
+                                      "\n"));
     broken = report_broken(figures);
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "sdk/io/plain_text.h"
 #include "sdk/scene/scene_file.h"
 
 namespace meniscus::cli {
@@ -73,7 +74,7 @@ Scene chosen_scene(const SceneChoice& choice) {
 
 fs::path default_folder(const Scene& scene) {
   // A name is not a path.
-  std::string name = scene.name;
+  std::string name = io::plain_text(scene.name);
   std::replace(name.begin(), name.end(), '/', '_');
   if (name == "." || name == "..") name = "scene";
   return fs::path("out") / name;

@@ -35,7 +35,7 @@ FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std
       surface_(surface && !scene.fluids.empty()) {
   if (formats.empty()) return;
   if (const std::vector<BodyDef> bodies = bodies_of(scene); !bodies.empty()) bodies_.emplace(bodies);
-  make_folder(folder_ / "frames");
+  make_frames_folder(folder_);
   if (!vtp_) return;
   if (particles_) particle_collection_.emplace(folder_ / "particles.pvd");
   if (diffuse_) diffuse_collection_.emplace(folder_ / "diffuse.pvd");
@@ -71,6 +71,15 @@ void make_folder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, failed);
   if (failed)
     throw Error(ErrorCode::io, "cannot make the folder " + folder.string() + ": " + failed.message());
+}
+
+void make_frames_folder(const std::filesystem::path& folder) {
+  std::error_code unknown;
+  if (std::filesystem::is_symlink(folder / "frames", unknown)) {
+    throw Error(ErrorCode::io, "the folder " + (folder / "frames").string() +
+                                   " is a symbolic link, through which no results are written");
+  }
+  make_folder(folder / "frames");
 }
 
 }  // namespace meniscus::cli

@@ -46,5 +46,7 @@ class FrameExporter {
 
 /// Makes a folder and those above it. Throws Error(io).
 void make_folder(const std::filesystem::path& folder);
+/// Makes the folder of the frames in a run's folder. Throws Error(io) if that is a symbolic link.
+void make_frames_folder(const std::filesystem::path& folder);
 
 }  // namespace meniscus::cli

@@ -35,7 +35,7 @@ void FramePictures::add(const World& world, const FrameSample& sample) {
   if (!each_frame_ && !video_ && !in_sheet) return;
   const io::Image image = renderer_->draw(world, sample);
   if (each_frame_) {
-    make_folder(folder_ / "frames");
+    make_frames_folder(folder_);
     io::write_png(folder_ / fmt::format("frames/render_{:05}.png", sample.frame), image);
   }
   if (video_) video_->add(image);

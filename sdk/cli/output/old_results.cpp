@@ -16,7 +16,9 @@ void remove_matching(const fs::path& folder, const std::regex& names) {
   std::error_code ignored;
   std::vector<fs::path> found;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.is_regular_file(ignored) && std::regex_match(entry.path().filename().string(), names))
+    const fs::file_type type = entry.symlink_status(ignored).type();
+    if ((type == fs::file_type::regular || type == fs::file_type::symlink) &&
+        std::regex_match(entry.path().filename().string(), names))
       found.push_back(entry.path());
   }
   for (const fs::path& file : found) fs::remove(file, ignored);
@@ -25,12 +27,16 @@ void remove_matching(const fs::path& folder, const std::regex& names) {
 }  // namespace
 
 void remove_old_results(const fs::path& folder) {
+  // A run that was killed leaves parts of files (see io::make_part).
   static const std::regex figures(
-      "(frames|bodies|cloths|attachments)\\.csv|summary\\.json|density\\.svg|(preview|contact_sheet)\\.png|"
-      "(particles|diffuse|bodies|cloth|ropes|surface)\\.pvd");
+      "((frames|bodies|cloths|attachments)\\.csv|summary\\.json|density\\.svg|(preview|contact_sheet)\\.png|"
+      "(particles|diffuse|bodies|cloth|ropes|surface)\\.pvd)(\\.[0-9a-f]{8}\\.part)?");
   static const std::regex frames(
-      "(frame|diffuse|bodies|cloth|ropes|surface)_[0-9]{5,}\\.(ply|vtp|obj)|render_[0-9]{5,}\\.png");
+      "((frame|diffuse|bodies|cloth|ropes|surface)_[0-9]{5,}\\.(ply|vtp|obj)|render_[0-9]{5,}\\.png)"
+      "(\\.[0-9a-f]{8}\\.part)?");
   remove_matching(folder, figures);
+  std::error_code unknown;
+  if (fs::is_symlink(folder / "frames", unknown)) return;
   remove_matching(folder / "frames", frames);
   std::error_code not_empty;
   fs::remove(folder / "frames", not_empty);

@@ -7,13 +7,12 @@
 #include <cerrno>
 
 #include "sdk/io/output_file.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
 
-CsvFile::CsvFile(std::filesystem::path path, const std::string& header) : path_(std::move(path)) {
-  errno = 0;
-  stream_.open(path_, std::ios::trunc);
-  if (!stream_) io::throw_io_error("write", path_);
+CsvFile::CsvFile(std::filesystem::path path, const std::string& header)
+    : path_(std::move(path)), stream_(io::open_afresh(path_)) {
   write(header);
 }
 
@@ -24,9 +23,12 @@ void CsvFile::write(const std::string& rows) {
 }
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string field = io::plain_text(text);
+  // Spreadsheets take what begins like this for a formula, and an apostrophe for the mark of a text.
+  if (field.find_first_of("=+-@") == 0) field.insert(0, 1, '\'');
+  if (field.find_first_of(",\"") == std::string::npos) return field;
   std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  for (const char c : field) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
 }
 

@@ -24,7 +24,8 @@ class CsvFile {
   std::ofstream stream_;
 };
 
-/// A field after RFC 4180: in quotes if a comma, a quote or a line break would be misread.
+/// A field of plain text after RFC 4180: in quotes if a comma or a quote would be misread. An apostrophe
+/// stands before what a spreadsheet would take for a formula.
 std::string csv_field(const std::string& text);
 
 }  // namespace meniscus::cli

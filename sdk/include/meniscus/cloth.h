@@ -69,7 +69,7 @@ struct SheetGeometry {
   int rows = 33;
 };
 
-/// Any triangles, from a file that assimp reads. Vertices at the same position are merged, and then those
+/// Any triangles, from a mesh file. Vertices at the same position are merged, and then those
 /// within `weld`. Numbers of vertices are those after that.
 struct ClothFile {
   std::string file;

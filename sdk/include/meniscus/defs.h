@@ -224,9 +224,9 @@ struct CylinderGeometry {
   float half_height = 0.5f;  ///< m
 };
 
-/// A closed surface from any file that assimp reads, as a signed distance field. The winding number closes
-/// holes. The mesh of a dynamic body must have none. For other solids, rays and overlaps, the mesh of a
-/// dynamic body is its convex hull.
+/// A closed surface from a mesh file (OBJ, PLY, STL, glTF, FBX, DAE or 3DS), as a signed distance field. The
+/// winding number closes holes. The mesh of a dynamic body must have none. For other solids, rays and
+/// overlaps, the mesh of a dynamic body is its convex hull.
 struct MeshGeometry {
   std::string file;
   float scale = 1.0f;      ///< metres a file unit; a factor if the file states its unit, as FBX does

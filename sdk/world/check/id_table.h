@@ -12,19 +12,21 @@
 #include <string>
 #include <vector>
 
+#include "sdk/world/check/world_number.h"
+
 namespace meniscus {
 
 /// Things by id. A place is used again with a new generation, so that an id of something destroyed is
-/// refused.
+/// refused. A place whose generations are used up is used no more.
 template <class IdType, class T>
 class IdTable {
  public:
-  /// Generations count from `first_generation` on: tables that start far apart refuse one another's ids.
+  /// Generations count from `first_generation` on, and stay below the next world's (see WorldNumber).
   IdTable(const char* what, uint32_t first_generation) : what_(what), first_generation_(first_generation) {}
 
   IdType insert(T value) {
     uint32_t index = first_free_;
-    while (index < entries_.size() && entries_[index].value) ++index;
+    while (index < entries_.size() && (entries_[index].value || is_used_up(index))) ++index;
     if (index == entries_.size()) entries_.push_back({std::nullopt, first_generation_});
     entries_[index].value = std::move(value);
     first_free_ = index + 1;
@@ -75,6 +77,10 @@ class IdTable {
   }
 
  private:
+  bool is_used_up(uint32_t index) const {
+    return entries_[index].generation - first_generation_ == generations_of_a_world - 1;
+  }
+
   struct Entry {
     std::optional<T> value;
     uint32_t generation;

@@ -239,8 +239,8 @@ TEST(Mesh, AScanIsASolid) {
 TEST_F(MeshFile, BadFilesAreRefusedByName) {
   expect_error((folder_ / "missing.obj").string(), ErrorCode::io);
   expect_error(folder_.string(), ErrorCode::io);
-  expect_error(write("noise.obj2", "this is no mesh"), ErrorCode::io);
-  expect_error(write("broken.gltf", "{\"asset\": "), ErrorCode::io);
+  expect_error(write("noise.obj2", "this is no mesh"), ErrorCode::mesh);
+  expect_error(write("broken.gltf", "{\"asset\": "), ErrorCode::mesh);
   expect_error(write("empty.obj", ""), ErrorCode::mesh);
   expect_error(write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), ErrorCode::mesh);
   expect_error(write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), ErrorCode::mesh);

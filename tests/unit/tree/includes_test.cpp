@@ -53,7 +53,8 @@ const Edges folders{
     {"cloth/rods", {"cloth/solve"}},
     {"cloth/self_contact", {}},
 
-    {"collision/mesh", {}},
+    {"collision/mesh/file", {}},
+    {"collision/mesh", {"collision/mesh/file"}},
     {"collision/sdf", {"collision/mesh"}},
     {"collision/contact", {"collision/mesh", "collision/sdf"}},
     {"collision/rigid", {"collision/mesh"}},
@@ -83,8 +84,8 @@ const Edges folders{
     {"sdk/viewer", {"sdk/fields", "sdk/io", "sdk/render", "sdk/render/frame", "sdk/scene"}},
     {"sdk/cli/record", {"sdk/io", "sdk/scene"}},
     {"sdk/cli/output", {"sdk/cli/record", "sdk/io", "sdk/io/preview", "sdk/render", "sdk/scene"}},
-    {"sdk/cli/commands", {"sdk/cli/output", "sdk/cli/record", "sdk/scene", "sdk/viewer"}},
-    {"sdk/cli", {"sdk/cli/commands"}},
+    {"sdk/cli/commands", {"sdk/cli/output", "sdk/cli/record", "sdk/io", "sdk/scene", "sdk/viewer"}},
+    {"sdk/cli", {"sdk/cli/commands", "sdk/io"}},
 };
 
 constexpr std::size_t most_files = 40;  ///< that a folder holds

@@ -174,6 +174,17 @@ TEST_F(SceneFile, KeyThatStandsTwiceIsAnError) {
   EXPECT_EQ(message, file + ": the key \"substeps\" stands twice in one object");
 }
 
+TEST_F(SceneFile, NulCharactersAndDeepNestingAreRefused) {
+  const std::string nul = write("nul.json", R"({"name": "a\u0000b"})");
+  EXPECT_EQ(error_of([&] { read_scene(nul); }).second, nul + ": the text \"a\\u0000b\" has a NUL character");
+  const std::vector<std::string> change{"name=\"a\\u0000b\""};
+  const std::string good = write("good.json", R"({"name": "x"})");
+  EXPECT_NE(error_of([&] { read_scene(good, change); }).second.find("has a NUL character"),
+            std::string::npos);
+  const std::string deep = write("deep.json", "{\"a\": " + std::string(1000000, '['));
+  EXPECT_EQ(error_of([&] { read_scene(deep); }).second, deep + ": is nested more than 256 levels deep");
+}
+
 TEST_F(SceneFile, MissingSceneFileIsNamed) {
   const auto [code, message] = error_of([&] { read_scene(path("none.json")); });
   EXPECT_EQ(code, ErrorCode::io);

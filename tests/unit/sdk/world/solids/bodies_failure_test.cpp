@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/expect_error.h"
+#include "tests/no_threads.h"
 #include "tests/worlds.h"
 
 namespace meniscus::tests {
@@ -71,6 +72,20 @@ TEST_P(BodyFailureTest, ATorqueBeyondAllMeasureStopsTheStep) {
   pool.world.apply_torque(pool.box, {1e38f, 3e38f, -2e38f});
   expect_error(ErrorCode::non_finite, "the rigid body \"raft\" became", [&] { pool.world.step(0.01f); });
   EXPECT_EQ(pool.world.state_hash(), hash);
+}
+
+TEST_P(BodyFailureTest, AThreadThatCannotStartEndsTheStepAndNothingChanges) {
+  Pool pool(GetParam()), twin(GetParam());
+  const uint64_t hash = pool.world.state_hash();
+  {
+    const NoThreads none;
+    for (int i = 0; i < 2; ++i)
+      expect_error(ErrorCode::out_of_memory, "could not be started", [&] { pool.world.step(0.01f); });
+  }
+  EXPECT_EQ(pool.world.state_hash(), hash);
+  run(pool.world, 3, 0.01f);
+  run(twin.world, 3, 0.01f);
+  EXPECT_EQ(pool.world.state_hash(), twin.world.state_hash());
 }
 
 MENISCUS_ON_EACH_DEVICE(BodyFailureTest);

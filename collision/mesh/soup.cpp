@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Places the parts of an imported file, and joins them to one mesh.
+#include "collision/mesh/soup.h"
+
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include <utility>
+
+#include "collision/mesh/file/defect.h"
+#include "collision/mesh/file/import.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+// A file of a few bytes may place one part many times. This many take 1.6 GB.
+constexpr size_t most_vertices = size_t{1} << 27;
+
+// An FBX file states its unit in centimetres.
+double metres_a_unit(const aiScene& scene) {
+  double centimetres = 0;
+  float single = 0;
+  if (!scene.mMetaData) return 1;
+  if (scene.mMetaData->Get("UnitScaleFactor", single)) centimetres = single;
+  scene.mMetaData->Get("UnitScaleFactor", centimetres);
+  return centimetres > 0 ? 0.01 * centimetres : 1;
+}
+
+// A mesh that several nodes refer to appears several times.
+struct PlacedNode {
+  const aiNode* node;
+  aiMatrix4x4 to_world;
+};
+
+// Parents before children. Iterative and not recursive, because the file determines the depth.
+std::vector<PlacedNode> placed_nodes(const aiScene& scene) {
+  std::vector<PlacedNode> nodes;
+  if (scene.mRootNode) nodes.push_back({scene.mRootNode, scene.mRootNode->mTransformation});
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const PlacedNode parent = nodes[i];
+    for (unsigned c = 0; c < parent.node->mNumChildren; ++c) {
+      const aiNode* child = parent.node->mChildren[c];
+      nodes.push_back({child, parent.to_world * child->mTransformation});
+    }
+  }
+  return nodes;
+}
+
+void append_vertices(TriangleMesh& soup, const aiMesh& part, const aiMatrix4x4& to_world, float scale) {
+  if (soup.vertices.size() + part.mNumVertices > most_vertices) {
+    throw FileDefect("has more than " + std::to_string(most_vertices) + " vertices");
+  }
+  for (unsigned v = 0; v < part.mNumVertices; ++v) {
+    const aiVector3D p = to_world * part.mVertices[v];
+    const Vec3 vertex = scale * Vec3{p.x, p.y, p.z};
+    if (!is_finite(vertex)) {
+      throw FileDefect("has a vertex that is not finite: number " + std::to_string(v) + " of its part '" +
+                       part.mName.C_Str() + "', at scale " + std::to_string(scale));
+    }
+    soup.vertices.push_back(vertex);
+  }
+}
+
+// The colour of a material; none for the default material that assimp adds to files without materials.
+std::optional<Vec3> color_of(const aiMaterial& material) {
+  aiString name;
+  if (material.Get(AI_MATKEY_NAME, name) != aiReturn_SUCCESS || name.length == 0) return {};
+  if (name == aiString(AI_DEFAULT_MATERIAL_NAME)) return {};
+  aiColor4D color;
+  if (material.Get(AI_MATKEY_BASE_COLOR, color) != aiReturn_SUCCESS &&
+      material.Get(AI_MATKEY_COLOR_DIFFUSE, color) != aiReturn_SUCCESS)
+    return {};
+  const Vec3 rgb{color.r, color.g, color.b};
+  if (!is_finite(rgb)) return {};
+  return min(max(rgb, {0, 0, 0}), {1, 1, 1});
+}
+
+void append_part(PaintedMesh& all, const aiMesh& part, std::optional<Vec3> color, const aiMatrix4x4& to_world,
+                 float scale) {
+  TriangleMesh& soup = all.mesh;
+  const auto first = static_cast<uint32_t>(soup.vertices.size());
+  append_vertices(soup, part, to_world, scale);
+  const bool mirrored = to_world.Determinant() < 0;  // a reflection, which would invert the orientation
+  for (unsigned f = 0; f < part.mNumFaces; ++f) {
+    const aiFace& face = part.mFaces[f];
+    if (face.mNumIndices != 3) continue;  // a point or a line
+    std::array<uint32_t, 3> corners{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
+    for (uint32_t& corner : corners) {
+      if (corner >= part.mNumVertices) throw FileDefect("has a face that names a vertex it lacks");
+      corner += first;
+    }
+    if (mirrored) std::swap(corners[1], corners[2]);
+    soup.triangles.push_back(corners);
+    all.colors.push_back(color);
+  }
+}
+
+}  // namespace
+
+PaintedMesh read_soup(const std::string& path, float scale) {
+  const MeshImport import(path);
+  const aiScene& scene = import.scene();
+  const auto metres = static_cast<float>(scale * metres_a_unit(scene));
+  PaintedMesh soup;
+  for (const PlacedNode& placed : placed_nodes(scene)) {
+    for (unsigned m = 0; m < placed.node->mNumMeshes; ++m) {
+      const aiMesh& part = *scene.mMeshes[placed.node->mMeshes[m]];
+      const bool has_material = part.mMaterialIndex < scene.mNumMaterials;
+      append_part(soup, part, has_material ? color_of(*scene.mMaterials[part.mMaterialIndex]) : std::nullopt,
+                  placed.to_world, metres);
+    }
+  }
+  return soup;
+}
+
+}  // namespace meniscus::collision
