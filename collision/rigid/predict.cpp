@@ -80,10 +80,15 @@ class Flight {
         angular_kept_(btPow(1 - body.getAngularDamping(), h_)),
         mean_{from_bullet(body.getWorldTransform()), {0, 0, 0}, {0, 0, 0}} {}
 
-  /// Advances by one of Bullet's steps.
-  void advance() {
-    now.linear = kept_ * now.linear + gain_;
-    now.angular = angular_kept_ * tumbled(*now.body, now.angular, h_) + spin_;
+  /// What one of Bullet's steps does to the velocities before forces act.
+  void begin_step() {
+    now.linear = kept_ * now.linear;
+    now.angular = angular_kept_ * tumbled(*now.body, now.angular, h_);
+  }
+  /// Adds the forces of one of Bullet's steps.
+  void push() {
+    now.linear += gain_;
+    now.angular += spin_;
   }
   /// Adds the velocities to their means.
   void note() {
@@ -104,15 +109,24 @@ class Flight {
 RigidMotion free_flight(btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
   Flight flight(body, memory, dt, substeps);
   for (int i = 0; i < substeps; ++i) {
-    flight.advance();
+    flight.begin_step();
+    flight.push();
     flight.note();
   }
   return flight.mean();
 }
 
+/// A sleeping body is at rest because its other forces balance the push of particles that it fell asleep
+/// under. It is predicted with these forces, so that it bears particles as it did when it was awake.
+RigidMotion asleep(const btRigidBody& body, const RigidMemory& memory, float dt) {
+  const btVector3 linear = body.getInvMass() * in_mass_units(memory.usual_force);
+  const btVector3 angular = body.getInvInertiaTensorWorld() * in_mass_units(memory.usual_torque);
+  return {from_bullet(body.getWorldTransform()), -dt * from_bullet(linear), -dt * from_bullet(angular)};
+}
+
 }  // namespace
 
-/// The bodies that joints hold, followed together.
+/// The bodies that joints hold, followed together. Bullet's solver adds their forces.
 struct RigidWorld::Impl::JointedFlight {
   std::vector<Flight> flights;
   std::vector<uint32_t> numbers;  ///< of their bodies
@@ -120,9 +134,12 @@ struct RigidWorld::Impl::JointedFlight {
   btAlignedObjectArray<btCollisionObject*> bodies;
   btAlignedObjectArray<btTypedConstraint*> joints;
 
-  void add(btRigidBody& body) {
-    body.clearForces();  // forces are set anew before each of Bullet's steps
-    bodies.push_back(&body);
+  void add(RigidBodyRecord& body) {
+    body.bullet->clearForces();
+    body.bullet->applyGravity();
+    body.bullet->applyCentralForce(in_mass_units(body.memory.force));
+    body.bullet->applyTorque(in_mass_units(body.memory.torque));
+    bodies.push_back(body.bullet.get());
   }
   void swap() {
     for (Flight& flight : flights) flight.now.swap();
@@ -147,7 +164,7 @@ RigidWorld::Impl::JointedFlight RigidWorld::Impl::jointed_flight(float dt,
   for (uint32_t n = 0; n < is_jointed.size(); ++n) {
     if (!is_jointed[n]) continue;
     RigidBodyRecord& body = *bodies.slots[n];
-    all.add(*body.bullet);
+    all.add(body);
     if (body.kinematic) {
       all.driven.push_back(
           {body.bullet.get(), to_bullet(motions[n].velocity), to_bullet(motions[n].angular_velocity)});
@@ -168,7 +185,7 @@ void RigidWorld::Impl::predict_jointed(float dt, std::span<RigidMotion> motions)
   info.m_splitImpulse = false;  // there are no contacts, and no body is to be moved
   limit_motors(info.m_timeStep);
   for (int i = 0; i < def.substeps; ++i) {
-    for (Flight& flight : all.flights) flight.advance();
+    for (Flight& flight : all.flights) flight.begin_step();
     all.swap();
     joint_solver.solveGroup(&all.bodies[0], all.bodies.size(), nullptr, 0, &all.joints[0], all.joints.size(), info,
                             nullptr, &dispatcher);
@@ -192,7 +209,7 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
     } else if (body.bullet->isActive()) {
       out[n] = free_flight(*body.bullet, body.memory, dt, impl_->def.substeps);
     } else {
-      out[n].start = from_bullet(body.bullet->getWorldTransform());
+      out[n] = asleep(*body.bullet, body.memory, dt);
     }
   });
   if (dt > 0) impl_->predict_jointed(dt, out);

@@ -54,6 +54,7 @@ struct RigidJointRecord {
   std::unique_ptr<btTypedConstraint> bullet;
   btHingeConstraint* hinge = nullptr;
   float motor_torque = 0;  ///< N·m, of the hinge
+  bool has_motor = false;
 };
 
 /// Objects by number. A free number is used again, the lowest first.
@@ -125,6 +126,7 @@ struct RigidWorld::Impl {
   void take_impulses(float dt, std::span<const RigidImpulse> impulses);
   void drive_kinematics(float dt);
   void wake_driven();
+  void keep_motors_awake();
   void advance_kinematics(float fraction);
   void apply_forces(float dt);
   void limit_motors(float dt);

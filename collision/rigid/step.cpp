@@ -110,6 +110,15 @@ void RigidWorld::Impl::wake_driven() {
   }
 }
 
+/// A motor may press a body against particles. Asleep, the body would not yield to what they do.
+void RigidWorld::Impl::keep_motors_awake() {
+  for (const auto& joint : joints.slots) {
+    if (!joint || !joint->has_motor) continue;
+    for (const uint32_t n : {joint->a, joint->b})
+      if (bodies.has(n)) bodies.slots[n]->bullet->setDeactivationTime(0);
+  }
+}
+
 void RigidWorld::Impl::advance_kinematics(float fraction) {
   for (const auto& body : bodies.slots) {
     if (!body || !body->kinematic) continue;
@@ -147,6 +156,7 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
       rigid_tuning::resting_steps * h * length(world.def.gravity);
   for (int i = 1; i <= substeps; ++i) {
     if (i > 1) world.dynamics.detect(h);
+    world.keep_motors_awake();
     world.apply_forces(h);
     world.dynamics.advance(h);
     world.advance_kinematics(i < substeps ? static_cast<float>(i) / static_cast<float>(substeps) : 1);
