@@ -4,6 +4,8 @@
 // Kernels and functions of StickAnchors.
 #pragma once
 
+#include <cfloat>
+
 #include "collision/body/stick_anchors.h"
 
 namespace meniscus::collision {
@@ -47,7 +49,7 @@ struct Recall {
     const Vec3 x = previous[i].xyz();
     const Vec3 slipped = VertexContacts::rubs(c) ? kept_slip(i - of.sorted, c, x) : Vec3{0, 0, 0};
     c.surface_motion -= slipped;
-    next[n - of.first()] = {to_solid(c, x - slipped), 0, c.solid, c.body};
+    next[n - of.first()] = {to_solid(c, x - slipped), length(slipped), c.solid, c.body};
   }
 
   /// m, from the anchor of vertex v at x.
@@ -65,17 +67,20 @@ struct Recall {
   }
 };
 
-/// Bounds what anchors may keep by the load that the solve has found.
-struct Bound {
+/// Lets go of anchors without load, and lets those grow that still stick.
+struct Yield {
   VertexContacts of;
-  View<const pbd::Vec4> position;
   View<StickAnchor> next;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t i = of.vertex(n);
     if (i == pbd::no_index) return;
     const Contact& c = of.contacts.contacts[n];
-    next[n - of.first()].reach = most_friction(c) * (position[i].w + c.body_inverse_mass);
+    const float most = most_friction(c);
+    if (most == 0)
+      next[n - of.first()].reach = 0;
+    else if (length(c.tangent_multiplier) < body_tuning::sticking * most)
+      next[n - of.first()].reach = FLT_MAX;
   }
 };
 
@@ -119,8 +124,8 @@ void StickAnchors<D>::end(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   if (room > 0) {
     device_.parallel_for(
-        "anchors/bound", room,
-        stick_kernels::Bound{{substep.contacts, p.sorted, vertices_}, p.position, anchors_.next()});
+        "anchors/yield", room,
+        stick_kernels::Yield{{substep.contacts, p.sorted, vertices_}, anchors_.next()});
   }
   device_.parallel_for("anchors/offsets", vertices_ + 1,
                        stick_kernels::CopyStart{substep.contacts.start, start_.next(), p.sorted});
