@@ -12,7 +12,7 @@ namespace meniscus::collision {
 /// Where a vertex sticks to a solid.
 struct StickAnchor {
   Vec3 at;         ///< m, in the body's principal frame; of fixed solids in the world's
-  float reach;     ///< m, how far friction could have moved the two together in the last substep
+  float reach;     ///< m, the slip that it may keep
   uint32_t solid;  ///< see Contact; no_index where the contact has no anchor
   uint32_t body;   ///< likewise
 };
@@ -23,10 +23,10 @@ struct StickAnchor {
 /// lost, and cloth that is pulled without end would creep by it in each substep. So a contact keeps an
 /// anchor: the point of the solid where the vertex has stuck to it. The slip is measured from there:
 ///
-///   slip = tangential part of (x − anchor),   |x − anchor| ≤ μ λ_n (w + w_b)
+///   slip = tangential part of (x − anchor)
 ///
-/// The bound is the return mapping of plasticity: what friction could not have taken back even with all of
-/// its load is slip for good. An unloaded contact forgets its anchor.
+/// While |λ_t| < μ λ_n the contact sticks, and the slip that is kept may grow. At the limit it may not: the
+/// anchor goes along, as in the return mapping of plasticity. An unloaded contact forgets its anchor.
 ///
 /// The anchor enters through the contact's surface motion, which then is the one since the vertex stuck.
 template <class D>

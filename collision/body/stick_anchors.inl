@@ -4,6 +4,7 @@
 // Kernels and functions of StickAnchors.
 #pragma once
 
+#include <algorithm>
 #include <cfloat>
 
 #include "collision/body/stick_anchors.h"
@@ -67,12 +68,14 @@ struct Recall {
   }
 };
 
-/// Lets go of anchors without load, and lets those grow that still stick.
+/// Lets go of anchors without load, and lets those grow that still stick. Copies where the anchors begin.
 struct Yield {
   VertexContacts of;
+  View<uint32_t> start;
   View<StickAnchor> next;
 
   MENISCUS_HD void operator()(uint32_t n) const {
+    if (n <= of.vertices) start[n] = of.contacts.start[of.sorted + n] - of.first();
     const uint32_t i = of.vertex(n);
     if (i == pbd::no_index) return;
     const Contact& c = of.contacts.contacts[n];
@@ -82,14 +85,6 @@ struct Yield {
     else if (length(c.tangent_multiplier) < body_tuning::sticking * most)
       next[n - of.first()].reach = FLT_MAX;
   }
-};
-
-struct CopyStart {
-  View<const uint32_t> from;  ///< of all contacts
-  View<uint32_t> to;          ///< of the anchors
-  uint32_t sorted;
-
-  MENISCUS_HD void operator()(uint32_t v) const { to[v] = from[sorted + v] - from[sorted]; }
 };
 
 }  // namespace stick_kernels
@@ -119,16 +114,11 @@ void StickAnchors<D>::begin(pbd::Substep<D>& substep) {
 
 template <class D>
 void StickAnchors<D>::end(pbd::Substep<D>& substep) {
-  const uint32_t room = substep.contacts.contacts.count;
   if (vertices_ == 0) return;
-  const pbd::ParticleView& p = substep.particles;
-  if (room > 0) {
-    device_.parallel_for(
-        "anchors/yield", room,
-        stick_kernels::Yield{{substep.contacts, p.sorted, vertices_}, anchors_.next()});
-  }
-  device_.parallel_for("anchors/offsets", vertices_ + 1,
-                       stick_kernels::CopyStart{substep.contacts.start, start_.next(), p.sorted});
+  device_.parallel_for(
+      "anchors/yield", std::max(substep.contacts.contacts.count, vertices_ + 1),
+      stick_kernels::Yield{
+          {substep.contacts, substep.particles.sorted, vertices_}, start_.next(), anchors_.next()});
   anchors_.flip();
   start_.flip();
 }

@@ -187,8 +187,8 @@ void RigidWorld::Impl::predict_jointed(float dt, std::span<RigidMotion> motions)
   for (int i = 0; i < def.substeps; ++i) {
     for (Flight& flight : all.flights) flight.begin_step();
     all.swap();
-    joint_solver.solveGroup(&all.bodies[0], all.bodies.size(), nullptr, 0, &all.joints[0], all.joints.size(), info,
-                            nullptr, &dispatcher);
+    joint_solver.solveGroup(&all.bodies[0], all.bodies.size(), nullptr, 0, &all.joints[0], all.joints.size(),
+                            info, nullptr, &dispatcher);
     all.swap();
     for (Flight& flight : all.flights) flight.note();
   }

@@ -34,12 +34,24 @@ enum class SetPhase {
 };
 
 constexpr const char* phase_name(SetPhase phase) {
-  constexpr std::array names{"surface_tension",    "density",      "fluid_loads",
-                             "attachments",        "stick_anchors", "body_loads",
-                             "cloth", "body_load_transfer", "rods",         "ropes",
-                             "self_contact",       "grains",       "fluid_carry",
-                             "contacts",           "ccd_failsafe", "attachment_release",
-                             "fluid_cloth",        "bodies"};
+  constexpr std::array names{"surface_tension",
+                             "density",
+                             "fluid_loads",
+                             "attachments",
+                             "stick_anchors",
+                             "body_loads",
+                             "cloth",
+                             "body_load_transfer",
+                             "rods",
+                             "ropes",
+                             "self_contact",
+                             "grains",
+                             "fluid_carry",
+                             "contacts",
+                             "ccd_failsafe",
+                             "attachment_release",
+                             "fluid_cloth",
+                             "bodies"};
   static_assert(names.size() == static_cast<std::size_t>(SetPhase::count));
   return names[static_cast<std::size_t>(phase)];
 }
