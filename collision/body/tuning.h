@@ -20,6 +20,10 @@ inline constexpr float facing = -0.5f;
 /// Test: BodyKernels.TiesStandApartAndLeaveHalfOfTheBody.
 inline constexpr float splits = 2;
 
+/// Of the largest friction: a contact with less sticks. At the limit rounding decides.
+/// Test: HeldCloth.OfAMovingBodyCarriesABoxAlong.
+inline constexpr float sticking = 0.999f;
+
 }  // namespace body_tuning
 
 namespace face_tuning {

@@ -80,8 +80,10 @@ void make_constraint(RigidJointRecord& joint, btRigidBody& a, btRigidBody& b, co
     auto made = make_hinge(frames_of(a, b, def.frame, z_to_y), *hinge);
     joint.hinge = made.get();
     joint.motor_torque = hinge->motor_torque;
+    joint.has_motor = hinge->motor_torque > 0;
     joint.bullet = std::move(made);
   } else if (const auto* slider = std::get_if<SliderJoint>(&def.kind)) {
+    joint.has_motor = slider->motor_force > 0;
     joint.bullet = make_slider(frames_of(a, b, def.frame, x_to_y), *slider);
   } else if (const auto* spring = std::get_if<SpringJoint>(&def.kind)) {
     joint.bullet = make_springs(frames_of(a, b, def.frame, btQuaternion::getIdentity()), *spring);

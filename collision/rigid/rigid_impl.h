@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The implementation of RigidWorld. Its functions are in rigid_world.cpp (contents), step.cpp (motion),
-// joints.cpp, queries.cpp and snapshot.cpp.
+// The implementation of RigidWorld. Its functions are in rigid_world.cpp (contents), predict.cpp,
+// step.cpp, joints.cpp, queries.cpp and snapshot.cpp.
 #pragma once
 
 #include <memory>
@@ -54,6 +54,7 @@ struct RigidJointRecord {
   std::unique_ptr<btTypedConstraint> bullet;
   btHingeConstraint* hinge = nullptr;
   float motor_torque = 0;  ///< N·m, of the hinge
+  bool has_motor = false;
 };
 
 /// Objects by number. A free number is used again, the lowest first.
@@ -85,7 +86,7 @@ struct RigidWorld::Impl {
   btDefaultCollisionConfiguration configuration;
   RigidBroadphase broadphase;
   RigidDispatcher dispatcher;
-  RigidSolver solver;
+  RigidSolver solver, joint_solver;  ///< of steps; of predictions
   RigidDynamics dynamics;
   btRigidBody ground;  ///< the body to which joints with the world attach; not in the world itself
   Numbered<RigidBodyRecord> bodies;
@@ -119,9 +120,13 @@ struct RigidWorld::Impl {
   Pose kinematic_pose(const RigidBodyRecord& body, double at) const;
   void place_kinematic(RigidBodyRecord& body, const Pose& pose);
 
+  struct JointedFlight;
+  JointedFlight jointed_flight(float dt, std::span<const RigidMotion> motions) const;
+  void predict_jointed(float dt, std::span<RigidMotion> motions);
   void take_impulses(float dt, std::span<const RigidImpulse> impulses);
   void drive_kinematics(float dt);
   void wake_driven();
+  void keep_motors_awake();
   void advance_kinematics(float fraction);
   void apply_forces(float dt);
   void limit_motors(float dt);
@@ -136,6 +141,9 @@ struct KinematicVelocity {
   Vec3 linear, angular;
 };
 KinematicVelocity velocity_to(const Pose& start, const Pose& target, float dt);
+
+/// The angular velocity of a free body after dt.
+btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt);
 
 void wake_up(btRigidBody& body);
 void set_speed(btRigidBody& body, Vec3 linear, Vec3 angular);

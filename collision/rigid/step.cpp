@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Motion of a rigid world: prediction, impulses, and steps.
+// Motion of a rigid world: impulses and steps. The prediction is in predict.cpp.
 #include <meniscus/error.h>
 
 #include <algorithm>
@@ -15,58 +15,6 @@
 namespace meniscus::collision {
 
 namespace {
-
-/// Bullet limits the rotation of a body in a step to this, rad.
-constexpr float most_turn = ANGULAR_MOTION_THRESHOLD;
-
-Vec3 limited_turn(Vec3 angular_velocity, float dt) {
-  const float speed = length(angular_velocity);
-  return speed * dt > most_turn ? most_turn / (speed * dt) * angular_velocity : angular_velocity;
-}
-
-/// The angular velocity of a free body after dt, as its axes turn. Euler's equation in the body's frame, by
-/// the implicit midpoint rule, which conserves energy and momentum. Bullet's own integration damps the
-/// tumbling of fast bodies. It also skips small bodies, whose moments of inertia have a product below its
-/// bound for a division.
-btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt) {
-  const btMatrix3x3& axes = body.getWorldTransform().getBasis();
-  const btVector3 inertia = body.getLocalInertia(), inverse = body.getInvInertiaDiagLocal();
-  const btMatrix3x3 over_inertia(inverse.x(), 0, 0, 0, inverse.y(), 0, 0, 0, inverse.z());
-  const btVector3 before = angular * axes;
-  const float speed = before.length(), turning = btMin(dt, most_turn / btMax(speed, FLT_MIN));
-  btVector3 after = before;
-  for (int i = 0; i < rigid_tuning::newton_steps; ++i) {
-    const btVector3 w = 0.5f * (before + after), momentum = inertia * w;
-    const btVector3 error = after - before + turning * inverse * w.cross(momentum);
-    if (error.length() <= FLT_EPSILON * speed) break;
-    btMatrix3x3 turn, spin;
-    w.getSkewSymmetricMatrix(&turn[0], &turn[1], &turn[2]);
-    momentum.getSkewSymmetricMatrix(&spin[0], &spin[1], &spin[2]);
-    const btMatrix3x3 slope =
-        btMatrix3x3::getIdentity() + over_inertia * (turn.scaled(inertia) - spin) * (0.5f * turning);
-    after -= slope.solve33(error);
-  }
-  return axes * after;
-}
-
-/// The velocity of a body over Bullet's steps without contacts, averaged over the steps. The axes of the
-/// inertia are those at the start.
-RigidMotion free_flight(const btRigidBody& body, const RigidMemory& memory, float dt, int substeps) {
-  const float fraction = 1 / static_cast<float>(substeps), h = fraction * dt;
-  const btVector3 gain = h * (body.getGravity() + body.getInvMass() * in_mass_units(memory.force));
-  const btVector3 spin = h * (body.getInvInertiaTensorWorld() * in_mass_units(memory.torque));
-  const float kept = btPow(1 - body.getLinearDamping(), h);
-  const float angular_kept = btPow(1 - body.getAngularDamping(), h);
-  btVector3 linear = body.getLinearVelocity(), angular = body.getAngularVelocity();
-  RigidMotion mean{from_bullet(body.getWorldTransform()), {0, 0, 0}, {0, 0, 0}};
-  for (int i = 0; i < substeps; ++i) {
-    linear = kept * linear + gain;
-    angular = angular_kept * tumbled(body, angular, h) + spin;
-    mean.velocity += fraction * from_bullet(linear);
-    mean.angular_velocity += fraction * limited_turn(from_bullet(angular), h);
-  }
-  return mean;
-}
 
 bool is_sprung(btRigidBody& body) {
   for (int i = 0; i < body.getNumConstraintRefs(); ++i) {
@@ -125,25 +73,6 @@ void RigidWorld::Impl::place_kinematic(RigidBodyRecord& body, const Pose& pose) 
   body.bullet->setInterpolationWorldTransform(at);
 }
 
-void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
-  assert(out.size() >= body_slots());
-  std::ranges::fill(out, RigidMotion{{}, {0, 0, 0}, {0, 0, 0}});
-  impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
-    if (dt == 0) {
-      out[n].start = from_bullet(body.bullet->getWorldTransform());
-    } else if (body.kinematic) {
-      const Pose start = body.memory.pose * body.shape.frame;
-      const Pose target = impl_->kinematic_pose(body, impl_->time + dt) * body.shape.frame;
-      const KinematicVelocity v = velocity_to(start, target, dt);
-      out[n] = {start, v.linear, v.angular};
-    } else if (body.bullet->isActive()) {
-      out[n] = free_flight(*body.bullet, body.memory, dt, impl_->def.substeps);
-    } else {
-      out[n].start = from_bullet(body.bullet->getWorldTransform());
-    }
-  });
-}
-
 void RigidWorld::Impl::take_impulses(float dt, std::span<const RigidImpulse> impulses) {
   assert(impulses.empty() || impulses.size() >= bodies.slots.size());
   for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
@@ -178,6 +107,15 @@ void RigidWorld::Impl::wake_driven() {
     if (!joint) continue;
     if (moves(joint->a) && bodies.has(joint->b)) wake_up(*bodies.slots[joint->b]->bullet);
     if (moves(joint->b) && bodies.has(joint->a)) wake_up(*bodies.slots[joint->a]->bullet);
+  }
+}
+
+/// A motor may press a body against particles. Asleep, the body would not yield to what they do.
+void RigidWorld::Impl::keep_motors_awake() {
+  for (const auto& joint : joints.slots) {
+    if (!joint || !joint->has_motor) continue;
+    for (const uint32_t n : {joint->a, joint->b})
+      if (bodies.has(n)) bodies.slots[n]->bullet->setDeactivationTime(0);
   }
 }
 
@@ -218,6 +156,7 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
       rigid_tuning::resting_steps * h * length(world.def.gravity);
   for (int i = 1; i <= substeps; ++i) {
     if (i > 1) world.dynamics.detect(h);
+    world.keep_motors_awake();
     world.apply_forces(h);
     world.dynamics.advance(h);
     world.advance_kinematics(i < substeps ? static_cast<float>(i) / static_cast<float>(substeps) : 1);

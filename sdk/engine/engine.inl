@@ -14,6 +14,7 @@
 #include "collision/body/body_set.h"
 #include "collision/body/effective_mass.h"
 #include "collision/body/face_points.h"
+#include "collision/body/stick_anchors.h"
 #include "collision/contact/contact_set.h"
 #include "collision/contact/shape_contacts.h"
 #include "collision/fluid_cloth/fluid_cloth_set.h"
@@ -48,6 +49,7 @@ class DeviceEngine final : public Engine {
         bodies_(device_, *def.rigid, contacts_),
         attachments_(device_, bodies_),
         effective_mass_(device_, bodies_),
+        stick_anchors_(device_, bodies_),
         density_(device_, def.kernel, def.density),
         cloth_(device_, def.cloth),
         rods_(device_),
@@ -151,6 +153,7 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::density, density_)
         .place(SetPhase::fluid_loads, fluid_cloth_.loading())
         .place(SetPhase::attachments, attachments_)
+        .place(SetPhase::stick_anchors, stick_anchors_)
         .place(SetPhase::body_loads, effective_mass_)
         .place(SetPhase::cloth, cloth_)
         .place(SetPhase::body_load_transfer, effective_mass_.transfer())
@@ -206,6 +209,7 @@ class DeviceEngine final : public Engine {
   collision::BodySet<D> bodies_;
   collision::BodyAttachments<D> attachments_;
   collision::EffectiveMass<D> effective_mass_;
+  collision::StickAnchors<D> stick_anchors_;
   fluid::DensitySet<D> density_;
   cloth::ClothSet<D> cloth_;
   cloth::RodSet<D> rods_;

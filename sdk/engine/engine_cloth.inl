@@ -15,6 +15,7 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   fetch_contacts();
   cloth_.set_model(cloth.model);
   effective_mass_.set_vertices(vertices);
+  stick_anchors_.set_vertices(vertices);
   rods_.set_model(cloth.rods);
   rods_.set_states(0, cloth.segments);
   ropes_.set_model(cloth.ropes);

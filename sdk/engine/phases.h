@@ -16,6 +16,7 @@ enum class SetPhase {
   density,             ///< first, so that later sets correct what it pushes into cloth and solids
   fluid_loads,         ///< passes the density solve's contact impulses on to cloth
   attachments,         ///< before sets that move vertices: a held vertex gets its holder's mass
+  stick_anchors,       ///< before friction: recalls where vertices have stuck to solids
   body_loads,          ///< before cloth: a vertex that carries a body resists with that body's mass
   cloth,               ///< stretch, shear, bending, tethers, volume
   body_load_transfer,  ///< after cloth, before contacts: transfers the impulses of cloth to bodies
@@ -33,12 +34,24 @@ enum class SetPhase {
 };
 
 constexpr const char* phase_name(SetPhase phase) {
-  constexpr std::array names{"surface_tension",    "density",      "fluid_loads",
-                             "attachments",        "body_loads",   "cloth",
-                             "body_load_transfer", "rods",         "ropes",
-                             "self_contact",       "grains",       "fluid_carry",
-                             "contacts",           "ccd_failsafe", "attachment_release",
-                             "fluid_cloth",        "bodies"};
+  constexpr std::array names{"surface_tension",
+                             "density",
+                             "fluid_loads",
+                             "attachments",
+                             "stick_anchors",
+                             "body_loads",
+                             "cloth",
+                             "body_load_transfer",
+                             "rods",
+                             "ropes",
+                             "self_contact",
+                             "grains",
+                             "fluid_carry",
+                             "contacts",
+                             "ccd_failsafe",
+                             "attachment_release",
+                             "fluid_cloth",
+                             "bodies"};
   static_assert(names.size() == static_cast<std::size_t>(SetPhase::count));
   return names[static_cast<std::size_t>(phase)];
 }
