@@ -137,7 +137,7 @@ struct World::Impl {
   Emission emission;
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
   // Each creation that uploads all before it would make many of them quadratic. So the next use uploads.
-  bool materials_are_on_device = true, probes_are_on_device = true;
+  bool materials_are_on_device = false, probes_are_on_device = false;
   std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes
   std::vector<fluid::ProbeSum> probe_values;  // by the index of their ids
 
