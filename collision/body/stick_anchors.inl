@@ -22,9 +22,10 @@ struct VertexContacts {
   uint32_t sorted;    ///< see ParticleView
   uint32_t vertices;  ///< without points of faces
 
-  /// The particle of contact n, or no_index if it is no vertex.
+  /// The particle of contact n, or no_index if it is no vertex. Where contacts lack room, and the step will
+  /// be repeated, not all that is listed is valid.
   MENISCUS_HD uint32_t vertex(uint32_t n) const {
-    if (n >= contacts.total()) return pbd::no_index;
+    if (n < first() || n >= contacts.total()) return pbd::no_index;
     const uint32_t i = contacts.particle[n];
     return i >= sorted && i - sorted < vertices ? i : pbd::no_index;
   }
@@ -55,7 +56,8 @@ struct Recall {
 
   /// m, from the anchor of vertex v at x.
   MENISCUS_HD Vec3 kept_slip(uint32_t v, const Contact& c, Vec3 x) const {
-    for (uint32_t k = start[v]; k < start[v + 1]; ++k) {
+    const uint32_t end = start[v + 1] < anchors.count ? start[v + 1] : anchors.count;
+    for (uint32_t k = start[v]; k < end; ++k) {
       const StickAnchor anchor = anchors[k];
       if (anchor.solid != c.solid || anchor.body != c.body) continue;
       const Vec3 from = x - (c.body < bodies.count ? to_world(bodies[c.body].start, anchor.at) : anchor.at);
