@@ -82,17 +82,23 @@ TEST_P(PinchedCloth, LetsACrateSlideByCoulombsLaw) {
   EXPECT_NEAR(gain, wanted, 0.06f * wanted);
 }
 
+/// A kinematic bar that holds one edge of a square carpet with so many columns.
+BodyId bar_at_the_edge(World& world, ClothId cloth, uint32_t columns) {
+  const BodyId bar = world.create_body(kinematic(BoxGeometry{{0.01f, 0.01f, 0.5f}}, {0.6f, 0.3f, 0}));
+  AttachmentDef edge = attach(cloth, {});
+  for (uint32_t row = 0; row < columns; ++row) edge.vertices.push_back(columns * row + columns - 1);
+  edge.body = bar;
+  world.create_attachment(edge);
+  return bar;
+}
+
 // What is drawn from under it takes it along by μ g.
 TEST_P(PinchedCloth, TakesAlongWhatStandsOnIt) {
   constexpr float friction = 0.3f, speed = 1;
   World world = slope(GetParam(), 0, 0.1f);
   const ClothId cloth = carpet(world);
   const BodyId box = crate(world, 1, friction);
-  const BodyId bar = world.create_body(kinematic(BoxGeometry{{0.01f, 0.01f, 0.5f}}, {0.6f, 0.3f, 0}));
-  AttachmentDef edge = attach(cloth, {});
-  for (uint32_t row = 0; row < columns; ++row) edge.vertices.push_back(columns * row + columns - 1);
-  edge.body = bar;
-  world.create_attachment(edge);
+  const BodyId bar = bar_at_the_edge(world, cloth, columns);
   run(world, 20, dt);
   world.move_body(bar, {{0.6f + 0.2f * speed, 0.3f, 0}, {0, 0, 0, 1}}, 0.2f);
   run(world, 12, dt);
@@ -107,11 +113,7 @@ TEST_P(PinchedCloth, CarriesWhatStandsOnItAlong) {
   World world = slope(GetParam(), 0, 0.1f);
   const ClothId cloth = carpet(world);
   const BodyId box = crate(world, 1, friction);
-  const BodyId bar = world.create_body(kinematic(BoxGeometry{{0.01f, 0.01f, 0.5f}}, {0.6f, 0.3f, 0}));
-  AttachmentDef edge = attach(cloth, {});
-  for (uint32_t row = 0; row < columns; ++row) edge.vertices.push_back(columns * row + columns - 1);
-  edge.body = bar;
-  world.create_attachment(edge);
+  const BodyId bar = bar_at_the_edge(world, cloth, columns);
   run(world, 20, dt);
   const float start = world.body_state(box).pose.position.x;
   constexpr int steps = 24;

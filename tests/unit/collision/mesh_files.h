@@ -160,7 +160,8 @@ inline std::string dae() {
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-inline std::string fbx() {
+/// `unit`: the length of its unit, cm.
+inline std::string fbx(const std::string& unit = "100") {
   return R"(; FBX 7.4.0 project file
 FBXHeaderExtension:  {
   FBXHeaderVersion: 1003
@@ -169,7 +170,8 @@ FBXHeaderExtension:  {
 GlobalSettings:  {
   Version: 1000
   Properties70:  {
-    P: "UnitScaleFactor", "double", "Number", "",100
+    P: "UnitScaleFactor", "double", "Number", "",)" +
+         unit + R"(
   }
 }
 Objects:  {

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "collision/mesh/clean.h"
+#include "tests/unit/collision/mesh_files.h"
 #include "tests/unit/collision/mesh_shapes.h"
 
 namespace meniscus::collision {
@@ -91,38 +92,6 @@ const char* const painted_cube_obj =
     "usemtl red\nf 1 2 6 5\nf 2 3 7 6\nusemtl green\nf 1 4 3 2\nf 5 6 7 8\nf 3 4 8 7\nf 4 1 5 8\n";
 const char* const paints_mtl = "newmtl red\nKd 0.8 0.1 0.05\nnewmtl green\nKd 0.1 1.5 0.2\n";
 
-// The tetrahedron in inches.
-const char* const inches_fbx = R"(; FBX 7.4.0 project file
-FBXHeaderExtension:  {
-  FBXHeaderVersion: 1003
-  FBXVersion: 7400
-}
-GlobalSettings:  {
-  Version: 1000
-  Properties70:  {
-    P: "UnitScaleFactor", "double", "Number", "",2.54
-  }
-}
-Objects:  {
-  Geometry: 1000, "Geometry::g", "Mesh" {
-    Vertices: *12 {
-      a: 0,0,0,1,0,0,0,1,0,0,0,1
-    }
-    PolygonVertexIndex: *12 {
-      a: 0,2,-2,0,1,-4,0,3,-3,1,2,-4
-    }
-    GeometryVersion: 124
-  }
-  Model: 2000, "Model::m", "Mesh" {
-    Version: 232
-  }
-}
-Connections:  {
-  C: "OO",1000,2000
-  C: "OO",2000,0
-}
-)";
-
 void expect_box(const TriangleMesh& mesh, Vec3 lower, Vec3 upper) {
   const Aabb box = bounds(mesh);
   EXPECT_LT(length(box.lower - lower), 1e-5f) << box.lower.x << ' ' << box.lower.y << ' ' << box.lower.z;
@@ -191,7 +160,7 @@ TEST_F(MeshFile, LinesAndPointsArePassedOver) {
 }
 
 TEST_F(MeshFile, FbxSaysHowLongItsUnitIs) {
-  const std::string path = write("inches.fbx", inches_fbx);
+  const std::string path = write("inches.fbx", mesh_files::fbx("2.54"));
   expect_box(load_mesh(path), {0, 0, 0}, {0.0254f, 0.0254f, 0.0254f});
   expect_box(load_solid(path, 100), {0, 0, 0}, {2.54f, 2.54f, 2.54f});
 }
