@@ -5,6 +5,7 @@
 #include "cloth/build/build_constraints.h"
 
 #include <array>
+#include <utility>
 
 #include "cloth/build/bending.h"
 #include "cloth/build/colouring.h"
@@ -32,9 +33,6 @@ std::array<uint32_t, 3> corners(const StrainConstraint& s) {
 std::array<uint32_t, 4> corners(const HingeConstraint& h) {
   return {h.a, h.b, h.c, h.d};
 }
-std::array<uint32_t, 4> corners(const IsometricConstraint& h) {
-  return {h.a, h.b, h.c, h.d};
-}
 
 template <class Constraint>
 Coloured<Constraint> coloured(const std::vector<Constraint>& constraints, size_t vertices) {
@@ -58,9 +56,9 @@ ClothConstraints build_constraints(const ClothMesh& mesh, const FabricParameters
   } else {
     result.edges = coloured(stretch_of_edges(mesh, uses, triangles, fabric), vertices);
   }
-  const Hinges hinges = bending_of_edges(mesh, uses, triangles, fabric);
+  Hinges hinges = bending_of_edges(mesh, uses, triangles, fabric);
   result.hinges = coloured(hinges.dihedral, vertices);
-  result.isometric = coloured(hinges.isometric, vertices);
+  result.isometric = std::move(hinges.isometric);
   return result;
 }
 

@@ -34,7 +34,7 @@ struct ClothConstraints {
   Coloured<EdgeConstraint> edges;
   Coloured<StrainConstraint> strains;
   Coloured<HingeConstraint> hinges;
-  Coloured<IsometricConstraint> isometric;
+  std::vector<IsometricConstraint> isometric;  ///< solved as one block, so they need no colours
 };
 
 /// The constraints of a mesh that check_mesh accepts. Within a colour they are in the order of their lowest

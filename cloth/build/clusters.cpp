@@ -43,7 +43,6 @@ bool have_few_colours(const ClothConstraints& c) {
 std::vector<Any> list_all(const ClothConstraints& c) {
   std::vector<Any> all;
   const auto four = [](const auto& h) { return std::array{h.a, h.b, h.c, h.d}; };
-  list(all, ConstraintKind::isometric, c.isometric, 4, four);
   list(all, ConstraintKind::hinge, c.hinges, 4, four);
   list(all, ConstraintKind::strain, c.strains, 3, [](const auto& s) {
     return std::array{s.a, s.b, s.c, none};
@@ -188,9 +187,6 @@ void for_each_vertex(Clusters& all, const Cluster& cluster, const Visit& visit) 
     const Batch& batch = all.batches[b];
     for (uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
       switch (batch.kind) {
-        case ConstraintKind::isometric:
-          four(all.isometric[k]);
-          break;
         case ConstraintKind::hinge:
           four(all.hinges[k]);
           break;
@@ -221,7 +217,7 @@ void note_items(Clusters& all) {
   for (Cluster& cluster : all.clusters) {
     for (uint32_t b = cluster.first_batch; b < cluster.end_batch; ++b) {
       const Batch& batch = all.batches[b];
-      if (batch.kind != ConstraintKind::isometric && batch.kind != ConstraintKind::edge) continue;
+      if (batch.kind != ConstraintKind::edge) continue;
       if (cluster.end_item == 0) cluster.first_item = batch.first;
       cluster.end_item = batch.first + batch.count;
     }
@@ -244,7 +240,7 @@ Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec
   std::stable_sort(all.begin(), all.end(), [](const Any& a, const Any& b) {
     return std::tuple(a.cluster, a.kind, a.colour) < std::tuple(b.cluster, b.kind, b.colour);
   });
-  std::array<uint32_t, 4> next{};  // next item of each kind
+  std::array<uint32_t, 3> next{};  // next item of each kind
   const Any* before = nullptr;
   for (const Any& c : all) {
     const bool new_cluster = !before || before->cluster != c.cluster;
@@ -255,7 +251,6 @@ Clusters build_clusters(const ClothConstraints& constraints, std::span<const Vec
     out.clusters.back().end_batch = end;
     ++out.batches.back().count;
     ++next[static_cast<size_t>(c.kind)];
-    take(c, ConstraintKind::isometric, constraints.isometric.items, out.isometric);
     take(c, ConstraintKind::hinge, constraints.hinges.items, out.hinges);
     take(c, ConstraintKind::strain, constraints.strains.items, out.strains);
     take(c, ConstraintKind::edge, constraints.edges.items, out.edges);

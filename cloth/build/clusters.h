@@ -12,7 +12,7 @@
 
 namespace meniscus::cloth {
 
-enum class ConstraintKind : uint32_t { isometric, hinge, strain, edge };
+enum class ConstraintKind : uint32_t { hinge, strain, edge };
 
 /// Constraints of one kind and colour in a cluster: items[first] to items[first + count − 1].
 struct Batch {
@@ -20,8 +20,8 @@ struct Batch {
   uint32_t first, count;
 };
 
-/// A cluster has the vertices vertices[first_vertex] to vertices[end_vertex − 1]. Its items are its isometric
-/// hinges or its edges, whichever it has.
+/// A cluster has the vertices vertices[first_vertex] to vertices[end_vertex − 1]. Its items are its
+/// edges.
 struct Cluster {
   uint32_t first_batch, end_batch;
   uint32_t first_vertex, end_vertex;
@@ -32,7 +32,6 @@ struct Cluster {
 
 /// The constraints of all cloth, sorted by cluster, kind and colour.
 struct Clusters {
-  std::vector<IsometricConstraint> isometric;
   std::vector<HingeConstraint> hinges;
   std::vector<StrainConstraint> strains;
   std::vector<EdgeConstraint> edges;

@@ -44,16 +44,6 @@ struct alignas(16) IsometricConstraint {
   float compliance;  ///< m²/J: (A₁ + A₂)/D
 };
 
-/// The vertices a, b, c and d of an isometric hinge in a cluster (clusters.h), numbered within the cluster.
-struct PackedHinge {
-  uint32_t bytes;
-
-  static constexpr PackedHinge of(const IsometricConstraint& h) {
-    return {h.a | h.b << 8 | h.c << 16 | h.d << 24};
-  }
-  MENISCUS_HD uint32_t vertex(uint32_t which) const { return bytes >> 8 * which & 0xff; }
-};
-
 /// C = |x_vertex − x_anchor| − length ≤ 0, with a fixed anchor (Kim, Chentanez & Müller 2012).
 struct Tether {
   uint32_t vertex, anchor;

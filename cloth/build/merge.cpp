@@ -124,7 +124,12 @@ ClothConstraints merge(std::span<const ClothConstraints> pieces) {
   all.edges = joined(pieces, first_vertex, &ClothConstraints::edges);
   all.strains = joined(pieces, first_vertex, &ClothConstraints::strains);
   all.hinges = joined(pieces, first_vertex, &ClothConstraints::hinges);
-  all.isometric = joined(pieces, first_vertex, &ClothConstraints::isometric);
+  for (size_t p = 0; p < pieces.size(); ++p) {
+    for (IsometricConstraint hinge : pieces[p].isometric) {
+      shift(hinge, first_vertex[p]);
+      all.isometric.push_back(hinge);
+    }
+  }
   return all;
 }
 

@@ -72,12 +72,43 @@ inline constexpr uint32_t homeless_cost = 1000, recent_cost = 5;
 
 }  // namespace colouring_tuning
 
+namespace balance_tuning {
+
+/// The least factor of a hinge's stiffness. A hinge without stiffness would be a crease.
+/// Test: BuildBending.OfASheetIsTheSameInAnyDirection.
+inline constexpr double least_factor = 0.1;
+
+/// How much factors near 1 are preferred to exact energies.
+/// Test: BuildBending.OfASheetIsTheSameInAnyDirection.
+inline constexpr double preference = 1e-5;
+
+/// At most so many rounds of coordinate descent, until no factor changes by more than this.
+/// Test: BuildBending.OfASheetIsTheSameInAnyDirection.
+inline constexpr int rounds = 100;
+inline constexpr double accuracy = 1e-4;
+
+/// Of the forces that a bend exerts on a vertex: the greatest sum with which the mesh counts as regular
+/// there. Rounding leaves 1e-4 on sheets of a thousand columns. On a mesh with vertices moved by a tenth of
+/// an edge it is more than 0.1. Test: ClothBending.OfAnIrregularMeshIsAsAsked.
+inline constexpr double regular = 0.01;
+
+}  // namespace balance_tuning
+
 namespace build_tuning {
 
 /// Of a triangle's longest edge: its least height. With a seam of 2·10⁻⁴ a sheet that drops blows up, and
 /// with 5·10⁻⁴ it recovers.
 /// Test: ClothMesh.AThinTriangleIsRefusedByItsEdge.
 inline constexpr double least_height = 5e-4;
+
+/// 1/s²: a hinge counts as at most so stiff against the masses of its corners. That is stiffer than any
+/// substep resolves.
+/// Test: BendingMatrix.HasFiniteEntriesForUnyieldingCloth.
+inline constexpr double stiffest_bending = 1e9;
+
+/// Rounds of the power iteration that bounds the fastest bending. More bound it hardly better.
+/// Test: BendingMatrix.BoundsItsFastestMode.
+inline constexpr int bound_rounds = 20;
 
 /// rad: a rest shape with a smaller angle counts as flat, so its hinge is isometric. Meshes from files are
 /// flat to about this.

@@ -1,88 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of bending: isometric and dihedral hinges.
+// The kernel of dihedral hinges. Isometric bending is solved in bending_solver.h.
 #pragma once
 
 #include "cloth/build/constraints.h"
 #include "cloth/solve/vertex_state.h"
-#include "pbd/device/side_by_side.h"
 
 namespace meniscus::cloth::bending_kernels {
-
-using pbd::gather;
-using pbd::scatter;
-
-/// An isometric hinge, taken as three constraints, one for each component of Σ k x. The single constraint
-/// |Σ k x| has no direction at 0. The three have the same energy and constant gradients.
-struct SolveIsometric {
-  View<const PackedHinge> hinges;
-  View<const Vec4> coefficients;  ///< k of b, c and d; w: the compliance, m²/J
-  View<Vec4> multiplier;          ///< kg·m; empty if no later iteration continues from it
-  bool starts;
-
-  MENISCUS_HD void prefetch(uint32_t k) const {
-    pbd::prefetch(hinges, k);
-    pbd::prefetch(coefficients, k);
-    if (!starts) pbd::prefetch(multiplier, k);
-  }
-
-  /// The constants of hinges that are solved side by side.
-  template <class D>
-  struct Items {
-    pbd::Places<D> number[4];
-    pbd::Vec4Of<typename D::Real> coefficients;
-
-    MENISCUS_HD void set(uint32_t lane, const PackedHinge& h) {
-      MENISCUS_UNROLL
-      for (uint32_t i = 0; i < 4; ++i) number[i].at[lane] = h.vertex(i);
-    }
-  };
-  template <class D>
-  MENISCUS_HD Items<D> items(const pbd::SideBySide<D>& together) const {
-    Items<D> all;
-    for (uint32_t lane = 0; lane < D::lane_count; ++lane) all.set(lane, hinges[together.items.at[lane]]);
-    all.coefficients = gather(coefficients, together.index());
-    return all;
-  }
-
-  template <class D, class Vertices>
-  MENISCUS_HD void run(const Vertices& vertices, const pbd::SideBySide<D>& together,
-                       const Items<D>& items) const {
-    using Real = typename D::Real;
-    using Vector = pbd::Vec3Of<Real>;
-    const auto at = together.index();
-    const auto& number = items.number;
-    const pbd::Vec4Of<Real>& h = items.coefficients;
-    const Real zero(0), k_of[4] = {-(h.x + h.y + h.z), h.x, h.y, h.z};
-    const Vector before = starts ? Vector{zero, zero, zero} : gather(multiplier, at).xyz();
-    const Real damping = vertices.template bending_damping<D>(number[0]);
-    const bool damped = less_mask(zero, damping) != 0;
-    LaneVertex<D> x[4];
-    // Positions are taken relative to the first vertex. Relative to a distant origin, only rounding would be
-    // left.
-    Vector c{zero, zero, zero}, displacement{zero, zero, zero};
-    Real weight = zero;
-    MENISCUS_UNROLL
-    for (int i = 0; i < 4; ++i) {
-      x[i] = vertices.at(number[i]);
-      c += k_of[i] * (x[i].x.xyz() - x[0].x.xyz());
-      weight += x[i].x.w * k_of[i] * k_of[i];
-      if (damped) displacement += k_of[i] * (x[i].x.xyz() - vertices.previous(number[i]));
-    }
-    weight = together.if_any(weight);
-    const Real compliance = h.w * Real(vertices.inverse_dt()) * Real(vertices.inverse_dt());
-    const Vector wanted = xpbd_step(c, displacement, weight, before, compliance, damping);
-    const auto if_live = [&](const Real& s) { return select_less(zero, weight, s, zero); };
-    const Vector step{if_live(wanted.x), if_live(wanted.y), if_live(wanted.z)};
-    if (multiplier.count != 0) {
-      const Vector now = before + step;
-      scatter(multiplier, at, {now.x, now.y, now.z, zero}, together.mask());
-    }
-    MENISCUS_UNROLL
-    for (int i = 0; i < 4; ++i) vertices.push(number[i], x[i], k_of[i], step);
-  }
-};
 
 /// The angle θ of a hinge, and its gradient.
 struct Fold {

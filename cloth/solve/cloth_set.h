@@ -9,6 +9,7 @@
 #include "cloth/build/chains.h"
 #include "cloth/build/cloth_model.h"
 #include "cloth/build/wind.h"
+#include "cloth/solve/bending_solver.h"
 #include "cloth/solve/vertex_state.h"
 #include "cloth/solve/volume_kernels.h"
 #include "pbd/device/shared_buffer.h"
@@ -19,6 +20,7 @@ namespace meniscus::cloth {
 namespace stretch_kernels {
 struct SolveEdge;
 }
+
 enum class ChainStage : uint32_t;
 
 struct ClothSolverParameters {
@@ -31,9 +33,10 @@ struct ClothSolverParameters {
 /// solved by Gauss–Seidel, and the force of the air on it.
 ///
 ///   begin     adds the wind;
-///   project   in the first iteration, starts edges outside chains from a fraction of their last pulls, which
-///             chains absorb before cloth moves. Sweeps over bending, then over stretch, pass by pass
-///             (clusters.h). Solves for the lengths of whole chains, layer by layer (chains.h). The last
+///   project   in the first iteration, solves isometric bending as one block (bending_solver.h), and starts
+///   edges outside chains from a fraction of their last pulls, which
+///             chains absorb before cloth moves. Sweeps over dihedral bending, then over stretch, pass by
+///             pass (clusters.h). Solves for the lengths of whole chains, layer by layer (chains.h). The last
 ///             iteration repeats stretch and chains in a number of rounds. The next iteration runs backwards.
 ///             Gas has its turn at the start or at the end, and tethers come last;
 ///   settle    records the pulls at held vertices. Loaded pieces forget the pulls of their edges.
@@ -71,6 +74,8 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   }
   /// What pulled and pushed at each held vertex in the last step, N·s.
   std::vector<Vec3> read_reactions() const;
+  /// By piece, the least part of its bending stiffness that substeps have resolved.
+  const std::vector<float>& bending_fractions() const { return bending_.fractions(); }
   /// Whether any edge was stretched beyond its limit in the last step.
   bool found_tears() const { return !tears_.host().empty() && tears_.host()[0] != 0; }
 
@@ -82,7 +87,6 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   }
   void upload_constraints(const ClothModel& model);
   void upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains);
-  void upload_isometric(const std::vector<IsometricConstraint>& hinges);
   void reserve_bending_multipliers(int iterations);
   void upload_adjacency(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
   VertexState vertices(const pbd::Substep<D>& substep) const {
@@ -119,6 +123,7 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
 
   D& device_;
   ClothSolverParameters parameters_;
+  BendingSolver<D> bending_{device_};
   Wind wind_;
   double time_ = 0, start_time_ = 0;  // s
   uint32_t vertex_count_ = 0;
@@ -130,8 +135,6 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
 
   pbd::Buffer<EdgeConstraint> edges_{device_, "cloth edges"};
   pbd::Buffer<StrainConstraint> strains_{device_, "cloth strains"};
-  pbd::Buffer<PackedHinge> isometric_{device_, "cloth isometric hinges"};
-  pbd::Buffer<Vec4> isometric_coefficients_{device_, "cloth isometric hinges"};
   pbd::Buffer<HingeConstraint> hinges_{device_, "cloth hinges"};
   pbd::Buffer<Batch> batches_{device_, "constraint batches"};
   pbd::Buffer<Cluster> clusters_{device_, "constraint clusters"};
@@ -146,7 +149,6 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   pbd::Buffer<Vec4> saved_edge_multiplier_{device_, "saved edge multipliers"};
   pbd::Buffer<float> saved_chain_multiplier_{device_, "saved chain multipliers"};
   pbd::Buffer<Vec4> strain_multiplier_{device_, "strain multipliers"};
-  pbd::Buffer<Vec4> isometric_multiplier_{device_, "isometric multipliers"};
   pbd::Buffer<float> hinge_multiplier_{device_, "hinge multipliers"};
   pbd::Buffer<Vec4> pending_{device_, "pending pushes of cloth"};
   pbd::Buffer<uint32_t> edge_end_start_{device_, "edges by vertex"}, edge_ends_{device_, "edges by vertex"};

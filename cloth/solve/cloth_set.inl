@@ -63,10 +63,10 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   ClothConstraints constraints = model.constraints;
   const Chains chains = draw_chains(constraints, model.rest, model.pieces);
   upload(tethers_, tethers_beside(chains, model));
+  bending_.set_model(model);
   Clusters c = build_clusters(constraints, model.rest);
   upload_edges(model, c, chains);
   upload(strains_, c.strains);
-  upload_isometric(c.isometric);
   upload(hinges_, c.hinges);
   upload(batches_, c.batches);
   upload(clusters_, c.clusters);
@@ -77,22 +77,9 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   strain_multiplier_.resize_discard(c.strains.size());
 }
 
-template <class D>
-void ClothSet<D>::upload_isometric(const std::vector<IsometricConstraint>& hinges) {
-  std::vector<PackedHinge> packed;
-  std::vector<Vec4> coefficients;
-  for (const IsometricConstraint& h : hinges) {
-    packed.push_back(PackedHinge::of(h));
-    coefficients.push_back({h.weight[0], h.weight[1], h.weight[2], h.compliance});
-  }
-  upload(isometric_, packed);
-  upload(isometric_coefficients_, coefficients);
-}
-
 /// Multipliers of bending last for one substep. With a single iteration none are stored.
 template <class D>
 void ClothSet<D>::reserve_bending_multipliers(int iterations) {
-  isometric_multiplier_.resize_discard(iterations > 1 ? isometric_.size() : 0);
   hinge_multiplier_.resize_discard(iterations > 1 ? hinges_.size() : 0);
 }
 
@@ -198,6 +185,7 @@ void ClothSet<D>::forget_pulls(pbd::Substep<D>& substep) {
 template <class D>
 void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (vertex_count_ == 0) return;
+  if (iteration == 0) bending_.solve(substep, vertices(substep));
   if (iteration == 0 && starts_from_last()) start_from_last(substep);
   // The constraint that is solved last holds best: lengths or, where there is gas, its volume.
   const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;
@@ -278,13 +266,10 @@ void ClothSet<D>::sweep(pbd::Substep<D>& substep, size_t first_pass, size_t end_
       .batches = batches_.view(),
       .numbers = cluster_vertices_.view(),
       .all = vertices(substep),
-      .isometric = {isometric_.view(), isometric_coefficients_.view(), isometric_multiplier_.view(),
-                    order.starts()},
       .hinge = {hinges_.view(), hinge_multiplier_.view(), order.starts()},
       .strain = {strains_.view(), strain_multiplier_.view(), parameters_.over_relaxation, order.starts()},
       .edge = edge_solver(substep, order),
       .first = 0,
-      .bends = first_pass < bending_passes_,
       .backwards = order.is_backwards()};
   for (size_t k = first_pass; k < end_pass; ++k) {
     const size_t pass = order.is_backwards() ? first_pass + end_pass - 1 - k : k;

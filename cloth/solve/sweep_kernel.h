@@ -11,30 +11,18 @@
 namespace meniscus::cloth {
 
 /// The vertices of a cluster while it is solved, in the shared memory of a GPU. Gathering from it is many
-/// times faster than from the cache. Isometric hinges or edges of the cluster are loaded into it as well, if
-/// there are at most `most_items`. Otherwise each batch would wait for the device's memory.
+/// times faster than from the cache. Edges of the cluster are loaded into it as well, if there are at most
+/// `most_items`. Otherwise each batch would wait for the device's memory.
 struct ClusterScratch {
   static constexpr uint32_t most_items = 640;
 
   Vec4 x[Cluster::most_vertices], accumulated_delta[Cluster::most_vertices], previous[Cluster::most_vertices];
   uint32_t number[Cluster::most_vertices];
-  union {
-    struct {
-      Vec4 coefficients[most_items];
-      PackedHinge hinges[most_items];
-    } isometric;
-    struct {
-      EdgeConstraint edges[most_items];
-      float multiplier[most_items], last_step[most_items];
-    } edge;
-  };
+  struct {
+    EdgeConstraint edges[most_items];
+    float multiplier[most_items], last_step[most_items];
+  } edge;
 
-  template <class D>
-  MENISCUS_HD void take(bending_kernels::SolveIsometric::Items<D>& items, uint32_t k) const {
-    items.set(0, isometric.hinges[k]);
-    const Vec4& c = isometric.coefficients[k];
-    items.coefficients = {c.x, c.y, c.z, c.w};
-  }
   template <class D>
   MENISCUS_HD void take(stretch_kernels::SolveEdge::Items<D>& items, uint32_t k) const {
     const EdgeConstraint& e = edge.edges[k];
@@ -75,10 +63,6 @@ struct ClusterVertices {
   MENISCUS_HD typename D::Real stretch_damping(const pbd::Places<D>& v) const {
     return all.stretch_damping_by_lane<D>([&](uint32_t lane) { return scratch.number[v.at[lane]]; });
   }
-  template <class D>
-  MENISCUS_HD typename D::Real bending_damping(const pbd::Places<D>& v) const {
-    return all.bending_damping_by_lane<D>([&](uint32_t lane) { return scratch.number[v.at[lane]]; });
-  }
   template <class D, class R = typename D::Real>
   MENISCUS_HD void push(const pbd::Places<D>& v, const LaneVertex<D>& vertex, const R& s,
                         const pbd::Vec3Of<R>& positional_impulse) const {
@@ -100,12 +84,11 @@ struct SolveClusters {
   View<const Batch> batches;
   View<const uint32_t> numbers;  ///< of the clusters' vertices
   VertexState all;
-  bending_kernels::SolveIsometric isometric;
   bending_kernels::SolveHinge hinge;
   stretch_kernels::SolveStrain strain;
   stretch_kernels::SolveEdge edge;
   uint32_t first;  ///< cluster of the pass
-  bool bends, backwards;
+  bool backwards;
 
   /// Loads the constants of the cluster.
   template <class Group>
@@ -116,12 +99,7 @@ struct SolveClusters {
     if (!brings_items<Group>(cluster)) return;
     group.for_each(cluster.end_item - cluster.first_item, [&](uint32_t k) {
       const uint32_t item = cluster.first_item + k;
-      if (bends) {
-        scratch.isometric.coefficients[k] = load(isometric.coefficients, item);
-        scratch.isometric.hinges[k] = isometric.hinges[item];
-      } else {
-        scratch.edge.edges[k] = load(edge.edges, item);
-      }
+      scratch.edge.edges[k] = load(edge.edges, item);
     });
   }
 
@@ -130,7 +108,7 @@ struct SolveClusters {
     const Cluster cluster = clusters[first + n];
     const uint32_t vertices = cluster.end_vertex - cluster.first_vertex;
     const bool near = brings_items<Group>(cluster);
-    const uint32_t edges = near && !bends ? cluster.end_item - cluster.first_item : 0;
+    const uint32_t edges = near ? cluster.end_item - cluster.first_item : 0;
     group.for_each(vertices > edges ? vertices : edges, [&](uint32_t k) {
       if (k < edges) {
         const Vec4 last = edge.multiplier[cluster.first_item + k];
@@ -169,9 +147,6 @@ struct SolveClusters {
       const Batch next = k + 1 < count ? batch_at(k + 1) : Batch{batch.kind, 0, 0};
       const uint32_t near_from = near ? cluster.first_item : none_near;
       switch (batch.kind) {
-        case ConstraintKind::isometric:
-          solve_by_lanes(group, vertices, batch, next, isometric, near_from);
-          break;
         case ConstraintKind::hinge:
           solve(group, vertices, batch, next, hinge);
           break;

@@ -38,4 +38,12 @@ inline constexpr float pushing_start = 0.4f;
 /// Test: ClothChain.AStripOfClothHangsAsACatenary.
 inline constexpr float chain_regularisation = 0.0003f;
 
+/// The most that a mode of bending keeps of its error, slow modes aside. Above a third, stiff modes
+/// oscillate. Test: ClothBending.OfAStripAlongTheWarpIsAsAsked.
+inline constexpr float bending_error = 0.2f;
+
+/// The most steps of the block solve of bending in a substep. They suffice up to D hₜ²/(ρ Δ⁴) = 35 on a
+/// sheet. Beyond that, cloth is softer than asked. Test: ClothBending.IsReportedWhereItIsNotHad.
+inline constexpr uint32_t most_bending_steps = 64;
+
 }  // namespace meniscus::cloth::cloth_tuning

@@ -43,11 +43,6 @@ struct VertexState {
     if (damping.stretch >= 0) return typename D::Real(inverse_dt * damping.stretch);
     return pbd::by_lane<D>([&](uint32_t lane) { return stretch_damping(v(lane)); });
   }
-  template <class D, class Number>
-  MENISCUS_HD typename D::Real bending_damping_by_lane(const Number& v) const {
-    if (damping.bending >= 0) return typename D::Real(inverse_dt * damping.bending);
-    return pbd::by_lane<D>([&](uint32_t lane) { return bending_damping(v(lane)); });
-  }
 
   /// Pushes v by s times a positional impulse (kg·m; w is 0).
   MENISCUS_HD void push(uint32_t v, const Vertex& vertex, float s, const Vec4& positional_impulse) const {

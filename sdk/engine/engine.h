@@ -190,6 +190,8 @@ class Engine {
                               std::span<const Vec3> velocities) = 0;
   /// Whether an edge exceeded its tear strain in the last step.
   virtual bool found_tears() = 0;
+  /// By piece of cloth: see World::cloth_bending_fraction.
+  virtual const std::vector<float>& bending_fractions() const = 0;
 
   virtual uint32_t particle_count() const = 0;
   /// Reserves memory so that this many more can be added or asked about.

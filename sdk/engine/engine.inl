@@ -111,6 +111,7 @@ class DeviceEngine final : public Engine {
   void weigh_vertices(uint32_t first, std::span<const float> inverse_masses,
                       std::span<const Vec3> velocities) override;
   bool found_tears() override { return cloth_.found_tears(); }
+  const std::vector<float>& bending_fractions() const override { return cloth_.bending_fractions(); }
 
   void make_room(uint32_t more) override;
   void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) override;

@@ -68,6 +68,13 @@ uint32_t World::cloth_welded_vertices(ClothId id) const {
   return impl_->cloths.get(id).welded;
 }
 
+float World::cloth_bending_fraction(ClothId id) const {
+  impl_->cloths.get(id);
+  const std::vector<float>& fractions = impl_->engine->bending_fractions();
+  const auto piece = std::find(impl_->pieces.begin(), impl_->pieces.end(), id) - impl_->pieces.begin();
+  return static_cast<size_t>(piece) < fractions.size() ? fractions[static_cast<size_t>(piece)] : 1;
+}
+
 std::span<const float> World::cloth_strains(ClothId id) const {
   impl_->fetch_cloth();
   ClothEntry& entry = impl_->cloths.edit(id);

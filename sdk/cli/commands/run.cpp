@@ -117,6 +117,7 @@ class Run {
                     .liquid = {},
                     .cloths = {},
                     .welded = {},
+                    .bending = {},
                     .tears = tears(),
                     .attachment_forces = {}};
     std::vector<std::size_t> counts(built_.fluids.size());
@@ -130,6 +131,7 @@ class Run {
     for (const ClothId cloth : built_.cloths) {
       now.cloths.push_back(world.cloth_state(cloth));
       now.welded.push_back(world.cloth_welded_vertices(cloth));
+      now.bending.push_back(world.cloth_bending_fraction(cloth));
       now.mass += double{now.cloths.back().mass};
     }
     now.mass += rope_mass_;

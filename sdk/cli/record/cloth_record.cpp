@@ -46,6 +46,7 @@ void ClothRecord::start(const FrameSample& sample) {
   vertices_ = sample.cloth.vertex_counts();
   triangles_ = sample.cloth.triangle_counts();
   welded_ = sample.welded;
+  bending_ = sample.bending;
 }
 
 void ClothRecord::add(const FrameSample& sample) {
@@ -55,6 +56,7 @@ void ClothRecord::add(const FrameSample& sample) {
   vertices_ = sample.cloth.vertex_counts();
   triangles_ = sample.cloth.triangle_counts();
   welded_ = sample.welded;
+  bending_ = sample.bending;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     max_stretch_[i] = std::max(max_stretch_[i], states_[i].max_stretch);
     tears_[i] += sample.tears.at(i);
@@ -100,6 +102,7 @@ json ClothRecord::cloths() const {
                     {"vertices", vertices_[i]},
                     {"triangles", triangles_[i]},
                     {"welded_vertices", welded_.at(i)},
+                    {"bending_fraction", bending_.at(i)},
                     {"mean_stretch", s.mean_stretch},
                     {"max_stretch", s.max_stretch},
                     {"max_stretch_of_run", max_stretch_[i]},

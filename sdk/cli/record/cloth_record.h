@@ -49,6 +49,7 @@ class ClothRecord {
   std::vector<ClothState> states_;
   std::vector<std::size_t> vertices_, triangles_;
   std::vector<uint32_t> welded_;
+  std::vector<float> bending_;
   std::vector<double> lengths_;  // m, of the ropes
   std::vector<Vec3> forces_;
 

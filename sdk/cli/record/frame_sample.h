@@ -33,6 +33,7 @@ struct FrameSample {
   io::LiquidFrame liquid;               ///< filled in if it is to be written
   std::vector<ClothState> cloths;       ///< in the order of the scene's list
   std::vector<uint32_t> welded;         ///< vertices of each piece that were merged into others
+  std::vector<float> bending;           ///< of each piece, the part of its bending stiffness that it has
   std::vector<std::size_t> tears;       ///< vertices of each piece that tore in two in the step
   std::vector<Vec3> attachment_forces;  ///< N, in the order of the scene's list
 };

@@ -100,6 +100,10 @@ std::string cloth_line(const json& cloth) {
          (count(cloth, "welded_vertices") > 0
               ? fmt::format("; {} vertices welded", count(cloth, "welded_vertices"))
               : "") +
+         (number(cloth, "bending_fraction") < 0.99
+              ? fmt::format("; bends {:.3g} times as stiffly as asked, for substeps that are too long",
+                            number(cloth, "bending_fraction"))
+              : "") +
          (count(cloth, "tears") > 0 ? fmt::format("; {} tears", count(cloth, "tears")) : "");
 }
 

@@ -127,6 +127,10 @@ class World {
   std::span<const uint32_t> cloth_triangles(ClothId id) const;  ///< three vertices each
   /// How many vertices of its file were merged into others (ClothFile::weld).
   uint32_t cloth_welded_vertices(ClothId id) const;
+  /// Of the bending stiffness of its fabric, the least part that substeps have resolved since any cloth was
+  /// last created, changed or torn. It is 1 but for stiff cloth of fine or thin triangles, which needs
+  /// shorter substeps. It does not tell of dihedral bending.
+  float cloth_bending_fraction(ClothId id) const;
   std::span<const float> cloth_strains(ClothId id) const;  ///< largest principal strain of each triangle
   /// For each vertex: the fluid that it holds over FabricDef::absorbency, or 0 if that is 0.
   std::span<const float> cloth_wetness(ClothId id) const;

@@ -18,7 +18,8 @@ namespace meniscus::cloth {
 namespace {
 
 Clusters clusters_of(const ClothMesh& mesh) {
-  return build_clusters(build_constraints(mesh, {.bending_stiffness = 1e-5f}), mesh.vertices);
+  return build_clusters(build_constraints(mesh, {.bending_stiffness = 1e-5f, .dihedral = true}),
+                        mesh.vertices);
 }
 
 uint32_t vertices_of(const Cluster& cluster) {
@@ -39,7 +40,7 @@ TEST(Clusters, OfAPassShareNoVertexAndHoldAll) {
       for (uint32_t b = cluster.first_batch; b < cluster.end_batch; ++b) constraints += all.batches[b].count;
     }
   }
-  EXPECT_EQ(constraints, all.isometric.size() + all.edges.size());
+  EXPECT_EQ(constraints, all.hinges.size() + all.edges.size());
 }
 
 // What the first clusters of a sheet leave are bands, and small crossings of bands.
@@ -57,16 +58,12 @@ struct Crumpled {
   ClothMesh mesh = make_sheet(1, 1, 40, 40);
   Clusters clusters = clusters_of(mesh);
   CrumpledVertices vertices{mesh};
-  std::vector<PackedHinge> hinges;
-  std::vector<pbd::Vec4> coefficients, hinge_multiplier, edge_multiplier;
+  std::vector<float> hinge_multiplier;
+  std::vector<pbd::Vec4> edge_multiplier;
 
   Crumpled() {
     number_locally(clusters);
-    for (const IsometricConstraint& h : clusters.isometric) {
-      hinges.push_back(PackedHinge::of(h));
-      coefficients.push_back({h.weight[0], h.weight[1], h.weight[2], h.compliance});
-    }
-    hinge_multiplier.resize(hinges.size(), {0, 0, 0, 0});
+    hinge_multiplier.resize(clusters.hinges.size(), 0);
     edge_multiplier.resize(clusters.edges.size(), {0, 0, 0, 1e-5f});
   }
 
@@ -77,9 +74,7 @@ struct Crumpled {
             .batches = view_of(std::as_const(clusters.batches)),
             .numbers = view_of(std::as_const(clusters.vertices)),
             .all = all,
-            .isometric = {view_of(std::as_const(hinges)), view_of(std::as_const(coefficients)),
-                          view_of(hinge_multiplier), starts},
-            .hinge = {},
+            .hinge = {view_of(std::as_const(clusters.hinges)), view_of(hinge_multiplier), starts},
             .strain = {},
             .edge = {.edges = view_of(std::as_const(clusters.edges)),
                      .multiplier = view_of(edge_multiplier),
@@ -91,12 +86,13 @@ struct Crumpled {
                      .ends = !starts,
                      .next_fraction = 0.7f},
             .first = clusters.pass_starts[pass],
-            .bends = pass < clusters.bending_passes,
             .backwards = !starts};
   }
 
   std::vector<float> results() const {
-    return numbers_of({&vertices.position, &vertices.moved, &hinge_multiplier, &edge_multiplier});
+    std::vector<float> all = numbers_of({&vertices.position, &vertices.moved, &edge_multiplier});
+    all.insert(all.end(), hinge_multiplier.begin(), hinge_multiplier.end());
+    return all;
   }
 };
 

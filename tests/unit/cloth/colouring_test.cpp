@@ -25,9 +25,6 @@ std::vector<uint32_t> vertices_of(const StrainConstraint& s) {
 std::vector<uint32_t> vertices_of(const HingeConstraint& h) {
   return {h.a, h.b, h.c, h.d};
 }
-std::vector<uint32_t> vertices_of(const IsometricConstraint& h) {
-  return {h.a, h.b, h.c, h.d};
-}
 
 // No two constraints of a colour share a vertex; no colour is empty, or much smaller than the rest.
 template <class Constraint>
@@ -48,7 +45,7 @@ void expect_coloured(const Coloured<Constraint>& all, size_t vertices, double le
 }
 
 struct Colours {
-  uint32_t edges, strains, hinges, isometric;
+  uint32_t edges, strains, hinges;
 };
 
 Colours expect_coloured(const ClothMesh& mesh, double least_share) {
@@ -59,9 +56,7 @@ Colours expect_coloured(const ClothMesh& mesh, double least_share) {
   expect_coloured(edges.edges, n, least_share);
   expect_coloured(angles.strains, n, least_share);
   expect_coloured(angles.hinges, n, least_share);
-  expect_coloured(edges.isometric, n, least_share);
-  return {edges.edges.colours(), angles.strains.colours(), angles.hinges.colours(),
-          edges.isometric.colours()};
+  return {edges.edges.colours(), angles.strains.colours(), angles.hinges.colours()};
 }
 
 TEST(Colouring, OfASheetIsNearTheLeastPossible) {
@@ -69,7 +64,6 @@ TEST(Colouring, OfASheetIsNearTheLeastPossible) {
   EXPECT_EQ(colours.edges, 6u);
   EXPECT_LE(colours.strains, 7u);
   EXPECT_LE(colours.hinges, 13u);  // 12 meet at a vertex
-  EXPECT_EQ(colours.isometric, colours.hinges);
 }
 
 TEST(Colouring, OfAShuffledSheetIsNotMuchWorse) {
@@ -122,7 +116,6 @@ TEST(Colouring, KeepsColoursInTheOrderOfVertices) {
     }
   };
   expect_ascending(constraints.strains, [](const StrainConstraint& s) { return std::min({s.a, s.b, s.c}); });
-  expect_ascending(constraints.isometric, [](const IsometricConstraint& h) { return std::min(h.a, h.b); });
 }
 
 TEST(Merge, NumbersVerticesPieceAfterPiece) {
@@ -140,7 +133,6 @@ TEST(Merge, NumbersVerticesPieceAfterPiece) {
   expect_coloured(all.edges, all.masses.size(), 0);
   expect_coloured(all.strains, all.masses.size(), 0);
   expect_coloured(all.hinges, all.masses.size(), 0);
-  expect_coloured(all.isometric, all.masses.size(), 0);
   for (const StrainConstraint& s : all.strains.items) EXPECT_GE(std::min({s.a, s.b, s.c}), 100u);
   for (const EdgeConstraint& e : all.edges.items) EXPECT_EQ(e.a < 64, e.b < 64);
   EXPECT_TRUE(merge({}).masses.empty());

@@ -50,6 +50,7 @@ class ClothRecordTest : public testing::Test {
     s.cloth.vertex_pieces = {0, 0, 0, 1, 1, 1, 1};
     s.cloth.pieces = {0, 1, 1};
     s.welded = {7, 0};
+    s.bending = {0.5f, 1};
     s.tears = {tears, 0};
     s.ropes.vertices = {{0, 0, 0}, {static_cast<float>(frame), 0, 0}, {static_cast<float>(frame), 2, 0}};
     s.ropes.lines = {{0, 1, 2}};
@@ -95,6 +96,7 @@ TEST_F(ClothRecordTest, TheSummaryHasTheLastStateAndTheWorstOfTheRun) {
   EXPECT_EQ(cloths[0]["triangles"], 1);
   EXPECT_EQ(cloths[1]["triangles"], 2);
   EXPECT_EQ(cloths[0]["welded_vertices"], 7);
+  EXPECT_EQ(cloths[0]["bending_fraction"], 0.5);
   EXPECT_EQ(cloths[0]["max_stretch"], 1.25);
   EXPECT_EQ(cloths[0]["max_stretch_of_run"], 1.5);
   EXPECT_EQ(cloths[0]["tears"], 5);
