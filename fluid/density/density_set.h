@@ -16,6 +16,8 @@ template <class D>
 class DensityStop;
 template <class D>
 class PressureGrid;
+template <class D>
+class Crowd;
 
 struct ArtificialPressure {
   float pressure = 0;     ///< Pa, at the distance below
@@ -32,6 +34,8 @@ struct DensityParameters {
   float tolerance = 0;               ///< mean of max(C, 0) at which the iterations end; 0: all iterations run
   float compressibility = 0;         ///< 1/Pa
   float correction_limit = 0.0125f;  ///< m, in one iteration
+  float parting_speed = 1.25f;       ///< m/s, of particles that were placed too dense (crowd.h)
+  float spacing = 0.05f;             ///< m
   ArtificialPressure artificial_pressure;
 };
 
@@ -70,6 +74,9 @@ class DensitySet final : public pbd::ConstraintSet<D> {
     any_grains_ = any_grains;
   }
 
+  /// Call it when particles were placed by hand: they may be too dense.
+  void note_placed();
+
   void reserve(uint32_t capacity, uint32_t kept) override;
   void clear(uint32_t first, uint32_t count) override;
   void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
@@ -77,11 +84,14 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void restore() override;
 
   void start_step() override;
+  void accelerate(pbd::Substep<D>&) override { relaxes_ = false; }
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
 
   /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
   pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
+  /// The compression that particles of a crowd may keep in this substep; empty without a crowd.
+  pbd::View<const float> allowed() const { return allowed_; }
   /// Iterations done in a step with `planned` iterations. Call it when the device has finished the step.
   uint32_t iterations_done(uint32_t planned) const;
   /// C of each particle at the substep's present positions.
@@ -108,6 +118,9 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   float warm_start_fraction_ = 0;  // the fraction of the last substep's multipliers
   bool any_fluid_ = true, any_grains_ = false;
   pbd::Chebyshev chebyshev_;
+  bool relaxes_ = true;  // overlaps are relaxed: no time passes
+  pbd::View<const float> allowed_{};
+  std::unique_ptr<Crowd<D>> crowd_;
   std::unique_ptr<PressureGrid<D>> pressure_grid_;  // exists if the parameters ask for it
   std::unique_ptr<DensityStop<D>> stop_;            // exists if there is a tolerance
 

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
+#include "fluid/density/crowd.h"
 #include "fluid/density/density_set.h"
 #include "fluid/density/stop.h"
 #include "fluid/kernel/density_wall_kernels.h"
@@ -16,7 +18,10 @@ namespace meniscus::fluid {
 
 template <class D>
 DensitySet<D>::DensitySet(D& device, const Kernel& kernel, const DensityParameters& parameters)
-    : device_(device), kernel_(kernel), chebyshev_(parameters.spectral_bound) {
+    : device_(device),
+      kernel_(kernel),
+      chebyshev_(parameters.spectral_bound),
+      crowd_(std::make_unique<Crowd<D>>(device)) {
   set_parameters(parameters);
 }
 
@@ -44,7 +49,13 @@ template <class D>
 DensitySet<D>::~DensitySet() = default;
 
 template <class D>
+void DensitySet<D>::note_placed() {
+  crowd_->note_placed();
+}
+
+template <class D>
 void DensitySet<D>::start_step() {
+  crowd_->start_step();
   if (stop_) stop_->start_step();
 }
 
@@ -61,6 +72,11 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   // multiplier exceeds that of a longer step. With a pressure grid the multipliers include its pressure, so
   // they are no estimate for the remaining iterations.
   warm_start_fraction_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
+  const float limit = std::exchange(relaxes_, true)
+                          ? parameters_.correction_limit * static_cast<float>(substep.iterations)
+                          : parameters_.parting_speed * substep.dt;
+  allowed_ =
+      any_fluid_ ? crowd_->part(substep, kernel_, parameters_.spacing, limit) : pbd::View<const float>{};
 }
 
 template <class D>
@@ -68,7 +84,7 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   if (substep.particles.sorted == 0 || !any_fluid_) return;
   if (pressure_grid_ && iteration == 0) {
-    pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view());
+    pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view(), allowed_);
   }
   const pbd::IterationWeights weights = parameters_.chebyshev
                                             ? chebyshev_.next(iteration, substep.iterations)
@@ -90,7 +106,8 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .first = iteration == 0,
       .fraction = warm_start_fraction_,
       .phase = substep.particles.phase,
-      .recorded = recorded};
+      .recorded = recorded,
+      .allowed = allowed_};
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
@@ -184,6 +201,7 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
   staged_.resize_discard(size);
   if (pressure_grid_) pressure_grid_->reserve(size);
   if (stop_) stop_->reserve(size);
+  crowd_->reserve(size, kept);
   saved_multiplier_.resize_discard(size);
   constexpr float away = pbd::Particles::far_away;
   const pbd::Vec4 sentinel[] = {{away, away, away, 0}};
@@ -192,6 +210,7 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
 
 template <class D>
 void DensitySet<D>::clear(uint32_t first, uint32_t count) {
+  crowd_->clear(first, count);
   if (count)
     device_.fill(multiplier_.current.view().data + first, 0, count * sizeof(density_kernels::Multiplier));
 }
@@ -199,6 +218,7 @@ void DensitySet<D>::clear(uint32_t first, uint32_t count) {
 template <class D>
 void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
   pbd::gather_in_order(device_, "density/reorder", multiplier_, order, count);
+  crowd_->reorder(order, count);
   if (saving_) multiplier_.next.swap(saved_multiplier_);
   saving_ = false;
 }
@@ -208,12 +228,14 @@ void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
 template <class D>
 void DensitySet<D>::save() {
   saved_dt_ = last_dt_;
+  crowd_->save();
   saving_ = true;
 }
 
 template <class D>
 void DensitySet<D>::restore() {
   last_dt_ = saved_dt_;
+  crowd_->restore();
   if (!saving_) multiplier_.current.swap(saved_multiplier_);
   saving_ = false;
 }

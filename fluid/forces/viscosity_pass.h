@@ -13,6 +13,9 @@
 
 namespace meniscus::fluid {
 
+template <class D>
+class DensitySet;
+
 /// The coefficients of one fluid for a given step.
 struct ViscosityCoefficients {
   float smoothing;    ///< c
@@ -33,10 +36,15 @@ struct ViscosityCoefficients {
 /// The second moment of poly6 is 3h²/11, so c diffuses velocity with ν = c h²/(22 h_t). The mean of the
 /// masses conserves momentum between fluids of different density. Because of the factor h, confinement
 /// vanishes with resolution.
+///
+/// In a crowd (crowd.h) c is divided by 1 + C. Σ V W grows with the density, and above 2/c the sum is
+/// unstable.
 template <class D>
 class ViscosityPass final : public pbd::VelocityPass<D> {
  public:
-  ViscosityPass(D& device, const Kernel& kernel) : device_(device), kernel_(kernel) {}
+  /// `density` tells where there is a crowd; without it there is none.
+  ViscosityPass(D& device, const Kernel& kernel, const DensitySet<D>* density = nullptr)
+      : device_(device), kernel_(kernel), density_(density) {}
 
   void set_materials(std::span<const Material> materials);
   void apply(pbd::Substep<D>& substep, pbd::Particles& particles) override;
@@ -45,9 +53,11 @@ class ViscosityPass final : public pbd::VelocityPass<D> {
  private:
   template <bool uniform, bool confines>
   void smooth(pbd::Substep<D>& substep, pbd::Particles& particles);
+  pbd::View<const float> crowd() const;
 
   D& device_;
   Kernel kernel_;
+  const DensitySet<D>* density_;
   std::vector<Material> materials_;
   bool smooths_ = false, confines_ = false, uniform_ = true;
   float table_dt_ = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fluid/density/density_set.h"
 #include "fluid/forces/viscosity_pass.h"
 #include "pbd/neighbours.h"
 
@@ -24,9 +25,11 @@ struct SpreadSmoothing {
   View<const pbd::Phase> phase;
   View<const ViscosityCoefficients> table;
   View<float> smoothing;
+  View<const float> allowed;  // the compression of a crowd, if there is one
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    smoothing[i] = table[pbd::phase_group(phase[i])].smoothing;
+    const float dense = allowed.count ? 1 + allowed[i] : 1.0f;
+    smoothing[i] = table[pbd::phase_group(phase[i])].smoothing / dense;
   }
 };
 
@@ -114,7 +117,7 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
     table_.write(host_table_);
     table_dt_ = substep.dt;
   }
-  if (uniform_) {
+  if (uniform_ && crowd().count == 0) {
     confines_ ? smooth<true, true>(substep, particles) : smooth<true, false>(substep, particles);
   } else {
     confines_ ? smooth<false, true>(substep, particles) : smooth<false, false>(substep, particles);
@@ -128,7 +131,7 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
   const pbd::ParticleView& p = substep.particles;
   if (!uniform) {
     device_.parallel_for("velocity/coefficients", p.sorted,
-                         SpreadSmoothing{p.phase, table_.view(), smoothing_.view()});
+                         SpreadSmoothing{p.phase, table_.view(), smoothing_.view(), crowd()});
   }
   device_.parallel_for_neighbours(
       "velocity/smooth", p.sorted,
@@ -138,6 +141,11 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
   particles.keep_vertex_velocities();
   particles.velocity.flip();
   substep.particles = particles.view();
+}
+
+template <class D>
+pbd::View<const float> ViscosityPass<D>::crowd() const {
+  return density_ ? density_->allowed() : pbd::View<const float>{};
 }
 
 template <class D>

@@ -101,6 +101,7 @@ struct Advancing {
   float fraction;    ///< of the last substep's multiplier
   View<const pbd::Phase> phase;
   Recorded recorded;
+  View<const float> allowed{};  ///< the part of C that a particle may keep, if there is a crowd (crowd.h)
 
   /// Grains have no density constraint of their own. They count in that of the fluid, and its pressure moves
   /// them.
@@ -120,7 +121,8 @@ struct Advancing {
   };
   MENISCUS_HD Own own(uint32_t i) const { return {position[i], multiplier[i], first ? 0.0f : increment[i]}; }
 
-  MENISCUS_HD void advance(uint32_t i, const Own& own, const Constraint& c) const {
+  MENISCUS_HD void advance(uint32_t i, const Own& own, Constraint c) const {
+    if (allowed.count) c.value -= allowed[i];
     const Vec4 p = own.position;
     const Multiplier before = own.multiplier;
     // Both limits hold for the pair: the same λ moves both particles, so momentum is conserved.

@@ -15,9 +15,11 @@ namespace meniscus::fluid::grid_kernels {
 /// into high speeds.
 struct ExcessOf {
   View<const density_kernels::Multiplier> last;
-  float kept;  ///< the fraction of the old error that stays
+  float kept;                 ///< the fraction of the old error that stays
+  View<const float> allowed;  ///< see Advancing
 
   MENISCUS_HD float operator()(uint32_t i, float constraint) const {
+    if (allowed.count) constraint -= allowed[i];
     // A motion that closes a gap is not resisted until the gap is closed.
     const float change = pbd::min(constraint - kept * last[i].relieved, pbd::max(constraint, 0.0f));
     // A slightly low density is disorder of the lattice, so its sign counts. A very low density is a surface.

@@ -40,15 +40,16 @@ class PressureGrid {
   /// Makes room for this many particles, including their padding.
   void reserve(uint32_t size);
   /// Moves the particles, and adds the loads of solids to the contacts. `compressibility` is in 1/Pa; `last`
-  /// holds C at the end of the last substep.
+  /// holds C at the end of the last substep, `allowed` what is subtracted from C if there is a crowd.
   void displace(pbd::Substep<D>& substep, float compressibility,
-                pbd::View<const density_kernels::Multiplier> last);
+                pbd::View<const density_kernels::Multiplier> last, pbd::View<const float> allowed = {});
   /// By particle: the pressure of the last displacement, kg·m², in the units of the density constraint's Λ.
   pbd::View<const float> multipliers() const { return multiplier_.view(); }
 
  private:
   void fit(const pbd::GridView& cells);
-  void find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last);
+  void find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last,
+                   pbd::View<const float> allowed);
   void gather(pbd::Substep<D>& substep, float compressibility);
   void move(pbd::Substep<D>& substep);
   grid_kernels::NodeMap map() const { return {space_.nodes, flags_.view()}; }

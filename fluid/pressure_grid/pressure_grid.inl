@@ -21,9 +21,10 @@ void PressureGrid<D>::reserve(uint32_t size) {
 
 template <class D>
 void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
-                               pbd::View<const density_kernels::Multiplier> last) {
+                               pbd::View<const density_kernels::Multiplier> last,
+                               pbd::View<const float> allowed) {
   fit(substep.grid);
-  find_excess(substep, last);
+  find_excess(substep, last, allowed);
   gather(substep, compressibility);
   components_.level(space_.nodes, flags_.view(), multigrid_.finest(), filled_.view(), kernel_.volume);
   multigrid_.solve(grid_tuning::iterations);
@@ -51,10 +52,10 @@ void PressureGrid<D>::fit(const pbd::GridView& cells) {
 }
 
 template <class D>
-void PressureGrid<D>::find_excess(pbd::Substep<D>& substep,
-                                  pbd::View<const density_kernels::Multiplier> last) {
+void PressureGrid<D>::find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last,
+                                  pbd::View<const float> allowed) {
   using namespace grid_kernels;
-  const ExcessOf excess_of{last, std::fmax(0.0f, 1 - grid_tuning::recovery * substep.dt)};
+  const ExcessOf excess_of{last, std::fmax(0.0f, 1 - grid_tuning::recovery * substep.dt), allowed};
   const pbd::ParticleView& p = substep.particles;
   const ContactView contacts = substep.contacts.of_first(p.sorted);
   device_.parallel_for_both("grid/excess", p.sorted,

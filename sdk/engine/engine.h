@@ -92,7 +92,8 @@ struct ParticleBatch {
   std::vector<pbd::Vec4> position;  ///< w: inverse mass
   std::vector<pbd::Vec4> velocity;
   std::vector<pbd::Phase> phase;
-  bool by_hand = false;  ///< nobody has checked for room: the particles may be in solids
+  bool by_hand = false;    ///< nobody has checked for room: the particles may be in solids
+  bool may_crowd = false;  ///< nor whether they are far enough apart
 
   void clear() {
     position.clear();

@@ -62,7 +62,7 @@ class DeviceEngine final : public Engine {
         fluid_cloth_contacts_(device_, particles_, def.solver.support_radius),
         fluid_cloth_(device_, particles_, fluid_cloth_contacts_),
         tension_(device_, def.kernel, def.particle_spacing),
-        viscosity_(device_, def.kernel),
+        viscosity_(device_, def.kernel, &density_),
         probes_(device_, density_),
         mesher_(device_),
         removal_(device_),

@@ -90,6 +90,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   for (pbd::Phase phase : batch.phase) jets_.hold_for(pbd::held_steps(phase));
   any_overlapping_ |= batch.by_hand;
   solver_.particles_changed(first, added);
+  if (batch.may_crowd) density_.note_placed();
 }
 
 template <class D>

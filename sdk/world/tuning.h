@@ -31,6 +31,11 @@ inline constexpr uint32_t most_splits = 64;
 /// Test: WetCloth.HungUpItDripsAndIsHeavierByWhatItKeeps.
 inline constexpr float drop_distance = 1.6f;
 
+/// Particles within one support radius of a new one, itself included, at most. Each has a row of the
+/// neighbour list as long as the longest, so this many at one point take 1.2 GB.
+/// Test: CrowdTest.MoreThanTheLimitAreRefused.
+inline constexpr uint32_t most_crowded = 16384;
+
 /// s: the step of a relaxation. It is short, so that nothing passes through anything.
 /// Test: none.
 inline constexpr float relaxing_step = 0.001f;

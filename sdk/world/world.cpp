@@ -108,7 +108,7 @@ size_t World::add_fluid(const FluidVolumeDef& def) {
   std::vector<Vec3> safe = safe_points(points, positions(), impl_->with_solids(), spacing, material.filter);
   impl_->keep_off_cloth(safe, material.filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
-  impl_->add(def.fluid, safe, {}, def.velocity);
+  impl_->add(def.fluid, safe, {}, def.velocity, false);
   return safe.size();
 }
 
@@ -123,8 +123,10 @@ ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
   }
   for (Vec3 p : positions) check::value("a position of add_particles", p);
   for (Vec3 v : velocities) check::value("a velocity of add_particles", v);
+  impl_->crowding.check(
+      positions, [this] { return this->positions(); }, impl_->kernel.h);
   const ParticleId first = impl_->next_id;
-  impl_->add(fluid, positions, velocities, {0, 0, 0});
+  impl_->add(fluid, positions, velocities, {0, 0, 0}, true);
   return first;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "collision/contact/tuning.h"
 #include "sdk/world/check/check.h"
 
 namespace meniscus {
@@ -34,6 +35,8 @@ EngineDef World::Impl::engine_def() {
   e.density.tolerance = d.tolerance;
   e.density.compressibility = d.compressibility;
   e.density.correction_limit = d.correction_limit * def.particle_spacing;
+  e.density.parting_speed = e.solver.contact_radius / collision::shape_tuning::exit_time;
+  e.density.spacing = def.particle_spacing;
   e.cloth = {def.cloth.over_relaxation, def.cloth.warm_start, def.cloth.stretch_rounds};
   // The repulsion scales with the hydrostatic pressure of one support radius of water. Without gravity,
   // Earth's gravity is used.
@@ -95,9 +98,10 @@ void World::Impl::upload_materials() {
 }
 
 void World::Impl::add(FluidId fluid, std::span<const Vec3> new_positions,
-                      std::span<const Vec3> new_velocities, Vec3 velocity) {
+                      std::span<const Vec3> new_velocities, Vec3 velocity, bool may_crowd) {
   ParticleBatch batch;
   batch.by_hand = true;
+  batch.may_crowd = may_crowd;
   for (size_t i = 0; i < new_positions.size(); ++i)
     add_to(batch, fluid, new_positions[i], new_velocities.empty() ? velocity : new_velocities[i]);
   append(batch);

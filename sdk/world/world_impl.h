@@ -14,6 +14,7 @@
 #include "sdk/engine/engine.h"
 #include "sdk/world/check/id_table.h"
 #include "sdk/world/cloth/cloth_table.h"
+#include "sdk/world/crowding.h"
 #include "sdk/world/flow/world_flow.h"
 #include "sdk/world/solids/world_shapes.h"
 
@@ -55,7 +56,8 @@ struct World::Impl {
   void set_materials();
   void upload_materials();
   FluidId create_material(const ParticleMaterial& material);
-  void add(FluidId fluid, std::span<const Vec3> positions, std::span<const Vec3> velocities, Vec3 velocity);
+  void add(FluidId fluid, std::span<const Vec3> positions, std::span<const Vec3> velocities, Vec3 velocity,
+           bool may_crowd);
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
   void append(const ParticleBatch& batch);
   void solids_changed();
@@ -155,6 +157,7 @@ struct World::Impl {
   float last_step = 0;           // s
   std::vector<TearEvent> tears;  // of the last step
 
+  Crowding crowding;
   ParticleId next_id = 0;
   std::vector<ParticleId> ids;  // by slot, ascending
 

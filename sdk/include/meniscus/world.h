@@ -87,7 +87,7 @@ class World {
   /// is a mesh with an unusable file. Throws Error(capacity) if the region holds more than a world does.
   std::size_t add_fluid(const FluidVolumeDef& def);
   /// Adds one particle at each position. `velocities` is empty (at rest) or has as many elements. Returns the
-  /// first id. The others follow it.
+  /// first id. The others follow it. Throws Error(capacity) if too many are within one support radius.
   ParticleId add_particles(FluidId fluid, std::span<const Vec3> positions,
                            std::span<const Vec3> velocities = {});
   /// An unknown id is an error.
