@@ -129,8 +129,9 @@ struct PieceSums {
 };
 
 /// Moves vertices with their zones, inside the place that was searched. A zone that would have to leave it
-/// stops in the next round. So does a zone that would enter a solid. If the last available round still finds
-/// a pair, all vertices return to their positions at the start of the substep.
+/// stops in the next round: it moves with its frame. So does a zone that would enter a solid. If the last
+/// available round still finds a pair, all vertices move with their frames from where they were at the start
+/// of the substep. Where there are several frames, the step is then repeated in one.
 struct MoveImpactZones {
   ClothState cloth;
   pbd::ContactView contacts;               // of all particles
@@ -153,7 +154,7 @@ struct MoveImpactZones {
     const bool stays = last || impact_zones.anchor[name] == ImpactZones::the_start;
     // Computed with displacements, not positions: the rounding of positions would lose momentum.
     const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
-    const Vec3 wanted = stays ? Vec3{0, 0, 0} : motion_of(name), to = from + wanted;
+    const Vec3 wanted = stays ? cloth.frames.at(v).xyz() : motion_of(name), to = from + wanted;
     const Vec3 inside = cloth.kept.inside(v, to);
     const bool leaves = inside != to, stops = leaves || (!stays && enters_solid(v, from, to));
     const Vec3 displacement = leaves ? inside - from : wanted;
@@ -161,6 +162,7 @@ struct MoveImpactZones {
     // on.
     const Vec3 due = !stays ? wanted : mark == 0 ? now : mean_motion(name);
     if (due != displacement) taken.add(v, due - displacement);
+    if (last && counters[several_frames] != 0) pbd::atomic_max(counters[frames_meet], 1);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
     pbd::atomic_store(impact_zones.mark[v], (round + 1) << ImpactZones::moved_shift | (round + 1) |
                                                 (stops ? ImpactZones::stopped : mark & ImpactZones::stopped));
