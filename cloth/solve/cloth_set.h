@@ -30,8 +30,8 @@ struct ClothSolverParameters {
 /// Cloth: stretch, shear, bending, gas and tethers as XPBD constraints (Macklin, Müller & Chentanez 2016),
 /// solved by Gauss–Seidel, and the force of the air on it.
 ///
-///   begin     adds the wind;
-///   project   in the first iteration, starts edges outside chains from a fraction of their last pulls, which
+///   project   adds the iteration's part of the wind.
+///             In the first iteration, starts edges outside chains from a fraction of their last pulls, which
 ///             chains absorb before cloth moves. Sweeps over bending, then over stretch, pass by pass
 ///             (clusters.h). Solves for the lengths of whole chains, layer by layer (chains.h). The last
 ///             iteration repeats stretch and chains in a number of rounds. The next iteration runs backwards.
