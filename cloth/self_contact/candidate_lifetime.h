@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/folds.h"
+#include "cloth/self_contact/frames.h"
 #include "cloth/self_contact/tuning.h"
 
 namespace meniscus::cloth::self_contact_kernels {
@@ -19,18 +20,33 @@ struct Room {
   }
 };
 
-/// Stores the predicted position of each vertex, and checks whether the lists of pairs still hold for it. The
-/// vertex must stay inside its motion bound. The check adds room for the motion by the solve and for the
-/// thickness.
-struct Foresee {
-  static constexpr float room_for_thickness = 0.5f * self_contact_tuning::reach;  // of two vertices, together
+/// The room that a vertex needs around its predicted position: for the thickness, and for the motion by the
+/// solve.
+struct RoomOfVertex {
+  static constexpr float for_thickness = 0.5f * self_contact_tuning::reach;  // of two vertices, together
 
+  float thickness, solve;  // m
+
+  /// `displacement` relative to the frame, `strayed` in the last substep.
+  MENISCUS_HD RoomOfVertex(float thickness_, const Vec4& frame, Vec3 displacement, float strayed)
+      : thickness(thickness_),
+        solve(self_contact_tuning::room_of_motion * length(displacement) +
+              self_contact_tuning::room_of_strayed * strayed + frame.w) {}
+  MENISCUS_HD float whole() const { return for_thickness * thickness + solve; }
+};
+
+/// Stores the predicted position of each vertex, and checks whether the lists of pairs still hold for it. The
+/// vertex must stay inside its motion bound, which moves on with its frame. The check adds room for the
+/// motion by the solve and for the thickness.
+struct Foresee {
   View<const Vec4> previous, position;  // by vertex
   View<const uint32_t> vertex_piece;
   View<const PieceProperties> pieces;
-  View<const float> strayed;    // m, in the last substep
-  View<const Vec4> kept, wide;  // motion bounds, see CandidateLifetime
-  View<Vec4> foreseen;          // w: the room, m
+  View<const float> strayed;  // m, in the last substep
+  Frames frames;
+  Surroundings around;
+  View<Vec4> kept, wide;  // motion bounds, see CandidateLifetime
+  View<Vec4> foreseen;    // w: the room, m
   ImpactZones impact_zones;
   PieceSums sums;
   Folds folds;
@@ -43,26 +59,36 @@ struct Foresee {
     if (vertex_piece[v] != no_index) foresee(v);
     impact_zones.begin(v);
     folds.begin(v, vertex_piece.count);
-    for (uint32_t piece = v; piece < pieces.count; piece += vertex_piece.count) sums.begin(piece);
+    for (uint32_t piece = v; piece < pieces.count; piece += vertex_piece.count) {
+      sums.begin(piece);
+      const float margin = self_contact_tuning::leeway * pieces[piece].thickness;
+      if (!anew && !around.suits(piece, frames.at_piece(piece), margin))
+        pbd::atomic_max(counters[expired], 1);
+    }
     entries[v] = 0;
     if (v != 0) return;
     if (anew) {
       counters[listings] = counters[one_substep_listings] = counters[overflowed] = 0;
+      counters[frames_meet] = counters[cells_meet] = 0;
       counters[long_expired] = counters[age] = begin_for_one_substep;
-    } else if (!room_for.sufficed(counters)) {
-      counters[overflowed] = 1;
+    } else {
+      if (!room_for.sufficed(counters)) counters[overflowed] = 1;
+      if (counters[several_frames] != 0) pbd::atomic_max(counters[expired], 1);
     }
+    counters[several_frames] = 0;
     counters[contacts] = counters[lost] = 0;
     for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
   }
 
   MENISCUS_HD void foresee(uint32_t v) const {
     const Vec3 x = position[v].xyz(), displacement = x - previous[v].xyz();
-    const float thickness = pieces[vertex_piece[v]].thickness;
-    const float room = room_for_thickness * thickness +
-                       self_contact_tuning::room_of_motion * length(displacement) +
-                       self_contact_tuning::room_of_strayed * strayed[v];
+    const Vec4 frame = frames.at(v);
+    const float room =
+        RoomOfVertex(pieces[vertex_piece[v]].thickness, frame, displacement - frame.xyz(), strayed[v])
+            .whole();
     foreseen[v] = pbd::with_w(x, room);
+    kept[v] = pbd::shifted(kept[v], frame.xyz());
+    wide[v] = pbd::shifted(wide[v], frame.xyz());
     if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
     if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[long_expired], 1);
   }
@@ -81,21 +107,27 @@ struct Listing {
   MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[overflowed] == 0; }
 };
 
-/// Chooses the motion bound of each vertex until the next search: a sphere around its expected motion. Where
-/// such bounds did not hold even for the next substep, they are made for this substep alone. There are then
-/// far fewer pairs. A vertex whose displacement is not finite gets no valid bound and meets nothing, so that
-/// the step fails.
+/// Chooses the motion bound of each vertex until the next search: a sphere around its expected motion, in the
+/// frame of its piece. Where such bounds did not hold even for the next substep, they are made for this
+/// substep alone. There are then far fewer pairs. A vertex whose displacement is not finite gets no valid
+/// bound and meets nothing, so that the step fails.
 struct CandidateLifetime {
   Listing listing;
-  View<const Vec4> previous, foreseen;
-  View<const uint32_t> vertex_piece;
+  View<const Vec4> previous;
+  View<Vec4> foreseen;
+  View<const uint32_t> vertex_piece, frame_of;
   View<const PieceProperties> pieces;
-  View<Vec4> kept, wide;  // spheres: centre and radius, m; wide: for many substeps, whichever is kept
+  View<const float> strayed;
+  Surroundings around;
+  View<Vec4> frames;      // chosen here
+  View<Vec4> kept, wide;  // spheres: see MotionBounds; wide: for many substeps, whichever is kept
   View<uint32_t> counters;
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (!listing.wanted()) return;
     if (vertex_piece[v] != no_index) keep(v);
+    for (uint32_t f = v; f < frames.count; f += vertex_piece.count)
+      frames[f] = around.frame(pieces.count + f);
     if (v != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];
@@ -104,30 +136,48 @@ struct CandidateLifetime {
 
   MENISCUS_HD void keep(uint32_t v) const {
     using namespace self_contact_tuning;
-    const Vec3 from = previous[v].xyz(), displacement = foreseen[v].xyz() - from;
+    // Not read from `frames`, which other threads write.
+    const Vec4 frame = around.frame(pieces.count + frame_of[vertex_piece[v]]);
+    const Vec3 moved = previous[v].xyz() + frame.xyz(), displacement = foreseen[v].xyz() - moved;
     const float thickness = pieces[vertex_piece[v]].thickness, far = length(displacement);
+    const RoomOfVertex room(thickness, frame, displacement, strayed[v]);
+    foreseen[v] = pbd::with_w(foreseen[v].xyz(), room.whole());
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
-    const float solve = foreseen[v].w - Foresee::room_for_thickness * thickness;
-    const float radius =
-        0.5f * substeps * far + foreseen[v].w + leeway * thickness + to_and_fro * pbd::max(0, solve);
-    wide[v] = sphere(from + 0.5f * substeps * displacement, radius);
-    kept[v] = is_for_one_substep() ? sphere(from + 0.5f * displacement, 0.5f * far + foreseen[v].w) : wide[v];
+    const float radius = 0.5f * substeps * far + room.whole() + leeway * thickness + to_and_fro * room.solve;
+    wide[v] = sphere(moved + 0.5f * substeps * displacement, radius);
+    kept[v] = is_for_one_substep() ? sphere(moved + 0.5f * displacement, 0.5f * far + room.whole()) : wide[v];
   }
 
  private:
-  MENISCUS_HD bool is_for_one_substep() const { return counters[long_expired] != 0 && counters[age] == 1; }
+  MENISCUS_HD bool is_for_one_substep() const {
+    return counters[several_frames] != 0 || (counters[long_expired] != 0 && counters[age] == 1);
+  }
   MENISCUS_HD static Vec4 sphere(Vec3 centre, float radius) {
     return pbd::with_w(centre, radius < pbd::most_finite ? radius : NAN);
   }
 };
 
-/// Boxes around the motion bounds of triangles, for the tree.
+/// Boxes around the motion bounds of triangles at the end of this substep, for the tree.
 struct KeptBoxes {
   Listing listing;
   MotionBounds kept;
 
   MENISCUS_HD bool wanted() const { return listing.wanted(); }
   MENISCUS_HD Aabb of(uint32_t v) const { return kept.box(v); }
+};
+
+/// The same at its start, where frames differ.
+struct KeptBoxesBefore {
+  Listing listing;
+  MotionBounds kept;
+  Frames frames;
+
+  MENISCUS_HD bool wanted() const { return listing.wanted() && listing.counters[several_frames] != 0; }
+  MENISCUS_HD Aabb of(uint32_t v) const {
+    const Vec3 motion = frames.at(v).xyz();
+    const Aabb box = kept.box(v);
+    return {box.lower - motion, box.upper - motion};
+  }
 };
 
 }  // namespace meniscus::cloth::self_contact_kernels

@@ -12,11 +12,14 @@
 namespace meniscus::cloth::self_contact_kernels {
 
 /// Clamps each vertex to the surroundings of its predicted motion and to the place that was searched. Also
-/// records how far the vertex strays from its predicted motion. The next substep allows for that.
+/// records how far the vertex strays from its predicted motion, in its frame. The next substep allows for
+/// that.
 struct Contain {
   View<const Vec4> previous;  // by vertex
   View<const uint32_t> vertex_piece;
   MotionBounds kept;
+  Frames frames;
+  Surroundings around;  // forgotten here
   View<Vec4> foreseen;  // afterwards: see RolledBack
   View<Vec4> position, accumulated_delta;
   View<float> strayed;
@@ -25,6 +28,8 @@ struct Contain {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (v == 0) grow_old();
+    const uint32_t rows = frames.of_piece.count + frames.motion.count;
+    for (uint32_t row = v; row < rows; row += vertex_piece.count) around.clear(row);
     contain(v);
     own_motion.begin(v, position[v]);
   }
@@ -33,7 +38,7 @@ struct Contain {
   MENISCUS_HD void contain(uint32_t v) const {
     if (vertex_piece[v] == no_index) return;
     const Vec4 x = position[v], ahead = foreseen[v];
-    const Vec3 from = previous[v].xyz(), to = ahead.xyz();
+    const Vec3 from = previous[v].xyz() + frames.at(v).xyz(), to = ahead.xyz();
     const Vec3 lower = min(from, to), upper = max(from, to);
     strayed[v] = pbd::max(0, max_component(max(x.xyz() - upper, lower - x.xyz())));
     const RolledBack taken{foreseen, counters};
@@ -238,11 +243,13 @@ struct FindCrossings {
     const bool nearly_lost = distance < self_contact_tuning::nearly_lost * least;
     const float gap = nearly_lost ? self_contact_tuning::lost_gap * distance
                                   : pbd::min(self_contact_tuning::gap * distance, least);
-    own_motion.part(corners, pair, cloth.previous, at_start, gap);
+    own_motion.part(corners, pair, cloth.previous, cloth.frames, at_start, gap);
     const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
     if (nothing_moves(corners)) return;
     pbd::atomic_add(folds.counters[crossings + round], 1);
+    if (cloth.frames.differ(corners.vertex(0), corners.vertex(3)))
+      pbd::atomic_max(folds.counters[frames_meet], 1);
     const bool holds = nearly_lost || motion < rounding(corners) || have_parted(corners);
     if (holds) own_motion.hold(corners);
     impact_zones.unite(corners, round, holds);

@@ -69,10 +69,28 @@ struct PairsOfTwo {
   }
 };
 
+/// The tree's boxes during a substep. Where all cloth is in one frame, they are compared at its end alone.
+struct BoxesInTime {
+  const pbd::SurfaceTreeView& tree;
+  bool differ;  // frames
+
+  /// Whether boxes a and b of two levels overlap.
+  MENISCUS_HD bool overlap(uint32_t level, uint32_t a, uint32_t other_level, uint32_t b) const {
+    return (mask(level, a / 8, other_level, b) >> a % 8 & 1) != 0;
+  }
+  /// A bit mask of the boxes of a group of a level that overlap box b of another.
+  MENISCUS_HD uint32_t mask(uint32_t level, uint32_t group, uint32_t other_level, uint32_t b) const {
+    if (!differ) return overlap_mask(tree.group(level, group), tree.box(other_level, b));
+    return overlap_mask(tree.group_before(level, group), tree.group(level, group),
+                        tree.moving_box(other_level, b));
+  }
+};
+
 /// A bit mask of the triangles of group `other` whose boxes overlap that of the triangle at `place`. In its
-/// own group, only later triangles count.
-MENISCUS_HD inline uint32_t overlapping(const pbd::SurfaceTreeView& tree, uint32_t place, uint32_t other) {
-  const uint32_t mask = overlap_mask(tree.group(0, other), tree.box(0, place));
+/// own group, only later triangles count. `differ`: see BoxesInTime.
+MENISCUS_HD inline uint32_t overlapping(const pbd::SurfaceTreeView& tree, uint32_t place, uint32_t other,
+                                        bool differ = false) {
+  const uint32_t mask = BoxesInTime{tree, differ}.mask(0, other, 0, place);
   return other == place / 8 ? mask & ~((2u << place % 8) - 1) : mask;
 }
 

@@ -43,6 +43,9 @@ struct CornerBounds {
 };
 
 /// The triangles of two groups: first those of one group, then those of the other. All threads read them.
+///
+/// Bounds of different frames are compared in that of the first group. There, the others sweep over the path
+/// of their frame, and this path widens them.
 struct TrianglesOfTwo {
   static constexpr uint32_t count = 16;
 
@@ -56,10 +59,20 @@ struct TrianglesOfTwo {
     const SurfaceTriangle t = load(cloth.tree.triangles, place);
     if (t.a == no_index) return;
     features[k] = bits_of_features(cloth, place);
+    const Vec3 way = k < 8 ? Vec3{0, 0, 0} : way_of_second(cloth);
+    const float half = 0.5f * length(way);
     for (uint32_t corner = 0; corner < 3; ++corner) {
       vertex[3 * k + corner] = corner_of(t, corner);
-      bound[3 * k + corner] = load(cloth.kept.spheres, corner_of(t, corner));
+      const Vec4 sphere = load(cloth.kept.spheres, corner_of(t, corner));
+      bound[3 * k + corner] = pbd::with_w(sphere.xyz() - 0.5f * way, sphere.w + half);
     }
+  }
+  /// m, the displacement of the second group's frame in that of the first.
+  MENISCUS_HD Vec3 way_of_second(const ClothState& cloth) const {
+    const auto frame = [&](uint32_t group) {
+      return cloth.frames.at_piece(cloth.tree.triangles[8 * group].piece).xyz();
+    };
+    return frame(groups.second) - frame(groups.first);
   }
 
   MENISCUS_HD OwnFeatures self(uint32_t k) const {
@@ -161,7 +174,8 @@ struct FindCandidates {
  private:
   MENISCUS_HD void find_overlaps(Scratch& scratch, uint32_t k) const {
     const GroupPair pair = scratch.two[k / 8].groups;
-    uint32_t mask = overlapping(cloth.tree, 8 * pair.first + k % 8, pair.second);
+    uint32_t mask =
+        overlapping(cloth.tree, 8 * pair.first + k % 8, pair.second, pairs.counters[several_frames] != 0);
     uint32_t place = mask ? pbd::append(scratch.hit_count, pbd::bit_count(mask)) : 0;
     for (; mask != 0; mask &= mask - 1)
       scratch.hits[place++] = static_cast<uint16_t>(8 * k + pbd::lowest_bit(mask));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/candidate_lifetime.h"
+#include "cloth/self_contact/features.h"
 #include "cloth/self_contact/tuning.h"
 
 namespace meniscus::cloth::self_contact_kernels {
@@ -95,6 +96,7 @@ struct FindGroups {
   Listing listing;
   pbd::SurfaceTreeView tree;
   View<const PieceProperties> pieces;
+  View<const uint32_t> cell_of;  // by piece, see ChooseFrames
   SheetViews sheets;
   GroupPairs pairs;
 
@@ -121,7 +123,7 @@ struct FindGroups {
                                 uint32_t boxes) const {
     group.for_each(1, [&](uint32_t) { scratch.top_count = 0; });
     group.for_each(boxes, [&](uint32_t k) {
-      if (overlap(tree.box(4, first + k), tree.box(2, n)))
+      if (boxes_in_time().overlap(4, first + k, 2, n))
         scratch.tops[pbd::append(scratch.top_count, 1)] = first + k;
     });
     const uint32_t below = 8 * scratch.top_count;
@@ -140,6 +142,7 @@ struct FindGroups {
     const uint32_t found = scratch.count;
     group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
   }
+  MENISCUS_HD BoxesInTime boxes_in_time() const { return {tree, pairs.counters[several_frames] != 0}; }
   MENISCUS_HD bool eights_have_boxes() const { return tree.levels > 2; }
 
   MENISCUS_HD void note_smoothness(uint32_t g) const {
@@ -148,10 +151,8 @@ struct FindGroups {
   }
 
   MENISCUS_HD void find_eights(Scratch& scratch, uint32_t n, uint32_t box) const {
-    const Aabb own = eights_have_boxes() ? tree.box(2, n) : pbd::empty_box;
-    if (tree.levels > 3 && !overlap(tree.box(3, box), own)) return;
-    uint32_t mask =
-        eights_have_boxes() ? overlap_mask(tree.group(2, box), own) : (1u << tree.groups_of(1)) - 1;
+    if (tree.levels > 3 && !boxes_in_time().overlap(3, box, 2, n)) return;
+    uint32_t mask = eights_have_boxes() ? boxes_in_time().mask(2, box, 2, n) : (1u << tree.groups_of(1)) - 1;
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t eight = 8 * box + pbd::lowest_bit(mask);
       if (eight >= n) scratch.eights[pbd::append(scratch.count, 1)] = eight;
@@ -159,15 +160,17 @@ struct FindGroups {
   }
 
   MENISCUS_HD void pair_up(uint32_t g, uint32_t eight) const {
-    uint32_t mask = overlap_mask(tree.group(1, eight), tree.box(1, g));
+    uint32_t mask = boxes_in_time().mask(1, eight, 1, g);
     if (eight == g / 8) mask &= ~0u << g % 8;
     if (mask == 0) return;
     const uint32_t piece = tree.triangles[8 * g].piece;
     Appending<GroupPair> found(pairs.list, pairs.counters[group_pairs]);
     for (; mask != 0; mask &= mask - 1) {
       const uint32_t other = 8 * eight + pbd::lowest_bit(mask);
-      if (may_touch(piece, tree.triangles[8 * other].piece) && !sheets.has_in_sheet(g, other))
-        found.add({g, other});
+      const uint32_t others_piece = tree.triangles[8 * other].piece;
+      if (!may_touch(piece, others_piece) || sheets.has_in_sheet(g, other)) continue;
+      found.add({g, other});
+      if (cell_of[piece] != cell_of[others_piece]) pbd::atomic_max(pairs.counters[cells_meet], 1);
     }
     found.flush();
   }

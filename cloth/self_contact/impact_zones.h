@@ -133,8 +133,8 @@ struct PieceSums {
 
 /// Moves vertices with their zones, inside the place that was searched. A zone that would have to leave it
 /// stops in the next round. So does a zone that would enter a solid. Its vertices then move by their own
-/// motion. If the last available round still finds a pair, all vertices return to their positions at the
-/// start of the substep.
+/// motion. If the last available round still finds a pair, all vertices move with their frames from where
+/// they were at the start of the substep. Where there are several frames, the step is then repeated in one.
 struct MoveImpactZones {
   ClothState cloth;
   pbd::ContactView contacts;               // of all particles
@@ -158,7 +158,8 @@ struct MoveImpactZones {
     const bool is_own = last || impact_zones.anchor[name] == ImpactZones::own;
     // Computed with displacements, not positions: the rounding of positions would lose momentum.
     const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
-    const Vec3 wanted = last ? Vec3{0, 0, 0} : is_own ? own_motion.displacement(v, from) : motion_of(name);
+    const Vec3 frame = cloth.frames.at(v).xyz();
+    const Vec3 wanted = last ? frame : is_own ? own_motion.displacement(v, from, frame) : motion_of(name);
     const Vec3 to = from + wanted;
     // A vertex's own motion ends inside, as that of the solve does.
     const Vec3 inside = is_own ? to : cloth.kept.inside(v, to);
@@ -168,6 +169,7 @@ struct MoveImpactZones {
     // on.
     const Vec3 due = !is_own ? wanted : mark == 0 ? now : mean_motion(name);
     if (due != displacement) taken.add(v, due - displacement);
+    if (last && counters[several_frames] != 0) pbd::atomic_max(counters[frames_meet], 1);
     if (stops && !last) pbd::atomic_add(counters[crossings + round + 1], 1);
     constexpr uint32_t kept = ImpactZones::stopped | ImpactZones::parted;
     pbd::atomic_store(impact_zones.mark[v], (round + 1) << ImpactZones::moved_shift | (round + 1) |

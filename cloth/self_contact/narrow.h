@@ -128,6 +128,8 @@ struct MakeContacts {
 
   MENISCUS_HD void add(const Corners& corners, const Nearest& now, float target, float friction) const {
     const uint32_t c = pbd::append(list.counters[contacts], 1);
+    if (cloth.frames.differ(corners.vertex(0), corners.vertex(3)))
+      pbd::atomic_max(list.counters[frames_meet], 1);
     if (c >= list.corners.count) return;
     list.corners[c] = corners;
     list.plane[c] = pbd::with_w(now.r / now.distance, target);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "cloth/self_contact/folds.h"
+#include "cloth/self_contact/frames.h"
 #include "cloth/self_contact/tuning.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
@@ -31,8 +32,8 @@ struct ContactPiece {
 ///              suffice, it unites vertices in impact zones.
 ///
 /// Both use the same list of pairs, which is kept over several substeps. Each vertex has a motion bound, a
-/// sphere that it is to stay in. Pairs are searched for again at the start of a step, and when a vertex would
-/// leave its motion bound.
+/// sphere that moves with the vertex's frame, in which it is to stay. Pairs are searched for again at the
+/// start of a step, and when a vertex would leave its motion bound.
 ///
 /// This set should come after cloth's own constraints, and the fail-safe after everything else that moves
 /// vertices. At the start of a substep no cloth may have passed through cloth. Overlap by thickness alone is
@@ -62,6 +63,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
 
   /// The greatest number of contacts in any substep of the last step.
   uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }
+  /// The greatest number of pairs of features listed in any substep of the last step.
+  uint32_t most_candidates() const { return found(self_contact_kernels::candidates); }
   /// The number of searches for pairs in the last step.
   uint32_t listings() const { return found(self_contact_kernels::listings); }
   /// The number of these searches that were made for one substep only.
@@ -96,10 +99,14 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   bool idle() const { return tree_.places() == 0; }
   void set_pieces(std::span<const ContactPiece> pieces, std::span<const float> fineness);
   void reserve_contacts(uint32_t capacity);
+  void sum_surroundings(pbd::Substep<D>& substep);
   void list_pairs(pbd::Substep<D>& substep);
   void find_pairs(pbd::Substep<D>& substep);
   void join_crossings(pbd::Substep<D>& substep);
   self_contact_kernels::ClothState cloth(const pbd::Substep<D>& substep);
+  self_contact_kernels::Frames frames();
+  self_contact_kernels::Surroundings surroundings();
+  void set_frames(size_t pieces);
   self_contact_kernels::GroupPairs pairs();
   self_contact_kernels::SheetViews sheets();
   self_contact_kernels::ImpactZones impact_zones();
@@ -120,6 +127,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   /// Whether most lists of the last step were made for one substep only, and whether those of the step before
   /// were.
   bool lasts_one_substep_ = false, lasted_one_substep_ = false;
+  bool one_frame_ = false;  // for all pieces, as long as some that move differently are near
 
   pbd::Buffer<self_contact_kernels::PieceProperties> pieces_{device_, "cloth contact pieces"};
   pbd::Buffer<uint16_t> features_{device_, "cloth features"};
@@ -130,6 +138,10 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<pbd::Vec4> kept_{device_, "places of cloth vertices"},
       wide_{device_, "places of cloth vertices"};
   pbd::Buffer<pbd::Vec4> foreseen_{device_, "foreseen cloth"};  // after the solve: see RolledBack
+  pbd::Buffer<pbd::Vec4> frames_{device_, "frames of cloth"};
+  pbd::Buffer<uint32_t> frame_of_{device_, "frames of cloth"}, cell_of_{device_, "frames of cloth"};
+  pbd::Buffer<int64_t> displacement_sums_{device_, "frames of cloth"};
+  pbd::Buffer<uint32_t> immovable_{device_, "frames of cloth"}, movable_{device_, "frames of cloth"};
   pbd::Buffer<float> strayed_{device_, "strayed cloth"}, saved_strayed_{device_, "strayed cloth"};
   pbd::Buffer<uint32_t> impact_zone_label_{device_, "cloth zones"}, impact_zone_mark_{device_, "cloth zones"},
       impact_zone_anchor_{device_, "cloth zones"};

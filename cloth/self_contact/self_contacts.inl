@@ -40,16 +40,21 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   const View<const Vec4> previous = vertices_of(p.previous, p.sorted, vertices_);
   const Listing listing{counters_.view()};
+  device_.parallel_for("self contacts/frames", static_cast<uint32_t>(pieces_.size()),
+                       ChooseFrames{counters_.view(), surroundings(), pieces_.view(), frame_of_.view(),
+                                    cell_of_.view(), static_cast<uint32_t>(frames_.size()), one_frame_});
   device_.parallel_for("self contacts/keep", vertices_,
                        CandidateLifetime{listing, previous, foreseen_.view(), vertex_piece_.view(),
-                                         pieces_.view(), kept_.view(), wide_.view(), counters_.view()});
+                                         frame_of_.view(), pieces_.view(), strayed_.view(), surroundings(),
+                                         frames_.view(), kept_.view(), wide_.view(), counters_.view()});
   tree_.refit(KeptBoxes{listing, {kept_.view()}});
+  if (frames_.size() > 1) tree_.refit_before(KeptBoxesBefore{listing, {kept_.view()}, frames()});
   const pbd::SurfaceTreeView tree = tree_.view();
   device_.parallel_for_groups(
       "self contacts/cones", blocks_of<ConeScratch>(),
       FitCones{listing, tree, pieces_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
   device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
-                              FindGroups{listing, tree, pieces_.view(), sheets(), pairs()});
+                              FindGroups{listing, tree, pieces_.view(), cell_of_.view(), sheets(), pairs()});
   constexpr uint32_t each = CandidateScratch::pairs;
   const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
   device_.parallel_for_groups("self contacts/candidates", blocks,
@@ -57,10 +62,22 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
 }
 
 template <class D>
+void SelfContacts<D>::sum_surroundings(pbd::Substep<D>& substep) {
+  using namespace self_contact_kernels;
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for_groups("self contacts/motion", blocks_of<MotionScratch>(),
+                              SumMotion{cloth(substep), surroundings()});
+  device_.parallel_for("self contacts/surroundings", substep.contacts.contacts.count,
+                       FindSurroundings{substep.contacts, p.previous, p.position, p.phase,
+                                        vertex_piece_.view(), p.sorted, surroundings()});
+}
+
+template <class D>
 void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using namespace self_contact_kernels;
   using self_contact_tuning::separation_time;
   const pbd::ParticleView& p = substep.particles;
+  sum_surroundings(substep);
   device_.parallel_for(
       "self contacts/foresee", vertices_,
       Foresee{vertices_of(p.previous, p.sorted, vertices_),
@@ -68,6 +85,8 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
               vertex_piece_.view(),
               pieces_.view(),
               strayed_.view(),
+              frames(),
+              surroundings(),
               kept_.view(),
               wide_.view(),
               foreseen_.view(),
@@ -118,6 +137,8 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                        Contain{previous,
                                vertex_piece_.view(),
                                {kept_.view()},
+                               frames(),
+                               surroundings(),
                                foreseen_.view(),
                                position,
                                accumulated_delta,
@@ -172,6 +193,7 @@ void SelfContacts<D>::start_step() {
     rounds_ =
         std::min(most_rounds, std::max({self_contact_tuning::first_rounds,
                                         used_rounds() + self_contact_tuning::spare_rounds, rounds_ - 1}));
+  if (found(frames_meet) == 0 && found(cells_meet) == 0) one_frame_ = false;
   std::fill(found_.host().begin(), found_.host().end(), 0u);
   anew_ = true;
 }
@@ -181,8 +203,9 @@ bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
   lasts_one_substep_ =
       2 * one_substep_listings() > listings();  // known only now; where there was no room, restore() follows
-  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(group_pairs) <= group_pairs_.size() &&
-                    found(candidates) <= candidates_.size() && found(contacts) <= corners_.size());
+  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(frames_meet) == 0 &&
+                    found(group_pairs) <= group_pairs_.size() && found(candidates) <= candidates_.size() &&
+                    found(contacts) <= corners_.size());
 }
 
 template <class D>
@@ -193,6 +216,7 @@ void SelfContacts<D>::make_room() {
   if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
   if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
   if (ran_short()) rounds_ = more_rounds();
+  if (found(frames_meet) > 0) one_frame_ = true;
 }
 
 template <class D>
@@ -288,7 +312,23 @@ void SelfContacts<D>::set_pieces(std::span<const ContactPiece> pieces, std::span
   }
   pieces_.resize_discard(rows.size());
   pieces_.write(rows);
+  set_frames(rows.size());
   piece_sums_.resize_discard(4 * rows.size());
+}
+
+template <class D>
+void SelfContacts<D>::set_frames(size_t pieces) {
+  frames_.resize_discard(std::min<size_t>(pieces, self_contact_tuning::most_frames));
+  frame_of_.resize_discard(pieces);
+  cell_of_.resize_discard(pieces);
+  const size_t rows = pieces + frames_.size();
+  displacement_sums_.resize_discard(4 * rows);
+  immovable_.resize_discard(6 * rows);
+  movable_.resize_discard(6 * rows);
+  for (pbd::Buffer<uint32_t>* buffer : {&frame_of_, &cell_of_, &immovable_, &movable_}) buffer->fill(0);
+  frames_.fill(0);
+  displacement_sums_.fill(0);
+  tree_.reserve_before(frames_.size() > 1);
 }
 
 template <class D>
@@ -313,7 +353,18 @@ self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& s
           tree_.view(),
           features_.view(),
           pieces_.view(),
-          rough_.view()};
+          rough_.view(),
+          frames()};
+}
+
+template <class D>
+self_contact_kernels::Frames SelfContacts<D>::frames() {
+  return {frames_.view(), frame_of_.view(), vertex_piece_.view()};
+}
+
+template <class D>
+self_contact_kernels::Surroundings SelfContacts<D>::surroundings() {
+  return {{displacement_sums_.view()}, {immovable_.view()}, {movable_.view()}};
 }
 
 template <class D>

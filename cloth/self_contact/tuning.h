@@ -87,6 +87,18 @@ inline constexpr float leeway = 0.25f;
 /// Test: none.
 inline constexpr float to_and_fro = 1.5f;
 
+// ---- frames ----
+
+/// Thicknesses in a substep: pieces whose motions differ by less share a frame. A step in which pieces in
+/// different frames touch is repeated, so those that fall together should share one. Larger cells give pieces
+/// a frame in which they move faster.
+/// Test: SelfContactTest.PartsThatMoveApartCostNoMore.
+inline constexpr float frame_cell = 4;
+
+/// The most frames. Pieces in further ones share with others.
+/// Test: none.
+inline constexpr uint32_t most_frames = 64;
+
 // ---- smooth sheets ----
 
 /// rad: the widest angle from a group's axis to any normal around it, in a smooth sheet. With the leeway

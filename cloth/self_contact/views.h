@@ -49,6 +49,9 @@ enum Counter : uint32_t {
   lost,                  // not 0: a vertex was rolled back, and its momentum is still to be transferred
   folded_sheets,         // groups whose sheets have folded, in this round of the fail-safe
   given_up,              // for the host alone: substeps whose last possible round still found a pair
+  several_frames,        // not 0: the lists are for pieces in different frames, and so for one substep only
+  frames_meet,           // not 0: pieces in different frames have touched, and the step will be repeated
+  cells_meet,            // not 0: pieces that move differently are near
   crossings,
   counter_count = crossings + most_rounds
 };
@@ -118,9 +121,10 @@ class Appending {
   T kept_[room];
 };
 
-/// The motion bounds of vertices while lists of pairs are kept.
+/// The motion bounds of vertices while lists of pairs are kept: spheres that move with the frames. Positions
+/// inside them at the start and at the end of a substep are inside all the time, as both move steadily.
 struct MotionBounds {
-  View<const Vec4> spheres;  // by vertex: centre and radius, m
+  View<const Vec4> spheres;  // by vertex: centre at the end of this substep, and radius, m
 
   MENISCUS_HD Aabb box(uint32_t v) const {
     const Vec4 sphere = load(spheres, v);
@@ -225,6 +229,17 @@ struct ContactList {
   MENISCUS_HD uint32_t count() const { return listed(corners, counters[contacts]); }
 };
 
+/// The frames of reference of pieces, see frames.h.
+struct Frames {
+  View<const Vec4> motion;        // by frame, m in a substep; w: how far from that its surroundings move, m
+  View<const uint32_t> of_piece;  // by piece
+  View<const uint32_t> piece;     // by vertex
+
+  MENISCUS_HD Vec4 at_piece(uint32_t p) const { return motion[of_piece[p]]; }
+  MENISCUS_HD Vec4 at(uint32_t v) const { return at_piece(piece[v]); }
+  MENISCUS_HD bool differ(uint32_t v, uint32_t w) const { return of_piece[piece[v]] != of_piece[piece[w]]; }
+};
+
 /// The vertices of a substep, and the tables of the surface.
 struct ClothState {
   View<const Vec4> previous, position;  // by vertex
@@ -233,6 +248,7 @@ struct ClothState {
   View<const uint16_t> features;
   View<const PieceProperties> pieces;
   View<const uint32_t> rough;  // by group: whether it is bent so much that its edges stand out
+  Frames frames;
 
   /// The vertices of a pair of features.
   MENISCUS_HD Corners corners_of(FeatureCode code) const {

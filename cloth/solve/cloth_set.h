@@ -32,13 +32,12 @@ struct ClothSolverParameters {
 /// Cloth: stretch, shear, bending, gas and tethers as XPBD constraints (Macklin, Müller & Chentanez 2016),
 /// solved by Gauss–Seidel, and the force of the air on it.
 ///
-///   begin     adds the wind;
-///   project   in the first iteration, solves isometric bending as one block (bending_solver.h), and starts
-///   edges outside chains from a fraction of their last pulls, which
-///             chains absorb before cloth moves. Sweeps over dihedral bending, then over stretch, pass by
-///             pass (clusters.h). Solves for the lengths of whole chains, layer by layer (chains.h). The last
-///             iteration repeats stretch and chains in a number of rounds. The next iteration runs backwards.
-///             Gas has its turn at the start or at the end, and tethers come last;
+///   project   adds the iteration's part of the wind. In the first iteration, solves isometric bending as one
+///             block (bending_solver.h), and starts edges outside chains from a fraction of their last pulls,
+///             which chains absorb before cloth moves. Sweeps over dihedral bending, then over stretch, pass
+///             by pass (clusters.h). Solves for the lengths of whole chains, layer by layer (chains.h). The
+///             last iteration repeats stretch and chains in a number of rounds. The next iteration runs
+///             backwards. Gas has its turn at the start or at the end, and tethers come last;
 ///   settle    records the pulls at held vertices. Loaded pieces forget the pulls of their edges.
 ///
 /// Small substeps converge better than many iterations (Macklin et al. 2019). Sweeps in both directions make

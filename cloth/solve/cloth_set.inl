@@ -120,11 +120,6 @@ void ClothSet<D>::begin(pbd::Substep<D>& substep) {
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   warm_start_fraction_ = parameters_.warm_start > 0 ? std::min(1.0f, ratio * ratio) : 0;
   last_dt_ = substep.dt;
-  if (std::exchange(feels_wind_, false)) {
-    device_.parallel_for("cloth/blow", vertex_count_,
-                         wind_kernels::Blow{corner_start_.view(), corners_.view(), wind_force_.view(),
-                                            vertices(substep), substep.dt});
-  }
   time_ += substep.dt;
 }
 
@@ -186,6 +181,13 @@ template <class D>
 void ClothSet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (vertex_count_ == 0) return;
   if (iteration == 0) bending_.solve(substep, vertices(substep));
+  if (feels_wind_) {
+    device_.parallel_for(
+        "cloth/blow", vertex_count_,
+        wind_kernels::Blow{corner_start_.view(), corners_.view(), wind_force_.view(), vertices(substep),
+                           substep.dt, 1 / static_cast<float>(substep.iterations)});
+    if (iteration + 1 == substep.iterations) feels_wind_ = false;
+  }
   if (iteration == 0 && starts_from_last()) start_from_last(substep);
   // The constraint that is solved last holds best: lengths or, where there is gas, its volume.
   const int turns = any_gas_ ? iteration : substep.iterations - 1 - iteration;

@@ -74,6 +74,7 @@ struct Blow {
   View<const Vec4> force;
   VertexState vertices;
   float dt;
+  float fraction;  // of the force, for one iteration
 
   MENISCUS_HD void operator()(uint32_t v) const {
     Vec4 sum{0, 0, 0, 0};
@@ -82,7 +83,7 @@ struct Blow {
     const Vertex vertex = vertices.at(v);
     // A light vertex reaches the speed of the wind, and no more.
     const float stiffness = sum.w;
-    vertices.push(v, vertex, dt * dt / pbd::max(1.0f, dt * vertex.x.w * stiffness) * sum.xyz());
+    vertices.push(v, vertex, fraction * dt * dt / pbd::max(1.0f, dt * vertex.x.w * stiffness) * sum.xyz());
   }
 };
 

@@ -60,6 +60,30 @@ MENISCUS_HD inline uint32_t overlap_mask(const BoxGroup& group, const Aabb& box)
   return overlap_mask(group.lower, group.upper, least, most);
 }
 
+/// Two boxes of the same thing, at the start and at the end of a steady motion.
+struct MovingBox {
+  Aabb before, after;
+};
+
+/// Bit k is set unless box k is on one side of the other along an axis both at the start and at the end. It
+/// is so in between as well, since limits move steadily. A motion that all share changes nothing.
+MENISCUS_HD inline uint32_t overlap_mask(const BoxGroup& before, const BoxGroup& after,
+                                         const MovingBox& box) {
+  const float least[2][3] = {{box.before.lower.x, box.before.lower.y, box.before.lower.z},
+                             {box.after.lower.x, box.after.lower.y, box.after.lower.z}};
+  const float most[2][3] = {{box.before.upper.x, box.before.upper.y, box.before.upper.z},
+                            {box.after.upper.x, box.after.upper.y, box.after.upper.z}};
+  uint32_t mask = 0xff;
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    for (uint32_t k = 0; k < BoxGroup::size; ++k) {
+      const bool begins = before.lower[axis][k] <= most[0][axis] || after.lower[axis][k] <= most[1][axis];
+      const bool ends = before.upper[axis][k] >= least[0][axis] || after.upper[axis][k] >= least[1][axis];
+      if (!begins || !ends) mask &= ~(1u << k);
+    }
+  }
+  return mask;
+}
+
 /// Eight threads test a group, and a whole warp works on one query: there are few queries, with many
 /// triangles each.
 using GroupTeam = Team<BoxGroup::size>;
@@ -68,14 +92,27 @@ using SearchTeam = Team<32>;
 struct SurfaceTreeView {
   static constexpr uint32_t most_levels = 8;  // so that the open boxes of a descent fit into 64 bits
 
-  View<BoxGroup> groups;        ///< of all levels
-  uint32_t start[most_levels];  ///< of each level, its first group
-  uint32_t boxes[most_levels];  ///< of each level; its last group is padded with nowhere()
+  View<BoxGroup> groups;         ///< of all levels
+  View<BoxGroup> groups_before;  ///< the same at the start of a motion; or empty
+  uint32_t start[most_levels];   ///< of each level, its first group
+  uint32_t boxes[most_levels];   ///< of each level; its last group is padded with nowhere()
   uint32_t levels = 0;
   View<const SurfaceTriangle> triangles;  ///< in the tree's order; a is no_index for padding
 
   MENISCUS_HD BoxGroup& group(uint32_t level, uint32_t g) const { return groups[start[level] + g]; }
   MENISCUS_HD Aabb box(uint32_t level, uint32_t b) const { return group(level, b / 8).box(b % 8); }
+  MENISCUS_HD BoxGroup& group_before(uint32_t level, uint32_t g) const {
+    return groups_before[start[level] + g];
+  }
+  MENISCUS_HD MovingBox moving_box(uint32_t level, uint32_t b) const {
+    return {group_before(level, b / 8).box(b % 8), box(level, b)};
+  }
+  /// The view of the boxes at the start of the motion.
+  SurfaceTreeView before() const {
+    SurfaceTreeView tree = *this;
+    tree.groups = groups_before;
+    return tree;
+  }
   MENISCUS_HD uint32_t groups_of(uint32_t level) const { return (boxes[level] + 7) / 8; }
 };
 

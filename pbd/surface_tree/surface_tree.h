@@ -46,7 +46,15 @@ class SurfaceTree {
   /// Fits the triangles' boxes to those of their vertices, boxes.of(v). Nothing changes unless
   /// boxes.wanted(), which the device evaluates.
   template <class Boxes>
-  void refit(const Boxes& boxes);
+  void refit(const Boxes& boxes) {
+    refit(view(), boxes);
+  }
+  /// The same for the boxes at the start of a motion, after reserve_before().
+  template <class Boxes>
+  void refit_before(const Boxes& boxes) {
+    refit(view().before(), boxes);
+  }
+  void reserve_before(bool any) { groups_before_.resize_discard(any ? groups_.size() : 0); }
 
   SurfaceTreeView view();
   /// The number of places in the tree, including unused ones.
@@ -57,12 +65,15 @@ class SurfaceTree {
   const std::vector<SurfaceTriangle>& triangles() const { return sorted_; }
 
  private:
+  template <class Boxes>
+  void refit(const SurfaceTreeView& tree, const Boxes& boxes);
+
   D& device_;
   std::vector<uint32_t> order_;
   std::vector<SurfaceTriangle> sorted_;
   SurfaceTreeView layout_{};  // without its arrays
   Buffer<SurfaceTriangle> triangles_{device_, "surface triangles"};
-  Buffer<BoxGroup> groups_{device_, "surface boxes"};
+  Buffer<BoxGroup> groups_{device_, "surface boxes"}, groups_before_{device_, "surface boxes"};
 };
 
 }  // namespace meniscus::pbd

@@ -92,9 +92,8 @@ void SurfaceTree<D>::set_surface(std::span<const SurfaceTriangle> triangles,
 
 template <class D>
 template <class Boxes>
-void SurfaceTree<D>::refit(const Boxes& boxes) {
+void SurfaceTree<D>::refit(const SurfaceTreeView& tree, const Boxes& boxes) {
   using namespace surface_kernels;
-  const SurfaceTreeView tree = view();
   if (tree.levels == 0) return;
   const uint32_t top = std::min(3u, tree.levels - 1);
   device_.parallel_for_groups("surface/subtrees", 8 * tree.groups_of(top),
@@ -107,6 +106,7 @@ template <class D>
 SurfaceTreeView SurfaceTree<D>::view() {
   SurfaceTreeView tree = layout_;
   tree.groups = groups_.view();
+  tree.groups_before = groups_before_.view();
   tree.triangles = triangles_.view();
   return tree;
 }

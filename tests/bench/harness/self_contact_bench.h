@@ -60,6 +60,7 @@ class SelfContactBench {
   virtual std::vector<Vec3> positions() = 0;
   virtual std::vector<Vec3> velocities() = 0;
   virtual uint32_t most_contacts() = 0;
+  virtual uint32_t most_candidates() = 0;
   virtual uint32_t most_crossings() = 0;
   virtual uint32_t given_up() = 0;
   virtual uint32_t listings() = 0;

@@ -118,6 +118,7 @@ class SelfContactBenchOn final : public SelfContactBench {
   void step(float dt) override { solver_.step(dt); }
   std::vector<Vec3> positions() override { return fetched(particles_.position.current); }
   std::vector<Vec3> velocities() override { return fetched(particles_.velocity.current); }
+  uint32_t most_candidates() override { return contacts_.most_candidates(); }
   uint32_t most_contacts() override { return contacts_.most_contacts(); }
   uint32_t most_crossings() override { return contacts_.most_crossings(); }
   uint32_t given_up() override { return contacts_.given_up(); }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -178,6 +180,35 @@ void expect_in_order(std::span<const Vec3> x, size_t first_sheet, float thicknes
   }
 }
 
+/// The pairs of features, of all there are, that meet on their way from one state to the next.
+size_t passages(const ClothCase& c, std::span<const Vec3> from, std::span<const Vec3> to) {
+  constexpr float least = 1e-7f;  // m
+  std::vector<std::array<uint32_t, 2>> edges;
+  for (const pbd::SurfaceTriangle& t : c.triangles)
+    for (const auto& [a, b] : {std::minmax(t.a, t.b), std::minmax(t.b, t.c), std::minmax(t.c, t.a)})
+      edges.push_back({a, b});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const auto meet = [&](const std::array<uint32_t, 4>& corners, bool are_edges) {
+    pbd::FeaturePair pair{};
+    pair.edges = are_edges;
+    for (size_t k = 0; k < 4; ++k) {
+      for (size_t n = 0; n < k; ++n)
+        if (corners[k] == corners[n]) return false;
+      pair.start[k] = from[corners[k]] - from[corners[0]];
+      pair.motion[k] = (to[corners[k]] - from[corners[k]]) - (to[corners[0]] - from[corners[0]]);
+    }
+    return pbd::nearest(pair, 0).distance < pbd::relative_motion(pair) + least &&
+           pbd::time_of_nearness(pair, least) <= 1;
+  };
+  size_t count = 0;
+  for (const pbd::SurfaceTriangle& t : c.triangles)
+    for (uint32_t v = 0; v < from.size(); ++v) count += meet({v, t.a, t.b, t.c}, false);
+  for (size_t e = 0; e < edges.size(); ++e)
+    for (size_t f = 0; f < e; ++f) count += meet({edges[e][0], edges[e][1], edges[f][0], edges[f][1]}, true);
+  return count;
+}
+
 TEST_P(SelfContactTest, NothingGoesThroughHoweverFast) {
   for (float thicknesses : {1.0f, 2.0f, 5.0f, 10.0f, 20.0f}) {
     const float speed = thicknesses * thickness / substep;
@@ -189,6 +220,22 @@ TEST_P(SelfContactTest, NothingGoesThroughHoweverFast) {
       EXPECT_EQ(b->given_up(), 0u) << thicknesses << " thicknesses a substep";
       // Faster sheets crumple to bundles of upright folds.
       if (thicknesses < 20) expect_in_order(b->positions(), 81, thicknesses);
+    }
+  }
+}
+
+// Sheets that collide so fast may fold around one another, so pairs are looked at on their way.
+TEST_P(SelfContactTest, NoPairMeetsOnItsWayHoweverFast) {
+  for (float thicknesses : {5.0f, 20.0f}) {
+    ClothCase c = two_sheets(3 * thickness + 0.003f, thicknesses * thickness / substep, 9);
+    c.substeps = 1;
+    const auto b = bench(c);
+    std::vector<Vec3> from = b->positions();
+    for (int k = 0; k < 10; ++k) {
+      b->step(substep);
+      const std::vector<Vec3> to = b->positions();
+      EXPECT_EQ(passages(c, from, to), 0u) << thicknesses << " thicknesses a substep, substep " << k;
+      from = to;
     }
   }
 }
@@ -235,18 +282,105 @@ TEST_P(SelfContactTest, PairsAreLookedForAsOftenAsClothMoves) {
   EXPECT_GE(other->listings(), 3u);
 }
 
+/// The most pairs of features that are listed while a rippled sheet and the same sheet above it fly on, each
+/// with a velocity of its own.
+uint32_t listed_pairs(SelfContactBench& bench) {
+  uint32_t most = 0;
+  for (int k = 0; k < 4; ++k) {
+    bench.step(5 * substep);
+    most = std::max(most, bench.most_candidates());
+  }
+  return most;
+}
+
+ClothCase rippled_sheets(float gap, Vec3 lower, Vec3 upper) {
+  ClothCase c;
+  for (const bool above : {false, true}) {
+    c.add_sheet(
+        21, 21, spacing, mass, piece(),
+        [&](float u, float v) {
+          return Vec3{u, (above ? gap : 0.0f) + 0.4f * thickness * std::sin(300 * u), v};
+        },
+        above ? upper : lower);
+  }
+  return c;
+}
+
+// What all cloth shares costs nothing.
+TEST_P(SelfContactTest, PairsAreThoseAtRestHoweverFastAllMove) {
+  const Vec3 still{0, 0, 0};
+  for (const float gap : {1.3f * thickness, 0.1f}) {
+    const ClothCase rest = rippled_sheets(gap, still, still);
+    const uint32_t at_rest = listed_pairs(*bench(rest));
+    for (const Vec3 velocity : {Vec3{50, 0, 0}, Vec3{-20, 35, 60}}) {
+      const ClothCase moving = rippled_sheets(gap, velocity, velocity);
+      const auto b = bench(moving);
+      const uint32_t found = listed_pairs(*b);
+      EXPECT_GT(found, 0u);
+      EXPECT_NEAR(found, at_rest, 0.1 * at_rest) << "at " << velocity.x << " m/s";
+      EXPECT_EQ(b->listings(), 1u);
+    }
+  }
+}
+
+// A flag on a vehicle that drives past others.
+TEST_P(SelfContactTest, PartsThatMoveApartCostNoMore) {
+  const uint32_t at_rest = listed_pairs(*bench(rippled_sheets(0.1f, {0, 0, 0}, {0, 0, 0})));
+  const uint32_t found = listed_pairs(*bench(rippled_sheets(0.1f, {0, 0, 0}, {50, 0, 0})));
+  EXPECT_LT(found, 1.1 * at_rest);
+}
+
+/// Small sheets, each with a velocity of its own and with vertices that move to and fro, on their way past
+/// and into one another.
+ClothCase swarm(std::mt19937& random, float relative_speed, Vec3 common) {
+  std::uniform_real_distribution<float> any(-1, 1);
+  const auto direction = [&] { return Vec3{any(random), any(random), any(random)}; };
+  ClothCase c;
+  c.substeps = 1;
+  c.keeps_edges = false;
+  for (int n = 0; n < 5; ++n) {
+    const Vec3 origin{3 * spacing * any(random), 3.5f * thickness * float(n), 3 * spacing * any(random)};
+    const Vec3 velocity = common + relative_speed * direction();
+    c.add_sheet(6, 6, spacing, mass, piece(), [&](float u, float v) { return origin + Vec3{u, 0, v}; });
+    for (size_t v = c.velocities.size() - 36; v < c.velocities.size(); ++v)
+      c.velocities[v] = velocity + 0.2f * relative_speed * direction();
+  }
+  return c;
+}
+
+// Against all pairs there are, with pieces in frames of their own.
+TEST_P(SelfContactTest, NoPairThatMeetsIsMissedHoweverFastAllMove) {
+  std::mt19937 random(5);
+  for (const float speed : {3.0f, 30.0f}) {
+    for (const Vec3 common : {Vec3{0, 0, 0}, Vec3{50, 0, 0}, Vec3{-20, 35, 60}}) {
+      const ClothCase c = swarm(random, speed, common);
+      const auto b = bench(c);
+      std::vector<Vec3> from = b->positions();
+      for (int k = 0; k < 4; ++k) {
+        b->step(substep);
+        const std::vector<Vec3> to = b->positions();
+        EXPECT_EQ(passages(c, from, to), 0u) << speed << " m/s in " << common.x << " m/s, step " << k;
+        from = to;
+      }
+    }
+  }
+}
+
 // If candidates for many substeps would not even be valid for two, none are kept, nor at the start of the
-// next step. Cloth that is thrown up keeps them again where it is slow.
+// next step. Cloth that is thrown up past a vertex that is held keeps them again where it is slow.
 TEST_P(SelfContactTest, PairsOfFastClothAreLookedForForASubstepAlone) {
   constexpr float speed = 6;
   constexpr int steps = 20;  // to the top
   ClothCase c;
   c.add_sheet(9, 9, spacing, mass, piece(), [](float u, float v) { return Vec3{u, 0, v}; }, {0, speed, 0});
   c.gravity = {0, -speed / (steps * 5 * substep), 0};
+  c.keeps_edges = false;
+  c.vertices[0].w = 0;
+  c.velocities[0] = {0, 0, 0};
   const auto b = bench(c);
   b->step(5 * substep);
   EXPECT_EQ(b->listings(), 5u);
-  EXPECT_EQ(b->one_substep_listings(), 4u);
+  EXPECT_GE(b->one_substep_listings(), 4u);
   b->step(5 * substep);
   EXPECT_EQ(b->one_substep_listings(), 5u);
   for (int k = 2; k < steps + 1; ++k) b->step(5 * substep);

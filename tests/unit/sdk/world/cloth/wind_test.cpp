@@ -102,6 +102,24 @@ TEST_P(ClothWindTest, AVeilInAStormStaysWithTheStorm) {
   EXPECT_NEAR(world.cloth_state(id).momentum.y / world.cloth_state(id).mass, 40, 15);
 }
 
+// Once the gale has stretched it out. Pushed at once, it locked: edges stayed at more than four lengths.
+TEST_P(ClothWindTest, ASheetThatAGaleHasCaughtIsNotLeftStretched) {
+  WorldDef in = world_def(GetParam(), 0.1f);
+  in.substeps = 4;
+  in.iterations = 10;
+  World world(in);
+  ClothDef def = sheet(0.6f, 0.6f, 21, 21);
+  def.fabric.density = 0.2f;
+  const ClothId cloth = world.create_cloth(def);
+  world.create_attachment(attach(cloth, {0, 10, 20}));
+  world.set_wind({.velocity = {-50, 0, 0}});
+  run(world, 12, 1.0f / 60);
+  for (int k = 0; k < 4; ++k) {
+    world.step(1.0f / 60);
+    EXPECT_LT(world.cloth_state(cloth).max_stretch, 1.5f);
+  }
+}
+
 TEST_P(ClothWindTest, AFallingSheetHasATerminalSpeed) {
   World world(world_def(GetParam(), 0.05f));
   ClothDef def = sheet(1, 1, 7, 7);
