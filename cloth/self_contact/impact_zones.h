@@ -133,8 +133,9 @@ struct PieceSums {
 
 /// Moves vertices with their zones, inside the place that was searched. A zone that would have to leave it
 /// stops in the next round. So does a zone that would enter a solid. Its vertices then move by their own
-/// motion. If the last available round still finds a pair, all vertices move with their frames from where
-/// they were at the start of the substep. Where there are several frames, the step is then repeated in one.
+/// motion. If the last round but one still finds a pair, all vertices do. If the last one still finds a pair,
+/// all vertices move with their frames from where they were at the start of the substep. Where there are
+/// several frames, the step is then repeated in one.
 struct MoveImpactZones {
   ClothState cloth;
   pbd::ContactView contacts;               // of all particles
@@ -148,14 +149,14 @@ struct MoveImpactZones {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (counters[crossings + round] == 0) return;
-    const bool last = round + 1 == most_rounds;
+    const bool last = round + 1 == most_rounds, all = last || round + 2 == most_rounds;
     const uint32_t mark = impact_zones.mark_of(v);
-    if (mark == 0 && !last) return;
+    if (mark == 0 && !all) return;
     const uint32_t name = impact_zones.name(v), of_name = impact_zones.mark_of(name);
-    if (!last && !ImpactZones::is_needed(of_name, round) && !ImpactZones::is_stopped(of_name)) return;
+    if (!all && !ImpactZones::is_needed(of_name, round) && !ImpactZones::is_stopped(of_name)) return;
     const Vec4 x = position[v];
     if (x.w == 0) return;
-    const bool is_own = last || impact_zones.anchor[name] == ImpactZones::own;
+    const bool is_own = all || impact_zones.anchor[name] == ImpactZones::own;
     // Computed with displacements, not positions: the rounding of positions would lose momentum.
     const Vec3 from = cloth.previous[v].xyz(), now = x.xyz() - from;
     const Vec3 frame = cloth.frames.at(v).xyz();

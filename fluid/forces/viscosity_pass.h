@@ -16,6 +16,10 @@ namespace meniscus::fluid {
 template <class D>
 class DensitySet;
 
+namespace viscosity_kernels {
+enum class Coefficients;
+}
+
 /// The coefficients of one fluid for a given step.
 struct ViscosityCoefficients {
   float smoothing;    ///< c
@@ -51,7 +55,7 @@ class ViscosityPass final : public pbd::VelocityPass<D> {
   void reserve(uint32_t capacity) override;
 
  private:
-  template <bool uniform, bool confines>
+  template <viscosity_kernels::Coefficients from, bool confines>
   void smooth(pbd::Substep<D>& substep, pbd::Particles& particles);
   pbd::View<const float> crowd() const;
 

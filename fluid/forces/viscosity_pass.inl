@@ -20,20 +20,27 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
-/// Copies each fluid's smoothing to its particles. A pair of fluids uses the mean.
+/// Where the coefficient of smoothing comes from: all fluids have the same; they have the same but for a
+/// crowd; or each particle has its own. Without a crowd, the first two give the same bits.
+enum class Coefficients { common, thinned, own };
+
+/// Copies each fluid's smoothing to its particles: the coefficient c, or the part of the common one. A pair
+/// uses the mean.
 struct SpreadSmoothing {
+  Coefficients from;
   View<const pbd::Phase> phase;
   View<const ViscosityCoefficients> table;
   View<float> smoothing;
   View<const float> allowed;  // the compression of a crowd, if there is one
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const float dense = allowed.count ? 1 + allowed[i] : 1.0f;
-    smoothing[i] = table[pbd::phase_group(phase[i])].smoothing / dense;
+    const float dense = allowed.count > 0 ? 1 + allowed[i] : 1.0f;
+    const float c = from == Coefficients::own ? table[pbd::phase_group(phase[i])].smoothing : 1.0f;
+    smoothing[i] = c / dense;
   }
 };
 
-template <bool uniform, bool confines>
+template <Coefficients from, bool confines>
 struct Smooth {
   static constexpr uint32_t resident_blocks = 8;  // see CudaDevice
 
@@ -51,7 +58,7 @@ struct Smooth {
   MENISCUS_HD void run(uint32_t i) const {
     using Real = typename D::Real;
     const Vec4 p = position[i], v = velocity[i];
-    const float self = uniform ? common_smoothing : smoothing[i];
+    const float self = from == Coefficients::common ? 1.0f : smoothing[i];
     Vec3Of<Real> change{Real(0.0f), Real(0.0f), Real(0.0f)}, curl = change, rise = change;
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(position, j);
@@ -60,7 +67,9 @@ struct Smooth {
       const auto its = gather(velocity, j);
       const Vec3Of<Real> relative = its.xyz() - v.xyz();
       Real factor = Kernel::weight_shape(t);
-      if constexpr (!uniform) {
+      if constexpr (from == Coefficients::thinned) {
+        factor = factor * (Real(0.5f) * (Real(self) + gather(smoothing, j)));
+      } else if constexpr (from == Coefficients::own) {
         factor = factor * (Real(self) + gather(smoothing, j)) * Real(p.w) / (Real(p.w) + other.w);
       }
       change += factor * relative;
@@ -71,7 +80,8 @@ struct Smooth {
         rise += (Real(v.w) - its.w) * slope;
       }
     });
-    const float fraction = uniform ? kernel.peak_weight * self : kernel.peak_weight;
+    const float fraction =
+        from == Coefficients::own ? kernel.peak_weight : kernel.peak_weight * common_smoothing;
     const Vec3 all_changes = sum(change), all_curls = sum(curl), all_rises = sum(rise);
     if (!D::leads()) return;
     const Vec3 smooth = v.xyz() + fraction * all_changes;
@@ -117,27 +127,30 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
     table_.write(host_table_);
     table_dt_ = substep.dt;
   }
-  if (uniform_ && crowd().count == 0) {
-    confines_ ? smooth<true, true>(substep, particles) : smooth<true, false>(substep, particles);
+  using enum viscosity_kernels::Coefficients;
+  if (!uniform_) {
+    confines_ ? smooth<own, true>(substep, particles) : smooth<own, false>(substep, particles);
+  } else if (crowd().count > 0) {
+    confines_ ? smooth<thinned, true>(substep, particles) : smooth<thinned, false>(substep, particles);
   } else {
-    confines_ ? smooth<false, true>(substep, particles) : smooth<false, false>(substep, particles);
+    confines_ ? smooth<common, true>(substep, particles) : smooth<common, false>(substep, particles);
   }
 }
 
 template <class D>
-template <bool uniform, bool confines>
+template <viscosity_kernels::Coefficients from, bool confines>
 void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particles) {
   using namespace viscosity_kernels;
   const pbd::ParticleView& p = substep.particles;
-  if (!uniform) {
+  if (from != Coefficients::common) {
     device_.parallel_for("velocity/coefficients", p.sorted,
-                         SpreadSmoothing{p.phase, table_.view(), smoothing_.view(), crowd()});
+                         SpreadSmoothing{from, p.phase, table_.view(), smoothing_.view(), crowd()});
   }
   device_.parallel_for_neighbours(
       "velocity/smooth", p.sorted,
-      Smooth<uniform, confines>{kernel_, p.position, p.velocity, substep.neighbours, p.phase, table_.view(),
-                                smoothing_.view(), host_table_.front().smoothing, substep.dt,
-                                particles.velocity.next.view()});
+      Smooth<from, confines>{kernel_, p.position, p.velocity, substep.neighbours, p.phase, table_.view(),
+                             smoothing_.view(), host_table_.front().smoothing, substep.dt,
+                             particles.velocity.next.view()});
   particles.keep_vertex_velocities();
   particles.velocity.flip();
   substep.particles = particles.view();

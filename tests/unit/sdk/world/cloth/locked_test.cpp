@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "tests/cloth_worlds.h"
 
@@ -29,12 +31,13 @@ TEST_P(LockedCloth, ASheetDroppedOnItsEdgeCollapsesAndComesToRest) {
 
   for (int frame = 0; frame < 60; ++frame) world.step(1 / 60.0f);
 
-  float highest = 0, fastest = 0;
+  float highest = 0, squares = 0;
   for (const Vec3& x : copy_of(world.cloth_positions(cloth))) highest = std::max(highest, x.y);
-  for (const Vec3& v : copy_of(world.cloth_velocities(cloth))) fastest = std::max(fastest, length(v));
-  EXPECT_LT(highest, 0.03f);                              // locked, it stands 0.1 m high
-  EXPECT_LT(fastest, 0.05f);                              // locked, it keeps what gravity adds in a substep
-  EXPECT_LT(world.cloth_state(cloth).max_stretch, 1.3f);  // locked, 1.39
+  const std::vector<Vec3> velocities = copy_of(world.cloth_velocities(cloth));
+  for (const Vec3& v : velocities) squares += dot(v, v);
+  EXPECT_LT(highest, 0.03f);  // locked, it stands 0.1 m high
+  EXPECT_LT(std::sqrt(squares / static_cast<float>(velocities.size())), 0.03f);
+  EXPECT_LT(world.cloth_state(cloth).max_stretch, 1.05f);  // locked, 1.39
   EXPECT_EQ(world.step(1 / 60.0f).overflows.cloth_failsafe, 0u);
 }
 
