@@ -28,6 +28,18 @@ struct ParticleArrays {
   uint32_t* fluids = nullptr;  ///< FluidId::index
 };
 
+/// A mesh file whose surface was rebuilt: see MeshGeometry::repair.
+struct MeshRepair {
+  std::string file;
+  float cell_size = 0;         ///< m, of the grid: no vertex is further from the old surface
+  float deviation = 0;         ///< m, the largest distance from the old outer surface to the new one
+  double volume_before = 0;    ///< m³, inside the outer surface of the file; fans close its holes
+  double volume = 0;           ///< m³, of the new surface
+  std::size_t open_edges = 0;  ///< of the file
+  std::size_t odd_edges = 0;   ///< of the file, with more than two faces or two that disagree
+  std::size_t crossings = 0;   ///< of the file, pairs of faces that cross
+};
+
 /// The surface of a fluid, closed: each edge belongs to two triangles.
 struct SurfaceMesh {
   std::vector<Vec3> vertices;                      ///< m
