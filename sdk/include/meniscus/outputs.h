@@ -92,6 +92,7 @@ struct StepReport {
   uint32_t max_neighbours = 0;   ///< the longest neighbour list that any particle has needed so far
   uint32_t removed = 0;          ///< particles that sinks removed
   uint32_t emitted = 0;          ///< particles that emitters made
+  double emission_refused = 0;   ///< m³, that emitters were to make in this step, and that found no room
   uint32_t absorbed = 0;         ///< particles that cloth absorbed
   uint32_t dripped = 0;          ///< particles that dripped from cloth
   uint32_t diffuse = 0;          ///< all spray, foam and bubbles
