@@ -228,21 +228,6 @@ void add_root(RigidShape& shape, std::span<const RigidPart> parts, const MassPro
   }
 }
 
-/// m, of the ball around the frame's origin that fits into one of the hulls; 0 if the origin is in none. A
-/// ring must not be swept as a ball in its hole.
-float inner_radius_of_hulls(const btCompoundShape& compound) {
-  float largest = 0;
-  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
-    const btVector3 origin = compound.getChildTransform(i).invXform({0, 0, 0});
-    float inner = BT_LARGE_FLOAT;
-    for (const auto& [normal, offset] :
-         static_cast<const HullPlanes*>(compound.getChildShape(i)->getUserPointer())->planes)
-      inner = pbd::min(inner, offset - normal.dot(origin));
-    largest = pbd::max(largest, inner);
-  }
-  return largest;
-}
-
 }  // namespace
 
 RigidShape make_rigid_shape(std::span<const RigidPart> parts, const MassProperties* mass) {
@@ -255,8 +240,6 @@ RigidShape make_rigid_shape(std::span<const RigidPart> parts, const MassProperti
   shape.root->getAabb(btTransform::getIdentity(), lower, upper);
   shape.radius = shape.root->getAngularMotionDisc();
   shape.inner_radius = 0.5f * (upper - lower)[(upper - lower).minAxis()];
-  if (std::ranges::all_of(parts, &RigidPart::is_share))
-    shape.inner_radius = inner_radius_of_hulls(*static_cast<const btCompoundShape*>(shape.root));
   return shape;
 }
 

@@ -29,7 +29,6 @@ struct RigidPart {
   std::shared_ptr<const TriangleMesh>
       mesh{};  ///< hull: of its vertices; mesh: its triangles, for fixed and kinematic solids
   HeightFieldGeometry heights{};
-  bool is_share = false;  ///< hull: one of several that stand for a mesh
 };
 
 /// Parts with the material and filter for Bullet.

@@ -73,10 +73,7 @@ class SolidBuilder {
     });  // may throw, so it comes before a field is made
     add_field(*solid.mesh, cell_size, g.max_error);
     if (!falls) add_part(solid.mesh, RigidPart::Kind::mesh);
-    for (auto& hull : solid.hulls) {
-      add_part(std::move(hull), RigidPart::Kind::hull);
-      solid_.parts.back().is_share = solid.hulls.size() > 1;
-    }
+    for (auto& hull : solid.hulls) add_part(std::move(hull), RigidPart::Kind::hull);
     if (solid.repair) solid_.repairs.push_back(std::move(*solid.repair));
   }
   void operator()(const HullGeometry& g) {
