@@ -172,7 +172,6 @@ RepairedMesh repaired_with(pbd::CpuDevice& device, const TriangleMesh& mesh, con
   RepairedMesh result;
   result.mesh = std::move(Isosurface(field.nodes(), values).mesh);
   if (result.mesh.triangles.empty()) refuse(what, "it has no inside");
-  result.cell_size = cell_size;
   result.volume = signed_volume(result.mesh);
   const TriangleBvh repaired(result.mesh);
   const OuterSurface outer = outer_surface(mesh, bvh.view(), repaired.view(), cell_size);
@@ -189,16 +188,15 @@ RepairedMesh repair_mesh(const TriangleMesh& mesh, float cell_size, const std::s
   pbd::CpuDevice device(1);
   const TriangleBvh bvh(mesh);
   const DeviceTriangleBvh device_bvh(device, bvh);
-  for (;;) {
-    RepairedMesh result = repaired_with(device, mesh, bvh, device_bvh, cell_size, what);
+  for (float cell = cell_size;; cell *= 0.5f) {
+    RepairedMesh result = repaired_with(device, mesh, bvh, device_bvh, cell, what);
+    result.cell_size = cell_size;
     if (result.deviation <= cell_size) return result;
-    if (points_in(box, 0.5f * cell_size) > most_repair_points) {
-      std::ostringstream why;
-      why << "a wall is thinner than the smallest cells, " << cell_size << " m, and " << result.deviation
-          << " m of it are lost";
-      refuse(what, why.str());
-    }
-    cell_size *= 0.5f;
+    if (points_in(box, 0.5f * cell) <= most_repair_points) continue;
+    std::ostringstream why;
+    why << "a wall is thinner than the smallest cells, " << cell << " m, and " << result.deviation
+        << " m of it are lost";
+    refuse(what, why.str());
   }
 }
 

@@ -29,7 +29,7 @@ inline constexpr float least_beside_hole = 0.1f, most_beside_hole = 0.9f;
 /// Test: none.
 inline constexpr float first_cells = 8;
 
-/// Points of the grid that repairs a mesh, at most: about half a minute on one core.
+/// Points of the grid that repairs a mesh, at most: about 20 s on one core.
 /// Test: RepairMesh.WallsThinnerThanTheFinestCellsAreRefused.
 inline constexpr double most_repair_points = 1u << 22;
 

