@@ -116,10 +116,28 @@ struct OuterSurface {
   float deviation = 0;  ///< m, the largest distance to the repaired mesh
 };
 
-/// Each triangle is looked at in pieces of a cell's size.
+/// The pieces along a side into which a triangle is divided.
+int pieces_of(const TriangleMesh& mesh, const std::array<uint32_t, 3>& t, float size) {
+  const Vec3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+  return std::max(
+      1, static_cast<int>(std::ceil(std::max({length(b - a), length(c - a), length(c - b)}) / size)));
+}
+
+/// m, from a cell on: the size of pieces of which a mesh has no more than a grid has points.
+float piece_size(const TriangleMesh& mesh, float cell_size) {
+  for (float size = cell_size;; size *= 2) {
+    double count = 0;
+    for (const auto& t : mesh.triangles) count += std::pow(pieces_of(mesh, t, size), 2);
+    if (count <= std::max<double>(most_repair_points, static_cast<double>(mesh.triangles.size())))
+      return size;
+  }
+}
+
+/// Each triangle is looked at in pieces, of a cell's size if there are not too many.
 OuterSurface outer_surface(const TriangleMesh& mesh, const TriangleBvhView& bvh,
                            const TriangleBvhView& repaired, float cell_size) {
   OuterSurface outer;
+  const float size = piece_size(mesh, cell_size);
   double outwards = 0;  // m², of triangles that face outwards less those that face inwards
   const Aabb box = bounds(mesh);
   const Vec3 centre = 0.5f * (box.lower + box.upper);
@@ -134,8 +152,7 @@ OuterSurface outer_surface(const TriangleMesh& mesh, const TriangleBvhView& bvh,
   for (const auto& t : mesh.triangles) {
     const Vec3 a = mesh.vertices[t[0]], ab = mesh.vertices[t[1]] - a, ac = mesh.vertices[t[2]] - a;
     const Vec3 twice_area = cross(ab, ac), normal = normalized_or(twice_area, {0, 1, 0});
-    const float longest = std::max({length(ab), length(ac), length(ac - ab)});
-    const int n = std::max(1, static_cast<int>(std::ceil(longest / cell_size)));
+    const int n = pieces_of(mesh, t, size);
     const float area = 0.5f * length(twice_area) / static_cast<float>(n * n);
     const auto visit_piece = [&](int i, int j, float third) {
       const float u = (static_cast<float>(i) + third) / static_cast<float>(n);
@@ -192,7 +209,8 @@ RepairedMesh repair_mesh(const TriangleMesh& mesh, float cell_size, const std::s
     RepairedMesh result = repaired_with(device, mesh, bvh, device_bvh, cell, what);
     result.cell_size = cell_size;
     if (result.deviation <= cell_size) return result;
-    if (points_in(box, 0.5f * cell) <= most_repair_points) continue;
+    if (cell > cell_size * sdf_tuning::finest_repair && points_in(box, 0.5f * cell) <= most_repair_points)
+      continue;
     std::ostringstream why;
     why << "a wall is thinner than the smallest cells, " << cell << " m, and " << result.deviation
         << " m of it are lost";

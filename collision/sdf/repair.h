@@ -21,7 +21,8 @@ struct RepairedMesh {
 /// cubes. That closes holes and drops what lies inside. Each vertex is on an edge of the grid that the
 /// surface crosses. The first grid has cells of `cell_size` (m). They are halved until no part of the old
 /// outer surface is further than `cell_size` from the new one: a sharp tip always loses more than a cell of
-/// its grid. Grids have at most 2^22 points: `cell_size` grows for a wider mesh. Throws Error(mesh), with a
+/// its grid. The finest cells are an
+/// eighth. Grids have at most 2^22 points: `cell_size` grows for a wider mesh. Throws Error(mesh), with a
 /// text that begins with `what`, if there is no inside, or walls are too thin.
 RepairedMesh repair_mesh(const TriangleMesh& mesh, float cell_size, const std::string& what);
 

@@ -33,6 +33,10 @@ inline constexpr float first_cells = 8;
 /// Test: RepairMesh.WallsThinnerThanTheFinestCellsAreRefused.
 inline constexpr double most_repair_points = 1u << 22;
 
+/// Of the first cells of a repair: the finest ones. Tips of 15° still lose less than a first cell.
+/// Test: RepairMesh.SharpTipsAreKept.
+inline constexpr float finest_repair = 0.125f;
+
 /// Of a cell: how far a vertex of a repaired mesh stays from the nodes of the grid. At a node, the vertices
 /// of several edges would coincide. Test: RepairMesh.OverlappingBoxesBecomeTheirUnion.
 inline constexpr float off_node = 0.02f;
