@@ -160,6 +160,8 @@ CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh) {
     triangles.push_back(welded[i]);
     result.sources.push_back(sources[i]);
   }
+  for (uint32_t i = 0; i < kept.size(); ++i) result.welded += kept[i] != i;
+  result.dropped = mesh.triangles.size() - triangles.size();
   result.mesh = compact(mesh.vertices, std::move(triangles));
   return result;
 }

@@ -16,7 +16,12 @@ TriangleMesh clean_mesh(const TriangleMesh& mesh);
 struct CleanedMesh {
   TriangleMesh mesh;
   std::vector<uint32_t> sources;  ///< by triangle: its number in the original mesh
+  size_t welded = 0;              ///< vertices that were merged into others
+  size_t dropped = 0;             ///< triangles without area, or repeated
 };
 CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh);
+
+/// The clean mesh of a file, with faces turned outwards, as load_mesh returns it. Throws as that does.
+CleanedMesh load_cleaned_mesh(const std::string& path, float scale);
 
 }  // namespace meniscus::collision

@@ -8,6 +8,7 @@
 #include <meniscus/error.h>
 
 #include <cmath>
+#include <utility>
 
 #include "collision/mesh/tuning.h"
 #include "pbd/math/vec.h"
@@ -29,7 +30,7 @@ void append_face(TriangleMesh& mesh, const btConvexHullComputer& hull, int face)
 
 }  // namespace
 
-TriangleMesh hull_mesh(std::span<const Vec3> points) {
+std::optional<TriangleMesh> find_hull(std::span<const Vec3> points) {
   TriangleMesh mesh;
   if (points.size() >= 4) {
     btConvexHullComputer hull;
@@ -39,17 +40,24 @@ TriangleMesh hull_mesh(std::span<const Vec3> points) {
       mesh.vertices.push_back(points[static_cast<size_t>(hull.original_vertex_index[v])]);
     for (int face = 0; face < hull.faces.size(); ++face) append_face(mesh, hull, face);
   }
-  const double volume = mesh.triangles.size() >= 4 ? std::fabs(signed_volume(mesh)) : 0;
+  const double volume = mesh.triangles.size() >= 4 ? signed_volume(mesh) : 0;
   const Vec3 size = mesh.vertices.empty() ? Vec3{0, 0, 0} : bounds(mesh).upper - bounds(mesh).lower;
-  if (!(volume > mesh_tuning::least_volume * std::pow(double{length(size)}, 3))) {
+  if (!(std::fabs(volume) > mesh_tuning::least_volume * std::pow(double{length(size)}, 3)))
+    return std::nullopt;
+  if (volume < 0) {
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+TriangleMesh hull_mesh(std::span<const Vec3> points) {
+  std::optional<TriangleMesh> mesh = find_hull(points);
+  if (!mesh) {
     throw Error(ErrorCode::invalid_argument,
                 "HullGeometry::points has " + std::to_string(points.size()) +
                     " points that span no volume; it must have 4 or more that do not lie in a plane");
   }
-  if (signed_volume(mesh) < 0) {
-    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
-  }
-  return mesh;
+  return std::move(*mesh);
 }
 
 }  // namespace meniscus::collision

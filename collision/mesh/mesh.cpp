@@ -61,10 +61,6 @@ CleanedMesh cleaned(const TriangleMesh& soup, const std::string& path) {
   return cleaned;
 }
 
-CleanedMesh load(const std::string& path, float scale) {
-  return cleaned(read_triangles(path, scale).mesh, path);
-}
-
 // Throws for the first of the defects, if there is one. `faces` maps to the numbers in the file.
 void refuse_defects(const std::vector<MeshDefect>& defects, const std::string& path, const std::string& what,
                     const std::vector<uint32_t>& faces, const std::string& remedy) {
@@ -78,18 +74,24 @@ void refuse_defects(const std::vector<MeshDefect>& defects, const std::string& p
 
 }  // namespace
 
+CleanedMesh load_cleaned_mesh(const std::string& path, float scale) {
+  return cleaned(read_triangles(path, scale).mesh, path);
+}
+
 TriangleMesh load_mesh(const std::string& path, float scale) {
-  return load(path, scale).mesh;
+  return load_cleaned_mesh(path, scale).mesh;
 }
 
 TriangleMesh load_solid(const std::string& path, float scale) {
-  CleanedMesh cleaned = load(path, scale);
+  CleanedMesh cleaned = load_cleaned_mesh(path, scale);
   const MeshDefects defects = find_defects(cleaned.mesh);
-  refuse_defects(defects.open_edges, path, "an open edge", cleaned.sources, "a solid must be closed");
-  refuse_defects(defects.non_manifold_edges, path, "a non-manifold edge", cleaned.sources,
-                 "two faces must meet at each edge of a solid, and show the same side");
+  refuse_defects(defects.open_edges, path, "an open edge", cleaned.sources,
+                 "a solid must be closed; \"repair\" closes it");
+  refuse_defects(
+      defects.non_manifold_edges, path, "a non-manifold edge", cleaned.sources,
+      "two faces must meet at each edge of a solid, and show the same side; \"repair\" makes it so");
   refuse_defects(defects.self_intersections, path, "a self-intersection", cleaned.sources,
-                 "the faces of a solid must not cross");
+                 "the faces of a solid must not cross; \"repair\" drops what is inside");
   return std::move(cleaned.mesh);
 }
 

@@ -4,6 +4,8 @@
 // The tuned constants of meshes of solids: symbol or name, unit, why this value, and the test that notices.
 #pragma once
 
+#include <cstddef>
+
 namespace meniscus::collision::mesh_tuning {
 
 /// Of the box's diagonal: vertices nearer than this are one. Files store about seven digits.
@@ -29,6 +31,19 @@ inline constexpr double least_moment = 1e-6;
 /// Of the trace: products of inertia up to this are rounding, and the axes stay as they are.
 /// Test: MassProperties.ClosedFormsAreTheIntegrals.
 inline constexpr double rounded_product = 1e-9;
+
+/// Of the hull's volume: parts of a concave mesh are cut while the hull of one exceeds it by more.
+/// Test: ConvexParts.ABowlIsOpen.
+inline constexpr double most_excess = 0.001;
+
+/// Cells along each axis of a part. It may be cut between them. More cost time and find little.
+/// Test: ConvexParts.ARingHasAHole.
+inline constexpr size_t cells_an_axis = 8;
+
+/// The weight of the difference between both sides' hulls. Where all cuts are equally good, as for a ring,
+/// the middle one is best. V-HACD (Mamou 2016) has such a term too.
+/// Test: ConvexParts.ARingHasAHole.
+inline constexpr double balance = 0.05;
 
 /// Radii of a node: beyond this distance, the winding number takes its far field (Barill et al. 2018). The
 /// error, measured in and around scanned meshes, is 0.04 at most and 0.006 in the mean.

@@ -82,7 +82,7 @@ struct DistancesToMembrane {
   MENISCUS_HD void operator()(uint32_t at) const {
     const float distance = distances[at];
     const float nearer = distance_within(membrane, nodes.point(at), fabsf(distance));
-    distances[at] = distance < 0 ? -nearer : nearer;
+    distances[at] = copysignf(nearer, distance);  // −0 is inside
   }
 };
 

@@ -29,4 +29,20 @@ inline constexpr float least_beside_hole = 0.1f, most_beside_hole = 0.9f;
 /// Test: none.
 inline constexpr float first_cells = 8;
 
+/// Points of the grid that repairs a mesh, at most: about 20 s on one core.
+/// Test: RepairMesh.WallsThinnerThanTheFinestCellsAreRefused.
+inline constexpr double most_repair_points = 1u << 22;
+
+/// Of the first cells of a repair: the finest ones. Tips of 15° still lose less than a first cell.
+/// Test: RepairMesh.SharpTipsAreKept.
+inline constexpr float finest_repair = 0.125f;
+
+/// Of a cell: how far a vertex of a repaired mesh stays from the nodes of the grid. At a node, the vertices
+/// of several edges would coincide. Test: RepairMesh.OverlappingBoxesBecomeTheirUnion.
+inline constexpr float off_node = 0.02f;
+
+/// Of a cell: the distance on both sides of a mesh's point at which its winding number is compared.
+/// Test: RepairMesh.OverlappingBoxesBecomeTheirUnion.
+inline constexpr float beside_surface = 0.01f;
+
 }  // namespace meniscus::collision::sdf_tuning

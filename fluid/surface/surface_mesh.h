@@ -18,11 +18,14 @@
 
 #include "fluid/surface/anisotropy.h"
 #include "fluid/surface/block_grid.h"
-#include "fluid/surface/marching_cubes.h"
 #include "fluid/surface/tuning.h"
+#include "pbd/marching_cubes.h"
 #include "pbd/particles.h"
 
 namespace meniscus::fluid {
+
+using pbd::CubeEdge;
+using pbd::CubeTriangles;
 
 struct SurfaceField {
   float cell = 0;                       ///< m, between nodes

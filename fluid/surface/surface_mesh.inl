@@ -15,7 +15,7 @@ void SurfaceMesher<D>::build(pbd::View<const Ellipsoid> ellipsoids, const Surfac
                              const SurfaceField& field) {
   vertex_count_ = triangle_count_ = 0;
   if (table_.size() == 0) {
-    const std::vector<CubeTriangles> table = marching_cubes();
+    const std::vector<CubeTriangles> table = pbd::marching_cubes();
     table_.resize_or_stay(table.size());
     table_.write(table);
   }

@@ -242,7 +242,7 @@ struct WriteTriangles {
     const CubeTriangles cube = table[field.inside_corners(i)];
     for (uint32_t t = 0; t < count; ++t) {
       uint32_t corners[3];
-      for (uint32_t k = 0; k < 3; ++k) corners[k] = vertex(i, cube_edge(cube.edges[3 * t + k]));
+      for (uint32_t k = 0; k < 3; ++k) corners[k] = vertex(i, pbd::cube_edge(cube.edges[3 * t + k]));
       triangles[first + t] = {corners[0], corners[1], corners[2]};
     }
   }

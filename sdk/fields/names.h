@@ -15,6 +15,8 @@ struct Named {
   const char* name;
   E value;
 };
+template <class E>
+Named(const char*, E) -> Named<E>;  // clang deduces aggregates from version 17 on
 
 /// An axis of a frame, as files name it.
 enum class Axis { x, y, z };

@@ -94,6 +94,9 @@ void fields(V& v, MeshGeometry& d) {
   v("cell_size", d.cell_size, not_negative, "m", "of the distance field; 0 is half of the particle spacing");
   v("max_error", d.max_error, not_negative, "m",
     "when above 0, the distance field is as fine as it takes to be off by no more");
+  v("repair", d.repair, any_value, "", "rebuild the surface where it has holes or crosses itself");
+  v("convex_parts", d.convex_parts, between(1, 256), "",
+    "most convex parts that stand for a dynamic body against solids; 1 is its hull");
 }
 
 template <class V>

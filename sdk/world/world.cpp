@@ -59,6 +59,7 @@ ShapeId World::create_shape(const ShapeDef& def) {
     throw;
   }
   impl_->solids_changed();
+  impl_->note_repairs(entry.solid);
   return impl_->shapes.insert(std::move(entry));
 }
 

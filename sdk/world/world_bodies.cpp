@@ -83,7 +83,16 @@ BodyId World::create_body(const BodyDef& def) {
     throw;
   }
   impl_->solids_changed();
+  impl_->note_repairs(entry.solid);
   return impl_->bodies.insert(std::move(entry));
+}
+
+void World::Impl::note_repairs(const SolidPieces& solid) {
+  mesh_repairs.insert(mesh_repairs.end(), solid.repairs.begin(), solid.repairs.end());
+}
+
+const std::vector<MeshRepair>& World::mesh_repairs() const {
+  return impl_->mesh_repairs;
 }
 
 void World::destroy_body(BodyId id) {

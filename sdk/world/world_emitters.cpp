@@ -151,6 +151,9 @@ void World::Impl::emit(float dt, StepReport& report) {
       const size_t at = next++;
       const bool leaves = emission.has_room[at] && !is_done(e);
       e.clock.note(d, leaves);
+      if (!leaves && !is_done(e))
+        report.emission_refused +=
+            e.clock.refused(d, time, double{dt}) * std::pow(double{def.particle_spacing}, 3);
       if (!leaves) continue;
       add_to(emission.batch, e.def.fluid, emission.arrivals[at].to, emission.arrivals[at].velocity);
       const double steps = held_steps(e, d, dt), most = pbd::most_held;

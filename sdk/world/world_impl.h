@@ -61,6 +61,7 @@ struct World::Impl {
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
   void append(const ParticleBatch& batch);
   void solids_changed();
+  void note_repairs(const SolidPieces& solid);
   void
   upload_solids();  // after solids were created or destroyed: all at once, since one costs as much as all
   /// The engine with all solids uploaded, for queries of solids or contacts. Otherwise it would look among
@@ -68,7 +69,7 @@ struct World::Impl {
   Engine& with_solids() { return upload_materials(), upload_solids(), *engine; }
   /// The engine with solids and cloth uploaded.
   Engine& with_all() { return with_solids(), upload_probes(), upload_cloth(), *engine; }
-  SolidContext solid_context() { return {*engine, def.particle_spacing, kernel.h}; }
+  SolidContext solid_context() { return {*engine, solid_meshes, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
   void note_events();
@@ -129,6 +130,8 @@ struct World::Impl {
   IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
   IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
   IdTable<JointId, JointDef> joints{"joint", first_generation};
+  SolidMeshes solid_meshes;
+  std::vector<MeshRepair> mesh_repairs;
   bool solids_are_on_device = true;            // shapes and bodies
   std::vector<collision::RigidTouch> touches;  // after the last step
   std::vector<ContactEvent> events;            // of the last step

@@ -8,6 +8,7 @@
 
 #include "sdk/cli/commands/exit_code.h"
 #include "sdk/cli/commands/scene_lookup.h"
+#include "sdk/cli/commands/scene_mesh_report.h"
 #include "sdk/cli/commands/scene_warnings.h"
 #include "sdk/cli/record/scene_checks.h"
 #include "sdk/io/plain_text.h"
@@ -44,6 +45,7 @@ int check_scene(const CheckOptions& options) {
   if (!scene.cloths.empty() || !scene.ropes.empty()) print_cloth(scene, built);
   fmt::print("  particles {}, {:.4g} m apart, support radius {:.4g} m\n", built.world.particle_count(),
              scene.world.particle_spacing, built.world.support_radius());
+  print_meshes(scene);
   fmt::print("  frames {} of {:.4g} s, checks {}\n", scene.frames, scene.frame_time, scene.checks.size());
   return success;
 }

@@ -6,11 +6,21 @@
 
 #include <spdlog/spdlog.h>
 
+#include "sdk/io/plain_text.h"
+
 namespace meniscus::cli {
 
 void warn_of_oddities(const BuiltScene& built) {
   for (std::size_t i = 0; i < built.volumes.size(); ++i) {
     if (built.volumes[i] == 0) spdlog::warn("volumes[{}] makes no particles", i);
+  }
+  for (const MeshRepair& r : built.world.mesh_repairs()) {
+    spdlog::warn(
+        "mesh {} was repaired within {:.3g} m: it is off by at most {:.3g} m, and holds {:.4g} m³ "
+        "where it "
+        "held {:.4g} m³ ({:+.2f} %)",
+        io::plain_text(r.file), r.cell_size, r.deviation, r.volume, r.volume_before,
+        100 * (r.volume / r.volume_before - 1));
   }
   if (built.world.particle_count() == 0 && built.bodies.empty() && built.cloths.empty() &&
       built.ropes.empty() && built.emitters.empty()) {

@@ -225,13 +225,17 @@ struct CylinderGeometry {
 };
 
 /// A closed surface from a mesh file (OBJ, PLY, STL, glTF, FBX, DAE or 3DS), as a signed distance field. The
-/// winding number closes holes. The mesh of a dynamic body must have none. For other solids, rays and
-/// overlaps, the mesh of a dynamic body is its convex hull.
+/// winding number closes holes. The mesh of a dynamic body must have none, unless `repair` is set. For other
+/// solids, rays and overlaps, convex parts stand for the mesh of a dynamic body.
 struct MeshGeometry {
   std::string file;
   float scale = 1.0f;      ///< metres a file unit; a factor if the file states its unit, as FBX does
   float cell_size = 0.0f;  ///< of the field, m; 0: half of the particle spacing
   float max_error = 0.0f;  ///< m; if > 0, the field is refined until its error is no larger
+  /// Rebuilds the surface where the mesh has open edges, edges of more than two faces, or faces that cross.
+  /// World::mesh_repairs says how well both agree.
+  bool repair = false;
+  int convex_parts = 32;  ///< of a dynamic body, at most, 1 to 256; 1: the convex hull
 };
 
 /// The convex hull of points. For solids, rays and overlaps it has at most 200 of them, the outermost.

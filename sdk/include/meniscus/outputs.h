@@ -28,6 +28,18 @@ struct ParticleArrays {
   uint32_t* fluids = nullptr;  ///< FluidId::index
 };
 
+/// A mesh file whose surface was rebuilt: see MeshGeometry::repair.
+struct MeshRepair {
+  std::string file;
+  float cell_size = 0;         ///< m: no part of either surface is further from the other
+  float deviation = 0;         ///< m, the largest distance from the old outer surface to the new one
+  double volume_before = 0;    ///< m³, inside the outer surface of the file; fans close its holes
+  double volume = 0;           ///< m³, of the new surface
+  std::size_t open_edges = 0;  ///< of the file
+  std::size_t odd_edges = 0;   ///< of the file, with more than two faces or two that disagree
+  std::size_t crossings = 0;   ///< of the file, pairs of faces that cross
+};
+
 /// The surface of a fluid, closed: each edge belongs to two triangles.
 struct SurfaceMesh {
   std::vector<Vec3> vertices;                      ///< m
@@ -80,6 +92,7 @@ struct StepReport {
   uint32_t max_neighbours = 0;   ///< the longest neighbour list that any particle has needed so far
   uint32_t removed = 0;          ///< particles that sinks removed
   uint32_t emitted = 0;          ///< particles that emitters made
+  double emission_refused = 0;   ///< m³, that emitters were to make in this step, and that found no room
   uint32_t absorbed = 0;         ///< particles that cloth absorbed
   uint32_t dripped = 0;          ///< particles that dripped from cloth
   uint32_t diffuse = 0;          ///< all spray, foam and bubbles

@@ -62,6 +62,7 @@ class World {
   ProbeId create_probe(const ProbeDef& def);
   void destroy_probe(ProbeId id);
   /// Throws Error(mesh) if the mesh of a dynamic body is not a closed, simple surface, and names the face.
+  /// MeshGeometry::repair makes one of it.
   /// Also throws it if a moment of inertia is below a millionth of the largest. For meshes it throws as
   /// create_shape.
   BodyId create_body(const BodyDef& def);
@@ -108,6 +109,8 @@ class World {
   // motion throws Error(invalid_argument).
   BodyState body_state(BodyId id) const;
   BodyMass body_mass(BodyId id) const;
+  /// Of shapes and bodies that were created so far, in that order.
+  const std::vector<MeshRepair>& mesh_repairs() const;
   double hinge_angle(JointId id) const;  ///< rad, of b (or the world) about a, from the pose at creation
   /// A dynamic body keeps its velocity. A kinematic one then stands still.
   void set_body_pose(BodyId id, const Pose& pose);

@@ -29,6 +29,11 @@ class EmitterClock {
   double expected(double until) const;
   /// The particles that are due until then, in the order of time, then of places.
   void due(double until, std::vector<Departure>& departures) const;
+  /// The particles that a place did not make in a step of length dt (s) that ends `now`, because its
+  /// departure found no room. Over time these and those that left are what the rate asks for.
+  double refused(const Departure& departure, double now, double dt) const {
+    return (departure.waits ? dt : now - departure.time) / period_;
+  }
   /// Records whether a departure left; call it in the order of due().
   void note(const Departure& departure, bool left);
 

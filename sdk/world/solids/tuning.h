@@ -19,4 +19,9 @@ inline constexpr int crowding_exponent = 8;
 /// Test: StaticShapesTest.AMesh.
 inline constexpr float field_cell = 0.5f;
 
+/// Cells of the grid of a repair along the longest side of a mesh, at least. The volume of a
+/// tetrahedron is then right to 0.6 %.
+/// Test: BodyRepairTest.AnOpenMeshFallsAsTheClosedOne.
+inline constexpr float repair_cells = 32;
+
 }  // namespace meniscus::solids_tuning

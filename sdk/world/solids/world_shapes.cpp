@@ -11,7 +11,6 @@
 
 #include "collision/mesh/hull.h"
 #include "collision/mesh/lattice.h"
-#include "collision/mesh/mesh.h"
 #include "sdk/world/solids/container_walls.h"
 #include "sdk/world/solids/tuning.h"
 
@@ -67,14 +66,15 @@ class SolidBuilder {
   }
   void operator()(const MeshGeometry& g) {
     const bool falls = role_ == SolidRole::dynamic;
-    const auto mesh = std::make_shared<const TriangleMesh>(falls ? collision::load_solid(g.file, g.scale)
-                                                                 : collision::load_mesh(g.file, g.scale));
     const float cell_size = g.cell_size > 0 ? g.cell_size : solids_tuning::field_cell * context_.spacing;
+    SolidMesh solid = context_.meshes.load(g, cell_size, falls);
     weigh([&](double d) {
-      return collision::mesh_mass(*mesh, d);
+      return collision::mesh_mass(*solid.mesh, d);
     });  // may throw, so it comes before a field is made
-    add_field(*mesh, cell_size, g.max_error);
-    add_part(mesh, falls ? RigidPart::Kind::hull : RigidPart::Kind::mesh);
+    add_field(*solid.mesh, cell_size, g.max_error);
+    if (!falls) add_part(solid.mesh, RigidPart::Kind::mesh);
+    for (auto& hull : solid.hulls) add_part(std::move(hull), RigidPart::Kind::hull);
+    if (solid.repair) solid_.repairs.push_back(std::move(*solid.repair));
   }
   void operator()(const HullGeometry& g) {
     const auto mesh = std::make_shared<const TriangleMesh>(collision::hull_mesh(g.points));

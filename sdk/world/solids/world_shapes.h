@@ -12,6 +12,7 @@
 #include "collision/mesh/mass_properties.h"
 #include "collision/rigid/rigid_world.h"
 #include "sdk/engine/engine.h"
+#include "sdk/world/solids/solid_mesh.h"
 
 namespace meniscus {
 
@@ -26,6 +27,7 @@ struct SolidPieces {
   std::vector<collision::PlaneOpening> openings;
   std::vector<collision::RigidPart> parts;
   std::vector<collision::PlacedMass> masses;  ///< of a dynamic body alone
+  std::vector<MeshRepair> repairs;
 };
 
 /// The role of a solid.
@@ -33,6 +35,7 @@ enum class SolidRole { fixed, kinematic, dynamic };
 
 struct SolidContext {
   Engine& engine;
+  SolidMeshes& meshes;
   float spacing, reach;  ///< m: they set a mesh field's cell size and margin
 };
 

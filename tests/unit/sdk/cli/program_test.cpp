@@ -167,6 +167,26 @@ TEST_F(ProgramTest, CheckCountsCloth) {
       << text;
 }
 
+TEST_F(ProgramTest, CheckReportsMeshes) {
+  write("cube.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 1 5 8 4\n");
+  write("cube.json", R"({ "name": "cube", "world": { "particle_spacing": 0.1 }, "bodies": [
+    { "name": "it", "geometry": { "type": "mesh", "file": "cube.obj", "repair": true } }] })");
+  const std::string text = printed({"check", "cube"});
+  EXPECT_NE(text.find("1 × 1 × 1 m from (0, 0, 0)"), std::string::npos) << text;
+  EXPECT_NE(text.find("unit guess metres"), std::string::npos) << text;
+  EXPECT_NE(
+      text.find(
+          "triangles 10, dropped 0, vertices welded 0, holes 1 of 4 open edges, odd edges 0, crossings 0"),
+      std::string::npos)
+      << text;
+  EXPECT_EXIT(run({"check", "cube"}), testing::ExitedWithCode(success),
+              testing::ContainsRegex("cube.obj was repaired within"));
+  EXPECT_EXIT(run({"check", "cube", "--set", "world.particle_spacing=0.6"}), testing::ExitedWithCode(success),
+              testing::ContainsRegex("cube.obj is tiny"));
+}
+
 TEST_F(ProgramTest, DevicesSayWhatMemoryASceneTakes) {
   const std::string water = printed({"devices", "--memory", "drop", "--device", "cpu"}),
                     cloth = printed({"devices", "--memory", "flag", "--set", "world.device=cpu"});

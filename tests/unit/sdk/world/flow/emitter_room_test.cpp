@@ -82,6 +82,26 @@ TEST_P(EmitterRoomTest, AClosedVesselFillsAndThenNothingComes) {
   EXPECT_LE(world.emitter_count(id).last_step, 1u);
 }
 
+TEST_P(EmitterRoomTest, WhatAFullVesselRefusesIsReported) {
+  World world(world_def(GetParam(), s));
+  const FluidId water = world.create_fluid({});
+  world.create_shape(tank({0, 0, 0}, {6 * s, 6 * s, 6 * s}));
+  EmitterDef def = jet(water, {3 * s, 6 * s, 3 * s}, 1);
+  def.pose.rotation = about_z(180);
+  const EmitterId id = world.create_emitter(def);
+  constexpr double asked = 16.0 * s * s / 60;  // m³ a step
+  double refused = 0;
+  for (int k = 0; k < 120; ++k) {
+    const double now = world.step(1.0f / 60).emission_refused;
+    EXPECT_GE(now, 0);
+    EXPECT_LE(now, 1.3 * asked);
+    refused += now;
+  }
+  constexpr double layer = 16.0 * s * s * s;  // the first one leaves within the first period
+  EXPECT_NEAR(emitted_volume(world, id) + refused, 120 * asked - 0.5 * layer, 0.7 * layer);
+  EXPECT_NEAR(world.step(1.0f / 60).emission_refused, asked, 0.3 * asked);
+}
+
 TEST_P(EmitterRoomTest, TwoEmittersInOnePlaceDoNotOverlap) {
   World world(weightless(GetParam(), s));
   const FluidId water = world.create_fluid({});

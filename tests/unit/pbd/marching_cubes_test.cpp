@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tests of the table of marching cubes.
-#include "fluid/surface/marching_cubes.h"
+#include "pbd/marching_cubes.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ uint32_t node(uint32_t x, uint32_t y, uint32_t z) {
 /// The surface in a grid of which the outermost nodes are outside. A vertex is 4 times its edge's lower node,
 /// and the edge's axis.
 std::vector<std::array<uint32_t, 3>> surface_of(const std::vector<bool>& inside) {
-  static const std::vector<fluid::CubeTriangles> table = fluid::marching_cubes();
+  static const std::vector<pbd::CubeTriangles> table = pbd::marching_cubes();
   std::vector<std::array<uint32_t, 3>> triangles;
   for (uint32_t i = 0; i < (width - 1) * (width - 1) * (width - 1); ++i) {
     const uint32_t x = i % (width - 1), y = i / (width - 1) % (width - 1), z = i / (width - 1) / (width - 1);
@@ -32,7 +32,7 @@ std::vector<std::array<uint32_t, 3>> surface_of(const std::vector<bool>& inside)
     for (uint32_t c = 0; c < 8; ++c) corners |= uint32_t{inside[corner(c)]} << c;
     for (uint32_t t = 0; t < table[corners].count; ++t) {
       const auto vertex = [&](uint32_t k) {
-        const auto [low, axis] = fluid::cube_edge(table[corners].edges[3 * t + k]);
+        const auto [low, axis] = pbd::cube_edge(table[corners].edges[3 * t + k]);
         EXPECT_NE(inside[corner(low)], inside[corner(low | 1u << axis)]) << "the edge is not cut";
         return 4 * corner(low) + axis;
       };
@@ -45,7 +45,7 @@ std::vector<std::array<uint32_t, 3>> surface_of(const std::vector<bool>& inside)
 TEST(MarchingCubes, EdgesOfACubeAreTwelveAndDiffer) {
   std::set<std::pair<uint32_t, uint32_t>> edges;
   for (uint32_t e = 0; e < 12; ++e) {
-    const auto [corner, axis] = fluid::cube_edge(e);
+    const auto [corner, axis] = pbd::cube_edge(e);
     EXPECT_EQ(corner >> axis & 1, 0u) << "edge " << e << " does not start at its lower corner";
     edges.emplace(corner, axis);
   }
@@ -53,18 +53,18 @@ TEST(MarchingCubes, EdgesOfACubeAreTwelveAndDiffer) {
 }
 
 TEST(MarchingCubes, NothingIsCutWhereAllCornersAreOnOneSide) {
-  const std::vector<fluid::CubeTriangles> table = fluid::marching_cubes();
+  const std::vector<pbd::CubeTriangles> table = pbd::marching_cubes();
   ASSERT_EQ(table.size(), 256u);
   EXPECT_EQ(table[0].count, 0);
   EXPECT_EQ(table[255].count, 0);
 }
 
 TEST(MarchingCubes, OneCornerIsCutOffWithItsInsideBehind) {
-  const fluid::CubeTriangles cube = fluid::marching_cubes()[1];  // the corner at the origin
+  const pbd::CubeTriangles cube = pbd::marching_cubes()[1];  // the corner at the origin
   ASSERT_EQ(cube.count, 1);
   Vec3 p[3];
   for (int k = 0; k < 3; ++k) {
-    const uint32_t axis = fluid::cube_edge(cube.edges[k]).axis;
+    const uint32_t axis = pbd::cube_edge(cube.edges[k]).axis;
     p[k] = {axis == 0 ? 0.5f : 0, axis == 1 ? 0.5f : 0, axis == 2 ? 0.5f : 0};
   }
   const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);

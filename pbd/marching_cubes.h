@@ -13,7 +13,7 @@
 
 #include "pbd/device/base/qualifiers.h"
 
-namespace meniscus::fluid {
+namespace meniscus::pbd {
 
 /// Corner c is at x = c & 1, y = c >> 1 & 1, z = c >> 2. Edge e runs from its lower corner along an axis.
 struct CubeEdge {
@@ -35,4 +35,4 @@ struct alignas(16) CubeTriangles {
 /// One element for each set of inside corners: bit c is set if corner c is inside.
 std::vector<CubeTriangles> marching_cubes();
 
-}  // namespace meniscus::fluid
+}  // namespace meniscus::pbd

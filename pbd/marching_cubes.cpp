@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Builds the table of triangles of the 256 cases of marching cubes.
-#include "fluid/surface/marching_cubes.h"
+#include "pbd/marching_cubes.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <utility>
 
-namespace meniscus::fluid {
+namespace meniscus::pbd {
 namespace {
 
 using Loop = std::vector<uint8_t>;  // edges of the cube, in order around a piece of the surface
@@ -110,4 +110,4 @@ std::vector<CubeTriangles> marching_cubes() {
   return table;
 }
 
-}  // namespace meniscus::fluid
+}  // namespace meniscus::pbd
