@@ -4,6 +4,8 @@
 // The tuned constants of meshes of solids: symbol or name, unit, why this value, and the test that notices.
 #pragma once
 
+#include <cstddef>
+
 namespace meniscus::collision::mesh_tuning {
 
 /// Of the box's diagonal: vertices nearer than this are one. Files store about seven digits.
@@ -36,3 +38,12 @@ inline constexpr double rounded_product = 1e-9;
 inline constexpr float opening = 2;
 
 }  // namespace meniscus::collision::mesh_tuning
+
+namespace meniscus::collision::bullet_tuning {
+
+/// Memory held back for Bullet: bytes of a block, blocks of a small world, and solids for each further one.
+/// Bullet's arrays grow by doubling. A pile took 3 KiB a solid for all of them together.
+/// Test: FaultsTest.
+inline constexpr std::size_t reserve_block = 256 << 10, reserve_blocks = 4, solids_a_reserve_block = 64;
+
+}  // namespace meniscus::collision::bullet_tuning

@@ -4,6 +4,7 @@
 // The tuned constants of World: symbol or name, unit, why this value, and the test that notices.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace meniscus::world_tuning {
@@ -30,6 +31,23 @@ inline constexpr uint32_t most_splits = 64;
 /// Contact distances: how far below a wet piece a drop appears. Nearer, cloth would absorb it again.
 /// Test: WetCloth.HungUpItDripsAndIsHeavierByWhatItKeeps.
 inline constexpr float drop_distance = 1.6f;
+
+/// Of the contact radius, or of the smaller solid's radius: deeper overlaps are warned of. Solids that are
+/// stacked without a gap overlap by rounding.
+/// Test: WarningsTest.OverlapsAreCounted.
+inline constexpr float deep_overlap = 0.02f;
+
+/// Spacings: positions that are rounded more coarsely are warned of.
+/// Test: WarningsTest.PlacesFarFromTheOriginAreRounded.
+inline constexpr float coarsest_position = 0.01f;
+
+/// Nodes of a distance field: with more, one CPU core takes more than about ten seconds.
+/// Test: CancelTest.TheFieldOfALargeHullIsBounded.
+inline constexpr std::size_t many_field_nodes = 1'000'000;
+
+/// Particles that emitters make in a step, at most. One CPU core places them in about two seconds.
+/// Test: CancelTest.AStepMakesABoundedNumberOfParticles.
+inline constexpr double most_arrivals = 1 << 20;
 
 /// s: the step of a relaxation. It is short, so that nothing passes through anything.
 /// Test: none.

@@ -28,6 +28,12 @@ struct ParticleArrays {
   uint32_t* fluids = nullptr;  ///< FluidId::index
 };
 
+/// How far a long call is: see World::set_progress.
+struct Progress {
+  const char* what = "";  ///< the task, as in "step"
+  double fraction = 0;    ///< of it, that is done
+};
+
 /// The surface of a fluid, closed: each edge belongs to two triangles.
 struct SurfaceMesh {
   std::vector<Vec3> vertices;                      ///< m
