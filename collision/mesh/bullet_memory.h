@@ -10,9 +10,10 @@
 
 namespace meniscus::collision {
 
-/// Memory held back for calls into Bullet: blocks that are given back to the heap, one by one, when an
-/// allocation fails in such a call. If none is left, the allocation throws std::bad_alloc through Bullet,
-/// whose objects are then broken for good: they may be neither used nor destroyed.
+/// Memory held back for calls into Bullet: blocks that serve the allocations which fail in such a call. What
+/// is larger than a block gets their memory by way of the heap. If none is left, the allocation throws
+/// std::bad_alloc through Bullet, whose objects are then broken for good: they may be neither used nor
+/// destroyed. In a destructor of Bullet this would end the process, which the size of the reserve prevents.
 class BulletReserve {
  public:
   BulletReserve() = default;
@@ -22,8 +23,8 @@ class BulletReserve {
 
   /// Takes what a call needs in a world of so many solids. Throws std::bad_alloc; nothing is broken then.
   void refill(std::size_t solids);
-  /// Gives a block back to the heap. Returns whether there was one.
-  bool give_back() noexcept;
+  /// Takes a block, or null if none is left. The caller frees it by operator delete.
+  void* take() noexcept;
   void note_broken() noexcept { broken_ = true; }
   bool is_broken() const noexcept { return broken_; }
 
