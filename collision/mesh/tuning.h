@@ -42,7 +42,7 @@ inline constexpr float opening = 2;
 namespace meniscus::collision::bullet_tuning {
 
 /// Memory held back for Bullet: bytes of a block, blocks of a small world, and solids for each further one.
-/// Bullet's arrays grow by doubling. A pile took 3 KiB a solid for all of them together.
+/// Bullet's arrays grow by doubling.
 /// Test: FaultsTest.
 inline constexpr std::size_t reserve_block = 256 << 10, reserve_blocks = 4, solids_a_reserve_block = 64;
 

@@ -41,11 +41,11 @@ inline constexpr float deep_overlap = 0.02f;
 /// Test: WarningsTest.PlacesFarFromTheOriginAreRounded.
 inline constexpr float coarsest_position = 0.01f;
 
-/// Nodes of a distance field: with more, one CPU core takes more than about ten seconds.
+/// Nodes of a distance field: fields with more are warned of, as they take seconds on a CPU.
 /// Test: CancelTest.TheFieldOfALargeHullIsBounded.
 inline constexpr std::size_t many_field_nodes = 1'000'000;
 
-/// Particles that emitters make in a step, at most. One CPU core places them in about two seconds.
+/// Particles that emitters make in a step, at most: a bound on the time of a step.
 /// Test: CancelTest.AStepMakesABoundedNumberOfParticles.
 inline constexpr double most_arrivals = 1 << 20;
 

@@ -19,9 +19,8 @@ inline constexpr int crowding_exponent = 8;
 /// Test: StaticShapesTest.AMesh.
 inline constexpr float field_cell = 0.5f;
 
-/// Nodes of the field of a mesh that is given no size, about, at most. One CPU core takes two seconds for
-/// them. Sharp edges are rounded by about half a cell.
-/// Test: CancelTest.TheFieldOfALargeHullIsBounded.
+/// Nodes of the field of a mesh that is given no size, about, at most. Sharp edges are rounded by about half
+/// a cell. Test: CancelTest.TheFieldOfALargeHullIsBounded.
 inline constexpr double most_field_nodes = 1u << 21;
 
 }  // namespace meniscus::solids_tuning

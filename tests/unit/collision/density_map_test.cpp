@@ -196,9 +196,8 @@ TEST(DensityMap, WithFewerSamplesItIsOffByLittle) {
   const double face = largest_error(sdf, {box.upper.x, offset.y, offset.z}, {1, 0, 0}, exact);
   const double edge =
       largest_error(sdf, {box.upper.x, box.upper.y, offset.z}, {diagonal, diagonal, 0}, exact);
-  EXPECT_LT(face, 0.01);
-  EXPECT_LT(edge, 0.04);
-  std::printf("face %.4f, edge %.4f\n", face, edge);
+  EXPECT_LT(face, 0.003);
+  EXPECT_LT(edge, 0.015);
 }
 
 TEST(DensityMap, BeyondTheGridThereIsNothing) {
