@@ -43,7 +43,7 @@ namespace meniscus::collision::bullet_tuning {
 
 /// Memory held back for Bullet: bytes of a block, blocks of a small world, and solids for each further one.
 /// Bullet's arrays grow by doubling.
-/// Test: FaultsTest.
+/// Test: FaultsTest.NoMemoryFromAnyCallStackOnIsAnError.
 inline constexpr std::size_t reserve_block = 256 << 10, reserve_blocks = 4, solids_a_reserve_block = 64;
 
 }  // namespace meniscus::collision::bullet_tuning
