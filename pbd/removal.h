@@ -83,9 +83,9 @@ class Removal {
   }
 
   /// Removes the other particles, after count_kept. Calls reorder(order, count) for arrays that are stored
-  /// elsewhere. Returns keep() by slot as it was before.
+  /// elsewhere. Writes keep() by slot, as it was before, to `by_slot`.
   template <class Reorder>
-  std::vector<uint32_t> apply(Particles& particles, uint32_t kept, const Reorder& reorder) {
+  void apply(Particles& particles, uint32_t kept, std::span<uint32_t> by_slot, const Reorder& reorder) {
     const uint32_t n = particles.count(), fluid = particles.sorted(), stay = kept + particles.vertices();
     using namespace removal_kernels;
     View<uint32_t> slot = particles.slot.current.view();
@@ -102,7 +102,7 @@ class Removal {
     gather_in_order(device_, "removal/numbers", particles.number, order, stay);
     reorder(order, kept);
     particles.set_sorted(kept);
-    return keep_by_slot_.read(fluid);
+    keep_by_slot_.read(by_slot.first(fluid));
   }
 
  private:

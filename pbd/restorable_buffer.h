@@ -18,10 +18,11 @@ class RestorableBuffer {
   View<T> current() { return pair_.current.view(); }
   View<T> next() { return pair_.next.view(); }
 
+  /// The size of current() is the new one only if there is memory for all three.
   void reserve(size_t size, size_t kept) {
-    pair_.current.resize_keep(size, kept);
     pair_.next.resize_discard(size);
     saved_.resize_discard(size);
+    pair_.current.resize_keep(size, kept);
   }
   void flip() {
     pair_.flip();

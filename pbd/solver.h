@@ -118,6 +118,8 @@ class Solver {
   void save_state();
   void restore_state();
   void undo_step();
+  template <class Undo>
+  void undo_or_lose(const Undo& undo);
 
   D& device_;
   Particles& particles_;

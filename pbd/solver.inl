@@ -66,7 +66,7 @@ StepResult Solver<D>::step(float dt) {
     StepResult result = run(dt);
     const bool done = had_room();
     if (!done || result.summary.non_finite) {
-      undo_step();
+      undo_or_lose([&] { undo_step(); });
     } else {
       fresh_ = false;
       has_found_ = true;
@@ -83,10 +83,14 @@ StepResult Solver<D>::run(float dt) {
   timer_.start_step();
   save_state();
   try {
+    const CallMonitor::Cancellable undone_below(device_.monitor());
     for (ConstraintSet<D>* set : sets_) set->start_step();
     for (Observer<D>* observer : observers_) observer->start_step();
     const int substeps = choose_substeps(dt);
-    for (int k = 0; k < substeps; ++k) substep(dt / static_cast<float>(substeps), k == 0, k + 1 == substeps);
+    for (int k = 0; k < substeps; ++k) {
+      device_.monitor().poll("step", static_cast<double>(k) / substeps);
+      substep(dt / static_cast<float>(substeps), k == 0, k + 1 == substeps);
+    }
     timer_.enter(StageId::finish);
     summarize();
     timer_.stop();
@@ -94,7 +98,7 @@ StepResult Solver<D>::run(float dt) {
     const ParticleSummary& after = summary();
     return {substeps, readout_.found.contacts.last, readout_.found.longest_list, after};
   } catch (...) {
-    undo_step();
+    undo_or_lose([&] { undo_step(); });
     throw;
   }
 }
@@ -104,11 +108,13 @@ void Solver<D>::relax(float dt, int times) {
   for (int k = 0; k < times;) {
     save_state();
     try {
+      const CallMonitor::Cancellable undone_below(device_.monitor());
+      device_.monitor().poll("relax", static_cast<double>(k) / times);
       for (ConstraintSet<D>* set : sets_) set->start_step();
       relax_once(dt);
       device_.wait();  // some sets find only while they work that they lack room
     } catch (...) {
-      undo_step();
+      undo_or_lose([&] { undo_step(); });
       throw;
     }
     if (had_room()) {
@@ -116,7 +122,7 @@ void Solver<D>::relax(float dt, int times) {
       particles_changed(0, particles_.sorted());
       ++k;
     } else {
-      undo_step();
+      undo_or_lose([&] { undo_step(); });
       make_room();
     }
   }
@@ -138,10 +144,11 @@ template <class D>
 void Solver<D>::measure(const std::function<void(Substep<D>&, const Found&)>& measure) {
   save_state();
   try {
+    const CallMonitor::Cancellable restored_below(device_.monitor());
     Substep<D> s = find_at_rest(0);
     measure(s, readout_.found);
   } catch (...) {
-    restore_state();
+    undo_or_lose([&] { restore_state(); });
     throw;
   }
   restore_state();
@@ -302,7 +309,7 @@ void Solver<D>::reserve(uint32_t fluid, uint32_t vertices) {
   try {
     reserve_all(more_fluid, more_vertices);
   } catch (...) {
-    reserve_all(fluid_room_, vertex_room_);
+    undo_or_lose([&] { reserve_all(fluid_room_, vertex_room_); });
     throw;
   }
   fluid_room_ = more_fluid;
@@ -332,7 +339,7 @@ void Solver<D>::reserve_extra() {
     reserve_all(fluid_room_, vertex_room_);
   } catch (...) {
     extra_room_ = before;
-    reserve_all(fluid_room_, vertex_room_);
+    undo_or_lose([&] { reserve_all(fluid_room_, vertex_room_); });
     throw;
   }
 }
@@ -372,6 +379,17 @@ void Solver<D>::save_state() {
   summary();  // of the present state, before it is saved
   for (ConstraintSet<D>* set : sets_) set->save();
   particles_.save();
+}
+
+/// Runs what takes a failed call back. If this fails as well, there is no state to go on from.
+template <class D>
+template <class Undo>
+void Solver<D>::undo_or_lose(const Undo& undo) {
+  try {
+    undo();
+  } catch (...) {
+    throw StateLost();
+  }
 }
 
 template <class D>

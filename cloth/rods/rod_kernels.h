@@ -10,6 +10,16 @@
 
 namespace meniscus::cloth::rod_kernels {
 
+/// Takes the motion from a segment.
+struct Stop {
+  pbd::View<pbd::Vec4> frame, previous, spin;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    frame[k] = previous[k] = vec4(normalized(quat(frame[k])));
+    spin[k] = pbd::with_w({0, 0, 0}, spin[k].w == 0 ? 0.0f : 1.0f);
+  }
+};
+
 /// q + h ω: predicts the frames.
 struct Advance {
   View<Vec4> frame, previous;

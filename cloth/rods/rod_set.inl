@@ -14,6 +14,7 @@ template <class D>
 void RodSet<D>::set_model(const RodModel& model) {
   const uint32_t count = model.segment_count(), kept = std::min(segments_, count);
   const auto chains = static_cast<uint32_t>(model.chains.size());
+  segments_ = kept;  // until all have their state: memory may run out before
   chain_.resize_discard(chains);
   chain_.write(model.chains);
   segment_.resize_discard(count);
@@ -27,8 +28,6 @@ void RodSet<D>::set_model(const RodModel& model) {
   link_.resize_discard(count);
   row_.resize_discard(2 * size_t{count});
   row_.fill(0);  // blocks beyond a rod's end stay 0
-  segments_ = count;
-  chains_ = chains;
 
   std::vector<SegmentState> added;
   for (uint32_t k = kept; k < count; ++k) added.push_back({model.frames[k], {0, 0, 0}, false});
@@ -36,6 +35,8 @@ void RodSet<D>::set_model(const RodModel& model) {
   const std::vector<pbd::Vec4> none(added.size());
   torque_.write(none, kept);
   pull_.write(std::vector<float>(added.size()), kept);
+  segments_ = count;
+  chains_ = chains;
 }
 
 template <class D>
@@ -63,9 +64,8 @@ void RodSet<D>::set_states(uint32_t first, std::span<const SegmentState> states)
 
 template <class D>
 void RodSet<D>::stop() {
-  std::vector<SegmentState> all = states(0, segments_);
-  for (SegmentState& s : all) s.spin = {0, 0, 0};
-  set_states(0, all);
+  device_.parallel_for("rods/stop", segments_,
+                       rod_kernels::Stop{frame_.view(), previous_.view(), spin_.view()});
 }
 
 template <class D>

@@ -14,6 +14,7 @@ template <class D>
 void RopeSet<D>::set_model(const RodModel& model) {
   const uint32_t count = model.segment_count(), kept = std::min(segments_, count);
   const auto chains = static_cast<uint32_t>(model.chains.size());
+  segments_ = kept;  // until all have their state: memory may run out before
   chain_.resize_discard(chains);
   chain_.write(model.chains);
   segment_.resize_discard(count);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "collision/mesh/bullet_memory.h"
 #include "collision/mesh/tuning.h"
 #include "pbd/math/vec.h"
 
@@ -33,6 +34,8 @@ void append_face(TriangleMesh& mesh, const btConvexHullComputer& hull, int face)
 std::optional<TriangleMesh> find_hull(std::span<const Vec3> points) {
   TriangleMesh mesh;
   if (points.size() >= 4) {
+    BulletReserve reserve;
+    const InBullet bullet(reserve, points.size());
     btConvexHullComputer hull;
     hull.compute(&points[0].x, sizeof(Vec3), static_cast<int>(points.size()), 0, 0);
     // The original points: Bullet rounds its results to a ten-thousandth of the size.

@@ -51,3 +51,12 @@ inline constexpr double balance = 0.05;
 inline constexpr float opening = 2;
 
 }  // namespace meniscus::collision::mesh_tuning
+
+namespace meniscus::collision::bullet_tuning {
+
+/// Memory held back for Bullet: bytes of a block, blocks of a small world, and solids for each further one.
+/// Bullet's arrays grow by doubling.
+/// Test: FaultsTest.NoMemoryFromAnyCallStackOnIsAnError.
+inline constexpr std::size_t reserve_block = 256 << 10, reserve_blocks = 4, solids_a_reserve_block = 64;
+
+}  // namespace meniscus::collision::bullet_tuning

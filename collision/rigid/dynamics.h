@@ -29,6 +29,8 @@ class RigidDispatcher final : public btCollisionDispatcher {
                                  btDispatcher* self) override;
   void releaseManifold(btPersistentManifold* manifold) override;
 
+  /// Has the manifolds ordered before they are next visited.
+  void note_disorder() { in_order_ = false; }
   /// Orders the manifolds by their pairs. Manifolds of no pair come last.
   void order_manifolds();
   /// Calls visit(manifold, pair) for the pairs that have contacts, in their order. Most pairs have none,

@@ -100,6 +100,8 @@ void make_constraint(RigidJointRecord& joint, btRigidBody& a, btRigidBody& b, co
 }  // namespace
 
 uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
+  const InBullet bullet(*reserve_, impl_->size());
+  impl_->joints.prepare();
   btRigidBody& a = *impl_->body(def.a).bullet;
   btRigidBody& b = def.b == pbd::no_index ? impl_->ground : *impl_->body(def.b).bullet;
   auto made = std::make_unique<RigidJointRecord>();
@@ -111,7 +113,7 @@ uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
     // Otherwise their present contacts would go on pushing.
     btBroadphasePair* pair = impl_->pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
     if (pair) impl_->pairs.cleanOverlappingPair(*pair, &impl_->dispatcher);
-    impl_->dispatcher.order_manifolds();
+    impl_->dispatcher.note_disorder();
   }
   wake_up(a);
   if (def.b != pbd::no_index) wake_up(b);
@@ -120,6 +122,7 @@ uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
 
 void RigidWorld::remove_joint(uint32_t number) {
   assert(has_joint(number));
+  const InBullet bullet(*reserve_, impl_->size());
   btTypedConstraint& joint = *impl_->joints.slots[number]->bullet;
   joint.getRigidBodyA().activate();
   joint.getRigidBodyB().activate();

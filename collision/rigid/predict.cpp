@@ -178,6 +178,7 @@ RigidWorld::Impl::JointedFlight RigidWorld::Impl::jointed_flight(float dt,
 
 /// Predicts bodies that joints hold with what their joints and motors will do.
 void RigidWorld::Impl::predict_jointed(float dt, std::span<RigidMotion> motions) {
+  const InBullet bullet(reserve, size());
   JointedFlight all = jointed_flight(dt, motions);
   if (all.joints.size() == 0) return;
   btContactSolverInfo info = dynamics.getSolverInfo();

@@ -124,6 +124,34 @@ class Overlapping final : public btCollisionWorld::ContactResultCallback {
   const btCollisionObject* probe_;
 };
 
+/// Collects how deep each solid overlaps a body that may collide with it.
+class DeepestOverlaps final : public btCollisionWorld::ContactResultCallback {
+ public:
+  explicit DeepestOverlaps(btRigidBody& body) : body_(body) {
+    m_collisionFilterGroup = body.getBroadphaseHandle()->m_collisionFilterGroup;
+    m_collisionFilterMask = body.getBroadphaseHandle()->m_collisionFilterMask;
+  }
+
+  bool needsCollision(btBroadphaseProxy* proxy) const override {
+    return ContactResultCallback::needsCollision(proxy) &&
+           body_.checkCollideWith(static_cast<const btCollisionObject*>(proxy->m_clientObject));
+  }
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* a, int, int,
+                           const btCollisionObjectWrapper* b, int, int) override {
+    const btCollisionObject* other =
+        a->getCollisionObject() == &body_ ? b->getCollisionObject() : a->getCollisionObject();
+    auto at = std::ranges::find(depths, other, &std::pair<const btCollisionObject*, float>::first);
+    if (at == depths.end()) at = depths.insert(at, {other, 0.0f});
+    at->second = std::max(at->second, -point.getDistance());
+    return 0;
+  }
+
+  std::vector<std::pair<const btCollisionObject*, float>> depths;
+
+ private:
+  btRigidBody& body_;
+};
+
 /// Whether a point is inside a solid that is a surface for Bullet.
 bool is_under(const btHeightfieldTerrainShape& field, const btVector3& local) {
   struct Above final : btTriangleCallback {
@@ -167,6 +195,7 @@ bool is_within(const btCollisionShape& shape, const btVector3& local) {
 }  // namespace
 
 std::vector<RigidContact> RigidWorld::contacts() const {
+  const InBullet bullet(*reserve_, impl_->size());
   std::vector<RigidContact> found;
   impl_->dynamics.for_each_touching([&](const btPersistentManifold& manifold) {
     const RigidRef a = impl_->solid_of(manifold.getBody0()), b = impl_->solid_of(manifold.getBody1());
@@ -180,6 +209,7 @@ std::vector<RigidContact> RigidWorld::contacts() const {
 
 const std::vector<RigidTouch>& RigidWorld::touches() {
   if (impl_->knows_touches) return impl_->touches;
+  const InBullet bullet(*reserve_, impl_->size());
   std::vector<uint64_t>& keys = impl_->touching_keys;
   keys.clear();
   const auto note = [&](const btPersistentManifold& manifold, RigidRef a, RigidRef b) {
@@ -204,7 +234,26 @@ const std::vector<RigidTouch>& RigidWorld::touches() {
   return impl_->touches;
 }
 
+std::vector<RigidOverlap> RigidWorld::deep_overlaps(float fraction) const {
+  const InBullet bullet(*reserve_, impl_->size());
+  std::vector<RigidOverlap> found;
+  impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
+    if (body.kinematic) return;
+    DeepestOverlaps deepest(*body.bullet);
+    impl_->dynamics.contactTest(body.bullet.get(), deepest);
+    for (const auto& [other, depth] : deepest.depths) {
+      const RigidRef solid = impl_->solid_of(other);
+      const bool seen = solid.is_body && !impl_->body(solid.number).kinematic && solid.number < n;
+      const float size = solid.is_body ? std::min(body.shape.radius, impl_->body(solid.number).shape.radius)
+                                       : body.shape.radius;
+      if (!seen && depth > fraction * size) found.push_back({{true, n}, solid, depth});
+    }
+  });
+  return found;
+}
+
 bool RigidWorld::cast_ray(Vec3 from, Vec3 to, RigidRayHit& hit) const {
+  const InBullet bullet(*reserve_, impl_->size());
   NearestHit nearest(to_bullet(from), to_bullet(to));
   const btVector3 none(0, 0, 0);
   impl_->broadphase.rayTest(to_bullet(from), to_bullet(to), nearest, none, none);
@@ -216,6 +265,7 @@ bool RigidWorld::cast_ray(Vec3 from, Vec3 to, RigidRayHit& hit) const {
 }
 
 std::vector<RigidRef> RigidWorld::overlaps(const Pose& pose, Vec3 half_extents, bool ball) const {
+  const InBullet bullet(*reserve_, impl_->size());
   btSphereShape sphere(half_extents.x);
   btBoxShape box(to_bullet(half_extents));
   btCollisionObject probe;

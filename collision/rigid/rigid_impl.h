@@ -5,9 +5,11 @@
 // step.cpp, joints.cpp, queries.cpp and snapshot.cpp.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
+#include "collision/mesh/bullet_memory.h"
 #include "collision/rigid/broadphase.h"
 #include "collision/rigid/dynamics.h"
 #include "collision/rigid/kinematics.h"
@@ -61,25 +63,33 @@ struct RigidJointRecord {
 template <class T>
 struct Numbered {
   std::vector<std::unique_ptr<T>> slots;
+  size_t first_free = 0;  ///< below it all are taken
 
+  /// Takes the memory that the next add() needs.
+  void prepare() {
+    if (slots.size() == slots.capacity()) slots.reserve(2 * slots.size() + 1);
+  }
   uint32_t add(std::unique_ptr<T> thing) {
-    size_t n = 0;
+    size_t n = first_free;
     while (n < slots.size() && slots[n]) ++n;
     if (n == slots.size()) slots.emplace_back();
     slots[n] = std::move(thing);
+    first_free = n + 1;
     return static_cast<uint32_t>(n);
   }
   void remove(uint32_t n) {
     slots[n].reset();
+    first_free = std::min<size_t>(first_free, n);
     while (!slots.empty() && !slots.back()) slots.pop_back();
   }
   bool has(uint32_t n) const { return n < slots.size() && slots[n]; }
 };
 
 struct RigidWorld::Impl {
-  explicit Impl(const RigidWorldDef& definition);
+  Impl(const RigidWorldDef& definition, BulletReserve& held_back);
   ~Impl();
 
+  BulletReserve& reserve;
   RigidWorldDef def;
   btHashedOverlappingPairCache pairs;
   RigidFilter filter;
@@ -98,6 +108,8 @@ struct RigidWorld::Impl {
   std::vector<RigidTouch> touches;
   bool knows_touches = false;
 
+  /// How many solids and joints there are, as the reserve counts them.
+  size_t size() const { return bodies.slots.size() + fixed.slots.size() + joints.slots.size(); }
   RigidBodyRecord& body(uint32_t n) const;
   /// Calls visit(number, body) for each, and prefetches the next ones.
   template <class Visit>
@@ -132,6 +144,7 @@ struct RigidWorld::Impl {
   void limit_motors(float dt);
 
   RigidRef solid_of(const btCollisionObject* object) const;
+  void prepare();
   /// Adds a body or fixed solid that has its number to the world.
   void add(btRigidBody& body, const CollisionFilter& filter);
 };

@@ -55,8 +55,9 @@ void wake_up(btRigidBody& body) {
   body.activate(true);
 }
 
-RigidWorld::Impl::Impl(const RigidWorldDef& definition)
-    : def(definition),
+RigidWorld::Impl::Impl(const RigidWorldDef& definition, BulletReserve& held_back)
+    : reserve(held_back),
+      def(definition),
       broadphase(&pairs),
       dispatcher(&configuration, &pairs),
       dynamics(&dispatcher, &broadphase, &solver, &configuration),
@@ -113,8 +114,18 @@ float RigidWorld::Impl::acceleration_scale() const {
 void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& meets) {
   dynamics.addRigidBody(&body, static_cast<int>(meets.groups), static_cast<int>(meets.mask));
   const auto proxy = static_cast<size_t>(body.getBroadphaseHandle()->m_uniqueId);
-  if (solids.size() <= proxy) solids.resize(proxy + 1);
+  if (solids.size() <= proxy) solids.resize(proxy + 1);  // without new memory: see prepare()
   solids[proxy] = solid_of(&body);
+}
+
+/// Takes the memory that add() needs, while nothing has changed yet.
+void RigidWorld::Impl::prepare() {
+  const size_t proxies = bodies.slots.size() + fixed.slots.size() + 2;  // their ids are at most this
+  if (solids.capacity() < proxies) solids.reserve(2 * proxies);
+  bodies.prepare();
+  fixed.prepare();
+  if (dynamics.detected.capacity() <= bodies.slots.size())
+    dynamics.detected.reserve(2 * bodies.slots.size() + 1);
 }
 
 RigidRef RigidWorld::Impl::solid_of(const btCollisionObject* object) const {
@@ -136,8 +147,19 @@ void RigidWorld::Impl::wake_around(const btRigidBody& changed) {
   }
 }
 
-RigidWorld::RigidWorld(const RigidWorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+RigidWorld::RigidWorld(const RigidWorldDef& def) : reserve_(std::make_unique<BulletReserve>()) {
+  const InBullet bullet(*reserve_, 0);
+  impl_.reset(new Impl(def, *reserve_));
+}
 RigidWorld::~RigidWorld() = default;
+
+void RigidWorld::DeleteImpl::operator()(Impl* impl) const {
+  if (!impl->reserve.is_broken()) delete impl;  // Bullet's destructors would meet what is half made
+}
+
+bool RigidWorld::is_broken() const {
+  return reserve_->is_broken();
+}
 
 void RigidWorld::set_def(const RigidWorldDef& def) {
   impl_->def = def;
@@ -152,6 +174,8 @@ void RigidWorld::set_def(const RigidWorldDef& def) {
 }
 
 uint32_t RigidWorld::add_fixed(const RigidSolid& solid) {
+  const InBullet bullet(*reserve_, impl_->size());
+  impl_->prepare();
   auto made = std::make_unique<RigidFixedRecord>();
   made->shape = make_rigid_shape(solid.parts, nullptr);
   made->bullet = std::make_unique<btRigidBody>(info_of(solid, made->shape, 0));
@@ -164,16 +188,19 @@ uint32_t RigidWorld::add_fixed(const RigidSolid& solid) {
 
 void RigidWorld::remove_fixed(uint32_t number) {
   assert(impl_->fixed.has(number));
+  const InBullet bullet(*reserve_, impl_->size());
   btRigidBody& body = *impl_->fixed.slots[number]->bullet;
   impl_->wake_around(body);
   impl_->dynamics.release_predictive();
   impl_->dynamics.removeRigidBody(&body);
   impl_->fixed.remove(number);
-  impl_->dispatcher.order_manifolds();
+  impl_->dispatcher.note_disorder();
   impl_->knows_touches = false;
 }
 
 uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
+  const InBullet bullet_memory(*reserve_, impl_->size());
+  impl_->prepare();
   auto made = std::make_unique<RigidBodyRecord>();
   made->name = def.name;
   made->kinematic = def.motion == BodyMotion::kinematic;
@@ -208,6 +235,7 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
 }
 
 void RigidWorld::remove_body(uint32_t number) {
+  const InBullet bullet_memory(*reserve_, impl_->size());
   btRigidBody& bullet = *impl_->body(number).bullet;
   impl_->wake_around(bullet);
   for (uint32_t joint = 0; joint < impl_->joints.slots.size(); ++joint) {
@@ -218,7 +246,7 @@ void RigidWorld::remove_body(uint32_t number) {
   impl_->dynamics.release_predictive();
   impl_->dynamics.removeRigidBody(&bullet);
   impl_->bodies.remove(number);
-  impl_->dispatcher.order_manifolds();
+  impl_->dispatcher.note_disorder();
   impl_->knows_touches = false;
 }
 
@@ -262,6 +290,7 @@ bool RigidWorld::awake(uint32_t number) const {
 }
 
 void RigidWorld::set_pose(uint32_t number, const Pose& pose) {
+  const InBullet bullet(*reserve_, impl_->size());
   RigidBodyRecord& body = impl_->body(number);
   impl_->wake_around(*body.bullet);
   if (body.kinematic) {

@@ -19,6 +19,8 @@
 
 namespace meniscus::collision {
 
+class BulletReserve;
+
 /// One part of a solid, as Bullet represents it.
 struct RigidPart {
   enum class Kind { box, sphere, capsule, cylinder, hull, mesh, height_field, plane };
@@ -83,6 +85,11 @@ struct RigidTouch {
   RigidRef a, b;  ///< in a fixed order: bodies before fixed solids, then by number
 };
 
+struct RigidOverlap {
+  RigidRef a, b;  ///< a is a dynamic body; b may be one, of a higher number
+  float depth;    ///< m
+};
+
 struct RigidRayHit {
   RigidRef solid;
   Vec3 point, normal;
@@ -93,6 +100,9 @@ class RigidWorld {
  public:
   explicit RigidWorld(const RigidWorldDef& def);
   ~RigidWorld();
+
+  /// Whether memory ran out inside Bullet. Then nothing else may be called, and its memory is never freed.
+  bool is_broken() const;
 
   /// Takes effect at the next step; all bodies wake.
   void set_def(const RigidWorldDef& def);
@@ -168,6 +178,9 @@ class RigidWorld {
   /// Solids that overlap a box or, with a radius, a ball (half_extents.x is the radius).
   std::vector<RigidRef> overlaps(const Pose& pose, Vec3 half_extents, bool ball) const;
 
+  /// The pairs that may collide and overlap now by more than a fraction of the smaller one's radius.
+  std::vector<RigidOverlap> deep_overlaps(float fraction) const;
+
   // ---- state in memory ----
 
   /// All state that the future depends on. Saving into the same snapshot again reuses its memory. Between
@@ -189,7 +202,11 @@ class RigidWorld {
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct DeleteImpl {
+    void operator()(Impl*) const;
+  };
+  std::unique_ptr<BulletReserve> reserve_;
+  std::unique_ptr<Impl, DeleteImpl> impl_;
 };
 
 }  // namespace meniscus::collision

@@ -87,6 +87,7 @@ void RigidWorld::save_bodies(Snapshot& to) const {
 }
 
 void RigidWorld::save_contacts(Snapshot& to) const {
+  const InBullet bullet(*reserve_, impl_->size());
   to.pairs.clear();
   const btBroadphasePairArray& pairs = impl_->pairs.getOverlappingPairArray();
   for (int i = 0; i < pairs.size(); ++i) {
@@ -146,6 +147,7 @@ void refill_all(RigidDispatcher& dispatcher, const std::vector<SavedManifold>& s
 }  // namespace
 
 void RigidWorld::restore(const Snapshot& from) {
+  const InBullet bullet(*reserve_);
   RigidDynamics& dynamics = impl_->dynamics;
   dynamics.release_predictive();
   impl_->drop_pairs();

@@ -139,6 +139,7 @@ void RigidWorld::Impl::apply_forces(float dt) {
 }
 
 void RigidWorld::begin_step(float dt) {
+  const InBullet bullet(*reserve_, impl_->size());
   impl_->knows_touches = false;
   impl_->drive_kinematics(dt);
   impl_->wake_driven();
@@ -146,6 +147,7 @@ void RigidWorld::begin_step(float dt) {
 }
 
 void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
+  const InBullet bullet(*reserve_, impl_->size());
   Impl& world = *impl_;
   const int substeps = world.def.substeps;
   const float h = dt / static_cast<float>(substeps);

@@ -13,6 +13,7 @@
 #include "collision/mesh/triangle_bvh_query.h"
 #include "collision/sdf/density_map.h"
 #include "collision/sdf/density_map_quadrature.h"
+#include "collision/sdf/tuning.h"
 
 namespace meniscus::collision {
 
@@ -107,10 +108,8 @@ struct Integrate {
 
 }  // namespace density_map_kernels
 
-// How often the cells may be divided within the maximal number of samples. The build uses two arrays of half
-// a gibibyte.
-inline uint32_t most_refined(const Lattice& nodes) {
-  constexpr double most_samples = 1u << 27;
+// How often the cells may be divided within the maximal number of samples.
+inline uint32_t most_refined(const Lattice& nodes, double most_samples) {
   return static_cast<uint32_t>(std::cbrt(most_samples / nodes.count()));
 }
 
@@ -137,13 +136,14 @@ void take_means(D& device, const Lattice& samples, uint32_t width, pbd::Buffer<f
 }
 
 template <class D>
-void build_density_map(D& device, const DeviceTriangleBvh& mesh, Sdf& sdf, float h) {
+void build_density_map(D& device, const DeviceTriangleBvh& mesh, Sdf& sdf, float h, double most_samples) {
   if (!(h > 0) || !std::isfinite(h)) {
     throw Error(ErrorCode::invalid_argument,
                 "h is " + std::to_string(h) + " m: it must be positive, and finite");
   }
   using namespace density_map_kernels;
-  const DensityQuadrature quadrature = density_quadrature(sdf.nodes().spacing, h, most_refined(sdf.nodes()));
+  const DensityQuadrature quadrature =
+      density_quadrature(sdf.nodes().spacing, h, most_refined(sdf.nodes(), most_samples));
   const Lattice samples = refined(sdf.nodes(), quadrature.refinement, quadrature.step);
   pbd::Buffer<float> fractions(device, "a solid's fractions");
   pbd::Buffer<QuadraturePoint> points(device, "quadrature of a density map");

@@ -7,6 +7,6 @@
 
 namespace meniscus::collision {
 
-template void build_density_map(pbd::CudaDevice&, const DeviceTriangleBvh&, Sdf&, float);
+template void build_density_map(pbd::CudaDevice&, const DeviceTriangleBvh&, Sdf&, float, double);
 
 }  // namespace meniscus::collision

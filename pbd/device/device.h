@@ -11,6 +11,8 @@
 #include <map>
 #include <string>
 
+#include "pbd/device/call_monitor.h"
+
 namespace meniscus::pbd {
 
 enum class DeviceKind { cpu, cuda };
@@ -34,6 +36,8 @@ class Device {
   void* allocate(size_t bytes, const char* what);
   void release(void* memory, size_t bytes, const char* what) noexcept;
   const MemoryUse& memory() const { return memory_; }
+  /// Of the call that runs. One thread at a time makes calls.
+  CallMonitor& monitor() { return monitor_; }
   /// Bytes held now, by purpose.
   const std::map<std::string, size_t, std::less<>>& held() const { return held_; }
 
@@ -67,6 +71,7 @@ class Device {
   virtual void* do_allocate_shared(size_t bytes) = 0;
   virtual void do_release_shared(void* memory) noexcept = 0;
 
+  CallMonitor monitor_;
   MemoryUse memory_;
   std::map<std::string, size_t, std::less<>> held_;
 };

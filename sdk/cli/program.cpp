@@ -172,7 +172,10 @@ ExitCode exit_code_of(ErrorCode code) {
     case ErrorCode::non_finite:
     case ErrorCode::device:
     case ErrorCode::out_of_memory:
+    case ErrorCode::lost:
       return run_failed;
+    case ErrorCode::cancelled:
+      return interrupted;
   }
   return run_failed;
 }

@@ -149,6 +149,7 @@ class Engine {
   virtual uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
                                     std::span<const float> heights) = 0;
   virtual void remove_sdf(uint32_t number) = 0;
+  virtual std::size_t sdf_nodes(uint32_t number) const = 0;
   virtual void remove_height_field(uint32_t number) = 0;
   virtual void set_shapes(const SolidShapes& solids) = 0;
   /// Call it after bodies were placed by a call of the user.

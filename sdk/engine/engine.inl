@@ -84,6 +84,7 @@ class DeviceEngine final : public Engine {
   uint32_t add_height_field(uint32_t columns, uint32_t rows, float cell_size,
                             std::span<const float> heights) override;
   void remove_sdf(uint32_t number) override { mesh_fields_.release(number); }
+  std::size_t sdf_nodes(uint32_t number) const override { return mesh_fields_.views()[number].nodes.count(); }
   void remove_height_field(uint32_t number) override { height_samples_[number].reset(); }
   void set_shapes(const SolidShapes& solids) override;
   void place_bodies() override;
@@ -193,7 +194,7 @@ class DeviceEngine final : public Engine {
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
   std::vector<uint32_t> remove_marked(uint32_t kept);
   void fetch_contacts();
-  void keep_contacts(std::span<const uint32_t> stays);
+  void keep_contacts(std::span<const uint32_t> stays, std::span<uint32_t> place);
   Overflows overflows() const;  // of the last step
 
   template <class T>

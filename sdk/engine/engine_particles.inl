@@ -86,6 +86,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   reserve_more(added);
   std::vector<uint32_t> slot(added);
   std::iota(slot.begin(), slot.end(), first);
+  device_.monitor().commit();
   particles_.append(batch.position, batch.velocity, batch.phase, slot);
   for (pbd::Phase phase : batch.phase) jets_.hold_for(pbd::held_steps(phase));
   any_overlapping_ |= batch.by_hand;
@@ -103,18 +104,18 @@ void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
 template <class D>
 std::vector<uint32_t> DeviceEngine<D>::remove_marked(uint32_t kept) {
   fetch_contacts();  // while they match the particles
-  std::vector<uint32_t> by_slot =
-      removal_.apply(particles_, kept,
-                     [&](pbd::View<const uint32_t> order, uint32_t count) { solver_.reorder(order, count); });
+  std::vector<uint32_t> by_slot(particles_.sorted()), place(particles_.sorted());
+  device_.monitor().commit();
+  removal_.apply(particles_, kept, by_slot,
+                 [&](pbd::View<const uint32_t> order, uint32_t count) { solver_.reorder(order, count); });
   solver_.particles_changed(kept, 0);
-  keep_contacts(by_slot);
+  keep_contacts(by_slot, place);
   return by_slot;
 }
 
-/// Contacts of remaining particles move with them to their new slots.
+/// Contacts of remaining particles move with them to their new slots, which this writes to `place`.
 template <class D>
-void DeviceEngine<D>::keep_contacts(std::span<const uint32_t> stays) {
-  std::vector<uint32_t> place(stays.size());
+void DeviceEngine<D>::keep_contacts(std::span<const uint32_t> stays, std::span<uint32_t> place) {
   std::exclusive_scan(stays.begin(), stays.end(), place.begin(), 0u);
   std::erase_if(fetched_contacts_, [&](const ContactReadout& c) { return stays[c.slot] == 0; });
   for (ContactReadout& c : fetched_contacts_) c.slot = place[c.slot];

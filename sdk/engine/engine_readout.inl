@@ -112,14 +112,16 @@ SurfaceMesh DeviceEngine<D>::read_surface(const fluid::SurfaceField& field, std:
 template <class D>
 void DeviceEngine<D>::fetch_contacts() {
   if (contacts_fetched_) return;
-  contacts_fetched_ = true;
   fetched_contacts_.clear();
   const pbd::ContactView view = solver_.contacts();
   uint32_t total = 0;
   device_.copy_out(&total, view.start.data + view.start.count - 1, sizeof total);
   std::vector<pbd::Contact> contacts(total);
   std::vector<uint32_t> particle(total), slot(particles_.count());
-  if (total == 0) return;
+  if (total == 0) {
+    contacts_fetched_ = true;
+    return;
+  }
   device_.copy_out(contacts.data(), view.contacts.data, total * sizeof(pbd::Contact));
   device_.copy_out(particle.data(), view.particle.data, total * sizeof(uint32_t));
   particles_.slot.current.read(std::span(slot));
@@ -135,6 +137,7 @@ void DeviceEngine<D>::fetch_contacts() {
   }
   std::stable_sort(fetched_contacts_.begin(), fetched_contacts_.end(),
                    [](const ContactReadout& a, const ContactReadout& b) { return a.slot < b.slot; });
+  contacts_fetched_ = true;
 }
 
 template <class D>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <new>
 
+#include "pbd/host_memory.h"
 #include "sdk/scene/scene.h"
 
 namespace meniscus {
@@ -136,9 +137,7 @@ void expect_closed(const SceneCheck& check, const Scene& scene, const BuiltScene
                 "cloth_volume is of closed pieces, and \"" + check.cloth + "\" has a border");
 }
 
-}  // namespace
-
-BuiltScene build_scene(const Scene& scene) {
+BuiltScene build(const Scene& scene) {
   BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for_each_item("fluids", scene.fluids,
                 [&](const FluidDef& def) { built.fluids.push_back(built.world.create_fluid(def)); });
@@ -156,6 +155,12 @@ BuiltScene build_scene(const Scene& scene) {
   for_each_item("checks", scene.checks, [&](const SceneCheck& check) { expect_closed(check, scene, built); });
   if (scene.relax_iterations > 0) built.world.relax(scene.relax_iterations);
   return built;
+}
+
+}  // namespace
+
+BuiltScene build_scene(const Scene& scene) {
+  return pbd::with_host_memory([&] { return build(scene); });
 }
 
 }  // namespace meniscus

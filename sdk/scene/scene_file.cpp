@@ -13,6 +13,7 @@
 #include <system_error>
 #include <vector>
 
+#include "pbd/host_memory.h"
 #include "sdk/scene/scene_meshes.h"
 #include "sdk/scene/scene_override.h"
 #include "sdk/scene/scene_place.h"
@@ -135,21 +136,25 @@ Json parse_text(const std::string& text, const std::string& source) {
 }  // namespace
 
 Scene read_scene(const std::string& path, std::span<const std::string> overrides) {
-  return scene_of_document(read_document(path, overrides), path);
+  return pbd::with_host_memory([&] { return scene_of_document(read_document(path, overrides), path); });
 }
 
 Json read_document(const std::string& path, std::span<const std::string> overrides) {
-  Json document = parse_text(read_text(path), path);
-  // What is no object is refused when it is read as a scene.
-  if (!document.is_object()) return document;
-  for (const std::string& text : overrides) apply_override(document, text);
-  return document;
+  return pbd::with_host_memory([&] {
+    Json document = parse_text(read_text(path), path);
+    // What is no object is refused when it is read as a scene.
+    if (!document.is_object()) return document;
+    for (const std::string& text : overrides) apply_override(document, text);
+    return document;
+  });
 }
 
 Scene scene_of_document(const Json& document, const std::string& path) {
-  Scene scene = parse_scene(document, path);
-  resolve_meshes(scene, document, std::filesystem::path(path).parent_path(), path);
-  return scene;
+  return pbd::with_host_memory([&] {
+    Scene scene = parse_scene(document, path);
+    resolve_meshes(scene, document, std::filesystem::path(path).parent_path(), path);
+    return scene;
+  });
 }
 
 }  // namespace meniscus

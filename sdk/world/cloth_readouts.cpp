@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -42,40 +42,40 @@ float principal_strain(const Vec3 rest[3], const Vec3 now[3]) {
 
 }  // namespace
 
-std::span<const Vec3> World::cloth_positions(ClothId id) const {
+std::span<const Vec3> World::Calls::cloth_positions(ClothId id) const {
   impl_->fetch_cloth();
   return impl_->cloths.get(id).range.state.positions;
 }
 
-std::span<const Vec3> World::cloth_velocities(ClothId id) const {
+std::span<const Vec3> World::Calls::cloth_velocities(ClothId id) const {
   impl_->fetch_cloth();
   return impl_->cloths.get(id).range.state.velocities;
 }
 
-std::span<const Vec3> World::cloth_normals(ClothId id) const {
+std::span<const Vec3> World::Calls::cloth_normals(ClothId id) const {
   impl_->fetch_cloth();
   ClothEntry& entry = impl_->cloths.edit(id);
   if (entry.normals.empty()) entry.normals = vertex_normals(entry.mesh, entry.range.state.positions);
   return entry.normals;
 }
 
-std::span<const uint32_t> World::cloth_triangles(ClothId id) const {
+std::span<const uint32_t> World::Calls::cloth_triangles(ClothId id) const {
   const auto& triangles = impl_->cloths.get(id).mesh.triangles;
   return {triangles.front().data(), 3 * triangles.size()};
 }
 
-uint32_t World::cloth_welded_vertices(ClothId id) const {
+uint32_t World::Calls::cloth_welded_vertices(ClothId id) const {
   return impl_->cloths.get(id).welded;
 }
 
-float World::cloth_bending_fraction(ClothId id) const {
+float World::Calls::cloth_bending_fraction(ClothId id) const {
   impl_->cloths.get(id);
   const std::vector<float>& fractions = impl_->engine->bending_fractions();
   const auto piece = std::find(impl_->pieces.begin(), impl_->pieces.end(), id) - impl_->pieces.begin();
   return static_cast<size_t>(piece) < fractions.size() ? fractions[static_cast<size_t>(piece)] : 1;
 }
 
-std::span<const float> World::cloth_strains(ClothId id) const {
+std::span<const float> World::Calls::cloth_strains(ClothId id) const {
   impl_->fetch_cloth();
   ClothEntry& entry = impl_->cloths.edit(id);
   if (!entry.strains.empty()) return entry.strains;
@@ -87,7 +87,7 @@ std::span<const float> World::cloth_strains(ClothId id) const {
   return entry.strains;
 }
 
-std::span<const float> World::cloth_wetness(ClothId id) const {
+std::span<const float> World::Calls::cloth_wetness(ClothId id) const {
   ClothEntry& entry = impl_->cloths.edit(id);
   if (!entry.wetness.empty()) return entry.wetness;
   const FabricDef& f = entry.def.fabric;
@@ -99,7 +99,7 @@ std::span<const float> World::cloth_wetness(ClothId id) const {
   return entry.wetness;
 }
 
-ClothState World::cloth_state(ClothId id) const {
+ClothState World::Calls::cloth_state(ClothId id) const {
   impl_->fetch_cloth();
   const ClothEntry& entry = impl_->cloths.get(id);
   const std::vector<Vec3>&x = entry.range.state.positions, &v = entry.range.state.velocities;
@@ -145,21 +145,21 @@ ClothState World::cloth_state(ClothId id) const {
   return state;
 }
 
-const std::vector<TearEvent>& World::tear_events() const {
+const std::vector<TearEvent>& World::Calls::tear_events() const {
   return impl_->tears;
 }
 
-std::span<const Vec3> World::rope_positions(RopeId id) const {
+std::span<const Vec3> World::Calls::rope_positions(RopeId id) const {
   impl_->fetch_cloth();
   return impl_->ropes.get(id).range.state.positions;
 }
 
-std::span<const Vec3> World::rope_velocities(RopeId id) const {
+std::span<const Vec3> World::Calls::rope_velocities(RopeId id) const {
   impl_->fetch_cloth();
   return impl_->ropes.get(id).range.state.velocities;
 }
 
-std::span<const Quat> World::rope_frames(RopeId id) const {
+std::span<const Quat> World::Calls::rope_frames(RopeId id) const {
   impl_->fetch_cloth();
   RopeEntry& entry = impl_->ropes.edit(id);
   entry.frames.clear();
@@ -167,11 +167,11 @@ std::span<const Quat> World::rope_frames(RopeId id) const {
   return entry.frames;
 }
 
-std::vector<uint32_t> World::attachment_vertices(AttachmentId id) const {
+std::vector<uint32_t> World::Calls::attachment_vertices(AttachmentId id) const {
   return impl_->attachments.get(id).vertices;
 }
 
-Vec3 World::attachment_force(AttachmentId id) const {
+Vec3 World::Calls::attachment_force(AttachmentId id) const {
   impl_->attachments.get(id);
   impl_->read_reactions();
   return impl_->attachments.get(id).force;

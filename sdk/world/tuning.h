@@ -4,6 +4,7 @@
 // The tuned constants of World: symbol or name, unit, why this value, and the test that notices.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace meniscus::world_tuning {
@@ -35,6 +36,23 @@ inline constexpr float drop_distance = 1.6f;
 /// neighbour list as long as the longest, so this many at one point take 1.2 GB.
 /// Test: CrowdTest.MoreThanTheLimitAreRefused.
 inline constexpr uint32_t most_crowded = 16384;
+
+/// Of the contact radius, or of the smaller solid's radius: deeper overlaps are warned of. Solids that are
+/// stacked without a gap overlap by rounding.
+/// Test: WarningsTest.OverlapsAreCounted.
+inline constexpr float deep_overlap = 0.02f;
+
+/// Spacings: positions that are rounded more coarsely are warned of.
+/// Test: WarningsTest.PlacesFarFromTheOriginAreRounded.
+inline constexpr float coarsest_position = 0.01f;
+
+/// Nodes of a distance field: fields with more are warned of, as they take seconds on a CPU.
+/// Test: CancelTest.TheFieldOfALargeHullIsBounded.
+inline constexpr std::size_t many_field_nodes = 1'000'000;
+
+/// Particles that emitters make in a step, at most: a bound on the time of a step.
+/// Test: CancelTest.AStepMakesABoundedNumberOfParticles.
+inline constexpr double most_arrivals = 1 << 20;
 
 /// s: the step of a relaxation. It is short, so that nothing passes through anything.
 /// Test: none.

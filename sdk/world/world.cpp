@@ -11,47 +11,49 @@
 #include "sdk/world/check/check.h"
 #include "sdk/world/seeding.h"
 #include "sdk/world/tuning.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
-World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
-World::~World() = default;
-World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
-
-const WorldDef& World::def() const {
+const WorldDef& World::Calls::def() const {
   return impl_->def;
 }
-DeviceInfo World::device() const {
+DeviceInfo World::Calls::device() const {
   return impl_->device;
 }
-float World::support_radius() const {
+float World::Calls::support_radius() const {
   return impl_->kernel.h;
 }
 
-float World::particle_mass(FluidId id) const {
+float World::Calls::particle_mass(FluidId id) const {
   return static_cast<float>(impl_->particle_mass(id));
 }
 
 // ---- contents of the world ----
 
-FluidId World::create_fluid(const FluidDef& def) {
+FluidId World::Calls::create_fluid(const FluidDef& def) {
   check::def(def);
   return impl_->create_material(material_of(def));
 }
 
-FluidId World::create_granular(const GranularDef& def) {
+FluidId World::Calls::create_granular(const GranularDef& def) {
   check::def(def);
   fluid::Material displaces;
   displaces.rest_density = def.density;
   return impl_->create_material({displaces, {true, collision::contact_friction(def.friction)}, def.filter});
 }
 
-ShapeId World::create_shape(const ShapeDef& def) {
+ShapeId World::Calls::create_shape(const ShapeDef& def) {
   check::def(def);
-  ShapeEntry entry{def.pose, make_solid(def.geometry, def.surface, def.filter, SolidRole::fixed, 0,
-                                        impl_->solid_context())};
+  impl_->shapes.prepare();
+  ShapeEntry entry{def.name, def.pose, {}, {}};
+  {
+    const pbd::CallMonitor::Cancellable undone_within(impl_->monitor());
+    entry.solid =
+        make_solid(def.geometry, def.surface, def.filter, SolidRole::fixed, 0, impl_->solid_context());
+  }
+  if (const auto* container = std::get_if<ContainerGeometry>(&def.geometry))
+    entry.inside = container->half_extents;
   try {
     impl_->rigid.add_fixed(rigid_solid(entry.solid, def.pose, def.surface, def.filter));
   } catch (...) {
@@ -63,9 +65,10 @@ ShapeId World::create_shape(const ShapeDef& def) {
   return impl_->shapes.insert(std::move(entry));
 }
 
-void World::destroy_shape(ShapeId id) {
+void World::Calls::destroy_shape(ShapeId id) {
   const SolidPieces& solid = impl_->shapes.get(id).solid;
   impl_->forget_touches(false, id.index);  // reads from the device, and may fail
+  impl_->monitor().commit();
   impl_->solids_changed();
   release_fields(solid, *impl_->engine);
   impl_->rigid.remove_fixed(id.index);
@@ -73,24 +76,25 @@ void World::destroy_shape(ShapeId id) {
   impl_->probes_changed();
 }
 
-ProbeId World::create_probe(const ProbeDef& def) {
+ProbeId World::Calls::create_probe(const ProbeDef& def) {
   check::def(def);
   if (def.kind != ProbeKind::point_pressure) impl_->shapes.get(def.shape);
+  const size_t values = std::max<size_t>(impl_->probe_values.size(), impl_->probes.prepare() + 1);
+  impl_->probe_values.resize(values);
   const ProbeId id = impl_->probes.insert(def);
-  impl_->probe_values.resize(std::max<size_t>(impl_->probe_values.size(), id.index + 1));
   impl_->probe_values[id.index] = {};
   impl_->probes_changed();
   return id;
 }
 
-void World::destroy_probe(ProbeId id) {
+void World::Calls::destroy_probe(ProbeId id) {
   impl_->probes.erase(id);
   impl_->probes_changed();
 }
 
 // ---- particles ----
 
-size_t World::add_fluid(const FluidVolumeDef& def) {
+size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
   impl_->fluids.get(def.fluid);
   check::def(def);
   if (const auto* region = std::get_if<BoxRegion>(&def.region)) {
@@ -103,7 +107,10 @@ size_t World::add_fluid(const FluidVolumeDef& def) {
   }
   const float spacing = impl_->def.particle_spacing;
   const ParticleMaterial& material = impl_->fluids.get(def.fluid);
-  std::vector<Vec3> points = fill_region(def, *impl_->engine, spacing);
+  std::vector<Vec3> points = [&] {
+    const pbd::CallMonitor::Cancellable nothing_to_undo(impl_->monitor());
+    return fill_region(def, *impl_->engine, spacing);
+  }();
   if (material.grain.is_grain)
     points = shaken(std::move(points), impl_->with_solids(), spacing, material.filter);
   std::vector<Vec3> safe = safe_points(points, positions(), impl_->with_solids(), spacing, material.filter);
@@ -113,8 +120,8 @@ size_t World::add_fluid(const FluidVolumeDef& def) {
   return safe.size();
 }
 
-ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
-                                std::span<const Vec3> velocities) {
+ParticleId World::Calls::add_particles(FluidId fluid, std::span<const Vec3> positions,
+                                       std::span<const Vec3> velocities) {
   impl_->fluids.get(fluid);
   check_room(ids().size(), static_cast<double>(positions.size()));
   if (!velocities.empty() && velocities.size() != positions.size()) {
@@ -131,7 +138,7 @@ ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
   return first;
 }
 
-void World::remove_particles(std::span<const ParticleId> gone) {
+void World::Calls::remove_particles(std::span<const ParticleId> gone) {
   std::vector<bool> removed(impl_->ids.size(), false);
   for (ParticleId id : gone) {
     const auto at = std::lower_bound(impl_->ids.begin(), impl_->ids.end(), id);
@@ -143,11 +150,11 @@ void World::remove_particles(std::span<const ParticleId> gone) {
   if (gone.empty()) return;
   std::vector<bool> keep = removed;
   keep.flip();
-  impl_->engine->keep(keep);
+  impl_->engine->keep(keep);  // commits
   impl_->remove(removed);
 }
 
-void World::relax(int iterations) {
+void World::Calls::relax(int iterations) {
   check::value("relax's iterations", iterations, between(0, 100000));
   impl_->read_reactions();  // of the last step
   impl_->with_all().relax(world_tuning::relaxing_step, iterations);
@@ -157,7 +164,7 @@ void World::relax(int iterations) {
 
 // ---- time ----
 
-StepReport World::step(float dt) {
+StepReport World::Calls::step(float dt) {
   check::value("step's dt", dt, at_least(1e-12), "s");  // substeps of a shorter step may round to 0
   const auto start = std::chrono::steady_clock::now();
   impl_->plan_dripping();
@@ -172,6 +179,7 @@ StepReport World::step(float dt) {
                     impl_->name_particle(summary.first_bad_slot) +
                     "; the state is the one before the step. A shorter step or more substeps may help");
   }
+  impl_->monitor().commit();
   impl_->time += dt;
   impl_->last_substep = dt / static_cast<float>(done.result.substeps);
   impl_->touched_pieces = impl_->pieces;
@@ -198,7 +206,7 @@ StepReport World::step(float dt) {
   return report;
 }
 
-double World::time() const {
+double World::Calls::time() const {
   return impl_->time;
 }
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -64,24 +64,31 @@ void expect_motion(const BodyEntry& entry, BodyMotion motion, const char* call, 
 
 }  // namespace
 
-BodyId World::create_body(const BodyDef& def) {
+BodyId World::Calls::create_body(const BodyDef& def) {
   check::def(def);
+  impl_->bodies.prepare();
   const bool dynamic = def.motion == BodyMotion::dynamic;
-  SolidPieces solid =
-      make_solid(def.geometry, def.surface, def.filter, dynamic ? SolidRole::dynamic : SolidRole::kinematic,
-                 def.density, impl_->solid_context());
+  SolidPieces solid = [&] {
+    const pbd::CallMonitor::Cancellable undone_within(impl_->monitor());
+    return make_solid(def.geometry, def.surface, def.filter,
+                      dynamic ? SolidRole::dynamic : SolidRole::kinematic, def.density,
+                      impl_->solid_context());
+  }();
   BodyEntry entry;
+  std::string name = def.name;
   try {
     double volume = 0;
     for (const collision::PlacedMass& part : solid.masses) volume += part.body.mass / double{def.density};
     const collision::MassProperties mass = mass_of(def, solid);
-    const uint32_t number = impl_->rigid.add_body(rigid_def(def, solid, mass));
+    const uint32_t number = impl_->rigid.add_body(rigid_def(def, solid, mass));  // the last that can fail
     entry = make_entry(def, mass, volume, std::move(solid));
     entry.principal = impl_->rigid.mass(number).principal;
   } catch (...) {
     release_fields(solid, *impl_->engine);
     throw;
   }
+  entry.name = std::move(name);
+  entry.linear_damping = def.linear_damping;
   impl_->solids_changed();
   impl_->note_repairs(entry.solid);
   return impl_->bodies.insert(std::move(entry));
@@ -91,20 +98,22 @@ void World::Impl::note_repairs(const SolidPieces& solid) {
   mesh_repairs.insert(mesh_repairs.end(), solid.repairs.begin(), solid.repairs.end());
 }
 
-const std::vector<MeshRepair>& World::mesh_repairs() const {
+const std::vector<MeshRepair>& World::Calls::mesh_repairs() const {
   return impl_->mesh_repairs;
 }
 
-void World::destroy_body(BodyId id) {
+void World::Calls::destroy_body(BodyId id) {
   const SolidPieces& solid = impl_->bodies.get(id).solid;
   // Reads from the device come first, as they may fail.
-  impl_->drop_attachments_of(id);
-  impl_->drop_flow_of(id);
+  std::vector<uint32_t> gone;
+  gone.reserve(impl_->joints.size());
   impl_->forget_touches(true, id.index);
+  impl_->drop_attachments_of(id);
+  impl_->monitor().commit();
+  impl_->drop_flow_of(id);
   impl_->solids_changed();
   release_fields(solid, *impl_->engine);
   impl_->rigid.remove_body(id.index);
-  std::vector<uint32_t> gone;
   impl_->joints.for_each([&](uint32_t number, const JointDef&) {
     if (!impl_->rigid.has_joint(number)) gone.push_back(number);
   });
@@ -112,16 +121,17 @@ void World::destroy_body(BodyId id) {
   impl_->bodies.erase(id);
 }
 
-JointId World::create_joint(const JointDef& def) {
+JointId World::Calls::create_joint(const JointDef& def) {
   check::def(def);
   impl_->bodies.get(def.a);
   if (def.b) impl_->bodies.get(*def.b);
+  impl_->joints.prepare();
   impl_->rigid.add_joint(
       {def.a.index, def.b ? def.b->index : pbd::no_index, def.frame, def.kind, def.bodies_collide});
   return impl_->joints.insert(def);
 }
 
-void World::destroy_joint(JointId id) {
+void World::Calls::destroy_joint(JointId id) {
   impl_->joints.get(id);
   impl_->rigid.remove_joint(id.index);
   impl_->joints.erase(id);
@@ -129,7 +139,7 @@ void World::destroy_joint(JointId id) {
 
 // ---- state ----
 
-BodyState World::body_state(BodyId id) const {
+BodyState World::Calls::body_state(BodyId id) const {
   impl_->bodies.get(id);
   const collision::RigidWorld& rigid = impl_->rigid;
   const std::span<const collision::RigidImpulse> forces = impl_->engine->body_forces();
@@ -145,52 +155,53 @@ BodyState World::body_state(BodyId id) const {
           rigid.awake(id.index)};
 }
 
-BodyMass World::body_mass(BodyId id) const {
+BodyMass World::Calls::body_mass(BodyId id) const {
   return impl_->bodies.get(id).mass;
 }
 
-double World::hinge_angle(JointId id) const {
+double World::Calls::hinge_angle(JointId id) const {
   if (!std::holds_alternative<HingeJoint>(impl_->joints.get(id).kind))
     throw Error(ErrorCode::invalid_argument, "hinge_angle is for hinges alone");
   return impl_->rigid.hinge_angle(id.index);
 }
 
-void World::set_body_pose(BodyId id, const Pose& pose) {
+void World::Calls::set_body_pose(BodyId id, const Pose& pose) {
   impl_->bodies.get(id);
   check::value("set_body_pose's pose", pose);
+  impl_->monitor().commit();
   impl_->rigid.set_pose(id.index, pose);
   if (impl_->solids_are_on_device) impl_->engine->place_bodies();  // otherwise when they are uploaded
   impl_->state_changed();
 }
 
-void World::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
+void World::Calls::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "set_body_velocity", "dynamic");
   check::value("set_body_velocity's velocity", velocity);
   check::value("set_body_velocity's angular_velocity", angular_velocity);
   impl_->rigid.set_velocity(id.index, velocity, angular_velocity);
 }
 
-void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
+void World::Calls::apply_force(BodyId id, Vec3 force, Vec3 point) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_force", "dynamic");
   check::value("apply_force's force", force);
   check::value("apply_force's point", point);
   impl_->rigid.apply_force(id.index, force, point);
 }
 
-void World::apply_torque(BodyId id, Vec3 torque) {
+void World::Calls::apply_torque(BodyId id, Vec3 torque) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_torque", "dynamic");
   check::value("apply_torque's torque", torque);
   impl_->rigid.apply_torque(id.index, torque);
 }
 
-void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
+void World::Calls::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_impulse", "dynamic");
   check::impulse("apply_impulse's impulse", impulse, impl_->bodies.get(id).mass.mass);
   check::value("apply_impulse's point", point);
   impl_->rigid.apply_impulse(id.index, impulse, point);
 }
 
-void World::move_body(BodyId id, const Pose& target, float duration) {
+void World::Calls::move_body(BodyId id, const Pose& target, float duration) {
   expect_motion(impl_->bodies.get(id), BodyMotion::kinematic, "move_body", "kinematic");
   check::value("move_body's target", target);
   check::value("move_body's duration", duration, positive, "s");

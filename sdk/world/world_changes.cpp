@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -49,7 +49,7 @@ void expect_same(const char* name, const T& now, const T& wanted) {
 
 }  // namespace
 
-void World::set_def(const WorldDef& def) {
+void World::Calls::set_def(const WorldDef& def) {
   check::def(def);
   const WorldDef& now = impl_->def;
   expect_same("device", now.device, def.device);
@@ -64,14 +64,16 @@ void World::set_def(const WorldDef& def) {
   try {
     impl_->engine->set_solvers(impl_->engine_def());
   } catch (...) {
+    impl_->monitor().commit();
     impl_->def = before;
     impl_->engine->set_solvers(impl_->engine_def());
+    impl_->monitor().restored();
     throw;
   }
   impl_->rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});
 }
 
-void World::apply_impulses(std::span<const ParticleId> targets, std::span<const Vec3> impulses) {
+void World::Calls::apply_impulses(std::span<const ParticleId> targets, std::span<const Vec3> impulses) {
   check_impulses(targets.size(), impulses);
   std::vector<uint32_t> slots;
   std::vector<Vec3> pushes;
@@ -89,11 +91,13 @@ void World::apply_impulses(std::span<const ParticleId> targets, std::span<const 
   impl_->velocities.valid = false;
 }
 
-void World::apply_impulses(ClothId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
+void World::Calls::apply_impulses(ClothId id, std::span<const uint32_t> vertices,
+                                  std::span<const Vec3> impulses) {
   impl_->push_vertices(impl_->cloths.get(id).range, "cloth", vertices, impulses);
 }
 
-void World::apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
+void World::Calls::apply_impulses(RopeId id, std::span<const uint32_t> vertices,
+                                  std::span<const Vec3> impulses) {
   impl_->push_vertices(impl_->ropes.get(id).range, "rope", vertices, impulses);
 }
 
@@ -115,7 +119,7 @@ void World::Impl::push_vertices(const VertexRange& range, const char* kind,
   cloth_is_on_host = false;
 }
 
-void World::set_fluid(FluidId id, const FluidDef& def) {
+void World::Calls::set_fluid(FluidId id, const FluidDef& def) {
   const ParticleMaterial& now = impl_->fluids.get(id);
   if (now.grain.is_grain) throw Error(ErrorCode::invalid_argument, "set_fluid is for fluids alone");
   check::def(def);
@@ -128,14 +132,14 @@ void World::set_fluid(FluidId id, const FluidDef& def) {
     impl_->set_materials();
   } catch (...) {
     impl_->fluids.edit(id) = before;
-    impl_->set_materials();
+    impl_->materials_are_on_device = false;  // the next call that needs them uploads them
     throw;
   }
   impl_->state_changed();
 }
 
-std::vector<float> World::solid_distances(std::span<const Vec3> points, float reach,
-                                          const CollisionFilter& filter) const {
+std::vector<float> World::Calls::solid_distances(std::span<const Vec3> points, float reach,
+                                                 const CollisionFilter& filter) const {
   check::value("solid_distances's reach", reach, positive, "m");
   for (const Vec3 p : points) check::value("a point of solid_distances", p);
   if (points.empty()) return {};

@@ -6,9 +6,10 @@
 #include <meniscus/world.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -69,6 +70,7 @@ const VertexRange& World::Impl::range_of(const AttachmentDef& a) const {
 template <class Gone>
 void World::Impl::drop_attachments(const Gone& gone) {
   std::vector<AttachmentId> dropped;
+  dropped.reserve(attachments.size());
   attachments.for_each([&](uint32_t index, const AttachmentEntry& entry) {
     if (gone(entry.def)) dropped.push_back(attachments.id(index));
   });
@@ -81,14 +83,15 @@ void World::Impl::check_pieces() const {
   throw Error(ErrorCode::capacity, "a world has no room for more than 65536 pieces of cloth and ropes");
 }
 
-ClothId World::create_cloth(const ClothDef& def) {
+ClothId World::Calls::create_cloth(const ClothDef& def) {
   impl_->check_pieces();
   ClothEntry entry = make_cloth(def);
+  impl_->cloths.prepare();
   impl_->cloth_changed();
   return impl_->cloths.insert(std::move(entry));
 }
 
-void World::destroy_cloth(ClothId id) {
+void World::Calls::destroy_cloth(ClothId id) {
   impl_->cloths.get(id);
   impl_->cloth_changed();
   impl_->drop_attachments([&](const AttachmentDef& a) { return a.cloth == id || a.other_cloth == id; });
@@ -96,21 +99,21 @@ void World::destroy_cloth(ClothId id) {
   std::erase_if(impl_->tears, [&](const TearEvent& t) { return t.cloth == id; });
 }
 
-RopeId World::create_rope(const RopeDef& def) {
+RopeId World::Calls::create_rope(const RopeDef& def) {
   impl_->check_pieces();
   RopeEntry entry = make_rope(def);
   impl_->cloth_changed();
   return impl_->ropes.insert(std::move(entry));
 }
 
-void World::destroy_rope(RopeId id) {
+void World::Calls::destroy_rope(RopeId id) {
   impl_->ropes.get(id);
   impl_->cloth_changed();
   impl_->drop_attachments([&](const AttachmentDef& a) { return a.rope == id || a.other_rope == id; });
   impl_->ropes.erase(id);
 }
 
-AttachmentId World::create_attachment(const AttachmentDef& def) {
+AttachmentId World::Calls::create_attachment(const AttachmentDef& def) {
   check::def(def);
   impl_->fetch_cloth();
   AttachmentEntry entry;
@@ -142,27 +145,41 @@ AttachmentId World::create_attachment(const AttachmentDef& def) {
   return impl_->attachments.insert(std::move(entry));
 }
 
-void World::destroy_attachment(AttachmentId id) {
+void World::Calls::destroy_attachment(AttachmentId id) {
   impl_->attachments.get(id);
   impl_->cloth_changed();
   impl_->attachments.erase(id);
 }
 
-void World::set_wind(const WindDef& def) {
+void World::Calls::set_wind(const WindDef& def) {
   check::def(def);
   impl_->engine->set_wind(
       cloth::make_wind(def.velocity, def.air_density, def.gust_speed, def.gust_size, def.seed));
+  impl_->air_density = def.air_density;
 }
 
 void World::Impl::drop_attachments_of(BodyId body) {
-  bool any = false;
-  drop_attachments([&](const AttachmentDef& a) {
-    any |= a.body == body;
-    return a.body == body;
+  std::vector<AttachmentId> its;
+  attachments.for_each([&](uint32_t index, const AttachmentEntry& entry) {
+    if (entry.def.body == body) its.push_back(attachments.id(index));
   });
-  if (!any) return;
+  if (its.empty()) return;
   cloth_changed();
-  upload_cloth();  // now: no search for contacts may meet attachments to a removed body
+  std::vector<AttachmentEntry> before;
+  before.reserve(its.size());
+  for (const AttachmentId id : its) {
+    AttachmentEntry& entry = attachments.edit(id);
+    before.push_back(std::exchange(entry, {}));  // holds no vertex for now
+    entry.def.cloth = before.back().def.cloth;
+    entry.def.rope = before.back().def.rope;
+  }
+  try {
+    upload_cloth();  // now: no search for contacts may meet attachments to a removed body
+  } catch (...) {
+    for (size_t k = 0; k < its.size(); ++k) attachments.edit(its[k]) = std::move(before[k]);
+    throw;
+  }
+  for (const AttachmentId id : its) attachments.erase(id);
 }
 
 namespace {

@@ -10,7 +10,8 @@
 #include <sstream>
 
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/tuning.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -50,7 +51,7 @@ bool is_done(const EmitterEntry& e) {
 
 }  // namespace
 
-EmitterId World::create_emitter(const EmitterDef& def) {
+EmitterId World::Calls::create_emitter(const EmitterDef& def) {
   check::def(def);
   impl_->fluids.get(def.fluid);
   if (def.body) impl_->bodies.get(*def.body);
@@ -59,11 +60,11 @@ EmitterId World::create_emitter(const EmitterDef& def) {
   return impl_->emitters.insert({def, std::move(sites), clock, {}, {}, {}});
 }
 
-void World::destroy_emitter(EmitterId id) {
+void World::Calls::destroy_emitter(EmitterId id) {
   impl_->emitters.erase(id);
 }
 
-FlowCount World::emitter_count(EmitterId id) const {
+FlowCount World::Calls::emitter_count(EmitterId id) const {
   return impl_->emitters.get(id).count;
 }
 
@@ -84,6 +85,14 @@ void World::Impl::plan_emission(float dt) {
     return;
   }
   check_room(ids.size() + planned_drips, expected, busiest);
+  if (expected > world_tuning::most_arrivals) {
+    std::ostringstream why;
+    why.precision(4);
+    why << "the emitters would make " << expected << " particles in one step of " << dt
+        << " s, most of them \"" << busiest << "\"; a step makes at most "
+        << static_cast<uint64_t>(world_tuning::most_arrivals) << ". A shorter step makes fewer";
+    throw Error(ErrorCode::capacity, why.str());
+  }
   size_t due = 0;
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
     e.departures.clear();

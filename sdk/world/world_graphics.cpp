@@ -6,7 +6,7 @@
 #include <meniscus/world.h>
 
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -23,14 +23,14 @@ GlParticles::~GlParticles() = default;
 GlParticles::GlParticles(GlParticles&&) noexcept = default;
 GlParticles& GlParticles::operator=(GlParticles&&) noexcept = default;
 
-void World::write_particles(const ParticleArrays& arrays) const {
+void World::Calls::write_particles(const ParticleArrays& arrays) const {
   if (!arrays.ellipsoids) check::refuse("ParticleArrays::ellipsoids", "null", "an array on the device");
   if (!arrays.fluids) check::refuse("ParticleArrays::fluids", "null", "an array on the device");
   impl_->with_all().write_particles(arrays);
   impl_->engine->device().wait();
 }
 
-void World::write_particles(GlParticles& particles) const {
+void World::Calls::write_particles(GlParticles& particles) const {
   pbd::Device& device = impl_->engine->device();
   if (device.kind() != pbd::DeviceKind::cuda)
     check::refuse("World::device", device.name(),

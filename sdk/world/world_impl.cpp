@@ -75,14 +75,11 @@ World::Impl::Impl(const WorldDef& world_def)
 }
 
 FluidId World::Impl::create_material(const ParticleMaterial& material) {
-  const FluidId id = fluids.insert(material);
-  if (id.index > pbd::phase_group_mask) {
-    fluids.erase(id);
+  if (fluids.prepare() > pbd::phase_group_mask)
     throw Error(ErrorCode::capacity, "a world has no room for more than 65536 fluids");
-  }
-  materials_are_on_device = false;
   cloth_changed();  // this fluid may load it
-  return id;
+  materials_are_on_device = false;
+  return fluids.insert(material);
 }
 
 void World::Impl::set_materials() {
@@ -118,7 +115,9 @@ void World::Impl::add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec
 
 void World::Impl::append(const ParticleBatch& batch) {
   upload_materials();
-  engine->append(batch);
+  const size_t needed = ids.size() + batch.position.size();
+  if (needed > ids.capacity()) ids.reserve(std::max(needed, 2 * ids.size()));
+  engine->append(batch);  // commits
   for (size_t i = 0; i < batch.position.size(); ++i) ids.push_back(next_id++);
   state_changed();
 }

@@ -6,6 +6,7 @@
 
 #include <meniscus/world.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -38,21 +39,30 @@ struct CachedReadout {
 };
 
 struct ShapeEntry {
+  std::string name;
   Pose pose;
   SolidPieces solid;
+  std::optional<Vec3> inside;  ///< m, half extents, of a container
 };
 
 struct BodyEntry {
+  std::string name;
   BodyMotion motion = BodyMotion::dynamic;
   SolidPieces solid;
   Pose principal;  ///< the frame that the rigid world moves, in the geometry's frame
   BodyMass mass;
+  float linear_damping = 0;
 };
 
 struct World::Impl {
   explicit Impl(const WorldDef& world_def);
 
+  template <class Call>
+  decltype(auto) run(const Call& call);
+  pbd::CallMonitor& monitor() { return engine->device().monitor(); }
+
   EngineDef engine_def();
+  float air_density = 1.2f;  // kg/m³, of the wind
   void set_materials();
   void upload_materials();
   FluidId create_material(const ParticleMaterial& material);
@@ -68,7 +78,7 @@ struct World::Impl {
   /// removed solids.
   Engine& with_solids() { return upload_materials(), upload_solids(), *engine; }
   /// The engine with solids and cloth uploaded.
-  Engine& with_all() { return with_solids(), upload_probes(), upload_cloth(), *engine; }
+  Engine& with_all() { return with_solids(), upload_probes(), upload_sinks(), upload_cloth(), *engine; }
   SolidContext solid_context() { return {*engine, solid_meshes, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
@@ -79,7 +89,8 @@ struct World::Impl {
   Vec3 carried_velocity(BodyId body, Vec3 p, Quat turned) const;
   double held_steps(const EmitterEntry& emitter, const Departure& departure, float dt) const;
   void emit(float dt, StepReport& report);
-  void sinks_changed();
+  void sinks_changed() { sinks_are_on_device = false; }
+  void upload_sinks();
   uint32_t take_sinks();
   void drop_flow_of(BodyId body);
   void probes_changed() { probes_are_on_device = false; }
@@ -93,6 +104,10 @@ struct World::Impl {
   /// Removes points that are nearer than half a spacing to cloth with which the filter collides.
   void keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter);
   void cloth_changed();
+  void warn_of_overlaps(std::vector<std::string>& warnings);
+  void warn_of_places(std::vector<std::string>& warnings);
+  void warn_of_drag(std::vector<std::string>& warnings);
+  void warn_of_fields(std::vector<std::string>& warnings);
   void tear_cloth();
   void note_cloth_step(float dt);
   struct WetPiece;
@@ -121,6 +136,7 @@ struct World::Impl {
   collision::RigidWorld rigid;  // numbers its fixed solids and bodies as shapes and bodies
   fluid::Kernel kernel{};
   std::unique_ptr<Engine> engine;
+  bool lost = false;  // a call failed while it changed the world
   double time = 0;
   float last_substep = 0;
 
@@ -142,7 +158,7 @@ struct World::Impl {
   Emission emission;
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
   // Each creation that uploads all before it would make many of them quadratic. So the next use uploads.
-  bool materials_are_on_device = false, probes_are_on_device = false;
+  bool materials_are_on_device = false, probes_are_on_device = false, sinks_are_on_device = true;
   std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes
   std::vector<fluid::ProbeSum> probe_values;  // by the index of their ids
 

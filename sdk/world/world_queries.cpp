@@ -12,7 +12,7 @@
 
 #include "pbd/math/vec.h"
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -71,11 +71,11 @@ void World::Impl::forget_touches(bool is_body, uint32_t number) {
   std::erase_if(touches, [&](const RigidTouch& t) { return is_it(t.a) || is_it(t.b); });
 }
 
-const std::vector<ContactEvent>& World::contact_events() const {
+const std::vector<ContactEvent>& World::Calls::contact_events() const {
   return impl_->events;
 }
 
-std::vector<ParticleContact> World::particle_contacts() const {
+std::vector<ParticleContact> World::Calls::particle_contacts() const {
   std::vector<ParticleContact> contacts;
   for (const ContactReadout& c : impl_->engine->read_contacts()) {
     if (c.slot >= impl_->ids.size()) continue;
@@ -96,7 +96,7 @@ std::vector<ParticleContact> World::particle_contacts() const {
   return contacts;
 }
 
-std::vector<SolidContact> World::solid_contacts() const {
+std::vector<SolidContact> World::Calls::solid_contacts() const {
   std::vector<SolidContact> contacts;
   for (const collision::RigidContact& c : impl_->rigid.contacts()) {
     SolidContact contact{impl_->body_id(c.a.number), {}, {}, c.point, c.normal, c.distance, c.impulse};
@@ -109,7 +109,7 @@ std::vector<SolidContact> World::solid_contacts() const {
   return contacts;
 }
 
-std::optional<RayHit> World::cast_ray(Vec3 from, Vec3 to) const {
+std::optional<RayHit> World::Calls::cast_ray(Vec3 from, Vec3 to) const {
   check::value("cast_ray's from", from);
   check::value("cast_ray's to", to);
   const Vec3 ray = to - from;
@@ -138,7 +138,7 @@ std::optional<RayHit> World::cast_ray(Vec3 from, Vec3 to) const {
 namespace {
 
 template <class Inside>
-Overlaps overlaps(const World& world, const std::vector<RigidRef>& solids, const Inside& inside,
+Overlaps overlaps(const auto& world, const std::vector<RigidRef>& solids, const Inside& inside,
                   const auto& body_id, const auto& shape_id) {
   Overlaps found;
   for (const RigidRef& solid : solids) {
@@ -156,7 +156,7 @@ Overlaps overlaps(const World& world, const std::vector<RigidRef>& solids, const
 
 }  // namespace
 
-Overlaps World::overlap_ball(Vec3 centre, float radius) const {
+Overlaps World::Calls::overlap_ball(Vec3 centre, float radius) const {
   check::value("overlap_ball's centre", centre);
   check::value("overlap_ball's radius", radius, positive, "m");
   return overlaps(
@@ -166,7 +166,7 @@ Overlaps World::overlap_ball(Vec3 centre, float radius) const {
       [&](uint32_t number) { return impl_->shape_id(number); });
 }
 
-Overlaps World::overlap_box(const Pose& pose, Vec3 half_extents) const {
+Overlaps World::Calls::overlap_box(const Pose& pose, Vec3 half_extents) const {
   check::value("overlap_box's pose", pose);
   check::value("overlap_box's half_extents", half_extents, positive, "m");
   return overlaps(

@@ -9,31 +9,31 @@
 
 #include "pbd/math/hash.h"
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
-size_t World::particle_count() const {
+size_t World::Calls::particle_count() const {
   return impl_->ids.size();
 }
 
-std::span<const ParticleId> World::ids() const {
+std::span<const ParticleId> World::Calls::ids() const {
   return impl_->ids;
 }
 
-std::span<const Vec3> World::positions() const {
+std::span<const Vec3> World::Calls::positions() const {
   return impl_->positions.get(particle_count(), [&](auto out) { impl_->engine->read_positions(out); });
 }
 
-std::span<const Vec3> World::velocities() const {
+std::span<const Vec3> World::Calls::velocities() const {
   return impl_->velocities.get(particle_count(), [&](auto out) { impl_->engine->read_velocities(out); });
 }
 
-std::span<const uint32_t> World::fluids() const {
+std::span<const uint32_t> World::Calls::fluids() const {
   return impl_->fluid_indices.get(particle_count(), [&](auto out) { impl_->engine->read_fluids(out); });
 }
 
-std::span<const float> World::density_errors() const {
+std::span<const float> World::Calls::density_errors() const {
   return impl_->density_errors.get(particle_count(), [&](auto error) {
     impl_->full_support.valid = false;
     impl_->full_support.get(particle_count(), [&](auto full) {
@@ -42,21 +42,21 @@ std::span<const float> World::density_errors() const {
   });
 }
 
-std::span<const float> World::pressures() const {
+std::span<const float> World::Calls::pressures() const {
   return impl_->pressures.get(particle_count(),
                               [&](auto out) { impl_->engine->read_pressures(out, impl_->last_substep); });
 }
 
-std::span<const Ellipsoid> World::ellipsoids() const {
+std::span<const Ellipsoid> World::Calls::ellipsoids() const {
   return impl_->ellipsoids.get(particle_count(), [&](auto out) { impl_->with_all().read_ellipsoids(out); });
 }
 
-std::span<const DiffuseParticle> World::diffuse() const {
+std::span<const DiffuseParticle> World::Calls::diffuse() const {
   return impl_->diffuse.get(impl_->engine->diffuse_count(),
                             [&](auto out) { impl_->engine->read_diffuse(out); });
 }
 
-SurfaceMesh World::surface_mesh(const SurfaceMeshDef& def) const {
+SurfaceMesh World::Calls::surface_mesh(const SurfaceMeshDef& def) const {
   check::def(def);
   std::optional<uint32_t> group;
   if (def.fluid) {
@@ -72,7 +72,7 @@ SurfaceMesh World::surface_mesh(const SurfaceMeshDef& def) const {
   return impl_->with_all().read_surface(field, group);
 }
 
-Diagnostics World::diagnostics() const {
+Diagnostics World::Calls::diagnostics() const {
   Diagnostics d = impl_->with_all().measure(impl_->def.gravity);
   const std::span<const float> error = density_errors();
   const std::vector<float>& full = impl_->full_support.values;
@@ -93,7 +93,7 @@ Diagnostics World::diagnostics() const {
   return d;
 }
 
-double World::probe(ProbeId id) const {
+double World::Calls::probe(ProbeId id) const {
   const ProbeDef& def = impl_->probes.get(id);
   const fluid::ProbeSum& value = impl_->probe_values[id.index];
   if (def.kind == ProbeKind::point_pressure) return value.pressure;
@@ -101,7 +101,7 @@ double World::probe(ProbeId id) const {
   return def.kind == ProbeKind::wall_pressure ? force / def.area : force;
 }
 
-uint64_t World::state_hash() const {
+uint64_t World::Calls::state_hash() const {
   uint64_t sum = impl_->engine->hash_particles();
   // Each kind of element has numbers of its own, different from those of the particles.
   enum class Kind : uint64_t { cloth = 1, rope, body };
@@ -129,11 +129,11 @@ uint64_t World::state_hash() const {
   return sum;
 }
 
-size_t World::device_bytes() const {
+size_t World::Calls::device_bytes() const {
   return impl_->engine->device().memory().bytes;
 }
 
-std::vector<MemoryShare> World::memory_shares() const {
+std::vector<MemoryShare> World::Calls::memory_shares() const {
   std::vector<MemoryShare> shares;
   for (const auto& [what, bytes] : impl_->with_all().device().held()) {
     if (bytes > 0) shares.push_back({what, bytes});

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "sdk/world/check/check.h"
-#include "sdk/world/world_impl.h"
+#include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
@@ -33,29 +33,24 @@ struct FillRegion {
 
 }  // namespace
 
-SinkId World::create_sink(const SinkDef& def) {
+SinkId World::Calls::create_sink(const SinkDef& def) {
   check::def(def);
   if (def.body) impl_->bodies.get(*def.body);
-  const SinkId id = impl_->sinks.insert({def, {}});
-  try {
-    impl_->sinks_changed();
-  } catch (...) {
-    impl_->sinks.erase(id);
-    throw;
-  }
-  return id;
+  impl_->sinks_changed();
+  return impl_->sinks.insert({def, {}});
 }
 
-void World::destroy_sink(SinkId id) {
+void World::Calls::destroy_sink(SinkId id) {
   impl_->sinks.erase(id);
   impl_->sinks_changed();
 }
 
-FlowCount World::sink_count(SinkId id) const {
+FlowCount World::Calls::sink_count(SinkId id) const {
   return impl_->sinks.get(id).count;
 }
 
-void World::Impl::sinks_changed() {
+void World::Impl::upload_sinks() {
+  if (sinks_are_on_device) return;
   std::vector<Sink> all;
   sinks_are_carried = false;
   sinks.for_each([&](uint32_t, const SinkEntry& entry) {
@@ -69,11 +64,15 @@ void World::Impl::sinks_changed() {
   });
   engine->set_sinks(all);
   taken.resize(all.size());
+  sinks_are_on_device = true;
 }
 
 /// Removes the particles that the sinks take at the end of a step. Returns their number.
 uint32_t World::Impl::take_sinks() {
-  if (sinks_are_carried) sinks_changed();
+  if (sinks_are_carried) {
+    sinks_changed();
+    upload_sinks();
+  }
   std::fill(taken.begin(), taken.end(), 0u);
   const std::vector<bool> removed = engine->take_sinks(taken);
   if (!removed.empty()) remove(removed);

@@ -181,7 +181,7 @@ void CpuDevice::radix_pass(View<const uint32_t> keys, View<uint32_t> keys_out, V
   const uint32_t digits = 1u << digit_bits;
   const auto digit_of = [=](uint32_t key) { return (key >> shift) & (digits - 1); };
   const auto for_each_block = [&](const auto& visit) {
-    parallel_loop(arena_, blocks, 1, [&](uint32_t begin, uint32_t end) {
+    loop(blocks, 1, [&](uint32_t begin, uint32_t end) {
       for (uint32_t b = begin; b < end; ++b) visit(b);
     });
   };

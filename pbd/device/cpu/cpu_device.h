@@ -53,7 +53,7 @@ class CpuDevice final : public Device {
       for (uint32_t i = 0; i < count; ++i) kernel(i);
       return;
     }
-    parallel_loop(arena_, count, grain, [&](uint32_t begin, uint32_t end) {
+    loop(count, grain, [&](uint32_t begin, uint32_t end) {
       for (uint32_t i = begin; i < end; ++i) kernel(i);
     });
   }
@@ -72,7 +72,7 @@ class CpuDevice final : public Device {
   void parallel_for_long(const char* /*name*/, uint32_t count, const Kernel& kernel) {
     void (*const run)(const Kernel&, uint32_t, uint32_t) = choose_run<Kernel>();
     if (count <= grain) return run(kernel, 0, count);
-    parallel_loop(arena_, count, grain, [&](uint32_t begin, uint32_t end) { run(kernel, begin, end); });
+    loop(count, grain, [&](uint32_t begin, uint32_t end) { run(kernel, begin, end); });
   }
 
   /// For kernels whose threads process as many items side by side as they have lanes: calls
@@ -80,10 +80,10 @@ class CpuDevice final : public Device {
   template <class Kernel>
   void parallel_for_lanes(const char* /*name*/, uint32_t count, const Kernel& kernel) {
     const ByLanes<Kernel> by_lanes{kernel, count};
-    parallel_loop(arena_, (count + lane_count - 1) / lane_count, grain / lane_count,
-                  [&, all = choose_run<ByLanes<Kernel>>()](uint32_t begin, uint32_t end) {
-                    all(by_lanes, begin, end);
-                  });
+    loop((count + lane_count - 1) / lane_count, grain / lane_count,
+         [&, all = choose_run<ByLanes<Kernel>>()](uint32_t begin, uint32_t end) {
+           all(by_lanes, begin, end);
+         });
   }
 
   /// Runs kernel(group, scratch, n) for each n below count, each by a group of threads that share a scratch
@@ -152,6 +152,19 @@ class CpuDevice final : public Device {
   static constexpr uint32_t grain = 128;
   static constexpr uint32_t segment = 1024;
 
+  /// Calls body(begin, end) for all of [0, count). It ends early if the call is cancelled.
+  template <class Body>
+  void loop(uint32_t count, uint32_t piece, const Body& body) {
+    const CallMonitor& watched = monitor();
+    parallel_loop(arena_, count, piece, [&](uint32_t begin, uint32_t end) {
+      for (uint32_t next; begin < end && !watched.stops(); begin = next) {
+        next = end - begin > piece ? begin + piece : end;
+        body(begin, next);
+      }
+    });
+    monitor().poll();
+  }
+
   void* do_allocate(size_t bytes) override;
   void do_release(void* memory) noexcept override;
   void* do_allocate_shared(size_t bytes) override { return do_allocate(bytes); }
@@ -209,8 +222,7 @@ class CpuDevice final : public Device {
 
   template <class Run>
   void run_in_one_thread(const Run& run, uint32_t count) {
-    parallel_loop(arena_, count, 1,
-                  [&, all = choose_run<Run>()](uint32_t begin, uint32_t end) { all(run, begin, end); });
+    loop(count, 1, [&, all = choose_run<Run>()](uint32_t begin, uint32_t end) { all(run, begin, end); });
   }
 
   // All functions that the kernel calls are inlined, as only run_wide itself is compiled for AVX2.

@@ -4,20 +4,26 @@
 // Installs and restores the handlers of SIGINT and SIGTERM.
 #include "sdk/cli/commands/interrupt.h"
 
+#include <atomic>
+
 namespace meniscus::cli {
 namespace {
 
-// A signal handler can only reach a global variable; this is the only one of the program.
+// A signal handler can only reach global variables; these are the only ones of the program.
 volatile std::sig_atomic_t flag = 0;
+std::atomic<World*> stepped = nullptr;
+static_assert(std::atomic<World*>::is_always_lock_free);
 
 extern "C" void raise_flag(int) {
   flag = 1;
+  if (World* world = stepped.load()) world->cancel();
 }
 
 }  // namespace
 
-Interrupt::Interrupt() {
+Interrupt::Interrupt(World& world) {
   flag = 0;
+  stepped = &world;
   struct sigaction action {};
   action.sa_handler = raise_flag;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
@@ -28,6 +34,7 @@ Interrupt::Interrupt() {
 Interrupt::~Interrupt() {
   sigaction(SIGINT, &old_int_, nullptr);
   sigaction(SIGTERM, &old_term_, nullptr);
+  stepped = nullptr;
 }
 
 bool Interrupt::raised() const {

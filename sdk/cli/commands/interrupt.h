@@ -4,15 +4,18 @@
 // Turns SIGINT and SIGTERM into a flag that a run can poll.
 #pragma once
 
+#include <meniscus/world.h>
+
 #include <csignal>
 
 namespace meniscus::cli {
 
-/// While an object of this class exists, the first SIGINT or SIGTERM only sets a flag, so that a loop can end
-/// in good order. The second ends the program at once. Only one may exist at a time.
+/// While an object of this class exists, the first SIGINT or SIGTERM sets a flag and cancels the world's long
+/// call, so that a loop can end in good order. The second ends the program at once. Only one may exist at a
+/// time.
 class Interrupt {
  public:
-  Interrupt();
+  explicit Interrupt(World& world);
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;

@@ -4,6 +4,7 @@
 // Implements `meniscus run`: steps a scene and writes its frames, pictures and figures.
 #include "sdk/cli/commands/run.h"
 
+#include <meniscus/error.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -67,7 +68,7 @@ class Run {
 
   /// From here on an error ends the run but not the program: the results so far are still written.
   void step_through(bool quiet) {
-    const Interrupt interrupt;
+    const Interrupt interrupt(built_.world);
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
     try {
@@ -81,6 +82,8 @@ class Run {
         progress.show(frame, now.step.ms,
                       fluid ? std::optional(now.diagnostics.density_error_mean) : std::nullopt);
       }
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::cancelled) end_.error = error.what();
     } catch (const std::exception& error) {
       end_.error = error.what();
     }

@@ -26,6 +26,7 @@ void warn_of_oddities(const BuiltScene& built) {
       built.ropes.empty() && built.emitters.empty()) {
     spdlog::warn("the scene has no particles, emitters, bodies, cloth or ropes: nothing will happen");
   }
+  for (const std::string& warning : built.world.warnings()) spdlog::warn("{}", warning);
 }
 
 }  // namespace meniscus::cli

@@ -8,8 +8,8 @@
 
 namespace meniscus::cli {
 
-/// Warns of what a scene probably does not intend: a volume without particles, or nothing that can move. Says
-/// which meshes were repaired, and how well.
+/// Warns of what a scene probably does not intend: a volume without particles, nothing that can move, and
+/// what World::warnings() finds. Says which meshes were repaired, and how well.
 void warn_of_oddities(const BuiltScene& built);
 
 }  // namespace meniscus::cli

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "pbd/host_memory.h"
 #include "sdk/io/obj.h"
 #include "sdk/io/ply.h"
 #include "sdk/io/vtp.h"
@@ -46,6 +47,10 @@ FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std
 }
 
 void FrameExporter::write(const FrameSample& sample) {
+  pbd::with_host_memory([&] { write_all(sample); });
+}
+
+void FrameExporter::write_all(const FrameSample& sample) {
   const double time = sample.particles.time;
   if (particles_) write_files("frame", sample.frame, sample.particles, particle_collection_);
   if (diffuse_) write_files("diffuse", sample.frame, sample.diffuse, diffuse_collection_);

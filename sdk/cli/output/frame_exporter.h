@@ -27,10 +27,11 @@ class FrameExporter {
   FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats, bool surface,
                 const Scene& scene);
 
-  /// Throws Error(io).
+  /// Throws Error(io) and Error(out_of_memory).
   void write(const FrameSample& sample);
 
  private:
+  void write_all(const FrameSample& sample);
   /// Writes one kind of frame in all formats.
   template <class Frame>
   void write_files(const char* prefix, int frame, const Frame& contents,

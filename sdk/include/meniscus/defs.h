@@ -230,7 +230,7 @@ struct CylinderGeometry {
 struct MeshGeometry {
   std::string file;
   float scale = 1.0f;      ///< metres a file unit; a factor if the file states its unit, as FBX does
-  float cell_size = 0.0f;  ///< of the field, m; 0: half of the particle spacing
+  float cell_size = 0.0f;  ///< of the field, m; 0: half a particle_spacing, wider around large meshes
   float max_error = 0.0f;  ///< m; if > 0, the field is refined until its error is no larger
   /// Rebuilds the surface where the mesh has open edges, edges of more than two faces, or faces that cross.
   /// World::mesh_repairs says how well both agree.

@@ -19,6 +19,8 @@ enum class ErrorCode {
   non_finite,  ///< the step met NaN, infinity or more than 1.7·10¹⁹ m/s; the state before it is restored
   device,      ///< CUDA or the driver failed, or the requested device does not exist
   out_of_memory,
+  cancelled,  ///< the call was cancelled by World::cancel
+  lost,       ///< an earlier call ran out of memory while the world changed: nothing of it can be used
 };
 
 /// Every failing call of the library throws this. The message names the argument, its value and the allowed

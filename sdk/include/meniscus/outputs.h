@@ -40,6 +40,12 @@ struct MeshRepair {
   std::size_t crossings = 0;   ///< of the file, pairs of faces that cross
 };
 
+/// How far a long call is: see World::set_progress.
+struct Progress {
+  const char* what = "";  ///< the task, as in "step"
+  double fraction = 0;    ///< of it, that is done
+};
+
 /// The surface of a fluid, closed: each edge belongs to two triangles.
 struct SurfaceMesh {
   std::vector<Vec3> vertices;                      ///< m

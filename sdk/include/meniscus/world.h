@@ -13,6 +13,7 @@
 #include <meniscus/outputs.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,6 +27,10 @@ class GlParticles;
 /// One simulated world on one device. Worlds share nothing. Only one thread may use a world at a time. Every
 /// call may throw Error and has then changed nothing. Without memory for the tables of shapes, bodies or
 /// cloth, the next call that needs them throws, until some are destroyed.
+///
+/// Missing memory is Error(out_of_memory), on the host as on the device. In few places it can run out while
+/// the world already changes. The message then says that the world is lost, and each later call but the
+/// destructor throws Error(lost).
 class World {
  public:
   explicit World(const WorldDef& def = {});
@@ -103,6 +108,18 @@ class World {
   /// and emitters make them. On Error(non_finite) the state is that before the call.
   StepReport step(float dt);
   double time() const;  ///< s
+  /// Ends the long call that runs, or else the next one. It throws Error(cancelled) within about a second,
+  /// and nothing has changed. But relax() keeps the iterations that are done. Any thread may call this, and
+  /// signal handlers. Long calls are step, relax, diagnostics, read-outs that search neighbours, and calls
+  /// that fit a field to a mesh. On a GPU they end between substeps.
+  void cancel() noexcept;
+  /// `report` is called by long calls, at most ten times a second, on the thread of the call. It must use no
+  /// call of this world but cancel().
+  void set_progress(std::function<void(const Progress&)> report);
+  /// What a user probably does not intend, one sentence each, as the world stands now: overlaps, cloth and
+  /// bodies outside of a container, drag on what falls, fields with many cells, and places too far from the
+  /// origin for the precision of floats.
+  std::vector<std::string> warnings() const;
 
   // Bodies. Values that are set count from the next step on. Forces act for that step alone, or for the next
   // one if it fails. Impulses act at once. Points are in the world's frame. A call on a body of the wrong
@@ -210,6 +227,9 @@ class World {
 
  private:
   struct Impl;
+  struct Calls;
+  static std::unique_ptr<Impl> make(const WorldDef& def);
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -24,6 +24,14 @@ class IdTable {
   /// Generations count from `first_generation` on, and stay below the next world's (see WorldNumber).
   IdTable(const char* what, uint32_t first_generation) : what_(what), first_generation_(first_generation) {}
 
+  /// Takes the memory that the next insert() needs, which then cannot fail. Returns the index that it takes.
+  uint32_t prepare() {
+    if (entries_.size() == entries_.capacity()) entries_.reserve(2 * entries_.size() + 1);
+    while (first_free_ < entries_.size() && (entries_[first_free_].value || is_used_up(first_free_)))
+      ++first_free_;
+    return first_free_;
+  }
+
   IdType insert(T value) {
     uint32_t index = first_free_;
     while (index < entries_.size() && (entries_[index].value || is_used_up(index))) ++index;

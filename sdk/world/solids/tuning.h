@@ -24,4 +24,8 @@ inline constexpr float field_cell = 0.5f;
 /// Test: BodyRepairTest.AnOpenMeshFallsAsTheClosedOne.
 inline constexpr float repair_cells = 32;
 
+/// Nodes of the field of a mesh that is given no size, about, at most. Sharp edges are rounded by about half
+/// a cell. Test: CancelTest.TheFieldOfALargeHullIsBounded.
+inline constexpr double most_field_nodes = 1u << 21;
+
 }  // namespace meniscus::solids_tuning

@@ -66,8 +66,10 @@ class SolidBuilder {
   }
   void operator()(const MeshGeometry& g) {
     const bool falls = role_ == SolidRole::dynamic;
-    const float cell_size = g.cell_size > 0 ? g.cell_size : solids_tuning::field_cell * context_.spacing;
-    SolidMesh solid = context_.meshes.load(g, cell_size, falls);
+    const bool is_given = g.cell_size > 0;
+    SolidMesh solid =
+        context_.meshes.load(g, is_given ? g.cell_size : solids_tuning::field_cell * context_.spacing, falls);
+    const float cell_size = is_given ? g.cell_size : cell_for(collision::bounds(*solid.mesh));
     weigh([&](double d) {
       return collision::mesh_mass(*solid.mesh, d);
     });  // may throw, so it comes before a field is made
@@ -78,7 +80,7 @@ class SolidBuilder {
   }
   void operator()(const HullGeometry& g) {
     const auto mesh = std::make_shared<const TriangleMesh>(collision::hull_mesh(g.points));
-    const float cell_size = solids_tuning::field_cell * context_.spacing;
+    const float cell_size = cell_for(collision::bounds(*mesh));
     collision::lattice_around(collision::bounds(*mesh), cell_size, context_.reach,
                               "half of WorldDef::particle_spacing");  // a field's, which may be too large
     add_field(*mesh, cell_size, 0);
@@ -119,6 +121,14 @@ class SolidBuilder {
   }
 
  private:
+  /// Half a spacing, or wider cells around a large mesh, so that its field has a bounded number of nodes.
+  float cell_for(const Aabb& box) const {
+    const Vec3 size = box.upper - box.lower + 2 * Vec3{context_.reach, context_.reach, context_.reach};
+    const double volume = double{size.x} * size.y * size.z;
+    return std::max(solids_tuning::field_cell * context_.spacing,
+                    static_cast<float>(std::cbrt(volume / solids_tuning::most_field_nodes)));
+  }
+
   SolidPieces::Piece new_piece(ShapeKind kind, Vec3 size) const {
     SolidPieces::Piece piece;
     piece.shape.kind = kind;

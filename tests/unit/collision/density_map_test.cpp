@@ -186,6 +186,20 @@ TEST(DensityMap, AClosedHoleIsAFace) {
   EXPECT_EQ(sample_density(sdf.view(), {0, y + 1.5f * h, 0}).density, 0);
 }
 
+TEST(DensityMap, WithFewerSamplesItIsOffByLittle) {
+  pbd::CpuDevice device;
+  const Aabb box{offset - Vec3{0.25f, 0.25f, 0.25f}, offset + Vec3{0.25f, 0.25f, 0.25f}};
+  const auto exact = [&](Vec3 p) { return box_density(box, p); };
+  const DeviceTriangleBvh tree(device, TriangleBvh(box_mesh(box.lower, box.upper)));
+  Sdf sdf = build_sdf(device, tree, h / 4, h);
+  build_density_map(device, tree, sdf, h, sdf.nodes().count());  // one for each node
+  const double face = largest_error(sdf, {box.upper.x, offset.y, offset.z}, {1, 0, 0}, exact);
+  const double edge =
+      largest_error(sdf, {box.upper.x, box.upper.y, offset.z}, {diagonal, diagonal, 0}, exact);
+  EXPECT_LT(face, 0.003);
+  EXPECT_LT(edge, 0.015);
+}
+
 TEST(DensityMap, BeyondTheGridThereIsNothing) {
   pbd::CpuDevice device;
   const Sdf sdf = build(device, box_mesh({-0.2f, -0.2f, -0.2f}, {0.2f, 0.2f, 0.2f}), h / 4);

@@ -56,6 +56,23 @@ TEST_P(CreationTest, ManyProbesAreMadeInLinearTime) {
   EXPECT_NO_THROW(world_.probe(last));
 }
 
+TEST_P(CreationTest, ManySinksAreMadeAndDestroyedInLinearTime) {
+  const SinkDef def{"", BoxRegion{{8, 8, 8}, {9, 9, 9}}, false, {}, {}};
+  std::vector<SinkId> all;
+  EXPECT_LT(seconds_of([&] {
+              for (int i = 0; i < many; ++i) all.push_back(world_.create_sink(def));
+            }),
+            5);
+  EXPECT_LT(seconds_of([&] {
+              for (const SinkId id : all) world_.destroy_sink(id);
+            }),
+            5);
+  const SinkId everywhere = world_.create_sink({"", BoxRegion{{-9, -9, -9}, {9, 9, 9}}, false, {}, {}});
+  world_.add_particles(world_.create_fluid({}), std::vector<Vec3>{{0, 1, 0}});
+  world_.step(0.001f);
+  EXPECT_EQ(world_.sink_count(everywhere).total, 1u);
+}
+
 MENISCUS_ON_EACH_DEVICE(CreationTest);
 
 }  // namespace

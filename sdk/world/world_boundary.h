@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The boundary of World. Every public call passes Impl::run, where failures for lack of memory become errors.
+#pragma once
+
+#include <meniscus/error.h>
+
+#include <new>
+
+#include "pbd/host_memory.h"
+#include "sdk/world/world_calls.h"
+
+namespace meniscus {
+
+namespace world_errors {
+
+// Made when the program starts, since there may be no memory for them later. Their copies take none.
+
+inline const Error lost_now(
+    ErrorCode::out_of_memory,
+    "memory ran out on the host while the world changed; the world is lost, and only its "
+    "destruction is possible");
+inline const Error lost_before(
+    ErrorCode::lost, "the world was lost when an earlier call failed; only its destruction is possible");
+
+}  // namespace world_errors
+
+/// Runs a call. An exception leaves the world as it was, or lost.
+template <class Call>
+decltype(auto) World::Impl::run(const Call& call) {
+  if (lost) throw Error(world_errors::lost_before);
+  pbd::CallMonitor& monitor = engine->device().monitor();
+  struct Running {
+    explicit Running(pbd::CallMonitor& begun) : monitor(begun) { monitor.begin(); }
+    ~Running() { monitor.end(); }
+    pbd::CallMonitor& monitor;
+  } const running(monitor);
+  try {
+    return call(Calls{this});
+  } catch (const pbd::StateLost&) {
+    lost = true;
+    throw Error(world_errors::lost_now);
+  } catch (const std::bad_alloc&) {
+    lost = monitor.committed() || rigid.is_broken();
+    throw Error(lost ? world_errors::lost_now : pbd::no_host_memory);
+  } catch (...) {
+    lost = monitor.committed() || rigid.is_broken();
+    throw;
+  }
+}
+
+}  // namespace meniscus
