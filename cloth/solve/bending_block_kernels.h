@@ -4,7 +4,7 @@
 // The kernels that solve isometric bending as one block (bending_solver.h), by Chebyshev's semi-iteration.
 #pragma once
 
-#include "cloth/build/bending_matrix.h"
+#include "cloth/solve/bending_matrix.h"
 #include "cloth/solve/tuning.h"
 #include "cloth/solve/vertex_state.h"
 

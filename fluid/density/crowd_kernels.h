@@ -161,7 +161,7 @@ struct Part {
     const bool any_coincident = sum(coincident) > 0;
     if (!D::leads()) return;
     if (any_coincident) total += push_of_coincident(i, self, own);
-    // What is not pushed keeps its bits. On a GPU, `outside` rounds in two ways.
+    // What is not pushed keeps its bits, whichever way a device rounds in `outside`.
     const bool is_pushed = dot(total, total) > 0;
     const Vec3 x = self.xyz() + (self.w * kernel.peak_slope) * total;
     next_position[i] = is_pushed ? pbd::with_w(outside(i, x), self.w) : self;

@@ -4,9 +4,9 @@
 // Tests of the bending constraints that are built from a mesh.
 #include <gtest/gtest.h>
 
-#include "cloth/build/bending_matrix.h"
 #include "cloth/build/build_constraints.h"
 #include "cloth/solve/bending_kernels.h"
+#include "cloth/solve/bending_matrix.h"
 #include "tests/unit/cloth/cloth_shapes.h"
 
 namespace meniscus::cloth {

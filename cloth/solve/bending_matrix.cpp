@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Assembles the matrix of isometric bending.
-#include "cloth/build/bending_matrix.h"
+#include "cloth/solve/bending_matrix.h"
 
 #include <algorithm>
 #include <array>
