@@ -33,10 +33,11 @@ class Crowd {
     left_.host()[0] = 0;
   }
 
-  /// Call it when particles were placed.
-  void note_placed() {
+  /// Call it when particles were placed. Only those start a crowd, so that others do not notice.
+  void note_placed(uint32_t first, uint32_t count) {
     if (!watching_) make_room();
     placed_ = watching_ = true;
+    device_.parallel_for("crowd/placed", count, crowd_kernels::MarkPlaced{first, member_.current.view()});
   }
 
   // As in ParticleState.
@@ -86,8 +87,8 @@ class Crowd {
       device_.parallel_for_long(
           "crowd/survey", fluid,
           Survey{kernel, near, crowd_tuning::momentum, crowd_tuning::relaxation,
-                 limit / static_cast<float>(rounds), placed_, position_.view(), p.phase, substep.neighbours,
-                 contacts, in_crowd_.view(), next_in_crowd_.view(), member_.current.view(), parting_.view()});
+                 limit / static_cast<float>(rounds), position_.view(), p.phase, substep.neighbours, contacts,
+                 in_crowd_.view(), next_in_crowd_.view(), member_.current.view(), parting_.view()});
       in_crowd_.swap(next_in_crowd_);
       device_.parallel_for_long("crowd/part", fluid,
                                 Part{kernel, position_.view(), parting_.view(), p.number, substep.neighbours,

@@ -32,8 +32,18 @@ MENISCUS_HD inline Parting unpacked(const Vec4& v) {
 
 /// What a particle of the crowd keeps from one substep to the next.
 struct alignas(8) Member {
-  float kept;        ///< the part of C that it may keep, above 0; 0 outside of the crowd
+  float kept;  ///< the part of C that it may keep, above 0; 0 outside of the crowd; below 0: just placed
   float multiplier;  ///< kg·m², of the last round
+
+  MENISCUS_HD static Member just_placed() { return {-1, 0}; }
+  MENISCUS_HD bool is_just_placed() const { return kept < 0; }
+};
+
+struct MarkPlaced {
+  uint32_t first;
+  View<Member> member;
+
+  MENISCUS_HD void operator()(uint32_t k) const { member[first + k] = Member::just_placed(); }
 };
 
 struct Begin {
@@ -59,9 +69,10 @@ struct Error {
   bool is_beside;  ///< whether any neighbour belongs to the crowd
 
   MENISCUS_HD float value() const { return pbd::max(constraint.value, nearness); }
-  MENISCUS_HD bool joins(bool placed) const {
-    return is_beside ? value() > crowd_tuning::joins
-                     : placed && (constraint.value > crowd_tuning::dense || nearness > crowd_tuning::near);
+  MENISCUS_HD bool joins(bool is_just_placed) const {
+    return is_beside
+               ? value() > crowd_tuning::joins
+               : is_just_placed && (constraint.value > crowd_tuning::dense || nearness > crowd_tuning::near);
   }
 };
 
@@ -90,7 +101,6 @@ struct Survey {
   float near;  ///< m
   float momentum, step;
   float limit;  ///< m
-  bool placed;  ///< particles were placed since the last substep
   View<const Vec4> position;
   View<const pbd::Phase> phase;
   NeighbourView neighbours;
@@ -104,7 +114,8 @@ struct Survey {
   MENISCUS_HD void run(uint32_t i) const {
     const Error error = error_at<D>(kernel, near, position, in_crowd, neighbours, contacts, i);
     if (!D::leads()) return;
-    const bool is_in = !pbd::is_grain(phase[i]) && (in_crowd[i] > 0 || error.joins(placed));
+    const bool is_in =
+        !pbd::is_grain(phase[i]) && (in_crowd[i] > 0 || error.joins(member[i].is_just_placed()));
     const float denominator = pbd::max(error.constraint.denominator, 1e-30f);
     const float bound = limit / pbd::max(position[i].w * kernel.peak_slope * error.slope, 1e-30f);
     const float multiplier = is_in && error.value() > 0

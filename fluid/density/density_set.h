@@ -75,7 +75,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   }
 
   /// Call it when particles were placed by hand: they may be too dense.
-  void note_placed();
+  void note_placed(uint32_t first, uint32_t count);
 
   void reserve(uint32_t capacity, uint32_t kept) override;
   void clear(uint32_t first, uint32_t count) override;

@@ -49,8 +49,8 @@ template <class D>
 DensitySet<D>::~DensitySet() = default;
 
 template <class D>
-void DensitySet<D>::note_placed() {
-  crowd_->note_placed();
+void DensitySet<D>::note_placed(uint32_t first, uint32_t count) {
+  crowd_->note_placed(first, count);
 }
 
 template <class D>

@@ -91,7 +91,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   for (pbd::Phase phase : batch.phase) jets_.hold_for(pbd::held_steps(phase));
   any_overlapping_ |= batch.by_hand;
   solver_.particles_changed(first, added);
-  if (batch.may_crowd) density_.note_placed();
+  if (batch.may_crowd) density_.note_placed(first, added);
 }
 
 template <class D>
