@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "collision/mesh/hull.h"
-#include "collision/mesh/lattice.h"
 #include "sdk/world/solids/container_walls.h"
 #include "sdk/world/solids/tuning.h"
 
@@ -81,8 +80,6 @@ class SolidBuilder {
   void operator()(const HullGeometry& g) {
     const auto mesh = std::make_shared<const TriangleMesh>(collision::hull_mesh(g.points));
     const float cell_size = cell_for(collision::bounds(*mesh));
-    collision::lattice_around(collision::bounds(*mesh), cell_size, context_.reach,
-                              "half of WorldDef::particle_spacing");  // a field's, which may be too large
     add_field(*mesh, cell_size, 0);
     add_part(mesh, RigidPart::Kind::hull);
     weigh([&](double d) { return collision::mesh_mass(*mesh, d); });

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 
+#include <meniscus/world.h>
 #include "sdk/cli/commands/interrupt.h"
 #include "tests/unit/sdk/cli/program_fixture.h"
 
@@ -345,7 +346,8 @@ TEST_F(ProgramTest, FailureInTheMiddleKeepsWhatWasDone) {
 
 TEST(InterruptTest, ASignalRaisesTheFlagAndNothingElse) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Interrupt interrupt;
+    World world{WorldDef{}};
+    const Interrupt interrupt(world);
     EXPECT_FALSE(interrupt.raised());
     std::raise(signal);
     EXPECT_TRUE(interrupt.raised());
@@ -355,7 +357,8 @@ TEST(InterruptTest, ASignalRaisesTheFlagAndNothingElse) {
 TEST(InterruptTest, TheSecondSignalEnds) {
   EXPECT_EXIT(
       {
-        const Interrupt interrupt;
+        World world{WorldDef{}};
+        const Interrupt interrupt(world);
         std::raise(SIGINT);
         std::raise(SIGINT);
       },
