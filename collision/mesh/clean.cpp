@@ -139,6 +139,17 @@ TriangleMesh compact(const std::vector<Vec3>& vertices, std::vector<Corners> tri
   return result;
 }
 
+// Places whose vertices were merged into another one's. Files that repeat a vertex for each face have none.
+size_t count_merged(const std::vector<Vec3>& vertices, const std::vector<uint32_t>& kept) {
+  std::vector<std::array<float, 3>> merged;
+  for (uint32_t i = 0; i < kept.size(); ++i) {
+    const Vec3 p = vertices[i];
+    if (squared(difference(vertices[kept[i]], p)) > 0) merged.push_back({p.x, p.y, p.z});
+  }
+  std::sort(merged.begin(), merged.end());
+  return static_cast<size_t>(std::unique(merged.begin(), merged.end()) - merged.begin());
+}
+
 }  // namespace
 
 CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh) {
@@ -160,7 +171,7 @@ CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh) {
     triangles.push_back(welded[i]);
     result.sources.push_back(sources[i]);
   }
-  for (uint32_t i = 0; i < kept.size(); ++i) result.welded += kept[i] != i;
+  result.welded = count_merged(mesh.vertices, kept);
   result.dropped = mesh.triangles.size() - triangles.size();
   result.mesh = compact(mesh.vertices, std::move(triangles));
   return result;

@@ -16,7 +16,7 @@ TriangleMesh clean_mesh(const TriangleMesh& mesh);
 struct CleanedMesh {
   TriangleMesh mesh;
   std::vector<uint32_t> sources;  ///< by triangle: its number in the original mesh
-  size_t welded = 0;              ///< vertices that were merged into others
+  size_t welded = 0;              ///< places of vertices that were merged into those of others
   size_t dropped = 0;             ///< triangles without area, or repeated
 };
 CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh);

@@ -13,7 +13,7 @@ namespace meniscus::collision {
 struct MeshReport {
   Aabb box{};                  ///< m
   std::size_t triangles = 0;   ///< after cleaning
-  std::size_t welded = 0;      ///< vertices that were merged into others
+  std::size_t welded = 0;      ///< places of vertices that were merged into those of others
   std::size_t dropped = 0;     ///< triangles without area, or repeated
   std::size_t holes = 0;       ///< groups of open edges that hang together
   std::size_t open_edges = 0;  ///< edges of one triangle
