@@ -69,7 +69,6 @@ inline constexpr std::size_t stage_count = 7;
 
 const char* stage_name(Stage stage);
 
-/// Counts and times of one step.
 /// What exceeded a fixed size in a step, summed over its substeps. The step goes on without the excess.
 struct Overflows {
   /// Particles near more than three layers of cloth. They touch the nearest three.
@@ -84,6 +83,7 @@ struct Overflows {
   uint32_t emitter_hold = 0;
 };
 
+/// Counts and times of one step.
 struct StepReport {
   int substeps = 0;
   int iterations = 0;  ///< per substep
