@@ -337,6 +337,11 @@ void RigidWorld::apply_torque(uint32_t number, Vec3 torque) {
   wake(number);
 }
 
+RigidImpulse RigidWorld::pending(uint32_t number) const {
+  const RigidBodyRecord& body = impl_->body(number);
+  return {body.memory.force, body.memory.torque};
+}
+
 void RigidWorld::apply_impulse(uint32_t number, Vec3 impulse, Vec3 point) {
   btRigidBody& bullet = *impl_->body(number).bullet;
   bullet.applyImpulse(in_mass_units(impulse), to_bullet(point) - bullet.getCenterOfMassPosition());

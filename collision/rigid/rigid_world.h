@@ -138,6 +138,7 @@ class RigidWorld {
   /// Acts until the next end_step(): N at a world point, N·m.
   void apply_force(uint32_t body, Vec3 force, Vec3 point);
   void apply_torque(uint32_t body, Vec3 torque);
+  RigidImpulse pending(uint32_t body) const;  ///< the sums of these: N, and N·m about the centre of mass
   void apply_impulse(uint32_t body, Vec3 impulse, Vec3 point);  ///< at once
   /// Sets the target of a kinematic body, which it reaches at a constant rate after `duration` (s). Replaces
   /// its keyframes.

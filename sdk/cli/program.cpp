@@ -14,6 +14,8 @@
 #include <cstdio>
 #include <functional>
 #include <iostream>
+#include <string>
+#include <string_view>
 
 #include "sdk/cli/commands/check.h"
 #include "sdk/cli/commands/devices.h"
@@ -154,9 +156,14 @@ void start_log() {
   spdlog::set_pattern("%n: %v");
 }
 
-int report(std::string message, ExitCode code) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  spdlog::error(message);
+int report(std::string_view message, ExitCode code) noexcept {
+  try {
+    std::string line(message);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    spdlog::error(line);
+  } catch (...) {  // without memory for the log
+    std::fputs("meniscus: there is no memory to say what went wrong\n", stderr);
+  }
   return code;
 }
 
@@ -180,7 +187,8 @@ ExitCode exit_code_of(ErrorCode code) {
   return run_failed;
 }
 
-int parse_and_run(int argc, char** argv) {
+int parse_and_run(int argc, char** argv) try {
+  start_log();
   RunOptions run;
   ViewOptions view;
   CheckOptions check;
@@ -203,17 +211,16 @@ int parse_and_run(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
     return report(std::string(error.what()) + " (meniscus --help tells more)", bad_input);
-  } catch (const Error& error) {
-    return report(error.what(), exit_code_of(error.code()));
-  } catch (const std::exception& error) {
-    return report(error.what(), run_failed);
   }
+} catch (const Error& error) {
+  return report(error.what(), exit_code_of(error.code()));
+} catch (const std::exception& error) {
+  return report(error.what(), run_failed);
 }
 
 }  // namespace
 
 int run_program(int argc, char** argv) {
-  start_log();
   const int code = parse_and_run(argc, argv);
   const bool written = std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush();
   if (written || code != success) return code;

@@ -17,15 +17,33 @@
 
 namespace meniscus::io {
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(make_part(path_)) {
-  errno = 0;
-  stream_.open(part_, std::ios::binary | std::ios::trunc);
-  if (!stream_) throw_io_error("write", path_);
+namespace {
+
+void remove_quietly(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
 }
 
+/// Opens what make_part has made for `path`, or removes it.
+std::ofstream open_part(const std::filesystem::path& part, const std::filesystem::path& path) {
+  try {
+    errno = 0;
+    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+    if (!stream) throw_io_error("write", path);
+    return stream;
+  } catch (...) {
+    remove_quietly(part);
+    throw;
+  }
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path)
+    : path_(std::move(path)), part_(make_part(path_)), stream_(open_part(part_, path_)) {}
+
 OutputFile::~OutputFile() {
-  std::error_code ignored;
-  std::filesystem::remove(part_, ignored);
+  remove_quietly(part_);
 }
 
 void OutputFile::write_bytes(const void* data, std::size_t bytes) {
@@ -44,7 +62,8 @@ void OutputFile::commit() {
 std::filesystem::path make_part(const std::filesystem::path& path) {
   std::random_device random;
   for (;;) {
-    const std::string part = fmt::format("{}.{:08x}.part", path.string(), random());
+    // A path at once: once the file is there, nothing may fail before its name is known.
+    std::filesystem::path part = fmt::format("{}.{:08x}.part", path.string(), random());
     const int file = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0 && errno == EEXIST) continue;
     if (file < 0) throw_io_error("write", path);
@@ -55,12 +74,10 @@ std::filesystem::path make_part(const std::filesystem::path& path) {
 
 std::ofstream open_afresh(const std::filesystem::path& path) {
   const std::filesystem::path part = make_part(path);
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  if (stream && std::rename(part.c_str(), path.c_str()) == 0) return stream;
+  std::ofstream stream = open_part(part, path);
+  if (std::rename(part.c_str(), path.c_str()) == 0) return stream;
   const int reason = errno;
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
+  remove_quietly(part);
   errno = reason;
   throw_io_error("write", path);
 }

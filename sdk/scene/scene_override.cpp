@@ -20,6 +20,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t most_levels = 256;  // recursion over documents must not overrun the stack
+
 using Step = std::variant<std::string, std::size_t>;  ///< into an object by key, or into an array by index
 
 [[noreturn]] void fail(const std::string& override_text, const std::string& message) {
@@ -56,8 +58,12 @@ std::vector<Step> split_path(std::string_view path) {
   return ok ? steps : std::vector<Step>();
 }
 
-Json parse_value(const std::string& text, const Step& last) {
-  const Json value = Json::parse(text, nullptr, false);
+Json parse_value(const std::string& override_text, const std::string& text, const Step& last) {
+  const auto expect_flat = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth > static_cast<int>(most_levels)) fail(override_text, "is nested more than 256 levels deep");
+    return true;
+  };
+  const Json value = Json::parse(text, expect_flat, false);
   if (!value.is_discarded() && !value.is_string()) return value;
   const std::string word = value.is_string() ? value.get<std::string>() : text;
   const bool is_file = last == Step("file") && !word.empty() && !is_mesh_alias(word);
@@ -95,7 +101,8 @@ void apply_override(Json& document, const std::string& override_text) {
   const std::size_t equals = override_text.find('=');
   if (equals == std::string::npos) fail(override_text, "must read path=value, as in world.iterations=4");
   const auto steps = split_path(std::string_view(override_text).substr(0, equals));
-  if (steps.empty()) fail(override_text, "the path must read like fluids[0].viscosity");
+  if (steps.empty() || steps.size() > most_levels)
+    fail(override_text, "the path must read like fluids[0].viscosity");
 
   Json* target = &document;
   Walk walk{override_text};
@@ -104,7 +111,7 @@ void apply_override(Json& document, const std::string& override_text) {
     if (absent) *target = Json::object();
     target = &std::visit([&](const auto& way) -> Json& { return walk.follow(*target, way); }, step);
   }
-  *target = parse_value(override_text.substr(equals + 1), steps.back());
+  *target = parse_value(override_text, override_text.substr(equals + 1), steps.back());
   if (target->is_string() && target->get_ref<const std::string&>().find('\0') != std::string::npos)
     fail(override_text, "the text has a NUL character");
 }

@@ -129,12 +129,12 @@ void read_list(const Json& json, const ScenePlace& place, const FieldRule& rule,
 
 template <class E>
 void read_name(const Json& json, const ScenePlace& place, E& value) {
+  const std::string word = json.is_string() ? json.get<std::string>() : std::string();
   std::vector<std::string> names;
   for (const Named<E>& named : names_of(value)) {
     names.push_back(named.name);
-    if (json == named.name) return void(value = named.value);
+    if (word == named.name) return void(value = named.value);
   }
-  const std::string word = json.is_string() ? json.get<std::string>() : std::string();
   place.fail(shown(json) + " is not known" + name_hint(word, names));
 }
 

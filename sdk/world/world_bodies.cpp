@@ -62,6 +62,20 @@ void expect_motion(const BodyEntry& entry, BodyMotion motion, const char* call, 
   throw Error(ErrorCode::invalid_argument, std::string(call) + " is for " + kind + " bodies alone");
 }
 
+/// Refuses a value from which a body's force or torque is no longer finite. Steps would fail for ever.
+void expect_finite_sum(const char* name, Vec3 value, Vec3 sum) {
+  if (!is_finite(sum))
+    check::refuse(name, check::text_of(value), "such that all forces on the body sum up to finite ones");
+}
+
+/// Refuses a point so far off that an impulse there turns the body by more than 1e9 rad/s: the squares of
+/// what steps make of it are still finite.
+void expect_finite_turn(const char* name, Vec3 point, Vec3 angular_impulse, Vec3 inertia) {
+  constexpr float most = 1e9f;
+  if (length(angular_impulse) <= most * std::min({inertia.x, inertia.y, inertia.z})) return;
+  check::refuse(name, check::text_of(point), "such that the impulse turns the body by at most 1e9 rad/s");
+}
+
 }  // namespace
 
 BodyId World::Calls::create_body(const BodyDef& def) {
@@ -185,19 +199,27 @@ void World::Calls::apply_force(BodyId id, Vec3 force, Vec3 point) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_force", "dynamic");
   check::value("apply_force's force", force);
   check::value("apply_force's point", point);
+  const collision::RigidImpulse sums = impl_->rigid.pending(id.index);
+  expect_finite_sum("apply_force's force", force, sums.linear + force);
+  expect_finite_sum("apply_force's point", point,
+                    sums.angular + cross(point - impl_->rigid.centre_of_mass(id.index), force));
   impl_->rigid.apply_force(id.index, force, point);
 }
 
 void World::Calls::apply_torque(BodyId id, Vec3 torque) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_torque", "dynamic");
   check::value("apply_torque's torque", torque);
+  expect_finite_sum("apply_torque's torque", torque, impl_->rigid.pending(id.index).angular + torque);
   impl_->rigid.apply_torque(id.index, torque);
 }
 
 void World::Calls::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_impulse", "dynamic");
-  check::impulse("apply_impulse's impulse", impulse, impl_->bodies.get(id).mass.mass);
+  const BodyMass& mass = impl_->bodies.get(id).mass;
+  check::impulse("apply_impulse's impulse", impulse, mass.mass);
   check::value("apply_impulse's point", point);
+  expect_finite_turn("apply_impulse's point", point,
+                     cross(point - impl_->rigid.centre_of_mass(id.index), impulse), mass.inertia);
   impl_->rigid.apply_impulse(id.index, impulse, point);
 }
 

@@ -195,7 +195,7 @@ class Run {
 bool report_broken(const nlohmann::ordered_json& figures) {
   bool any = false;
   for (const auto& check : figures.at("checks")) {
-    if (check.at("state") != "broken") continue;
+    if (check.at("state").get_ref<const std::string&>() != "broken") continue;
     spdlog::error("the check {}", check_line(check));
     any = true;
   }

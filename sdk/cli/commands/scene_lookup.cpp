@@ -61,15 +61,24 @@ Scene find_scene(const std::string& scene, std::span<const std::string> override
   return found;
 }
 
-nlohmann::json chosen_document(const SceneChoice& choice) {
+namespace {
+
+/// What the choice changes in the file.
+std::vector<std::string> changes_of(const SceneChoice& choice) {
   std::vector<std::string> changes = choice.overrides;
   if (!choice.device.empty()) changes.push_back("world.device=" + choice.device);
   if (choice.threads) changes.push_back("world.threads=" + std::to_string(*choice.threads));
-  return read_document(scene_path(choice.scene), changes);
+  return changes;
+}
+
+}  // namespace
+
+nlohmann::json chosen_document(const SceneChoice& choice) {
+  return read_document(scene_path(choice.scene), changes_of(choice));
 }
 
 Scene chosen_scene(const SceneChoice& choice) {
-  return scene_of_document(chosen_document(choice), scene_path(choice.scene));
+  return read_scene(scene_path(choice.scene), changes_of(choice));
 }
 
 fs::path default_folder(const Scene& scene) {

@@ -10,14 +10,13 @@
 #include <set>
 
 #include "sdk/scene/scene_file.h"
-#include "tests/unit/sdk/fields/number_walk.h"
+#include "tests/unit/sdk/fields/number_trials.h"
 #include "tests/unit/sdk/scene/example_scene.h"
 
 namespace meniscus::tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether a call throws, and with what.
 template <class Call>
@@ -28,33 +27,6 @@ std::string refusal(const Call& call) {
   } catch (const Error& error) {
     return error.what();
   }
-}
-
-/// The values at which something may be wrong with a number.
-std::vector<double> trials(const Number& number) {
-  const FieldRule& rule = number.rule;
-  std::vector<double> values;
-  const auto add_around = [&](double bound) {
-    if (number.is_whole) {
-      for (const double x : {bound - 1, bound, bound + 1}) values.push_back(x);
-    } else {
-      const auto f = static_cast<float>(bound);
-      const auto far = std::numeric_limits<float>::infinity();
-      for (const double x : {double{std::nextafter(f, -far)}, bound, double{std::nextafter(f, far)}})
-        values.push_back(x);
-    }
-  };
-  if (!number.is_rotation && std::isfinite(rule.low)) add_around(rule.low);
-  if (!number.is_rotation && std::isfinite(rule.high)) add_around(rule.high);
-  if (number.is_whole) {
-    const double least = number.is_signed ? double{std::numeric_limits<int>::min()} : 0;
-    const double most = number.is_signed ? double{std::numeric_limits<int>::max()}
-                                         : double{std::numeric_limits<uint32_t>::max()};
-    std::erase_if(values, [&](double x) { return x < least || x > most; });  // no member holds them
-  } else {
-    for (const double x : {not_a_number, infinity, -infinity}) values.push_back(x);
-  }
-  return values;
 }
 
 void put(Json& document, const Number& number, double value) {
@@ -94,16 +66,6 @@ std::vector<std::string> printed_bounds(const Json& schema, const FieldRule& rul
   return bounds;
 }
 
-/// Whether the rule alone allows a value, as floats or whole numbers hold it.
-bool is_in(const Number& number, double value) {
-  FieldRule rule = number.rule;
-  if (!number.is_whole) {
-    if (!std::isfinite(value)) return false;
-    if (value != rule.low && value != rule.high) value = static_cast<float>(value);
-  }
-  return in_range(value, rule);
-}
-
 void expect_named(const std::string& message, const std::string& text) {
   EXPECT_NE(message.find(text), std::string::npos) << '"' << message << "\" does not name " << text;
 }
@@ -138,6 +100,10 @@ class FieldsTest : public testing::Test {
     for (const Number& number : numbers_of(def, place)) {
       if (!done_.insert(number.name).second) continue;
       for (const double value : trials(number)) try_value(def, number, value);
+      if (!number.is_rotation) {  // in a file it may have any length
+        for (const double value : huge_trials(number)) try_value(def, number, value);
+      }
+      try_beyond_floats(number);
     }
   }
 
@@ -159,13 +125,33 @@ class FieldsTest : public testing::Test {
     EXPECT_EQ(in_code.empty(), in_file.empty()) << "C++: " << in_code << "\nfile: " << in_file;
     if (is_in(number, value)) return;
     expect_named(in_code, number.name);
-    EXPECT_NE(in_file, "");
+    expect_named(in_file, key_of(number));
     if (!std::isfinite(value)) return;
     for (const std::string& bound :
          printed_bounds(schema_at(schema_, document_, number.place), number.rule)) {
       expect_named(in_code, bound);
       expect_named(in_file, bound);
     }
+  }
+
+  /// A file can hold numbers that no member can.
+  void try_beyond_floats(const Number& number) {
+    for (const double value : {1e39, -1e300, number.is_whole ? 0.5 : 1e300}) {
+      SCOPED_TRACE(number.name + " = " + std::to_string(value) + " at " + number.place.to_string());
+      Json changed = document_;
+      if (number.is_rotation)
+        changed[number.place] = {value, 0, 0, 1};
+      else
+        changed[number.place] = value;
+      expect_named(refusal([&] { parse_scene(changed); }), key_of(number));
+    }
+  }
+
+  /// The last key on the way to a number; behind it are places in lists.
+  static std::string key_of(const Number& number) {
+    Json::json_pointer place = number.place;
+    while (place.back().find_first_not_of("0123456789") == std::string::npos) place.pop_back();
+    return place.back();
   }
 };
 

@@ -185,6 +185,15 @@ TEST_F(SceneFile, NulCharactersAndDeepNestingAreRefused) {
   EXPECT_EQ(error_of([&] { read_scene(deep); }).second, deep + ": is nested more than 256 levels deep");
 }
 
+TEST_F(SceneFile, DeepOverridesAreRefused) {
+  const std::string good = write("good.json", R"({"name": "x"})");
+  std::string path = "a";
+  for (int k = 0; k < 50000; ++k) path += ".a";
+  const std::vector<std::string> deep_path{path + "=1"}, deep_value{"a=" + std::string(100000, '[')};
+  EXPECT_NE(error_of([&] { read_scene(good, deep_path); }).second.find("the path must"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_scene(good, deep_value); }).second.find("256 levels"), std::string::npos);
+}
+
 TEST_F(SceneFile, MissingSceneFileIsNamed) {
   const auto [code, message] = error_of([&] { read_scene(path("none.json")); });
   EXPECT_EQ(code, ErrorCode::io);
