@@ -95,7 +95,7 @@ void apply_override(Json& document, const std::string& override_text) {
   const std::size_t equals = override_text.find('=');
   if (equals == std::string::npos) fail(override_text, "must read path=value, as in world.iterations=4");
   const auto steps = split_path(std::string_view(override_text).substr(0, equals));
-  if (steps.empty()) fail(override_text, "the path must read like fluids[0].viscosity");
+  if (steps.empty()) fail(override_text, "the path must read like fluids[0].dynamic_viscosity");
 
   Json* target = &document;
   Walk walk{override_text};
