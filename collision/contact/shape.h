@@ -4,6 +4,8 @@
 // Shapes as kernels see them. A container is not a shape: it is up to six planes that face inwards.
 #pragma once
 
+#include <cmath>
+
 #include "collision/contact/height_field.h"
 #include "collision/mesh/surface_sample.h"
 #include "collision/sdf/sdf.h"
@@ -18,9 +20,10 @@ namespace meniscus::collision {
 
 /// Surface properties of a solid towards particles.
 struct Surface {
-  float friction = 0;     ///< Coulomb's μ
-  float restitution = 0;  ///< 0 to 1
-  float adhesion = 0;     ///< N, on one particle
+  float friction = 0;             ///< Coulomb's μ
+  float restitution = 0;          ///< 0 to 1
+  float adhesion = 0;             ///< N, on one particle
+  float slip_length = HUGE_VALF;  ///< m, of viscous fluid
   CollisionFilter filter;
 };
 

@@ -10,7 +10,7 @@ namespace meniscus::fluid {
 /// differ in mass.
 struct Material {
   float rest_density = 1000;        ///< kg/m³
-  float viscosity = 0;              ///< kinematic, m²/s
+  float dynamic_viscosity = 0;      ///< Pa·s
   float xsph = 0;                   ///< 1/s
   float vorticity_confinement = 0;  ///< ε, dimensionless
   float cohesion = 0;               ///< N/m

@@ -32,7 +32,7 @@ using Command = std::function<int()>;
 CLI::Option* add_overrides(CLI::App& app, std::vector<std::string>& overrides) {
   return app
       .add_option("--set", overrides,
-                  "Change a value of the scene, as in fluids[0].viscosity=0.1; repeatable")
+                  "Change a value of the scene, as in fluids[0].dynamic_viscosity=0.1; repeatable")
       ->type_name("PATH=VALUE")
       ->expected(1)
       ->allow_extra_args(false)

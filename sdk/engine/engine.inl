@@ -21,8 +21,9 @@
 #include "collision/grains/grain_set.h"
 #include "collision/sdf/mesh_fields.h"
 #include "collision/sdf/mesh_sampling.h"
+#include "fluid/forces/smoothing_pass.h"
 #include "fluid/forces/surface_tension_set.h"
-#include "fluid/forces/viscosity_pass.h"
+#include "fluid/forces/viscosity_set.h"
 #include "fluid/surface/anisotropy.h"
 #include "pbd/pipeline.h"
 #include "pbd/removal.h"
@@ -62,7 +63,8 @@ class DeviceEngine final : public Engine {
         fluid_cloth_contacts_(device_, particles_, def.solver.support_radius),
         fluid_cloth_(device_, particles_, fluid_cloth_contacts_),
         tension_(device_, def.kernel, def.particle_spacing),
-        viscosity_(device_, def.kernel, &density_),
+        viscosity_(device_, def.kernel, def.particle_spacing),
+        smoothing_(device_, def.kernel, &density_),
         probes_(device_, density_),
         mesher_(device_),
         removal_(device_),
@@ -168,11 +170,12 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::ccd_failsafe, self_contacts_.ccd_failsafe())
         .place(SetPhase::attachment_release, attachments_.release())
         .place(SetPhase::fluid_cloth, fluid_cloth_)
+        .place(SetPhase::viscosity, viscosity_)
         .place(SetPhase::bodies, bodies_)
         .for_each([this](auto& set) { solver_.add(set); });
     pbd::Pipeline<VelocityPhase, pbd::VelocityPass<D>>()
         .place(VelocityPhase::jets, jets_)
-        .place(VelocityPhase::viscosity, viscosity_)
+        .place(VelocityPhase::smoothing, smoothing_)
         .for_each([this](auto& pass) { solver_.add(pass); });
     solver_.add(probes_);
     solver_.add(static_cast<pbd::Observer<D>&>(cloth_));
@@ -224,7 +227,8 @@ class DeviceEngine final : public Engine {
   collision::FluidClothContacts<D> fluid_cloth_contacts_;
   collision::FluidClothSet<D> fluid_cloth_;
   fluid::SurfaceTensionSet<D> tension_;
-  fluid::ViscosityPass<D> viscosity_;
+  fluid::ViscositySet<D> viscosity_;
+  fluid::SmoothingPass<D> smoothing_;
   fluid::Probes<D> probes_;
   fluid::SurfaceMesher<D> mesher_;
   std::optional<fluid::Diffuse<D>> diffuse_;

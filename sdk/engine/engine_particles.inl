@@ -52,6 +52,7 @@ void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials)
   grains_.set_materials(grains);
   tension_.set_materials(fluids);
   viscosity_.set_materials(fluids);
+  smoothing_.set_materials(fluids);
 }
 
 /// The first fill gets what it asks for, unless that is little. Later ones reserve more than needed, so that

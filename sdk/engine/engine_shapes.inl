@@ -4,6 +4,8 @@
 // DeviceEngine's calls about solids and their distance fields.
 #pragma once
 
+#include <limits>
+
 #include "sdk/engine/engine.inl"
 
 namespace meniscus {
@@ -15,6 +17,17 @@ uint32_t free_place(std::vector<std::optional<T>>& table) {
   const auto place = static_cast<uint32_t>(at - table.begin());
   if (at == table.end()) table.emplace_back();
   return place;
+}
+
+/// By number of the fixed shape, or of the body.
+inline std::vector<float> slip_lengths(std::span<const collision::Shape> shapes, bool of_bodies) {
+  std::vector<float> slip;
+  for (const collision::Shape& shape : shapes) {
+    if ((shape.body != pbd::no_index) != of_bodies) continue;
+    if (shape.owner >= slip.size()) slip.resize(shape.owner + 1, std::numeric_limits<float>::infinity());
+    slip[shape.owner] = shape.surface.slip_length;
+  }
+  return slip;
 }
 
 template <class D>
@@ -48,6 +61,7 @@ void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
                   [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; });
   contacts_.set_shapes(shape_set_, fixed_are_planes);
   bodies_.set_shapes(solids.carried, shapes_.view());
+  viscosity_.set_walls(slip_lengths(solids.shapes, false), slip_lengths(solids.shapes, true));
   any_overlapping_ = true;
 }
 

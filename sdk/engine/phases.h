@@ -29,29 +29,17 @@ enum class SetPhase {
   ccd_failsafe,        ///< after sets that move vertices: nothing has passed through cloth
   attachment_release,  ///< after sets that move vertices: vertices get their own masses back
   fluid_cloth,         ///< after sets that move vertices: no fluid has passed through cloth
+  viscosity,           ///< before bodies, which receive what walls exert
   bodies,              ///< last: bodies receive the impulses of all others, and Bullet steps
   count,
 };
 
 constexpr const char* phase_name(SetPhase phase) {
-  constexpr std::array names{"surface_tension",
-                             "density",
-                             "fluid_loads",
-                             "attachments",
-                             "stick_anchors",
-                             "body_loads",
-                             "cloth",
-                             "body_load_transfer",
-                             "rods",
-                             "ropes",
-                             "self_contact",
-                             "grains",
-                             "fluid_carry",
-                             "contacts",
-                             "ccd_failsafe",
-                             "attachment_release",
-                             "fluid_cloth",
-                             "bodies"};
+  constexpr std::array names{
+      "surface_tension",    "density",     "fluid_loads",        "attachments", "stick_anchors",
+      "body_loads",         "cloth",       "body_load_transfer", "rods",        "ropes",
+      "self_contact",       "grains",      "fluid_carry",        "contacts",    "ccd_failsafe",
+      "attachment_release", "fluid_cloth", "viscosity",          "bodies"};
   static_assert(names.size() == static_cast<std::size_t>(SetPhase::count));
   return names[static_cast<std::size_t>(phase)];
 }
@@ -73,12 +61,12 @@ constexpr const char* phase_name(ContactPhase phase) {
 /// Passes that change velocities after the solve.
 enum class VelocityPhase {
   jets,       ///< first: particles that have just left an opening keep its velocity
-  viscosity,  ///< viscosity, XSPH and vorticity confinement
+  smoothing,  ///< XSPH and vorticity confinement
   count,
 };
 
 constexpr const char* phase_name(VelocityPhase phase) {
-  constexpr std::array names{"jets", "viscosity"};
+  constexpr std::array names{"jets", "smoothing"};
   static_assert(names.size() == static_cast<std::size_t>(VelocityPhase::count));
   return names[static_cast<std::size_t>(phase)];
 }

@@ -4,16 +4,26 @@
 // What particles are made of, the regions that they fill, and the surface that they have.
 #pragma once
 
+#include <array>
+
 #include "sdk/fields/shapes.h"
 #include "sdk/fields/values.h"
 
 namespace meniscus {
 
+/// Keys of earlier versions, with what a scene says instead.
+constexpr auto retired_keys(const FluidDef&) {
+  return std::array{
+      RetiredKey{"viscosity",
+                 "was kinematic, in m²/s; write \"dynamic_viscosity\" in Pa·s, which is the old "
+                 "value times rest_density"}};
+}
+
 template <class V>
 void fields(V& v, FluidDef& d) {
   v("name", d.name, not_empty, "", "what volumes call this fluid");
   v("rest_density", d.rest_density, between(1e-3, 1e6), "kg/m³", "density at rest");
-  v("viscosity", d.viscosity, not_negative, "m²/s", "kinematic viscosity");
+  v("dynamic_viscosity", d.dynamic_viscosity, between(0, 1e6), "Pa·s", "dynamic viscosity");
   v("xsph", d.xsph, not_negative, "1/s", "rate at which a particle takes its neighbours' mean velocity");
   v("vorticity_confinement", d.vorticity_confinement, between(0, 1e6), "",
     "strength ε of the force that keeps swirls");

@@ -24,6 +24,17 @@ struct NullVisitor {
   void check(bool, const std::string&, const Subject&...) {}
 };
 
+/// A key that files no longer have, and what to do about it.
+struct RetiredKey {
+  const char* name;
+  const char* advice;
+};
+
+template <class T>
+concept HasRetiredKeys = requires(const T& value) {
+  retired_keys(value);
+};
+
 /// A visitor that looks at the structs as C++ has them. All other visitors look at the objects of a file.
 template <class V>
 concept OfMembers = V::of_members;

@@ -13,12 +13,12 @@
 
 namespace meniscus {
 
-/// Reads a scene file. Each override is `path=value`, as in `fluids[0].viscosity=0.1`, and is written into
-/// the file's contents before they are read; a value that is not JSON is taken as text. Mesh files are looked
-/// for in the scene's folder, those that an override names in the current one, and `glmark2:bunny.obj` where
-/// Debian's glmark2-data puts it, or in the folder that the environment's MENISCUS_GLMARK2_DIR names. Throws
-/// Error: io for a file that cannot be read, parse for contents that are not a scene, invalid_argument for an
-/// override that does not fit.
+/// Reads a scene file. Each override is `path=value`, as in `fluids[0].dynamic_viscosity=0.1`, and is written
+/// into the file's contents before they are read; a value that is not JSON is taken as text. Mesh files are
+/// looked for in the scene's folder, those that an override names in the current one, and `glmark2:bunny.obj`
+/// where Debian's glmark2-data puts it, or in the folder that the environment's MENISCUS_GLMARK2_DIR names.
+/// Throws Error: io for a file that cannot be read, parse for contents that are not a scene, invalid_argument
+/// for an override that does not fit.
 Scene read_scene(const std::string& path, std::span<const std::string> overrides = {});
 
 /// The same in two steps: the contents of the file with the overrides in it, and the scene that such contents

@@ -102,7 +102,7 @@ void apply_override(Json& document, const std::string& override_text) {
   if (equals == std::string::npos) fail(override_text, "must read path=value, as in world.iterations=4");
   const auto steps = split_path(std::string_view(override_text).substr(0, equals));
   if (steps.empty() || steps.size() > most_levels)
-    fail(override_text, "the path must read like fluids[0].viscosity");
+    fail(override_text, "the path must read like fluids[0].dynamic_viscosity");
 
   Json* target = &document;
   Walk walk{override_text};

@@ -101,6 +101,11 @@ void read_fields(const Json& object, const ScenePlace& place, T& value, std::vec
   fields(known, value);
   for (const auto& [key, ignored] : object.items()) {
     if (std::find(known.keys.begin(), known.keys.end(), key) != known.keys.end()) continue;
+    if constexpr (HasRetiredKeys<T>) {
+      for (const RetiredKey& old : retired_keys(value)) {
+        if (key == old.name) place.key(key).fail(old.advice);
+      }
+    }
     place.key(key).fail("unknown key" + name_hint(key, known.keys));
   }
   FieldReader reader(object, place);

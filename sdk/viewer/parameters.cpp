@@ -26,8 +26,8 @@ bool changes_at_once(const std::string& path) {
   static constexpr std::array these = {"frame_time",        "world.gravity",    "world.substeps",
                                        "world.iterations",  "world.cfl_number", "world.min_substeps",
                                        "world.max_substeps"};
-  static constexpr std::array of_fluids = {"].viscosity", "].xsph", "].vorticity_confinement", "].cohesion",
-                                           "].surface_tension"};
+  static constexpr std::array of_fluids = {"].dynamic_viscosity", "].xsph", "].vorticity_confinement",
+                                           "].cohesion", "].surface_tension"};
   const auto is_below = [&](const char* key) { return starts_with(path, key); };
   const auto ends = [&](std::string_view key) {
     return path.size() > key.size() && path.compare(path.size() - key.size(), key.size(), key) == 0;

@@ -36,7 +36,8 @@ class Parameters {
   bool needs_reset_ = false;
 };
 
-/// Whether a running world can apply a change of the value at this path, for example `fluids[0].viscosity`.
+/// Whether a running world can apply a change of the value at this path, for example
+/// `fluids[0].dynamic_viscosity`.
 bool changes_at_once(const std::string& path);
 
 }  // namespace meniscus::viewer

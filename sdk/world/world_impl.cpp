@@ -49,7 +49,7 @@ EngineDef World::Impl::engine_def() {
 }
 
 ParticleMaterial material_of(const FluidDef& def) {
-  return {{def.rest_density, def.viscosity, def.xsph, def.vorticity_confinement, def.cohesion,
+  return {{def.rest_density, def.dynamic_viscosity, def.xsph, def.vorticity_confinement, def.cohesion,
            def.surface_tension},
           {},
           def.filter};

@@ -94,7 +94,7 @@ void no_change(WorldDef&) {}
 void two_fluids(World& world) {
   FluidDef oil;
   oil.rest_density = 600;
-  oil.viscosity = 0.01f;
+  oil.dynamic_viscosity = 0.01f * oil.rest_density;
   oil.surface_tension = 0.05f;
   FluidDef water;
   water.vorticity_confinement = 0.2f;

@@ -97,7 +97,7 @@ TEST_P(ThreeTogether, KeepTheirMomentumWithForcesBetweenParticles) {
   FluidDef tense, sticky, thick;
   tense.surface_tension = 50;
   sticky.cohesion = 50;
-  thick.viscosity = 0.05f;
+  thick.dynamic_viscosity = 50;
   expect_kept("surface_tension", weightless(0.05f), tense);
   expect_kept("cohesion", weightless(0.05f), sticky);
   expect_kept("viscosity", weightless(0.05f), thick);

@@ -159,7 +159,7 @@ std::vector<SceneCall> coupled_calls(int steps) {
     return [&w, def] { w.set_def(def); };
   });
   add("set_fluid", [](World& w, SceneIds& i) {
-    return [&w, &i, def = FluidDef{.viscosity = 0.01f}] { w.set_fluid(i.water, def); };
+    return [&w, &i, def = FluidDef{.dynamic_viscosity = 10}] { w.set_fluid(i.water, def); };
   });
   add_step();
   add("remove_particles", [](World& w, SceneIds&) {

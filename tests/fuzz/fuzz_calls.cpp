@@ -289,7 +289,7 @@ class Caller {
         return add_fluid();
       case 9: {
         FluidDef def;
-        def.viscosity = bytes_.number(0, 1);
+        def.dynamic_viscosity = bytes_.number(0, 1000);
         def.surface_tension = bytes_.number(0, 1);
         fluids_.push_back(world_.create_fluid(def));
         return;

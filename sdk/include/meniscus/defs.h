@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -132,12 +133,11 @@ struct WorldDef {
 struct FluidDef {
   std::string name = "water";
   float rest_density = 1000.0f;  ///< ρ₀, kg/m³, 0.001 to 1e6
-  /// Kinematic, m²/s, ≥ 0. A substep of length hₜ smooths velocities by the factor 1 − exp(−22 ν hₜ/h²). So
-  /// at most h²/(22 hₜ) acts, and shorter substeps allow more. The operator is the Laplacian of velocity. At
-  /// a free surface it also brakes rigid rotation: a drop of radius R at about 4 ν/R².
-  float viscosity = 0.0f;
+  /// μ, Pa·s, 0 to 1e6: implicit, so that any substep is stable. Rigid rotation is not braked. Between two
+  /// fluids the harmonic mean acts. Solids hold the fluid by their SurfaceDef::slip_length.
+  float dynamic_viscosity = 0.0f;
   /// 1/s: rate at which a particle takes the mean velocity of its neighbours. Its effect vanishes as h². It
-  /// acts as `viscosity` does, and removes the motion that the density solve leaves in water at rest. In a
+  /// acts as a viscosity does, and removes the motion that the density solve leaves in water at rest. In a
   /// pool 0.6 m deep with a spacing of 5 cm, at 4 × 10, the RMS speed is 3.6 % of √(g·H) at 5/s. With 0 it is
   /// 11 %, and more with shorter substeps. The column of hydrostatic.json has 100/s.
   float xsph = 5.0f;
@@ -267,9 +267,12 @@ struct CompoundPart {
 
 /// Contact parameters of a solid. Between two solids the geometric mean counts.
 struct SurfaceDef {
-  float friction = 0.0f;           ///< Coulomb's μ for particles, ≥ 0
-  float restitution = 0.0f;        ///< for particles, 0 to 1
-  float adhesion = 0.0f;           ///< Pa, ≥ 0: pull on a wet layer of particles
+  float friction = 0.0f;     ///< Coulomb's μ for particles, ≥ 0
+  float restitution = 0.0f;  ///< for particles, 0 to 1
+  float adhesion = 0.0f;     ///< Pa, ≥ 0: pull on a wet layer of particles
+  /// m, ≥ 0: how viscous fluid slips along the surface. Its velocity, continued linearly, is that of the
+  /// solid this deep behind the surface. 0: no slip; infinite: free. Cloth lets fluid slip freely.
+  float slip_length = std::numeric_limits<float>::infinity();
   float solid_friction = 0.5f;     ///< Coulomb's μ for solids, ≥ 0
   float solid_restitution = 0.0f;  ///< for solids, 0 to 1
 };

@@ -32,7 +32,7 @@ class SolidBuilder {
                float density, const SolidContext& context)
       : solid_(solid), role_(role), density_(density), context_(context) {
     const float s = context.spacing;
-    surface_ = {surface.friction, surface.restitution, surface.adhesion * s * s, filter};
+    surface_ = {surface.friction, surface.restitution, surface.adhesion * s * s, surface.slip_length, filter};
   }
 
   void operator()(const PlaneGeometry& g) {

@@ -42,11 +42,13 @@ struct DensitySolution {
 
 struct SmoothingCase {
   float support_radius = 0.1f;  ///< m
+  float spacing = 0.05f;        ///< m
   fluid::Kernel kernel{};
   std::vector<fluid::Material> materials;
   std::vector<pbd::Vec4> particles;  ///< w: inverse mass
   std::vector<uint32_t> groups;      ///< of each particle, among the materials
   std::vector<Vec3> velocities;
+  std::vector<collision::Shape> planes;
   float dt = 0.0025f;
   int passes = 1;
 };

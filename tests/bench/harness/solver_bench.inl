@@ -8,7 +8,8 @@
 #include <numeric>
 
 #include "collision/contact/shape_contacts.h"
-#include "fluid/forces/viscosity_pass.h"
+#include "fluid/forces/smoothing_pass.h"
+#include "fluid/forces/viscosity_set.h"
 #include "fluid/pressure_grid/multigrid.inl"
 #include "pbd/solver.h"
 #include "tests/bench/harness/solver_bench.h"
@@ -96,14 +97,24 @@ class SolverBenchOn final : public SolverBench {
 
   std::vector<Vec3> smooth(const SmoothingCase& setup) override {
     Stage stage(setup.support_radius);
-    fluid::ViscosityPass<D> viscosity(stage.device, setup.kernel);
+    const Planes planes(stage, setup.support_radius, 0.25f * setup.support_radius, setup.planes);
+    fluid::ViscositySet<D> viscosity(stage.device, setup.kernel, setup.spacing);
+    fluid::SmoothingPass<D> smoothing(stage.device, setup.kernel);
     viscosity.set_materials(setup.materials);
+    std::vector<float> slip_lengths;
+    for (const collision::Shape& plane : setup.planes) slip_lengths.push_back(plane.surface.slip_length);
+    viscosity.set_walls(slip_lengths, {});
+    smoothing.set_materials(setup.materials);
     stage.solver.add(viscosity);
+    stage.solver.add(smoothing);
     stage.add(setup.particles, setup.velocities, setup.groups);
     std::vector<Vec3> velocities;
     stage.solver.measure([&](pbd::Substep<D>& s, const pbd::Found&) {
       s.dt = setup.dt;
-      for (int pass = 0; pass < setup.passes; ++pass) viscosity.apply(s, stage.particles);
+      for (int pass = 0; pass < setup.passes; ++pass) {
+        viscosity.end(s);
+        smoothing.apply(s, stage.particles);
+      }
       velocities = by_slot<Vec3>(s, s.particles.velocity.data, [](pbd::Vec4 v) { return v.xyz(); });
     });
     return velocities;
@@ -156,18 +167,28 @@ class SolverBenchOn final : public SolverBench {
     }
   };
 
+  /// Planes with which the particles of a stage have contacts.
+  struct Planes {
+    pbd::Buffer<collision::Shape> shapes;
+    collision::ShapeContacts<D> contacts;
+
+    Planes(Stage& stage, float support_radius, float contact_radius, std::span<const collision::Shape> planes)
+        : shapes(stage.device, "shapes"),
+          contacts(stage.device, stage.particles, support_radius, contact_radius) {
+      shapes.resize_discard(static_cast<uint32_t>(planes.size()));
+      shapes.write(planes);
+      contacts.set_shapes({shapes.view(), static_cast<uint32_t>(planes.size()), {}, {}, {}}, true);
+      stage.solver.add(contacts);
+    }
+  };
+
   /// Calls use(substep, density) where the case's neighbours and contacts are known.
   template <class Use>
   static void with_density(const DensityCase& setup, const Use& use) {
     Stage stage(setup.support_radius);
-    pbd::Buffer<collision::Shape> shapes(stage.device, "shapes");
-    shapes.resize_discard(static_cast<uint32_t>(setup.planes.size()));
-    shapes.write(setup.planes);
     // With a contact radius of 0 a particle may be anywhere, and has all of its mirror ghosts.
-    collision::ShapeContacts<D> contacts(stage.device, stage.particles, setup.support_radius, 0);
-    contacts.set_shapes({shapes.view(), static_cast<uint32_t>(setup.planes.size()), {}, {}, {}}, true);
+    const Planes planes(stage, setup.support_radius, 0, setup.planes);
     fluid::DensitySet<D> density(stage.device, setup.kernel, setup.parameters);
-    stage.solver.add(contacts);
     stage.solver.add(density);
     stage.add(setup.particles, std::vector<Vec3>(setup.particles.size()),
               std::vector<uint32_t>(setup.particles.size()));

@@ -85,7 +85,7 @@ TEST_P(MomentumTest, TwoFluidsOfDifferentDensityKeepIt) {
   heavy.xsph = 10;
   light.rest_density = 100;
   light.xsph = 3;
-  light.viscosity = 0.01f;
+  light.dynamic_viscosity = 10;
   const FluidId a = world.create_fluid(heavy), b = world.create_fluid(light);
   expect_kept(world, {a, b});
 }

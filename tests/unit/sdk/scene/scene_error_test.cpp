@@ -48,6 +48,9 @@ INSTANTIATE_TEST_SUITE_P(
             R"(world.density.artificial_pressure.k: unknown key; allowed: "strength", "exponent", "distance")"},
         Mistake{"InFluid", R"({"name": "x", "fluids": [{"rest_denisty": 1000}]})",
                 R"(fluids[0].rest_denisty: unknown key; did you mean "rest_density"?)"},
+        Mistake{"Retired", R"({"name": "x", "fluids": [{"viscosity": 0.01}]})",
+                R"(fluids[0].viscosity: was kinematic, in m²/s; write "dynamic_viscosity" in Pa·s, which is )"
+                "the old value times rest_density"},
         Mistake{"InShape",
                 R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"}, "frction": 1}]})",
                 R"(shapes[0].frction: unknown key; did you mean "friction"?)"},

@@ -41,7 +41,7 @@ std::string error_of(const std::string& override_text) {
 
 TEST(SceneOverride, ReplacesAndAdds) {
   EXPECT_EQ(with("world.iterations=4")["world"]["iterations"], 4);
-  EXPECT_EQ(with("fluids[1].viscosity=0.1")["fluids"][1]["viscosity"], 0.1);
+  EXPECT_EQ(with("fluids[1].dynamic_viscosity=0.1")["fluids"][1]["dynamic_viscosity"], 0.1);
   EXPECT_EQ(with("world.density.solver=jacobi")["world"]["density"]["solver"], "jacobi");
   EXPECT_EQ(with("world.gravity=[0, 0, -1]")["world"]["gravity"], Json::array({0, 0, -1}));
   EXPECT_EQ(with("fluids[0]={\"name\": \"milk\"}")["fluids"][0]["name"], "milk");
@@ -67,10 +67,11 @@ TEST(SceneOverride, FileIsFromTheCurrentFolder) {
 }
 
 TEST(SceneOverride, PathThatDoesNotFitIsNamed) {
-  EXPECT_EQ(error_of("fluids[2].viscosity=1"),
-            "--set fluids[2].viscosity=1: \"fluids\" has 2 items, counted from 0");
-  EXPECT_EQ(error_of("fluids.viscosity=1"),
-            "--set fluids.viscosity=1: \"fluids\" is an array of 2, which has no key \"viscosity\"");
+  EXPECT_EQ(error_of("fluids[2].dynamic_viscosity=1"),
+            "--set fluids[2].dynamic_viscosity=1: \"fluids\" has 2 items, counted from 0");
+  EXPECT_EQ(error_of("fluids.dynamic_viscosity=1"),
+            "--set fluids.dynamic_viscosity=1: \"fluids\" is an array of 2, which has no key "
+            "\"dynamic_viscosity\"");
   EXPECT_EQ(error_of("name.short=1"), "--set name.short=1: \"name\" is \"x\", which has no key \"short\"");
   EXPECT_EQ(error_of("world[0]=1"), "--set world[0]=1: \"world\" is not an array, and has no items");
   EXPECT_EQ(error_of("sinks[0].name=a"),
@@ -83,7 +84,7 @@ TEST(SceneOverride, TextThatDoesNotReadIsNamed) {
   for (const char* path : {"", ".", "world.", "world..iterations", "[0]", "fluids[", "fluids[]", "fluids[-1]",
                            "fluids[x]", "fluids[0", "fluids[0]name", "fluids[99999999999999999999]"}) {
     const std::string text = std::string(path) + "=1";
-    EXPECT_EQ(error_of(text), "--set " + text + ": the path must read like fluids[0].viscosity");
+    EXPECT_EQ(error_of(text), "--set " + text + ": the path must read like fluids[0].dynamic_viscosity");
   }
 }
 
@@ -96,7 +97,7 @@ TEST(SceneOverride, ReaderJudgesWhatWasSet) {
     }
     return "no error";
   };
-  EXPECT_EQ(message("fluids[0].viscosity=0.5"), "no error");
+  EXPECT_EQ(message("fluids[0].dynamic_viscosity=0.5"), "no error");
   EXPECT_EQ(message("wrold.iterations=4"), "scene.json: wrold: unknown key; did you mean \"world\"?");
   EXPECT_EQ(message("world.iterations=many"),
             "scene.json: world.iterations: \"many\" is not allowed; must be a whole number");

@@ -102,7 +102,7 @@ TEST_F(ParameterPanelTest, WhateverIsDraggedTheSceneStaysOne) {
   const Scene changed = parse_scene(parameters.document());
   EXPECT_EQ(changed.fluids.at(1).name, "oil");
   // The changes are told as options of the command line.
-  EXPECT_NE(parameters.as_options().find("--set 'fluids[1].viscosity="), std::string::npos)
+  EXPECT_NE(parameters.as_options().find("--set 'fluids[1].dynamic_viscosity="), std::string::npos)
       << parameters.as_options();
   parameters.was_reset();
   EXPECT_FALSE(parameters.need_reset());

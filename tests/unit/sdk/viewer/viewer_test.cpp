@@ -176,7 +176,7 @@ TEST_F(PickTest, RopesComeAlong) {
 TEST(ParametersTest, WhatTakesEffectAtOnceIsKnown) {
   EXPECT_TRUE(changes_at_once("world.gravity"));
   EXPECT_TRUE(changes_at_once("world.density.artificial_pressure.strength"));
-  EXPECT_TRUE(changes_at_once("fluids[0].viscosity"));
+  EXPECT_TRUE(changes_at_once("fluids[0].dynamic_viscosity"));
   EXPECT_TRUE(changes_at_once("wind.velocity"));
   EXPECT_FALSE(changes_at_once("world.particle_spacing"));
   EXPECT_FALSE(changes_at_once("fluids[0].rest_density"));
@@ -236,7 +236,7 @@ TEST_F(SimulationTest, ASceneThatCannotBeBuiltLeavesThePresentOne) {
   open();
   wait_for([](const Snapshot& s) { return s.build == 1; });
   auto broken = std::make_shared<Scene>(scene_of(things));
-  broken->fluids[0].viscosity = -1;
+  broken->fluids[0].dynamic_viscosity = -1;
   simulation_.open(broken);
   const auto s = wait_for([](const Snapshot& now) { return !now.error.empty(); });
   EXPECT_NE(s->error.find("viscosity"), std::string::npos);

@@ -37,7 +37,7 @@ class WorldChangesTest : public OnDevice {
 
 TEST_P(WorldChangesTest, WhatWasChangedIsAsIfItHadBeenSoFromTheStart) {
   FluidDef honey;
-  honey.viscosity = 0.02f;
+  honey.dynamic_viscosity = 28;
   honey.surface_tension = 0.5f;
   WorldDef changed = def();
   changed.gravity = {1, -5, 0};

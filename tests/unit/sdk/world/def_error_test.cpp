@@ -85,7 +85,7 @@ TEST_P(DefErrorTest, Fluids) {
        [](FluidDef& d) { d.rest_density = 0; }},
       {"rest_density", [](FluidDef& d) { d.rest_density = 1e-20f; }},
       {"rest_density", [](FluidDef& d) { d.rest_density = 1e20f; }},
-      {"viscosity", [](FluidDef& d) { d.viscosity = -1; }},
+      {"dynamic_viscosity", [](FluidDef& d) { d.dynamic_viscosity = -1; }},
       {"xsph", [](FluidDef& d) { d.xsph = nan; }},
       {"vorticity_confinement", [](FluidDef& d) { d.vorticity_confinement = -1; }},
       {"vorticity_confinement", [](FluidDef& d) { d.vorticity_confinement = 1e20f; }},

@@ -19,7 +19,7 @@ World busy_world(WorldDef def) {
   FluidDef first, second;
   first.vorticity_confinement = 0.2f;
   second.rest_density = 500;
-  second.viscosity = 0.001f;
+  second.dynamic_viscosity = 1;
   const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
   ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.6f});
   walls.surface.friction = 0.3f;

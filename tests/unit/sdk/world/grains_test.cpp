@@ -235,7 +235,7 @@ TEST_P(GrainsTest, FluidAndGrainsKeepTheirMomentum) {
   for (float ratio : {0.2f, 10.0f}) {
     World world(in_space());
     FluidDef water;
-    water.viscosity = 0.001f;
+    water.dynamic_viscosity = 1;
     const FluidId ids[] = {world.create_fluid(water), world.create_granular(sand(1000 * ratio))};
     std::mt19937 random(4);
     Vec3 before{0, 0, 0};

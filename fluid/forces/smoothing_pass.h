@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The velocity pass for XSPH viscosity and vorticity confinement.
+// The velocity pass for XSPH and vorticity confinement.
 #pragma once
 
 #include <span>
@@ -16,38 +16,37 @@ namespace meniscus::fluid {
 template <class D>
 class DensitySet;
 
-namespace viscosity_kernels {
+namespace smoothing_kernels {
 enum class Coefficients;
 }
 
 /// The coefficients of one fluid for a given step.
-struct ViscosityCoefficients {
+struct SmoothingCoefficients {
   float smoothing;    ///< c
   float confinement;  ///< ε
 };
 
-/// XSPH viscosity (Schechter & Bridson 2012) and vorticity confinement (Fedkiw, Stam & Jensen 2001), as in
+/// XSPH (Schechter & Bridson 2012) and vorticity confinement (Fedkiw, Stam & Jensen 2001), as in
 /// Position Based Fluids, eqs. 15 to 17, with two changes that make the parameters independent of step and
 /// spacing.
 ///
 ///   XSPH         v_i += c Σ 2w_i/(w_i + w_j) V W (v_j − v_i)
-///                c = 1 − exp(−(xsph + 22 ν/h²) h_t)
+///                c = 1 − exp(−xsph h_t)
 ///   confinement  v_i += h_t ε h N × ω, N = ∇|ω|/|∇|ω||
 ///
 /// N uses |ω| of the last substep, which moves with the particles, so that one pass over the neighbours
 /// suffices. Particles that are new have none yet.
 ///
-/// The second moment of poly6 is 3h²/11, so c diffuses velocity with ν = c h²/(22 h_t). The mean of the
-/// masses conserves momentum between fluids of different density. Because of the factor h, confinement
-/// vanishes with resolution.
+/// The mean of the masses conserves momentum between fluids of different density. Because of the factor h,
+/// confinement vanishes with resolution.
 ///
 /// In a crowd (crowd.h) c is divided by 1 + C. Σ V W grows with the density, and above 2/c the sum is
 /// unstable.
 template <class D>
-class ViscosityPass final : public pbd::VelocityPass<D> {
+class SmoothingPass final : public pbd::VelocityPass<D> {
  public:
   /// `density` tells where there is a crowd; without it there is none.
-  ViscosityPass(D& device, const Kernel& kernel, const DensitySet<D>* density = nullptr)
+  SmoothingPass(D& device, const Kernel& kernel, const DensitySet<D>* density = nullptr)
       : device_(device), kernel_(kernel), density_(density) {}
 
   void set_materials(std::span<const Material> materials);
@@ -55,7 +54,7 @@ class ViscosityPass final : public pbd::VelocityPass<D> {
   void reserve(uint32_t capacity) override;
 
  private:
-  template <viscosity_kernels::Coefficients from, bool confines>
+  template <smoothing_kernels::Coefficients from, bool confines>
   void smooth(pbd::Substep<D>& substep, pbd::Particles& particles);
   pbd::View<const float> crowd() const;
 
@@ -65,9 +64,9 @@ class ViscosityPass final : public pbd::VelocityPass<D> {
   std::vector<Material> materials_;
   bool smooths_ = false, confines_ = false, uniform_ = true;
   float table_dt_ = 0;
-  std::vector<ViscosityCoefficients> host_table_;
-  pbd::Buffer<ViscosityCoefficients> table_{device_, "fluid coefficients"};
-  pbd::Buffer<float> smoothing_{device_, "particle viscosities"};
+  std::vector<SmoothingCoefficients> host_table_;
+  pbd::Buffer<SmoothingCoefficients> table_{device_, "fluid coefficients"};
+  pbd::Buffer<float> smoothing_{device_, "particle smoothing"};
 };
 
 }  // namespace meniscus::fluid

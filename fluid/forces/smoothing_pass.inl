@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of viscosity and vorticity confinement, and their launches.
+// The kernels of XSPH and vorticity confinement, and their launches.
 #pragma once
 
 #include <cmath>
 #include <vector>
 
 #include "fluid/density/density_set.h"
-#include "fluid/forces/viscosity_pass.h"
+#include "fluid/forces/smoothing_pass.h"
 #include "pbd/neighbours.h"
 
 namespace meniscus::fluid {
 
-namespace viscosity_kernels {
+namespace smoothing_kernels {
 
 using pbd::NeighbourView;
 using pbd::Vec3Of;
@@ -29,7 +29,7 @@ enum class Coefficients { common, thinned, own };
 struct SpreadSmoothing {
   Coefficients from;
   View<const pbd::Phase> phase;
-  View<const ViscosityCoefficients> table;
+  View<const SmoothingCoefficients> table;
   View<float> smoothing;
   View<const float> allowed;  // the compression of a crowd, if there is one
 
@@ -49,7 +49,7 @@ struct Smooth {
   View<const Vec4> velocity;  ///< w: |ω| of the last substep
   NeighbourView neighbours;
   View<const pbd::Phase> phase;
-  View<const ViscosityCoefficients> table;
+  View<const SmoothingCoefficients> table;
   View<const float> smoothing;
   float common_smoothing, dt;
   View<Vec4> smoothed;
@@ -97,10 +97,10 @@ struct Smooth {
   }
 };
 
-}  // namespace viscosity_kernels
+}  // namespace smoothing_kernels
 
 template <class D>
-void ViscosityPass<D>::set_materials(std::span<const Material> materials) {
+void SmoothingPass<D>::set_materials(std::span<const Material> materials) {
   materials_.assign(materials.begin(), materials.end());
   table_.resize_discard(static_cast<uint32_t>(materials.size()));
   table_dt_ = 0;
@@ -108,26 +108,23 @@ void ViscosityPass<D>::set_materials(std::span<const Material> materials) {
   uniform_ = true;
   for (const Material& m : materials_) {
     const Material& first = materials_.front();
-    smooths_ |= m.viscosity > 0 || m.xsph > 0;
+    smooths_ |= m.xsph > 0;
     confines_ |= m.vorticity_confinement > 0;
-    uniform_ &=
-        m.viscosity == first.viscosity && m.xsph == first.xsph && m.rest_density == first.rest_density;
+    uniform_ &= m.xsph == first.xsph && m.rest_density == first.rest_density;
   }
 }
 
 template <class D>
-void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles) {
+void SmoothingPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles) {
   if (substep.particles.sorted == 0 || (!smooths_ && !confines_)) return;
   if (table_dt_ != substep.dt) {
     host_table_.clear();
-    for (const Material& m : materials_) {
-      const float rate = m.xsph + 22 * m.viscosity / kernel_.h2;
-      host_table_.push_back({-std::expm1(-rate * substep.dt), m.vorticity_confinement});
-    }
+    for (const Material& m : materials_)
+      host_table_.push_back({-std::expm1(-m.xsph * substep.dt), m.vorticity_confinement});
     table_.write(host_table_);
     table_dt_ = substep.dt;
   }
-  using enum viscosity_kernels::Coefficients;
+  using enum smoothing_kernels::Coefficients;
   if (!uniform_) {
     confines_ ? smooth<own, true>(substep, particles) : smooth<own, false>(substep, particles);
   } else if (crowd().count > 0) {
@@ -138,9 +135,9 @@ void ViscosityPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles
 }
 
 template <class D>
-template <viscosity_kernels::Coefficients from, bool confines>
-void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particles) {
-  using namespace viscosity_kernels;
+template <smoothing_kernels::Coefficients from, bool confines>
+void SmoothingPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particles) {
+  using namespace smoothing_kernels;
   const pbd::ParticleView& p = substep.particles;
   if (from != Coefficients::common) {
     device_.parallel_for("velocity/coefficients", p.sorted,
@@ -157,12 +154,12 @@ void ViscosityPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
 }
 
 template <class D>
-pbd::View<const float> ViscosityPass<D>::crowd() const {
+pbd::View<const float> SmoothingPass<D>::crowd() const {
   return density_ ? density_->allowed() : pbd::View<const float>{};
 }
 
 template <class D>
-void ViscosityPass<D>::reserve(uint32_t capacity) {
+void SmoothingPass<D>::reserve(uint32_t capacity) {
   const uint32_t size = capacity + pbd::Particles::padding;
   smoothing_.resize_discard(size);
   smoothing_.fill(0);

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The constraint set that applies viscosity once velocities are known.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fluid/forces/viscosity_kernels.h"
+#include "fluid/kernel/material.h"
+#include "pbd/device/shared_buffer.h"
+#include "pbd/substep.h"
+
+namespace meniscus::fluid {
+
+/// Implicit viscosity with forces along the line between two particles (Weiler, Koschier, Brand & Bender
+/// 2018; the Laplacian is Monaghan's):
+///
+///   (M + h_t A) v = M v*,   (A v)_i = Σ_j 10 μ_ij s³ φ_ij n (n · (v_i − v_j)),   n = (x_i − x_j)/r
+///   φ(r) = K (1 − r²/h²)²,  K so that Σ φ x² y²/r² = 1/5 over the rest lattice
+///
+/// The sum is the lattice's viscosity in a shear along its axes. A relaxed fluid, where pairs give way one by
+/// one, has the same to a few percent. In a continuum it is that of Σ φ r² = 3.
+///
+/// Linear and angular momentum are kept, and a rigid rotation is not braked. μ_ij is the harmonic mean; a
+/// grain takes the viscosity of the fluid. A wall with a slip length adds terms to A: the half-space behind
+/// it, in which the velocity goes on linearly to that of the wall, one slip length deep. Bodies receive the
+/// opposite impulse through the contacts, so this set comes before them.
+///
+/// Conjugate gradients start from v*, and are preconditioned with the masses alone. Then each iterate keeps
+/// the momenta, and dissipates. The iterations end when the residual is small, on the device; their number is
+/// bounded by the spectrum of the matrix.
+template <class D>
+class ViscositySet final : public pbd::ConstraintSet<D> {
+ public:
+  ViscositySet(D& device, const Kernel& kernel, double spacing);
+
+  void set_materials(std::span<const Material> materials);
+  /// Slip lengths by number of fixed shape, and by number of body; m.
+  void set_walls(std::span<const float> shapes, std::span<const float> bodies);
+
+  void reserve(uint32_t capacity, uint32_t kept) override;
+  void project(pbd::Substep<D>&, int) override {}
+  void end(pbd::Substep<D>& substep) override;
+
+ private:
+  template <bool uniform>
+  void solve(pbd::Substep<D>& substep);
+  uint32_t most_iterations(double stiffness) const;
+  void make_room();
+
+  D& device_;
+  Kernel kernel_;
+  double spacing_;
+  double weight_sum_;   // Σ φ over the rest lattice, 1/m²
+  double peak_weight_;  // K, 1/m²
+  bool acts_ = false, uniform_ = true;
+  float common_viscosity_ = 0;      // Pa·s
+  double kinematic_viscosity_ = 0;  // m²/s, the largest that acts on a particle
+  uint32_t capacity_ = 0, first_body_ = 0;
+  uint32_t number_ = 0;  // of the solve: see Progress
+
+  pbd::Buffer<float> table_{device_, "fluid viscosities"}, viscosity_{device_, "particle viscosities"};
+  pbd::Buffer<float> slip_{device_, "slip lengths"};
+  pbd::Buffer<pbd::Vec4> residual_{device_, "viscosity solve"}, product_{device_, "viscosity solve"},
+      direction_{device_, "viscosity solve"}, along_direction_{device_, "viscosity solve"},
+      change_{device_, "viscosity solve"};
+  pbd::Buffer<viscosity_kernels::Dots> dots_{device_, "viscosity solve"};
+  pbd::Buffer<viscosity_kernels::Progress> progress_{device_, "viscosity solve"};
+  pbd::SharedBuffer<uint32_t> ended_{device_, "viscosity's end"};
+};
+
+}  // namespace meniscus::fluid
