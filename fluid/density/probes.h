@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Probes: places where the pressure, or the force of the fluid on a solid, is averaged over a step.
+// Probes: what is measured in each substep, and averaged over a step.
 #pragma once
 
 #include <span>
@@ -12,25 +12,42 @@
 
 namespace meniscus::fluid {
 
-/// One place where the fluid is measured.
+enum class ProbeMeasure {
+  pressure,          ///< at a point; Pa
+  velocity,          ///< at a point; m/s
+  density,           ///< at a point; kg/m³
+  force,             ///< on a shape; N
+  torque,            ///< on a shape, about a point; N·m
+  flow,              ///< through a disc; m³/s
+  level,             ///< of the free surface in a column; m
+  momentum,          ///< of a fluid; kg·m/s
+  angular_momentum,  ///< of a fluid, about a point; kg·m²/s
+  centre,            ///< of mass of a fluid; m
+};
+
+/// One thing that is measured.
 struct Probe {
-  bool at_point = true;  ///< pressure at `point`; else the force on a shape
+  ProbeMeasure measure = ProbeMeasure::pressure;
   Vec3 point{0, 0, 0};
   uint32_t shape = 0;                ///< pbd::Contact::solid
   Aabb patch{{0, 0, 0}, {0, 0, 0}};  ///< contacts whose point lies inside count
+  Vec3 normal{0, 1, 0};              ///< unit, of the disc or along the column
+  float radius = 0;                  ///< m, of the disc or column
+  uint32_t group = pbd::no_index;    ///< the fluid; no_index: all
 };
 
-/// The sums of a probe: for a weighted mean of the pressure, or a force.
+/// The sums of a probe.
 struct ProbeSum {
-  double pressure, weight;  ///< Σ p V W and Σ V W, in Pa and 1
-  double x, y, z;           ///< N, of the fluid on the shape
+  double value, weight;  ///< a scalar; what `value`, x, y and z are weighted with, or 0
+  double x, y, z;        ///< a vector
 };
 
 /// Measures the probes in every substep, and averages over a step.
 template <class D>
 class Probes final : public pbd::Observer<D> {
  public:
-  Probes(D& device, const DensitySet<D>& density) : device_(device), density_(density) {}
+  Probes(D& device, const DensitySet<D>& density, float spacing)
+      : device_(device), density_(density), spacing_(spacing) {}
 
   void set_probes(std::span<const Probe> probes);
   void start_step() override;
@@ -39,11 +56,17 @@ class Probes final : public pbd::Observer<D> {
   void read(std::span<ProbeSum> means) const;
 
  private:
+  template <class Map>
+  void sum(const char* name, const pbd::Substep<D>& substep, const Map& map);
+  void measure_level(const pbd::Substep<D>& substep, const Probe& probe);
+
   D& device_;
   const DensitySet<D>& density_;
+  float spacing_;  // m
   std::vector<Probe> probes_;
   int substeps_ = 0;
   pbd::Buffer<ProbeSum> value_{device_, "probe value"};
+  pbd::Buffer<uint32_t> layers_{device_, "probe layers"};
   pbd::Buffer<ProbeSum> totals_{device_, "probe totals"};
 };
 

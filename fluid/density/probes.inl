@@ -4,11 +4,17 @@
 // The kernels that sum up what probes measure.
 #pragma once
 
+#include <numbers>
+
 #include "fluid/density/probes.h"
+#include "pbd/device/base/atomics.h"
 
 namespace meniscus::fluid {
 
 namespace probe_kernels {
+
+/// Of a column. Higher ones end there.
+inline constexpr uint32_t most_layers = 4096;
 
 /// The kernel-weighted mean of the particles' pressures Λ / (V h_t²) around a point.
 struct PointPressure {
@@ -27,19 +33,53 @@ struct PointPressure {
   }
 };
 
-/// The force on one fixed shape through the contacts of particle i.
+MENISCUS_HD inline ProbeSum vector_sum(Vec3 v, double weight) {
+  return {0, weight, v.x, v.y, v.z};
+}
+
+/// The same of their velocities.
+struct PointVelocity {
+  Kernel kernel;
+  pbd::View<const pbd::Vec4> position, velocity;
+  Vec3 point;
+
+  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
+    const Vec3 d = position[i].xyz() - point;
+    const float weight = kernel.weight(dot(d, d));
+    return vector_sum(weight * velocity[i].xyz(), weight);
+  }
+};
+
+/// The density around a point: Σ m/s³ V W. The kernel's volume V makes it the rest density on the lattice.
+struct PointDensity {
+  Kernel kernel;
+  pbd::View<const pbd::Vec4> position;
+  Vec3 point;
+  float particle_volume;
+
+  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
+    const pbd::Vec4 p = position[i];
+    const Vec3 d = p.xyz() - point;
+    return {double{kernel.weight(dot(d, d))} / (double{particle_volume} * p.w), 0, 0, 0, 0};
+  }
+};
+
+/// The force on one fixed shape through the contacts of particle i, or its torque about a point.
 struct WallForce {
   pbd::ContactView contacts;
   uint32_t shape;
   Aabb patch;
   float to_force;  ///< 1/h_t²
+  bool torque;
+  Vec3 point;
 
   MENISCUS_HD ProbeSum operator()(uint32_t i) const {
     ProbeSum total{};
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
       const pbd::Contact& c = contacts.contacts[k];
       if (c.solid != shape || c.body != pbd::no_index || !inside(patch, c.point)) continue;
-      const Vec3 f = -to_force * multiplier_sum(c);
+      const Vec3 force = -to_force * multiplier_sum(c);
+      const Vec3 f = torque ? cross(c.point - point, force) : force;
       total.x += f.x;
       total.y += f.y;
       total.z += f.z;
@@ -48,9 +88,83 @@ struct WallForce {
   }
 };
 
+/// The flow through a disc: the mean over layers of one spacing on both sides of it.
+struct DiscFlow {
+  pbd::View<const pbd::Vec4> position, velocity;
+  Vec3 point, normal;
+  float radius, spacing;
+
+  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
+    const Vec3 d = position[i].xyz() - point;
+    const float along = dot(d, normal);
+    const Vec3 beside = d - along * normal;
+    if (fabsf(along) > spacing || dot(beside, beside) > radius * radius) return {};
+    const float area = spacing * spacing;  // s³ over the thickness of the layers, 2 s
+    return {0.5 * double{area} * dot(velocity[i].xyz(), normal), 0, 0, 0, 0};
+  }
+};
+
+/// The momentum of a fluid, its angular momentum about a point, or its mass times the place of its centre.
+struct FluidSum {
+  ProbeMeasure measure;
+  pbd::View<const pbd::Vec4> position, velocity;
+  pbd::View<const pbd::Phase> phase;
+  uint32_t group;
+  Vec3 point;
+
+  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
+    if (group != pbd::no_index && pbd::phase_group(phase[i]) != group) return {};
+    const pbd::Vec4 p = position[i];
+    const float mass = 1 / p.w;
+    const Vec3 v = velocity[i].xyz();
+    if (measure == ProbeMeasure::centre) return vector_sum(mass * p.xyz(), mass);
+    return vector_sum(mass * (measure == ProbeMeasure::momentum ? v : cross(p.xyz() - point, v)), 0);
+  }
+};
+
+/// Counts the particles of a column in layers of one spacing.
+struct CountLayers {
+  pbd::View<const pbd::Vec4> position;
+  Vec3 point, normal;
+  float radius, spacing;
+  pbd::View<uint32_t> layers;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 d = position[i].xyz() - point;
+    const float along = dot(d, normal);
+    const Vec3 beside = d - along * normal;
+    if (!(along >= 0) || dot(beside, beside) > radius * radius) return;
+    const float layer = along / spacing;
+    if (layer < static_cast<float>(layers.count)) pbd::atomic_add(layers[static_cast<uint32_t>(layer)], 1u);
+  }
+};
+
+/// The level: full layers from the foot up, and what is in the two on top. A layer is full where it has what
+/// the layers below have on average. The first layer with less than half ends the pool.
+struct FindLevel {
+  pbd::View<const uint32_t> layers;
+  float full;  ///< particles, of a layer of the column at rest
+  float spacing;
+  pbd::View<ProbeSum> value;
+
+  MENISCUS_HD void operator()(uint32_t) const {
+    uint32_t pool = 0, below = 0;  // layers of the pool, and particles in all of them but the topmost
+    double mean = full, last = 0;
+    while (pool < layers.count && layers[pool] >= 0.5 * mean) {
+      below += pool > 0 ? static_cast<uint32_t>(last) : 0;
+      last = layers[pool++];
+      if (pool > 2) mean = static_cast<double>(below) / (pool - 1);
+    }
+    const auto part = [&](double count) { return count < mean ? count / mean : 1.0; };
+    const double above = pool < layers.count ? layers[pool] : 0;
+    const double height = pool > 0 ? pool - 1 + part(last) + part(above) : part(above);
+    value[0] = {spacing * height, 0, 0, 0, 0};
+  }
+};
+
 struct Add {
   MENISCUS_HD ProbeSum operator()(const ProbeSum& a, const ProbeSum& b) const {
-    return {a.pressure + b.pressure, a.weight + b.weight, a.x + b.x, a.y + b.y, a.z + b.z};
+    return {a.value + b.value, a.weight + b.weight, a.x + b.x, a.y + b.y, a.z + b.z};
   }
 };
 
@@ -68,6 +182,7 @@ template <class D>
 void Probes<D>::set_probes(std::span<const Probe> probes) {
   probes_.assign(probes.begin(), probes.end());
   value_.resize_discard(1);
+  layers_.resize_discard(probe_kernels::most_layers);
   totals_.resize_discard(static_cast<uint32_t>(probes.size()));
   start_step();
 }
@@ -79,22 +194,64 @@ void Probes<D>::start_step() {
 }
 
 template <class D>
+template <class Map>
+void Probes<D>::sum(const char* name, const pbd::Substep<D>& substep, const Map& map) {
+  device_.reduce(name, substep.particles.sorted, ProbeSum{}, map, probe_kernels::Add{}, value_.view());
+}
+
+template <class D>
+void Probes<D>::measure_level(const pbd::Substep<D>& substep, const Probe& probe) {
+  using namespace probe_kernels;
+  const float area = std::numbers::pi_v<float> * probe.radius * probe.radius;
+  layers_.fill(0);
+  device_.parallel_for("probes/layers", substep.particles.sorted,
+                       CountLayers{substep.particles.position, probe.point, probe.normal, probe.radius,
+                                   spacing_, layers_.view()});
+  device_.parallel_for("probes/level", 1,
+                       FindLevel{layers_.view(), area / (spacing_ * spacing_), spacing_, value_.view()});
+}
+
+template <class D>
 void Probes<D>::observe(const pbd::Substep<D>& substep) {
   using namespace probe_kernels;
+  using enum ProbeMeasure;
   const float inverse_dt2 = 1 / (substep.dt * substep.dt);
   const Kernel& kernel = density_.kernel();
+  const pbd::ParticleView& p = substep.particles;
   for (uint32_t k = 0; k < probes_.size(); ++k) {
     const Probe& probe = probes_[k];
-    const uint32_t count = substep.particles.sorted;
-    if (probe.at_point) {
-      device_.reduce("probes/point", count, ProbeSum{},
-                     PointPressure{kernel, substep.particles.position, density_.multipliers(),
-                                   substep.particles.phase, probe.point, inverse_dt2 / kernel.volume},
-                     Add{}, value_.view());
-    } else {
-      device_.reduce("probes/wall", count, ProbeSum{},
-                     WallForce{substep.contacts, probe.shape, probe.patch, inverse_dt2}, Add{},
-                     value_.view());
+    switch (probe.measure) {
+      case pressure:
+        sum("probes/point", substep,
+            PointPressure{kernel, p.position, density_.multipliers(), p.phase, probe.point,
+                          inverse_dt2 / kernel.volume});
+        break;
+      case velocity:
+        sum("probes/velocity", substep, PointVelocity{kernel, p.position, p.velocity, probe.point});
+        break;
+      case density:
+        sum("probes/density", substep,
+            PointDensity{kernel, p.position, probe.point, spacing_ * spacing_ * spacing_});
+        break;
+      case force:
+      case torque:
+        sum("probes/wall", substep,
+            WallForce{substep.contacts, probe.shape, probe.patch, inverse_dt2, probe.measure == torque,
+                      probe.point});
+        break;
+      case flow:
+        sum("probes/flow", substep,
+            DiscFlow{p.position, p.velocity, probe.point, probe.normal, probe.radius, spacing_});
+        break;
+      case level:
+        measure_level(substep, probe);
+        break;
+      case momentum:
+      case angular_momentum:
+      case centre:
+        sum("probes/fluid", substep,
+            FluidSum{probe.measure, p.position, p.velocity, p.phase, probe.group, probe.point});
+        break;
     }
     device_.parallel_for("probes/accumulate", 1, Accumulate{value_.view(), totals_.view(), k});
   }
@@ -105,9 +262,8 @@ template <class D>
 void Probes<D>::read(std::span<ProbeSum> means) const {
   totals_.read(means);
   for (ProbeSum& m : means) {
-    if (m.weight > 0) m.pressure /= m.weight;
-    if (substeps_ > 0)
-      m = {m.pressure, m.weight / substeps_, m.x / substeps_, m.y / substeps_, m.z / substeps_};
+    const double parts = m.weight > 0 ? m.weight : substeps_;
+    if (parts > 0) m = {m.value / parts, m.weight, m.x / parts, m.y / parts, m.z / parts};
   }
 }
 

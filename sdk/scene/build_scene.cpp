@@ -28,9 +28,10 @@ FluidId material_of(const std::string& name, const Scene& scene, const std::vect
   return ids[scene.fluids.size() + std::size_t(granular - scene.granulars.begin())];
 }
 
-ProbeDef with_shape(const SceneProbe& probe, const Scene& scene, const std::vector<ShapeId>& shapes) {
+ProbeDef with_ids(const SceneProbe& probe, const Scene& scene, const BuiltScene& built) {
   ProbeDef def = probe.def;
-  if (def.kind != ProbeKind::point_pressure) def.shape = id_of(probe.shape, scene.shapes, shapes, "shape");
+  if (!probe.shape.empty()) def.shape = id_of(probe.shape, scene.shapes, built.shapes, "shape");
+  if (!probe.fluid.empty()) def.fluid = material_of(probe.fluid, scene, built.fluids);
   return def;
 }
 
@@ -150,7 +151,7 @@ BuiltScene build(const Scene& scene) {
   fill_volumes(scene, built);
   add_flow(scene, bodies, built);
   for_each_item("probes", scene.probes, [&](const SceneProbe& probe) {
-    built.probes.push_back(built.world.create_probe(with_shape(probe, scene, built.shapes)));
+    built.probes.push_back(built.world.create_probe(with_ids(probe, scene, built)));
   });
   for_each_item("checks", scene.checks, [&](const SceneCheck& check) { expect_closed(check, scene, built); });
   if (scene.relax_iterations > 0) built.world.relax(scene.relax_iterations);

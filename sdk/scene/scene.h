@@ -32,7 +32,8 @@ struct SceneSink {
 
 struct SceneProbe {
   std::string shape;  ///< ShapeDef::name, or empty
-  ProbeDef def;       ///< its shape id is filled in when the scene is built
+  std::string fluid;  ///< FluidDef::name or GranularDef::name, or empty
+  ProbeDef def;       ///< its ids are filled in when the scene is built
 };
 
 /// Equal bodies at the points of a lattice.

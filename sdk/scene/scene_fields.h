@@ -113,7 +113,19 @@ void choices(V& v, SceneProbe& p) {
   v.choice("point_pressure", ProbeOf<ProbeKind::point_pressure>{}, p, "pressure at a point in the fluid, Pa");
   v.choice("wall_pressure", ProbeOf<ProbeKind::wall_pressure>{}, p,
            "mean normal stress on a patch of a shape, Pa");
-  v.choice("wall_force", ProbeOf<ProbeKind::wall_force>{}, p, "magnitude of the fluid's force on a shape, N");
+  v.choice("wall_force", ProbeOf<ProbeKind::wall_force>{}, p, "the fluid's force on a shape, N");
+  v.choice("wall_torque", ProbeOf<ProbeKind::wall_torque>{}, p,
+           "the torque of the fluid's force on a shape, N·m");
+  v.choice("point_velocity", ProbeOf<ProbeKind::point_velocity>{}, p,
+           "velocity at a point in the fluid, m/s");
+  v.choice("point_density", ProbeOf<ProbeKind::point_density>{}, p, "density at a point in the fluid, kg/m³");
+  v.choice("flow", ProbeOf<ProbeKind::flow>{}, p, "flow through a disc, m³/s");
+  v.choice("level", ProbeOf<ProbeKind::level>{}, p,
+           "height of the free surface in a column, without spray, m");
+  v.choice("fluid_momentum", ProbeOf<ProbeKind::fluid_momentum>{}, p, "momentum of a fluid, kg·m/s");
+  v.choice("fluid_angular_momentum", ProbeOf<ProbeKind::fluid_angular_momentum>{}, p,
+           "angular momentum of a fluid, kg·m²/s");
+  v.choice("fluid_centre", ProbeOf<ProbeKind::fluid_centre>{}, p, "centre of mass of a fluid, m");
 }
 
 template <class V>

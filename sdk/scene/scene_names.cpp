@@ -150,8 +150,10 @@ void check_names(const Scene& scene, const std::string& source) {
     check_reference(scene.volumes[i].fluid, fluids, root.key("volumes").item(i).key("fluid"), "fluid");
   }
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-    if (scene.probes[i].def.kind == ProbeKind::point_pressure) continue;
-    check_reference(scene.probes[i].shape, shapes, root.key("probes").item(i).key("shape"), "shape");
+    const SceneProbe& probe = scene.probes[i];
+    const ScenePlace place = root.key("probes").item(i);
+    if (!probe.shape.empty()) check_reference(probe.shape, shapes, place.key("shape"), "shape");
+    if (!probe.fluid.empty()) check_reference(probe.fluid, fluids, place.key("fluid"), "fluid");
   }
 }
 

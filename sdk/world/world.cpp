@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "sdk/fields/probes.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/seeding.h"
 #include "sdk/world/tuning.h"
@@ -78,7 +79,8 @@ void World::Calls::destroy_shape(ShapeId id) {
 
 ProbeId World::Calls::create_probe(const ProbeDef& def) {
   check::def(def);
-  if (def.kind != ProbeKind::point_pressure) impl_->shapes.get(def.shape);
+  if (is_of_shape(def.kind)) impl_->shapes.get(def.shape);
+  if (is_of_fluid(def.kind) && def.fluid) impl_->fluids.get(*def.fluid);
   const size_t values = std::max<size_t>(impl_->probe_values.size(), impl_->probes.prepare() + 1);
   impl_->probe_values.resize(values);
   const ProbeId id = impl_->probes.insert(def);

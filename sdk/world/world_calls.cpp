@@ -281,6 +281,9 @@ std::span<const DiffuseParticle> World::diffuse() const {
 Diagnostics World::diagnostics() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.diagnostics(); });
 }
+Vec3 World::probe_vector(ProbeId id) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.probe_vector(id); });
+}
 double World::probe(ProbeId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.probe(id); });
 }

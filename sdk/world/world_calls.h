@@ -98,6 +98,7 @@ struct World::Calls {
   std::span<const DiffuseParticle> diffuse() const;
   Diagnostics diagnostics() const;
   double probe(ProbeId id) const;
+  Vec3 probe_vector(ProbeId id) const;
   uint64_t state_hash() const;
   std::vector<std::string> warnings() const;
   std::size_t device_bytes() const;

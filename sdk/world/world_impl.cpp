@@ -162,6 +162,38 @@ void World::Impl::upload_solids() {
   solids_are_on_device = true;
 }
 
+namespace {
+
+fluid::ProbeMeasure measure_of(ProbeKind kind) {
+  using enum fluid::ProbeMeasure;
+  switch (kind) {
+    case ProbeKind::point_pressure:
+      return pressure;
+    case ProbeKind::wall_pressure:
+    case ProbeKind::wall_force:
+      return force;
+    case ProbeKind::wall_torque:
+      return torque;
+    case ProbeKind::point_velocity:
+      return velocity;
+    case ProbeKind::point_density:
+      return density;
+    case ProbeKind::flow:
+      return flow;
+    case ProbeKind::level:
+      return level;
+    case ProbeKind::fluid_momentum:
+      return momentum;
+    case ProbeKind::fluid_angular_momentum:
+      return angular_momentum;
+    case ProbeKind::fluid_centre:
+      return centre;
+  }
+  return pressure;
+}
+
+}  // namespace
+
 void World::Impl::upload_probes() {
   if (probes_are_on_device) return;
   std::vector<fluid::Probe> all;
@@ -169,9 +201,14 @@ void World::Impl::upload_probes() {
   probes.for_each([&](uint32_t, const ProbeDef& probe) {
     // A removed shape has no contacts, and the shape that took its number is a different one.
     const uint32_t shape = shapes.find(probe.shape) ? probe.shape.index : pbd::no_index;
-    all.push_back({probe.kind == ProbeKind::point_pressure, probe.point, shape,
-                   probe.patch.value_or(
-                       Aabb{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}})});
+    const Aabb all_space{{-everywhere, -everywhere, -everywhere}, {everywhere, everywhere, everywhere}};
+    all.push_back({.measure = measure_of(probe.kind),
+                   .point = probe.point,
+                   .shape = shape,
+                   .patch = probe.patch.value_or(all_space),
+                   .normal = normalized_or(probe.normal, {0, 1, 0}),
+                   .radius = probe.radius,
+                   .group = probe.fluid ? probe.fluid->index : pbd::no_index});
   });
   engine->set_probes(all);
   probe_sums.assign(all.size(), {});

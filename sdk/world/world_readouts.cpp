@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "pbd/math/hash.h"
+#include "sdk/fields/probes.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/world_calls.h"
 
@@ -93,12 +94,18 @@ Diagnostics World::Calls::diagnostics() const {
   return d;
 }
 
+Vec3 World::Calls::probe_vector(ProbeId id) const {
+  if (!is_vector(impl_->probes.get(id).kind)) return {0, 0, 0};
+  const fluid::ProbeSum& value = impl_->probe_values[id.index];
+  return {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
+}
+
 double World::Calls::probe(ProbeId id) const {
   const ProbeDef& def = impl_->probes.get(id);
   const fluid::ProbeSum& value = impl_->probe_values[id.index];
-  if (def.kind == ProbeKind::point_pressure) return value.pressure;
-  const double force = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
-  return def.kind == ProbeKind::wall_pressure ? force / def.area : force;
+  const double size = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
+  if (def.kind == ProbeKind::wall_pressure) return size / def.area;
+  return is_vector(def.kind) ? size : value.value;
 }
 
 uint64_t World::Calls::state_hash() const {

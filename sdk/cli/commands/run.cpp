@@ -22,6 +22,7 @@
 #include "sdk/cli/record/run_recorder.h"
 #include "sdk/cli/record/run_summary.h"
 #include "sdk/cli/record/scene_checks.h"
+#include "sdk/fields/probes.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
@@ -114,6 +115,7 @@ class Run {
                     .emitted = {},
                     .taken = {},
                     .probes = {},
+                    .probe_vectors = {},
                     .bodies = states(),
                     .cloth = io::cloth_frame_of(world, built_.cloths, scene_.cloths),
                     .ropes = io::rope_frame_of(world, built_.ropes, scene_.ropes),
@@ -130,7 +132,12 @@ class Run {
     }
     for (const EmitterId emitter : built_.emitters) now.emitted.push_back(world.emitter_count(emitter).total);
     for (const SinkId sink : built_.sinks) now.taken.push_back(world.sink_count(sink).total);
-    for (const ProbeId probe : built_.probes) now.probes.push_back(world.probe(probe));
+    for (std::size_t i = 0; i < built_.probes.size(); ++i) {
+      const ProbeId probe = built_.probes[i];
+      now.probes.push_back(world.probe(probe));
+      const bool has_vector = is_vector(scene_.probes[i].def.kind);
+      now.probe_vectors.push_back(has_vector ? std::optional(world.probe_vector(probe)) : std::nullopt);
+    }
     for (const ClothId cloth : built_.cloths) {
       now.cloths.push_back(world.cloth_state(cloth));
       now.welded.push_back(world.cloth_welded_vertices(cloth));

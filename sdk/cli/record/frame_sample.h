@@ -8,6 +8,7 @@
 #include <meniscus/cloth.h>
 #include <meniscus/outputs.h>
 
+#include <optional>
 #include <vector>
 
 #include "sdk/io/cloth_frame.h"
@@ -24,10 +25,11 @@ struct FrameSample {
   double mass = 0;  ///< kg, of all particles, cloth and ropes
   io::ParticleFrame particles;
   io::DiffuseFrame diffuse;
-  std::vector<uint64_t> emitted;  ///< so far, in the order of the scene's emitters
-  std::vector<uint64_t> taken;    ///< so far, in the order of the scene's sinks
-  std::vector<double> probes;     ///< in the order of the scene's list
-  std::vector<BodyState> bodies;  ///< likewise
+  std::vector<uint64_t> emitted;                   ///< so far, in the order of the scene's emitters
+  std::vector<uint64_t> taken;                     ///< so far, in the order of the scene's sinks
+  std::vector<double> probes;                      ///< in the order of the scene's list
+  std::vector<std::optional<Vec3>> probe_vectors;  ///< of those that have one
+  std::vector<BodyState> bodies;                   ///< likewise
   io::ClothFrame cloth;
   io::RopeFrame ropes;
   io::LiquidFrame liquid;               ///< filled in if it is to be written

@@ -17,7 +17,7 @@ namespace meniscus::cli {
 class FrameTable {
  public:
   /// Throws Error(io).
-  FrameTable(std::filesystem::path path, const std::vector<std::string>& probe_names);
+  FrameTable(std::filesystem::path path, const std::vector<std::string>& probe_columns);
 
   /// Throws Error(io).
   void add(const FrameSample& sample);

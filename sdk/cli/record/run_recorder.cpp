@@ -10,15 +10,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sdk/fields/probes.h"
 #include "sdk/io/line_chart.h"
 #include "sdk/io/output_file.h"
 
 namespace meniscus::cli {
 namespace {
 
-std::vector<std::string> probe_names(const Scene& scene) {
+/// A vector has its length and its components.
+std::vector<std::string> probe_columns(const Scene& scene) {
   std::vector<std::string> names;
-  for (const SceneProbe& probe : scene.probes) names.push_back(probe.def.name);
+  for (const SceneProbe& probe : scene.probes) {
+    names.push_back(probe.def.name);
+    if (!is_vector(probe.def.kind)) continue;
+    for (const char* axis : {"_x", "_y", "_z"}) names.push_back(probe.def.name + axis);
+  }
   return names;
 }
 
@@ -59,7 +65,7 @@ double without_noise(double value) {
 RunRecorder::RunRecorder(std::filesystem::path folder, const Scene& scene)
     : folder_(std::move(folder)),
       scene_(scene),
-      table_(folder_ / "frames.csv", probe_names(scene)),
+      table_(folder_ / "frames.csv", probe_columns(scene)),
       cloth_(folder_, scene),
       energy_(scene),
       checks_(scene),

@@ -215,7 +215,8 @@ class World {
   std::span<const DiffuseParticle> diffuse() const;
 
   Diagnostics diagnostics() const;
-  double probe(ProbeId id) const;  ///< of the last step; the kind has the unit
+  double probe(ProbeId id) const;       ///< of the last step; the kind has the unit. Of a vector, its length
+  Vec3 probe_vector(ProbeId id) const;  ///< of a kind with vectors; 0 of the others
   /// The sum, modulo 2⁶⁴, of a hash of each particle, vertex and body: its number and the bits of position,
   /// velocity and rotation. Equal states have equal hashes, whatever the order on the device.
   uint64_t state_hash() const;

@@ -65,6 +65,7 @@ class RunRecorderTest : public testing::Test {
     s.particles.positions = positions_;
     s.particles.density_errors = errors_;
     s.probes = {100.0 + frame};
+    s.probe_vectors = {std::nullopt};
     return s;
   }
 
