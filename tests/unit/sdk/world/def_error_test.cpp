@@ -198,7 +198,7 @@ TEST_P(DefErrorTest, SinksAndProbes) {
   probe.point.x = nan;
   expect_error(invalid, "point", [&] { world_.create_probe(probe); });
   probe = {};
-  probe.kind = static_cast<ProbeKind>(3);
+  probe.kind = static_cast<ProbeKind>(99);
   expect_error(invalid, "ProbeDef::kind", [&] { world_.create_probe(probe); });
   probe.kind = ProbeKind::wall_force;
   expect_error(ErrorCode::not_found, "shape", [&] { world_.create_probe(probe); });
