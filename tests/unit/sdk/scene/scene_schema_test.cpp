@@ -46,7 +46,7 @@ TEST(SceneSchema, ReaderTakesEveryKeyOfTheSchema) {
     EXPECT_NO_THROW(parse_scene(document)) << "alternative " << choice;
   }
   // Cloth and solids have a mesh and a sphere each, but under one key.
-  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 3u + 3u + 1u + 14u)
+  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 11u + 3u + 1u + 14u)
       << "geometries of solids and of cloth, joints, regions, probes and openings, each at least once; and "
          "of "
          "sinks the half-space; checks";
