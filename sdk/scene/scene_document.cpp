@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t most_levels = 256;
-
 /// "line 3, column 5" of the last byte that the parser took, which the library counts from 1.
 std::string position_of(std::size_t byte, const std::string& text) {
   const std::size_t end = std::min(byte, text.size());

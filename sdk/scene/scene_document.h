@@ -4,10 +4,14 @@
 // The contents of a scene file as a JSON document.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 
 namespace meniscus {
+
+/// Arrays and objects inside one another, at most: recursion over documents must not overrun the stack.
+inline constexpr std::size_t most_levels = 256;
 
 /// Empties a document from its innermost values on. The library's destructor takes memory for what is not
 /// empty, and ends the program where there is none.

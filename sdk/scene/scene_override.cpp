@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "sdk/scene/scene_document.h"
 #include "sdk/scene/scene_meshes.h"
 #include "sdk/scene/scene_values.h"
 
@@ -19,8 +20,6 @@ namespace meniscus {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::size_t most_levels = 256;  // recursion over documents must not overrun the stack
 
 using Step = std::variant<std::string, std::size_t>;  ///< into an object by key, or into an array by index
 
@@ -60,7 +59,8 @@ std::vector<Step> split_path(std::string_view path) {
 
 Json parse_value(const std::string& override_text, const std::string& text, const Step& last) {
   const auto expect_flat = [&](int depth, Json::parse_event_t, const Json&) {
-    if (depth > static_cast<int>(most_levels)) fail(override_text, "is nested more than 256 levels deep");
+    if (depth > static_cast<int>(most_levels))
+      fail(override_text, "is nested more than " + std::to_string(most_levels) + " levels deep");
     return true;
   };
   const Json value = Json::parse(text, expect_flat, false);

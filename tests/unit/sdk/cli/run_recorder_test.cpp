@@ -30,8 +30,9 @@ class RunRecorderTest : public testing::Test {
     tank.geometry = ContainerGeometry{{1, 1, 1}, {{Face::y_high, std::nullopt}}};
     tank.pose.position = {0, 3, 0};  // its floor is at y = 2
     scene_.shapes = {tank};
-    scene_.probes.resize(1);
+    scene_.probes.resize(2);
     scene_.probes[0].def.name = "wall, left";
+    scene_.probes[1].def = {.name = "push", .kind = ProbeKind::wall_force};
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -64,8 +65,8 @@ class RunRecorderTest : public testing::Test {
     s.particles.time = 0.01 * frame;
     s.particles.positions = positions_;
     s.particles.density_errors = errors_;
-    s.probes = {100.0 + frame};
-    s.probe_vectors = {std::nullopt};
+    s.probes = {100.0 + frame, 3};
+    s.probe_vectors = {std::nullopt, Vec3{1, 2, -2}};
     return s;
   }
 
@@ -95,13 +96,13 @@ TEST_F(RunRecorderTest, ARowIsOnDiskAsSoonAsItIsKnown) {
       "particles,"
       "density_error_mean_percent,density_error_max_percent,kinetic_j,potential_j,contacts,max_speed,non_"
       "finite,"
-      "outside,substeps,removed,emitted,\"wall, left\"");
+      "outside,substeps,removed,emitted,\"wall, left\",push,push_x,push_y,push_z");
   recorder.start({"cpu", "test", true, "", 0}, sample(0, 3, 0, 0));
   recorder.add(sample(1, 3, 1.5, 0.04f));
   ASSERT_EQ(csv().size(), 2u);
-  EXPECT_EQ(
-      csv()[1],
-      "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,5,101");
+  EXPECT_EQ(csv()[1],
+            "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,5,"
+            "101,3,1,2,-2");
 }
 
 TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
