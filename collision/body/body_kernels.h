@@ -247,16 +247,18 @@ struct Follow {
   }
 };
 
-/// Computes the substep's impulse on each body.
+/// Computes the substep's impulse on each body: that of its contacts, and what other sets load it with.
 struct TakeImpulse {
   View<const ContactSum> partial;
+  View<const RigidImpulse> loads;  ///< by body, or none
   View<RigidImpulse> impulses;
   uint32_t lanes;
   float inverse_dt;
 
   MENISCUS_HD void operator()(uint32_t b) const {
     const ContactSum sum = sum_of_lanes(partial, b, lanes);
-    impulses[b] = {-inverse_dt * sum.push.xyz(), -inverse_dt * sum.twist.xyz()};
+    const RigidImpulse load = loads.count ? loads[b] : RigidImpulse{{0, 0, 0}, {0, 0, 0}};
+    impulses[b] = {load.linear - inverse_dt * sum.push.xyz(), load.angular - inverse_dt * sum.twist.xyz()};
   }
 };
 

@@ -41,6 +41,9 @@ class BodySet final : public pbd::ConstraintSet<D> {
   /// Resets the mean forces on a body that is destroyed, so that the next body with its number starts with
   /// none.
   void forget_forces(uint32_t body);
+  /// By body: impulses of the substep that are known when contacts are summed, beside those of contacts.
+  /// Empty if there are none. The view must stay valid until the next call.
+  void set_loads(pbd::View<const RigidImpulse> loads) { loads_ = loads; }
   /// Moves the shapes to the bodies' current poses.
   void place();
 
@@ -57,6 +60,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
 
   /// By body: its predicted pose. Contact searches that run after the prediction read this.
   pbd::View<const BodyProxy> proxies() const { return proxies_.view(); }
+  /// By body: its motion in the present substep, as predicted. For the host.
+  std::span<const RigidMotion> motions() const { return motion_.host(); }
   /// By body with contacts: its displacement by these contacts so far in the substep.
   pbd::View<const body_kernels::ContactMotion> contact_motions() const {
     return contact_motion_.current.view();
@@ -101,6 +106,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<BodyProxy> proxies_{device_, "body proxies"};
   pbd::Buffer<CarriedShape> carried_{device_, "carried shapes"};
   pbd::View<Shape> shapes_;
+  pbd::View<const RigidImpulse> loads_;
   pbd::Buffer<body_kernels::ContactSum> partial_{device_, "body sums"};
   pbd::DoubleBuffer<body_kernels::ContactMotion> contact_motion_{device_, "body displacements"};
   pbd::Buffer<uint32_t> key_{device_, "contact bodies"};

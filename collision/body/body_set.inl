@@ -147,8 +147,9 @@ template <class D>
 void BodySet<D>::end(pbd::Substep<D>& substep) {
   if (bodies_ == 0) return;
   sum_contacts(substep);
-  device_.parallel_for("bodies/impulse", bodies_,
-                       body_kernels::TakeImpulse{partial_.view(), impulses_.view(), lanes(), 1 / substep.dt});
+  device_.parallel_for(
+      "bodies/impulse", bodies_,
+      body_kernels::TakeImpulse{partial_.view(), loads_, impulses_.view(), lanes(), 1 / substep.dt});
   device_.set_fence();
 }
 

@@ -19,6 +19,7 @@
 #include "collision/body/proxy.h"
 #include "collision/contact/shape.h"
 #include "collision/contact/shape_contacts.h"
+#include "collision/film/film_surface.h"
 #include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/grains/grain_set.h"
 #include "collision/mesh/mesh.h"
@@ -56,6 +57,7 @@ struct SolidShapes {
   uint32_t fixed = 0;
   std::vector<collision::PlaneOpening> openings;
   std::vector<collision::CarriedShape> carried;
+  std::vector<collision::FilmPart> films;  ///< the surfaces of bodies
 };
 
 enum class TouchedKind { shape, body, cloth };

@@ -17,6 +17,7 @@
 #include "collision/body/stick_anchors.h"
 #include "collision/contact/contact_set.h"
 #include "collision/contact/shape_contacts.h"
+#include "collision/film/film_set.h"
 #include "collision/fluid_cloth/fluid_cloth_set.h"
 #include "collision/grains/grain_set.h"
 #include "collision/sdf/mesh_fields.h"
@@ -49,6 +50,8 @@ class DeviceEngine final : public Engine {
         contacts_(device_, particles_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
         attachments_(device_, bodies_),
+        films_(device_, {def.particle_spacing, def.solver.contact_radius, def.solver.support_radius},
+               contacts_, bodies_),
         effective_mass_(device_, bodies_),
         stick_anchors_(device_, bodies_),
         density_(device_, def.kernel, def.density),
@@ -71,6 +74,10 @@ class DeviceEngine final : public Engine {
         sinks_(device_),
         jets_(device_),
         free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
+    films_.set_fluid([this]() -> collision::FluidMultipliers {
+      using Multiplier = fluid::density_kernels::Multiplier;
+      return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float), def_.kernel.volume};
+    });
     assemble();
     if (def.diffuse) add_diffuse(*def.diffuse);
     reserve(0, 1);
@@ -95,8 +102,8 @@ class DeviceEngine final : public Engine {
   void forget_contacts(uint32_t solid, TouchedKind kind) override;
   void set_sinks(std::span<const Sink> sinks) override { sinks_.set(sinks); }
   std::vector<bool> take_sinks(std::span<uint32_t> taken) override;
-  void set_probes(std::span<const fluid::Probe> probes) override { probes_.set_probes(probes); }
-  void read_probes(std::span<fluid::ProbeSum> means) override { probes_.read(means); }
+  void set_probes(std::span<const fluid::Probe> probes) override;
+  void read_probes(std::span<fluid::ProbeSum> means) override;
 
   std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) override;
   std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
@@ -170,6 +177,7 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::ccd_failsafe, self_contacts_.ccd_failsafe())
         .place(SetPhase::attachment_release, attachments_.release())
         .place(SetPhase::fluid_cloth, fluid_cloth_)
+        .place(SetPhase::films, films_)
         .place(SetPhase::viscosity, viscosity_)
         .place(SetPhase::bodies, bodies_)
         .for_each([this](auto& set) { solver_.add(set); });
@@ -213,6 +221,7 @@ class DeviceEngine final : public Engine {
   collision::ShapeContacts<D> contacts_;
   collision::BodySet<D> bodies_;
   collision::BodyAttachments<D> attachments_;
+  collision::FilmSet<D> films_;
   collision::EffectiveMass<D> effective_mass_;
   collision::StickAnchors<D> stick_anchors_;
   fluid::DensitySet<D> density_;

@@ -45,6 +45,25 @@ void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
 }
 
 template <class D>
+void DeviceEngine<D>::set_probes(std::span<const fluid::Probe> probes) {
+  std::vector<collision::film_kernels::LoadProbe> loads;
+  for (const fluid::Probe& p : probes) loads.push_back({p.at_point ? pbd::no_index : p.shape, p.patch});
+  films_.set_probes(loads);
+  probes_.set_probes(probes);
+}
+
+template <class D>
+void DeviceEngine<D>::read_probes(std::span<fluid::ProbeSum> means) {
+  probes_.read(means);
+  const std::vector<Vec3> loads = films_.read_probes();
+  for (size_t k = 0; k < means.size(); ++k) {
+    means[k].x += double{loads[k].x};
+    means[k].y += double{loads[k].y};
+    means[k].z += double{loads[k].z};
+  }
+}
+
+template <class D>
 EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::span<float> full) {
   using namespace engine_kernels;
   fetch_contacts();

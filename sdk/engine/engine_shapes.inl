@@ -62,6 +62,7 @@ void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
   contacts_.set_shapes(shape_set_, fixed_are_planes);
   bodies_.set_shapes(solids.carried, shapes_.view());
   viscosity_.set_walls(slip_lengths(solids.shapes, false), slip_lengths(solids.shapes, true));
+  films_.set_parts(solids.films, def_.rigid->body_slots(), solids.shapes, solids.fixed);
   any_overlapping_ = true;
 }
 

@@ -29,17 +29,33 @@ enum class SetPhase {
   ccd_failsafe,        ///< after sets that move vertices: nothing has passed through cloth
   attachment_release,  ///< after sets that move vertices: vertices get their own masses back
   fluid_cloth,         ///< after sets that move vertices: no fluid has passed through cloth
+  films,               ///< before bodies: loads them with the fluid in narrow gaps
   viscosity,           ///< before bodies, which receive what walls exert
   bodies,              ///< last: bodies receive the impulses of all others, and Bullet steps
   count,
 };
 
 constexpr const char* phase_name(SetPhase phase) {
-  constexpr std::array names{
-      "surface_tension",    "density",     "fluid_loads",        "attachments", "stick_anchors",
-      "body_loads",         "cloth",       "body_load_transfer", "rods",        "ropes",
-      "self_contact",       "grains",      "fluid_carry",        "contacts",    "ccd_failsafe",
-      "attachment_release", "fluid_cloth", "viscosity",          "bodies"};
+  constexpr std::array names{"surface_tension",
+                             "density",
+                             "fluid_loads",
+                             "attachments",
+                             "stick_anchors",
+                             "body_loads",
+                             "cloth",
+                             "body_load_transfer",
+                             "rods",
+                             "ropes",
+                             "self_contact",
+                             "grains",
+                             "fluid_carry",
+                             "contacts",
+                             "ccd_failsafe",
+                             "attachment_release",
+                             "fluid_cloth",
+                             "films",
+                             "viscosity",
+                             "bodies"};
   static_assert(names.size() == static_cast<std::size_t>(SetPhase::count));
   return names[static_cast<std::size_t>(phase)];
 }

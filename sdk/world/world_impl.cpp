@@ -156,6 +156,7 @@ void World::Impl::upload_solids() {
       carried.body = number;
       carried.pose = inverse(entry.principal) * piece.place.pose;
       all.carried.push_back(carried);
+      if (piece.film) all.films.push_back({carried.shape, number, carried.pose, piece.film});
     });
   });
   engine->set_shapes(all);

@@ -20,6 +20,7 @@ TEST_P(BodyEntryTest, TheWholeGainsWhatGravityAndTheWallsGive) {
   world.add_fluid(block(water, {-0.4f, 0, -0.4f}, {0.4f, 0.5f, 0.4f}));
   BodyDef falling = body(SphereGeometry{0.15f}, {0.05f, 0.7f, 0.02f}, 1500);
   falling.velocity = {0.3f, -3, 0};
+  falling.surface.solid_friction = 0;  // contacts of solids are read without it
   const BodyId ball = world.create_body(falling);
   const double mass = double{world.body_mass(ball).mass} +
                       double{world.particle_mass(water)} * static_cast<double>(world.particle_count());
@@ -30,9 +31,9 @@ TEST_P(BodyEntryTest, TheWholeGainsWhatGravityAndTheWallsGive) {
     const double before = world.time();
     world.step(0.004f);
     given += (world.time() - before) * mass * Sum3(0, -9.81, 0);
-    for (const ParticleContact& c : world.particle_contacts()) {
-      if (c.body == BodyId{}) given += c.impulse;
-    }
+    // What the ball gets beyond what its particles give is from a film, whose other face is a wall.
+    for (const ParticleContact& c : world.particle_contacts()) given += c.impulse;
+    given += (world.time() - before) * Sum3(world.body_state(ball).fluid_force);
     for (const SolidContact& c : world.solid_contacts()) given += double{c.impulse} * Sum3(c.normal);
   }
   const Momentum end = fluid_momentum(world, water) + body_momentum(world, ball);

@@ -90,7 +90,7 @@ TEST_P(FloatingBodiesTest, AHeavyBallSinksAndALightOneRises) {
   }
 }
 
-// A ball on a peg, with water beneath it. No water gets beneath the peg: its foot is not pushed up.
+// A ball on a peg, with water beneath it. No particle gets beneath the peg: a film pushes its foot up.
 TEST_P(FloatingBodiesTest, OnTheFloorItPressesWithItsWeightLessItsLift) {
   WorldDef def = world_def(GetParam(), s);
   def.substeps = 1;  // so that each contact can be read
@@ -101,8 +101,8 @@ TEST_P(FloatingBodiesTest, OnTheFloorItPressesWithItsWeightLessItsLift) {
   BodyDef ball_def = body(on_peg, {0, 0.33f, 0}, 2500);
   ball_def.can_sleep = false;
   const BodyId ball = world.create_body(ball_def);
-  constexpr float depth = 0.7f, step = 0.004f;
-  add_water(world, depth, 50);
+  constexpr float step = 0.004f;
+  add_water(world, 0.7f, 50);
   run(world, 200, step);
   double lift = 0, floor = 0;
   constexpr int steps = 150;
@@ -115,7 +115,7 @@ TEST_P(FloatingBodiesTest, OnTheFloorItPressesWithItsWeightLessItsLift) {
   }
   const BodyMass mass = world.body_mass(ball);
   const double weight = double{mass.mass * gravity};
-  const double expected = 1000 * double{gravity * (mass.volume - depth * 0.06f * 0.06f)};
+  const double expected = 1000 * double{gravity * mass.volume};
   RecordProperty("lift_over_expected", std::to_string(lift / expected));
   EXPECT_NEAR(lift, expected, 0.03 * expected);
   EXPECT_NEAR(floor, weight - lift, 0.01 * weight);
@@ -152,7 +152,8 @@ TEST_P(FloatingBodiesTest, ALightRaftCarriesAHeavyBox) {
   }
 }
 
-// Heavy on light and light on heavy, in a pile on the floor under water.
+// Heavy on light and light on heavy, in a pile on the floor under water. The light ones are so heavy that
+// films, whose pressure may be 5 % off, do not lift them.
 TEST_P(FloatingBodiesTest, APileUnderWaterDoesNotSinkIntoItself) {
   for (bool heavy_first : {true, false}) {
     WorldDef def = world_def(GetParam(), s);
@@ -161,7 +162,7 @@ TEST_P(FloatingBodiesTest, APileUnderWaterDoesNotSinkIntoItself) {
     add_tank(world);
     std::vector<BodyId> pile;
     for (int n = 0; n < 3; ++n) {
-      const float density = (n % 2 == 0) == heavy_first ? 8000.0f : 1100.0f;
+      const float density = (n % 2 == 0) == heavy_first ? 8000.0f : 1500.0f;
       pile.push_back(world.create_body(
           body(BoxGeometry{{0.1f, 0.08f, 0.1f}}, {0, 0.08f + 0.161f * float(n), 0}, density)));
     }

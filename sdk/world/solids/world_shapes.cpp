@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/film/film_surface.h"
+#include "collision/film/tuning.h"
 #include "collision/mesh/hull.h"
 #include "sdk/world/solids/container_walls.h"
 #include "sdk/world/solids/tuning.h"
@@ -47,20 +49,24 @@ class SolidBuilder {
   }
   void operator()(const BoxGeometry& g) {
     add(ShapeKind::box, g.half_extents, g.half_extents, RigidPart::Kind::box);
+    add_film([&](float) { return collision::box_surface_mesh(g.half_extents); });
     weigh([&](double d) { return collision::box_mass(g.half_extents, d); });
   }
   void operator()(const SphereGeometry& g) {
     add(ShapeKind::sphere, {g.radius, 0, 0}, {g.radius, g.radius, g.radius}, RigidPart::Kind::sphere);
+    add_film([&](float edge) { return collision::capsule_surface_mesh(g.radius, 0, edge); });
     weigh([&](double d) { return collision::sphere_mass(g.radius, d); });
   }
   void operator()(const CapsuleGeometry& g) {
     add(ShapeKind::capsule, {g.radius, g.half_height, 0}, {g.radius, g.radius + g.half_height, g.radius},
         RigidPart::Kind::capsule);
+    add_film([&](float edge) { return collision::capsule_surface_mesh(g.radius, g.half_height, edge); });
     weigh([&](double d) { return collision::capsule_mass(g.radius, g.half_height, d); });
   }
   void operator()(const CylinderGeometry& g) {
     add(ShapeKind::cylinder, {g.radius, g.half_height, 0}, {g.radius, g.half_height, g.radius},
         RigidPart::Kind::cylinder);
+    add_film([&](float edge) { return collision::cylinder_surface_mesh(g.radius, g.half_height, edge); });
     weigh([&](double d) { return collision::cylinder_mass(g.radius, g.half_height, d); });
   }
   void operator()(const MeshGeometry& g) {
@@ -73,6 +79,7 @@ class SolidBuilder {
       return collision::mesh_mass(*solid.mesh, d);
     });  // may throw, so it comes before a field is made
     add_field(*solid.mesh, cell_size, g.max_error);
+    add_film([&](float) { return *solid.mesh; });
     if (!falls) add_part(solid.mesh, RigidPart::Kind::mesh);
     for (auto& hull : solid.hulls) add_part(std::move(hull), RigidPart::Kind::hull);
     if (solid.repair) solid_.repairs.push_back(std::move(*solid.repair));
@@ -81,6 +88,7 @@ class SolidBuilder {
     const auto mesh = std::make_shared<const TriangleMesh>(collision::hull_mesh(g.points));
     const float cell_size = cell_for(collision::bounds(*mesh));
     add_field(*mesh, cell_size, 0);
+    add_film([&](float) { return *mesh; });
     add_part(mesh, RigidPart::Kind::hull);
     weigh([&](double d) { return collision::mesh_mass(*mesh, d); });
   }
@@ -151,6 +159,15 @@ class SolidBuilder {
     piece.shape.table = context_.engine.add_sdf(mesh, cell_size, max_error, context_.reach);
     piece.place.bounds = collision::bounds(mesh);
     solid_.pieces.push_back(piece);
+  }
+
+  /// Gives the last piece of a body its surface.
+  template <class Surface>
+  void add_film(const Surface& surface) {
+    if (role_ == SolidRole::fixed) return;
+    const float edge = collision::film_tuning::edge * context_.spacing;
+    solid_.pieces.back().film =
+        std::make_shared<const TriangleMesh>(collision::film_mesh(surface(edge), edge));
   }
 
   void add_part(std::shared_ptr<const TriangleMesh> mesh, RigidPart::Kind kind) {

@@ -6,6 +6,7 @@
 
 #include <meniscus/bodies.h>
 
+#include <memory>
 #include <vector>
 
 #include "collision/body/proxy.h"
@@ -21,7 +22,8 @@ namespace meniscus {
 struct SolidPieces {
   struct Piece {
     collision::Shape shape;  ///< kind, size, table, surface, openings; first_opening counts within `openings`
-    collision::CarriedShape place;  ///< pose and extent
+    collision::CarriedShape place;                        ///< pose and extent
+    std::shared_ptr<const collision::TriangleMesh> film;  ///< of a body's piece: its surface, see FilmPart
   };
   std::vector<Piece> pieces;
   std::vector<collision::PlaneOpening> openings;

@@ -310,7 +310,7 @@ TEST(BodyKernels, TheImpulseIsWhatTheParticlesGotTheOtherWayRound) {
   bench.iterate();
   bench.sum();
   std::vector<RigidImpulse> impulses(1);
-  TakeImpulse{view(bench.partial), view(impulses), Bench::lanes, 100}(0);
+  TakeImpulse{view(bench.partial), {}, view(impulses), Bench::lanes, 100}(0);
   const Vec3 got = bench.position[0].xyz() - bench.previous[0].xyz();  // times 1 kg, in 1/100 s
   EXPECT_NEAR(length(impulses[0].linear + 100 * got), 0, 1e-5f);
   EXPECT_NEAR(impulses[0].angular.z, 0.3f * impulses[0].linear.y, 1e-6f);

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The fluid in gaps between solids that are too narrow for particles.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "collision/body/body_set.h"
+#include "collision/film/film_nearness.h"
+#include "collision/film/film_solve.h"
+#include "pbd/substep.h"
+
+namespace meniscus::collision {
+
+/// Where the multipliers of the fluid particles are.
+struct FluidMultipliers {
+  const float* first = nullptr;
+  uint32_t stride = 1;  ///< floats from one particle's to the next
+  float volume = 1;     ///< m³: the pressure is multiplier / (volume · dt²)
+};
+
+/// Loads both faces of a gap that is too narrow for particles with the pressure of the fluid in it. The fluid
+/// is a film, with the pressure of Reynolds' equation at steady state:
+///
+///   ∇·(g³ ∇(p − ρ g·x)) = 0, with p of the fluid or the air beside it at the rim.
+///
+/// It follows from the gaps and the multipliers of a substep alone. The loads go to BodySet as impulses. So
+/// this set must stand before it.
+template <class D>
+class FilmSet final : public pbd::ConstraintSet<D> {
+ public:
+  FilmSet(D& device, const film_kernels::Lengths& lengths, ShapeContacts<D>& contacts, BodySet<D>& bodies)
+      : device_(device), lengths_(lengths), contacts_(contacts), bodies_(bodies), candidates_(device) {}
+
+  /// Where the multipliers are is asked for in each substep.
+  void set_fluid(std::function<FluidMultipliers()> multipliers) { multipliers_ = std::move(multipliers); }
+  /// The parts of bodies; see join_film_parts. Must be called when shapes or bodies change. Fixed shapes come
+  /// first.
+  void set_parts(std::span<const FilmPart> parts, uint32_t bodies, std::span<const Shape> shapes,
+                 uint32_t fixed);
+  void set_probes(std::span<const film_kernels::LoadProbe> probes);
+  /// By probe: the mean force of films over the last step, N.
+  std::vector<Vec3> read_probes() const;
+
+  void reserve(uint32_t capacity, uint32_t) override { has_fluid_ = capacity > 0; }
+  void start_step() override;
+  void project(pbd::Substep<D>&, int) override {}
+  void end(pbd::Substep<D>& substep) override;
+
+ private:
+  void upload();
+  film_kernels::Surfaces surfaces() const;
+  film_kernels::Fluid fluid(const pbd::Substep<D>& substep) const;
+
+  D& device_;
+  film_kernels::Lengths lengths_;
+  ShapeContacts<D>& contacts_;
+  BodySet<D>& bodies_;
+  Candidates candidates_;
+  std::function<FluidMultipliers()> multipliers_;
+  FilmSurfaces all_;
+  FilmNearness nearness_;
+  bool has_fluid_ = false, is_on_device_ = true;
+  float step_time_ = 0;  // s
+
+  pbd::Buffer<Vec3> vertices_{device_, "film vertices"};
+  pbd::Buffer<FilmTriangle> triangles_{device_, "film triangles"};
+  pbd::Buffer<uint32_t> first_corner_{device_, "film corners"};
+  pbd::Buffer<FilmCorner> corners_{device_, "film corners"};
+  pbd::Buffer<FilmRange> ranges_{device_, "film bodies"};
+  pbd::Buffer<pbd::Vec4> centre_{device_, "film centres"};
+  pbd::Buffer<film_kernels::Gap> gaps_{device_, "film gaps"};
+  pbd::Buffer<film_kernels::RimPoint> rims_{device_, "film rims"};
+  pbd::Buffer<uint32_t> has_film_{device_, "film bodies"};
+  pbd::Buffer<float> pressure_{device_, "film pressures"};
+  pbd::Buffer<float> residual_{device_, "film residuals"};
+  pbd::Buffer<float> direction_{device_, "film directions"};
+  pbd::Buffer<float> applied_{device_, "film directions"};
+  pbd::Buffer<float> diagonal_{device_, "film diagonal"};
+  pbd::Buffer<float> part_{device_, "film loads"};
+  pbd::Buffer<int64_t> pushes_{device_, "film loads"};
+  pbd::Buffer<film_kernels::WholeImpulse> sums_{device_, "film loads"};
+  pbd::Buffer<RigidImpulse> impulses_{device_, "film loads"};
+  pbd::Buffer<film_kernels::LoadProbe> probes_{device_, "film probes"};
+  pbd::Buffer<film_kernels::WholeImpulse> probe_sums_{device_, "film probes"};
+};
+
+}  // namespace meniscus::collision

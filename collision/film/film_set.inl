@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Functions of FilmSet; its kernels are in film_kernels.h and film_solve.h.
+#pragma once
+
+#include "collision/film/film_set.h"
+
+namespace meniscus::collision {
+
+template <class D>
+void FilmSet<D>::set_parts(std::span<const FilmPart> parts, uint32_t bodies, std::span<const Shape> shapes,
+                           uint32_t fixed) {
+  all_ = join_film_parts(parts, bodies);
+  nearness_.set(shapes, fixed, all_);
+  is_on_device_ = false;
+  bodies_.set_loads({});
+}
+
+template <class D>
+void FilmSet<D>::set_probes(std::span<const film_kernels::LoadProbe> probes) {
+  probes_.resize_discard(probes.size());
+  probes_.write(probes);
+  probe_sums_.resize_discard(probes.size());
+  probe_sums_.fill(0);
+}
+
+template <class D>
+std::vector<Vec3> FilmSet<D>::read_probes() const {
+  std::vector<film_kernels::WholeImpulse> sums(probe_sums_.size());
+  probe_sums_.read(std::span(sums));
+  std::vector<Vec3> forces;
+  for (const auto& s : sums)
+    forces.push_back(step_time_ > 0 ? Vec3{s.at(0), s.at(1), s.at(2)} / step_time_ : Vec3{0, 0, 0});
+  return forces;
+}
+
+/// Without fluid the surfaces take no memory on the device.
+template <class D>
+void FilmSet<D>::upload() {
+  const auto write = [&]<class T>(pbd::Buffer<T>& buffer, const std::vector<T>& values) {
+    buffer.resize_discard(values.size());
+    buffer.write(values);
+  };
+  write(vertices_, all_.vertices);
+  write(triangles_, all_.triangles);
+  write(first_corner_, all_.first_corner);
+  write(corners_, all_.corners);
+  write(ranges_, all_.bodies);
+  centre_.resize_discard(all_.triangles.size());
+  gaps_.resize_discard(all_.triangles.size());
+  rims_.resize_discard(all_.vertices.size());
+  for (auto* buffer : {&pressure_, &residual_, &direction_, &applied_, &diagonal_})
+    buffer->resize_discard(all_.vertices.size());
+  has_film_.resize_discard(all_.bodies.size());
+  part_.resize_discard(all_.bodies.size());
+  pushes_.resize_discard(all_.bodies.size());
+  sums_.resize_discard(all_.bodies.size());
+  impulses_.resize_discard(all_.bodies.size());
+  candidates_.reserve(static_cast<uint32_t>(all_.triangles.size()), contacts_.shapes().shapes.count);
+  is_on_device_ = true;
+}
+
+template <class D>
+void FilmSet<D>::start_step() {
+  if (!is_on_device_ && has_fluid_ && !all_.triangles.empty()) upload();
+  step_time_ = 0;
+  probe_sums_.fill(0);
+}
+
+template <class D>
+film_kernels::Surfaces FilmSet<D>::surfaces() const {
+  return {vertices_.view(), triangles_.view(), first_corner_.view(),
+          corners_.view(),  ranges_.view(),    bodies_.proxies()};
+}
+
+template <class D>
+film_kernels::Fluid FilmSet<D>::fluid(const pbd::Substep<D>& substep) const {
+  const FluidMultipliers m = multipliers_();
+  return {substep.grid,
+          substep.particles.position,
+          substep.particles.phase,
+          contacts_.filters(),
+          m.first,
+          m.stride,
+          1 / (m.volume * substep.dt * substep.dt),
+          substep.gravity};
+}
+
+template <class D>
+void FilmSet<D>::end(pbd::Substep<D>& substep) {
+  using namespace film_kernels;
+  step_time_ += substep.dt;
+  bodies_.set_loads({});
+  if (!is_on_device_ || all_.triangles.empty() || substep.particles.sorted == 0) return;
+  if (!nearness_.any(bodies_.motions(), substep.dt, lengths_.widest())) return;
+  const auto triangles = static_cast<uint32_t>(all_.triangles.size()),
+             vertices = static_cast<uint32_t>(all_.vertices.size()),
+             bodies = static_cast<uint32_t>(all_.bodies.size());
+  const Surfaces film = surfaces();
+  const Fluid around = fluid(substep);
+  const ShapeSet& set = contacts_.shapes();
+  device_.parallel_for("films/place", triangles, PlaceCentres{film, centre_.view()});
+  candidates_.find(device_, set, centre_.view(), centre_.view(), triangles, lengths_.widest());
+  device_.parallel_for("films/gaps", triangles,
+                       FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, gaps_.view()});
+  has_film_.fill(0);
+  pushes_.fill(0);
+  sums_.fill(0);
+  device_.parallel_for("films/rims", vertices,
+                       FindRims{film, set, gaps_.view(), around, lengths_, rims_.view(), has_film_.view()});
+  const pbd::ParticleView& p = substep.particles;
+  device_.parallel_for("films/pushes", substep.contacts.contacts.count,
+                       AddPushes{substep.contacts, p.position, p.phase, p.sorted, has_film_.view(), lengths_,
+                                 1 / substep.dt, pushes_.view()});
+  const SolveViews views{pressure_.view(), residual_.view(), direction_.view(),
+                         applied_.view(),  diagonal_.view(), part_.view()};
+  device_.parallel_for_groups("films/solve", bodies,
+                              SolveFilms{film, gaps_.view(), rims_.view(), has_film_.view(), pushes_.view(),
+                                         substep.gravity, substep.dt, views});
+  device_.parallel_for("films/loads", triangles,
+                       AddLoads{film, set, gaps_.view(), pressure_.view(), part_.view(), probes_.view(),
+                                substep.dt, sums_.view(), probe_sums_.view()});
+  device_.parallel_for("films/impulses", bodies, ReadLoads{sums_.view(), impulses_.view()});
+  bodies_.set_loads(impulses_.view());
+}
+
+}  // namespace meniscus::collision

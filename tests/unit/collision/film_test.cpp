@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The surfaces of films, and their pressure against a dense solve in double precision.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "collision/film/film_nearness.h"
+#include "collision/film/film_solve.h"
+#include "collision/mesh/triangle.h"
+#include "pbd/device/cpu/cpu_device.h"
+#include "tests/unit/collision/mesh_shapes.h"
+
+namespace meniscus::collision {
+namespace {
+
+using namespace film_kernels;
+
+double area_of(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    sum += 0.5 * double{length(area_normal({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}))};
+  return sum;
+}
+
+void expect_closed_with_edges_up_to(float longest, const TriangleMesh& mesh) {
+  std::map<std::pair<uint32_t, uint32_t>, int> edges;
+  for (const auto& t : mesh.triangles) {
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t a = t[k], b = t[(k + 1) % 3];
+      edges[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+      EXPECT_LE(length(mesh.vertices[a] - mesh.vertices[b]), 1.0001f * longest);
+    }
+  }
+  for (const auto& [edge, uses] : edges) EXPECT_EQ(uses, 0);
+}
+
+TEST(FilmSurface, IsFineClosedAndOutwards) {
+  constexpr float edge = 0.1f;
+  constexpr double pi = 3.14159265358979;
+  const struct {
+    TriangleMesh mesh;
+    double area, volume, error;
+  } solids[] = {
+      {box_surface_mesh({0.3f, 0.2f, 0.1f}), 0.88, 0.048, 1e-5},
+      {capsule_surface_mesh(0.3f, 0, edge), 0.36 * pi, 0.036 * pi, 0.05},
+      {capsule_surface_mesh(0.3f, 0.2f, edge), 0.6 * pi, 0.072 * pi, 0.05},
+      {cylinder_surface_mesh(0.3f, 0.2f, edge), 0.42 * pi, 0.036 * pi, 0.05},
+  };
+  for (const auto& solid : solids) {
+    const TriangleMesh mesh = film_mesh(solid.mesh, edge);
+    expect_closed_with_edges_up_to(edge, mesh);
+    EXPECT_NEAR(area_of(mesh), solid.area, solid.error * solid.area);
+    EXPECT_NEAR(signed_volume(mesh), solid.volume, solid.error * solid.volume);
+  }
+}
+
+TEST(FilmSurface, IsNoFinerThanNeeded) {
+  const TriangleMesh box = box_surface_mesh({0.5f, 0.5f, 0.5f}), fine = film_mesh(box, 0.02f);
+  const TriangleMesh merged = film_mesh(fine, 0.2f);
+  EXPECT_LT(10 * merged.triangles.size(), fine.triangles.size());
+  EXPECT_NEAR(area_of(merged), 6, 0.6);
+  EXPECT_LE(film_mesh(box, 1e-4f).triangles.size(), 8 * film_tuning::most_triangles);
+}
+
+// Spheres around bodies, with a reach of 0.1 m.
+TEST(FilmNearness, KnowsFloorsBoxesAndOtherBodies) {
+  const auto box = std::make_shared<TriangleMesh>(box_surface_mesh({0.3f, 0, 0.4f}));  // a sphere of 0.5 m
+  const FilmPart parts[] = {{2, 0, {}, box}, {3, 1, {}, box}};
+  std::vector<Shape> shapes(4);
+  shapes[1].kind = ShapeKind::box;
+  shapes[1].bounds = {{10, 0, 0}, {11, 9, 1}};
+  shapes[2].body = 0;
+  shapes[3].body = 1;
+  FilmNearness nearness;
+  nearness.set(shapes, 2, join_film_parts(parts, 2));
+  const auto any = [&](Vec3 a, Vec3 b) {
+    const RigidMotion motions[] = {{{a, {0, 0, 0, 1}}, {0, 0, 0}, {0, 0, 0}},
+                                   {{b, {0, 0, 0, 1}}, {0, -1, 0}, {0, 0, 0}}};
+    return nearness.any(motions, 0.01f, 0.1f);
+  };
+  EXPECT_FALSE(any({0, 0.61f, 0}, {0, 5, 0}));
+  EXPECT_TRUE(any({0, 0.59f, 0}, {0, 5, 0}));
+  EXPECT_FALSE(any({9.39f, 1, 0}, {0, 5, 0}));
+  EXPECT_TRUE(any({9.41f, 1, 0}, {0, 5, 0}));
+  EXPECT_FALSE(any({0, 2, 0}, {0, 3.12f, 0}));
+  EXPECT_TRUE(any({0, 2, 0}, {0, 3.1f, 0}));  // it comes down by 1 cm
+  nearness.set(shapes, 2, join_film_parts({parts, 1}, 2));
+  EXPECT_TRUE(any({0, 5, 0}, {0, 50, 0})) << "what has no surface may be anywhere";
+}
+
+/// The foot of a box, with a film under it of two thicknesses, and different pressures around it.
+struct Foot {
+  FilmSurfaces all;
+  std::vector<BodyProxy> proxies{1};
+  std::vector<Gap> gaps;
+  std::vector<RimPoint> rims;
+  std::vector<uint32_t> has_film{1};
+  std::vector<int64_t> pushes{0};
+  std::vector<float> pressure, residual, direction, applied, diagonal, part{0};
+  Lengths lengths{0.1f, 0.05f, 0.2f};
+  Vec3 gravity{0, -9.81f, 0};
+
+  template <class Thickness, class Pressure>
+  Foot(const Thickness& thickness, const Pressure& around) {
+    const FilmPart parts[] = {
+        {0, 0, {}, std::make_shared<TriangleMesh>(film_mesh(box_surface_mesh({0.5f, 0.1f, 0.4f}), 0.15f))}};
+    all = join_film_parts(parts, 1);
+    proxies[0] = {};
+    proxies[0].pose.rotation = {0, 0, 0, 1};
+    for (const FilmTriangle& t : all.triangles) {
+      const bool is_below = t.area.y < -0.5f * length(t.area);
+      gaps.push_back({is_below ? 1.0f : 0.0f,
+                      is_below ? 0.0f : 1.0f,
+                      lengths.conductance(thickness(t.centre)),
+                      0,
+                      {0, 1, 0},
+                      0});
+    }
+    for (uint32_t v = 0; v < all.vertices.size(); ++v) {
+      float film = 0, open = 0, conductance = 0;
+      for (uint32_t k = all.first_corner[v]; k < all.first_corner[v + 1]; ++k) {
+        const Gap& gap = gaps[all.corners[k].triangle];
+        film += gap.film;
+        open += gap.exposure;
+        conductance = std::max(conductance, gap.film * gap.conductance);
+      }
+      rims.push_back(film > 0 ? RimPoint{open > 0 ? film_tuning::rim * conductance : 0,
+                                         open > 0 ? around(all.vertices[v]) : 0, 1000, 1}
+                              : RimPoint{-1, 0, 0, 0});
+    }
+    for (auto* values : {&pressure, &residual, &direction, &applied, &diagonal})
+      values->resize(all.vertices.size());
+  }
+
+  template <class T>
+  static pbd::View<T> view(std::vector<T>& values) {
+    return {values.data(), static_cast<uint32_t>(values.size())};
+  }
+  void solve() {
+    const Surfaces surfaces{view(all.vertices), view(all.triangles), view(all.first_corner),
+                            view(all.corners),  view(all.bodies),    view(proxies)};
+    pbd::CpuDevice device;
+    device.parallel_for_groups("films/solve", 1,
+                               SolveFilms{surfaces,
+                                          view(gaps),
+                                          view(rims),
+                                          view(has_film),
+                                          view(pushes),
+                                          gravity,
+                                          0.004f,
+                                          {view(pressure), view(residual), view(direction), view(applied),
+                                           view(diagonal), view(part)}});
+  }
+
+  /// By vertex, from the triangles' own geometry and by Gaussian elimination: the slow reference.
+  std::vector<double> reference() const {
+    const size_t n = all.vertices.size();
+    std::vector<std::vector<double>> a(n, std::vector<double>(n + 1, 0));
+    const auto column = [&](size_t v) { return 1000.0 * double{dot(gravity, all.vertices[v])}; };
+    for (size_t t = 0; t < all.triangles.size(); ++t) {
+      const auto& c = all.triangles[t].corner;
+      const double flow = double{gaps[t].film} * double{gaps[t].conductance};
+      if (flow == 0) continue;
+      // ∫ ∇u·∇v of linear elements is e_u·e_v/(4 A), with the edges opposite of the corners.
+      Vec3 e[3];
+      for (size_t k = 0; k < 3; ++k) e[k] = all.vertices[c[(k + 2) % 3]] - all.vertices[c[(k + 1) % 3]];
+      const double four_areas = 4 * double{length(all.triangles[t].area)};
+      for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) a[c[i]][c[j]] += flow * double{dot(e[i], e[j])} / four_areas;
+    }
+    for (size_t v = 0; v < n; ++v) {
+      const double exchange = rims[v].exchange < 0 ? 1 : double{rims[v].exchange};
+      a[v][v] += exchange;
+      a[v][n] = rims[v].exchange < 0 ? column(v) : exchange * (double{rims[v].pressure} - column(v));
+    }
+    for (size_t k = 0; k < n; ++k)
+      for (size_t row = k + 1; row < n; ++row) {
+        const double times = a[row][k] / a[k][k];
+        if (times == 0) continue;
+        for (size_t j = k; j <= n; ++j) a[row][j] -= times * a[k][j];
+      }
+    std::vector<double> x(n);
+    for (size_t k = n; k-- > 0;) {
+      x[k] = a[k][n];
+      for (size_t j = k + 1; j < n; ++j) x[k] -= a[k][j] * x[j];
+      x[k] /= a[k][k];
+    }
+    for (size_t v = 0; v < n; ++v) x[v] += column(v);
+    return x;
+  }
+};
+
+TEST(FilmSolve, IsThatOfTheDenseSystem) {
+  Foot foot([](Vec3 x) { return x.x > 0 ? 0.02f : 0.05f; },
+            [](Vec3 x) { return 4000 + 3000 * x.x + 1000 * x.z * x.z; });
+  foot.proxies[0].pose.rotation = rotation_by({0.3f, 0, 0.2f});  // so that its weight counts
+  foot.solve();
+  const Quat back = conjugate(foot.proxies[0].pose.rotation);
+  foot.gravity = rotate(back, foot.gravity);
+  const std::vector<double> expected = foot.reference();
+  double load = 0;
+  for (size_t v = 0; v < expected.size(); ++v) {
+    if (foot.rims[v].exchange >= 0) EXPECT_NEAR(foot.pressure[v], expected[v], 8) << v;  // 0.2 %
+    load += expected[v];
+  }
+  EXPECT_GT(load, 0);
+}
+
+TEST(FilmSolve, TheRimHasThePressureOfTheFluid) {
+  Foot foot([](Vec3) { return 0.0f; }, [](Vec3) { return 4000.0f; });
+  foot.solve();
+  for (size_t v = 0; v < foot.pressure.size(); ++v)
+    if (foot.rims[v].exchange >= 0) EXPECT_NEAR(foot.pressure[v], 4000, 4);
+  EXPECT_FLOAT_EQ(foot.part[0], 1);
+}
+
+TEST(FilmSolve, BearsWhatParticlesDoNot) {
+  Foot foot([](Vec3) { return 0.0f; }, [](Vec3) { return 4000.0f; });
+  const double load = 4000 * 0.8;  // N
+  for (const double fraction : {0.25, 1.0, 3.0}) {
+    foot.pushes[0] = static_cast<int64_t>(fraction * load * 0.004 / film_tuning::unit);
+    foot.solve();
+    EXPECT_NEAR(foot.part[0], std::max(0.0, 1 - fraction), 0.002);
+  }
+}
+
+TEST(FilmLoads, AreOppositeOnBothFaces) {
+  Foot foot([](Vec3) { return 0.0f; }, [](Vec3 x) { return 4000 + 3000 * x.x; });
+  foot.solve();
+  foot.proxies.push_back(foot.proxies[0]);
+  foot.proxies[1].pose.position = {0.2f, -1, 0.1f};
+  std::vector<Shape> shapes(1);
+  shapes[0].body = 1;
+  std::vector<WholeImpulse> sums(2, WholeImpulse{});
+  const Surfaces surfaces{Foot::view(foot.all.vertices), Foot::view(foot.all.triangles), {}, {}, {},
+                          Foot::view(foot.proxies)};
+  const AddLoads add{surfaces,
+                     {Foot::view(shapes), 0, {}, {}, {}},
+                     Foot::view(foot.gaps),
+                     Foot::view(foot.pressure),
+                     Foot::view(foot.part),
+                     {},
+                     0.004f,
+                     Foot::view(sums),
+                     {}};
+  for (uint32_t n = 0; n < foot.gaps.size(); ++n) add(n);
+  EXPECT_NEAR(sums[0].at(1), 0.004 * 4000 * 0.8, 0.01 * 0.004 * 4000 * 0.8);
+  EXPECT_GT(sums[0].at(5), 0);  // harder at x > 0
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(sums[0].part[k], -sums[1].part[k]);
+  // Torques about one point: that of the second, moved by its centre, is the opposite of the first.
+  const Vec3 force{sums[1].at(0), sums[1].at(1), sums[1].at(2)},
+      torque{sums[1].at(3), sums[1].at(4), sums[1].at(5)};
+  const Vec3 both = torque + cross(foot.proxies[1].pose.position, force) +
+                    Vec3{sums[0].at(3), sums[0].at(4), sums[0].at(5)};
+  EXPECT_LT(length(both), 1e-5f);
+}
+
+TEST(FilmSolve, IsUniformBelowTheRoughness) {
+  const Lengths lengths{0.1f, 0.05f, 0.2f};
+  const float rough = film_tuning::roughness * lengths.contact_radius;
+  EXPECT_EQ(lengths.conductance(-0.001f), lengths.conductance(rough));
+  EXPECT_NEAR(lengths.conductance(4 * rough), 64 * lengths.conductance(rough), 1e-6f);
+  EXPECT_EQ(lengths.conductance(lengths.widest()), 1);
+}
+
+}  // namespace
+}  // namespace meniscus::collision
