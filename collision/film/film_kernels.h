@@ -25,6 +25,7 @@ struct Gap {
   uint32_t shape;     ///< the other face's, where there is a film
   Vec3 normal;        ///< of the other face
   float distance;     ///< m, of the other face
+  float wet;          ///< the fraction that is exposed to fluid
 };
 
 /// The state of a vertex.
@@ -107,13 +108,14 @@ struct FindGaps {
   CandidateView candidates;
   View<const pbd::Vec4> centre;
   Lengths lengths;
+  Vec3 up;
   View<Gap> gaps;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const FilmTriangle& t = surfaces.triangles[n];
     const Vec3 x = centre[n].xyz();
     const Vec3 normal = rotate(surfaces.proxies[t.body].pose.rotation, normalized_or(t.area, {0, 1, 0}));
-    Gap gap{0, 1, 0, pbd::no_index, {0, 0, 0}, lengths.widest()};
+    Gap gap{0, 1, 0, pbd::no_index, {0, 0, 0}, lengths.widest(), 0};
     bool sealed = false;
     candidates.for_each_near(set, n, {x, x}, lengths.widest(), [&](uint32_t k) {
       if (k == t.shape) return;
@@ -127,7 +129,8 @@ struct FindGaps {
       gap.normal = s.normal;
       gap.distance = s.distance;
     });
-    if (gap.shape != pbd::no_index && !has_film(t.body, set.shapes[gap.shape].body)) sealed = true;
+    if (gap.shape != pbd::no_index && !has_film(t.body, set.shapes[gap.shape].body, normal, gap.normal))
+      sealed = true;
     if (sealed) {
       gap.exposure = 0;
     } else if (gap.shape != pbd::no_index) {
@@ -138,11 +141,14 @@ struct FindGaps {
     gaps[n] = gap;
   }
 
-  /// Of two bodies with surfaces one has the film.
-  MENISCUS_HD bool has_film(uint32_t body, uint32_t other) const {
+  /// Of two bodies with surfaces one has the film: the upper one, or if neither is, the one of lower rank.
+  MENISCUS_HD bool has_film(uint32_t body, uint32_t other, Vec3 normal, Vec3 others_normal) const {
     if (other == pbd::no_index) return true;
     const FilmRange& range = surfaces.bodies[other];
-    return range.first_triangle == range.triangle_end || surfaces.bodies[body].rank < range.rank;
+    if (range.first_triangle == range.triangle_end) return true;
+    const float lower = dot(others_normal - normal, up);
+    if (fabsf(lower) > film_tuning::upright) return lower > 0;
+    return surfaces.bodies[body].rank < range.rank;
   }
   /// Whether x is at an opening of a container's wall, or has left the container by one.
   MENISCUS_HD bool ignores(const Shape& plane, Vec3 x) const {
@@ -150,6 +156,49 @@ struct FindGaps {
     for (uint32_t k = plane.first_wall; k < plane.first_wall + plane.wall_count; ++k)
       if (plane_surface(set.shapes[k], x).distance < -lengths.contact_radius) return true;
     return in_opening(set, plane, x);
+  }
+};
+
+/// How much of the kernel around x the fluid fills on the side of `outwards`, as a factor of each particle:
+/// 15/(8π) (1 − r²/h²) s³/h³. Epanechnikov's kernel gives means of the least variance.
+struct Window {
+  float inverse_h2, scale;
+
+  MENISCUS_HD explicit Window(const Lengths& lengths) {
+    const float s = lengths.spacing / lengths.support_radius;
+    inverse_h2 = 1 / (lengths.support_radius * lengths.support_radius);
+    scale = 0.59683104f * s * s * s;
+  }
+  MENISCUS_HD float operator()(Vec3 d, Vec3 outwards) const {
+    return dot(d, outwards) > 0 ? scale * pbd::max(0.0f, 1 - inverse_h2 * dot(d, d)) : 0.0f;
+  }
+};
+
+/// Finds how much of each exposed triangle is wet, for bodies with films. A gap in which particles do not fit
+/// well counts as wet.
+struct FindWetFaces {
+  Surfaces surfaces;
+  ShapeSet set;
+  View<const pbd::Vec4> centre;
+  View<const uint32_t> has_film;
+  Fluid fluid;
+  Lengths lengths;
+  View<Gap> gaps;
+
+  MENISCUS_HD void operator()(uint32_t n) const {
+    const FilmTriangle& t = surfaces.triangles[n];
+    Gap& gap = gaps[n];
+    if (!has_film[t.body] || !(gap.exposure > 0)) return;
+    if (gap.shape != pbd::no_index) {
+      gap.wet = gap.exposure;
+      return;
+    }
+    const Vec3 x = centre[n].xyz(), normal = rotate(surfaces.proxies[t.body].pose.rotation, t.area);
+    const Window window(lengths);
+    float weight = 0;
+    fluid.for_each_near(x, set.shapes[t.shape],
+                        [&](uint32_t, const pbd::Vec4& p) { weight += window(p.xyz() - x, normal); });
+    gap.wet = gap.exposure * pbd::min(weight / film_tuning::wet, 1.0f);
   }
 };
 
@@ -195,17 +244,14 @@ struct FindRims {
   /// than `wet`. The pressure fades with that.
   MENISCUS_HD void look(uint32_t v, Vec3 x, Vec3 outwards, Vec3 facing, const Shape& solid,
                         const Shape& other) const {
-    const float inverse_h2 = 1 / (lengths.support_radius * lengths.support_radius);
-    // 15/(8π) (1 − r²/h²) s³/h³: Epanechnikov's kernel, whose means have the least variance.
-    const float s = lengths.spacing / lengths.support_radius, scale = 0.59683104f * s * s * s;
+    const Window window(lengths);
     float weight = 0, pressure = 0, density = 0;
     fluid.for_each_near(x, solid, [&](uint32_t i, const pbd::Vec4& p) {
       const Vec3 d = p.xyz() - x;
-      const float a = 1 - inverse_h2 * dot(d, d);
-      if (a <= 0 || dot(d, outwards) <= 0 || p.w <= 0) return;
+      const float w = window(d, outwards);
+      if (!(w > 0) || p.w <= 0) return;
       const SurfaceSample behind = sample_surface(set, other, p.xyz(), 2 * lengths.support_radius);
       if (behind.distance < 0 || dot(behind.normal, facing) < 0) return;
-      const float w = scale * a;
       const float rho = 1 / (p.w * lengths.spacing * lengths.spacing * lengths.spacing);
       weight += w;
       density += w * rho;

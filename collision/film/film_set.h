@@ -80,8 +80,10 @@ class FilmSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<float> direction_{device_, "film directions"};
   pbd::Buffer<float> applied_{device_, "film directions"};
   pbd::Buffer<float> diagonal_{device_, "film diagonal"};
-  pbd::Buffer<float> part_{device_, "film loads"};
-  pbd::Buffer<int64_t> pushes_{device_, "film loads"};
+  pbd::Buffer<float> wet_part_{device_, "film pressures"};
+  pbd::Buffer<film_kernels::Balance> balance_{device_, "film loads"};
+  pbd::Buffer<film_kernels::ParticleLoad> particle_loads_{device_, "film loads"};
+  pbd::Buffer<film_kernels::UpwardImpulse> passed_on_{device_, "film loads"};
   pbd::Buffer<film_kernels::WholeImpulse> sums_{device_, "film loads"};
   pbd::Buffer<RigidImpulse> impulses_{device_, "film loads"};
   pbd::Buffer<film_kernels::LoadProbe> probes_{device_, "film probes"};

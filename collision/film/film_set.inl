@@ -50,11 +50,12 @@ void FilmSet<D>::upload() {
   centre_.resize_discard(all_.triangles.size());
   gaps_.resize_discard(all_.triangles.size());
   rims_.resize_discard(all_.vertices.size());
-  for (auto* buffer : {&pressure_, &residual_, &direction_, &applied_, &diagonal_})
+  for (auto* buffer : {&pressure_, &wet_part_, &residual_, &direction_, &applied_, &diagonal_})
     buffer->resize_discard(all_.vertices.size());
   has_film_.resize_discard(all_.bodies.size());
-  part_.resize_discard(all_.bodies.size());
-  pushes_.resize_discard(all_.bodies.size());
+  balance_.resize_discard(all_.bodies.size());
+  particle_loads_.resize_discard(all_.bodies.size());
+  passed_on_.resize_discard(all_.bodies.size());
   sums_.resize_discard(all_.bodies.size());
   impulses_.resize_discard(all_.bodies.size());
   candidates_.reserve(static_cast<uint32_t>(all_.triangles.size()), contacts_.shapes().shapes.count);
@@ -100,27 +101,40 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   const Surfaces film = surfaces();
   const Fluid around = fluid(substep);
   const ShapeSet& set = contacts_.shapes();
+  const LevelAxes axes(substep.gravity);
   device_.parallel_for("films/place", triangles, PlaceCentres{film, centre_.view()});
   candidates_.find(device_, set, centre_.view(), centre_.view(), triangles, lengths_.widest());
   device_.parallel_for("films/gaps", triangles,
-                       FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, gaps_.view()});
+                       FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, axes.up, gaps_.view()});
   has_film_.fill(0);
-  pushes_.fill(0);
+  particle_loads_.fill(0);
+  passed_on_.fill(0);
   sums_.fill(0);
   device_.parallel_for("films/rims", vertices,
                        FindRims{film, set, gaps_.view(), around, lengths_, rims_.view(), has_film_.view()});
+  device_.parallel_for("films/wet", triangles,
+                       FindWetFaces{film, set, centre_.view(), has_film_.view(), around, lengths_, gaps_.view()});
   const pbd::ParticleView& p = substep.particles;
-  device_.parallel_for("films/pushes", substep.contacts.contacts.count,
-                       AddPushes{substep.contacts, p.position, p.phase, p.sorted, has_film_.view(), lengths_,
-                                 1 / substep.dt, pushes_.view()});
-  const SolveViews views{pressure_.view(), residual_.view(), direction_.view(),
-                         applied_.view(),  diagonal_.view(), part_.view()};
+  device_.parallel_for("films/particles", substep.contacts.contacts.count,
+                       AddParticleLoads{substep.contacts, p.position, p.phase, p.sorted, has_film_.view(),
+                                        lengths_, axes, 1 / substep.dt, particle_loads_.view()});
+  const SolveViews views{pressure_.view(),  wet_part_.view(), residual_.view(),
+                         direction_.view(), applied_.view(),  diagonal_.view()};
   device_.parallel_for_groups("films/solve", bodies,
-                              SolveFilms{film, gaps_.view(), rims_.view(), has_film_.view(), pushes_.view(),
-                                         substep.gravity, substep.dt, views});
+                              SolveFilms{film, gaps_.view(), rims_.view(), has_film_.view(),
+                                         particle_loads_.view(), lengths_, substep.gravity, substep.dt, views,
+                                         balance_.view()});
+  for (int storey = 0; storey < film_tuning::storeys; ++storey) {
+    device_.parallel_for("films/balance", bodies,
+                         BalanceFilms{passed_on_.view(), substep.dt, balance_.view()});
+    if (bodies == 1 || storey + 1 == film_tuning::storeys) break;
+    device_.parallel_for("films/pass", triangles,
+                         AddPassedOn{film, set, gaps_.view(), pressure_.view(), balance_.view(), axes,
+                                     substep.dt, passed_on_.view()});
+  }
   device_.parallel_for("films/loads", triangles,
-                       AddLoads{film, set, gaps_.view(), pressure_.view(), part_.view(), probes_.view(),
-                                substep.dt, sums_.view(), probe_sums_.view()});
+                       AddLoads{film, set, gaps_.view(), pressure_.view(), balance_.view(), probes_.view(),
+                                axes, substep.dt, sums_.view(), probe_sums_.view()});
   device_.parallel_for("films/impulses", bodies, ReadLoads{sums_.view(), impulses_.view()});
   bodies_.set_loads(impulses_.view());
 }
