@@ -3,14 +3,15 @@
 //
 // The kernels that let films bear what particles do not.
 //
-// Particles exert on the exposed faces of a body several percent more or less than the fluid's pressure. At the
-// rim of a film they also press on the edges of the covered faces. Where no face is covered, these errors
+// Particles exert on the exposed faces of a body several percent more or less than the fluid's pressure. At
+// the rim of a film they also press on the edges of the covered faces. Where no face is covered, these errors
 // balance, as the fluid around the body is at rest. A film would not balance them. So it bears the difference
-// between what the pressure at its rim means for the exposed faces and what particles exert on them. The error
-// of that pressure cancels too: it acts on the film as it acts on the other faces.
+// between what the pressure at its rim means for the exposed faces and what particles exert on them. The
+// error of that pressure cancels too: it acts on the film as it acts on the other faces.
 #pragma once
 
 #include "collision/film/film_kernels.h"
+#include "collision/fluid_cloth/area.h"
 #include "pbd/device/base/atomics.h"
 
 namespace meniscus::collision::film_kernels {
@@ -43,8 +44,9 @@ struct LevelAxes {
 
   MENISCUS_HD explicit LevelAxes(Vec3 gravity) {
     up = normalized_or(-gravity, {0, 1, 0});
-    first = normalized_or(cross(up, fabsf(up.x) < 0.9f ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {0, 0, 1});
-    second = cross(up, first);
+    const Tangents across(up);
+    first = across.u;
+    second = across.v;
   }
 };
 

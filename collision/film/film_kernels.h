@@ -235,8 +235,8 @@ struct FindRims {
     if (!(open > 0)) return;
     const FilmTriangle& any = surfaces.triangles[surfaces.corners[surfaces.first_corner[v]].triangle];
     const Pose& pose = surfaces.proxies[any.body].pose;
-    look(v, to_world(pose, surfaces.vertices[v]), rotate(pose.rotation, outwards), facing,
-         set.shapes[any.shape], set.shapes[other]);
+    look(v, to_world(pose, surfaces.vertices[v]), rotate(pose.rotation, outwards),
+         normalized_or(facing, {0, 0, 0}), set.shapes[any.shape], set.shapes[other]);
     if (rims[v].pressure > 0) pbd::atomic_max(has_film[any.body], 1);
   }
 
@@ -251,7 +251,7 @@ struct FindRims {
       const float w = window(d, outwards);
       if (!(w > 0) || p.w <= 0) return;
       const SurfaceSample behind = sample_surface(set, other, p.xyz(), 2 * lengths.support_radius);
-      if (behind.distance < 0 || dot(behind.normal, facing) < 0) return;
+      if (behind.distance < 0 || dot(behind.normal, facing) < -film_tuning::whole_facing) return;
       const float rho = 1 / (p.w * lengths.spacing * lengths.spacing * lengths.spacing);
       weight += w;
       density += w * rho;

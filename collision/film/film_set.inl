@@ -104,26 +104,28 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   const LevelAxes axes(substep.gravity);
   device_.parallel_for("films/place", triangles, PlaceCentres{film, centre_.view()});
   candidates_.find(device_, set, centre_.view(), centre_.view(), triangles, lengths_.widest());
-  device_.parallel_for("films/gaps", triangles,
-                       FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, axes.up, gaps_.view()});
+  device_.parallel_for(
+      "films/gaps", triangles,
+      FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, axes.up, gaps_.view()});
   has_film_.fill(0);
   particle_loads_.fill(0);
   passed_on_.fill(0);
   sums_.fill(0);
   device_.parallel_for("films/rims", vertices,
                        FindRims{film, set, gaps_.view(), around, lengths_, rims_.view(), has_film_.view()});
-  device_.parallel_for("films/wet", triangles,
-                       FindWetFaces{film, set, centre_.view(), has_film_.view(), around, lengths_, gaps_.view()});
+  device_.parallel_for(
+      "films/wet", triangles,
+      FindWetFaces{film, set, centre_.view(), has_film_.view(), around, lengths_, gaps_.view()});
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("films/particles", substep.contacts.contacts.count,
                        AddParticleLoads{substep.contacts, p.position, p.phase, p.sorted, has_film_.view(),
                                         lengths_, axes, 1 / substep.dt, particle_loads_.view()});
   const SolveViews views{pressure_.view(),  wet_part_.view(), residual_.view(),
                          direction_.view(), applied_.view(),  diagonal_.view()};
-  device_.parallel_for_groups("films/solve", bodies,
-                              SolveFilms{film, gaps_.view(), rims_.view(), has_film_.view(),
-                                         particle_loads_.view(), lengths_, substep.gravity, substep.dt, views,
-                                         balance_.view()});
+  device_.parallel_for_groups(
+      "films/solve", bodies,
+      SolveFilms{film, gaps_.view(), rims_.view(), has_film_.view(), particle_loads_.view(), lengths_,
+                 substep.gravity, substep.dt, views, balance_.view()});
   for (int storey = 0; storey < film_tuning::storeys; ++storey) {
     device_.parallel_for("films/balance", bodies,
                          BalanceFilms{passed_on_.view(), substep.dt, balance_.view()});

@@ -86,9 +86,10 @@ struct SolveFilms {
     };
 
     const auto foot = [&](uint32_t n) { return gaps[n].film * fabsf(dot(triangle(n).area, up)); };
-    const float around = triangles.sum([&](uint32_t n) {
-      return foot(n) * (pressure(n) - (column(triangle(n).centre) - height));
-    }) / some(triangles.sum([&](uint32_t n) { return foot(n) * mean_pressure(triangle(n), views.wet_part); }));
+    const float around =
+        triangles.sum(
+            [&](uint32_t n) { return foot(n) * (pressure(n) - (column(triangle(n).centre) - height)); }) /
+        some(triangles.sum([&](uint32_t n) { return foot(n) * mean_pressure(triangle(n), views.wet_part); }));
     const UpwardForce exposed = moments([&](uint32_t n) {
       const float p = around + column(triangle(n).centre) - height;
       return -gaps[n].wet * dot(triangle(n).area, up) * pbd::max(0.0f, p);
@@ -114,8 +115,14 @@ struct SolveFilms {
     group.for_each(1, [&](uint32_t) {
       const UpwardForce exerted = per_time(particles[b].up, dt);
       const float across = static_cast<float>(static_cast<double>(particles[b].across) * film_tuning::unit);
-      balance[b] = {{exposed.sum - exerted.sum, exposed.first - exerted.first, exposed.second - exerted.second},
-                    load.sum, {u, v}, {uu, vv, uv}, pbd::max(0.0f, 1 - across / (dt * some(level))), 0, {0, 0}};
+      balance[b] = {
+          {exposed.sum - exerted.sum, exposed.first - exerted.first, exposed.second - exerted.second},
+          load.sum,
+          {u, v},
+          {uu, vv, uv},
+          pbd::max(0.0f, 1 - across / (dt * some(level))),
+          0,
+          {0, 0}};
     });
   }
 
@@ -169,9 +176,7 @@ struct SolveFilms {
         views.residual[v] -= along * views.applied[v];
       });
       const float next = vertices.sum(squared), keep = next / product;
-      vertices.each([&](uint32_t v) {
-        views.direction[v] = preconditioned(v) + keep * views.direction[v];
-      });
+      vertices.each([&](uint32_t v) { views.direction[v] = preconditioned(v) + keep * views.direction[v]; });
       product = next;
     }
   }

@@ -45,23 +45,22 @@ inline constexpr float wet = 0.1f;
 inline constexpr uint32_t most_steps = 256;
 inline constexpr float residual = 1e-4f;
 
-/// The difference of two normals against gravity from which the upper of two bodies has the film. Between faces
-/// that are more upright than that there is little to choose.
-/// Test: none.
+/// The difference of two normals against gravity from which the upper of two bodies has the film. Between
+/// faces that are more upright than that there is little to choose. Test: none.
 inline constexpr float upright = 0.2f;
 
 /// Of the film's load, what it bears at most where particles exert less than they should. They are that much
 /// off; a jet on the body that is stronger counts.
-/// Test: FilmTest.AJetPressesACrateDown.
+/// Test: FilmSolve.NeitherPullsNorBearsAJet.
 inline constexpr float most_load = 1.1f;
 
 /// Of the film's load: how much the scale may differ over the standard deviation of the film's place. So much
 /// torque can be borne as particles exert too little or too much.
-/// Test: FilmTest.AHeavyCrateOnAPileStays.
+/// Test: FilmSolve.NeitherPullsNorBearsAJet.
 inline constexpr float most_tilt = 0.2f;
 
-/// Times that films pass on what they bear beyond their pressure: as many bodies may stand on one another.
-/// Test: FilmTest.AHeavyCrateOnAPileStays.
+/// Bodies that may stand on one another, and films pass on what they bear beyond their pressure.
+/// Test: FilmTest.BodiesLittleHeavierThanWaterStay.
 inline constexpr int storeys = 6;
 
 /// Pairs of solids at most that the host tests for nearness. More would take longer than to look for films.
