@@ -36,7 +36,7 @@ inline constexpr float roughness = 0.2f;
 inline constexpr float rim = 100;
 
 /// Of the kernel: the part that fluid fills at a rim that is wet. A quarter of the space holds fluid there.
-/// Test: FilmTest.TheForceOnACrateOnTheFloorIsThatOfArchimedes.
+/// Test: FilmTest.TheForceOnWhatIsFlushOnTheFloorIsThatOfArchimedes.
 inline constexpr float wet = 0.1f;
 
 /// Steps of the conjugate gradients at most, and the residual at which they end, of that at their start. A
@@ -46,7 +46,8 @@ inline constexpr uint32_t most_steps = 256;
 inline constexpr float residual = 1e-4f;
 
 /// The difference of two normals against gravity from which the upper of two bodies has the film. Between
-/// faces that are more upright than that there is little to choose. Test: none.
+/// faces that are more upright than that there is little to choose.
+/// Test: none.
 inline constexpr float upright = 0.2f;
 
 /// Of the film's load, what it bears at most where particles exert less than they should. They are that much
@@ -60,7 +61,7 @@ inline constexpr float most_load = 1.1f;
 inline constexpr float most_tilt = 0.2f;
 
 /// Bodies that may stand on one another, and films pass on what they bear beyond their pressure.
-/// Test: FilmTest.BodiesLittleHeavierThanWaterStay.
+/// Test: FloatingBodiesTest.APileUnderWaterDoesNotSinkIntoItself.
 inline constexpr int storeys = 6;
 
 /// Pairs of solids at most that the host tests for nearness. More would take longer than to look for films.
