@@ -86,7 +86,8 @@ StepResult Solver<D>::run(float dt) {
     const CallMonitor::Cancellable undone_below(device_.monitor());
     for (ConstraintSet<D>* set : sets_) set->start_step();
     for (Observer<D>* observer : observers_) observer->start_step();
-    const int substeps = choose_substeps(dt);
+    int substeps = choose_substeps(dt);
+    for (ConstraintSet<D>* set : sets_) substeps = set->least_substeps(dt, substeps, particles_.source());
     for (int k = 0; k < substeps; ++k) {
       device_.monitor().poll("step", static_cast<double>(k) / substeps);
       substep(dt / static_cast<float>(substeps), k == 0, k + 1 == substeps);

@@ -60,6 +60,9 @@ class ConstraintSet : public ParticleState {
  public:
   /// m/s, the greatest speed at which this set can move a surface in dt.
   virtual float speed(float /*dt*/) { return 0; }
+  /// The least number of substeps in which a step of length dt from this state can be solved. `chosen`: the
+  /// number so far. Called once a step, after speed().
+  virtual int least_substeps(float /*dt*/, int chosen, const ParticleView& /*start*/) { return chosen; }
   /// Called before the prediction: predicts objects that move along with the particles.
   virtual void predict(float /*dt*/) {}
   /// The number of particles that a substep adds for this set, after all others. At most one set adds any.

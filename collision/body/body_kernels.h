@@ -254,9 +254,11 @@ struct TakeImpulse {
   View<RigidImpulse> impulses;
   uint32_t lanes;
   float inverse_dt;
+  View<const ContactSum> zones{};  ///< by body: see BodyZones
 
   MENISCUS_HD void operator()(uint32_t b) const {
-    const ContactSum sum = sum_of_lanes(partial, b, lanes);
+    ContactSum sum = sum_of_lanes(partial, b, lanes);
+    if (zones.count) sum.add(zones[b].push.xyz(), zones[b].twist.xyz());
     const RigidImpulse load = loads.count ? loads[b] : RigidImpulse{{0, 0, 0}, {0, 0, 0}};
     impulses[b] = {load.linear - inverse_dt * sum.push.xyz(), load.angular - inverse_dt * sum.twist.xyz()};
   }

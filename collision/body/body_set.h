@@ -66,6 +66,20 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::View<const body_kernels::ContactMotion> contact_motions() const {
     return contact_motion_.current.view();
   }
+  /// By body: its motion over the substep, as Bullet would integrate it without contacts.
+  pbd::View<const RigidMotion> motions() const { return motion_.view(); }
+  /// By body: m, from its centre to its outermost point.
+  pbd::View<const float> reaches() const { return reaches_.view(); }
+  /// By body: m/s², what particles did to its outermost point in the last step. Set by speed().
+  pbd::View<const float> accelerations() const { return acceleration_.view(); }
+  /// Sums up what contacts have done to bodies so far in the substep: lanes() elements a body.
+  pbd::View<const body_kernels::ContactSum> sum(pbd::Substep<D>& substep) {
+    sum_contacts(substep);
+    return partial_.view();
+  }
+  uint32_t lanes() const;
+  /// By body: impulses of the substep besides those of contacts, kg·m. BodyZones adds them.
+  pbd::View<body_kernels::ContactSum> zone_impulses() { return zone_impulses_.view(); }
   /// Whether there are bodies that particles can move.
   bool any_moved() const { return any_moved_; }
   /// The host's time that Bullet took in the last step, ms.
@@ -83,7 +97,6 @@ class BodySet final : public pbd::ConstraintSet<D> {
   template <class F>
   void time_rigid(const F& step);
   float furthest_motion() const;
-  uint32_t lanes() const;
 
   D& device_;
   RigidWorld& world_;
@@ -103,11 +116,14 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::SharedBuffer<RigidMotion> arrived_{device_, "body poses"};
   pbd::SharedBuffer<RigidImpulse> impulses_{device_, "body impulses"};
   pbd::Buffer<RigidMass> mass_{device_, "body masses"};
+  pbd::SharedBuffer<float> acceleration_{device_, "body accelerations"};
+  pbd::Buffer<float> reaches_{device_, "body reaches"};
   pbd::Buffer<BodyProxy> proxies_{device_, "body proxies"};
   pbd::Buffer<CarriedShape> carried_{device_, "carried shapes"};
   pbd::View<Shape> shapes_;
   pbd::View<const RigidImpulse> loads_;
   pbd::Buffer<body_kernels::ContactSum> partial_{device_, "body sums"};
+  pbd::Buffer<body_kernels::ContactSum> zone_impulses_{device_, "impulses of body zones"};
   pbd::DoubleBuffer<body_kernels::ContactMotion> contact_motion_{device_, "body displacements"};
   pbd::Buffer<uint32_t> key_{device_, "contact bodies"};
   pbd::Buffer<uint32_t> sorted_key_{device_, "contact bodies"};

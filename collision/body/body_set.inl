@@ -33,10 +33,14 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
   impulses_.resize_discard(bodies_);
   mass_.resize_discard(bodies_);
   mass_.write(mass);
+  acceleration_.resize_discard(bodies_);
+  reaches_.resize_discard(bodies_);
+  reaches_.write(reach_);
   proxies_.resize_discard(bodies_);
   carried_.resize_discard(carried.size());
   carried_.write(carried);
   partial_.resize_discard(bodies_ * lanes());
+  zone_impulses_.resize_discard(bodies_);
   contact_motion_.reserve(bodies_, 0);
   place();
 }
@@ -62,6 +66,14 @@ uint32_t BodySet<D>::lanes() const {
   return std::clamp(std::bit_floor(2048u / std::max(1u, bodies_)), 2 * body_kernels::lane_batch, 64u);
 }
 
+/// m/s², or more, of the outermost point of a body under this force and torque.
+inline float acceleration_by(const RigidImpulse& force, const RigidMass& mass, const Pose& pose,
+                             float reach) {
+  const Vec3 torque = rotate(conjugate(pose.rotation), force.angular), i = mass.inverse_inertia;
+  return mass.inverse_mass * length(force.linear) +
+         reach * length(Vec3{i.x * torque.x, i.y * torque.y, i.z * torque.z});
+}
+
 template <class D>
 float BodySet<D>::speed(float dt) {
   if (bodies_ == 0) return 0;
@@ -70,6 +82,7 @@ float BodySet<D>::speed(float dt) {
   for (uint32_t b = 0; b < bodies_; ++b) {
     const RigidMotion& m = motion_.host()[b];
     fastest = std::max(fastest, length(m.velocity) + reach_[b] * length(m.angular_velocity));
+    acceleration_.host()[b] = acceleration_by(mean_forces_[b], world_.mass(b), m.start, reach_[b]);
   }
   return fastest;
 }
@@ -114,6 +127,7 @@ void BodySet<D>::begin(pbd::Substep<D>& substep) {
   const pbd::ContactView& contacts = substep.contacts;
   const uint32_t room = contacts.contacts.count;
   contact_motion_.current.fill(0);
+  zone_impulses_.fill(0);
   for (auto* buffer : {&key_, &sorted_key_, &number_, &grouped_}) buffer->resize_discard(room);
   device_.parallel_for(
       "bodies/keys", room,
@@ -147,9 +161,9 @@ template <class D>
 void BodySet<D>::end(pbd::Substep<D>& substep) {
   if (bodies_ == 0) return;
   sum_contacts(substep);
-  device_.parallel_for(
-      "bodies/impulse", bodies_,
-      body_kernels::TakeImpulse{partial_.view(), loads_, impulses_.view(), lanes(), 1 / substep.dt});
+  device_.parallel_for("bodies/impulse", bodies_,
+                       body_kernels::TakeImpulse{partial_.view(), loads_, impulses_.view(), lanes(), 1 / substep.dt,
+                                                 zone_impulses_.view()});
   device_.set_fence();
 }
 

@@ -101,4 +101,43 @@ inline constexpr float advance_tolerance = 0.02f, advance = 0.5f;
 
 }  // namespace face_tuning
 
+/// The fail-safe between bodies and cloth.
+namespace zone_tuning {
+
+/// Contact radii: a body that would come nearer to a face unites with it. Contacts keep more.
+/// Test: FastBodies.ASmallBallAt150.
+inline constexpr float least = 0.1f;
+
+/// Of the distance at the start of the substep: no face comes nearer than this. So what starts very near does
+/// not pass either.
+/// Test: none.
+inline constexpr float kept = 0.5f;
+
+/// Rounds of the fail-safe. In the last one all of the piece joins.
+/// Test: FastBodies.ASmallBallAt150.
+inline constexpr uint32_t rounds = 8;
+
+/// Of the size of a face: no body moves further in a substep, relative to cloth that it meets. With more,
+/// the iterations leave cloth stretched.
+/// Test: FastBodies.ABall.
+inline constexpr float most_motion = 0.6f;
+
+/// Sizes of a face: cloth that is nearer to a body than this is about to meet it.
+/// Test: FastBodies.ABall.
+inline constexpr float surroundings = 2;
+
+/// Substeps of a step that a fast body may ask for.
+/// Test: none.
+inline constexpr int most_substeps = 256;
+
+/// Lanes of the sums over a zone.
+/// Test: none.
+inline constexpr uint32_t lanes = 64;
+
+/// Steps of conservative advancement. A face that slides along the body for longer unites with it.
+/// Test: none.
+inline constexpr int advance_steps = 256;
+
+}  // namespace zone_tuning
+
 }  // namespace meniscus::collision

@@ -12,6 +12,7 @@
 #include "cloth/rods/rope_set.h"
 #include "collision/body/attachments.h"
 #include "collision/body/body_set.h"
+#include "collision/body/body_zones.h"
 #include "collision/body/effective_mass.h"
 #include "collision/body/face_points.h"
 #include "collision/body/stick_anchors.h"
@@ -63,6 +64,7 @@ class DeviceEngine final : public Engine {
         contact_set_(device_),
         grains_(device_, def.particle_spacing, contact_set_),
         face_points_(device_, particles_, contacts_, bodies_, contact_set_),
+        body_zones_(device_, contacts_, bodies_),
         fluid_cloth_contacts_(device_, particles_, def.solver.support_radius),
         fluid_cloth_(device_, particles_, fluid_cloth_contacts_),
         tension_(device_, def.kernel, def.particle_spacing),
@@ -175,6 +177,7 @@ class DeviceEngine final : public Engine {
         .place(SetPhase::fluid_carry, fluid_cloth_.carrying())
         .place(SetPhase::contacts, face_points_)
         .place(SetPhase::ccd_failsafe, self_contacts_.ccd_failsafe())
+        .place(SetPhase::body_zones, body_zones_)
         .place(SetPhase::attachment_release, attachments_.release())
         .place(SetPhase::fluid_cloth, fluid_cloth_)
         .place(SetPhase::films, films_)
@@ -233,6 +236,7 @@ class DeviceEngine final : public Engine {
   collision::ContactSet<D> contact_set_;
   collision::GrainSet<D> grains_;
   collision::FacePoints<D> face_points_;
+  collision::BodyZones<D> body_zones_;
   collision::FluidClothContacts<D> fluid_cloth_contacts_;
   collision::FluidClothSet<D> fluid_cloth_;
   fluid::SurfaceTensionSet<D> tension_;

@@ -24,6 +24,7 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   contacts_.set_attached_bodies(attachments_.attached_bodies());
   const std::span<const pbd::SurfaceTriangle> triangles = cloth.model.triangles;
   face_points_.set_surface(cloth_.surface());
+  body_zones_.set_surface(cloth_.surface(), triangles, cloth.model.rest, cloth.touches.size());
   float heaviest = 0;
   for (const pbd::Vec4& x : cloth.position) {
     if (x.w > 0) heaviest = std::max(heaviest, 1 / x.w);

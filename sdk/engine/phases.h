@@ -27,6 +27,7 @@ enum class SetPhase {
   fluid_carry,         ///< after cloth: moves the fluid that rests on it along
   contacts,            ///< late, so that nothing stays inside a solid
   ccd_failsafe,        ///< after sets that move vertices: nothing has passed through cloth
+  body_zones,          ///< after sets that move vertices: no body has passed through cloth
   attachment_release,  ///< after sets that move vertices: vertices get their own masses back
   fluid_cloth,         ///< after sets that move vertices: no fluid has passed through cloth
   films,               ///< before bodies: loads them with the fluid in narrow gaps
@@ -51,6 +52,7 @@ constexpr const char* phase_name(SetPhase phase) {
                              "fluid_carry",
                              "contacts",
                              "ccd_failsafe",
+                             "body_zones",
                              "attachment_release",
                              "fluid_cloth",
                              "films",
