@@ -4,7 +4,9 @@
 // Fast bodies and cloth that cannot tear: nothing passes, momentum is kept, and no energy is added.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <string>
+#include <vector>
 
 #include "tests/coupling/crossings.h"
 
@@ -134,7 +136,9 @@ class FastBodies : public OnDevice {
     EXPECT_EQ(impact.crossings.most_inside(), 0) << what;
     EXPECT_EQ(impact.crossings.passed(), 0) << what;
     EXPECT_LT(kinetic_energy(impact.world, impact.cloth, impact.body), 0.98 * impact.energy) << "no impact";
-    if (!is_held) EXPECT_LT(impact.drift, 1e-5) << what;
+    if (!is_held) {
+      EXPECT_LT(impact.drift, 1e-5) << what;
+    }
   }
 };
 MENISCUS_ON_EACH_DEVICE(FastBodies);
@@ -173,6 +177,50 @@ TEST_P(FastBodies, ABoxThatSpins) {
 
 TEST_P(FastBodies, ARodThatSpins) {
   expect_stopped(CapsuleGeometry{0.015f, 0.1f}, thrown(0.5f, 0.2f, 20, 100), 3);
+}
+
+/// A sheet that falls, and a ball of 5 cm beside or far from it. The report of the last of some steps.
+struct Fall {
+  StepReport report;
+  std::vector<Vec3> cloth;
+
+  Fall(pbd::DeviceKind device, float speed, Vec3 position, bool collides = true) {
+    WorldDef def = world_def(device, 0.05f);
+    def.substeps = 3;
+    World world(def);
+    const ClothId sheet = world.create_cloth(Impact<SphereGeometry>::square());
+    BodyDef ball = thrown(0.5f, 0, speed);
+    ball.geometry = SphereGeometry{0.05f};
+    ball.pose.position = position;
+    if (!collides) ball.filter.mask = 0;
+    world.create_body(ball);
+    for (int k = 0; k < 2; ++k) report = world.step(frame);
+    const auto x = world.cloth_positions(sheet);
+    cloth.assign(x.begin(), x.end());
+  }
+};
+
+bool have_same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
+}
+
+/// The substeps of the world are a minimum, and the report has their number.
+TEST_P(FastBodies, GetMoreSubstepsAtCloth) {
+  const Fall fast(GetParam(), 20, {0.013f, 0.6f, 0.021f}), slow(GetParam(), 0.5f, {0.013f, 0.2f, 0.021f});
+  EXPECT_GE(fast.report.substeps, 20);
+  EXPECT_LE(fast.report.substeps, 40);
+  EXPECT_EQ(slow.report.substeps, 3);
+}
+
+/// A fast body that is far away, or does not collide with cloth, costs no substeps, and cloth keeps its bits.
+TEST_P(FastBodies, ElsewhereChangeNothing) {
+  const Vec3 far{20, 0.5f, 0}, near{0.013f, 0.6f, 0.021f};
+  const Fall still(GetParam(), 0, far), fast(GetParam(), 20, far), unmet(GetParam(), 20, near, false);
+  EXPECT_EQ(still.report.substeps, 3);
+  EXPECT_EQ(fast.report.substeps, 3);
+  EXPECT_EQ(unmet.report.substeps, 3);
+  EXPECT_TRUE(have_same_bits(still.cloth, fast.cloth));
+  EXPECT_TRUE(have_same_bits(still.cloth, unmet.cloth));
 }
 
 /// Checks the count itself: a ball that does not collide with the sheet passes through it.
