@@ -82,7 +82,8 @@ void fields(V& v, WorldDef& d) {
   v("gravity", d.gravity, any_value, "m/s²", "acceleration of everything");
   v("particle_spacing", d.particle_spacing, between(1e-4, 1e3), "m", "rest distance between fluid particles");
   v("support_ratio", d.support_ratio, between(1.5, 3), "", "support radius over spacing");
-  v("substeps", d.substeps, between(1, 1000), "", "substeps of a frame, where cfl_number is 0");
+  v("substeps", d.substeps, between(1, 1000), "",
+    "substeps of a frame, where cfl_number is 0; more while a fast body is near cloth");
   v("iterations", d.iterations, between(1, 1000), "", "solver iterations of a substep");
   v("cfl_number", d.cfl_number, not_negative, "support radii",
     "when above 0, substeps are chosen so that nothing moves further than this in one");

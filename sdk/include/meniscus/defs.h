@@ -116,8 +116,10 @@ struct WorldDef {
   Vec3 gravity{0, -9.81f, 0};      ///< m/s²
   float particle_spacing = 0.05f;  ///< s, m: the rest distance between fluid particles, 1e-4 to 1e3
   float support_ratio = 2.0f;      ///< support radius h over spacing, 1.5 to 3
-  int substeps = 4;                ///< per step, 1 to 1000, when cfl_number is 0
-  int iterations = 10;             ///< per substep, 1 to 1000
+  /// Per step, 1 to 1000, when cfl_number is 0. A minimum while a fast body is near cloth: it then takes up
+  /// to 256, as StepReport::substeps tells.
+  int substeps = 4;
+  int iterations = 10;  ///< per substep, 1 to 1000
   /// If > 0, the number of substeps is chosen so that nothing moves further than this · h in a substep.
   float cfl_number = 0.0f;
   int min_substeps = 1;   ///< minimum of that choice, 1 to 1000

@@ -85,7 +85,7 @@ struct Overflows {
 
 /// Counts and times of one step.
 struct StepReport {
-  int substeps = 0;
+  int substeps = 0;    ///< made; more than WorldDef::substeps while a fast body is near cloth
   int iterations = 0;  ///< per substep
   /// Per substep, on average. DensitySolverDef::tolerance can end them early.
   double density_iterations = 0;
