@@ -61,7 +61,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   /// By body: its predicted pose. Contact searches that run after the prediction read this.
   pbd::View<const BodyProxy> proxies() const { return proxies_.view(); }
   /// By body: its motion in the present substep, as predicted. For the host.
-  std::span<const RigidMotion> motions() const { return motion_.host(); }
+  std::span<const RigidMotion> host_motions() const { return motion_.host(); }
   /// By body with contacts: its displacement by these contacts so far in the substep.
   pbd::View<const body_kernels::ContactMotion> contact_motions() const {
     return contact_motion_.current.view();

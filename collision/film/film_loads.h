@@ -12,6 +12,7 @@ namespace meniscus::collision::film_kernels {
 struct LoadProbe {
   uint32_t shape;  ///< Shape::owner
   Aabb patch;
+  Vec3 point;  ///< that torque is about
 };
 
 /// Adds the impulse of the film's pressure to both faces.
@@ -41,9 +42,10 @@ struct AddLoads {
     const Shape& other = set.shapes[gap.shape];
     if (other.body != pbd::no_index)
       return bodies[other.body].add(-impulse, cross(surfaces.proxies[other.body].pose.position - x, impulse));
+    const Vec3 at = x - gap.distance * gap.normal;
     for (uint32_t k = 0; k < probes.count; ++k) {
-      if (probes[k].shape == other.owner && inside(probes[k].patch, x - gap.distance * gap.normal))
-        probe_sums[k].add(-impulse, {0, 0, 0});
+      if (probes[k].shape == other.owner && inside(probes[k].patch, at))
+        probe_sums[k].add(-impulse, cross(probes[k].point - at, impulse));
     }
   }
 };

@@ -42,8 +42,8 @@ class FilmSet final : public pbd::ConstraintSet<D> {
   void set_parts(std::span<const FilmPart> parts, uint32_t bodies, std::span<const Shape> shapes,
                  uint32_t fixed);
   void set_probes(std::span<const film_kernels::LoadProbe> probes);
-  /// By probe: the mean force of films over the last step, N.
-  std::vector<Vec3> read_probes() const;
+  /// By probe: the mean force and torque of films over the last step, N and N·m.
+  std::vector<RigidImpulse> read_probes() const;
 
   void reserve(uint32_t capacity, uint32_t) override { has_fluid_ = capacity > 0; }
   void start_step() override;

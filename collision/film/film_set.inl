@@ -26,13 +26,14 @@ void FilmSet<D>::set_probes(std::span<const film_kernels::LoadProbe> probes) {
 }
 
 template <class D>
-std::vector<Vec3> FilmSet<D>::read_probes() const {
+std::vector<RigidImpulse> FilmSet<D>::read_probes() const {
   std::vector<film_kernels::WholeImpulse> sums(probe_sums_.size());
   probe_sums_.read(std::span(sums));
-  std::vector<Vec3> forces;
+  std::vector<RigidImpulse> loads;
+  const float scale = step_time_ > 0 ? 1 / step_time_ : 0;
   for (const auto& s : sums)
-    forces.push_back(step_time_ > 0 ? Vec3{s.at(0), s.at(1), s.at(2)} / step_time_ : Vec3{0, 0, 0});
-  return forces;
+    loads.push_back({scale * Vec3{s.at(0), s.at(1), s.at(2)}, scale * Vec3{s.at(3), s.at(4), s.at(5)}});
+  return loads;
 }
 
 /// Without fluid the surfaces take no memory on the device.
@@ -94,7 +95,7 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   step_time_ += substep.dt;
   bodies_.set_loads({});
   if (!is_on_device_ || all_.triangles.empty() || substep.particles.sorted == 0) return;
-  if (!nearness_.any(bodies_.motions(), substep.dt, lengths_.widest())) return;
+  if (!nearness_.any(bodies_.host_motions(), substep.dt, lengths_.widest())) return;
   const auto triangles = static_cast<uint32_t>(all_.triangles.size()),
              vertices = static_cast<uint32_t>(all_.vertices.size()),
              bodies = static_cast<uint32_t>(all_.bodies.size());

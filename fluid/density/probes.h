@@ -50,6 +50,7 @@ class Probes final : public pbd::Observer<D> {
       : device_(device), density_(density), spacing_(spacing) {}
 
   void set_probes(std::span<const Probe> probes);
+  std::span<const Probe> probes() const { return probes_; }
   void start_step() override;
   void observe(const pbd::Substep<D>& substep) override;
   /// One element for each probe: the mean over the last step's substeps.

@@ -47,7 +47,10 @@ void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
 template <class D>
 void DeviceEngine<D>::set_probes(std::span<const fluid::Probe> probes) {
   std::vector<collision::film_kernels::LoadProbe> loads;
-  for (const fluid::Probe& p : probes) loads.push_back({p.at_point ? pbd::no_index : p.shape, p.patch});
+  for (const fluid::Probe& p : probes) {
+    const bool on_shape = p.measure == fluid::ProbeMeasure::force || p.measure == fluid::ProbeMeasure::torque;
+    loads.push_back({on_shape ? p.shape : pbd::no_index, p.patch, p.point});
+  }
   films_.set_probes(loads);
   probes_.set_probes(probes);
 }
@@ -55,11 +58,13 @@ void DeviceEngine<D>::set_probes(std::span<const fluid::Probe> probes) {
 template <class D>
 void DeviceEngine<D>::read_probes(std::span<fluid::ProbeSum> means) {
   probes_.read(means);
-  const std::vector<Vec3> loads = films_.read_probes();
+  const std::vector<collision::RigidImpulse> loads = films_.read_probes();
   for (size_t k = 0; k < means.size(); ++k) {
-    means[k].x += double{loads[k].x};
-    means[k].y += double{loads[k].y};
-    means[k].z += double{loads[k].z};
+    const bool torque = probes_.probes()[k].measure == fluid::ProbeMeasure::torque;
+    const Vec3 load = torque ? loads[k].angular : loads[k].linear;
+    means[k].x += double{load.x};
+    means[k].y += double{load.y};
+    means[k].z += double{load.z};
   }
 }
 

@@ -60,16 +60,21 @@ TEST_P(FilmTest, TheForceOnWhatIsFlushOnTheFloorIsThatOfArchimedes) {
     floor.shape = box;
     floor.patch = Aabb{{-1, -0.01f, -1}, {1, 0.01f, 1}};
     const ProbeId probe = world.create_probe(floor);
+    floor.kind = ProbeKind::wall_torque;
+    floor.point = {1, 0, 0};
+    const ProbeId torque = world.create_probe(floor);
     constexpr int steps = 20;
-    double force = 0, on_floor = 0;
+    double force = 0, on_floor = 0, about_z = 0;
     for (int k = 0; k < steps; ++k) {
       world.step(dt);
       force += double{world.body_state(held).fluid_force.y} / steps;
       on_floor += double{world.probe(probe)} / steps;
+      about_z += double{world.probe_vector(torque).z} / steps;
     }
     RecordProperty("lift_over_archimedes", std::to_string(force / expected));
     EXPECT_NEAR(force, expected, 0.01 * expected);
     EXPECT_NEAR(on_floor, water + expected, 0.01 * (water + expected));
+    EXPECT_NEAR(about_z, on_floor, 0.02 * on_floor);  // 1 m beside the middle
   }
 }
 
