@@ -44,12 +44,13 @@ struct SolveFilms {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t b) const {
+    const FilmRange& range = surfaces.bodies[b];
+    const Vertices<Group> vertices{group, scratch, range.first_vertex, range.vertex_end};
     if (!has_film[b]) {
+      vertices.each([&](uint32_t v) { views.pressure[v] = 0; });
       group.for_each(1, [&](uint32_t) { balance[b] = {}; });
       return;
     }
-    const FilmRange& range = surfaces.bodies[b];
-    const Vertices<Group> vertices{group, scratch, range.first_vertex, range.vertex_end};
     const float wetness = vertices.sum([&](uint32_t v) { return rims[v].wetness; });
     const float density = vertices.sum([&](uint32_t v) { return rims[v].density; }) / some(wetness);
     const Quat to_body = conjugate(surfaces.proxies[b].pose.rotation);
