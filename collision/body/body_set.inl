@@ -162,8 +162,8 @@ void BodySet<D>::end(pbd::Substep<D>& substep) {
   if (bodies_ == 0) return;
   sum_contacts(substep);
   device_.parallel_for("bodies/impulse", bodies_,
-                       body_kernels::TakeImpulse{partial_.view(), loads_, impulses_.view(), lanes(), 1 / substep.dt,
-                                                 zone_impulses_.view()});
+                       body_kernels::TakeImpulse{partial_.view(), loads_, impulses_.view(), lanes(),
+                                                 1 / substep.dt, zone_impulses_.view()});
   device_.set_fence();
 }
 
