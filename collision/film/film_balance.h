@@ -11,8 +11,8 @@
 #pragma once
 
 #include "collision/film/film_kernels.h"
-#include "collision/fluid_cloth/area.h"
 #include "pbd/device/base/atomics.h"
+#include "pbd/math/tangents.h"
 
 namespace meniscus::collision::film_kernels {
 

@@ -43,7 +43,7 @@ class FilmSet final : public pbd::ConstraintSet<D> {
                  uint32_t fixed);
   void set_probes(std::span<const film_kernels::LoadProbe> probes);
   /// By probe: the mean force and torque of films over the last step, N and N·m.
-  std::vector<RigidImpulse> read_probes() const;
+  std::span<const RigidImpulse> read_probes();
 
   void reserve(uint32_t capacity, uint32_t) override { has_fluid_ = capacity > 0; }
   void start_step() override;
@@ -88,6 +88,8 @@ class FilmSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<RigidImpulse> impulses_{device_, "film loads"};
   pbd::Buffer<film_kernels::LoadProbe> probes_{device_, "film probes"};
   pbd::Buffer<film_kernels::WholeImpulse> probe_sums_{device_, "film probes"};
+  std::vector<film_kernels::WholeImpulse> probe_reads_;
+  std::vector<RigidImpulse> probe_loads_;
 };
 
 }  // namespace meniscus::collision

@@ -23,17 +23,19 @@ void FilmSet<D>::set_probes(std::span<const film_kernels::LoadProbe> probes) {
   probes_.write(probes);
   probe_sums_.resize_discard(probes.size());
   probe_sums_.fill(0);
+  probe_reads_.resize(probes.size());
+  probe_loads_.resize(probes.size());
 }
 
 template <class D>
-std::vector<RigidImpulse> FilmSet<D>::read_probes() const {
-  std::vector<film_kernels::WholeImpulse> sums(probe_sums_.size());
-  probe_sums_.read(std::span(sums));
-  std::vector<RigidImpulse> loads;
+std::span<const RigidImpulse> FilmSet<D>::read_probes() {
+  probe_sums_.read(std::span(probe_reads_));
   const float scale = step_time_ > 0 ? 1 / step_time_ : 0;
-  for (const auto& s : sums)
-    loads.push_back({scale * Vec3{s.at(0), s.at(1), s.at(2)}, scale * Vec3{s.at(3), s.at(4), s.at(5)}});
-  return loads;
+  for (size_t k = 0; k < probe_reads_.size(); ++k) {
+    const film_kernels::WholeImpulse& s = probe_reads_[k];
+    probe_loads_[k] = {scale * Vec3{s.at(0), s.at(1), s.at(2)}, scale * Vec3{s.at(3), s.at(4), s.at(5)}};
+  }
+  return probe_loads_;
 }
 
 /// Without fluid the surfaces take no memory on the device.

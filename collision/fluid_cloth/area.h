@@ -6,20 +6,9 @@
 
 #include <cmath>
 
-#include "pbd/math/vec.h"
+#include "pbd/math/tangents.h"
 
 namespace meniscus::collision {
-
-/// Two unit directions that are orthogonal to a unit normal and to each other.
-struct Tangents {
-  Vec3 u, v;
-
-  MENISCUS_HD explicit Tangents(Vec3 normal) {
-    const Vec3 axis = fabsf(normal.x) < 0.6f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    u = normalized_or(cross(normal, axis), {0, 0, 0});
-    v = cross(normal, u);
-  }
-};
 
 namespace area_detail {
 

@@ -58,7 +58,7 @@ void DeviceEngine<D>::set_probes(std::span<const fluid::Probe> probes) {
 template <class D>
 void DeviceEngine<D>::read_probes(std::span<fluid::ProbeSum> means) {
   probes_.read(means);
-  const std::vector<collision::RigidImpulse> loads = films_.read_probes();
+  const std::span<const collision::RigidImpulse> loads = films_.read_probes();
   for (size_t k = 0; k < means.size(); ++k) {
     const bool torque = probes_.probes()[k].measure == fluid::ProbeMeasure::torque;
     const Vec3 load = torque ? loads[k].angular : loads[k].linear;

@@ -131,7 +131,8 @@ void turnover(SoakScene& scene) {
                                                : Geometry{BoxGeometry{{0.07f, 0.07f, 0.07f}}},
                        place, 600);
     bodies.push_back(w.create_body(def));
-    RopeDef tail = rope({place, place + Vec3{0, -0.3f, 0}}, 10);
+    const Vec3 below = place - Vec3{0, 0.1f, 0};
+    RopeDef tail = rope({below, below - Vec3{0, 0.2f, 0}}, 7);
     tail.bends_and_twists = step / (2 * second) % 3 == 0;
     ropes.push_back(w.create_rope(tail));
     AttachmentDef tie = attach(ropes.back(), {0});
@@ -173,12 +174,12 @@ void balloons(SoakScene& scene) {
     def.pose.position = place;
     def.inflation = InflationDef{500};
     const ClothId balloon = world.create_cloth(def);
-    RopeDef string = rope({place - Vec3{0, 0.14f, 0}, place - Vec3{0, 0.5f, 0}}, 8);
+    RopeDef string = rope({place - Vec3{0, 0.14f, 0}, place - Vec3{0, 0.45f, 0}}, 8);
     const RopeId id = world.create_rope(string);
     AttachmentDef tie = attach(id, {0});
     tie.other_cloth = balloon;
     world.create_attachment(tie);
-    const BodyId weight = world.create_body(body(SphereGeometry{0.05f}, place - Vec3{0, 0.5f, 0}, 2000));
+    const BodyId weight = world.create_body(body(SphereGeometry{0.04f}, place - Vec3{0, 0.5f, 0}, 2000));
     AttachmentDef hold = attach(id, {8});
     hold.body = weight;
     world.create_attachment(hold);

@@ -59,6 +59,7 @@ const Edges folders{
     {"collision/contact", {"collision/mesh", "collision/sdf"}},
     {"collision/rigid", {"collision/mesh"}},
     {"collision/body", {"collision/contact", "collision/mesh", "collision/rigid"}},
+    {"collision/film", {"collision/body", "collision/contact", "collision/mesh", "collision/rigid"}},
     {"collision/fluid_cloth", {}},
     {"collision/grains", {"collision/contact"}},
 
