@@ -117,6 +117,7 @@ class Solver {
   Substep<D> make_substep(float dt);
   void save_state();
   void restore_state();
+  void start_sets();
   void undo_step();
   template <class Undo>
   void undo_or_lose(const Undo& undo);
@@ -127,6 +128,7 @@ class Solver {
   NeighbourSearch<D> search_;
   ContactArrays<D> contacts_;
   std::vector<ConstraintSet<D>*> sets_;
+  size_t started_ = 0;  // sets whose start_step() was called in this step
   std::vector<VelocityPass<D>*> passes_;
   std::vector<Observer<D>*> observers_;
   StageTimer timer_;

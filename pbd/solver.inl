@@ -84,7 +84,7 @@ StepResult Solver<D>::run(float dt) {
   save_state();
   try {
     const CallMonitor::Cancellable undone_below(device_.monitor());
-    for (ConstraintSet<D>* set : sets_) set->start_step();
+    start_sets();
     for (Observer<D>* observer : observers_) observer->start_step();
     int substeps = choose_substeps(dt);
     for (ConstraintSet<D>* set : sets_) substeps = set->least_substeps(dt, substeps, particles_.source());
@@ -111,7 +111,7 @@ void Solver<D>::relax(float dt, int times) {
     try {
       const CallMonitor::Cancellable undone_below(device_.monitor());
       device_.monitor().poll("relax", static_cast<double>(k) / times);
-      for (ConstraintSet<D>* set : sets_) set->start_step();
+      start_sets();
       relax_once(dt);
       device_.wait();  // some sets find only while they work that they lack room
     } catch (...) {
@@ -394,9 +394,18 @@ void Solver<D>::undo_or_lose(const Undo& undo) {
 }
 
 template <class D>
+void Solver<D>::start_sets() {
+  started_ = 0;
+  for (ConstraintSet<D>* set : sets_) {
+    ++started_;
+    set->start_step();
+  }
+}
+
+template <class D>
 void Solver<D>::undo_step() {
   restore_state();
-  for (ConstraintSet<D>* set : sets_) set->undo_step();
+  for (size_t k = 0; k < started_; ++k) sets_[k]->undo_step();
 }
 
 template <class D>

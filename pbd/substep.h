@@ -91,7 +91,7 @@ class ConstraintSet : public ParticleState {
   virtual void exchange(Substep<D>&) {}
 
   // Around the substeps of a step, for objects outside of the device: undo_step() restores their state at
-  // start_step(). When end_step() is called, the device still works on the last substep.
+  // start_step(), also if that threw. When end_step() is called, the device still works on the last substep.
   virtual void start_step() {}
   virtual void end_step() {}
   virtual void undo_step() {}
