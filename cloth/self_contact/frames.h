@@ -9,6 +9,7 @@
 #include "cloth/self_contact/views.h"
 #include "pbd/contacts.h"
 #include "pbd/math/hash.h"
+#include "pbd/math/units.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -59,9 +60,9 @@ struct DisplacementSums {
     for (uint32_t k = 0; k < 4; ++k) sums[4 * row + k] = 0;
   }
   MENISCUS_HD void add(uint32_t row, Vec3 sum, uint32_t vertices) const {
-    pbd::atomic_add(sums[4 * row], llrintf(sum.x / unit));
-    pbd::atomic_add(sums[4 * row + 1], llrintf(sum.y / unit));
-    pbd::atomic_add(sums[4 * row + 2], llrintf(sum.z / unit));
+    pbd::atomic_add(sums[4 * row], pbd::whole_units(sum.x / unit));
+    pbd::atomic_add(sums[4 * row + 1], pbd::whole_units(sum.y / unit));
+    pbd::atomic_add(sums[4 * row + 2], pbd::whole_units(sum.z / unit));
     pbd::atomic_add(sums[4 * row + 3], int64_t{vertices});
   }
   MENISCUS_HD void add_row(uint32_t row, uint32_t other) const {

@@ -7,6 +7,7 @@
 #include "cloth/self_contact/own_motion.h"
 #include "cloth/self_contact/solve.h"
 #include "cloth/self_contact/tuning.h"
+#include "pbd/math/units.h"
 #include "pbd/union_find.h"
 
 namespace meniscus::cloth::self_contact_kernels {
@@ -89,7 +90,7 @@ struct GatherImpactZones {
     if (v != name) pbd::atomic_min(impact_zones.anchor[name], impact_zones.anchor[v]);
     if (x.w == 0) return;
     const float m = 1 / x.w;
-    pbd::atomic_add(impact_zones.mass[name], llrintf(m / impact_zones.mass_unit));
+    pbd::atomic_add(impact_zones.mass[name], pbd::whole_units(m / impact_zones.mass_unit));
     impact_zones.momentum.add(name, m * (x.xyz() - previous[v].xyz()));
   }
 };
@@ -117,10 +118,10 @@ struct PieceSums {
     for (uint32_t k = 0; k < 4; ++k) sums[4 * piece + k] = 0;
   }
   MENISCUS_HD void add(uint32_t piece, Vec3 positional_impulse, float mass) const {
-    pbd::atomic_add(sums[4 * piece], llrintf(positional_impulse.x / unit));
-    pbd::atomic_add(sums[4 * piece + 1], llrintf(positional_impulse.y / unit));
-    pbd::atomic_add(sums[4 * piece + 2], llrintf(positional_impulse.z / unit));
-    pbd::atomic_add(sums[4 * piece + 3], llrintf(mass / mass_unit));
+    pbd::atomic_add(sums[4 * piece], pbd::whole_units(positional_impulse.x / unit));
+    pbd::atomic_add(sums[4 * piece + 1], pbd::whole_units(positional_impulse.y / unit));
+    pbd::atomic_add(sums[4 * piece + 2], pbd::whole_units(positional_impulse.z / unit));
+    pbd::atomic_add(sums[4 * piece + 3], pbd::whole_units(mass / mass_unit));
   }
   /// The displacement of the whole piece, m.
   MENISCUS_HD Vec3 displacement(uint32_t piece) const {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/self_contact/views.h"
+#include "pbd/math/units.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 
@@ -15,9 +16,9 @@ struct PushSums {
 
   MENISCUS_HD void add(uint32_t v, Vec3 push) const {
     const Vec3 whole = (1 / unit) * push;
-    pbd::atomic_add(sums[3 * v], llrintf(whole.x));
-    pbd::atomic_add(sums[3 * v + 1], llrintf(whole.y));
-    pbd::atomic_add(sums[3 * v + 2], llrintf(whole.z));
+    pbd::atomic_add(sums[3 * v], pbd::whole_units(whole.x));
+    pbd::atomic_add(sums[3 * v + 1], pbd::whole_units(whole.y));
+    pbd::atomic_add(sums[3 * v + 2], pbd::whole_units(whole.z));
   }
   /// The sum, kg·m.
   MENISCUS_HD Vec3 of(uint32_t v) const {

@@ -19,6 +19,7 @@
 #include "collision/fluid_cloth/cloth_surface.h"
 #include "collision/fluid_cloth/tuning.h"
 #include "pbd/contacts.h"
+#include "pbd/math/units.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
@@ -38,7 +39,9 @@ struct LoadedVertices {
   template <class Term>
   MENISCUS_HD float sum(uint32_t v, const Term& term) const {
     int64_t total = 0;
-    for_each(v, [&](const FluidClothContact& t, float weight) { total += llrintf(term(t, weight) / unit); });
+    for_each(v, [&](const FluidClothContact& t, float weight) {
+      total += pbd::whole_units(term(t, weight) / unit);
+    });
     return unit * static_cast<float>(VertexTeam::sum(total));
   }
   /// The sum of the pending impulses, kg·m, which act against the cloth.
@@ -46,9 +49,9 @@ struct LoadedVertices {
     int64_t x = 0, y = 0, z = 0;
     for_each(v, [&](const FluidClothContact& t, float weight) {
       const Vec3 push = (-weight / unit) * t.pending;
-      x += llrintf(push.x);
-      y += llrintf(push.y);
-      z += llrintf(push.z);
+      x += pbd::whole_units(push.x);
+      y += pbd::whole_units(push.y);
+      z += pbd::whole_units(push.z);
     });
     return {unit * static_cast<float>(VertexTeam::sum(x)), unit * static_cast<float>(VertexTeam::sum(y)),
             unit * static_cast<float>(VertexTeam::sum(z))};
