@@ -24,6 +24,7 @@ class BoundedFiles : public Assimp::IOSystem {
  public:
   BoundedFiles(std::string path, const std::string& bytes, ImportBudget& budget)
       : path_(std::move(path)), bytes_(bytes), budget_(budget) {}
+  BoundedFiles(std::string, std::string&&, ImportBudget&) = delete;  // the bytes are not copied
 
   bool Exists(const char* file) const override;
   char getOsSeparator() const override { return '/'; }

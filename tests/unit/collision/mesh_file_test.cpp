@@ -177,7 +177,8 @@ TEST_F(MeshFileBounds, PipesAndDevicesAreNotWaitedFor) {
 
 TEST_F(MeshFileBounds, AReaderThatCirclesIsStopped) {
   ImportBudget budget{1000, 5000};
-  BoundedFiles files("a.obj", "0123456789", budget);
+  const std::string bytes = "0123456789";
+  BoundedFiles files("a.obj", bytes, budget);
   Assimp::IOStream* stream = files.Open("a.obj", "rb");
   BudgetProgress progress(budget);
   EXPECT_TRUE(progress.Update(0));
