@@ -388,6 +388,8 @@ template <class Undo>
 void Solver<D>::undo_or_lose(const Undo& undo) {
   try {
     undo();
+  } catch (const Error& error) {
+    throw StateLost(error);
   } catch (...) {
     throw StateLost();
   }

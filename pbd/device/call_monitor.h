@@ -5,18 +5,32 @@
 // fail without a trace.
 #pragma once
 
+#include <meniscus/error.h>
 #include <meniscus/outputs.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstring>
 #include <exception>
 #include <functional>
 
 namespace meniscus::pbd {
 
-/// Thrown where a state could neither be changed nor restored. It holds nothing, so that it needs no memory.
-struct StateLost final : std::exception {
-  const char* what() const noexcept override { return "the state is lost"; }
+/// Thrown where a state could neither be changed nor restored. It needs no memory: a long reason is cut.
+class StateLost final : public std::exception {
+ public:
+  StateLost() = default;
+  explicit StateLost(const Error& reason) noexcept : code_(reason.code()) {
+    std::strncpy(reason_, reason.what(), sizeof reason_ - 1);
+  }
+
+  ErrorCode code() const noexcept { return code_; }
+  /// Why it could not be restored.
+  const char* what() const noexcept override { return reason_; }
+
+ private:
+  ErrorCode code_ = ErrorCode::out_of_memory;
+  char reason_[256] = "memory ran out on the host";
 };
 
 /// A call has two parts. In the first it may fail or be cancelled, and nothing has changed. commit() begins

@@ -7,6 +7,7 @@
 #include <meniscus/error.h>
 
 #include <new>
+#include <string>
 
 #include "pbd/host_memory.h"
 #include "sdk/world/world_calls.h"
@@ -38,9 +39,10 @@ decltype(auto) World::Impl::run(const Call& call) {
   } const running(monitor);
   try {
     return call(Calls{this});
-  } catch (const pbd::StateLost&) {
+  } catch (const pbd::StateLost& loss) {
     lost = true;
-    throw Error(world_errors::lost_now);
+    if (loss.code() == ErrorCode::out_of_memory) throw Error(world_errors::lost_now);
+    throw Error(loss.code(), "the world is lost, and only its destruction is possible: " + std::string(loss.what()));
   } catch (const std::bad_alloc&) {
     lost = monitor.committed() || rigid.is_broken();
     throw Error(lost ? world_errors::lost_now : pbd::no_host_memory);

@@ -58,7 +58,7 @@ TEST_P(SoakTest, TenMinutesLeaveNoTrace) {
   Balance balance(world);
   std::size_t device_bytes = 0, host_bytes = 0;
   double worst_error = 0;
-  const int steps = static_cast<int>(soak_seconds() / soak_dt), look = 600;
+  const int steps = static_cast<int>(soak_seconds() / soak_dt), look = 600, minute = 3600;
   for (int step = 0; step < steps; ++step) {
     if (scene.act) scene.act(world, step);
     balance.add(std::exchange(scene.added_by_hand, 0));
@@ -68,6 +68,10 @@ TEST_P(SoakTest, TenMinutesLeaveNoTrace) {
     ASSERT_EQ(static_cast<int64_t>(world.particle_count()), balance.due()) << "step " << step;
     ASSERT_EQ(d.non_finite, 0u) << "step " << step;
     EXPECT_EQ(d.outside, 0u) << "step " << step;
+    if ((step + 1) % minute == 0) {
+      std::printf("%s: minute %d\n", named.name, (step + 1) / minute);
+      std::fflush(stdout);
+    }
     worst_error = std::max(worst_error, d.density_error_mean);
     if (step < steps / 2) {
       device_bytes = std::max(device_bytes, world.device_bytes());

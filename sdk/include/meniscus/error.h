@@ -20,7 +20,7 @@ enum class ErrorCode {
   device,      ///< CUDA or the driver failed, or the requested device does not exist
   out_of_memory,
   cancelled,  ///< the call was cancelled by World::cancel
-  lost,       ///< an earlier call ran out of memory while the world changed: nothing of it can be used
+  lost,       ///< memory or the device failed in an earlier call that changed the world: nothing is usable
 };
 
 /// Every failing call of the library throws this. The message names the argument, its value and the allowed
