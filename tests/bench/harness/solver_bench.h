@@ -67,8 +67,9 @@ class SolverBench {
   virtual NeighbourLists neighbours(std::span<const Vec3> points, float support_radius) = 0;
   /// The iterations of one substep's density solve, with nothing else going on.
   virtual DensitySolution solve_density(const DensityCase& setup) = 0;
-  /// Positions once every particle's multiplier has pushed, when all of them are the same; kg·m².
-  virtual std::vector<Vec3> push(const DensityCase& setup, float multiplier) = 0;
+  /// Positions once every particle's multiplier has pushed, when all of them are the same; kg·m². They are left
+  /// from a substep of last_dt.
+  virtual std::vector<Vec3> push(const DensityCase& setup, float multiplier, float last_dt) = 0;
   /// Velocities after passes of the viscosity over particles that stand still.
   virtual std::vector<Vec3> smooth(const SmoothingCase& setup) = 0;
   virtual std::vector<float> solve(const GridEquation& equation, int iterations) = 0;

@@ -4,8 +4,10 @@
 // The harness of the solver and its neighbour search, for one device.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 #include "collision/contact/shape_contacts.h"
 #include "fluid/forces/smoothing_pass.h"
@@ -74,17 +76,21 @@ class SolverBenchOn final : public SolverBench {
     return solution;
   }
 
-  std::vector<Vec3> push(const DensityCase& setup, float multiplier) override {
+  std::vector<Vec3> push(const DensityCase& setup, float multiplier, float last_dt) override {
     DensityCase warm = setup;
     warm.parameters.warm_start = 1;
     std::vector<Vec3> pushed;
     with_density(warm, [&](pbd::Substep<D>& s, fluid::DensitySet<D>& density) {
+      const float dt = std::exchange(s.dt, last_dt);
       density.begin(s);  // the first substep has nothing to start from; the second starts from these
+      s.dt = dt;
       const std::vector<float> errors = measured_errors(s, density);
       std::vector<uint32_t> slot(setup.particles.size());
       s.device.copy_out(slot.data(), s.particles.slot.data, slot.size() * sizeof(uint32_t));
-      std::vector<Multiplier> start;  // that would relieve all there is: the iteration adds nothing
-      for (uint32_t k : slot) start.push_back({multiplier, errors[k]});
+      // What they start from relieves all there is: the iteration adds nothing.
+      const float kept = std::min(1.0f, dt * dt / (last_dt * last_dt));
+      std::vector<Multiplier> start;
+      for (uint32_t k : slot) start.push_back({multiplier, errors[k] / kept});
       s.device.copy_in(const_cast<Multiplier*>(density.multipliers().data), start.data(),
                        start.size() * sizeof(Multiplier));
       density.begin(s);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -146,6 +147,18 @@ TEST(BodyKernels, AContactFindsItsLeverAndItsShare) {
   EXPECT_NEAR(length(bench.contacts[0].arm - Vec3{0.3f, up, 0}), 0, 1e-6f);
   EXPECT_NEAR(bench.contacts[0].body_inverse_mass, 2 * (0.25f + 0.09f / 2), 1e-5f);
   EXPECT_NEAR(bench.contacts[1].body_inverse_mass, 2 * 0.25f, 1e-6f);
+}
+
+// One that is pressed in will be pushed out to its radius.
+TEST(BodyKernels, ALeverEndsWhereTheParticleWillBe) {
+  for (float depth : {-0.01f, 0.0f, 0.01f}) {
+    Bench bench;
+    bench.add_body(4, {0.5f, 1, 2}, {1, 0, 0});
+    bench.add_contact(0, {1.3f, 0.2f, 0}, {0, 1, 0}, 1, depth);
+    bench.group();
+    const float away = std::max(Bench::radius, Bench::radius - depth);
+    EXPECT_NEAR(length(bench.contacts[0].arm - Vec3{0.3f, 0.2f + away, 0}), 0, 1e-6f) << depth;
+  }
 }
 
 // Without the split, each of a hundred simultaneous contacts would move the body by the full distance.

@@ -127,6 +127,22 @@ TEST_P(DensityTest, OneIterationInACorner) {
   expect_reference(c);
 }
 
+// A pressure moves a particle by what grows with the square of the step.
+TEST_P(DensityTest, AStartFromALongerStepIsScaledWithTheSquareOfTheStep) {
+  DensityCase c = shaken();
+  const auto pushed_by = [&](float last_dt) {
+    const std::vector<Vec3> pushed = bench_->push(c, 1e-7f, last_dt);
+    double sum = 0;
+    for (size_t i = 0; i < pushed.size(); ++i) sum += double{length(pushed[i] - c.particles[i].xyz())};
+    return sum;
+  };
+  const double same = pushed_by(c.dt);
+  ASSERT_GT(same, 512 * 1e-4 * double{spacing});
+  EXPECT_NEAR(pushed_by(2 * c.dt) / same, 0.25, 0.0025);
+  EXPECT_NEAR(pushed_by(4 * c.dt) / same, 0.0625, 0.00125);
+  EXPECT_NEAR(pushed_by(0.5f * c.dt) / same, 1, 1e-6) << "a shorter step's multipliers are not raised";
+}
+
 // What the fluid pushes, the walls give back: under a constant pressure nothing moves.
 TEST_P(DensityTest, AConstantMultiplierPushesNoParticleAtAWall) {
   DensityCase c = shaken();
@@ -140,12 +156,12 @@ TEST_P(DensityTest, AConstantMultiplierPushesNoParticleAtAWall) {
     c.planes.push_back(plane(n, 0));
     c.planes.push_back(plane(-n, -side));
   }
-  const std::vector<Vec3> pushed = bench_->push(c, 1e-6f);
+  const std::vector<Vec3> pushed = bench_->push(c, 1e-6f, c.dt);
   for (size_t i = 0; i < c.particles.size(); ++i) {
     EXPECT_LT(length(pushed[i] - c.particles[i].xyz()), 1e-5f * spacing) << "particle " << i;
   }
   c.planes.pop_back();  // without one wall its layer goes, and by much
-  EXPECT_GT(length(bench_->push(c, 1e-6f)[511] - c.particles[511].xyz()), 1e-3f * spacing);
+  EXPECT_GT(length(bench_->push(c, 1e-6f, c.dt)[511] - c.particles[511].xyz()), 1e-3f * spacing);
 }
 
 TEST_P(DensityTest, InTheOpenNoMomentumIsMade) {
