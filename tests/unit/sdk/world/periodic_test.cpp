@@ -155,7 +155,7 @@ TEST_P(PeriodicTest, MomentumAndParticlesAreKept) {
     for (Vec3 v : water.world.velocities()) magnitude += length(v);
     run(water.world, 20, 0.016f);
     EXPECT_EQ(water.world.particle_count(), 640u);
-    EXPECT_LT(length(momentum(water.world) - before), 2e-5 * magnitude) << axes;
+    EXPECT_LT(length(momentum(water.world) - before), 1e-6 * magnitude) << axes;
     const auto is_inside = [&](unsigned axis, float x, float from, float length) {
       return (axes & axis) == 0 || (x >= from && x <= from + length);
     };
