@@ -119,6 +119,41 @@ class NarrowWriter {
   uint32_t place_, end_;
 };
 
+/// Appends to a list that is complete. A narrow list becomes wide, because what is appended may be far away.
+class ListExtension {
+ public:
+  MENISCUS_HD ListExtension(const NeighbourView& list, uint32_t i)
+      : list_(list), i_(i), count_(list.size(i)) {
+    if (list.is_narrow(i)) widen();
+  }
+
+  MENISCUS_HD void add(uint32_t j) {
+    if (count_ < list_.row_capacity) list_.entry(i_, count_) = j;
+    ++count_;
+  }
+
+  /// Pads the list. Returns the number of its entries, which may exceed the capacity.
+  MENISCUS_HD uint32_t finish() {
+    const uint32_t found = count_;
+    while (count_ % 8) add(list_.sentinel);
+    list_.count[i_] = found < list_.row_capacity ? found : list_.row_capacity;
+    return found;
+  }
+
+ private:
+  /// Eight entries at a time, from the last ones on: wide ones take twice the room, further on.
+  MENISCUS_HD void widen() {
+    for (uint32_t end = (count_ + 7) / 8 * 8; end > 0; end -= 8) {
+      uint32_t index[8];
+      for (uint32_t k = 0; k < 8; ++k) index[k] = list_.index_at(i_, list_.offset(i_, end - 8 + k));
+      for (uint32_t k = 0; k < 8; ++k) list_.entry(i_, end - 8 + k) = index[k];
+    }
+  }
+
+  const NeighbourView& list_;
+  uint32_t i_, count_;
+};
+
 /// Writes a wide list, by a team. append() takes an index from each thread that found one, in the order of
 /// the threads.
 class TeamWriter {

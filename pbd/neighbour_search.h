@@ -59,7 +59,8 @@ struct CellOrder {
 template <class D>
 class NeighbourSearch {
  public:
-  NeighbourSearch(D& device, float support_radius);
+  /// `row_capacity`: entries of a list at first. A sort alone needs 4.
+  NeighbourSearch(D& device, float support_radius, uint32_t row_capacity = usual_row);
 
   /// Allocates for `capacity` particles.
   void reserve(uint32_t capacity);
@@ -89,13 +90,16 @@ class NeighbourSearch {
   const GridView& grid() const { return grid_; }
 
  private:
+  /// At h = 2 s a list usually has about 32 entries, and rarely more than 44.
+  static constexpr uint32_t usual_row = 48;
+
   uint32_t stride() const { return D::interleaves_lists ? capacity_ : 0; }
 
   D& device_;
   float support_radius_;
   GridView grid_;
   uint32_t capacity_ = 0;
-  uint32_t row_capacity_ = 0;
+  uint32_t row_capacity_;
   bool is_coarse_ = false;  // lists are built from coarse positions
 
   Buffer<uint32_t> order_{device_, "sorted order"};

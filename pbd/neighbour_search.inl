@@ -200,16 +200,14 @@ inline uint32_t strip_bits_for(Vec3 reaches, uint32_t count) {
 }  // namespace neighbour_kernels
 
 template <class D>
-NeighbourSearch<D>::NeighbourSearch(D& device, float support_radius)
-    : device_(device), support_radius_(support_radius) {
+NeighbourSearch<D>::NeighbourSearch(D& device, float support_radius, uint32_t row_capacity)
+    : device_(device), support_radius_(support_radius), row_capacity_(row_capacity) {
   grid_.inverse_reach = 1.0f / support_radius;
 }
 
 template <class D>
 void NeighbourSearch<D>::reserve(uint32_t capacity) {
   capacity_ = capacity;
-  if (row_capacity_ == 0)
-    row_capacity_ = 48;  // at h = 2 s a list usually has about 32, and rarely more than 44
   const uint32_t size = capacity + Particles::padding;
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);

@@ -9,6 +9,8 @@
 
 #include "pbd/contact_arrays.h"
 #include "pbd/neighbour_search.h"
+#include "pbd/periodic_axes.h"
+#include "pbd/seam_ghosts.h"
 #include "pbd/stage_timer.h"
 #include "pbd/substep.h"
 
@@ -26,6 +28,7 @@ struct SolverParameters {
   int iterations = 10;
   float cfl_number = 0;  ///< when > 0, it determines the number of substeps, within the limits
   int min_substeps = 1, max_substeps = 16;
+  PeriodicAxes periodic{};  ///< for worlds with fluid particles alone
 };
 
 /// A reduction over the particles, for the host.
@@ -40,6 +43,7 @@ struct ParticleSummary {
 struct Found {
   SumNote contacts;       ///< of the last substep, and the maximum over all
   uint32_t longest_list;  ///< of the neighbour lists
+  SumNote ghosts;         ///< of periodic axes, like `contacts`
 };
 
 struct StepReadout {
@@ -60,7 +64,7 @@ class Solver {
  public:
   Solver(D& device, Particles& particles, const SolverParameters& parameters);
 
-  /// Applies from the next step on; the radii do not change.
+  /// Applies from the next step on; the radii and the periodic axes do not change.
   void set_parameters(const SolverParameters& parameters) { parameters_ = parameters; }
   /// Added parts must outlive the solver. They run in the order in which they were added.
   void add(ContactSource<D>& source) { contacts_.add(source); }
@@ -107,8 +111,14 @@ class Solver {
   StepResult run(float dt);
   bool had_room();
   void make_room();
-  void reserve_all(uint32_t fluid, uint32_t vertices);
+  void make_room_for_ghosts();
+  struct Room {
+    uint32_t fluid = 0, vertices = 0, extra = 0, ghosts = 0;
+  };
+  void reserve_all(const Room& room);
+  void reserve_or_stay(const Room& room);
   void reserve_extra();
+  bool has_ghost_room() const { return readout_.found.ghosts.most <= room_.ghosts; }
   void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
@@ -127,6 +137,7 @@ class Solver {
   SolverParameters parameters_;
   NeighbourSearch<D> search_;
   ContactArrays<D> contacts_;
+  SeamGhosts<D> ghosts_;
   std::vector<ConstraintSet<D>*> sets_;
   size_t started_ = 0;  // sets whose start_step() was called in this step
   std::vector<VelocityPass<D>*> passes_;
@@ -135,7 +146,7 @@ class Solver {
 
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
-  uint32_t fluid_room_ = 0, vertex_room_ = 0, extra_room_ = 0;
+  Room room_;
   bool has_found_ = false;  // neighbours and contacts are of the end of the last step, and of all particles
   bool fresh_ = true;       // particles were added or changed from outside since the last step
   float step_speed_ = 0;    // m/s, the upper limit of a particle's speed in the present step

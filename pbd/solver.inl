@@ -17,6 +17,7 @@
 
 #include "pbd/contact_arrays.inl"
 #include "pbd/neighbour_search.inl"
+#include "pbd/seam_ghosts.inl"
 #include "pbd/solver.h"
 #include "pbd/solver_kernels.h"
 #include "pbd/tuning.h"
@@ -47,6 +48,7 @@ void Solver<D>::substep(float dt, bool is_first, bool is_last) {
   timer_.enter(StageId::velocity);
   if (is_fast(dt)) contacts_.limit_motion(motion_of(s), true);
   for (ConstraintSet<D>* set : sets_) set->settle(s);
+  refresh_ghost_positions(device_, s.ghosts, s.particles.position);
   update_velocities(s);
   for (ConstraintSet<D>* set : sets_) set->end(s);
   for (VelocityPass<D>* pass : passes_) pass->apply(s, particles_);
@@ -69,7 +71,7 @@ StepResult Solver<D>::step(float dt) {
       undo_or_lose([&] { undo_step(); });
     } else {
       fresh_ = false;
-      has_found_ = true;
+      has_found_ = !ghosts_.any();  // particles have been taken across seams since
     }
     if (done) return result;
     make_room();
@@ -93,6 +95,7 @@ StepResult Solver<D>::run(float dt) {
       substep(dt / static_cast<float>(substeps), k == 0, k + 1 == substeps);
     }
     timer_.enter(StageId::finish);
+    if (ghosts_.any()) ghosts_.wrap(particles_, {}, {});
     summarize();
     timer_.stop();
     for (ConstraintSet<D>* set : sets_) set->end_step();
@@ -139,6 +142,7 @@ void Solver<D>::relax_once(float dt) {
   contacts_.limit_motion(motion_of(s), true);
   for (ConstraintSet<D>* set : sets_) set->settle(s);
   device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
+  if (ghosts_.any()) ghosts_.wrap(particles_, {}, {});
 }
 
 template <class D>
@@ -184,9 +188,13 @@ template <class D>
 void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   Particles& p = particles_;
   CellOrder order{};
+  const bool has_seams = ghosts_.any() && p.sorted();
   if (p.sorted()) {
+    using Wrapped = seam_kernels::Wrapped<solver_kernels::Prediction>;
     search_.fit({summary().lower, summary().upper}, p.sorted());
-    order = search_.sort(prediction, p.source().slot.first(p.sorted()));
+    const View<const uint32_t> slot = p.source().slot.first(p.sorted());
+    order =
+        has_seams ? search_.sort(Wrapped{prediction, ghosts_.axes()}, slot) : search_.sort(prediction, slot);
   }
   const ParticleView from = p.source();
   device_.parallel_for(
@@ -196,6 +204,9 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
                               p.target(p.phase), p.target(p.slot), p.target(p.number), search_.coarse(),
                               search_.grid()});
   p.accept_sorted();
+  if (!has_seams) return;
+  ghosts_.wrap(p, search_.coarse(), search_.grid());
+  ghosts_.make(p, {summary().lower, summary().upper}, {&readout_buffer_.view().data->found.ghosts, 1});
 }
 
 /// Contacts are found while neighbours are listed and sets prepare.
@@ -208,7 +219,9 @@ void Solver<D>::find(Substep<D>& s, bool prepares) {
   timer_.enter(lists ? StageId::neighbours : StageId::contacts);
   StepReadout* const readout = readout_buffer_.view().data;
   const auto others = [&] {
-    if (lists) search_.list(s.particles, particles_.sentinel(), {&readout->found.longest_list, 1});
+    const View<uint32_t> longest{&readout->found.longest_list, 1};
+    if (lists) search_.list(s.particles, particles_.sentinel(), longest);
+    if (lists && ghosts_.any()) ghosts_.list(s.particles, s.neighbours, longest);
     if (!prepares) return;
     for (ConstraintSet<D>* set : sets_) set->prepare(s);
   };
@@ -232,24 +245,44 @@ Substep<D> Solver<D>::find_at_rest(float dt) {
     find(s, false);
     readout_buffer_.read(std::span(&readout_, 1));
     if (had_room()) return s;
-    make_room();
+    has_ghost_room() ? make_room() : make_room_for_ghosts();
   }
+}
+
+/// The arrays of the particles can grow while the state is in place, not saved.
+template <class D>
+void Solver<D>::make_room_for_ghosts() {
+  restore_state();
+  try {
+    make_room();
+  } catch (...) {
+    save_state();
+    throw;
+  }
+  save_state();
 }
 
 /// Whether everything that was found had room.
 template <class D>
 bool Solver<D>::had_room() {
   const Found& found = readout_.found;
-  return found.longest_list <= search_.row_capacity() && found.contacts.most < contacts_.capacity() &&
+  return has_ghost_room() && found.longest_list <= search_.row_capacity() &&
+         found.contacts.most < contacts_.capacity() &&
          std::all_of(sets_.begin(), sets_.end(), [](ConstraintSet<D>* set) { return set->had_room(); });
 }
 
-/// Without room for all contacts the rest of the step works with an arbitrary part of them. So what else it
-/// found says nothing.
+/// Without room for all ghosts or contacts the rest of the step works with an arbitrary part of them. So what
+/// else it found says nothing.
 template <class D>
 void Solver<D>::make_room() {
+  const bool lacks_ghosts = !has_ghost_room();
   const Found found = std::exchange(readout_.found, {});
   readout_buffer_.write(std::span<const StepReadout>(&readout_, 1), 0);
+  if (lacks_ghosts) {
+    Room room = room_;
+    room.ghosts = found.ghosts.most + found.ghosts.most / 4;
+    return reserve_or_stay(room);
+  }
   if (found.contacts.most >= contacts_.capacity()) return contacts_.grow();
   if (found.longest_list > search_.row_capacity()) search_.grow_rows(found.longest_list);
   for (ConstraintSet<D>* set : sets_) {
@@ -298,6 +331,7 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       parameters_(parameters),
       search_(device, parameters.support_radius),
       contacts_(device),
+      ghosts_(device, parameters.periodic, parameters.support_radius),
       timer_(device) {
   readout_buffer_.resize_discard(1);
   readout_buffer_.fill(0);
@@ -305,28 +339,37 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
 
 template <class D>
 void Solver<D>::reserve(uint32_t fluid, uint32_t vertices) {
-  if (fluid <= fluid_room_ && vertices <= vertex_room_) return;
-  const uint32_t more_fluid = std::max(fluid, fluid_room_), more_vertices = std::max(vertices, vertex_room_);
+  if (fluid <= room_.fluid && vertices <= room_.vertices) return;
+  Room room = room_;
+  room.fluid = std::max(fluid, room.fluid);
+  room.vertices = std::max(vertices, room.vertices);
+  if (ghosts_.any()) room.ghosts = std::max(room.ghosts, ghosts_.expected(room.fluid));
+  reserve_or_stay(room);
+}
+
+/// If there is not enough memory, the room is as before.
+template <class D>
+void Solver<D>::reserve_or_stay(const Room& room) {
   try {
-    reserve_all(more_fluid, more_vertices);
+    reserve_all(room);
   } catch (...) {
-    undo_or_lose([&] { reserve_all(fluid_room_, vertex_room_); });
+    undo_or_lose([&] { reserve_all(room_); });
     throw;
   }
-  fluid_room_ = more_fluid;
-  vertex_room_ = more_vertices;
+  room_ = room;
 }
 
 template <class D>
-void Solver<D>::reserve_all(uint32_t fluid, uint32_t vertices) {
+void Solver<D>::reserve_all(const Room& room) {
   has_found_ = false;
-  const uint32_t capacity = fluid + vertices + extra_room_;
-  const uint32_t with_state = fluid ? capacity : 0;
+  const uint32_t owned = room.fluid + room.vertices + room.extra, capacity = owned + room.ghosts;
+  const uint32_t with_state = room.fluid ? capacity : 0;
   for (ConstraintSet<D>* set : sets_) set->reserve(with_state, particles_.sorted());
   for (VelocityPass<D>* pass : passes_) pass->reserve(with_state);
-  particles_.reserve(capacity, fluid > 0);
-  search_.reserve(fluid);
-  contacts_.reserve(capacity);
+  particles_.reserve(capacity, room.fluid > 0);
+  search_.reserve(room.fluid);
+  contacts_.reserve(owned);
+  if (ghosts_.any()) ghosts_.reserve(room.fluid, room.ghosts);
 }
 
 /// Makes room for the particles that sets add in a substep. The state must be in place, not saved.
@@ -334,15 +377,10 @@ template <class D>
 void Solver<D>::reserve_extra() {
   uint32_t extra = 0;
   for (const ConstraintSet<D>* set : sets_) extra += set->extra_particles();
-  if (extra <= extra_room_) return;
-  const uint32_t before = std::exchange(extra_room_, extra);
-  try {
-    reserve_all(fluid_room_, vertex_room_);
-  } catch (...) {
-    extra_room_ = before;
-    undo_or_lose([&] { reserve_all(fluid_room_, vertex_room_); });
-    throw;
-  }
+  if (extra <= room_.extra) return;
+  Room room = room_;
+  room.extra = extra;
+  reserve_or_stay(room);
 }
 
 template <class D>
@@ -372,7 +410,10 @@ void Solver<D>::summarize() {
 
 template <class D>
 Substep<D> Solver<D>::make_substep(float dt) {
-  return {device_, particles_.view(), {}, {}, dt, parameters_.iterations};
+  Substep<D> s{device_, particles_.view(), {}, {}, dt, parameters_.iterations};
+  if (ghosts_.any() && s.particles.sorted) s.ghosts = ghosts_.view();
+  s.particles.ghosts = s.ghosts.source.count;
+  return s;
 }
 
 template <class D>

@@ -7,6 +7,7 @@
 #include <meniscus/types.h>
 
 #include "pbd/contacts.h"
+#include "pbd/ghosts.h"
 #include "pbd/grid.h"
 #include "pbd/neighbours.h"
 #include "pbd/particles.h"
@@ -32,6 +33,9 @@ struct Substep {
   View<const uint32_t> fluid_near{};
   /// Within an iteration: the last set that moved particles has projected their contacts as well.
   bool are_contacts_projected = false;
+  /// What sets refresh of the arrays that they write and neighbours read. Positions of ghosts are fresh when
+  /// the substep's sets start, and once positions are final; velocities when the sets start.
+  GhostView ghosts{};
 };
 
 template <class D>

@@ -67,6 +67,11 @@ inline constexpr float particles_in_cube = 8;
 /// Test: NeighbourStrips.AreAsWideAsKeepsIndicesClose.
 inline constexpr float unevenness = 1.5f;
 
+/// Support radii: particles that are nearer to a seam have ghosts. It exceeds 1 by the rounding of positions,
+/// which may leave a particle just beyond a seam.
+/// Test: PeriodicTest.AShiftByHalfAnExtentChangesNothing.
+inline constexpr float seam_reach = 1.01f;
+
 }  // namespace search_tuning
 
 }  // namespace meniscus::pbd

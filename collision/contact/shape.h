@@ -25,6 +25,7 @@ struct Surface {
   float adhesion = 0;             ///< N, on one particle
   float slip_length = HUGE_VALF;  ///< m, of viscous fluid
   CollisionFilter filter;
+  Vec3 belt_velocity{0, 0, 0};  ///< m/s, of a fixed shape's surface along itself, in the world's frame
 };
 
 enum class ShapeKind : uint32_t { plane, box, sphere, capsule, cylinder, sdf, height_field };

@@ -179,6 +179,9 @@ struct Fill {
     if (!only_fixed_planes && shape.body != pbd::no_index) {
       c.surface_motion = c.point - to_world(shape.start, to_local(shape.pose, c.point));
       if (dt > 0) c.approach_speed -= dot(normal, c.surface_motion) / dt;
+    } else {
+      const Vec3 belt = shape.surface.belt_velocity;
+      c.surface_motion = dt * (belt - dot(belt, normal) * normal);
     }
     return c;
   }

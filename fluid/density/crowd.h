@@ -82,6 +82,8 @@ class Crowd {
     device_.parallel_for(
         "crowd/begin", fluid,
         Begin{p.previous, member_.current.view(), position_.view(), in_crowd_.view(), left_.view()});
+    refresh_ghost_positions(device_, substep.ghosts, position_.view());
+    refresh_ghosts(device_, substep.ghosts, in_crowd_.view());
     const int rounds = substep.iterations;
     for (int round = 0; round < rounds; ++round) {
       device_.parallel_for_long(
@@ -90,10 +92,13 @@ class Crowd {
                  limit / static_cast<float>(rounds), position_.view(), p.phase, substep.neighbours, contacts,
                  in_crowd_.view(), next_in_crowd_.view(), member_.current.view(), parting_.view()});
       in_crowd_.swap(next_in_crowd_);
+      refresh_ghosts(device_, substep.ghosts, in_crowd_.view());
+      refresh_ghosts(device_, substep.ghosts, parting_.view());
       device_.parallel_for_long("crowd/part", fluid,
                                 Part{kernel, position_.view(), parting_.view(), p.number, substep.neighbours,
                                      contacts, p.previous, next_position_.view()});
       position_.swap(next_position_);
+      refresh_ghost_positions(device_, substep.ghosts, position_.view());
     }
     device_.parallel_for_long("crowd/finish", fluid,
                               Finish{kernel, near, crowd_tuning::recovery * substep.dt, p.previous,

@@ -114,6 +114,7 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
     pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
             1 / Kernel::weight_shape(artificial.distance * artificial.distance), artificial.exponent};
   }
+  refresh_ghost_positions(device_, substep.ghosts, substep.particles.position);
   const bool is_over = stop_ && stop_->is_over();
   if (!is_over && any_grains_) {
     substep.contacts.any_moving ? iterate<WallMotion::any, Grains::present>(substep, advancing, pair)
@@ -141,6 +142,7 @@ void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Adv
               Advance<grains>{kernel_, substep.neighbours, contacts.start, advancing},
               contacts.contacts.count,
               AdvanceAtWalls<motion, grains>{kernel_, substep.neighbours, contacts, advancing});
+  refresh_ghost_positions(device_, substep.ghosts, staged_.view());
   // The first iteration applies the initial multipliers, so it always runs.
   if (stop_) {
     if (advancing.first) stop_->start_substep(substep, multiplier_.current.view());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fluid/density/density_set.h"
+#include "pbd/periodic_axes.h"
 #include "pbd/substep.h"
 
 namespace meniscus::fluid {
@@ -42,12 +43,13 @@ struct ProbeSum {
   double x, y, z;        ///< a vector
 };
 
-/// Measures the probes in every substep, and averages over a step.
+/// Measures the probes in every substep, and averages over a step. Along periodic axes a particle counts
+/// where its nearest image is.
 template <class D>
 class Probes final : public pbd::Observer<D> {
  public:
-  Probes(D& device, const DensitySet<D>& density, float spacing)
-      : device_(device), density_(density), spacing_(spacing) {}
+  Probes(D& device, const DensitySet<D>& density, float spacing, const pbd::PeriodicAxes& axes)
+      : device_(device), density_(density), spacing_(spacing), axes_(axes) {}
 
   void set_probes(std::span<const Probe> probes);
   std::span<const Probe> probes() const { return probes_; }
@@ -64,6 +66,7 @@ class Probes final : public pbd::Observer<D> {
   D& device_;
   const DensitySet<D>& density_;
   float spacing_;  // m
+  pbd::PeriodicAxes axes_;
   std::vector<Probe> probes_;
   int substeps_ = 0;
   pbd::Buffer<ProbeSum> value_{device_, "probe value"};

@@ -22,12 +22,13 @@ struct PointPressure {
   pbd::View<const pbd::Vec4> position;
   pbd::View<const density_kernels::Multiplier> multiplier;
   pbd::View<const pbd::Phase> phase;
+  pbd::PeriodicAxes axes;
   Vec3 point;
   float to_pressure;
 
   MENISCUS_HD ProbeSum operator()(uint32_t i) const {
     if (pbd::is_grain(phase[i])) return {};
-    const Vec3 d = position[i].xyz() - point;
+    const Vec3 d = axes.nearest(position[i].xyz() - point);
     const double weight = kernel.weight(dot(d, d));
     return {weight * (to_pressure * multiplier[i].value), weight, 0, 0, 0};
   }
@@ -41,10 +42,11 @@ MENISCUS_HD inline ProbeSum vector_sum(Vec3 v, double weight) {
 struct PointVelocity {
   Kernel kernel;
   pbd::View<const pbd::Vec4> position, velocity;
+  pbd::PeriodicAxes axes;
   Vec3 point;
 
   MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    const Vec3 d = position[i].xyz() - point;
+    const Vec3 d = axes.nearest(position[i].xyz() - point);
     const float weight = kernel.weight(dot(d, d));
     return vector_sum(weight * velocity[i].xyz(), weight);
   }
@@ -54,12 +56,13 @@ struct PointVelocity {
 struct PointDensity {
   Kernel kernel;
   pbd::View<const pbd::Vec4> position;
+  pbd::PeriodicAxes axes;
   Vec3 point;
   float particle_volume;
 
   MENISCUS_HD ProbeSum operator()(uint32_t i) const {
     const pbd::Vec4 p = position[i];
-    const Vec3 d = p.xyz() - point;
+    const Vec3 d = axes.nearest(p.xyz() - point);
     return {double{kernel.weight(dot(d, d))} / (double{particle_volume} * p.w), 0, 0, 0, 0};
   }
 };
@@ -91,11 +94,12 @@ struct WallForce {
 /// The flow through a disc: the mean over layers of one spacing on both sides of it.
 struct DiscFlow {
   pbd::View<const pbd::Vec4> position, velocity;
+  pbd::PeriodicAxes axes;
   Vec3 point, normal;
   float radius, spacing;
 
   MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    const Vec3 d = position[i].xyz() - point;
+    const Vec3 d = axes.nearest(position[i].xyz() - point);
     const float along = dot(d, normal);
     const Vec3 beside = d - along * normal;
     if (fabsf(along) > spacing || dot(beside, beside) > radius * radius) return {};
@@ -125,12 +129,13 @@ struct FluidSum {
 /// Counts the particles of a column in layers of one spacing.
 struct CountLayers {
   pbd::View<const pbd::Vec4> position;
+  pbd::PeriodicAxes axes;
   Vec3 point, normal;
   float radius, spacing;
   pbd::View<uint32_t> layers;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const Vec3 d = position[i].xyz() - point;
+    const Vec3 d = axes.nearest(position[i].xyz() - point);
     const float along = dot(d, normal);
     const Vec3 beside = d - along * normal;
     if (!(along >= 0) || dot(beside, beside) > radius * radius) return;
@@ -205,7 +210,7 @@ void Probes<D>::measure_level(const pbd::Substep<D>& substep, const Probe& probe
   const float area = std::numbers::pi_v<float> * probe.radius * probe.radius;
   layers_.fill(0);
   device_.parallel_for("probes/layers", substep.particles.sorted,
-                       CountLayers{substep.particles.position, probe.point, probe.normal, probe.radius,
+                       CountLayers{substep.particles.position, axes_, probe.point, probe.normal, probe.radius,
                                    spacing_, layers_.view()});
   device_.parallel_for("probes/level", 1,
                        FindLevel{layers_.view(), area / (spacing_ * spacing_), spacing_, value_.view()});
@@ -223,15 +228,15 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
     switch (probe.measure) {
       case pressure:
         sum("probes/point", substep,
-            PointPressure{kernel, p.position, density_.multipliers(), p.phase, probe.point,
+            PointPressure{kernel, p.position, density_.multipliers(), p.phase, axes_, probe.point,
                           inverse_dt2 / kernel.volume});
         break;
       case velocity:
-        sum("probes/velocity", substep, PointVelocity{kernel, p.position, p.velocity, probe.point});
+        sum("probes/velocity", substep, PointVelocity{kernel, p.position, p.velocity, axes_, probe.point});
         break;
       case density:
         sum("probes/density", substep,
-            PointDensity{kernel, p.position, probe.point, spacing_ * spacing_ * spacing_});
+            PointDensity{kernel, p.position, axes_, probe.point, spacing_ * spacing_ * spacing_});
         break;
       case force:
       case torque:
@@ -241,7 +246,7 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
         break;
       case flow:
         sum("probes/flow", substep,
-            DiscFlow{p.position, p.velocity, probe.point, probe.normal, probe.radius, spacing_});
+            DiscFlow{p.position, p.velocity, axes_, probe.point, probe.normal, probe.radius, spacing_});
         break;
       case level:
         measure_level(substep, probe);

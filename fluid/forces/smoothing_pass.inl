@@ -142,7 +142,9 @@ void SmoothingPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
   if (from != Coefficients::common) {
     device_.parallel_for("velocity/coefficients", p.sorted,
                          SpreadSmoothing{from, p.phase, table_.view(), smoothing_.view(), crowd()});
+    refresh_ghosts(device_, substep.ghosts, smoothing_.view());
   }
+  refresh_ghosts(device_, substep.ghosts, p.velocity);
   device_.parallel_for_neighbours(
       "velocity/smooth", p.sorted,
       Smooth<from, confines>{kernel_, p.position, p.velocity, substep.neighbours, p.phase, table_.view(),

@@ -139,10 +139,13 @@ void SurfaceTensionSet<D>::accelerate(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("tension/affinities", p.sorted,
                        Spread{p.phase, table_.view(), cohesion_.view(), curvature_.view()});
+  refresh_ghosts(device_, substep.ghosts, cohesion_.view());
+  if (bends_) refresh_ghosts(device_, substep.ghosts, curvature_.view());
   if (bends_) {
     device_.parallel_for_neighbours("tension/normals", p.sorted,
                                     SurfaceNormal{kernel_, p.position, curvature_.view(), substep.neighbours,
                                                   substep.contacts, normal_.view()});
+    refresh_ghosts(device_, substep.ghosts, normal_.view());
   }
   device_.parallel_for_neighbours(
       "tension/pull", p.sorted,

@@ -78,6 +78,7 @@ void ViscositySet<D>::end(pbd::Substep<D>& substep) {
   device_.parallel_for(
       "viscosity/fluids", substep.particles.sorted,
       viscosity_kernels::ViscosityOf{substep.particles.phase, table_.view(), viscosity_.view()});
+  refresh_ghosts(device_, substep.ghosts, viscosity_.view());
   solve<false>(substep);
 }
 
@@ -106,10 +107,12 @@ void ViscositySet<D>::solve(pbd::Substep<D>& substep) {
   const double stiffness = 10 * substep.dt * kinematic_viscosity_ * weight_sum_;
   const double tolerance = forces_tuning::viscosity_tolerance / (1 + stiffness / 3);
 
+  refresh_ghosts(device_, substep.ghosts, p.velocity);
   ++number_;
   device_.parallel_for("viscosity/begin", 1, Begin{progress_.view()});
   device_.parallel_for_neighbours("viscosity/start", p.sorted,
                                   Start<uniform>{forces, p.velocity, residual_.view()});
+  refresh_ghosts(device_, substep.ghosts, residual_.view());
   const uint32_t most = most_iterations(stiffness);
   for (uint32_t k = 0; k < most; ++k) {
     device_.parallel_for_neighbours(
@@ -124,6 +127,7 @@ void ViscositySet<D>::solve(pbd::Substep<D>& substep) {
     device_.parallel_for("viscosity/advance", p.sorted,
                          Advance{progress_.view(), product_.view(), residual_.view(), direction_.view(),
                                  along_direction_.view(), change_.view()});
+    refresh_ghosts(device_, substep.ghosts, residual_.view());
   }
   device_.parallel_for(
       "viscosity/finish", p.sorted,

@@ -70,7 +70,7 @@ class DeviceEngine final : public Engine {
         tension_(device_, def.kernel, def.particle_spacing),
         viscosity_(device_, def.kernel, def.particle_spacing),
         smoothing_(device_, def.kernel, &density_),
-        probes_(device_, density_, def.particle_spacing),
+        probes_(device_, density_, def.particle_spacing, def.solver.periodic),
         mesher_(device_),
         removal_(device_),
         sinks_(device_),

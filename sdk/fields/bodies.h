@@ -69,6 +69,7 @@ void fields(V& v, BodyDef& d) {
   v("keyframes", d.keyframes, any_value, "", "of a kinematic body: where it is, in the order of the times");
   v("loop", d.loop, any_value, "", "after the last keyframe the first follows; else the body stays there");
 
+  v.check(d.surface.belt_velocity == Vec3{0, 0, 0}, "belt_velocity is for fixed shapes alone");
   const bool kinematic = d.motion == BodyMotion::kinematic;
   const auto at_rest = [](Vec3 velocity) { return velocity == Vec3{0, 0, 0}; };
   v.check(kinematic || !std::holds_alternative<ContainerGeometry>(d.geometry),

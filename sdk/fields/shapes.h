@@ -181,6 +181,8 @@ void fields(V& v, SurfaceDef& d) {
     "Coulomb's coefficient for solids; of two that touch, the geometric mean counts");
   v("solid_restitution", d.solid_restitution, between(0, 1), "",
     "share of the normal speed that a bounce off a solid keeps");
+  v("belt_velocity", d.belt_velocity, any_value, "m/s",
+    "of a fixed shape's surface along itself, like a belt's; it carries particles, cloth and viscous fluid");
 }
 
 template <class V>

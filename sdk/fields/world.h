@@ -4,6 +4,9 @@
 // The world itself and its solvers.
 #pragma once
 
+#include <cmath>
+#include <optional>
+
 #include "sdk/fields/names.h"
 #include "sdk/fields/values.h"
 
@@ -76,6 +79,42 @@ void fields(V& v, DiffuseDef& d) {
 }
 
 template <class V>
+void fields(V& v, PeriodicExtent& d) {
+  v("low", d.low, required(any_value), "m", "where the axis begins");
+  v("high", d.high, required(any_value), "m", "where it begins again");
+  v.check(d.low < d.high && std::isfinite(d.high - d.low), "it must be above low, by a finite extent", "high",
+          d.high);
+}
+
+template <class V>
+void fields(V& v, PeriodicDef& d) {
+  v("x", d.x, any_value, "", "ends of the x axis; left out, it has none");
+  v("y", d.y, any_value, "", "ends of the y axis; left out, it has none");
+  v("z", d.z, any_value, "", "ends of the z axis; left out, it has none");
+}
+
+/// Checks the extent of one axis against the support radius.
+template <class V>
+void check_extent(V& v, const WorldDef& d, const std::optional<PeriodicExtent>& extent, const char* member) {
+  constexpr float rounding = 0.999f;
+  const float least = 4 * d.support_ratio * d.particle_spacing;
+  v.check(!extent || extent->high - extent->low >= rounding * least,
+          "the extent must be at least 4 support radii, " + std::to_string(least) + " m", member);
+}
+
+/// Checks that a world with periodic axes has nothing that knows of no seams.
+template <class V>
+void check_periodic(V& v, const WorldDef& d) {
+  check_extent(v, d, d.periodic.x, "periodic.x");
+  check_extent(v, d, d.periodic.y, "periodic.y");
+  check_extent(v, d, d.periodic.z, "periodic.z");
+  if (d.periodic == PeriodicDef{}) return;
+  v.check(!d.diffuse, "a world with periodic axes has no diffuse particles", "diffuse");
+  v.check(d.density.solver != DensitySolver::grid,
+          "a world with periodic axes cannot be solved on a grid; use chebyshev", "density.solver");
+}
+
+template <class V>
 void fields(V& v, WorldDef& d) {
   v("device", d.device, any_value, "", "where to run; auto takes a usable GPU, else the CPU");
   v("threads", d.threads, between(0, 1024), "", "of the CPU device; 0 is one a core");
@@ -95,6 +134,9 @@ void fields(V& v, WorldDef& d) {
   v("rigid", d.rigid, any_value, "", "how contacts and joints among solids are solved");
   v("cloth", d.cloth, any_value, "", "how cloth is solved");
   v("diffuse", d.diffuse, any_value, "", "spray, foam and bubbles; left out, there are none");
+  v("periodic", d.periodic, any_value, "",
+    "axes along which the world repeats itself; it then takes fluids and fixed shapes alone");
+  check_periodic(v, d);
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps", "max_substeps",
           d.max_substeps);
 }

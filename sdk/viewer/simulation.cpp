@@ -164,6 +164,7 @@ void Simulation::take_over(const Scene& scene) {
   def.support_ratio = world.def().support_ratio;
   def.contact_radius = world.def().contact_radius;
   def.diffuse = world.def().diffuse;
+  def.periodic = world.def().periodic;
   world.set_def(def);
   for (std::size_t i = 0; i < scene_->fluids.size(); ++i) {
     FluidDef fluid = scene.fluids.at(i);

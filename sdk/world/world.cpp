@@ -10,7 +10,9 @@
 
 #include "sdk/fields/probes.h"
 #include "sdk/world/check/check.h"
+#include "sdk/world/check/periodic.h"
 #include "sdk/world/seeding.h"
+#include "sdk/world/solids/seam_images.h"
 #include "sdk/world/tuning.h"
 #include "sdk/world/world_calls.h"
 
@@ -39,6 +41,7 @@ FluidId World::Calls::create_fluid(const FluidDef& def) {
 
 FluidId World::Calls::create_granular(const GranularDef& def) {
   check::def(def);
+  check::no_periodic_axes(impl_->def, "granular materials");
   fluid::Material displaces;
   displaces.rest_density = def.density;
   return impl_->create_material({displaces, {true, collision::contact_friction(def.friction)}, def.filter});
@@ -56,6 +59,9 @@ ShapeId World::Calls::create_shape(const ShapeDef& def) {
   if (const auto* container = std::get_if<ContainerGeometry>(&def.geometry))
     entry.inside = container->half_extents;
   try {
+    const pbd::PeriodicAxes axes = periodic_axes(impl_->def.periodic);
+    for (const SolidPieces::Piece& piece : entry.solid.pieces)
+      with_seam_images(placed(piece, def.pose), axes, impl_->kernel.h, def.name);
     impl_->rigid.add_fixed(rigid_solid(entry.solid, def.pose, def.surface, def.filter));
   } catch (...) {
     release_fields(entry.solid, *impl_->engine);
@@ -79,6 +85,8 @@ void World::Calls::destroy_shape(ShapeId id) {
 
 ProbeId World::Calls::create_probe(const ProbeDef& def) {
   check::def(def);
+  if (def.kind == ProbeKind::fluid_angular_momentum || def.kind == ProbeKind::fluid_centre)
+    check::no_periodic_axes(impl_->def, "probes of angular momentum or of a centre of mass");
   if (is_of_shape(def.kind)) impl_->shapes.get(def.shape);
   if (is_of_fluid(def.kind) && def.fluid) impl_->fluids.get(*def.fluid);
   const size_t values = std::max<size_t>(impl_->probe_values.size(), impl_->probes.prepare() + 1);
@@ -115,7 +123,10 @@ size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
   }();
   if (material.grain.is_grain)
     points = shaken(std::move(points), impl_->with_solids(), spacing, material.filter);
-  std::vector<Vec3> safe = safe_points(points, positions(), impl_->with_solids(), spacing, material.filter);
+  const pbd::PeriodicAxes axes = periodic_axes(impl_->def.periodic);
+  check::between_seams(axes, points, "a particle of add_fluid");
+  std::vector<Vec3> safe = safe_points(points, with_seam_images(positions(), axes, spacing),
+                                       impl_->with_solids(), spacing, material.filter);
   impl_->keep_off_cloth(safe, material.filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
   impl_->add(def.fluid, safe, {}, def.velocity, false);
@@ -133,6 +144,7 @@ ParticleId World::Calls::add_particles(FluidId fluid, std::span<const Vec3> posi
   }
   for (Vec3 p : positions) check::value("a position of add_particles", p);
   for (Vec3 v : velocities) check::value("a velocity of add_particles", v);
+  check::between_seams(periodic_axes(impl_->def.periodic), positions, "a position of add_particles");
   impl_->crowding.check(
       positions, [this] { return this->positions(); }, impl_->kernel.h);
   const ParticleId first = impl_->next_id;

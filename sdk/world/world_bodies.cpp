@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "sdk/world/check/check.h"
+#include "sdk/world/check/periodic.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -80,6 +81,7 @@ void expect_finite_turn(const char* name, Vec3 point, Vec3 angular_impulse, Vec3
 
 BodyId World::Calls::create_body(const BodyDef& def) {
   check::def(def);
+  check::no_periodic_axes(impl_->def, "bodies");
   impl_->bodies.prepare();
   const bool dynamic = def.motion == BodyMotion::dynamic;
   SolidPieces solid = [&] {

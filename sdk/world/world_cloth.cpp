@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sdk/world/check/check.h"
+#include "sdk/world/check/periodic.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -84,6 +85,7 @@ void World::Impl::check_pieces() const {
 }
 
 ClothId World::Calls::create_cloth(const ClothDef& def) {
+  check::no_periodic_axes(impl_->def, "cloth");
   impl_->check_pieces();
   ClothEntry entry = make_cloth(def);
   impl_->cloths.prepare();
@@ -100,6 +102,7 @@ void World::Calls::destroy_cloth(ClothId id) {
 }
 
 RopeId World::Calls::create_rope(const RopeDef& def) {
+  check::no_periodic_axes(impl_->def, "ropes");
   impl_->check_pieces();
   RopeEntry entry = make_rope(def);
   impl_->cloth_changed();

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "sdk/world/check/check.h"
+#include "sdk/world/check/periodic.h"
 #include "sdk/world/tuning.h"
 #include "sdk/world/world_calls.h"
 
@@ -53,6 +54,7 @@ bool is_done(const EmitterEntry& e) {
 
 EmitterId World::Calls::create_emitter(const EmitterDef& def) {
   check::def(def);
+  check::no_periodic_axes(impl_->def, "emitters");
   impl_->fluids.get(def.fluid);
   if (def.body) impl_->bodies.get(*def.body);
   EmitterSites sites = emitter_sites(def.opening, impl_->def.particle_spacing);

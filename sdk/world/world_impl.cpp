@@ -10,6 +10,8 @@
 
 #include "collision/contact/tuning.h"
 #include "sdk/world/check/check.h"
+#include "sdk/world/check/periodic.h"
+#include "sdk/world/solids/seam_images.h"
 
 namespace meniscus {
 
@@ -26,6 +28,7 @@ EngineDef World::Impl::engine_def() {
   e.solver.cfl_number = def.cfl_number;
   e.solver.min_substeps = def.min_substeps;
   e.solver.max_substeps = def.max_substeps;
+  e.solver.periodic = periodic_axes(def.periodic);
   const DensitySolverDef& d = def.density;
   e.density.chebyshev = d.solver != DensitySolver::jacobi;
   e.density.pressure_grid = d.solver == DensitySolver::grid;
@@ -130,6 +133,7 @@ void World::Impl::solids_changed() {
 void World::Impl::upload_solids() {
   if (solids_are_on_device) return;
   SolidShapes all;
+  const pbd::PeriodicAxes axes = periodic_axes(def.periodic);
   const auto add = [&](uint32_t owner, const SolidPieces& solid, const auto& finish) {
     const auto first_wall = static_cast<uint32_t>(all.shapes.size());
     for (const SolidPieces::Piece& piece : solid.pieces) {
@@ -139,7 +143,12 @@ void World::Impl::upload_solids() {
       shape.first_opening += static_cast<uint32_t>(all.openings.size());
       shape.first_wall = first_wall;
       shape.wall_count = solid.openings.empty() ? 0 : static_cast<uint32_t>(solid.pieces.size());
-      all.shapes.push_back(shape);
+      if (axes.any()) {
+        const std::vector<collision::Shape> images = with_seam_images(shape, axes, kernel.h, {});
+        all.shapes.insert(all.shapes.end(), images.begin(), images.end());
+      } else {
+        all.shapes.push_back(shape);
+      }
     }
     all.openings.insert(all.openings.end(), solid.openings.begin(), solid.openings.end());
   };

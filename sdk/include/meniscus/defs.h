@@ -110,6 +110,23 @@ struct DiffuseDef {
   friend bool operator==(const DiffuseDef&, const DiffuseDef&) = default;
 };
 
+/// The ends of an axis along which the world repeats itself.
+struct PeriodicExtent {
+  float low = 0, high = 0;  ///< m
+
+  friend bool operator==(const PeriodicExtent&, const PeriodicExtent&) = default;
+};
+
+/// The axes along which the world repeats itself: fluid that leaves at one end enters at the other. An extent
+/// is at least 4 support radii long. Such a world takes fluids and fixed shapes, sinks and most probes.
+/// Bodies, cloth, ropes, grains, emitters, diffuse particles and the solver `grid` are refused. All particles
+/// are between the ends, to rounding. A shape that comes near an end acts at the other end as well.
+struct PeriodicDef {
+  std::optional<PeriodicExtent> x{}, y{}, z{};  ///< none: the axis has no end
+
+  friend bool operator==(const PeriodicDef&, const PeriodicDef&) = default;
+};
+
 struct WorldDef {
   DeviceChoice device = DeviceChoice::automatic;
   int threads = 0;                 ///< threads of the CPU device, at most 1024; 0: one for each core
@@ -130,6 +147,7 @@ struct WorldDef {
   RigidSolverDef rigid{};
   ClothSolverDef cloth{};
   std::optional<DiffuseDef> diffuse{};  ///< none: no diffuse particles
+  PeriodicDef periodic{};
 };
 
 struct FluidDef {
@@ -277,6 +295,10 @@ struct SurfaceDef {
   float slip_length = std::numeric_limits<float>::infinity();
   float solid_friction = 0.5f;     ///< Coulomb's μ for solids, ≥ 0
   float solid_restitution = 0.0f;  ///< for solids, 0 to 1
+  /// m/s, in the world's frame, of fixed shapes alone: the surface moves along itself like a belt, while the
+  /// shape stays. It carries particles and cloth by friction, and viscous fluid by `slip_length`. The part
+  /// along the normal does not count. Bodies do not feel it.
+  Vec3 belt_velocity{0, 0, 0};
 };
 
 struct ShapeDef {

@@ -129,8 +129,9 @@ class ChoiceCheck {
 
 /// Types whose members errors name by the member that holds them, not by the type.
 template <class T>
-constexpr bool is_plain = std::is_same_v<T, Pose> || std::is_same_v<T, Aabb> || std::is_same_v<T, Range> ||
-                          std::is_same_v<T, CollisionFilter>;
+constexpr bool is_plain =
+    std::is_same_v<T, Pose> || std::is_same_v<T, Aabb> || std::is_same_v<T, Range> ||
+    std::is_same_v<T, CollisionFilter> || std::is_same_v<T, PeriodicDef> || std::is_same_v<T, PeriodicExtent>;
 
 template <class T>
 void check_fields(const Place& place, T& value) {

@@ -34,7 +34,8 @@ class SolidBuilder {
                float density, const SolidContext& context)
       : solid_(solid), role_(role), density_(density), context_(context) {
     const float s = context.spacing;
-    surface_ = {surface.friction, surface.restitution, surface.adhesion * s * s, surface.slip_length, filter};
+    surface_ = {surface.friction, surface.restitution,  surface.adhesion * s * s, surface.slip_length,
+                filter,           surface.belt_velocity};
   }
 
   void operator()(const PlaneGeometry& g) {

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Ghost particles as constraint sets see them: copies that neighbours read, and how to refresh them.
+#pragma once
+
+#include "pbd/contacts.h"
+#include "pbd/device/base/view.h"
+#include "pbd/math/vec.h"
+
+namespace meniscus::pbd {
+
+/// Ghost k is the particle first + k, behind all owned ones. It has a copy of what its source has, and stands
+/// at an offset from it. No loop runs over ghosts. They appear in the neighbour lists of owned particles.
+///
+/// Whoever writes an array that neighbours read refreshes its ghosts before they are read.
+struct GhostView {
+  View<const uint32_t> source;  ///< as many as there is room for; no_index where there is no ghost
+  View<const Vec4> offset;      ///< m, from the source
+  uint32_t first = 0;
+};
+
+namespace ghost_kernels {
+
+template <class T>
+struct Copy {
+  GhostView ghosts;
+  View<T> values;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const uint32_t source = ghosts.source[k];
+    if (source != no_index) values[ghosts.first + k] = values[source];
+  }
+};
+
+struct CopyPositions {
+  GhostView ghosts;
+  View<Vec4> positions;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const uint32_t source = ghosts.source[k];
+    if (source == no_index) return;
+    positions[ghosts.first + k] = shifted(positions[source], ghosts.offset[k].xyz());
+  }
+};
+
+}  // namespace ghost_kernels
+
+/// Copies the values of owned particles to their ghosts. Without ghosts nothing is launched.
+template <class D, class T>
+void refresh_ghosts(D& device, const GhostView& ghosts, View<T> values) {
+  if (ghosts.source.count == 0) return;
+  device.parallel_for("ghosts/values", ghosts.source.count, ghost_kernels::Copy<T>{ghosts, values});
+}
+
+/// The same for positions, m, with anything in w.
+template <class D>
+void refresh_ghost_positions(D& device, const GhostView& ghosts, View<Vec4> positions) {
+  if (ghosts.source.count == 0) return;
+  device.parallel_for("ghosts/positions", ghosts.source.count,
+                      ghost_kernels::CopyPositions{ghosts, positions});
+}
+
+}  // namespace meniscus::pbd
