@@ -15,7 +15,8 @@ constexpr auto names_of(DeviceChoice) {
 }
 constexpr auto names_of(DensitySolver) {
   return std::array{Named{"jacobi", DensitySolver::jacobi}, Named{"chebyshev", DensitySolver::chebyshev},
-                    Named{"grid", DensitySolver::grid}};
+                    Named{"grid", DensitySolver::grid}, Named{"pcisph", DensitySolver::pcisph},
+                    Named{"wcsph", DensitySolver::wcsph}, Named{"dfsph", DensitySolver::dfsph}};
 }
 
 template <class V>
@@ -38,6 +39,12 @@ void fields(V& v, DensitySolverDef& d) {
   v("compressibility", d.compressibility, not_negative, "1/Pa", "inverse bulk modulus; 0 is incompressible");
   v("correction_limit", d.correction_limit, positive, "spacings", "largest correction of one iteration");
   v("artificial_pressure", d.artificial_pressure, any_value, "", "repulsion against clumping at the surface");
+  v.check(d.compressibility == 0 || !is_baseline(d.solver) || d.solver == DensitySolver::wcsph,
+          "compressibility must be 0 with the solvers pcisph and dfsph, which are incompressible",
+          "compressibility", d.compressibility);
+  v.check(d.artificial_pressure.strength == 0 || !is_baseline(d.solver),
+          "artificial_pressure.strength must be 0 with the solvers pcisph, wcsph and dfsph",
+          "artificial_pressure", d.artificial_pressure.strength);
 }
 
 template <class V>
