@@ -8,6 +8,6 @@
 namespace meniscus::fluid {
 
 template std::unique_ptr<Baseline<pbd::CudaDevice>> make_baseline(pbd::CudaDevice&, const Kernel&,
-                                                                 const DensityParameters&);
+                                                                  const DensityParameters&);
 
 }  // namespace meniscus::fluid

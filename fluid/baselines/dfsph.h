@@ -4,7 +4,7 @@
 // Divergence-free SPH.
 #pragma once
 
-#include "fluid/baselines/baseline.h"
+#include "fluid/density/baseline.h"
 #include "fluid/baselines/convergence_kernels.h"
 #include "fluid/baselines/dfsph_kernels.h"
 #include "fluid/baselines/fluid_motion.h"
@@ -71,9 +71,9 @@ template <class D>
 void Dfsph<D>::begin(pbd::Substep<D>& s, Multipliers multiplier, float scale) {
   stage_.stage(s);
   stage_.find_steps(s, baseline_tuning::dfsph_relaxation);
-  device_.parallel_for("baseline/start", s.particles.sorted,
-                       baseline_kernels::StartDensity{scale, baseline_tuning::dfsph_warm_start, multiplier,
-                                                      stage_.staged()});
+  device_.parallel_for(
+      "baseline/start", s.particles.sorted,
+      baseline_kernels::StartDensity{scale, baseline_tuning::dfsph_warm_start, multiplier, stage_.staged()});
   stage_.push(s, stage_.to_positions(s), always());
 }
 

@@ -35,13 +35,15 @@ struct Divergence {
 
   template <class D>
   MENISCUS_HD void write(uint32_t i, float rate, float count) const {
-    if (D::leads()) compression[i] = count < baseline_tuning::least_neighbours ? 0 : -dt * kernel.peak_pull * rate;
+    if (D::leads())
+      compression[i] = count < baseline_tuning::least_neighbours ? 0 : -dt * kernel.peak_pull * rate;
   }
 };
 
 /// A mirror ghost of j moves with the mirrored velocity of j, relative to the wall: with
 /// u_k = n_k · (v_j − v_wall), and D = x_i − x_j,
-///   (x_i − x_j') · (v_i − v_j') = D · (v_i − v_j) + Σ_k 2 (d_jk n_k · (v_i − v_j) + u_k n_k · D + 2 d_jk u_k)
+///   (x_i − x_j') · (v_i − v_j') = D · (v_i − v_j) + Σ_k 2 (d_jk n_k · (v_i − v_j) + u_k n_k · D + 2 d_jk
+///   u_k)
 /// over the ghost's mirrors. That is exact at right angles.
 struct DivergenceAtWalls {
   Divergence open;
@@ -100,10 +102,10 @@ struct DivergenceAtWalls {
   }
 
   template <int n, class R, class Add>
-  MENISCUS_HD static void add_ghosts(const MirrorPlanes& m, const MirrorDistances<R, n>& j, const Vec3Of<R>& d,
-                                     const Vec3Of<R>& relative, const Vec3Of<R>& its_velocity,
-                                     const float (&wall_speed)[n], const R& r2, const R& product,
-                                     const Add& add) {
+  MENISCUS_HD static void add_ghosts(const MirrorPlanes& m, const MirrorDistances<R, n>& j,
+                                     const Vec3Of<R>& d, const Vec3Of<R>& relative,
+                                     const Vec3Of<R>& its_velocity, const float (&wall_speed)[n], const R& r2,
+                                     const R& product, const Add& add) {
     MENISCUS_UNROLL
     for (int ghost = 1; ghost < 1 << n; ++ghost) {
       if (ghost > m.ghost_count()) break;
@@ -126,8 +128,8 @@ struct DivergenceAtWalls {
 /// Stages a fraction of the last substep's Λ of the density solver. Between substeps Multiplier::value is the
 /// sum over both solvers, and Multiplier::relieved the part of the divergence solver.
 struct StartDensity {
-  float scale;             ///< of pressures to those of the last substep
-  float fraction;          ///< that is kept
+  float scale;     ///< of pressures to those of the last substep
+  float fraction;  ///< that is kept
   View<Multiplier> multiplier;
   View<Vec4> staged;
 

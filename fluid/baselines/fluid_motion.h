@@ -16,15 +16,13 @@ namespace meniscus::fluid {
 
 /// Of all fluid particles.
 struct FluidMotion {
-  float fastest2 = 0;               ///< m²/s²
-  float energy = -pbd::most_finite; ///< J/kg, the largest of v²/2 − g·x
-  float lowest = pbd::most_finite;  ///< J/kg, the smallest of −g·x
-  float inverse_mass = 0;           ///< 1/kg, the largest
+  float fastest2 = 0;                ///< m²/s²
+  float energy = -pbd::most_finite;  ///< J/kg, the largest of v²/2 − g·x
+  float lowest = pbd::most_finite;   ///< J/kg, the smallest of −g·x
+  float inverse_mass = 0;            ///< 1/kg, the largest
 
   /// m/s, of a particle that falls from the highest energy to the lowest place.
-  float greatest_speed() const {
-    return energy > lowest ? std::sqrt(2 * (energy - lowest)) : 0.0f;
-  }
+  float greatest_speed() const { return energy > lowest ? std::sqrt(2 * (energy - lowest)) : 0.0f; }
 };
 
 namespace baseline_kernels {

@@ -4,7 +4,7 @@
 // Predictive-corrective incompressible SPH.
 #pragma once
 
-#include "fluid/baselines/baseline.h"
+#include "fluid/density/baseline.h"
 #include "fluid/baselines/convergence_kernels.h"
 #include "fluid/baselines/fluid_motion.h"
 #include "fluid/baselines/pressure_stage.h"
@@ -76,9 +76,9 @@ void Pcisph<D>::begin(pbd::Substep<D>& s, Multipliers multiplier, float) {
   stage_.stage(s);
   const bool has_steps = s.contacts.any_moving;
   if (has_steps) stage_.find_steps(s, 0.5f);
-  device_.parallel_for("baseline/start", s.particles.sorted,
-                       baseline_kernels::StartPcisph{prototype_step_, has_steps, s.contacts.start, multiplier,
-                                                     stage_.step()});
+  device_.parallel_for(
+      "baseline/start", s.particles.sorted,
+      baseline_kernels::StartPcisph{prototype_step_, has_steps, s.contacts.start, multiplier, stage_.step()});
 }
 
 template <class D>

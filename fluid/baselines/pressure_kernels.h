@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels that the baselines share: C of each particle, and the pushes of multipliers. Kernels whose names
-// end in AtWalls are for particles with contacts, and add mirror ghosts; the others pass these by.
+// The kernels that the baselines share: C of each particle, and the pushes of multipliers. Kernels whose
+// names end in AtWalls are for particles with contacts, and add mirror ghosts; the others pass these by.
 #pragma once
 
 #include "fluid/kernel/density_wall_kernels.h"
@@ -116,9 +116,9 @@ struct FindStepsAtWalls {
   MENISCUS_HD void run(uint32_t k) const {
     const uint32_t i = contacts.touching_particle(k);
     if (i == pbd::no_index) return;
-    const float d = density_kernels::density_constraint_at_walls<D, motion>(kernel, position, neighbours,
-                                                                            contacts, i)
-                        .denominator;
+    const float d =
+        density_kernels::density_constraint_at_walls<D, motion>(kernel, position, neighbours, contacts, i)
+            .denominator;
     if (D::leads()) step[i] = d > 0 ? relaxation / d : 0.0f;
   }
 };

@@ -55,8 +55,7 @@ class PressureStage {
   /// Pushes the target by the staged multipliers.
   template <class Target, class Wrap>
   void push(pbd::Substep<D>& s, const Target& target, const Wrap& wrap) {
-    s.contacts.any_moving ? push<WallMotion::any>(s, target, wrap)
-                          : push<WallMotion::none>(s, target, wrap);
+    s.contacts.any_moving ? push<WallMotion::any>(s, target, wrap) : push<WallMotion::none>(s, target, wrap);
   }
   static baseline_kernels::ToPositions to_positions(const pbd::Substep<D>& s) {
     return {s.particles.position, s.particles.accumulated_delta};

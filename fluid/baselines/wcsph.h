@@ -4,7 +4,7 @@
 // Weakly compressible SPH.
 #pragma once
 
-#include "fluid/baselines/baseline.h"
+#include "fluid/density/baseline.h"
 #include "fluid/baselines/fluid_motion.h"
 #include "fluid/baselines/pressure_stage.h"
 #include "fluid/baselines/wcsph_kernels.h"
@@ -20,7 +20,7 @@ namespace meniscus::fluid {
 /// velocities that can be read lack that substep's gravity.
 ///
 /// c is ten times the speed of a particle that falls from the highest energy to the lowest place, so that C
-/// stays near 1 %; or it follows from a given bulk modulus. Substeps are h_t ≤ 0.4 s/(c (1 + 0.6 α)) long.
+/// stays near 1 %; or it follows from a given bulk modulus. Substeps are h_t ≤ 1.2 s/(c (1 + 0.6 α)) long.
 template <class D>
 class Wcsph final : public Baseline<D> {
  public:
@@ -83,13 +83,13 @@ void Wcsph<D>::begin(pbd::Substep<D>& s, Multipliers multiplier, float) {
       "baseline/sums", p.sorted,
       WcsphSums{viscosity, s.neighbours, contacts.start, stage_.compression(), change_.view()},
       contacts.contacts.count,
-      WcsphSumsAtWalls{viscosity, {kernel, p.position, s.neighbours, contacts, stage_.compression()},
-                       change_.view()});
+      WcsphSumsAtWalls{
+          viscosity, {kernel, p.position, s.neighbours, contacts, stage_.compression()}, change_.view()});
   const bool given = parameters_.compressibility > 0;
-  device_.parallel_for("baseline/tait", p.sorted,
-                       ApplyTait{stage_.compression(), change_.view(), p.position,
-                                 given ? 0.0f : sound_ * sound_, modulus(), s.dt * s.dt, multiplier,
-                                 stage_.staged(), p.velocity});
+  device_.parallel_for(
+      "baseline/tait", p.sorted,
+      ApplyTait{stage_.compression(), change_.view(), p.position, given ? 0.0f : sound_ * sound_, modulus(),
+                s.dt * s.dt, multiplier, stage_.staged(), p.velocity});
   stage_.push(s, stage_.template to_velocities<false>(s), [](const auto& launch) { return launch; });
 }
 

@@ -61,8 +61,8 @@ struct WcsphSums {
     if (contact_start[i] != contact_start[i + 1]) return;
     using Real = typename D::Real;
     Real weight(0.0f);
-    const Vec3 v = viscosity.sum_over<D>(neighbours, i,
-                                         [&](const Real& t) { weight += Kernel::weight_shape(t); });
+    const Vec3 v =
+        viscosity.sum_over<D>(neighbours, i, [&](const Real& t) { weight += Kernel::weight_shape(t); });
     const float c = viscosity.kernel.peak_weight * (sum(weight) + 1) - 1;
     if (!D::leads()) return;
     compression[i] = c;
@@ -80,8 +80,7 @@ struct WcsphSumsAtWalls {
     compress.run<D>(k);
     const uint32_t i = compress.contacts.touching_particle(k);
     if (i == pbd::no_index) return;
-    const Vec3 v =
-        viscosity.sum_over<D>(compress.neighbours, i, [](const typename D::Real&) {});
+    const Vec3 v = viscosity.sum_over<D>(compress.neighbours, i, [](const typename D::Real&) {});
     if (D::leads()) change[i] = pbd::with_w(v, 0);
   }
 };

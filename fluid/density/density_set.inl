@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fluid/baselines/baseline.h"
+#include "fluid/density/baseline.h"
 #include "fluid/density/crowd.h"
 #include "fluid/density/density_set.h"
 #include "fluid/density/stop.h"

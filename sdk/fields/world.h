@@ -15,8 +15,8 @@ constexpr auto names_of(DeviceChoice) {
 }
 constexpr auto names_of(DensitySolver) {
   return std::array{Named{"jacobi", DensitySolver::jacobi}, Named{"chebyshev", DensitySolver::chebyshev},
-                    Named{"grid", DensitySolver::grid}, Named{"pcisph", DensitySolver::pcisph},
-                    Named{"wcsph", DensitySolver::wcsph}, Named{"dfsph", DensitySolver::dfsph}};
+                    Named{"grid", DensitySolver::grid},     Named{"pcisph", DensitySolver::pcisph},
+                    Named{"wcsph", DensitySolver::wcsph},   Named{"dfsph", DensitySolver::dfsph}};
 }
 
 template <class V>
@@ -29,7 +29,8 @@ void fields(V& v, ArtificialPressureDef& d) {
 
 template <class V>
 void fields(V& v, DensitySolverDef& d) {
-  v("solver", d.solver, any_value, "", "how the density multipliers are found");
+  v("solver", d.solver, any_value, "",
+    "how the fluid's pressure is found; pcisph, wcsph and dfsph are methods of others, for comparison");
   v("relaxation", d.relaxation, between(0.01, 0.44), "", "damping ω of the Jacobi solver");
   v("warm_start", d.warm_start, between(0, 0.5), "", "share of the last substep's multipliers to start from");
   v("spectral_bound", d.spectral_bound, between(3, 20), "",

@@ -31,7 +31,8 @@ enum class DensitySolver {
   chebyshev,  ///< Jacobi with Chebyshev's weights: fewer iterations for the same error
   grid,  ///< a multigrid solve on a coarse grid once a substep, for any depth; then `chebyshev` without a
          ///< warm start
-  // Methods of others, for comparison: docs/methods/baselines.md. They solve for fluids and rigid bodies alone.
+  // Methods of others, for comparison: docs/methods/baselines.md. They solve for fluids and rigid bodies
+  // alone.
   pcisph,  ///< predictive-corrective SPH (Solenthaler & Pajarola 2009)
   wcsph,   ///< weakly compressible SPH (Becker & Teschner 2007); it chooses its own substeps
   dfsph,   ///< divergence-free SPH (Bender & Koschier 2015)

@@ -65,8 +65,7 @@ class DensityReference {
   double multiplier_change(size_t i) const {
     const double dt2 = double{setup_.dt} * setup_.dt, d = denominator(i);
     const double compliance = setup_.parameters.compressibility / (setup_.kernel.volume * dt2);
-    double step =
-        setup_.parameters.relaxation * (error(i) - compliance * multipliers[i]) / (d + compliance);
+    double step = setup_.parameters.relaxation * (error(i) - compliance * multipliers[i]) / (d + compliance);
     const double bound = setup_.parameters.correction_limit / std::sqrt(inverse_masses_[i] * d);
     step = std::clamp(step, -bound, bound);
     return std::max(0.0, multipliers[i] + step) - multipliers[i];
@@ -84,8 +83,7 @@ class DensityReference {
       }
     });
     double d = 0;
-    for (size_t j = 0; j < positions.size(); ++j)
-      d += inverse_masses_[j] * dot(gradient[j], gradient[j]);
+    for (size_t j = 0; j < positions.size(); ++j) d += inverse_masses_[j] * dot(gradient[j], gradient[j]);
     return d;
   }
 

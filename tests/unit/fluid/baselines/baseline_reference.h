@@ -73,8 +73,8 @@ class BaselineReference : public DensityReference {
   void solve_wcsph() {
     const double dt2 = double{setup_.dt} * setup_.dt, volume = setup_.kernel.volume;
     const double modulus = 1 / double{setup_.parameters.compressibility};
-    const double sound = std::sqrt(modulus * volume * *std::max_element(inverse_masses_.begin(),
-                                                                        inverse_masses_.end()));
+    const double sound =
+        std::sqrt(modulus * volume * *std::max_element(inverse_masses_.begin(), inverse_masses_.end()));
     Values staged(count_);
     for (size_t i = 0; i < count_; ++i) {
       const double ratio = 1 + error(i);
@@ -98,8 +98,7 @@ class BaselineReference : public DensityReference {
       const double densities = (1 / inverse_masses_[i] + mass) / volume;
       const double viscosity = 2 * double{fluid::baseline_tuning::artificial_viscosity} * eta * sound /
                                densities * approach / (r * r + 0.01 * eta * eta);
-      for (size_t k = 0; k < 3; ++k)
-        change[k] += setup_.dt * mass * viscosity * slope(r) / volume * d[k] / r;
+      for (size_t k = 0; k < 3; ++k) change[k] += setup_.dt * mass * viscosity * slope(r) / volume * d[k] / r;
     });
     return change;
   }

@@ -10,8 +10,8 @@
 
 namespace meniscus::fluid {
 
-/// A published method in the place of the density constraint, for comparison. It has the neighbours, walls and
-/// contacts of a substep, and finds pressures; DensitySet keeps its multipliers Λ = V h_t² p.
+/// A published method in the place of the density constraint, for comparison. It has the neighbours, walls
+/// and contacts of a substep, and finds pressures; DensitySet keeps its multipliers Λ = V h_t² p.
 ///
 /// Neighbours are found once a substep, at the predicted positions x* = x + h_t v + h_t² g.
 template <class D>
