@@ -18,6 +18,11 @@ template <class D>
 class PressureGrid;
 template <class D>
 class Crowd;
+template <class D>
+class Baseline;
+
+/// What solves for the fluid's pressure: the density constraint, or a method of others (fluid/baselines/).
+enum class DensityMethod { constraint, pcisph, wcsph, dfsph };
 
 struct ArtificialPressure {
   float pressure = 0;     ///< Pa, at the distance below
@@ -26,6 +31,7 @@ struct ArtificialPressure {
 };
 
 struct DensityParameters {
+  DensityMethod method = DensityMethod::constraint;
   bool chebyshev = true;
   bool pressure_grid = false;        ///< moves particles before the iterations (pressure_grid.h)
   float relaxation = 0.3f;           ///< ω of damped Jacobi
@@ -36,6 +42,7 @@ struct DensityParameters {
   float correction_limit = 0.0125f;  ///< m, in one iteration
   float parting_speed = 1.25f;       ///< m/s, of particles that were placed too dense (crowd.h)
   float spacing = 0.05f;             ///< m
+  Vec3 gravity{0, -9.81f, 0};        ///< m/s², from which baselines estimate speeds
   ArtificialPressure artificial_pressure;
 };
 
@@ -59,6 +66,8 @@ struct DensityParameters {
 /// The paper adds its repulsion (eq. 13) in every iteration, so that it grows with their number. Here it acts
 /// in the first iteration alone, as a pressure. So the motion does not depend on the step or the number of
 /// iterations.
+///
+/// With another method this set hosts it: it keeps the multipliers, and only relaxes overlaps itself.
 template <class D>
 class DensitySet final : public pbd::ConstraintSet<D> {
  public:
@@ -84,9 +93,11 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void restore() override;
 
   void start_step() override;
+  int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;
   void accelerate(pbd::Substep<D>&) override { relaxes_ = false; }
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
+  void end(pbd::Substep<D>& substep) override;
 
   /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
   pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
@@ -100,6 +111,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   const Kernel& kernel() const { return kernel_; }
 
  private:
+  void set_baseline(const DensityParameters& parameters);
   template <density_kernels::WallMotion motion, density_kernels::Grains grains>
   void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                const density_kernels::PairPressure& pair);
@@ -123,6 +135,8 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   std::unique_ptr<Crowd<D>> crowd_;
   std::unique_ptr<PressureGrid<D>> pressure_grid_;  // exists if the parameters ask for it
   std::unique_ptr<DensityStop<D>> stop_;            // exists if there is a tolerance
+  std::unique_ptr<Baseline<D>> baseline_;           // exists if the method is another
+  bool by_baseline_ = false;                        // in this substep
 
   pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fluid/density/baseline.h"
 #include "fluid/density/crowd.h"
 #include "fluid/density/density_set.h"
 #include "fluid/density/stop.h"
@@ -41,8 +42,25 @@ void DensitySet<D>::set_parameters(const DensityParameters& parameters) {
     stop->reserve(static_cast<uint32_t>(staged_.size()));
     stop_ = std::move(stop);
   }
+  set_baseline(parameters);
   parameters_ = parameters;
   chebyshev_ = pbd::Chebyshev(parameters.spectral_bound);
+}
+
+/// Another method does not start from the multipliers of this one, as they mean something else.
+template <class D>
+void DensitySet<D>::set_baseline(const DensityParameters& parameters) {
+  if (parameters.method == parameters_.method) {
+    if (baseline_) baseline_->set_parameters(parameters);
+    return;
+  }
+  auto baseline = make_baseline(device_, kernel_, parameters);
+  if (baseline && staged_.size()) {
+    const auto size = static_cast<uint32_t>(staged_.size());
+    baseline->reserve(size, size - pbd::Particles::padding);
+  }
+  baseline_ = std::move(baseline);
+  if (multiplier_.current.size()) multiplier_.current.fill(0);
 }
 
 template <class D>
@@ -57,10 +75,17 @@ template <class D>
 void DensitySet<D>::start_step() {
   crowd_->start_step();
   if (stop_) stop_->start_step();
+  if (baseline_) baseline_->start_step();
+}
+
+template <class D>
+int DensitySet<D>::least_substeps(float dt, int chosen, const pbd::ParticleView& start) {
+  return baseline_ ? baseline_->least_substeps(dt, chosen, start) : chosen;
 }
 
 template <class D>
 uint32_t DensitySet<D>::iterations_done(uint32_t planned) const {
+  if (baseline_) return baseline_->iterations_done(planned);
   return stop_ ? stop_->iterations() : planned;
 }
 
@@ -68,13 +93,18 @@ template <class D>
 void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   last_dt_ = substep.dt;
+  const bool relaxes = std::exchange(relaxes_, true);
+  by_baseline_ = baseline_ && !relaxes && any_fluid_ && substep.particles.sorted > 0;
+  if (by_baseline_) {
+    allowed_ = {};
+    return baseline_->begin(substep, multiplier_.current.view(), ratio * ratio);
+  }
   // A multiplier grows with the square of the step. But after a step that was short for its error, the
   // multiplier exceeds that of a longer step. With a pressure grid the multipliers include its pressure, so
   // they are no estimate for the remaining iterations.
   warm_start_fraction_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
-  const float limit = std::exchange(relaxes_, true)
-                          ? parameters_.correction_limit * static_cast<float>(substep.iterations)
-                          : parameters_.parting_speed * substep.dt;
+  const float limit = relaxes ? parameters_.correction_limit * static_cast<float>(substep.iterations)
+                              : parameters_.parting_speed * substep.dt;
   allowed_ =
       any_fluid_ ? crowd_->part(substep, kernel_, parameters_.spacing, limit) : pbd::View<const float>{};
 }
@@ -82,6 +112,7 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
 template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
+  if (by_baseline_) return baseline_->project(substep, multiplier_.current.view(), iteration);
   if (substep.particles.sorted == 0 || !any_fluid_) return;
   if (pressure_grid_ && iteration == 0) {
     pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view(), allowed_);
@@ -129,6 +160,11 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (pressure_grid_ && last)
     device_.parallel_for("density/pressure", substep.particles.sorted,
                          AddPressure{pressure_grid_->multipliers(), multiplier_.current.view()});
+}
+
+template <class D>
+void DensitySet<D>::end(pbd::Substep<D>& substep) {
+  if (by_baseline_) baseline_->end(substep, multiplier_.current.view());
 }
 
 template <class D>
@@ -203,6 +239,7 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
   staged_.resize_discard(size);
   if (pressure_grid_) pressure_grid_->reserve(size);
   if (stop_) stop_->reserve(size);
+  if (baseline_) baseline_->reserve(size, capacity);
   crowd_->reserve(size, kept);
   saved_multiplier_.resize_discard(size);
   constexpr float away = pbd::Particles::far_away;

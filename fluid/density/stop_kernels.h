@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels of stop.h.
+// The kernels of iteration_end.h and stop.h.
 #pragma once
 
 #include "fluid/kernel/density_kernels.h"
@@ -30,6 +30,9 @@ struct UnlessEnded {
   template <class D>
   MENISCUS_HD void run(uint32_t i) const {
     if (!progress[0].ended) kernel.template run<D>(i);
+  }
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (!progress[0].ended) kernel(i);
   }
 };
 

@@ -128,8 +128,21 @@ struct CorrectAtWalls {
 
   template <class D, int n>
   MENISCUS_HD void correct(uint32_t i, const MirrorPlanes& mirrors) const {
-    using Real = typename D::Real;
     const Vec4 self = staged[i];
+    const Vec3 total = push<D, n>(i, self, mirrors);
+    if (!D::leads()) return;
+    const Vec4 before = walls.accumulated_delta[i];
+    const Vec3 step = before.w * total;
+    Vec4 to = pbd::with_w(self.xyz() + step, before.w), accumulated_delta = pbd::shifted(before, step);
+    if (projects) walls.hold(i, to, accumulated_delta);
+    walls.position[i] = to;
+    walls.accumulated_delta[i] = accumulated_delta;
+  }
+
+  /// The positional impulse on particle i, of which the walls get the opposite.
+  template <class D, int n>
+  MENISCUS_HD Vec3 push(uint32_t i, const Vec4& self, const MirrorPlanes& mirrors) const {
+    using Real = typename D::Real;
     const Vec3 x = self.xyz();
     const Real pull(kernel.peak_pull);
     GhostSums<Real, n, any_moving> pushes;
@@ -150,14 +163,8 @@ struct CorrectAtWalls {
       return kernel.peak_pull * fraction * push_shape<repulsion>(pair, kernel.inverse_h2 * r2, 2 * self.w);
     });
     const auto others = pushes.in_one(mirrors);
-    if (!D::leads()) return;
-    note_pushes(mirrors, others, own);
-    const Vec4 before = walls.accumulated_delta[i];
-    const Vec3 step = before.w * (others.vector(mirrors) + own.vector(mirrors));
-    Vec4 to = pbd::with_w(x + step, before.w), accumulated_delta = pbd::shifted(before, step);
-    if (projects) walls.hold(i, to, accumulated_delta);
-    walls.position[i] = to;
-    walls.accumulated_delta[i] = accumulated_delta;
+    if (D::leads()) note_pushes(mirrors, others, own);
+    return others.vector(mirrors) + own.vector(mirrors);
   }
 
   /// The solids receive the opposite of their mirror ghosts' push on a particle. Each receives that of its

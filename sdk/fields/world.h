@@ -18,7 +18,8 @@ constexpr auto names_of(DeviceChoice) {
 }
 constexpr auto names_of(DensitySolver) {
   return std::array{Named{"jacobi", DensitySolver::jacobi}, Named{"chebyshev", DensitySolver::chebyshev},
-                    Named{"grid", DensitySolver::grid}};
+                    Named{"grid", DensitySolver::grid},     Named{"pcisph", DensitySolver::pcisph},
+                    Named{"wcsph", DensitySolver::wcsph},   Named{"dfsph", DensitySolver::dfsph}};
 }
 
 template <class V>
@@ -31,7 +32,8 @@ void fields(V& v, ArtificialPressureDef& d) {
 
 template <class V>
 void fields(V& v, DensitySolverDef& d) {
-  v("solver", d.solver, any_value, "", "how the density multipliers are found");
+  v("solver", d.solver, any_value, "",
+    "how the fluid's pressure is found; pcisph, wcsph and dfsph are methods of others, for comparison");
   v("relaxation", d.relaxation, between(0.01, 0.44), "", "damping ω of the Jacobi solver");
   v("warm_start", d.warm_start, between(0, 0.5), "", "share of the last substep's multipliers to start from");
   v("spectral_bound", d.spectral_bound, between(3, 20), "",
@@ -41,6 +43,12 @@ void fields(V& v, DensitySolverDef& d) {
   v("compressibility", d.compressibility, not_negative, "1/Pa", "inverse bulk modulus; 0 is incompressible");
   v("correction_limit", d.correction_limit, positive, "spacings", "largest correction of one iteration");
   v("artificial_pressure", d.artificial_pressure, any_value, "", "repulsion against clumping at the surface");
+  v.check(d.compressibility == 0 || !is_baseline(d.solver) || d.solver == DensitySolver::wcsph,
+          "compressibility must be 0 with the solvers pcisph and dfsph, which are incompressible",
+          "compressibility", d.compressibility);
+  v.check(d.artificial_pressure.strength == 0 || !is_baseline(d.solver),
+          "artificial_pressure.strength must be 0 with the solvers pcisph, wcsph and dfsph",
+          "artificial_pressure", d.artificial_pressure.strength);
 }
 
 template <class V>

@@ -42,6 +42,7 @@ FluidId World::Calls::create_fluid(const FluidDef& def) {
 FluidId World::Calls::create_granular(const GranularDef& def) {
   check::def(def);
   check::no_periodic_axes(impl_->def, "granular materials");
+  impl_->check_solver_allows("granular materials");
   fluid::Material displaces;
   displaces.rest_density = def.density;
   return impl_->create_material({displaces, {true, collision::contact_friction(def.friction)}, def.filter});

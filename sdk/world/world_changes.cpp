@@ -59,6 +59,7 @@ void World::Calls::set_def(const WorldDef& def) {
   expect_same("contact_radius", now.contact_radius, def.contact_radius);
   expect_same("diffuse", now.diffuse, def.diffuse);
   expect_same("periodic", now.periodic, def.periodic);
+  if (is_baseline(def.density.solver)) impl_->check_baseline_suits();
   impl_->read_reactions();  // of the last step, with its gravity
   if (now.cloth != def.cloth) impl_->cloth_changed();
   const WorldDef before = std::exchange(impl_->def, def);

@@ -86,6 +86,7 @@ void World::Impl::check_pieces() const {
 
 ClothId World::Calls::create_cloth(const ClothDef& def) {
   check::no_periodic_axes(impl_->def, "cloth");
+  impl_->check_solver_allows("cloth");
   impl_->check_pieces();
   ClothEntry entry = make_cloth(def);
   impl_->cloths.prepare();
@@ -103,6 +104,7 @@ void World::Calls::destroy_cloth(ClothId id) {
 
 RopeId World::Calls::create_rope(const RopeDef& def) {
   check::no_periodic_axes(impl_->def, "ropes");
+  impl_->check_solver_allows("ropes");
   impl_->check_pieces();
   RopeEntry entry = make_rope(def);
   impl_->cloth_changed();

@@ -15,6 +15,23 @@
 
 namespace meniscus {
 
+namespace {
+
+fluid::DensityMethod method_of(DensitySolver solver) {
+  switch (solver) {
+    case DensitySolver::pcisph:
+      return fluid::DensityMethod::pcisph;
+    case DensitySolver::wcsph:
+      return fluid::DensityMethod::wcsph;
+    case DensitySolver::dfsph:
+      return fluid::DensityMethod::dfsph;
+    default:
+      return fluid::DensityMethod::constraint;
+  }
+}
+
+}  // namespace
+
 EngineDef World::Impl::engine_def() {
   EngineDef e;
   e.kernel = kernel;
@@ -40,6 +57,8 @@ EngineDef World::Impl::engine_def() {
   e.density.correction_limit = d.correction_limit * def.particle_spacing;
   e.density.parting_speed = e.solver.contact_radius / collision::shape_tuning::exit_time;
   e.density.spacing = def.particle_spacing;
+  e.density.gravity = def.gravity;
+  e.density.method = method_of(d.solver);
   e.cloth = {def.cloth.over_relaxation, def.cloth.warm_start, def.cloth.stretch_rounds};
   // The repulsion scales with the hydrostatic pressure of one support radius of water. Without gravity,
   // Earth's gravity is used.
@@ -75,6 +94,21 @@ World::Impl::Impl(const WorldDef& world_def)
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing)) {
   engine = make_engine(engine_def(), def.device, def.threads, device);
+}
+
+void World::Impl::check_solver_allows(const char* what) const {
+  if (!is_baseline(def.density.solver)) return;
+  check::refuse("DensitySolverDef::solver", "pcisph, wcsph or dfsph",
+                std::string("jacobi, chebyshev or grid in a world with ") + what);
+}
+
+void World::Impl::check_baseline_suits() const {
+  bool any_grains = false;
+  fluids.for_each([&](uint32_t, const ParticleMaterial& m) { any_grains |= m.grain.is_grain; });
+  const char* present = cloths.size() ? "cloth" : ropes.size() ? "ropes" : "granular materials";
+  if (!cloths.size() && !ropes.size() && !any_grains) return;
+  check::refuse("DensitySolverDef::solver", "pcisph, wcsph or dfsph",
+                std::string("jacobi, chebyshev or grid in a world with ") + present);
 }
 
 FluidId World::Impl::create_material(const ParticleMaterial& material) {

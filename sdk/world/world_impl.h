@@ -125,6 +125,10 @@ struct World::Impl {
   const VertexRange& range_of(const AttachmentDef& def) const;
   /// Throws Error(capacity) if there is no room for another piece of cloth or rope.
   void check_pieces() const;
+  /// Throws if the density solver does not allow these.
+  void check_solver_allows(const char* what) const;
+  /// Throws if the world has anything that baselines do not allow.
+  void check_baseline_suits() const;
   /// Destroys the attachments for which this returns true.
   template <class Gone>
   void drop_attachments(const Gone& gone);

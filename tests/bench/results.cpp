@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "sdk/fields/world.h"
 #include "tests/bench/bench.h"
 
 namespace meniscus::bench {
@@ -20,12 +21,16 @@ WorldDef world_def(const CommonOptions& options) {
 }
 
 DensitySolver solver_named(const std::string& name) {
-  if (name == "jacobi") return DensitySolver::jacobi;
-  return name == "grid" ? DensitySolver::grid : DensitySolver::chebyshev;
+  for (const auto& [text, solver] : names_of(DensitySolver{})) {
+    if (name == text) return solver;
+  }
+  return DensitySolver::chebyshev;
 }
 
 CLI::IsMember is_solver() {
-  return CLI::IsMember({"jacobi", "chebyshev", "grid"});
+  std::vector<std::string> names;
+  for (const auto& named : names_of(DensitySolver{})) names.push_back(named.name);
+  return CLI::IsMember(names);
 }
 
 double quantile(std::vector<double> values, double share) {

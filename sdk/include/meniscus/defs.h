@@ -31,7 +31,17 @@ enum class DensitySolver {
   chebyshev,  ///< Jacobi with Chebyshev's weights: fewer iterations for the same error
   grid,  ///< a multigrid solve on a coarse grid once a substep, for any depth; then `chebyshev` without a
          ///< warm start
+  // Methods of others, for comparison: docs/methods/baselines.md. They solve for fluids and rigid bodies
+  // alone.
+  pcisph,  ///< predictive-corrective SPH (Solenthaler & Pajarola 2009)
+  wcsph,   ///< weakly compressible SPH (Becker & Teschner 2007); it chooses its own substeps
+  dfsph,   ///< divergence-free SPH (Bender & Koschier 2015)
 };
+
+/// Whether this is a method of others. It allows no cloth, ropes or granular materials.
+constexpr bool is_baseline(DensitySolver solver) {
+  return solver >= DensitySolver::pcisph;
+}
 
 /// Repulsion against tensile instability (Macklin & Müller 2013, eq. 13). Its pressure is
 /// strength · ρ₀ · |g| · h.
@@ -48,9 +58,12 @@ struct DensitySolverDef {
   float spectral_bound = 4.5f;  ///< largest eigenvalue that Chebyshev's weights expect, 3 to 20
   /// ≥ 0: mean of max(C, 0) over all fluid particles, C = ρ/ρ₀ − 1, at which the density solve of a substep
   /// ends. WorldDef::iterations is then its maximum. All other constraints still have that number. There is
-  /// at least one iteration, except with `grid`, which may need none. 0: always WorldDef::iterations.
+  /// at least one iteration, except with `grid`, which may need none. 0: always WorldDef::iterations; with
+  /// `pcisph` and `dfsph` the tolerances of their authors.
   float tolerance = 0.0f;
-  float compressibility = 0.0f;    ///< 1/Pa, ≥ 0, the inverse bulk modulus; 0 is incompressible
+  /// 1/Pa, ≥ 0, the inverse bulk modulus; 0 is incompressible. With `wcsph` 0 means a speed of sound of ten
+  /// times the fluid's greatest speed. `pcisph` and `dfsph` take 0 alone.
+  float compressibility = 0.0f;
   float correction_limit = 0.25f;  ///< largest correction of one iteration, in particle spacings, > 0
   ArtificialPressureDef artificial_pressure{};
 };

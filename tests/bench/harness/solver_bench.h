@@ -29,6 +29,7 @@ struct DensityCase {
   fluid::Kernel kernel{};
   fluid::DensityParameters parameters;
   std::vector<pbd::Vec4> particles;  ///< w: inverse mass
+  std::vector<Vec3> velocities;      ///< m/s; none: at rest
   std::vector<collision::Shape> planes;
   float dt = 0.0025f;
   int iterations = 1;
@@ -36,6 +37,7 @@ struct DensityCase {
 
 struct DensitySolution {
   std::vector<Vec3> positions;
+  std::vector<Vec3> velocities;  ///< of solve_baseline
   std::vector<float> multipliers;
   std::vector<float> errors;  ///< C before the solve
 };
@@ -67,6 +69,8 @@ class SolverBench {
   virtual NeighbourLists neighbours(std::span<const Vec3> points, float support_radius) = 0;
   /// The iterations of one substep's density solve, with nothing else going on.
   virtual DensitySolution solve_density(const DensityCase& setup) = 0;
+  /// A whole substep of a baseline, from positions that are predicted already.
+  virtual DensitySolution solve_baseline(const DensityCase& setup) = 0;
   /// Positions once every particle's multiplier has pushed, when all of them are the same; kg·m². They are left
   /// from a substep of last_dt.
   virtual std::vector<Vec3> push(const DensityCase& setup, float multiplier, float last_dt) = 0;

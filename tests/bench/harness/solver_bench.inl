@@ -14,6 +14,7 @@
 #include "fluid/forces/viscosity_set.h"
 #include "fluid/pressure_grid/multigrid.inl"
 #include "pbd/solver.h"
+#include "pbd/solver_kernels.h"
 #include "tests/bench/harness/solver_bench.h"
 
 namespace meniscus::tests {
@@ -70,6 +71,27 @@ class SolverBenchOn final : public SolverBench {
       density.begin(s);
       for (int iteration = 0; iteration < setup.iterations; ++iteration) density.project(s, iteration);
       solution.positions = positions(s);
+      solution.multipliers =
+          by_slot<float>(s, density.multipliers().data, [](Multiplier m) { return m.value; });
+    });
+    return solution;
+  }
+
+  DensitySolution solve_baseline(const DensityCase& setup) override {
+    DensitySolution solution;
+    with_density(setup, [&](pbd::Substep<D>& s, fluid::DensitySet<D>& density) {
+      density.start_step();
+      density.least_substeps(s.dt, 1, s.particles);
+      density.accelerate(s);
+      density.begin(s);
+      for (int iteration = 0; iteration < setup.iterations; ++iteration) density.project(s, iteration);
+      const pbd::ParticleView& p = s.particles;
+      s.device.parallel_for("velocity", p.owned,
+                            pbd::solver_kernels::UpdateVelocity{p.position, p.accumulated_delta, p.velocity,
+                                                                1 / s.dt, p.sorted});
+      density.end(s);
+      solution.positions = positions(s);
+      solution.velocities = by_slot<Vec3>(s, p.velocity.data, [](pbd::Vec4 v) { return v.xyz(); });
       solution.multipliers =
           by_slot<float>(s, density.multipliers().data, [](Multiplier m) { return m.value; });
     });
@@ -196,7 +218,8 @@ class SolverBenchOn final : public SolverBench {
     const Planes planes(stage, setup.support_radius, 0, setup.planes);
     fluid::DensitySet<D> density(stage.device, setup.kernel, setup.parameters);
     stage.solver.add(density);
-    stage.add(setup.particles, std::vector<Vec3>(setup.particles.size()),
+    stage.add(setup.particles,
+              setup.velocities.empty() ? std::vector<Vec3>(setup.particles.size()) : setup.velocities,
               std::vector<uint32_t>(setup.particles.size()));
     stage.solver.measure([&](pbd::Substep<D>& s, const pbd::Found&) {
       s.dt = setup.dt;

@@ -60,10 +60,19 @@ class DensityReference {
   std::vector<Double3> positions;
   std::vector<double> multipliers;
 
- private:
-  /// Δλ_i = max(0, λ_i + ω (C_i − α̃ λ_i)/(D_i + α̃)) − λ_i, D_i = Σ w |∂C_i/∂x|² over i and all others. A
-  /// particle that moves also moves its mirror ghosts.
+ protected:
+  /// Δλ_i = max(0, λ_i + ω (C_i − α̃ λ_i)/(D_i + α̃)) − λ_i.
   double multiplier_change(size_t i) const {
+    const double dt2 = double{setup_.dt} * setup_.dt, d = denominator(i);
+    const double compliance = setup_.parameters.compressibility / (setup_.kernel.volume * dt2);
+    double step = setup_.parameters.relaxation * (error(i) - compliance * multipliers[i]) / (d + compliance);
+    const double bound = setup_.parameters.correction_limit / std::sqrt(inverse_masses_[i] * d);
+    step = std::clamp(step, -bound, bound);
+    return std::max(0.0, multipliers[i] + step) - multipliers[i];
+  }
+
+  /// D_i = Σ w |∂C_i/∂x|² over i and all others. A particle that moves also moves its mirror ghosts.
+  double denominator(size_t i) const {
     std::vector<Double3> gradient(positions.size());
     for_each_pair(i, [&](size_t j, const Double3& d, double r, size_t ghost) {
       if (ghost == 0 && j == i) return;
@@ -73,16 +82,9 @@ class DensityReference {
         gradient[j][k] -= slope(r) / r * seen[k];
       }
     });
-    double denominator = 0;
-    for (size_t j = 0; j < positions.size(); ++j)
-      denominator += inverse_masses_[j] * dot(gradient[j], gradient[j]);
-    const double dt2 = double{setup_.dt} * setup_.dt;
-    const double compliance = setup_.parameters.compressibility / (setup_.kernel.volume * dt2);
-    double step =
-        setup_.parameters.relaxation * (error(i) - compliance * multipliers[i]) / (denominator + compliance);
-    const double bound = setup_.parameters.correction_limit / std::sqrt(inverse_masses_[i] * denominator);
-    step = std::clamp(step, -bound, bound);
-    return std::max(0.0, multipliers[i] + step) - multipliers[i];
+    double d = 0;
+    for (size_t j = 0; j < positions.size(); ++j) d += inverse_masses_[j] * dot(gradient[j], gradient[j]);
+    return d;
   }
 
   double weight(double r) const {

@@ -44,6 +44,7 @@ const Edges folders{
     {"fluid/kernel", {}},
     {"fluid/pressure_grid", {"fluid/kernel"}},
     {"fluid/density", {"fluid/kernel", "fluid/pressure_grid"}},
+    {"fluid/baselines", {"fluid/kernel", "fluid/density"}},
     {"fluid/forces", {"fluid/kernel", "fluid/density"}},
     {"fluid/surface", {"fluid/kernel"}},
     {"fluid/diffuse", {"fluid/kernel"}},
