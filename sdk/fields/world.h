@@ -118,8 +118,8 @@ void check_periodic(V& v, const WorldDef& d) {
   check_extent(v, d, d.periodic.z, "periodic.z");
   if (d.periodic == PeriodicDef{}) return;
   v.check(!d.diffuse, "a world with periodic axes has no diffuse particles", "diffuse");
-  v.check(d.density.solver != DensitySolver::grid,
-          "a world with periodic axes cannot be solved on a grid; use chebyshev", "density.solver");
+  v.check(d.density.solver != DensitySolver::grid && !is_baseline(d.density.solver),
+          "a world with periodic axes is solved by jacobi or chebyshev alone", "density.solver");
 }
 
 template <class V>

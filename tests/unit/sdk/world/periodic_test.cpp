@@ -313,8 +313,11 @@ TEST_P(PeriodicTest, RefusesExtents) {
   def.diffuse.emplace();
   expect_error(bad, "diffuse", [&] { World world(def); });
   def = periodic_def(GetParam(), 1);
-  def.density.solver = DensitySolver::grid;
-  expect_error(bad, "density.solver", [&] { World world(def); });
+  for (const DensitySolver solver : {DensitySolver::grid, DensitySolver::pcisph, DensitySolver::wcsph,
+                                     DensitySolver::dfsph}) {
+    def.density.solver = solver;
+    expect_error(bad, "density.solver", [&] { World world(def); });
+  }
   World world(periodic_def(GetParam(), 1));
   expect_error(bad, "WorldDef::periodic", [&] { world.set_def(periodic_def(GetParam(), 3)); });
 }
