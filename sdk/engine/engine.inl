@@ -78,7 +78,8 @@ class DeviceEngine final : public Engine {
         free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
     films_.set_fluid([this]() -> collision::FluidMultipliers {
       using Multiplier = fluid::density_kernels::Multiplier;
-      return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float), def_.kernel.volume};
+      return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float),
+              def_.kernel.particle_volume};
     });
     assemble();
     if (def.diffuse) add_diffuse(*def.diffuse);

@@ -70,7 +70,8 @@ void check_room(size_t present, double added, std::string_view emitter) {
 World::Impl::Impl(const WorldDef& world_def)
     : def((check::def(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
-      kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing)) {
+      kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
+                              def.kernel)) {
   engine = make_engine(engine_def(), def.device, def.threads, device);
 }
 

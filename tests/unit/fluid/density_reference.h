@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fluid/kernel/kernel.h"
+#include "fluid/kernel/packing.h"
 #include "tests/bench/harness/solver_bench.h"
 
 namespace meniscus::tests {
@@ -33,6 +33,8 @@ class DensityReference {
       planes_.push_back({{s.size.x, s.size.y, s.size.z}, s.offset});
     }
     start_ = positions;
+    const fluid::ExactKernel exact{setup.kernel.shape, setup.kernel.h};
+    for (int k = 0; k <= 10000; ++k) greatest_ = std::max(greatest_, exact.slope(1e-4 * k * exact.h));
   }
 
   /// C_i = Σ V W − 1 over all particles and their mirror ghosts.
@@ -77,7 +79,7 @@ class DensityReference {
     for (size_t j = 0; j < positions.size(); ++j)
       denominator += inverse_masses_[j] * dot(gradient[j], gradient[j]);
     const double dt2 = double{setup_.dt} * setup_.dt;
-    const double compliance = setup_.parameters.compressibility / (setup_.kernel.volume * dt2);
+    const double compliance = setup_.parameters.compressibility / (setup_.kernel.particle_volume * dt2);
     double step =
         setup_.parameters.relaxation * (error(i) - compliance * multipliers[i]) / (denominator + compliance);
     const double bound = setup_.parameters.correction_limit / std::sqrt(inverse_masses_[i] * denominator);
@@ -86,12 +88,12 @@ class DensityReference {
   }
 
   double weight(double r) const {
-    const double u = double{setup_.kernel.h2} - r * r;
-    return u > 0 ? setup_.kernel.poly6 * u * u * u : 0;
+    return setup_.kernel.volume * fluid::ExactKernel{setup_.kernel.shape, setup_.kernel.h}.weight(r);
   }
+  /// The factor of the gradient is V where both are one kernel, but for the calibration.
   double slope(double r) const {
-    const double q = double{setup_.kernel.h} - r;
-    return q > 0 ? setup_.kernel.spiky_gradient * q * q : 0;
+    const fluid::ExactKernel exact{setup_.kernel.shape, setup_.kernel.h};
+    return setup_.kernel.greatest_slope * exact.slope(r) / greatest_;
   }
 
   /// Calls visit(j, x_i − x_j, |x_i − x_j|, number of the mirror ghost) for each particle and each mirror
@@ -145,6 +147,7 @@ class DensityReference {
   std::vector<ReferencePlane> planes_;
   std::vector<double> inverse_masses_;
   std::vector<Double3> start_;
+  double greatest_ = 0;  // of |∇W|
 };
 
 }  // namespace meniscus::tests
