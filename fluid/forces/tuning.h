@@ -16,9 +16,9 @@ namespace meniscus::fluid::forces_tuning {
 constexpr double measured_over_asked(SmoothingKernel shape) {
   switch (shape) {
     case SmoothingKernel::wendland_c2:
-      return 1.17;
+      return 1.9;
     case SmoothingKernel::cubic_spline:
-      return 1.17;
+      return 2.15;
     case SmoothingKernel::poly6_spiky:
       break;
   }

@@ -136,6 +136,10 @@ class DeviceEngine final : public Engine {
     solver_.relax(dt, iterations);
     if (iterations > 0) rods_.stop();
   }
+  void relax_from(uint32_t slot, float dt, int iterations) override {
+    fetch_contacts();
+    solver_.relax_from(slot, dt, iterations);
+  }
 
   void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) override;
   void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) override;

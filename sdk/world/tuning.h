@@ -67,6 +67,10 @@ inline constexpr float relaxing_rate = 0.06f, relaxing_limit = 0.05f;
 /// Test: SeedingTest.DisorderHasTheRestDensity.
 inline constexpr int relaxing_rounds = 80, rounds_of_a_list = 8;
 
+/// Relaxations by the solver of particles that are seeded without order. Then max(C, 0) is below 1e-3.
+/// Test: SeedingTest.DisorderHasTheRestDensity.
+inline constexpr int seeding_relaxations = 20;
+
 /// How often points that are seeded beside solids are moved out of them. In a corner one motion undoes a part
 /// of another.
 /// Test: SeedingTest.DisorderIsSafeAtWallsAndBodies.

@@ -125,7 +125,9 @@ size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
   std::vector<Vec3> safe = safe_points(points, positions(), impl_->with_solids(), spacing, material.filter);
   impl_->keep_off_cloth(safe, material.filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
+  const size_t before = ids().size();
   impl_->add(def.fluid, safe, {}, def.velocity, false);
+  if (def.seeding == Seeding::disordered) impl_->relax_from(before);
   return safe.size();
 }
 

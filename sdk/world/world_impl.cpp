@@ -10,6 +10,7 @@
 
 #include "collision/contact/tuning.h"
 #include "sdk/world/check/check.h"
+#include "sdk/world/tuning.h"
 
 namespace meniscus {
 
@@ -121,6 +122,22 @@ void World::Impl::append(const ParticleBatch& batch) {
   engine->append(batch);  // commits
   for (size_t i = 0; i < batch.position.size(); ++i) ids.push_back(next_id++);
   state_changed();
+}
+
+void World::Impl::relax_from(size_t slot) {
+  try {
+    with_all().relax_from(static_cast<uint32_t>(slot), world_tuning::relaxing_step,
+                          world_tuning::seeding_relaxations);
+    state_changed();
+  } catch (...) {
+    std::vector<bool> added(ids.size(), false);
+    std::fill(added.begin() + static_cast<std::ptrdiff_t>(slot), added.end(), true);
+    std::vector<bool> kept = added;
+    kept.flip();
+    engine->keep(kept);
+    remove(added);
+    throw;
+  }
 }
 
 void World::Impl::solids_changed() {
