@@ -86,6 +86,8 @@ class Solver {
   StepResult step(float dt);
   /// Solves for positions and discards the velocities: resolves overlaps.
   void relax(float dt, int times);
+  /// The same for the particles from slot `first` on. All others stay, and all velocities.
+  void relax_from(uint32_t first, float dt, int times);
 
   /// Calls measure(substep, found) with neighbours and contacts of the present positions. The state does not
   /// change.
@@ -107,7 +109,9 @@ class Solver {
   void sort(const solver_kernels::Prediction& prediction);
   void find(Substep<D>& s, bool prepares);
   Substep<D> find_at_rest(float dt);
-  void relax_once(float dt);
+  template <class Finish>
+  void relax_and(float dt, int times, const Finish& finish);
+  Substep<D> relax_once(float dt);
   StepResult run(float dt);
   bool had_room();
   void make_room();

@@ -109,13 +109,32 @@ StepResult Solver<D>::run(float dt) {
 
 template <class D>
 void Solver<D>::relax(float dt, int times) {
+  relax_and(dt, times, [&](const Substep<D>& s) {
+    device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
+  });
+}
+
+template <class D>
+void Solver<D>::relax_from(uint32_t first, float dt, int times) {
+  relax_and(dt, times, [&](const Substep<D>& s) {
+    const ParticleView& p = s.particles;
+    device_.parallel_for("relax/hold", p.owned,
+                         solver_kernels::HoldOthers{p.slot, p.sorted, first, p.previous, p.position});
+  });
+}
+
+/// Calls finish(substep) after each of the solves.
+template <class D>
+template <class Finish>
+void Solver<D>::relax_and(float dt, int times, const Finish& finish) {
   for (int k = 0; k < times;) {
     save_state();
     try {
       const CallMonitor::Cancellable undone_below(device_.monitor());
       device_.monitor().poll("relax", static_cast<double>(k) / times);
       start_sets();
-      relax_once(dt);
+      finish(relax_once(dt));
+      if (ghosts_.any()) ghosts_.wrap(particles_, {}, {});
       device_.wait();  // some sets find only while they work that they lack room
     } catch (...) {
       undo_or_lose([&] { undo_step(); });
@@ -133,7 +152,7 @@ void Solver<D>::relax(float dt, int times) {
 }
 
 template <class D>
-void Solver<D>::relax_once(float dt) {
+Substep<D> Solver<D>::relax_once(float dt) {
   Substep<D> s = find_at_rest(dt);
   for (ConstraintSet<D>* set : sets_) set->begin(s);
   for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
@@ -141,8 +160,7 @@ void Solver<D>::relax_once(float dt) {
   }
   contacts_.limit_motion(motion_of(s), true);
   for (ConstraintSet<D>* set : sets_) set->settle(s);
-  device_.parallel_for("relax/stop", s.particles.owned, solver_kernels::StopMotion{s.particles.velocity});
-  if (ghosts_.any()) ghosts_.wrap(particles_, {}, {});
+  return s;
 }
 
 template <class D>

@@ -102,6 +102,20 @@ struct StopMotion {
   MENISCUS_HD void operator()(uint32_t i) const { velocity[i] = {0, 0, 0, 0}; }
 };
 
+/// Puts back what a relaxation of new particles alone has moved besides them.
+struct HoldOthers {
+  View<const uint32_t> slot;
+  uint32_t sorted;
+  uint32_t first;  ///< slot of the new particles
+  View<const Vec4> previous;
+  View<Vec4> position;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    if (i < sorted && slot[i] >= first) return;
+    position[i] = with_w(previous[i].xyz(), position[i].w);
+  }
+};
+
 MENISCUS_HD inline ParticleSummary empty_summary() {
   constexpr Vec3 corner{most_finite, most_finite, most_finite};
   return {corner, -corner, 0, 0, no_index};

@@ -11,7 +11,7 @@ namespace meniscus::fluid::baseline_kernels {
 
 /// h_t dC/dt = −h_t Σ e_ij · (v_i − v_j); 0 for a particle with few neighbours.
 struct Divergence {
-  Kernel kernel;
+  BaselineKernel kernel;
   View<const Vec4> position, velocity;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
@@ -27,7 +27,7 @@ struct Divergence {
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const Vec3Of<Real> d = x - gather(position, j).xyz(), relative = v - gather(velocity, j).xyz();
       const Real t = kernel.distance_ratio2(d), inverse_root = inverse_sqrt(t);
-      rate += Kernel::slope_shape(t, inverse_root) * inverse_root * dot(d, relative);
+      rate += BaselineKernel::slope_shape(t, inverse_root) * inverse_root * dot(d, relative);
       count += select_less(t, Real(1.0f), Real(1.0f), Real(0.0f));
     });
     write<D>(i, sum(rate), sum(count));
@@ -71,7 +71,7 @@ struct DivergenceAtWalls {
     Real rate(0.0f), count(0.0f);
     const auto add = [&](const Real& fraction, const Real& r2, const Real& product) {
       const Real t = Real(open.kernel.inverse_h2) * r2, inverse_root = inverse_sqrt(t);
-      rate += fraction * Kernel::slope_shape(t, inverse_root) * inverse_root * product;
+      rate += fraction * BaselineKernel::slope_shape(t, inverse_root) * inverse_root * product;
       count += fraction * select_less(t, Real(1.0f), Real(1.0f), Real(0.0f));
     };
     pbd::for_each_neighbour<D>(open.neighbours, i, [&](auto j) {
@@ -86,7 +86,7 @@ struct DivergenceAtWalls {
     float self_rate = 0, self_count = 0;
     const auto add_self = [&](float fraction, float r2, float product) {
       const float t = open.kernel.inverse_h2 * r2, inverse_root = inverse_sqrt(t);
-      self_rate += fraction * Kernel::slope_shape(t, inverse_root) * inverse_root * product;
+      self_rate += fraction * BaselineKernel::slope_shape(t, inverse_root) * inverse_root * product;
       self_count += fraction * select_less(t, 1.0f, 1.0f, 0.0f);
     };
     MirrorDistances<float, n> self;

@@ -21,9 +21,12 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
+/// The baselines have this pair of kernels alone.
+using BaselineKernel = ShapedKernel<SmoothingKernel::poly6_spiky>;
+
 /// C = Σ V W − 1.
 struct Compress {
-  Kernel kernel;
+  BaselineKernel kernel;
   View<const Vec4> position;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
@@ -37,7 +40,7 @@ struct Compress {
     Real weight(0.0f);
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const Vec3Of<Real> d = x - gather(position, j).xyz();
-      weight += Kernel::weight_shape(kernel.distance_ratio2(d));
+      weight += BaselineKernel::weight_shape(kernel.distance_ratio2(d));
     });
     const float c = kernel.peak_weight * (sum(weight) + 1) - 1;
     if (D::leads()) compression[i] = c;
@@ -45,7 +48,7 @@ struct Compress {
 };
 
 struct CompressAtWalls {
-  Kernel kernel;
+  BaselineKernel kernel;
   View<const Vec4> position;
   NeighbourView neighbours;
   ContactView contacts;
@@ -67,7 +70,7 @@ struct CompressAtWalls {
     using Real = typename D::Real;
     Real weight(0.0f);
     const auto add = [&](const Real& fraction, const Real& r2) {
-      weight += fraction * Kernel::weight_shape(Real(kernel.inverse_h2) * r2);
+      weight += fraction * BaselineKernel::weight_shape(Real(kernel.inverse_h2) * r2);
       return Real(0.0f);
     };
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
@@ -79,7 +82,7 @@ struct CompressAtWalls {
     });
     float own = 1;
     self_ghosts<n, false>(mirrors, [&](float fraction, float r2) {
-      own += fraction * Kernel::weight_shape(kernel.inverse_h2 * r2);
+      own += fraction * BaselineKernel::weight_shape(kernel.inverse_h2 * r2);
       return 0.0f;
     });
     return sum(weight) + own;
@@ -88,7 +91,7 @@ struct CompressAtWalls {
 
 /// ω/D, the change of Λ for one of C; D is that of the density constraint. 0 for a particle alone.
 struct FindSteps {
-  Kernel kernel;
+  BaselineKernel kernel;
   View<const Vec4> position;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
@@ -105,7 +108,7 @@ struct FindSteps {
 
 template <WallMotion motion>
 struct FindStepsAtWalls {
-  Kernel kernel;
+  BaselineKernel kernel;
   View<const Vec4> position;
   NeighbourView neighbours;
   ContactView contacts;
@@ -176,7 +179,7 @@ struct ToVelocities {
 /// Pushes each particle by the staged multipliers of itself and its neighbours: Σ (Λ_i + Λ_j) e_ij.
 template <class Target>
 struct Push {
-  Kernel kernel;
+  BaselineKernel kernel;
   View<const Vec4> staged;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
@@ -191,7 +194,7 @@ struct Push {
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
       const Vec3Of<Real> d = self.xyz() - other.xyz();
-      push += density_kernels::push_shape<Repulsion::off, Real>({}, kernel.distance_ratio2(d),
+      push += density_kernels::push_shape<BaselineKernel, Repulsion::off, Real>({}, kernel.distance_ratio2(d),
                                                                 Real(self.w) + other.w) *
               d;
     });
@@ -202,7 +205,7 @@ struct Push {
 
 template <WallMotion motion, class Target>
 struct PushAtWalls {
-  CorrectAtWalls<Repulsion::off, motion> correct;
+  CorrectAtWalls<BaselineKernel, Repulsion::off, motion> correct;
   Target target;
 
   template <class D>

@@ -14,7 +14,7 @@ class PressureStage {
   using WallMotion = density_kernels::WallMotion;
 
  public:
-  PressureStage(D& device, const Kernel& kernel) : device_(device), kernel_(kernel) {}
+  PressureStage(D& device, const Kernel& kernel) : device_(device), kernel_(shaped<SmoothingKernel::poly6_spiky>(kernel)) {}
 
   void reserve(uint32_t size, uint32_t sentinel) {
     compression_.resize_discard(size);
@@ -25,7 +25,7 @@ class PressureStage {
     staged_.write(far, sentinel);
   }
 
-  const Kernel& kernel() const { return kernel_; }
+  const baseline_kernels::BaselineKernel& kernel() const { return kernel_; }
   pbd::View<float> compression() { return compression_.view(); }
   pbd::View<float> step() { return step_.view(); }
   pbd::View<pbd::Vec4> staged() { return staged_.view(); }
@@ -91,7 +91,7 @@ class PressureStage {
   }
 
   D& device_;
-  Kernel kernel_;
+  baseline_kernels::BaselineKernel kernel_;
   pbd::Buffer<float> compression_{device_, "compressions"};
   pbd::Buffer<float> step_{device_, "pressure steps"};
   pbd::Buffer<pbd::Vec4> staged_{device_, "staged pressures"};

@@ -43,7 +43,7 @@ class Wcsph final : public Baseline<D> {
  private:
   /// N·m: V times the bulk modulus that is given, or 0.
   float modulus() const {
-    return parameters_.compressibility > 0 ? stage_.kernel().volume / parameters_.compressibility : 0.0f;
+    return parameters_.compressibility > 0 ? stage_.kernel().particle_volume / parameters_.compressibility : 0.0f;
   }
 
   D& device_;
@@ -69,7 +69,7 @@ template <class D>
 void Wcsph<D>::begin(pbd::Substep<D>& s, Multipliers multiplier, float) {
   using namespace baseline_kernels;
   const pbd::ParticleView& p = s.particles;
-  const Kernel& kernel = stage_.kernel();
+  const BaselineKernel& kernel = stage_.kernel();
   const pbd::ContactView contacts = s.contacts.of_first(p.sorted);
   const float smoothing = 0.5f * kernel.h;  // the smoothing length of a kernel with support h
   const ArtificialViscosity viscosity{

@@ -11,7 +11,7 @@ namespace meniscus::fluid::baseline_kernels {
 
 /// The change of a particle's velocity by artificial viscosity.
 struct ArtificialViscosity {
-  Kernel kernel;
+  BaselineKernel kernel;
   View<const Vec4> position;  ///< w: inverse mass
   View<const Vec4> velocity;
   float scale;   ///< m³: 2 α (h/2) c_s h_t times the kernel's slope
@@ -23,7 +23,7 @@ struct ArtificialViscosity {
                              const R& other_inverse_mass) const {
     const R inverse_root = inverse_sqrt(t);
     const R approach = max(R(0.0f) - dot(v, d), R(0.0f));
-    const R shape = Kernel::slope_shape(t, inverse_root) * inverse_root;
+    const R shape = BaselineKernel::slope_shape(t, inverse_root) * inverse_root;
     return (R(inverse_mass) * shape * approach /
             ((dot(d, d) + R(offset)) * (R(inverse_mass) + other_inverse_mass + R(tiny)))) *
            d;
@@ -62,7 +62,7 @@ struct WcsphSums {
     using Real = typename D::Real;
     Real weight(0.0f);
     const Vec3 v =
-        viscosity.sum_over<D>(neighbours, i, [&](const Real& t) { weight += Kernel::weight_shape(t); });
+        viscosity.sum_over<D>(neighbours, i, [&](const Real& t) { weight += BaselineKernel::weight_shape(t); });
     const float c = viscosity.kernel.peak_weight * (sum(weight) + 1) - 1;
     if (!D::leads()) return;
     compression[i] = c;

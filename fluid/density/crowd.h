@@ -72,7 +72,8 @@ class Crowd {
 
   /// Parts the crowd by at most `limit` (m) in all rounds together. Returns the compression that each
   /// particle may keep in this substep, or nothing where there is no crowd.
-  pbd::View<const float> part(pbd::Substep<D>& substep, const Kernel& kernel, float spacing, float limit) {
+  template <class K>
+  pbd::View<const float> part(pbd::Substep<D>& substep, const K& kernel, float spacing, float limit) {
     using namespace crowd_kernels;
     if (!watching_) return {};
     const pbd::ParticleView& p = substep.particles;
@@ -86,11 +87,11 @@ class Crowd {
     refresh_ghosts(device_, substep.ghosts, in_crowd_.view());
     const int rounds = substep.iterations;
     for (int round = 0; round < rounds; ++round) {
-      device_.parallel_for_long(
-          "crowd/survey", fluid,
-          Survey{kernel, near, crowd_tuning::momentum, crowd_tuning::relaxation,
-                 limit / static_cast<float>(rounds), position_.view(), p.phase, substep.neighbours, contacts,
-                 in_crowd_.view(), next_in_crowd_.view(), member_.current.view(), parting_.view()});
+      device_.parallel_for_long("crowd/survey", fluid,
+                                Survey<K>{kernel, near, crowd_tuning::momentum, crowd_tuning::relaxation,
+                                          limit / static_cast<float>(rounds), position_.view(), p.phase,
+                                          substep.neighbours, contacts, in_crowd_.view(),
+                                          next_in_crowd_.view(), member_.current.view(), parting_.view()});
       in_crowd_.swap(next_in_crowd_);
       refresh_ghosts(device_, substep.ghosts, in_crowd_.view());
       refresh_ghosts(device_, substep.ghosts, parting_.view());
@@ -101,9 +102,9 @@ class Crowd {
       refresh_ghost_positions(device_, substep.ghosts, position_.view());
     }
     device_.parallel_for_long("crowd/finish", fluid,
-                              Finish{kernel, near, crowd_tuning::recovery * substep.dt, p.previous,
-                                     position_.view(), substep.neighbours, contacts, in_crowd_.view(),
-                                     p.position, member_.current.view(), allowed_.view(), left_.view()});
+                              Finish<K>{kernel, near, crowd_tuning::recovery * substep.dt, p.previous,
+                                        position_.view(), substep.neighbours, contacts, in_crowd_.view(),
+                                        p.position, member_.current.view(), allowed_.view(), left_.view()});
     placed_ = false;
     return allowed_.view();
   }

@@ -17,6 +17,13 @@ using pbd::Vec3Of;
 using pbd::Vec4;
 using pbd::View;
 
+/// |e| over the kernel's greatest, as crowds use it: that of spiky, whatever the kernel. The slopes of the
+/// others vanish at r = 0, where a crowd must part.
+template <class R>
+MENISCUS_HD R parting_shape(const R& t, const R& inverse_root) {
+  return ShapedKernel<SmoothingKernel::poly6_spiky>::slope_shape(t, inverse_root);
+}
+
 /// What a particle brings to its pairs. Every particle has a bound.
 struct Parting {
   float multiplier;  ///< kg·m², 0 outside of the crowd
@@ -76,10 +83,9 @@ struct Error {
   }
 };
 
-template <class D>
-MENISCUS_HD Error error_at(const Kernel& kernel, float near, View<const Vec4> position,
-                           View<const float> in_crowd, const NeighbourView& neighbours,
-                           const ContactView& contacts, uint32_t i) {
+template <class D, class K>
+MENISCUS_HD Error error_at(const K& kernel, float near, View<const Vec4> position, View<const float> in_crowd,
+                           const NeighbourView& neighbours, const ContactView& contacts, uint32_t i) {
   using Real = typename D::Real;
   const Vec3 x = position[i].xyz();
   Real nearness(0.0f), slope(0.0f), beside(0.0f);
@@ -87,7 +93,7 @@ MENISCUS_HD Error error_at(const Kernel& kernel, float near, View<const Vec4> po
     const Real t = kernel.distance_ratio2(x - gather(position, j).xyz());
     const Real inverse_root = inverse_sqrt(t);
     nearness += unit_part(Real(1.0f) - Real(kernel.h / near) * (t * inverse_root));
-    slope += Kernel::slope_shape(t, inverse_root);
+    slope += parting_shape(t, inverse_root);
     beside += gather(in_crowd, j);
   });
   const Constraint c = density_kernels::density_constraint_at_walls<D, density_kernels::WallMotion::none>(
@@ -96,8 +102,9 @@ MENISCUS_HD Error error_at(const Kernel& kernel, float near, View<const Vec4> po
 }
 
 /// Decides who belongs to the crowd, and by what multiplier it parts.
+template <class K>
 struct Survey {
-  Kernel kernel;
+  K kernel;
   float near;  ///< m
   float momentum, step;
   float limit;  ///< m
@@ -117,7 +124,7 @@ struct Survey {
     const bool is_in =
         !pbd::is_grain(phase[i]) && (in_crowd[i] > 0 || error.joins(member[i].is_just_placed()));
     const float denominator = pbd::max(error.constraint.denominator, 1e-30f);
-    const float bound = limit / pbd::max(position[i].w * kernel.peak_slope * error.slope, 1e-30f);
+    const float bound = limit / pbd::max(position[i].w * kernel.greatest_slope * error.slope, 1e-30f);
     const float multiplier = is_in && error.value() > 0
                                  ? momentum * member[i].multiplier + step * error.value() / denominator
                                  : 0.0f;
@@ -162,7 +169,7 @@ struct Part {
       const Real wanted = Real(own.multiplier) + other.x;
       const Real bound = select_less(other.y, Real(own.bound), other.y, Real(own.bound));
       const Real multiplier = select_less(wanted, bound, wanted, bound);
-      const Real shape = Kernel::slope_shape(t, inverse_sqrt(t));
+      const Real shape = parting_shape(t, inverse_sqrt(t));
       // By the true distance: the kernel's offset would leave a pair that is almost at one point together.
       const Real over = select_less(r2, Real(least_r2()), Real(0.0f), inverse_sqrt(r2 + Real(1e-36f)));
       coincident += select_less(r2, Real(least_r2()), Real(1.0f), Real(0.0f));
@@ -174,7 +181,7 @@ struct Part {
     if (any_coincident) total += push_of_coincident(i, self, own);
     // What is not pushed keeps its bits, whichever way a device rounds in `outside`.
     const bool is_pushed = dot(total, total) > 0;
-    const Vec3 x = self.xyz() + (self.w * kernel.peak_slope) * total;
+    const Vec3 x = self.xyz() + (self.w * kernel.greatest_slope) * total;
     next_position[i] = is_pushed ? pbd::with_w(outside(i, x), self.w) : self;
   }
 
@@ -205,8 +212,9 @@ struct Part {
 };
 
 /// Moves the particles, and records the compression that the crowd still has.
+template <class K>
 struct Finish {
-  Kernel kernel;
+  K kernel;
   float near;       ///< m
   float recovered;  ///< the part of a small compression that is no longer kept
   View<const Vec4> previous, parted;

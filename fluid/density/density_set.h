@@ -99,7 +99,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& substep, int iteration) override;
   void end(pbd::Substep<D>& substep) override;
 
-  /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²).
+  /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²), with V = Kernel::particle_volume.
   pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
   /// The compression that particles of a crowd may keep in this substep; empty without a crowd.
   pbd::View<const float> allowed() const { return allowed_; }
@@ -115,12 +115,15 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   template <density_kernels::WallMotion motion, density_kernels::Grains grains>
   void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                const density_kernels::PairPressure& pair);
-  template <density_kernels::Repulsion repulsion, density_kernels::WallMotion motion>
-  void correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
+  template <density_kernels::WallMotion motion, density_kernels::Grains grains, class K>
+  void iterate(const K& kernel, pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
+               const density_kernels::PairPressure& pair);
+  template <density_kernels::Repulsion repulsion, density_kernels::WallMotion motion, class K>
+  void correct(const K& kernel, pbd::Substep<D>& substep, const density_kernels::PairPressure& pair);
 
-  template <class Kernel, class LongKernel>
-  void launch_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
-                   const LongKernel& long_kernel);
+  template <class Run, class LongRun>
+  void launch_both(const char* name, uint32_t count, const Run& kernel, uint32_t long_count,
+                   const LongRun& long_kernel);
 
   D& device_;
   Kernel kernel_;
@@ -130,7 +133,8 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   float warm_start_fraction_ = 0;  // the fraction of the last substep's multipliers
   bool any_fluid_ = true, any_grains_ = false;
   pbd::Chebyshev chebyshev_;
-  bool relaxes_ = true;  // overlaps are relaxed: no time passes
+  float relaxation_ = 0;  // ω, for the kernel's spectrum
+  bool relaxes_ = true;   // overlaps are relaxed: no time passes
   pbd::View<const float> allowed_{};
   std::unique_ptr<Crowd<D>> crowd_;
   std::unique_ptr<PressureGrid<D>> pressure_grid_;  // exists if the parameters ask for it

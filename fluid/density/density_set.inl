@@ -44,7 +44,9 @@ void DensitySet<D>::set_parameters(const DensityParameters& parameters) {
   }
   set_baseline(parameters);
   parameters_ = parameters;
-  chebyshev_ = pbd::Chebyshev(parameters.spectral_bound);
+  const float bound = std::fmax(parameters.spectral_bound, kernel_.spectral_bound);
+  chebyshev_ = pbd::Chebyshev(bound);
+  relaxation_ = parameters.relaxation * (parameters.spectral_bound / bound);
 }
 
 /// Another method does not start from the multipliers of this one, as they mean something else.
@@ -105,8 +107,9 @@ void DensitySet<D>::begin(pbd::Substep<D>& substep) {
   warm_start_fraction_ = pressure_grid_ ? 0 : parameters_.warm_start * std::fmin(1.0f, ratio * ratio);
   const float limit = relaxes ? parameters_.correction_limit * static_cast<float>(substep.iterations)
                               : parameters_.parting_speed * substep.dt;
-  allowed_ =
-      any_fluid_ ? crowd_->part(substep, kernel_, parameters_.spacing, limit) : pbd::View<const float>{};
+  allowed_ = !any_fluid_ ? pbd::View<const float>{} : with_shape(kernel_, [&](const auto& kernel) {
+    return crowd_->part(substep, kernel, parameters_.spacing, limit);
+  });
 }
 
 template <class D>
@@ -117,9 +120,8 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (pressure_grid_ && iteration == 0) {
     pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view(), allowed_);
   }
-  const pbd::IterationWeights weights = parameters_.chebyshev
-                                            ? chebyshev_.next(iteration, substep.iterations)
-                                            : pbd::IterationWeights{0, parameters_.relaxation};
+  const pbd::IterationWeights weights = parameters_.chebyshev ? chebyshev_.next(iteration, substep.iterations)
+                                                              : pbd::IterationWeights{0, relaxation_};
   const bool last = iteration + 1 == substep.iterations;
   // With a stop, any iteration may turn out to be the last.
   const Recorded recorded = stop_ || (pressure_grid_ && last) ? Recorded::last_error
@@ -132,7 +134,7 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
       .staged = staged_.view(),
       .momentum = weights.momentum,
       .step = weights.step,
-      .compliance = parameters_.compressibility / (kernel_.volume * substep.dt * substep.dt),
+      .compliance = parameters_.compressibility / (kernel_.particle_volume * substep.dt * substep.dt),
       .limit = parameters_.correction_limit,
       .first = iteration == 0,
       .fraction = warm_start_fraction_,
@@ -142,8 +144,12 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
-    pair = {artificial.pressure * kernel_.volume * substep.dt * substep.dt,
-            1 / Kernel::weight_shape(artificial.distance * artificial.distance), artificial.exponent};
+    pair = {artificial.pressure * kernel_.particle_volume * substep.dt * substep.dt,
+            1 / with_shape(kernel_,
+                           [&](const auto& kernel) {
+                             return kernel.weight_shape(artificial.distance * artificial.distance);
+                           }),
+            artificial.exponent};
   }
   refresh_ghost_positions(device_, substep.ghosts, substep.particles.position);
   const bool is_over = stop_ && stop_->is_over();
@@ -171,13 +177,21 @@ template <class D>
 template <density_kernels::WallMotion motion, density_kernels::Grains grains>
 void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                             const density_kernels::PairPressure& pair) {
+  with_shape(kernel_, [&](const auto& kernel) { iterate<motion, grains>(kernel, substep, advancing, pair); });
+}
+
+template <class D>
+template <density_kernels::WallMotion motion, density_kernels::Grains grains, class K>
+void DensitySet<D>::iterate(const K& kernel, pbd::Substep<D>& substep,
+                            const density_kernels::Advancing& advancing,
+                            const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
   const uint32_t fluid = substep.particles.sorted;
   const pbd::ContactView contacts = substep.contacts.of_first(fluid);
   launch_both("density/multipliers", fluid,
-              Advance<grains>{kernel_, substep.neighbours, contacts.start, advancing},
+              Advance<K, grains>{kernel, substep.neighbours, contacts.start, advancing},
               contacts.contacts.count,
-              AdvanceAtWalls<motion, grains>{kernel_, substep.neighbours, contacts, advancing});
+              AdvanceAtWalls<K, motion, grains>{kernel, substep.neighbours, contacts, advancing});
   refresh_ghost_positions(device_, substep.ghosts, staged_.view());
   // The first iteration applies the initial multipliers, so it always runs.
   if (stop_) {
@@ -185,13 +199,14 @@ void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Adv
     stop_->test_convergence(substep, multiplier_.current.view(), parameters_.tolerance,
                             pressure_grid_ || !advancing.first);
   }
-  pair.multiplier > 0 ? correct<Repulsion::on, motion>(substep, pair)
-                      : correct<Repulsion::off, motion>(substep, pair);
+  pair.multiplier > 0 ? correct<Repulsion::on, motion>(kernel, substep, pair)
+                      : correct<Repulsion::off, motion>(kernel, substep, pair);
 }
 
 template <class D>
-template <density_kernels::Repulsion repulsion, density_kernels::WallMotion motion>
-void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::PairPressure& pair) {
+template <density_kernels::Repulsion repulsion, density_kernels::WallMotion motion, class K>
+void DensitySet<D>::correct(const K& kernel, pbd::Substep<D>& substep,
+                            const density_kernels::PairPressure& pair) {
   using namespace density_kernels;
   const pbd::ParticleView& p = substep.particles;
   const pbd::ContactView contacts = substep.contacts.of_first(p.sorted);
@@ -199,19 +214,19 @@ void DensitySet<D>::correct(pbd::Substep<D>& substep, const density_kernels::Pai
   walls.contacts = contacts;
   // True if nothing else moves fluid within an iteration, and every iteration applies all corrections.
   const bool projects = p.owned == p.sorted && !any_grains_ && !stop_;
-  launch_both(
-      "density/correct", p.sorted,
-      Correct<repulsion>{kernel_, pair, staged_.view(), substep.neighbours, contacts.start, p.position,
-                         p.accumulated_delta},
-      contacts.contacts.count,
-      CorrectAtWalls<repulsion, motion>{kernel_, pair, staged_.view(), substep.neighbours, walls, projects});
+  launch_both("density/correct", p.sorted,
+              Correct<K, repulsion>{kernel, pair, staged_.view(), substep.neighbours, contacts.start,
+                                    p.position, p.accumulated_delta},
+              contacts.contacts.count,
+              CorrectAtWalls<K, repulsion, motion>{kernel, pair, staged_.view(), substep.neighbours, walls,
+                                                   projects});
   substep.are_contacts_projected = projects;
 }
 
 template <class D>
-template <class Kernel, class LongKernel>
-void DensitySet<D>::launch_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
-                                const LongKernel& long_kernel) {
+template <class Run, class LongRun>
+void DensitySet<D>::launch_both(const char* name, uint32_t count, const Run& kernel, uint32_t long_count,
+                                const LongRun& long_kernel) {
   if (stop_) {
     device_.parallel_for_both(name, count, stop_->unless_ended(kernel), long_count,
                               stop_->unless_ended(long_kernel));
@@ -223,10 +238,12 @@ void DensitySet<D>::launch_both(const char* name, uint32_t count, const Kernel& 
 template <class D>
 void DensitySet<D>::measure(const pbd::Substep<D>& substep, pbd::View<float> error,
                             pbd::View<float> full) const {
-  device_.parallel_for_long(
-      "density/measure", substep.particles.sorted,
-      density_kernels::Measure{kernel_, substep.particles.position, substep.neighbours, substep.contacts,
-                               substep.particles.slot, substep.particles.phase, error, full});
+  with_shape(kernel_, [&]<class K>(const K& kernel) {
+    device_.parallel_for_long(
+        "density/measure", substep.particles.sorted,
+        density_kernels::Measure<K>{kernel, substep.particles.position, substep.neighbours, substep.contacts,
+                                    substep.particles.slot, substep.particles.phase, error, full});
+  });
 }
 
 // ---- arrays that follow the particles ----

@@ -17,8 +17,9 @@ namespace probe_kernels {
 inline constexpr uint32_t most_layers = 4096;
 
 /// The kernel-weighted mean of the particles' pressures Λ / (V h_t²) around a point.
+template <class K>
 struct PointPressure {
-  Kernel kernel;
+  K kernel;
   pbd::View<const pbd::Vec4> position;
   pbd::View<const density_kernels::Multiplier> multiplier;
   pbd::View<const pbd::Phase> phase;
@@ -39,8 +40,9 @@ MENISCUS_HD inline ProbeSum vector_sum(Vec3 v, double weight) {
 }
 
 /// The same of their velocities.
+template <class K>
 struct PointVelocity {
-  Kernel kernel;
+  K kernel;
   pbd::View<const pbd::Vec4> position, velocity;
   pbd::PeriodicAxes axes;
   Vec3 point;
@@ -53,8 +55,9 @@ struct PointVelocity {
 };
 
 /// The density around a point: Σ m/s³ V W. The kernel's volume V makes it the rest density on the lattice.
+template <class K>
 struct PointDensity {
-  Kernel kernel;
+  K kernel;
   pbd::View<const pbd::Vec4> position;
   pbd::PeriodicAxes axes;
   Vec3 point;
@@ -221,22 +224,27 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
   using namespace probe_kernels;
   using enum ProbeMeasure;
   const float inverse_dt2 = 1 / (substep.dt * substep.dt);
-  const Kernel& kernel = density_.kernel();
   const pbd::ParticleView& p = substep.particles;
   for (uint32_t k = 0; k < probes_.size(); ++k) {
     const Probe& probe = probes_[k];
     switch (probe.measure) {
       case pressure:
-        sum("probes/point", substep,
-            PointPressure{kernel, p.position, density_.multipliers(), p.phase, axes_, probe.point,
-                          inverse_dt2 / kernel.volume});
+        with_shape(density_.kernel(), [&]<class K>(const K& kernel) {
+          sum("probes/point", substep,
+              PointPressure<K>{kernel, p.position, density_.multipliers(), p.phase, axes_, probe.point,
+                               inverse_dt2 / kernel.particle_volume});
+        });
         break;
       case velocity:
-        sum("probes/velocity", substep, PointVelocity{kernel, p.position, p.velocity, axes_, probe.point});
+        with_shape(density_.kernel(), [&]<class K>(const K& kernel) {
+          sum("probes/velocity", substep, PointVelocity<K>{kernel, p.position, p.velocity, axes_, probe.point});
+        });
         break;
       case density:
-        sum("probes/density", substep,
-            PointDensity{kernel, p.position, axes_, probe.point, spacing_ * spacing_ * spacing_});
+        with_shape(density_.kernel(), [&]<class K>(const K& kernel) {
+          sum("probes/density", substep,
+              PointDensity<K>{kernel, p.position, axes_, probe.point, spacing_ * spacing_ * spacing_});
+        });
         break;
       case force:
       case torque:

@@ -40,11 +40,11 @@ struct SpreadSmoothing {
   }
 };
 
-template <Coefficients from, bool confines>
+template <class K, Coefficients from, bool confines>
 struct Smooth {
   static constexpr uint32_t resident_blocks = 8;  // see CudaDevice
 
-  Kernel kernel;
+  K kernel;
   View<const Vec4> position;
   View<const Vec4> velocity;  ///< w: |ω| of the last substep
   NeighbourView neighbours;
@@ -66,7 +66,7 @@ struct Smooth {
       const Real t = kernel.distance_ratio2(d);
       const auto its = gather(velocity, j);
       const Vec3Of<Real> relative = its.xyz() - v.xyz();
-      Real factor = Kernel::weight_shape(t);
+      Real factor = K::weight_shape(t);
       if constexpr (from == Coefficients::thinned) {
         factor = factor * (Real(0.5f) * (Real(self) + gather(smoothing, j)));
       } else if constexpr (from == Coefficients::own) {
@@ -75,7 +75,7 @@ struct Smooth {
       change += factor * relative;
       if constexpr (confines) {
         const Real inverse_root = inverse_sqrt(t);
-        const Vec3Of<Real> slope = (Kernel::slope_shape(t, inverse_root) * inverse_root) * d;
+        const Vec3Of<Real> slope = (K::slope_shape(t, inverse_root) * inverse_root) * d;
         curl += cross(relative, slope);
         rise += (Real(v.w) - its.w) * slope;
       }
@@ -145,11 +145,13 @@ void SmoothingPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
     refresh_ghosts(device_, substep.ghosts, smoothing_.view());
   }
   refresh_ghosts(device_, substep.ghosts, p.velocity);
-  device_.parallel_for_neighbours(
-      "velocity/smooth", p.sorted,
-      Smooth<from, confines>{kernel_, p.position, p.velocity, substep.neighbours, p.phase, table_.view(),
-                             smoothing_.view(), host_table_.front().smoothing, substep.dt,
-                             particles.velocity.next.view()});
+  with_shape(kernel_, [&]<class K>(const K& kernel) {
+    device_.parallel_for_neighbours(
+        "velocity/smooth", p.sorted,
+        Smooth<K, from, confines>{kernel, p.position, p.velocity, substep.neighbours, p.phase, table_.view(),
+                                  smoothing_.view(), host_table_.front().smoothing, substep.dt,
+                                  particles.velocity.next.view()});
+  });
   particles.keep_vertex_velocities();
   particles.velocity.flip();
   substep.particles = particles.view();

@@ -33,17 +33,22 @@ double flat_tension(double spacing, int reach, F force) {
 
 }  // namespace
 
-// The curvature term in the continuum: Σ V W (n_j − n_i) is (h²/22) ∇²n, with poly6's second moment. So the
-// force is that of Korteweg's stress, (B h³/22V) ∇∇²φ. Integrated into a ball it gives 2σ/R with σ = (B
-// h³/44V) |φ'|, where φ' = −315/ (256 h) is the slope of the smoothed edge. The measured period of a drop
-// shows a tension that is a sixth too high, for both terms together. Both are divided by that.
+// The curvature term in the continuum: Σ V W (n_j − n_i) is (m h²/6) ∇²n, where m h² is W's second moment. So
+// the force is that of Korteweg's stress, (B m h³/6V) ∇∇²φ. Integrated into a ball it gives 2σ/R with σ = (B
+// m h³/12V) |φ'|, where φ' = −edge/h is the slope of the smoothed edge. V is a particle's volume. Sums with
+// another volume exceed the integrals by `fill` and `slope_fill`. The measured period of a drop shows a
+// tension that differs from the one asked for, by the same factor for both terms. Both are divided by that.
 TensionKernel calibrate_tension(const Kernel& kernel, double spacing) {
-  using forces_tuning::measured_over_asked;
+  const double measured_over_asked = forces_tuning::measured_over_asked(kernel.shape);
+  const KernelMoments moments = moments_of(kernel.shape);
   const double h = kernel.h;
   TensionKernel t{kernel.h, static_cast<float>(4 / (h * h)), 1, 1};
   const double cohesion = flat_tension(spacing, static_cast<int>(std::ceil(h / spacing)),
                                        [&](double r) { return t.attraction(static_cast<float>(r)); });
-  const double curvature = h * h / (44 * kernel.volume) * 315 / 256;
+  const double fill = kernel.volume / kernel.particle_volume;
+  const double slope_fill = kernel.slope_volume / kernel.particle_volume;
+  const double curvature =
+      h * h / (12 / moments.second * kernel.particle_volume) * moments.edge * fill * slope_fill;
   t.cohesion_scale = static_cast<float>(1 / (measured_over_asked * cohesion));
   t.curvature_scale = static_cast<float>(1 / (measured_over_asked * curvature));
   return t;

@@ -48,8 +48,9 @@ struct Spread {
 };
 
 /// The normal n, which points into the fluid, and b beside it.
+template <class K>
 struct SurfaceNormal {
-  Kernel kernel;
+  K kernel;
   View<const Vec4> position;
   View<const float> curvature;
   NeighbourView neighbours;
@@ -70,8 +71,9 @@ struct SurfaceNormal {
   }
 };
 
+template <class K>
 struct Pull {
-  Kernel kernel;
+  K kernel;
   TensionKernel tension;
   bool bends;
   View<const Vec4> position, normal;
@@ -141,16 +143,17 @@ void SurfaceTensionSet<D>::accelerate(pbd::Substep<D>& substep) {
                        Spread{p.phase, table_.view(), cohesion_.view(), curvature_.view()});
   refresh_ghosts(device_, substep.ghosts, cohesion_.view());
   if (bends_) refresh_ghosts(device_, substep.ghosts, curvature_.view());
-  if (bends_) {
-    device_.parallel_for_neighbours("tension/normals", p.sorted,
-                                    SurfaceNormal{kernel_, p.position, curvature_.view(), substep.neighbours,
-                                                  substep.contacts, normal_.view()});
-    refresh_ghosts(device_, substep.ghosts, normal_.view());
-  }
-  device_.parallel_for_neighbours(
-      "tension/pull", p.sorted,
-      Pull{kernel_, tension_, bends_, p.position, normal_.view(), cohesion_.view(), substep.neighbours,
-           substep.contacts, p.velocity, substep.dt});
+  with_shape(kernel_, [&]<class K>(const K& kernel) {
+    if (bends_) {
+      device_.parallel_for_neighbours("tension/normals", p.sorted,
+                                      SurfaceNormal<K>{kernel, p.position, curvature_.view(),
+                                                       substep.neighbours, substep.contacts, normal_.view()});
+    }
+    device_.parallel_for_neighbours(
+        "tension/pull", p.sorted,
+        Pull<K>{kernel, tension_, bends_, p.position, normal_.view(), cohesion_.view(), substep.neighbours,
+                substep.contacts, p.velocity, substep.dt});
+  });
   device_.parallel_for("tension/predict", p.sorted,
                        PredictAnew{p.previous, p.velocity, p.accumulated_delta, p.position, substep.dt});
 }

@@ -32,11 +32,12 @@ struct DensitySums {
   Vec3Of<R> gradient{R(0.0f), R(0.0f), R(0.0f)};
 
   /// Adds a neighbour at x_i − x_j = d.
-  MENISCUS_HD void add(const Kernel& kernel, const Vec3Of<R>& d, const R& inverse_mass) {
+  template <class K>
+  MENISCUS_HD void add(const K& kernel, const Vec3Of<R>& d, const R& inverse_mass) {
     const R t = kernel.distance_ratio2(d);
     const R inverse_root = inverse_sqrt(t);
-    const R e = Kernel::slope_shape(t, inverse_root);
-    weight += Kernel::weight_shape(t);
+    const R e = K::slope_shape(t, inverse_root);
+    weight += K::weight_shape(t, inverse_root);
     gradient2 += inverse_mass * (e * e);
     gradient += (e * inverse_root) * d;
   }
@@ -48,8 +49,9 @@ struct DensitySums {
   }
 };
 
-template <class D>
-MENISCUS_HD Constraint density_constraint(const Kernel& kernel, View<const Vec4> position,
+/// K is a ShapedKernel, here and below.
+template <class D, class K>
+MENISCUS_HD Constraint density_constraint(const K& kernel, View<const Vec4> position,
                                           const NeighbourView& neighbours, uint32_t i) {
   using Real = typename D::Real;
   const Vec4 self = position[i];
@@ -144,11 +146,11 @@ struct Advancing {
   }
 };
 
-template <Grains grains>
+template <class K, Grains grains>
 struct Advance {
   static constexpr uint32_t resident_blocks = 10;  // see CudaDevice
 
-  Kernel kernel;
+  K kernel;
   NeighbourView neighbours;
   View<const uint32_t> contact_start;
   Advancing advancing;
@@ -179,19 +181,19 @@ struct PairPressure {
 };
 
 /// The push of one pair's multipliers, divided by peak_pull · (x_i − x_j), before the inverse mass.
-template <Repulsion repulsion, class R>
+template <class K, Repulsion repulsion, class R>
 MENISCUS_HD R push_shape(const PairPressure& pair, const R& t, R multiplier) {
   const R inverse_root = inverse_sqrt(t);
-  if constexpr (repulsion == Repulsion::on) multiplier += pair.at(Kernel::weight_shape(t));
-  return multiplier * Kernel::slope_shape(t, inverse_root) * inverse_root;
+  if constexpr (repulsion == Repulsion::on) multiplier += pair.at(K::weight_shape(t, inverse_root));
+  return multiplier * K::slope_shape(t, inverse_root) * inverse_root;
 }
 
 /// Moves each particle by the staged multipliers of itself and its neighbours.
-template <Repulsion repulsion>
+template <class K, Repulsion repulsion>
 struct Correct {
   static constexpr uint32_t resident_blocks = 10;
 
-  Kernel kernel;
+  K kernel;
   PairPressure pair;
   View<const Vec4> staged;
   NeighbourView neighbours;
@@ -207,7 +209,7 @@ struct Correct {
     pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
       const auto other = gather(staged, j);
       const Vec3Of<Real> d = self.xyz() - other.xyz();
-      push += push_shape<repulsion, Real>(pair, kernel.distance_ratio2(d), Real(self.w) + other.w) * d;
+      push += push_shape<K, repulsion, Real>(pair, kernel.distance_ratio2(d), Real(self.w) + other.w) * d;
     });
     const Vec3 total = sum(push);
     if (!D::leads()) return;

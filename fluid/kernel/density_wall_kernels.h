@@ -30,8 +30,8 @@ MENISCUS_HD float give_of_bodies(const ContactView& contacts, const MirrorPlanes
 
 /// D includes the effect of each particle's motion on C through its mirror ghosts: when i approaches the
 /// wall, so does its mirror ghost.
-template <class D, int n, WallMotion motion>
-MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const Vec4> position,
+template <class D, int n, WallMotion motion, class K>
+MENISCUS_HD Constraint constraint_with_mirrors(const K& kernel, View<const Vec4> position,
                                                const NeighbourView& neighbours, const ContactView& contacts,
                                                const MirrorPlanes& mirrors, uint32_t i) {
   using Real = typename D::Real;
@@ -41,8 +41,8 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
   Real weight(0.0f), gradient2(0.0f);
   const auto term = [&](const Real& fraction, const Real& r2) {
     const Real t = Real(kernel.inverse_h2) * r2, inverse_root = inverse_sqrt(t);
-    weight += fraction * Kernel::weight_shape(t);
-    return fraction * Kernel::slope_shape(t, inverse_root) * inverse_root;
+    weight += fraction * K::weight_shape(t, inverse_root);
+    return fraction * K::slope_shape(t, inverse_root) * inverse_root;
   };
   pbd::for_each_neighbour<D>(neighbours, i, [&](auto j) {
     const auto other = gather(position, j);
@@ -59,8 +59,8 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
   float self_weight = 0;
   const auto own = self_ghosts<n, false>(mirrors, [&](float fraction, float r2) {
     const float t = kernel.inverse_h2 * r2, inverse_root = inverse_sqrt(t);
-    self_weight += fraction * Kernel::weight_shape(t);
-    return fraction * Kernel::slope_shape(t, inverse_root) * inverse_root;
+    self_weight += fraction * K::weight_shape(t, inverse_root);
+    return fraction * K::slope_shape(t, inverse_root) * inverse_root;
   });
   const float pull = kernel.peak_pull;  // a common factor of all terms except the weights
   float give = 0;
@@ -75,8 +75,8 @@ MENISCUS_HD Constraint constraint_with_mirrors(const Kernel& kernel, View<const 
           self.w * dot(with_motion, with_motion) + pull * pull * sum(gradient2) + give, gradient};
 }
 
-template <class D, WallMotion motion>
-MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<const Vec4> position,
+template <class D, WallMotion motion, class K>
+MENISCUS_HD Constraint density_constraint_at_walls(const K& kernel, View<const Vec4> position,
                                                    const NeighbourView& neighbours,
                                                    const ContactView& contacts, uint32_t i) {
   const MirrorPlanes mirrors = mirrors_at(contacts, i, position[i].xyz(), kernel.h);
@@ -87,9 +87,9 @@ MENISCUS_HD Constraint density_constraint_at_walls(const Kernel& kernel, View<co
                                                                 mirrors, i);
 }
 
-template <WallMotion motion, Grains grains>
+template <class K, WallMotion motion, Grains grains>
 struct AdvanceAtWalls {
-  Kernel kernel;
+  K kernel;
   NeighbourView neighbours;
   ContactView contacts;
   Advancing advancing;
@@ -107,11 +107,11 @@ struct AdvanceAtWalls {
 
 /// If any wall moves, the contacts record all pushes of the mirror ghosts; else only the components through
 /// the walls. Along a fixed wall the components have no effect, and would take registers.
-template <Repulsion repulsion, WallMotion motion>
+template <class K, Repulsion repulsion, WallMotion motion>
 struct CorrectAtWalls {
   static constexpr bool any_moving = motion == WallMotion::any;
 
-  Kernel kernel;
+  K kernel;
   PairPressure pair;
   View<const Vec4> staged;
   NeighbourView neighbours;
@@ -152,7 +152,8 @@ struct CorrectAtWalls {
       const Vec3Of<Real> d = x - other.xyz();
       const Real r2 = dot(d, d) + Real(tiny_distance2), multiplier = Real(self.w) + other.w;
       const auto term = [&](const Real& fraction, const Real& ghost_r2) {
-        return pull * fraction * push_shape<repulsion>(pair, Real(kernel.inverse_h2) * ghost_r2, multiplier);
+        return pull * fraction *
+               push_shape<K, repulsion>(pair, Real(kernel.inverse_h2) * ghost_r2, multiplier);
       };
       PairTerms<Real, n, any_moving> terms;
       terms.total = term(Real(1.0f), r2);
@@ -160,7 +161,7 @@ struct CorrectAtWalls {
       pushes.add(mirrors, distances, d, terms);
     });
     const auto own = self_ghosts<n, any_moving>(mirrors, [&](float fraction, float r2) {
-      return kernel.peak_pull * fraction * push_shape<repulsion>(pair, kernel.inverse_h2 * r2, 2 * self.w);
+      return kernel.peak_pull * fraction * push_shape<K, repulsion>(pair, kernel.inverse_h2 * r2, 2 * self.w);
     });
     const auto others = pushes.in_one(mirrors);
     if (D::leads()) note_pushes(mirrors, others, own);
@@ -187,8 +188,9 @@ struct CorrectAtWalls {
   }
 };
 
+template <class K>
 struct Measure {
-  Kernel kernel;
+  K kernel;
   View<const Vec4> position;
   NeighbourView neighbours;
   ContactView contacts;
@@ -207,7 +209,8 @@ struct Measure {
       return;
     }
     error[slot[i]] = c.value;
-    const float threshold2 = kernel_tuning::full_gradient2 / cbrtf(kernel.volume * kernel.volume);
+    const float threshold2 =
+        kernel_tuning::full_gradient2 / cbrtf(kernel.particle_volume * kernel.particle_volume);
     full[slot[i]] =
         dot(c.gradient, c.gradient) < threshold2 && c.value > kernel_tuning::full_density ? 1.0f : 0.0f;
   }

@@ -7,6 +7,31 @@
 
 namespace meniscus::fluid::kernel_tuning {
 
+/// Points along an edge of the packing on which kernels are calibrated, where the support radius allows. With
+/// twice as many, V changes by 0.1 %.
+/// Test: KernelTest.TheVolumeIsThatOfALargerPacking.
+inline constexpr int least_packing = 6;
+
+/// Rounds in which the packing relaxes. With twice as many, V changes by less than 0.1 %.
+/// Test: KernelTest.TheVolumeIsThatOfALargerPacking.
+inline constexpr int packing_rounds = 400;
+
+/// Of h²: what a round moves by Σ |∇W| n. From three times as much the packing does not settle.
+/// Test: KernelTest.TheVolumeIsThatOfALargerPacking.
+inline constexpr double packing_step = 0.06;
+
+/// Spacings: the largest motion of a round. Points that start at one place would be thrown far away.
+/// Test: none.
+inline constexpr double packing_limit = 0.2;
+
+/// Rounds of the power iteration for the spectrum's bound.
+/// Test: KernelTest.TheSpectrumIsBounded.
+inline constexpr int spectral_rounds = 60;
+
+/// The bound of the spectrum over that of the packing. Water in motion exceeds what is at rest: the lattice
+/// of poly6_spiky has 2.73, and 4.5 is safe. Test: RestTest.WaterComesToRest.
+inline constexpr double spectral_margin = 1.65;
+
 /// In support radii: a particle up to this deep behind a mirror counts as on it. Contacts let particles dip
 /// in a little, and a dip must not remove a ghost.
 /// Test: none.

@@ -28,8 +28,9 @@ struct ExcessOf {
   }
 };
 
+template <class K>
 struct Excess {
-  Kernel kernel;
+  K kernel;
   Space space;
   pbd::NeighbourView neighbours;
   View<const uint32_t> contact_start;
@@ -48,8 +49,9 @@ struct Excess {
   }
 };
 
+template <class K>
 struct ExcessAtWalls {
-  Kernel kernel;
+  K kernel;
   Space space;
   pbd::NeighbourView neighbours;
   ContactView contacts;

@@ -26,7 +26,8 @@ void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
   fit(substep.grid);
   find_excess(substep, last, allowed);
   gather(substep, compressibility);
-  components_.level(space_.nodes, flags_.view(), multigrid_.finest(), filled_.view(), kernel_.volume);
+  components_.level(space_.nodes, flags_.view(), multigrid_.finest(), filled_.view(),
+                    kernel_.particle_volume);
   multigrid_.solve(grid_tuning::iterations);
   move(substep);
 }
@@ -58,12 +59,14 @@ void PressureGrid<D>::find_excess(pbd::Substep<D>& substep, pbd::View<const dens
   const ExcessOf excess_of{last, std::fmax(0.0f, 1 - grid_tuning::recovery * substep.dt), allowed};
   const pbd::ParticleView& p = substep.particles;
   const ContactView contacts = substep.contacts.of_first(p.sorted);
-  device_.parallel_for_both("grid/excess", p.sorted,
-                            Excess{kernel_, space_, substep.neighbours, contacts.start, p.position, p.phase,
-                                   excess_of, found_.view()},
-                            contacts.contacts.count,
-                            ExcessAtWalls{kernel_, space_, substep.neighbours, contacts, p.position, p.phase,
-                                          excess_of, found_.view()});
+  with_shape(kernel_, [&]<class K>(const K& kernel) {
+    device_.parallel_for_both("grid/excess", p.sorted,
+                              Excess<K>{kernel, space_, substep.neighbours, contacts.start, p.position,
+                                        p.phase, excess_of, found_.view()},
+                              contacts.contacts.count,
+                              ExcessAtWalls<K>{kernel, space_, substep.neighbours, contacts, p.position,
+                                               p.phase, excess_of, found_.view()});
+  });
 }
 
 template <class D>
@@ -74,7 +77,7 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
   const uint32_t nodes = space_.nodes.count();
   const multigrid_kernels::Level finest = multigrid_.finest();
   const auto gather_nodes = [&](auto kernel) { device_.parallel_for("grid/nodes", nodes, kernel); };
-  const NodeSources sources{space_, found_.view(), p.position, contacts, kernel_.volume};
+  const NodeSources sources{space_, found_.view(), p.position, contacts, kernel_.particle_volume};
   contacts.any_moving ? gather_nodes(GatherNodes<true>{sources, flags_.view(), filled_.view()})
                       : gather_nodes(GatherNodes<false>{sources, flags_.view(), filled_.view()});
   device_.parallel_for("grid/inside", nodes, MarkInside{space_.nodes, flags_.view(), inside_.view()});
@@ -82,11 +85,11 @@ void PressureGrid<D>::gather(pbd::Substep<D>& substep, float compressibility) {
       "grid/normalize", p.sorted,
       Normalize{space_, map(), inside_.view(), p.position, substep.neighbours, scale_.view(), found_.view()});
   device_.parallel_for("grid/sums", nodes,
-                       GatherExcess{space_, flags_.view(), found_.view(), kernel_.volume,
+                       GatherExcess{space_, flags_.view(), found_.view(), kernel_.particle_volume,
                                     -grid_tuning::most_lacking * space_.width() * width2(), finest.right});
   device_.parallel_for(
       "grid/faces", 3 * nodes,
-      GatherFaces{space_, map(), found_.view(), scale_.view(), kernel_.volume, faces_.view()});
+      GatherFaces{space_, map(), found_.view(), scale_.view(), kernel_.particle_volume, faces_.view()});
   device_.parallel_for("grid/contacts", nodes,
                        WeighContacts{space_,
                                      {space_.nodes, flags_.view(), faces_.view(), width2()},
@@ -109,7 +112,7 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   const View<const float> pressure = multigrid_.solution();
   const FaceMoves moves{
       space_.nodes, faces_.view(),         pressure,
-      width2(),     grid_tuning::fraction, grid_tuning::farthest * std::cbrt(kernel_.volume)};
+      width2(),     grid_tuning::fraction, grid_tuning::farthest * std::cbrt(kernel_.particle_volume)};
   const PressureOf from_least = components_.pressure(space_.nodes, pressure);
   const uint32_t nodes = space_.nodes.count();
   device_.reduce("grid/lost", nodes, Lost{}, FindLost{moves, flags_.view(), from_least}, AddLost{},
@@ -118,10 +121,11 @@ void PressureGrid<D>::move(pbd::Substep<D>& substep) {
   device_.parallel_for("grid/push solids", contacts.contacts.count,
                        PushSolids{space_, found_.view(), p.position, contacts, load_.view(), from_least,
                                   grid_tuning::fraction});
-  device_.parallel_for("grid/move particles", p.sorted,
-                       MoveParticles{space_, found_.view(), substep.neighbours, scale_.view(), motion_.view(),
-                                     flags_.view(), from_least, grid_tuning::fraction * kernel_.volume,
-                                     p.position, p.accumulated_delta, multiplier_.view()});
+  device_.parallel_for(
+      "grid/move particles", p.sorted,
+      MoveParticles{space_, found_.view(), substep.neighbours, scale_.view(), motion_.view(), flags_.view(),
+                    from_least, grid_tuning::fraction * kernel_.particle_volume, p.position,
+                    p.accumulated_delta, multiplier_.view()});
 }
 
 }  // namespace meniscus::fluid

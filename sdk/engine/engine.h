@@ -210,6 +210,8 @@ class Engine {
   /// If the result's summary counts non-finite particles, the state is that before the call.
   virtual EngineStep step(float dt) = 0;
   virtual void relax(float dt, int iterations) = 0;
+  /// The same for the particles from a slot on alone. All others stay, and all velocities.
+  virtual void relax_from(uint32_t slot, float dt, int iterations) = 0;
 
   /// Applies impulses (N·s) at once, to fluid particles in these slots, which ascend, or to these vertices.
   virtual void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) = 0;

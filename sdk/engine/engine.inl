@@ -78,7 +78,8 @@ class DeviceEngine final : public Engine {
         free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
     films_.set_fluid([this]() -> collision::FluidMultipliers {
       using Multiplier = fluid::density_kernels::Multiplier;
-      return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float), def_.kernel.volume};
+      return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float),
+              def_.kernel.particle_volume};
     });
     assemble();
     if (def.diffuse) add_diffuse(*def.diffuse);
@@ -134,6 +135,10 @@ class DeviceEngine final : public Engine {
     fetch_contacts();
     solver_.relax(dt, iterations);
     if (iterations > 0) rods_.stop();
+  }
+  void relax_from(uint32_t slot, float dt, int iterations) override {
+    fetch_contacts();
+    solver_.relax_from(slot, dt, iterations);
   }
 
   void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) override;

@@ -37,7 +37,7 @@ uint64_t DeviceEngine<D>::hash_particles() {
 
 template <class D>
 void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
-  const float scale = dt > 0 ? 1 / (def_.kernel.volume * dt * dt) : 0;
+  const float scale = dt > 0 ? 1 / (def_.kernel.particle_volume * dt * dt) : 0;
   device_.parallel_for("read-out/pressures", particles_.sorted(),
                        engine_kernels::ReadMultipliers{density_.multipliers(), particles_.slot.current.view(),
                                                        scalar_out_.view(), scale});

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "sdk/fields/names.h"
 #include "sdk/fields/shapes.h"
 #include "sdk/fields/values.h"
 
@@ -68,6 +69,10 @@ void choices(V& v, Region& r) {
   v.choice("mesh", MeshRegion{}, r, "the inside of a closed triangle mesh");
 }
 
+constexpr auto names_of(Seeding) {
+  return std::array{Named{"lattice", Seeding::lattice}, Named{"disordered", Seeding::disordered}};
+}
+
 /// `names` has the name of the fluid, or its id.
 template <class V, class Names>
 void volume_fields(V& v, FluidVolumeDef& d, Names& names) {
@@ -75,6 +80,7 @@ void volume_fields(V& v, FluidVolumeDef& d, Names& names) {
   v("region", d.region, required(any_value), "", "what to fill");
   v("pose", d.pose, any_value, "", "placement of the region");
   v("velocity", d.velocity, any_value, "m/s", "of every particle at the start");
+  v("seeding", d.seeding, any_value, "", "how particles are placed; grains have a disorder of their own");
 }
 
 template <class V>

@@ -21,6 +21,11 @@ constexpr auto names_of(DensitySolver) {
                     Named{"grid", DensitySolver::grid},     Named{"pcisph", DensitySolver::pcisph},
                     Named{"wcsph", DensitySolver::wcsph},   Named{"dfsph", DensitySolver::dfsph}};
 }
+constexpr auto names_of(SmoothingKernel) {
+  return std::array{Named{"poly6_spiky", SmoothingKernel::poly6_spiky},
+                    Named{"wendland_c2", SmoothingKernel::wendland_c2},
+                    Named{"cubic_spline", SmoothingKernel::cubic_spline}};
+}
 
 template <class V>
 void fields(V& v, ArtificialPressureDef& d) {
@@ -129,6 +134,7 @@ void fields(V& v, WorldDef& d) {
   v("gravity", d.gravity, any_value, "m/s²", "acceleration of everything");
   v("particle_spacing", d.particle_spacing, between(1e-4, 1e3), "m", "rest distance between fluid particles");
   v("support_ratio", d.support_ratio, between(1.5, 3), "", "support radius over spacing");
+  v("kernel", d.kernel, any_value, "", "smoothing kernels of density and pressure");
   v("substeps", d.substeps, between(1, 1000), "",
     "substeps of a frame, where cfl_number is 0; more while a fast body is near cloth");
   v("iterations", d.iterations, between(1, 1000), "", "solver iterations of a substep");
@@ -145,6 +151,8 @@ void fields(V& v, WorldDef& d) {
   v("periodic", d.periodic, any_value, "",
     "axes along which the world repeats itself; it then takes fluids and fixed shapes alone");
   check_periodic(v, d);
+  v.check(d.kernel == SmoothingKernel::poly6_spiky || !is_baseline(d.density.solver),
+          "the solvers pcisph, wcsph and dfsph have the kernel poly6_spiky alone", "kernel");
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps", "max_substeps",
           d.max_substeps);
 }

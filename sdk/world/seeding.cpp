@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -16,6 +17,7 @@
 #include "pbd/math/vec.h"
 #include "sdk/engine/point_table.h"
 #include "sdk/engine/tuning.h"
+#include "sdk/world/disorder.h"
 #include "sdk/world/tuning.h"
 
 namespace meniscus {
@@ -71,6 +73,85 @@ std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float s
   std::vector<Vec3> points = std::visit(FillRegion{engine, spacing}, def.region);
   for (Vec3& p : points) p = to_world(def.pose, p);
   return points;
+}
+
+namespace {
+
+/// Frees no cell in a solid, in another particle's volume, or beside cloth.
+void occupy(FreeCells& cells, const FluidVolumeDef& def, Engine& engine, float spacing,
+            std::span<const Vec3> taken, const CollisionFilter& filter,
+            const std::function<void(std::vector<Vec3>&)>& keep) {
+  std::vector<size_t> number;
+  std::vector<Vec3> centres;
+  for (int k = 0; k < cells.nz; ++k) {
+    for (int j = 0; j < cells.ny; ++j) {
+      for (int i = 0; i < cells.nx; ++i) {
+        if (!cells.is[cells.at(i, j, k)]) continue;
+        number.push_back(cells.at(i, j, k));
+        centres.push_back(to_world(def.pose, cells.centre(i, j, k)));
+      }
+    }
+  }
+  const std::vector<float> distance = engine.solid_distances(centres, spacing, filter);
+  // The radius of a ball of a spacing cubed.
+  const float radius = std::cbrt(3 / (4 * std::numbers::pi_v<float>)) * spacing;
+  PointTable near;
+  near.fill(taken, radius);
+  std::vector<Vec3> kept = centres;
+  keep(kept);
+  size_t next = 0;
+  for (size_t n = 0; n < centres.size(); ++n) {
+    const bool is_kept = next < kept.size() && kept[next] == centres[n];
+    next += is_kept;
+    bool is_free = is_kept && distance[n] > 0;
+    near.view().for_each_near(centres[n],
+                              [&](uint32_t i) { is_free &= length(taken[i] - centres[n]) >= radius; });
+    cells.is[number[n]] = is_free;
+  }
+}
+
+/// Moves points that are too near to solids away from them, along the gradient of the distance.
+void leave_solids(std::vector<Vec3>& points, Engine& engine, float spacing, const CollisionFilter& filter) {
+  const float clearance = 0.5f * spacing, step = 0.02f * spacing;
+  for (int round = 0; round < world_tuning::rounds_out_of_solids; ++round) {
+    const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
+    std::vector<size_t> number;
+    std::vector<Vec3> around;
+    for (size_t i = 0; i < points.size(); ++i) {
+      if (distance[i] >= clearance) continue;
+      number.push_back(i);
+      for (Vec3 d : {Vec3{step, 0, 0}, Vec3{0, step, 0}, Vec3{0, 0, step}}) {
+        around.push_back(points[i] + d);
+        around.push_back(points[i] - d);
+      }
+    }
+    if (number.empty()) return;
+    const std::vector<float> beside = engine.solid_distances(around, spacing, filter);
+    for (size_t n = 0; n < number.size(); ++n) {
+      const float* b = &beside[6 * n];
+      const Vec3 normal = normalized_or(Vec3{b[0] - b[1], b[2] - b[3], b[4] - b[5]}, {0, 0, 0});
+      points[number[n]] += (clearance - distance[number[n]]) * normal;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Vec3> fill_in_disorder(const FluidVolumeDef& def, Engine& engine, float spacing,
+                                   std::span<const Vec3> taken, const CollisionFilter& filter,
+                                   const std::function<void(std::vector<Vec3>&)>& keep) {
+  FreeCells cells = cells_of(def.region, engine, spacing);
+  if (cells.is.empty()) return {};
+  occupy(cells, def, engine, spacing, taken, filter, keep);
+  const auto placed = [&](std::vector<Vec3> points) {
+    for (Vec3& p : points) p = to_world(def.pose, p);
+    return points;
+  };
+  return placed(disordered_points(cells, spacing, [&](std::vector<Vec3>& points) {
+    std::vector<Vec3> in_world = placed(points);
+    leave_solids(in_world, engine, spacing, filter);
+    for (size_t i = 0; i < points.size(); ++i) points[i] = to_local(def.pose, in_world[i]);
+  }));
 }
 
 std::vector<Vec3> shaken(std::vector<Vec3> points, Engine& engine, float spacing,

@@ -6,6 +6,7 @@
 
 #include <meniscus/defs.h>
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,12 @@ namespace meniscus {
 
 /// The points of the cubic lattice with this spacing inside the region, under its pose.
 std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing);
+
+/// Points without order in the region, under its pose, that are relaxed beside solids and the points of
+/// `taken`. `keep` removes points where cloth is.
+std::vector<Vec3> fill_in_disorder(const FluidVolumeDef& def, Engine& engine, float spacing,
+                                   std::span<const Vec3> taken, const CollisionFilter& filter,
+                                   const std::function<void(std::vector<Vec3>&)>& keep);
 
 /// Disturbs `points`, because balls in a regular lattice would stand for ever. Each point moves by up to a
 /// quarter of a spacing along each axis, the same way every time. Points nearer than a spacing to a solid

@@ -54,6 +54,28 @@ inline constexpr std::size_t many_field_nodes = 1'000'000;
 /// Test: CancelTest.AStepMakesABoundedNumberOfParticles.
 inline constexpr double most_arrivals = 1 << 20;
 
+/// Spacings: how far points push one another where they are seeded without order. It is the default support.
+/// Test: SeedingTest.DisorderHasTheRestDensity.
+inline constexpr float relaxing_support = 2;
+
+/// Of the support squared: what a round moves by the pushes. From three times as much points do not settle.
+/// Spacings: the longest motion in a round. Points start about half a spacing from where they end.
+/// Test: SeedingTest.DisorderHasTheRestDensity.
+inline constexpr float relaxing_rate = 0.06f, relaxing_limit = 0.05f;
+
+/// Rounds of points that are seeded without order, and how many use one list of neighbours.
+/// Test: SeedingTest.DisorderHasTheRestDensity.
+inline constexpr int relaxing_rounds = 80, rounds_of_a_list = 8;
+
+/// Relaxations by the solver of particles that are seeded without order. Then max(C, 0) is below 1e-3.
+/// Test: SeedingTest.DisorderHasTheRestDensity.
+inline constexpr int seeding_relaxations = 20;
+
+/// How often points that are seeded beside solids are moved out of them. In a corner one motion undoes a part
+/// of another.
+/// Test: SeedingTest.DisorderIsSafeAtWallsAndBodies.
+inline constexpr int rounds_out_of_solids = 4;
+
 /// s: the step of a relaxation. It is short, so that nothing passes through anything.
 /// Test: none.
 inline constexpr float relaxing_step = 0.001f;

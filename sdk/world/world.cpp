@@ -118,9 +118,16 @@ size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
   }
   const float spacing = impl_->def.particle_spacing;
   const ParticleMaterial& material = impl_->fluids.get(def.fluid);
+  if (material.grain.is_grain && def.seeding != Seeding::lattice) {
+    throw Error(ErrorCode::invalid_argument,
+                "FluidVolumeDef::seeding must be lattice for grains, which have a disorder of their own");
+  }
+  if (def.seeding == Seeding::disordered) impl_->with_solids();
   std::vector<Vec3> points = [&] {
     const pbd::CallMonitor::Cancellable nothing_to_undo(impl_->monitor());
-    return fill_region(def, *impl_->engine, spacing);
+    if (def.seeding == Seeding::lattice) return fill_region(def, *impl_->engine, spacing);
+    return fill_in_disorder(def, impl_->with_solids(), spacing, positions(), material.filter,
+                            [&](std::vector<Vec3>& p) { impl_->keep_off_cloth(p, material.filter); });
   }();
   if (material.grain.is_grain)
     points = shaken(std::move(points), impl_->with_solids(), spacing, material.filter);
@@ -130,7 +137,9 @@ size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
                                        impl_->with_solids(), spacing, material.filter);
   impl_->keep_off_cloth(safe, material.filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
+  const size_t before = ids().size();
   impl_->add(def.fluid, safe, {}, def.velocity, false);
+  if (def.seeding == Seeding::disordered) impl_->relax_from(before);
   return safe.size();
 }
 

@@ -12,6 +12,7 @@
 #include "sdk/world/check/check.h"
 #include "sdk/world/check/periodic.h"
 #include "sdk/world/solids/seam_images.h"
+#include "sdk/world/tuning.h"
 
 namespace meniscus {
 
@@ -92,7 +93,8 @@ void check_room(size_t present, double added, std::string_view emitter) {
 World::Impl::Impl(const WorldDef& world_def)
     : def((check::def(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
-      kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing)) {
+      kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
+                              def.kernel)) {
   engine = make_engine(engine_def(), def.device, def.threads, device);
 }
 
@@ -157,6 +159,22 @@ void World::Impl::append(const ParticleBatch& batch) {
   engine->append(batch);  // commits
   for (size_t i = 0; i < batch.position.size(); ++i) ids.push_back(next_id++);
   state_changed();
+}
+
+void World::Impl::relax_from(size_t slot) {
+  try {
+    with_all().relax_from(static_cast<uint32_t>(slot), world_tuning::relaxing_step,
+                          world_tuning::seeding_relaxations);
+    state_changed();
+  } catch (...) {
+    std::vector<bool> added(ids.size(), false);
+    std::fill(added.begin() + static_cast<std::ptrdiff_t>(slot), added.end(), true);
+    std::vector<bool> kept = added;
+    kept.flip();
+    engine->keep(kept);
+    remove(added);
+    throw;
+  }
 }
 
 void World::Impl::solids_changed() {

@@ -70,6 +70,7 @@ struct World::Impl {
            bool may_crowd);
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
   void append(const ParticleBatch& batch);
+  void relax_from(size_t slot);  // moves new particles to their rest density; if that fails, there are none
   void solids_changed();
   void note_repairs(const SolidPieces& solid);
   void

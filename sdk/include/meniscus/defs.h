@@ -43,6 +43,14 @@ constexpr bool is_baseline(DensitySolver solver) {
   return solver >= DensitySolver::pcisph;
 }
 
+/// The pair of smoothing kernels W and ∇W (docs/methods/kernels.md). The choice also fixes the particle
+/// volume and the scales of pressure, surface tension and the solver.
+enum class SmoothingKernel {
+  poly6_spiky,   ///< poly6 for sums, spiky for gradients (Macklin & Müller 2013)
+  wendland_c2,   ///< Wendland's C2 kernel for both: calm water at rest without xsph
+  cubic_spline,  ///< the cubic B-spline for both (Monaghan 1992)
+};
+
 /// Repulsion against tensile instability (Macklin & Müller 2013, eq. 13). Its pressure is
 /// strength · ρ₀ · |g| · h.
 struct ArtificialPressureDef {
@@ -146,6 +154,7 @@ struct WorldDef {
   Vec3 gravity{0, -9.81f, 0};      ///< m/s²
   float particle_spacing = 0.05f;  ///< s, m: the rest distance between fluid particles, 1e-4 to 1e3
   float support_ratio = 2.0f;      ///< support radius h over spacing, 1.5 to 3
+  SmoothingKernel kernel = SmoothingKernel::poly6_spiky;
   /// Per step, 1 to 1000, when cfl_number is 0. A minimum while a fast body is near cloth: it then takes up
   /// to 256, as StepReport::substeps tells.
   int substeps = 4;
@@ -342,15 +351,26 @@ struct MeshRegion {
 
 using Region = std::variant<BoxRegion, BallRegion, MeshRegion>;
 
-/// A region that is filled with particles on a cubic lattice. Lattice points nearer than half a spacing to a
-/// solid or cloth that the fluid collides with are left out. So are points nearer than 0.7 spacings to an
-/// existing particle. Grains are disordered: further than a spacing from solids, each is moved by up to a
-/// quarter of a spacing along each axis.
+/// How the particles of a volume are placed.
+enum class Seeding {
+  lattice,     ///< on a cubic lattice, a crystal until motion melts it
+  disordered,  ///< without order and at rest density, as in water that has been stirred
+};
+
+/// A region that is filled with particles. Those nearer than half a spacing to a solid or cloth that the
+/// fluid collides with are left out. So are those nearer than 0.7 spacings to an existing particle. Grains
+/// are disordered: further than a spacing from solids, each is moved by up to a quarter of a spacing along
+/// each axis.
+///
+/// With Seeding::disordered, as many particles as the free volume over s³ says fill the region, to 0.1 %
+/// where the volume has more than a few thousand. They are relaxed against each other, the region's boundary,
+/// solids and existing particles. The same call gives the same positions. For fluids alone.
 struct FluidVolumeDef {
   FluidId fluid;
   Region region = BoxRegion{};
   Pose pose{};
   Vec3 velocity{0, 0, 0};  ///< m/s
+  Seeding seeding = Seeding::lattice;
 };
 
 // ---- probes ----

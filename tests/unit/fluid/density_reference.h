@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fluid/kernel/kernel.h"
+#include "fluid/kernel/packing.h"
 #include "tests/bench/harness/solver_bench.h"
 
 namespace meniscus::tests {
@@ -33,6 +33,8 @@ class DensityReference {
       planes_.push_back({{s.size.x, s.size.y, s.size.z}, s.offset});
     }
     start_ = positions;
+    const fluid::ExactKernel exact{setup.kernel.shape, setup.kernel.h};
+    for (int k = 0; k <= 10000; ++k) greatest_ = std::max(greatest_, exact.slope(1e-4 * k * exact.h));
   }
 
   /// C_i = Σ V W − 1 over all particles and their mirror ghosts.
@@ -64,7 +66,7 @@ class DensityReference {
   /// Δλ_i = max(0, λ_i + ω (C_i − α̃ λ_i)/(D_i + α̃)) − λ_i.
   double multiplier_change(size_t i) const {
     const double dt2 = double{setup_.dt} * setup_.dt, d = denominator(i);
-    const double compliance = setup_.parameters.compressibility / (setup_.kernel.volume * dt2);
+    const double compliance = setup_.parameters.compressibility / (setup_.kernel.particle_volume * dt2);
     double step = setup_.parameters.relaxation * (error(i) - compliance * multipliers[i]) / (d + compliance);
     const double bound = setup_.parameters.correction_limit / std::sqrt(inverse_masses_[i] * d);
     step = std::clamp(step, -bound, bound);
@@ -88,12 +90,12 @@ class DensityReference {
   }
 
   double weight(double r) const {
-    const double u = double{setup_.kernel.h2} - r * r;
-    return u > 0 ? setup_.kernel.poly6 * u * u * u : 0;
+    return setup_.kernel.volume * fluid::ExactKernel{setup_.kernel.shape, setup_.kernel.h}.weight(r);
   }
+  /// The factor of the gradient is V where both are one kernel, but for the calibration.
   double slope(double r) const {
-    const double q = double{setup_.kernel.h} - r;
-    return q > 0 ? setup_.kernel.spiky_gradient * q * q : 0;
+    const fluid::ExactKernel exact{setup_.kernel.shape, setup_.kernel.h};
+    return setup_.kernel.greatest_slope * exact.slope(r) / greatest_;
   }
 
   /// Calls visit(j, x_i − x_j, |x_i − x_j|, number of the mirror ghost) for each particle and each mirror
@@ -147,6 +149,7 @@ class DensityReference {
   std::vector<ReferencePlane> planes_;
   std::vector<double> inverse_masses_;
   std::vector<Double3> start_;
+  double greatest_ = 0;  // of |∇W|
 };
 
 }  // namespace meniscus::tests

@@ -105,6 +105,18 @@ TEST_P(DensityTest, OneIterationAtAWall) {
   expect_reference(c);
 }
 
+TEST_P(DensityTest, OneIterationWithEachKernel) {
+  for (SmoothingKernel kernel : {SmoothingKernel::wendland_c2, SmoothingKernel::cubic_spline}) {
+    DensityCase c = shaken();
+    c.kernel = fluid::calibrate(spacing, support, kernel);
+    c.parameters.spectral_bound = c.kernel.spectral_bound;  // so that ω is the one that is asked for
+    expect_reference(c);
+    c.planes = {plane({1, 0, 0}, -0.002f), plane({0, 1, 0}, 0)};
+    c.parameters.compressibility = 1e-4f;
+    expect_reference(c);
+  }
+}
+
 TEST_P(DensityTest, OneIterationAtASlopingWall) {
   DensityCase c = shaken();
   const Vec3 normal = normalized_or({1, 2, -0.5f}, {0, 1, 0});

@@ -82,7 +82,7 @@ class SmoothingReference {
         const Double3 relative = {velocities[j][0] - velocities[i][0], velocities[j][1] - velocities[i][1],
                                   velocities[j][2] - velocities[i][2]};
         const double apart = setup_.kernel.h - r, u = double{setup_.kernel.h2} - r * r;
-        const double slope = std::fabs(setup_.kernel.spiky_gradient) * apart * apart / r;
+        const double slope = std::fabs(setup_.kernel.peak_slope / setup_.kernel.h2) * apart * apart / r;
         const Double3 along = {slope * d.x, slope * d.y, slope * d.z};
         const Double3 turn = cross(relative, along);
         for (int k = 0; k < 3; ++k) {

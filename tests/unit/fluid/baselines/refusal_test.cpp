@@ -60,5 +60,13 @@ TEST(BaselineRefusalTest, ParametersOfTheDensityConstraint) {
   }
 }
 
+TEST(BaselineRefusalTest, OtherKernels) {
+  for (DensitySolver solver : all_baselines) {
+    WorldDef def = baseline_def(pbd::DeviceKind::cpu, solver);
+    def.kernel = SmoothingKernel::wendland_c2;
+    expect_refused("kernel", [&] { World world(def); });
+  }
+}
+
 }  // namespace
 }  // namespace meniscus::tests

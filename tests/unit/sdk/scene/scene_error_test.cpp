@@ -43,6 +43,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"InScene", R"({"name": "x", "fluid": []})", R"(fluid: unknown key; did you mean "fluids"?)"},
         Mistake{"InWorld", R"({"name": "x", "world": {"iteration": 4}})",
                 R"(world.iteration: unknown key; did you mean "iterations"?)"},
+        Mistake{"InTheKernel", R"({"name": "x", "world": {"kernel": "wendland"}})",
+                R"(world.kernel: "wendland" is not known; did you mean "wendland_c2"?)"},
+        Mistake{
+            "InTheSeeding",
+            R"({"name": "x", "fluids": [{"name": "w"}], "volumes": [{"fluid": "w", "region": {"type": "ball", "radius": 1}, "seeding": "disorder"}]})",
+            R"(volumes[0].seeding: "disorder" is not known; did you mean "disordered"?)"},
         Mistake{
             "InDensity", R"({"name": "x", "world": {"density": {"artificial_pressure": {"k": 4}}}})",
             R"(world.density.artificial_pressure.k: unknown key; allowed: "strength", "exponent", "distance")"},
@@ -71,8 +77,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"InRotation", R"({"name": "x", "shapes": [{"name": "a", "geometry": {"type": "plane"},
                               "pose": {"rotation": {"axis": [0, 1, 0], "radians": 1}}}]})",
                 R"(shapes[0].pose.rotation.radians: unknown key; allowed: "axis", "degrees")"},
-        Mistake{"InVolume", R"({"name": "x", "fluids": [{}], "volumes": [{"liquid": "water"}]})",
-                R"(volumes[0].liquid: unknown key; allowed: "fluid", "region", "pose", "velocity")"},
+        Mistake{
+            "InVolume", R"({"name": "x", "fluids": [{}], "volumes": [{"liquid": "water"}]})",
+            R"(volumes[0].liquid: unknown key; allowed: "fluid", "region", "pose", "velocity", "seeding")"},
         Mistake{"InRegion",
                 R"({"name": "x", "volumes": [{"fluid": "water", "region": {"type": "ball", "radis": 1}}]})",
                 R"(volumes[0].region.radis: unknown key; did you mean "radius"?)"},

@@ -53,7 +53,8 @@ constexpr const char* two_volumes = R"({
   // a comment
   "name": "two",
   "frame_time": 0.01, /* and another */
-  "world": {"gravity": [0, 0, -1.62], "device": "cpu", "density": {"solver": "jacobi"}},
+  "world": {"gravity": [0, 0, -1.62], "device": "cpu", "kernel": "wendland_c2",
+    "density": {"solver": "jacobi"}},
   "fluids": [{"name": "water"}, {"name": "oil", "rest_density": 900, "color": [1, 0.5, 0]}],
   "shapes": [
     {"name": "tank", "friction": 0.5,
@@ -63,7 +64,7 @@ constexpr const char* two_volumes = R"({
   ],
   "volumes": [
     {"fluid": "oil", "region": {"type": "ball", "radius": 0.25}, "velocity": [1, 2, 3],
-     "pose": {"position": [4, 5, 6], "rotation": {"axis": [0, 0, 3], "degrees": 90}}},
+     "seeding": "disordered", "pose": {"position": [4, 5, 6], "rotation": {"axis": [0, 0, 3], "degrees": 90}}},
     {"fluid": "water", "region": {"type": "box", "lower": [0, 0, 0], "upper": [1, 1, 2]},
      "pose": {"rotation": [0, 2, 0, 0]}}
   ],
@@ -84,6 +85,7 @@ TEST_F(SceneFile, ReadsEveryPart) {
   EXPECT_FLOAT_EQ(scene.world.gravity.z, -1.62f);
   EXPECT_EQ(scene.world.device, DeviceChoice::cpu);
   EXPECT_EQ(scene.world.density.solver, DensitySolver::jacobi);
+  EXPECT_EQ(scene.world.kernel, SmoothingKernel::wendland_c2);
   ASSERT_EQ(scene.fluids.size(), 2u);
   EXPECT_EQ(scene.fluids[1].name, "oil");
   EXPECT_FLOAT_EQ(scene.fluids[1].rest_density, 900);
@@ -118,6 +120,8 @@ TEST_F(SceneFile, ReadsVolumesAndRotations) {
   EXPECT_EQ(scene.volumes[0].fluid, "oil");
   EXPECT_FLOAT_EQ(std::get<BallRegion>(scene.volumes[0].def.region).radius, 0.25f);
   EXPECT_FLOAT_EQ(scene.volumes[0].def.velocity.y, 2);
+  EXPECT_EQ(scene.volumes[0].def.seeding, Seeding::disordered);
+  EXPECT_EQ(scene.volumes[1].def.seeding, Seeding::lattice);
   const Pose& turned = scene.volumes[0].def.pose;
   EXPECT_FLOAT_EQ(turned.position.x, 4);
   EXPECT_FLOAT_EQ(turned.rotation.z, std::sqrt(0.5f));
