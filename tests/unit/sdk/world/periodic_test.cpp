@@ -314,7 +314,7 @@ TEST_P(PeriodicTest, RefusesExtents) {
   expect_error(bad, "diffuse", [&] { World world(def); });
   def = periodic_def(GetParam(), 1);
   def.density.solver = DensitySolver::grid;
-  expect_error(bad, "density.solver", [&] { World world(def); });
+  expect_error(bad, "grid", [&] { World world(def); });
   World world(periodic_def(GetParam(), 1));
   expect_error(bad, "WorldDef::periodic", [&] { world.set_def(periodic_def(GetParam(), 3)); });
 }
