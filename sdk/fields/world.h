@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "sdk/fields/names.h"
 #include "sdk/fields/values.h"
@@ -95,8 +96,8 @@ template <class V>
 void fields(V& v, PeriodicExtent& d) {
   v("low", d.low, required(any_value), "m", "where the axis begins");
   v("high", d.high, required(any_value), "m", "where it begins again");
-  v.check(d.low < d.high && std::isfinite(d.high - d.low), "it must be above low, by a finite extent", "high",
-          d.high);
+  v.check(d.low < d.high && std::isfinite(d.high - d.low), "high must be above low, by a finite extent",
+          "high", d.high);
 }
 
 template <class V>
@@ -108,23 +109,24 @@ void fields(V& v, PeriodicDef& d) {
 
 /// Checks the extent of one axis against the support radius.
 template <class V>
-void check_extent(V& v, const WorldDef& d, const std::optional<PeriodicExtent>& extent, const char* member) {
+void check_extent(V& v, const WorldDef& d, const std::optional<PeriodicExtent>& extent, const char* axis) {
   constexpr float rounding = 0.999f;
   const float least = 4 * d.support_ratio * d.particle_spacing;
   v.check(!extent || extent->high - extent->low >= rounding * least,
-          "the extent must be at least 4 support radii, " + std::to_string(least) + " m", member);
+          std::string("periodic.") + axis + " must be at least 4 support radii long, " +
+              std::to_string(least) + " m");
 }
 
 /// Checks that a world with periodic axes has nothing that knows of no seams.
 template <class V>
 void check_periodic(V& v, const WorldDef& d) {
-  check_extent(v, d, d.periodic.x, "periodic.x");
-  check_extent(v, d, d.periodic.y, "periodic.y");
-  check_extent(v, d, d.periodic.z, "periodic.z");
+  check_extent(v, d, d.periodic.x, "x");
+  check_extent(v, d, d.periodic.y, "y");
+  check_extent(v, d, d.periodic.z, "z");
   if (d.periodic == PeriodicDef{}) return;
-  v.check(!d.diffuse, "a world with periodic axes has no diffuse particles", "diffuse");
+  v.check(!d.diffuse, "a world with periodic axes has no diffuse particles");
   v.check(d.density.solver != DensitySolver::grid && !is_baseline(d.density.solver),
-          "a world with periodic axes is solved by jacobi or chebyshev alone", "density.solver");
+          "a world with periodic axes is solved by jacobi or chebyshev alone");
 }
 
 template <class V>
@@ -152,7 +154,7 @@ void fields(V& v, WorldDef& d) {
     "axes along which the world repeats itself; it then takes fluids and fixed shapes alone");
   check_periodic(v, d);
   v.check(d.kernel == SmoothingKernel::poly6_spiky || !is_baseline(d.density.solver),
-          "the solvers pcisph, wcsph and dfsph have the kernel poly6_spiky alone", "kernel");
+          "the solvers pcisph, wcsph and dfsph have the kernel poly6_spiky alone");
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps", "max_substeps",
           d.max_substeps);
 }

@@ -242,7 +242,7 @@ INSTANTIATE_TEST_SUITE_P(
             "UnknownKey", BODY(BOX R"(, "weight": 3)"),
             R"(bodies[0].weight: unknown key; allowed: "name", "motion", "geometry", "pose", "velocity", )"
             R"("angular_velocity", "density", "mass", "friction", "restitution", "adhesion", "slip_length", )"
-            R"("solid_friction", "solid_restitution", "groups", "mask", "linear_damping", )"
+            R"("solid_friction", "solid_restitution", "belt_velocity", "groups", "mask", "linear_damping", )"
             R"("angular_damping", "can_sleep", "keyframes", "loop", "copies")"},
         Mistake{"Motion", BODY(BOX R"(, "motion": "static")"),
                 R"(bodies[0].motion: "static" is not known; allowed: "dynamic", "kinematic")"},

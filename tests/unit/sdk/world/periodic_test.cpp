@@ -316,7 +316,7 @@ TEST_P(PeriodicTest, RefusesExtents) {
   for (const DensitySolver solver : {DensitySolver::grid, DensitySolver::pcisph, DensitySolver::wcsph,
                                      DensitySolver::dfsph}) {
     def.density.solver = solver;
-    expect_error(bad, "density.solver", [&] { World world(def); });
+    expect_error(bad, "jacobi or chebyshev", [&] { World world(def); });
   }
   World world(periodic_def(GetParam(), 1));
   expect_error(bad, "WorldDef::periodic", [&] { world.set_def(periodic_def(GetParam(), 3)); });
