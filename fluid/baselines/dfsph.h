@@ -4,11 +4,11 @@
 // Divergence-free SPH.
 #pragma once
 
-#include "fluid/density/baseline.h"
 #include "fluid/baselines/convergence_kernels.h"
 #include "fluid/baselines/dfsph_kernels.h"
 #include "fluid/baselines/fluid_motion.h"
 #include "fluid/baselines/pressure_stage.h"
+#include "fluid/density/baseline.h"
 
 namespace meniscus::fluid {
 

@@ -4,10 +4,10 @@
 // Weakly compressible SPH.
 #pragma once
 
-#include "fluid/density/baseline.h"
 #include "fluid/baselines/fluid_motion.h"
 #include "fluid/baselines/pressure_stage.h"
 #include "fluid/baselines/wcsph_kernels.h"
+#include "fluid/density/baseline.h"
 
 namespace meniscus::fluid {
 

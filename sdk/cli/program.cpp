@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "sdk/cli/commands/check.h"
+#include "sdk/cli/commands/compare.h"
 #include "sdk/cli/commands/devices.h"
 #include "sdk/cli/commands/run.h"
 #include "sdk/cli/commands/schema.h"
@@ -122,6 +123,23 @@ void add_check(CLI::App& app, CheckOptions& options, Command& command) {
   check.callback([&options, &command] { command = [&options] { return check_scene(options); }; });
 }
 
+void add_compare(CLI::App& app, CompareOptions& options, Command& command) {
+  CLI::App& compare = *app.add_subcommand(
+      "compare", "Run a scene with each density solver at equal density errors, and write times and errors");
+  add_scene(compare, options.scene);
+  compare.add_option("--errors", options.errors, "Mean density errors; by default 0.05,0.1,0.5,1 percent")
+      ->type_name("PERCENT,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1e-4, 100.0).description(""));
+  compare.add_option("--seconds", options.seconds, "Simulated time; by default 1 s")
+      ->type_name("S")
+      ->check(CLI::Range(1e-6, 1e6).description(""));
+  compare.add_option("--out", options.out, "The folder for the results; by default out/<scene name>")
+      ->type_name("DIR");
+  compare.callback([&options, &command] { command = [&options] { return compare_solvers(options); }; });
+}
+
 void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
   CLI::App& devices = *app.add_subcommand(
       "devices", "List the devices, and which one auto takes; or what memory a scene takes there");
@@ -192,6 +210,7 @@ int parse_and_run(int argc, char** argv) try {
   RunOptions run;
   ViewOptions view;
   CheckOptions check;
+  CompareOptions compare;
   SceneChoice budget;
   Command command;
   CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
@@ -200,6 +219,7 @@ int parse_and_run(int argc, char** argv) try {
   add_run(app, run, command);
   add_view(app, view, command);
   add_check(app, check, command);
+  add_compare(app, compare, command);
   add_devices(app, budget, command);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([&] {
     command = print_schema;

@@ -93,9 +93,9 @@ TEST_P(DamBreakFrontTest, RunsAsInTheExperiment) {
 
 TEST_P(DamBreakFrontTest, SoItDoesWithTheBaselines) {
   WorldDef def = world_def(GetParam(), spacing);
-  for (const auto& [solver, name] :
-       {std::pair{DensitySolver::pcisph, "pcisph_"}, {DensitySolver::wcsph, "wcsph_"},
-        {DensitySolver::dfsph, "dfsph_"}}) {
+  for (const auto& [solver, name] : {std::pair{DensitySolver::pcisph, "pcisph_"},
+                                     {DensitySolver::wcsph, "wcsph_"},
+                                     {DensitySolver::dfsph, "dfsph_"}}) {
     def.density.solver = solver;
     expect_as_in_the_experiment(def, name);
   }

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "sdk/fields/probes.h"
+#include "sdk/fields/world.h"
 #include "sdk/io/line_chart.h"
 #include "sdk/io/output_file.h"
 
@@ -32,6 +33,13 @@ std::vector<std::string> body_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const BodyDef& body : bodies_of(scene)) names.push_back(body.name);
   return names;
+}
+
+/// The word of an enumerator in a scene file.
+template <class E>
+const char* word_of(E value) {
+  const auto names = names_of(value);
+  return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.value == value; })->name;
 }
 
 nlohmann::ordered_json json_of(Vec3 v) {
@@ -138,6 +146,7 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"steps", time_.size()},
           {"substeps", substeps_},
           {"iterations", step_.iterations},
+          {"density_solver", word_of(scene_.world.density.solver)},
           {"density_iterations", density_iterations_ / static_cast<double>(std::max<uint64_t>(1, substeps_))},
           {"time_step_s", without_noise(scene_.frame_time)},
           {"simulated_s", time_.empty() ? 0.0 : without_noise(time_.back())},

@@ -41,9 +41,10 @@ std::string heading(const json& figures) {
 
 std::string run_line(const json& figures) {
   return fmt::format(
-      "{} frames of {:.4g} ms, {:.4g} s in all; {} substeps of {} iterations, {:.3g} of the density",
+      "{} frames of {:.4g} ms, {:.4g} s in all; {} substeps of {} iterations, {:.3g} of the density ({})",
       count(figures, "frames"), 1000 * number(figures, "time_step_s"), number(figures, "simulated_s"),
-      count(figures, "substeps"), count(figures, "iterations"), number(figures, "density_iterations"));
+      count(figures, "substeps"), count(figures, "iterations"), number(figures, "density_iterations"),
+      text_of(figures, "density_solver"));
 }
 
 std::string time_line(const json& ms) {

@@ -29,6 +29,24 @@ TEST_F(ProgramTest, ARunLeavesItsFiles) {
   EXPECT_EQ(figures["device"]["kind"], "cpu");
 }
 
+TEST_F(ProgramTest, CompareRunsEachSolverAtEachError) {
+  const std::string table = printed(
+      {"compare", "drop", "--device", "cpu", "--seconds", "0.05", "--errors", "1,0.1", "--out", out()});
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "compare.svg"));
+  const auto figures = nlohmann::json::parse(std::ifstream(fs::path(out()) / "compare.json"));
+  ASSERT_EQ(figures["results"].size(), 12);
+  for (const auto& result : figures["results"]) {
+    EXPECT_FALSE(result.contains("failure")) << result;
+    EXPECT_GT(result["ms_per_second"], 0) << result;
+    // The tolerance of a substep bounds the mean; WCSPH, which has none, may exceed it while it settles.
+    if (result["solver"] != "wcsph") {
+      EXPECT_LE(result["error_percent"], 1.2 * double(result["error_asked_percent"]));
+    }
+    EXPECT_NE(table.find("| " + std::string(result["solver"])), std::string::npos);
+  }
+  EXPECT_EXIT(run({"compare", "flag"}), testing::ExitedWithCode(bad_input), "flag");
+}
+
 TEST_F(ProgramTest, ARunTakesTheFilesOfTheOneBeforeAway) {
   printed(
       {"run", "raft", "--device", "cpu", "--frames", "2", "--export", "ply,vtp", "--quiet", "--out", out()});

@@ -95,6 +95,14 @@ TEST_P(AllocationTest, NorWithAPressureGridAndATolerance) {
   EXPECT_EQ(during(world, 20), 0);
 }
 
+TEST_P(AllocationTest, NorWithABaseline) {
+  for (DensitySolver solver : {DensitySolver::pcisph, DensitySolver::wcsph, DensitySolver::dfsph}) {
+    World world = pool({.solver = solver});
+    run(world, 60, 0.016f);
+    EXPECT_EQ(during(world, 20), 0) << static_cast<int>(solver);
+  }
+}
+
 TEST_P(AllocationTest, AWarmStepHoldsTheSameMemoryOnTheDevice) {
   World world = pool();
   run(world, 60, 0.016f);

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The command `meniscus compare`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sdk/cli/commands/scene_lookup.h"
+
+namespace meniscus::cli {
+
+struct CompareOptions {
+  SceneChoice scene;
+  std::vector<double> errors{0.05, 0.1, 0.5, 1};  ///< %, means of max(C, 0)
+  double seconds = 1;                             ///< of simulated time
+  std::string out;                                ///< folder; empty: out/<scene name>
+};
+
+/// Runs a scene of fluids and bodies with each density solver at each mean density error, and writes times
+/// and errors as compare.md, compare.json and compare.svg. Throws Error.
+int compare_solvers(const CompareOptions& options);
+
+}  // namespace meniscus::cli
