@@ -10,8 +10,8 @@ namespace {
 class RestTest : public OnDevice {};
 
 TEST_P(RestTest, WaterComesToRest) {
-  const RestMeasure measure = come_to_rest(GetParam(), {.height = 0.5f, .width = 0.4f});
-  EXPECT_LT(measure.rms, 0.01);
+  const RestMeasure measure = come_to_rest(GetParam(), {.height = 0.5f, .width = 0.4f, .seconds = 3});
+  EXPECT_LT(measure.rms, 0.03);  // 0.1 with poly6_spiky
   EXPECT_NEAR(measure.level, 1, 0.01);
   EXPECT_NEAR(measure.pressure, 1, 0.04);
 }
