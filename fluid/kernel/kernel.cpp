@@ -69,7 +69,7 @@ struct PackingCalibration {
   double spectral_radius;
 };
 
-/// Relaxing a packing takes up to a fifth of a second, so it is done once for each ratio.
+/// Relaxing a packing takes up to half a second, so it is done once for each ratio.
 PackingCalibration packing_calibration(SmoothingKernel shape, double ratio) {
   static std::mutex mutex;
   static std::map<std::pair<SmoothingKernel, double>, PackingCalibration> known;

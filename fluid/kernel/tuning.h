@@ -9,15 +9,15 @@ namespace meniscus::fluid::kernel_tuning {
 
 /// Points along an edge of the packing on which kernels are calibrated, where the support radius allows. With
 /// twice as many, V changes by 0.1 %.
-/// Test: KernelTest.TheVolumeIsThatOfALargerPacking.
+/// Test: none.
 inline constexpr int least_packing = 6;
 
 /// Rounds in which the packing relaxes. With twice as many, V changes by less than 0.1 %.
-/// Test: KernelTest.TheVolumeIsThatOfALargerPacking.
+/// Test: KernelTest.ALatticeIsAsDenseAsARelaxedPacking.
 inline constexpr int packing_rounds = 400;
 
 /// Of h²: what a round moves by Σ |∇W| n. From three times as much the packing does not settle.
-/// Test: KernelTest.TheVolumeIsThatOfALargerPacking.
+/// Test: KernelTest.ALatticeIsAsDenseAsARelaxedPacking.
 inline constexpr double packing_step = 0.06;
 
 /// Spacings: the largest motion of a round. Points that start at one place would be thrown far away.
