@@ -112,8 +112,8 @@ class DensitySet final : public pbd::ConstraintSet<D> {
 
  private:
   void set_baseline(const DensityParameters& parameters);
-  template <density_kernels::WallMotion motion, density_kernels::Grains grains>
-  void iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
+  template <class K>
+  void iterate(const K& kernel, pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
                const density_kernels::PairPressure& pair);
   template <density_kernels::WallMotion motion, density_kernels::Grains grains, class K>
   void iterate(const K& kernel, pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,

@@ -144,22 +144,14 @@ void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   const ArtificialPressure& artificial = parameters_.artificial_pressure;
   PairPressure pair;
   if (iteration == 0 && artificial.pressure > 0) {
-    pair = {artificial.pressure * kernel_.particle_volume * substep.dt * substep.dt,
-            1 / with_shape(kernel_,
-                           [&](const auto& kernel) {
-                             return kernel.weight_shape(artificial.distance * artificial.distance);
-                           }),
+    const float t = artificial.distance * artificial.distance;
+    const float weight = with_shape(kernel_, [&](const auto& kernel) { return kernel.weight_shape(t); });
+    pair = {artificial.pressure * kernel_.particle_volume * substep.dt * substep.dt, 1 / weight,
             artificial.exponent};
   }
   refresh_ghost_positions(device_, substep.ghosts, substep.particles.position);
   const bool is_over = stop_ && stop_->is_over();
-  if (!is_over && any_grains_) {
-    substep.contacts.any_moving ? iterate<WallMotion::any, Grains::present>(substep, advancing, pair)
-                                : iterate<WallMotion::none, Grains::present>(substep, advancing, pair);
-  } else if (!is_over) {
-    substep.contacts.any_moving ? iterate<WallMotion::any, Grains::absent>(substep, advancing, pair)
-                                : iterate<WallMotion::none, Grains::absent>(substep, advancing, pair);
-  }
+  if (!is_over) with_shape(kernel_, [&](const auto& kernel) { iterate(kernel, substep, advancing, pair); });
   if (stop_ && last)
     stop_->finish(substep, multiplier_.current.view(), increment_.view(),
                   pressure_grid_ || iteration == 0 ? Recorded::last_error : Recorded::decrease);
@@ -173,11 +165,23 @@ void DensitySet<D>::end(pbd::Substep<D>& substep) {
   if (by_baseline_) baseline_->end(substep, multiplier_.current.view());
 }
 
+/// Chooses the kernels for what is there. Those of other shapes than the default allow for everything, as each
+/// choice costs the time of a compilation.
 template <class D>
-template <density_kernels::WallMotion motion, density_kernels::Grains grains>
-void DensitySet<D>::iterate(pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,
+template <class K>
+void DensitySet<D>::iterate(const K& kernel, pbd::Substep<D>& substep,
+                            const density_kernels::Advancing& advancing,
                             const density_kernels::PairPressure& pair) {
-  with_shape(kernel_, [&](const auto& kernel) { iterate<motion, grains>(kernel, substep, advancing, pair); });
+  using namespace density_kernels;
+  const bool moves = substep.contacts.any_moving;
+  if constexpr (!std::is_same_v<K, ShapedKernel<SmoothingKernel::poly6_spiky>>)
+    iterate<WallMotion::any, Grains::present>(kernel, substep, advancing, pair);
+  else if (any_grains_)
+    moves ? iterate<WallMotion::any, Grains::present>(kernel, substep, advancing, pair)
+          : iterate<WallMotion::none, Grains::present>(kernel, substep, advancing, pair);
+  else
+    moves ? iterate<WallMotion::any, Grains::absent>(kernel, substep, advancing, pair)
+          : iterate<WallMotion::none, Grains::absent>(kernel, substep, advancing, pair);
 }
 
 template <class D>

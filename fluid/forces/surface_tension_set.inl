@@ -148,6 +148,7 @@ void SurfaceTensionSet<D>::accelerate(pbd::Substep<D>& substep) {
       device_.parallel_for_neighbours("tension/normals", p.sorted,
                                       SurfaceNormal<K>{kernel, p.position, curvature_.view(),
                                                        substep.neighbours, substep.contacts, normal_.view()});
+      refresh_ghosts(device_, substep.ghosts, normal_.view());
     }
     device_.parallel_for_neighbours(
         "tension/pull", p.sorted,
