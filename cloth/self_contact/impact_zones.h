@@ -150,6 +150,7 @@ struct MoveImpactZones {
 
   MENISCUS_HD void operator()(uint32_t v) const {
     if (counters[crossings + round] == 0) return;
+    if (cloth.frames.piece[v] == no_index) return;  // a vertex of a rope
     const bool last = round + 1 == most_rounds, all = last || round + 2 == most_rounds;
     const uint32_t mark = impact_zones.mark_of(v);
     if (mark == 0 && !all) return;
