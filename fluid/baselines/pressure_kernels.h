@@ -195,7 +195,7 @@ struct Push {
       const auto other = gather(staged, j);
       const Vec3Of<Real> d = self.xyz() - other.xyz();
       push += density_kernels::push_shape<BaselineKernel, Repulsion::off, Real>({}, kernel.distance_ratio2(d),
-                                                                Real(self.w) + other.w) *
+                                                                                Real(self.w) + other.w) *
               d;
     });
     const Vec3 total = sum(push);

@@ -14,7 +14,8 @@ class PressureStage {
   using WallMotion = density_kernels::WallMotion;
 
  public:
-  PressureStage(D& device, const Kernel& kernel) : device_(device), kernel_(shaped<SmoothingKernel::poly6_spiky>(kernel)) {}
+  PressureStage(D& device, const Kernel& kernel)
+      : device_(device), kernel_(shaped<SmoothingKernel::poly6_spiky>(kernel)) {}
 
   void reserve(uint32_t size, uint32_t sentinel) {
     compression_.resize_discard(size);

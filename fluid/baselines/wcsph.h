@@ -43,7 +43,8 @@ class Wcsph final : public Baseline<D> {
  private:
   /// N·m: V times the bulk modulus that is given, or 0.
   float modulus() const {
-    return parameters_.compressibility > 0 ? stage_.kernel().particle_volume / parameters_.compressibility : 0.0f;
+    return parameters_.compressibility > 0 ? stage_.kernel().particle_volume / parameters_.compressibility
+                                           : 0.0f;
   }
 
   D& device_;

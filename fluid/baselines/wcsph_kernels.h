@@ -61,8 +61,8 @@ struct WcsphSums {
     if (contact_start[i] != contact_start[i + 1]) return;
     using Real = typename D::Real;
     Real weight(0.0f);
-    const Vec3 v =
-        viscosity.sum_over<D>(neighbours, i, [&](const Real& t) { weight += BaselineKernel::weight_shape(t); });
+    const Vec3 v = viscosity.sum_over<D>(neighbours, i,
+                                         [&](const Real& t) { weight += BaselineKernel::weight_shape(t); });
     const float c = viscosity.kernel.peak_weight * (sum(weight) + 1) - 1;
     if (!D::leads()) return;
     compression[i] = c;

@@ -165,8 +165,8 @@ void DensitySet<D>::end(pbd::Substep<D>& substep) {
   if (by_baseline_) baseline_->end(substep, multiplier_.current.view());
 }
 
-/// Chooses the kernels for what is there. Those of other shapes than the default allow for everything, as each
-/// choice costs the time of a compilation.
+/// Chooses the kernels for what is there. Those of other shapes than the default allow for everything, as
+/// each choice costs the time of a compilation.
 template <class D>
 template <class K>
 void DensitySet<D>::iterate(const K& kernel, pbd::Substep<D>& substep,

@@ -237,7 +237,8 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
         break;
       case velocity:
         with_shape(density_.kernel(), [&]<class K>(const K& kernel) {
-          sum("probes/velocity", substep, PointVelocity<K>{kernel, p.position, p.velocity, axes_, probe.point});
+          sum("probes/velocity", substep,
+              PointVelocity<K>{kernel, p.position, p.velocity, axes_, probe.point});
         });
         break;
       case density:

@@ -42,7 +42,8 @@ decltype(auto) World::Impl::run(const Call& call) {
   } catch (const pbd::StateLost& loss) {
     lost = true;
     if (loss.code() == ErrorCode::out_of_memory) throw Error(world_errors::lost_now);
-    throw Error(loss.code(), "the world is lost, and only its destruction is possible: " + std::string(loss.what()));
+    throw Error(loss.code(),
+                "the world is lost, and only its destruction is possible: " + std::string(loss.what()));
   } catch (const std::bad_alloc&) {
     lost = monitor.committed() || rigid.is_broken();
     throw Error(lost ? world_errors::lost_now : pbd::no_host_memory);

@@ -71,8 +71,8 @@ class SolverBench {
   virtual DensitySolution solve_density(const DensityCase& setup) = 0;
   /// A whole substep of a baseline, from positions that are predicted already.
   virtual DensitySolution solve_baseline(const DensityCase& setup) = 0;
-  /// Positions once every particle's multiplier has pushed, when all of them are the same; kg·m². They are left
-  /// from a substep of last_dt.
+  /// Positions once every particle's multiplier has pushed, when all of them are the same; kg·m². They are
+  /// left from a substep of last_dt.
   virtual std::vector<Vec3> push(const DensityCase& setup, float multiplier, float last_dt) = 0;
   /// Velocities after passes of the viscosity over particles that stand still.
   virtual std::vector<Vec3> smooth(const SmoothingCase& setup) = 0;

@@ -313,8 +313,8 @@ TEST_P(PeriodicTest, RefusesExtents) {
   def.diffuse.emplace();
   expect_error(bad, "diffuse", [&] { World world(def); });
   def = periodic_def(GetParam(), 1);
-  for (const DensitySolver solver : {DensitySolver::grid, DensitySolver::pcisph, DensitySolver::wcsph,
-                                     DensitySolver::dfsph}) {
+  for (const DensitySolver solver :
+       {DensitySolver::grid, DensitySolver::pcisph, DensitySolver::wcsph, DensitySolver::dfsph}) {
     def.density.solver = solver;
     expect_error(bad, "jacobi or chebyshev", [&] { World world(def); });
   }
