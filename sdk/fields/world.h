@@ -153,8 +153,6 @@ void fields(V& v, WorldDef& d) {
   v("periodic", d.periodic, any_value, "",
     "axes along which the world repeats itself; it then takes fluids and fixed shapes alone");
   check_periodic(v, d);
-  v.check(d.kernel == SmoothingKernel::poly6_spiky || !is_baseline(d.density.solver),
-          "the solvers pcisph, wcsph and dfsph have the kernel poly6_spiky alone");
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps", "max_substeps",
           d.max_substeps);
 }

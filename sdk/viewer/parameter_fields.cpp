@@ -182,6 +182,8 @@ void ParameterFields::draw_property(const std::string& key, const Schema& schema
   if (!form || form->contains("oneOf")) return;
   const std::string type = form->value("type", "");
   if (type == "object") {
+    // Values are set one at a time, so what needs several at once cannot be made here.
+    if (!is_there && form->contains("required")) return;
     Json none = Json::object();
     Json& object = is_there ? parent[key] : none;
     if (!ImGui::TreeNode(key.c_str())) return;

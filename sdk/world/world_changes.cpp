@@ -57,8 +57,10 @@ void World::Calls::set_def(const WorldDef& def) {
   expect_same("particle_spacing", now.particle_spacing, def.particle_spacing);
   expect_same("support_ratio", now.support_ratio, def.support_ratio);
   expect_same("contact_radius", now.contact_radius, def.contact_radius);
+  expect_same("kernel", now.kernel, def.kernel);
   expect_same("diffuse", now.diffuse, def.diffuse);
   expect_same("periodic", now.periodic, def.periodic);
+  check_baseline_kernel(def);
   if (is_baseline(def.density.solver)) impl_->check_baseline_suits();
   impl_->read_reactions();  // of the last step, with its gravity
   if (now.cloth != def.cloth) impl_->cloth_changed();

@@ -90,8 +90,14 @@ void check_room(size_t present, double added, std::string_view emitter) {
   throw Error(ErrorCode::capacity, why.str());
 }
 
+void check_baseline_kernel(const WorldDef& def) {
+  if (!is_baseline(def.density.solver) || def.kernel == SmoothingKernel::poly6_spiky) return;
+  check::refuse("WorldDef::kernel", "wendland_c2 or cubic_spline",
+                "poly6_spiky with the solvers pcisph, wcsph and dfsph");
+}
+
 World::Impl::Impl(const WorldDef& world_def)
-    : def((check::def(world_def), world_def)),
+    : def((check::def(world_def), check_baseline_kernel(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
                               def.kernel)) {

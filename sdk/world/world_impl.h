@@ -195,6 +195,8 @@ struct World::Impl {
 };
 
 ParticleMaterial material_of(const FluidDef& def);
+/// Throws Error(invalid_argument) if a baseline is to have another kernel than the one that it is made for.
+void check_baseline_kernel(const WorldDef& def);
 
 /// Throws Error(capacity) if a world with that many particles has no room for `added` more. The message names
 /// the emitter that wants most of them, if one does.

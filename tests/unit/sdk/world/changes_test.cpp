@@ -176,6 +176,9 @@ TEST_P(WorldChangesTest, WhatCannotChangeIsRefused) {
   other.diffuse = DiffuseDef{};
   expect_error(ErrorCode::invalid_argument, "diffuse", [&] { world.set_def(other); });
   other = world.def();
+  other.kernel = SmoothingKernel::wendland_c2;
+  expect_error(ErrorCode::invalid_argument, "kernel", [&] { world.set_def(other); });
+  other = world.def();
   other.density.relaxation = 2;
   expect_error(ErrorCode::invalid_argument, "relaxation", [&] { world.set_def(other); });
   FluidDef heavy;
