@@ -177,6 +177,7 @@ void ParameterFields::draw_object(const Schema& schema, Json& object, const std:
 
 void ParameterFields::draw_property(const std::string& key, const Schema& schema, Json& parent,
                                     const std::string& path) {
+  if (key == "belt_velocity" && path.starts_with("bodies")) return;  // a fixed shape's alone
   const bool is_there = parent.contains(key);
   const Schema* form = is_there ? chosen(schema, parent[key]) : &schema;
   if (!form || form->contains("oneOf")) return;
