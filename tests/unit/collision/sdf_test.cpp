@@ -57,6 +57,28 @@ TEST(Sdf, ABallComesNearTheSphere) {
   }
 }
 
+/// Along an axis the interpolated distance is linear within a cell, so difference quotients are exact there.
+TEST(Sdf, NormalsAreTheSlopeOfTheInterpolatedDistance) {
+  pbd::CpuDevice device;
+  const float cell = 0.2f, step = 0.1f * cell;
+  const BuiltSdf ball = build(device, ball_mesh(1, 4), cell, 0.6f);
+  const Lattice& nodes = ball.sdf.nodes();
+  Noise noise(2);
+  for (int n = 0; n < 500; ++n) {
+    const auto below = [&](uint32_t count) { return static_cast<uint32_t>(noise.next() * float(count - 1)); };
+    const uint32_t i = below(nodes.nx), j = below(nodes.ny), k = below(nodes.nz);
+    const Vec3 low = nodes.point(nodes.index(i, j, k)), high = nodes.point(nodes.index(i + 1, j + 1, k + 1));
+    const Vec3 middle = 0.5f * (low + high), p = middle + noise.in_cube(0.3f * cell);
+    const auto slope = [&](Vec3 along) {
+      return sample_sdf(ball.sdf.view(), p + step * along).distance -
+             sample_sdf(ball.sdf.view(), p - step * along).distance;
+    };
+    const Vec3 slopes{slope({1, 0, 0}), slope({0, 1, 0}), slope({0, 0, 1})};
+    if (length(slopes) < step) continue;  // the middle of the ball
+    EXPECT_GT(dot(sample_sdf(ball.sdf.view(), p).normal, slopes) / length(slopes), 0.99999f) << n;
+  }
+}
+
 TEST(Sdf, NodesHoldTheDistanceToTheTriangles) {
   pbd::CpuDevice device;
   const TriangleMesh mesh = box_mesh({-0.5f, -0.25f, -0.5f}, {0.5f, 0.25f, 0.5f});
