@@ -163,6 +163,7 @@ void Simulation::take_over(const Scene& scene) {
   def.particle_spacing = world.def().particle_spacing;
   def.support_ratio = world.def().support_ratio;
   def.contact_radius = world.def().contact_radius;
+  def.kernel = world.def().kernel;
   def.diffuse = world.def().diffuse;
   def.periodic = world.def().periodic;
   world.set_def(def);

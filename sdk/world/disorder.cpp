@@ -27,7 +27,7 @@ Vec3 push_of(Vec3 d) {
   return (scale * q * u * u * u / r) * d;
 }
 
-/// Spreads the ten low bits of x to every third bit.
+/// Spreads the 21 low bits of x to every third bit.
 uint64_t spread(uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffull;

@@ -224,6 +224,7 @@ TEST_F(SimulationTest, ARunningWorldTakesOverWhatItCan) {
   changed->frame_time = 0.005f;
   changed->world.gravity = {0, 0, 0};
   changed->fluids[0].rest_density = 2000;  // for the next reset
+  changed->world.kernel = SmoothingKernel::wendland_c2;
   simulation_.change(changed);
   simulation_.step();
   const auto s = wait_for([](const Snapshot& now) { return now.steps == 1; });
