@@ -140,8 +140,8 @@ struct PeriodicExtent {
 
 /// The axes along which the world repeats itself: fluid that leaves at one end enters at the other. An extent
 /// is at least 4 support radii long. Such a world takes fluids and fixed shapes, sinks and most probes.
-/// Bodies, cloth, ropes, grains, emitters, diffuse particles and density solvers other than `jacobi` and
-/// `chebyshev` are refused. All particles are between the ends, to rounding. A shape that comes near an end acts at the other end as well.
+/// Bodies, cloth, ropes, grains, emitters, diffuse particles and all solvers but `jacobi` and `chebyshev` are
+/// refused. All particles are between the ends, to rounding. A shape near an end acts at the other as well.
 struct PeriodicDef {
   std::optional<PeriodicExtent> x{}, y{}, z{};  ///< none: the axis has no end
 
