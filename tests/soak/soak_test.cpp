@@ -69,7 +69,9 @@ TEST_P(SoakTest, TenMinutesLeaveNoTrace) {
     ASSERT_EQ(d.non_finite, 0u) << "step " << step;
     EXPECT_EQ(d.outside, 0u) << "step " << step;
     if ((step + 1) % minute == 0) {
-      std::printf("%s: minute %d\n", named.name, (step + 1) / minute);
+      std::printf("%s: minute %d, %.2f MB on the device, %.1f MB in the process\n", named.name,
+                  (step + 1) / minute, static_cast<double>(world.device_bytes()) * 1e-6,
+                  static_cast<double>(resident_bytes()) * 1e-6);
       std::fflush(stdout);
     }
     worst_error = std::max(worst_error, d.density_error_mean);
