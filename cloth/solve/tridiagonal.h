@@ -18,7 +18,7 @@ using pbd::write_whole;
 /// A row: lower x(i − 1) + diagonal x(i) + upper x(i + 1) = right, with 0 beyond the ends. The x are numbers
 /// R or vectors of them.
 template <class R, class X = R>
-struct alignas(alignof(R) > 16          ? alignof(R)
+struct alignas(alignof(R) >= 16         ? alignof(R)
                : sizeof(X) == sizeof(R) ? 16
                                         : 8) TridiagonalRow {
   R lower, diagonal, upper;
