@@ -38,6 +38,7 @@ struct EngineDef {
   pbd::SolverParameters solver;
   fluid::Kernel kernel{};
   float particle_spacing = 0;  ///< m
+  Vec3 origin{0, 0, 0};        ///< m, added to the places that write_particles writes
   fluid::DensityParameters density;
   std::optional<fluid::DiffuseParameters> diffuse;
   cloth::ClothSolverParameters cloth;

@@ -24,6 +24,14 @@ struct ReadVector {
   MENISCUS_HD void operator()(uint32_t i) const { to[slot[i]] = from[i].xyz(); }
 };
 
+/// Moves ellipsoids to the user's frame.
+struct ShiftEllipsoids {
+  View<Ellipsoid> ellipsoids;
+  Vec3 by;
+
+  MENISCUS_HD void operator()(uint32_t i) const { ellipsoids[i].centre += by; }
+};
+
 struct ReadGroup {
   View<const pbd::Phase> phase;
   View<const uint32_t> slot;

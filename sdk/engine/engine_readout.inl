@@ -109,6 +109,9 @@ void DeviceEngine<D>::write_particles(const ParticleArrays& arrays) {
       device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
   const auto write = [&](pbd::Substep<D>& substep) {
     anisotropy.measure(substep, {arrays.ellipsoids, count});
+    if (def_.origin != Vec3{0, 0, 0})
+      device_.parallel_for("read-out/origin", count,
+                           engine_kernels::ShiftEllipsoids{{arrays.ellipsoids, count}, def_.origin});
     device_.parallel_for(
         "read-out/fluids", count,
         engine_kernels::ReadGroup{substep.particles.phase, substep.particles.slot, {arrays.fluids, count}});

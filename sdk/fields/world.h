@@ -133,6 +133,8 @@ template <class V>
 void fields(V& v, WorldDef& d) {
   v("device", d.device, any_value, "", "where to run; auto takes a usable GPU, else the CPU");
   v("threads", d.threads, between(0, 1024), "", "of the CPU device; 0 is one a core");
+  v("origin", d.origin, any_value, "m",
+    "about which the world computes: a scene far from zero is then as precise as one beside it");
   v("gravity", d.gravity, any_value, "m/s²", "acceleration of everything");
   v("particle_spacing", d.particle_spacing, between(1e-4, 1e3), "m", "rest distance between fluid particles");
   v("support_ratio", d.support_ratio, between(1.5, 3), "", "support radius over spacing");

@@ -160,6 +160,7 @@ void Simulation::take_over(const Scene& scene) {
   WorldDef def = scene.world;
   def.device = world.def().device;
   def.threads = world.def().threads;
+  def.origin = world.def().origin;
   def.particle_spacing = world.def().particle_spacing;
   def.support_ratio = world.def().support_ratio;
   def.contact_radius = world.def().contact_radius;

@@ -47,6 +47,16 @@ std::span<const Vec3> World::Calls::cloth_positions(ClothId id) const {
   return impl_->cloths.get(id).range.state.positions;
 }
 
+std::span<const Vec3> World::Calls::outward_positions(ClothId id) const {
+  return meniscus::outward(impl_->origin, cloth_positions(id), impl_->cloths.edit(id).outward,
+                           [](Vec3& p) -> Vec3& { return p; });
+}
+
+std::span<const Vec3> World::Calls::outward_positions(RopeId id) const {
+  return meniscus::outward(impl_->origin, rope_positions(id), impl_->ropes.edit(id).outward,
+                           [](Vec3& p) -> Vec3& { return p; });
+}
+
 std::span<const Vec3> World::Calls::cloth_velocities(ClothId id) const {
   impl_->fetch_cloth();
   return impl_->cloths.get(id).range.state.velocities;

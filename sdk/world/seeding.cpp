@@ -24,19 +24,21 @@ namespace meniscus {
 
 namespace {
 
-/// The number of cells along an extent, so that half a spacing stays free at either end, within rounding.
-int cells_along(float extent, float spacing) {
-  return static_cast<int>(std::floor(extent / spacing + 1e-3f));
+/// The number of cells along an extent, so that half a spacing stays free at either end, within rounding. The
+/// extent may itself be rounded, by `rounding` m.
+int cells_along(float extent, float spacing, float rounding) {
+  return static_cast<int>(std::floor((extent + rounding) / spacing + 1e-3f));
 }
 
 struct FillRegion {
   Engine& engine;
   float spacing;
+  float rounding;
 
   std::vector<Vec3> operator()(const BoxRegion& r) const {
     const Vec3 size = r.upper - r.lower;
-    const int nx = cells_along(size.x, spacing), ny = cells_along(size.y, spacing),
-              nz = cells_along(size.z, spacing);
+    const int nx = cells_along(size.x, spacing, rounding), ny = cells_along(size.y, spacing, rounding),
+              nz = cells_along(size.z, spacing, rounding);
     std::vector<Vec3> points;
     points.reserve(static_cast<size_t>(std::max(0, nx)) * static_cast<size_t>(std::max(0, ny)) *
                    static_cast<size_t>(std::max(0, nz)));
@@ -69,8 +71,8 @@ struct FillRegion {
 
 }  // namespace
 
-std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing) {
-  std::vector<Vec3> points = std::visit(FillRegion{engine, spacing}, def.region);
+std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing, float rounding) {
+  std::vector<Vec3> points = std::visit(FillRegion{engine, spacing, rounding}, def.region);
   for (Vec3& p : points) p = to_world(def.pose, p);
   return points;
 }
@@ -169,8 +171,9 @@ std::vector<Vec3> shaken(std::vector<Vec3> points, Engine& engine, float spacing
 }
 
 std::vector<Vec3> safe_points(std::span<const Vec3> points, std::span<const Vec3> taken, Engine& engine,
-                              float spacing, const CollisionFilter& filter) {
-  const float clearance = engine_tuning::clearance * spacing, apart = engine_tuning::apart * spacing;
+                              float spacing, float rounding, const CollisionFilter& filter) {
+  const float clearance = engine_tuning::clearance * spacing - rounding,
+              apart = engine_tuning::apart * spacing;
   const std::vector<float> distance = engine.solid_distances(points, spacing, filter);
   PointTable near;
   near.fill(taken, apart);

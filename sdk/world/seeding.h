@@ -14,8 +14,9 @@
 
 namespace meniscus {
 
-/// The points of the cubic lattice with this spacing inside the region, under its pose.
-std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing);
+/// The points of the cubic lattice with this spacing inside the region, under its pose. The region's ends are
+/// rounded by `rounding` m, as arguments are far from zero.
+std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing, float rounding);
 
 /// Points without order in the region, under its pose, that are relaxed beside solids and the points of
 /// `taken`. `keep` removes points where cloth is.
@@ -30,8 +31,9 @@ std::vector<Vec3> shaken(std::vector<Vec3> points, Engine& engine, float spacing
                          const CollisionFilter& filter);
 
 /// The points that lie further than half a spacing from every solid with which the filter collides. They are
-/// also further than 0.7 spacings from every point of `taken`.
+/// also further than 0.7 spacings from every point of `taken`. Solids may have moved by `rounding` m, as
+/// arguments far from zero do.
 std::vector<Vec3> safe_points(std::span<const Vec3> points, std::span<const Vec3> taken, Engine& engine,
-                              float spacing, const CollisionFilter& filter);
+                              float spacing, float rounding, const CollisionFilter& filter);
 
 }  // namespace meniscus

@@ -19,7 +19,7 @@
 namespace meniscus {
 
 const WorldDef& World::Calls::def() const {
-  return impl_->def;
+  return impl_->given;
 }
 DeviceInfo World::Calls::device() const {
   return impl_->device;
@@ -123,9 +123,10 @@ size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
                 "FluidVolumeDef::seeding must be lattice for grains, which have a disorder of their own");
   }
   if (def.seeding == Seeding::disordered) impl_->with_solids();
+  const float rounding = impl_->origin.input_step();
   std::vector<Vec3> points = [&] {
     const pbd::CallMonitor::Cancellable nothing_to_undo(impl_->monitor());
-    if (def.seeding == Seeding::lattice) return fill_region(def, *impl_->engine, spacing);
+    if (def.seeding == Seeding::lattice) return fill_region(def, *impl_->engine, spacing, rounding);
     return fill_in_disorder(def, impl_->with_solids(), spacing, positions(), material.filter,
                             [&](std::vector<Vec3>& p) { impl_->keep_off_cloth(p, material.filter); });
   }();
@@ -134,7 +135,7 @@ size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
   const pbd::PeriodicAxes axes = periodic_axes(impl_->def.periodic);
   check::between_seams(axes, points, "a particle of add_fluid");
   std::vector<Vec3> safe = safe_points(points, with_seam_images(positions(), axes, spacing),
-                                       impl_->with_solids(), spacing, material.filter);
+                                       impl_->with_solids(), spacing, rounding, material.filter);
   impl_->keep_off_cloth(safe, material.filter);
   check_room(ids().size(), static_cast<double>(safe.size()));
   const size_t before = ids().size();

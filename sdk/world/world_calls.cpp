@@ -52,13 +52,13 @@ FluidId World::create_granular(const GranularDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_granular(def); });
 }
 ShapeId World::create_shape(const ShapeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_shape(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_shape(w.inward(def)); });
 }
 void World::destroy_shape(ShapeId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_shape(id); });
 }
 EmitterId World::create_emitter(const EmitterDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_emitter(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_emitter(w.inward(def)); });
 }
 void World::destroy_emitter(EmitterId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_emitter(id); });
@@ -67,7 +67,7 @@ FlowCount World::emitter_count(EmitterId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_count(id); });
 }
 SinkId World::create_sink(const SinkDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_sink(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_sink(w.inward(def)); });
 }
 void World::destroy_sink(SinkId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_sink(id); });
@@ -76,37 +76,37 @@ FlowCount World::sink_count(SinkId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.sink_count(id); });
 }
 ProbeId World::create_probe(const ProbeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_probe(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_probe(w.inward(def)); });
 }
 void World::destroy_probe(ProbeId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_probe(id); });
 }
 BodyId World::create_body(const BodyDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_body(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_body(w.inward(def)); });
 }
 void World::destroy_body(BodyId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_body(id); });
 }
 JointId World::create_joint(const JointDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_joint(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_joint(w.inward(def)); });
 }
 void World::destroy_joint(JointId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_joint(id); });
 }
 ClothId World::create_cloth(const ClothDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_cloth(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_cloth(w.inward(def)); });
 }
 void World::destroy_cloth(ClothId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_cloth(id); });
 }
 RopeId World::create_rope(const RopeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_rope(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_rope(w.inward(def)); });
 }
 void World::destroy_rope(RopeId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_rope(id); });
 }
 AttachmentId World::create_attachment(const AttachmentDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_attachment(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.create_attachment(w.inward(def)); });
 }
 void World::destroy_attachment(AttachmentId id) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_attachment(id); });
@@ -115,11 +115,12 @@ void World::set_wind(const WindDef& wind) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.set_wind(wind); });
 }
 std::size_t World::add_fluid(const FluidVolumeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.add_fluid(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.add_fluid(w.inward(def)); });
 }
 ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
                                 std::span<const Vec3> velocities) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.add_particles(fluid, positions, velocities); });
+  return impl_->run(
+      [&](auto w) -> decltype(auto) { return w.add_particles(fluid, w.inward(positions), velocities); });
 }
 void World::remove_particles(std::span<const ParticleId> ids) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.remove_particles(ids); });
@@ -137,7 +138,7 @@ double World::time() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.time(); });
 }
 BodyState World::body_state(BodyId id) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.body_state(id); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.body_state(id)); });
 }
 BodyMass World::body_mass(BodyId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.body_mass(id); });
@@ -146,26 +147,26 @@ double World::hinge_angle(JointId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.hinge_angle(id); });
 }
 void World::set_body_pose(BodyId id, const Pose& pose) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.set_body_pose(id, pose); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.set_body_pose(id, w.inward(pose)); });
 }
 void World::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
   return impl_->run(
       [&](auto w) -> decltype(auto) { return w.set_body_velocity(id, velocity, angular_velocity); });
 }
 void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_force(id, force, point); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_force(id, force, w.inward(point)); });
 }
 void World::apply_torque(BodyId id, Vec3 torque) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.apply_torque(id, torque); });
 }
 void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_impulse(id, impulse, point); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_impulse(id, impulse, w.inward(point)); });
 }
 void World::move_body(BodyId id, const Pose& target, float duration) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.move_body(id, target, duration); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.move_body(id, w.inward(target), duration); });
 }
 std::span<const Vec3> World::cloth_positions(ClothId id) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_positions(id); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward_positions(id); });
 }
 std::span<const Vec3> World::cloth_velocities(ClothId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_velocities(id); });
@@ -194,13 +195,13 @@ std::span<const float> World::cloth_wetness(ClothId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_wetness(id); });
 }
 ClothState World::cloth_state(ClothId id) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_state(id); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.cloth_state(id)); });
 }
 const std::vector<TearEvent>& World::tear_events() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.tear_events(); });
 }
 std::span<const Vec3> World::rope_positions(RopeId id) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.rope_positions(id); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward_positions(id); });
 }
 std::span<const Vec3> World::rope_velocities(RopeId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.rope_velocities(id); });
@@ -221,26 +222,28 @@ std::vector<uint32_t> World::attachment_vertices(AttachmentId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.attachment_vertices(id); });
 }
 std::vector<ParticleContact> World::particle_contacts() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.particle_contacts(); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.particle_contacts()); });
 }
 std::vector<SolidContact> World::solid_contacts() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.solid_contacts(); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.solid_contacts()); });
 }
 const std::vector<ContactEvent>& World::contact_events() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.contact_events(); });
 }
 std::optional<RayHit> World::cast_ray(Vec3 from, Vec3 to) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.cast_ray(from, to); });
+  return impl_->run(
+      [&](auto w) -> decltype(auto) { return w.outward(w.cast_ray(w.inward(from), w.inward(to))); });
 }
 std::vector<float> World::solid_distances(std::span<const Vec3> points, float reach,
                                           const CollisionFilter& filter) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.solid_distances(points, reach, filter); });
+  return impl_->run(
+      [&](auto w) -> decltype(auto) { return w.solid_distances(w.inward(points), reach, filter); });
 }
 Overlaps World::overlap_ball(Vec3 centre, float radius) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.overlap_ball(centre, radius); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.overlap_ball(w.inward(centre), radius); });
 }
 Overlaps World::overlap_box(const Pose& pose, Vec3 half_extents) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.overlap_box(pose, half_extents); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.overlap_box(w.inward(pose), half_extents); });
 }
 std::size_t World::particle_count() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.particle_count(); });
@@ -249,7 +252,7 @@ std::span<const ParticleId> World::ids() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.ids(); });
 }
 std::span<const Vec3> World::positions() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.positions(); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward_positions(); });
 }
 std::span<const Vec3> World::velocities() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.velocities(); });
@@ -264,7 +267,7 @@ std::span<const float> World::pressures() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.pressures(); });
 }
 std::span<const Ellipsoid> World::ellipsoids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.ellipsoids(); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward_ellipsoids(); });
 }
 void World::write_particles(const ParticleArrays& arrays) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.write_particles(arrays); });
@@ -273,10 +276,10 @@ void World::write_particles(GlParticles& buffers) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.write_particles(buffers); });
 }
 SurfaceMesh World::surface_mesh(const SurfaceMeshDef& def) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.surface_mesh(def); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.surface_mesh(def)); });
 }
 std::span<const DiffuseParticle> World::diffuse() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.diffuse(); });
+  return impl_->run([&](auto w) -> decltype(auto) { return w.outward_diffuse(); });
 }
 Diagnostics World::diagnostics() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.diagnostics(); });

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // What World's calls do, without the boundary that each public call passes (Impl::run). Calls that need
-// another one use it here.
+// another one use it here. They take and return positions in the frame about the origin (origin.h).
 #pragma once
 
+#include <utility>
+
+#include "sdk/world/origin.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {
@@ -103,6 +106,22 @@ struct World::Calls {
   std::vector<std::string> warnings() const;
   std::size_t device_bytes() const;
   std::vector<MemoryShare> memory_shares() const;
+
+  // Arguments in the frame about the origin, and results in that of the user.
+  template <class Def>
+  Inward<Def> inward(const Def& def) const {
+    return {impl_->origin, def};
+  }
+  InwardPoints inward(std::span<const Vec3> points) const { return {impl_->origin, points}; }
+  template <class Result>
+  Result outward(Result result) const {
+    return impl_->origin.outward(std::move(result));
+  }
+  std::span<const Vec3> outward_positions() const;
+  std::span<const Vec3> outward_positions(ClothId id) const;
+  std::span<const Vec3> outward_positions(RopeId id) const;
+  std::span<const Ellipsoid> outward_ellipsoids() const;
+  std::span<const DiffuseParticle> outward_diffuse() const;
 
   Impl* impl_;
 };

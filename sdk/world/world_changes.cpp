@@ -49,8 +49,10 @@ void expect_same(const char* name, const T& now, const T& wanted) {
 
 }  // namespace
 
-void World::Calls::set_def(const WorldDef& def) {
-  check::def(def);
+void World::Calls::set_def(const WorldDef& given) {
+  check::def(given);
+  expect_same("origin", impl_->given.origin, given.origin);
+  const WorldDef def = impl_->origin.inward(given);
   const WorldDef& now = impl_->def;
   expect_same("device", now.device, def.device);
   expect_same("threads", now.threads, def.threads);
@@ -65,11 +67,13 @@ void World::Calls::set_def(const WorldDef& def) {
   impl_->read_reactions();  // of the last step, with its gravity
   if (now.cloth != def.cloth) impl_->cloth_changed();
   const WorldDef before = std::exchange(impl_->def, def);
+  const WorldDef given_before = std::exchange(impl_->given, given);
   try {
     impl_->engine->set_solvers(impl_->engine_def());
   } catch (...) {
     impl_->monitor().commit();
     impl_->def = before;
+    impl_->given = given_before;
     impl_->engine->set_solvers(impl_->engine_def());
     impl_->monitor().restored();
     throw;

@@ -37,6 +37,7 @@ EngineDef World::Impl::engine_def() {
   EngineDef e;
   e.kernel = kernel;
   e.rigid = &rigid;
+  e.origin = origin.at();
   e.particle_spacing = def.particle_spacing;
   e.solver.gravity = def.gravity;
   e.solver.support_radius = kernel.h;
@@ -97,7 +98,9 @@ void check_baseline_kernel(const WorldDef& def) {
 }
 
 World::Impl::Impl(const WorldDef& world_def)
-    : def((check::def(world_def), check_baseline_kernel(world_def), world_def)),
+    : given((check::def(world_def), check_baseline_kernel(world_def), world_def)),
+      origin(given.origin),
+      def(origin.inward(given)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
                               def.kernel)) {

@@ -17,6 +17,7 @@
 #include "sdk/world/cloth/cloth_table.h"
 #include "sdk/world/crowding.h"
 #include "sdk/world/flow/world_flow.h"
+#include "sdk/world/origin.h"
 #include "sdk/world/solids/world_shapes.h"
 
 namespace meniscus {
@@ -136,7 +137,9 @@ struct World::Impl {
   void drop_attachments_of(BodyId body);
   void remove(const std::vector<bool>& removed);  // by slot; the engine has already removed them
 
-  WorldDef def;
+  WorldDef given;  // as the user has it
+  Origin origin;
+  WorldDef def;  // the same in the frame about the origin
   DeviceInfo device;
   collision::RigidWorld rigid;  // numbers its fixed solids and bodies as shapes and bodies
   fluid::Kernel kernel{};
@@ -190,7 +193,11 @@ struct World::Impl {
   CachedReadout<float> density_errors, full_support, pressures;
   CachedReadout<Ellipsoid> ellipsoids;
   CachedReadout<DiffuseParticle> diffuse;
-  EngineMeasure measured;                      // measured with density_errors
+  EngineMeasure measured;  // measured with density_errors
+  // In the user's frame, where that is another one.
+  std::vector<Vec3> outward_positions;
+  std::vector<Ellipsoid> outward_ellipsoids;
+  std::vector<DiffuseParticle> outward_diffuse;
   std::optional<fluid::SurfaceField> surface;  // created on request
 };
 

@@ -5,6 +5,7 @@
 #include <meniscus/world.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pbd/math/hash.h"
@@ -24,6 +25,21 @@ std::span<const ParticleId> World::Calls::ids() const {
 
 std::span<const Vec3> World::Calls::positions() const {
   return impl_->positions.get(particle_count(), [&](auto out) { impl_->engine->read_positions(out); });
+}
+
+std::span<const Vec3> World::Calls::outward_positions() const {
+  return meniscus::outward(impl_->origin, positions(), impl_->outward_positions,
+                           [](Vec3& p) -> Vec3& { return p; });
+}
+
+std::span<const Ellipsoid> World::Calls::outward_ellipsoids() const {
+  return meniscus::outward(impl_->origin, ellipsoids(), impl_->outward_ellipsoids,
+                           [](Ellipsoid& e) -> Vec3& { return e.centre; });
+}
+
+std::span<const DiffuseParticle> World::Calls::outward_diffuse() const {
+  return meniscus::outward(impl_->origin, diffuse(), impl_->outward_diffuse,
+                           [](DiffuseParticle& d) -> Vec3& { return d.position; });
 }
 
 std::span<const Vec3> World::Calls::velocities() const {
@@ -94,16 +110,29 @@ Diagnostics World::Calls::diagnostics() const {
   return d;
 }
 
+namespace {
+
+/// The vector of a probe in the user's frame, 0 without particles.
+std::array<double, 3> exact_vector(const fluid::ProbeSum& value, ProbeKind kind, Vec3 origin) {
+  const bool is_place = kind == ProbeKind::fluid_centre && (value.x != 0 || value.y != 0 || value.z != 0);
+  if (!is_place) origin = {0, 0, 0};
+  return {value.x + origin.x, value.y + origin.y, value.z + origin.z};
+}
+
+}  // namespace
+
 Vec3 World::Calls::probe_vector(ProbeId id) const {
-  if (!is_vector(impl_->probes.get(id).kind)) return {0, 0, 0};
-  const fluid::ProbeSum& value = impl_->probe_values[id.index];
-  return {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
+  const ProbeKind kind = impl_->probes.get(id).kind;
+  if (!is_vector(kind)) return {0, 0, 0};
+  const std::array<double, 3> v = exact_vector(impl_->probe_values[id.index], kind, impl_->origin.at());
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
 double World::Calls::probe(ProbeId id) const {
   const ProbeDef& def = impl_->probes.get(id);
   const fluid::ProbeSum& value = impl_->probe_values[id.index];
-  const double size = std::sqrt(value.x * value.x + value.y * value.y + value.z * value.z);
+  const std::array<double, 3> v = exact_vector(value, def.kind, impl_->origin.at());
+  const double size = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   if (def.kind == ProbeKind::wall_pressure) return size / def.area;
   return is_vector(def.kind) ? size : value.value;
 }

@@ -128,7 +128,7 @@ void World::Impl::warn_of_places(std::vector<std::string>& warnings) {
   const float step = step_at(furthest), most = world_tuning::coarsest_position * def.particle_spacing;
   if (step > most)
     warnings.push_back(sentence("something is ", furthest,
-                                " m from the origin, where positions are rounded to ", step,
+                                " m from WorldDef::origin, where positions are rounded to ", step,
                                 " m: more than 1 % of the spacing of ", def.particle_spacing, " m"));
 }
 

@@ -24,7 +24,7 @@ struct Keyframe {
 ///
 /// Limits of Bullet: bodies of more than 1.4e13 kg fall through other solids. Joints of more than 8e12 kg or
 /// kg·m² do not hold. A body rotates by at most 45° in one step of Bullet, whatever its angular velocity.
-/// Further than 10 km from the origin, bodies collide with planes alone.
+/// Further than 10 km from WorldDef::origin, bodies collide with planes alone.
 struct BodyDef {
   std::string name;
   BodyMotion motion = BodyMotion::dynamic;

@@ -150,7 +150,11 @@ struct PeriodicDef {
 
 struct WorldDef {
   DeviceChoice device = DeviceChoice::automatic;
-  int threads = 0;                 ///< threads of the CPU device, at most 1024; 0: one for each core
+  int threads = 0;  ///< threads of the CPU device, at most 1024; 0: one for each core
+  /// m: the world computes with positions relative to this point. Calls take and return positions as always.
+  /// A scene far from zero names a point in its middle, and is then as precise as one at zero. Arguments and
+  /// read-outs are floats, and are rounded to 1 mm at 10 km.
+  Vec3 origin{0, 0, 0};
   Vec3 gravity{0, -9.81f, 0};      ///< m/s²
   float particle_spacing = 0.05f;  ///< s, m: the rest distance between fluid particles, 1e-4 to 1e3
   float support_ratio = 2.0f;      ///< support radius h over spacing, 1.5 to 3

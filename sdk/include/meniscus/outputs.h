@@ -116,7 +116,8 @@ struct Diagnostics {
   double density_error_interior = 0;  ///< mean of |C| over particles with a full support
   double neighbours_mean = 0;         ///< particles within the support radius of one
   double kinetic_energy = 0;          ///< J, of all; vertices that are held have none
-  double potential_energy = 0;        ///< J, of all, in the world's gravity, relative to the origin; likewise
+  double potential_energy = 0;        ///< J, of all, in the world's gravity, relative to WorldDef::origin;
+                                      ///< likewise
   float max_speed = 0;                ///< m/s, of all
   std::size_t contacts = 0;           ///< between particles and solids near enough to count in the density
   std::size_t non_finite = 0;         ///< of all

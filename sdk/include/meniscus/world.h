@@ -117,8 +117,8 @@ class World {
   /// call of this world but cancel().
   void set_progress(std::function<void(const Progress&)> report);
   /// What a user probably does not intend, one sentence each, as the world stands now: overlaps, cloth and
-  /// bodies outside of a container, drag on what falls, fields with many cells, and places too far from the
-  /// origin for the precision of floats.
+  /// bodies outside of a container, drag on what falls, fields with many cells, and places too far from
+  /// WorldDef::origin for the precision of floats.
   std::vector<std::string> warnings() const;
 
   // Bodies. Values that are set count from the next step on. Forces act for that step alone, or for the next
@@ -207,8 +207,8 @@ class World {
   /// all particles.
   void write_particles(GlParticles& buffers) const;
   /// The surface around the ellipsoids, by marching cubes on the device. Particles further than 2²¹ cells
-  /// from the origin are left out. Without particles the mesh is empty. Throws Error(invalid_argument) and
-  /// Error(not_found). Throws Error(capacity) if the cells need more than 32 bits to count.
+  /// from WorldDef::origin are left out. Without particles the mesh is empty. Throws Error(invalid_argument)
+  /// and Error(not_found). Throws Error(capacity) if the cells need more than 32 bits to count.
   SurfaceMesh surface_mesh(const SurfaceMeshDef& def = {}) const;
 
   /// Spray, foam and bubbles, in the order of their creation. None without WorldDef::diffuse.

@@ -60,6 +60,7 @@ struct ClothEntry {
   uint32_t welded = 0;                 ///< vertices of a file that were merged into others
   std::vector<uint32_t> held;          ///< vertices for which the tethers were found
   std::vector<cloth::Tether> tethers;  ///< numbered within the piece
+  std::vector<Vec3> outward;           ///< positions in the user's frame
   std::vector<Vec3> normals;           ///< of the latest state, computed on request
   std::vector<float> strains;          ///< as for the normals
   // Of absorbent cloth, by vertex:
@@ -74,7 +75,8 @@ struct RopeEntry {
   VertexRange range;
   cloth::RodModel model;  ///< with vertices numbered from 0
   std::vector<cloth::SegmentState> segments;
-  std::vector<Quat> frames;  ///< of the segments, computed on request
+  std::vector<Quat> frames;   ///< of the segments, computed on request
+  std::vector<Vec3> outward;  ///< positions in the user's frame
 };
 
 struct AttachmentEntry {
