@@ -4,6 +4,7 @@
 // Worlds in the midst of something, for tests of snapshots, and what of a world must be as it was.
 #pragma once
 
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ inline std::vector<uint64_t> state_of(const World& world) {
   add(world.time());
   for (const ParticleId id : world.ids()) add(id);
   for (const float pressure : world.pressures()) add(pressure);
-  for (const DiffuseParticle& p : world.diffuse()) add(p.position.x), add(p.velocity.y), add(p.lifetime);
+  for (const DiffuseParticle& p : world.diffuse()) add(p.position.x), add(p.velocity.y), add(p.life);
   for (const EmitterId id : world.emitter_ids()) add(world.emitter_count(id).total);
   for (const SinkId id : world.sink_ids()) add(world.sink_count(id).total);
   for (const ProbeId id : world.probe_ids()) add(world.probe(id));
@@ -39,7 +40,7 @@ inline std::vector<uint64_t> state_of(const World& world) {
   }
   for (const BodyId id : world.body_ids()) {
     const BodyState body = world.body_state(id);
-    add(body.awake), add(body.force.y), add(body.torque.x);
+    add(body.awake), add(body.fluid_force.y), add(body.fluid_torque.x);
   }
   for (const ParticleContact& c : world.particle_contacts()) add(c.particle), add(c.impulse.y);
   for (const SolidContact& c : world.solid_contacts()) add(c.impulse), add(c.point.x);
