@@ -13,6 +13,7 @@
 
 #include "pbd/device/buffer.h"
 #include "pbd/math/vec.h"
+#include "pbd/state/state_visitor.h"
 
 namespace meniscus::pbd {
 
@@ -219,6 +220,18 @@ class Particles {
     phase.flip();
     slot.flip();
     number.flip();
+  }
+
+  /// In their present order. The room must be there.
+  void visit_state(StateVisitor& v) {
+    v.value("count", count_);
+    v.value("sorted", sorted_);
+    v.value("next_number", next_number_);
+    v.array("position", position.current.view(), count_);
+    v.array("velocity", velocity.current.view(), count_);
+    v.array("phase", phase.current.view(), count_);
+    v.array("slot", slot.current.view(), count_);
+    v.array("number", number.current.view(), count_);
   }
 
   ParticleView view() {

@@ -98,6 +98,9 @@ class Solver {
   /// belong to the present particles.
   bool read_last_substep(const std::function<void(Substep<D>&)>& read);
 
+  /// The state of the particles. Makes the room that they had. The sets have visits of their own.
+  void visit_state(StateVisitor& v);
+
   const ParticleSummary& summary();
   /// The contacts of the last substep, or measurement.
   ContactView contacts() { return contacts_.view(); }
@@ -118,6 +121,8 @@ class Solver {
   void make_room_for_ghosts();
   struct Room {
     uint32_t fluid = 0, vertices = 0, extra = 0, ghosts = 0;
+
+    bool operator==(const Room&) const = default;
   };
   void reserve_all(const Room& room);
   void reserve_or_stay(const Room& room);

@@ -435,6 +435,22 @@ Substep<D> Solver<D>::make_substep(float dt) {
 }
 
 template <class D>
+void Solver<D>::visit_state(StateVisitor& v) {
+  Room room = room_;
+  v.value("room", room);
+  if (v.restores()) {
+    room = {std::max(room.fluid, room_.fluid), std::max(room.vertices, room_.vertices),
+            std::max(room.extra, room_.extra), std::max(room.ghosts, room_.ghosts)};
+    if (room != room_) reserve_or_stay(room);
+  }
+  v.part("particles", particles_);
+  v.value("fresh", fresh_);
+  if (!v.restores()) return;
+  summary_state_ = SummaryState::unknown;
+  has_found_ = false;
+}
+
+template <class D>
 void Solver<D>::save_state() {
   summary();  // of the present state, before it is saved
   for (ConstraintSet<D>* set : sets_) set->save();

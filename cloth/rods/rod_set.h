@@ -54,6 +54,7 @@ class RodSet final : public pbd::ConstraintSet<D> {
   void end(pbd::Substep<D>& substep) override;
   void save() override;
   void restore() override;
+  void visit_state(pbd::StateVisitor& v);
 
  private:
   rod_kernels::RodView view(const pbd::Substep<D>& substep);

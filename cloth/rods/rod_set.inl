@@ -122,6 +122,16 @@ void RodSet<D>::restore() {
 }
 
 template <class D>
+void RodSet<D>::visit_state(pbd::StateVisitor& v) {
+  v.value("dt", dt_);
+  v.array("frame", frame_.view(), segments_);
+  v.array("spin", spin_.view(), segments_);
+  v.array("pull", pull_.view(), segments_);
+  v.array("torque", torque_.view(), segments_);
+  if (v.restores()) row_.fill(0);  // as in restore()
+}
+
+template <class D>
 rod_kernels::RodView RodSet<D>::view(const pbd::Substep<D>& substep) {
   return {substep.particles,  segment_.view(), frame_.view(), previous_.view(), spin_.view(), start_.view(),
           multiplier_.view(), link_.view(),    row_.view(),   torque_.view(),   pull_.view(), substep.dt};

@@ -31,6 +31,10 @@ class RopeSet final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& substep, int iteration) override;
   void save() override;
   void restore() override;
+  void visit_state(pbd::StateVisitor& v) {
+    v.value("dt", dt_);
+    v.array("pull", pull_.view(), segments_);
+  }
 
  private:
   rope_kernels::RopeView view(const pbd::Substep<D>& substep);

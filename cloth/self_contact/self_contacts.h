@@ -60,6 +60,15 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void make_room() override;
   void save() override;
   void restore() override;
+  /// Lists of pairs are no state: each step begins with a search.
+  void visit_state(pbd::StateVisitor& v) {
+    v.value("rounds", rounds_);
+    v.value("lasts_one_substep", lasts_one_substep_);
+    v.value("one_frame", one_frame_);
+    v.values("found", found_.host());
+    v.array("strayed", strayed_.view(), strayed_.size());
+    if (v.restores()) anew_ = true;
+  }
 
   /// The greatest number of contacts in any substep of the last step.
   uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }

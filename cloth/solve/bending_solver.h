@@ -33,6 +33,11 @@ class BendingSolver {
   void solve(pbd::Substep<D>& substep, const VertexState& vertices);
   /// By piece, the least part of its bending stiffness that substeps have resolved since the model was set.
   const std::vector<float>& fractions() const { return fractions_; }
+  void visit_state(pbd::StateVisitor& v) {
+    v.value("counted_dt", counted_dt_);
+    v.value("count", count_);
+    v.list("fractions", fractions_);
+  }
 
  private:
   template <class T>

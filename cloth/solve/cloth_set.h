@@ -67,6 +67,7 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   void undo_step() override { time_ = start_time_; }
   void save() override;
   void restore() override;
+  void visit_state(pbd::StateVisitor& v);
 
   pbd::SurfaceView surface() const {
     return {triangles_.view(), rest_.view(), corner_start_.view(), corners_.view()};

@@ -347,6 +347,15 @@ void ClothSet<D>::start_step() {
   if (!tears_.host().empty()) tears_.host()[0] = 0;
 }
 
+template <class D>
+void ClothSet<D>::visit_state(pbd::StateVisitor& v) {
+  v.value("wind", wind_);
+  v.value("time", time_);
+  v.value("last_dt", last_dt_);
+  v.array("edge_multiplier", edge_multiplier_.view(), edge_multiplier_.size());
+  v.part("bending", bending_);
+}
+
 /// Chains start without a push. Only the sizes of their last multipliers matter.
 template <class D>
 void ClothSet<D>::save() {

@@ -57,6 +57,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
   void start_step() override;
   void end_step() override;
   void undo_step() override;
+  /// Not of the rigid world. Call place() first, when that is restored.
+  void visit_state(pbd::StateVisitor& v) { v.list("mean_force", mean_forces_); }
 
   /// By body: its predicted pose. Contact searches that run after the prediction read this.
   pbd::View<const BodyProxy> proxies() const { return proxies_.view(); }

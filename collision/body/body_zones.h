@@ -40,6 +40,11 @@ class BodyZones final : public pbd::ConstraintSet<D> {
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;
   void save() override;
   void start_step() override { found_.host()[0] = 0; }
+  void visit_state(pbd::StateVisitor& v) {
+    v.value("active", active_);
+    v.value("idle", idle_);
+    v.values("found", found_.host());
+  }
   void arrange(pbd::Substep<D>&) override { moves_ = true; }
   void project(pbd::Substep<D>&, int) override {}
   void settle(pbd::Substep<D>& substep) override;

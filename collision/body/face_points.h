@@ -47,6 +47,7 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   uint32_t extra_particles() const override { return room_; }
   void save() override;
   void start_step() override { wanted_.host()[0] = 0; }
+  void visit_state(pbd::StateVisitor& v);
   void arrange(pbd::Substep<D>& substep) override;
   bool prepares() const override { return may_need_points() && !active_; }
   void prepare(pbd::Substep<D>& substep) override;

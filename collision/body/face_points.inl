@@ -48,6 +48,19 @@ void FacePoints<D>::save() {
 }
 
 template <class D>
+void FacePoints<D>::visit_state(pbd::StateVisitor& v) {
+  uint32_t room = room_;
+  bool active = active_;
+  v.value("room", room);
+  v.value("active", active);
+  v.value("idle", idle_);
+  v.values("wanted", wanted_.host());
+  if (!v.restores()) return;
+  if (room > room_) set_room(room);
+  active_ = active;
+}
+
+template <class D>
 void FacePoints<D>::make_room() {
   active_ = true;
   idle_ = 0;

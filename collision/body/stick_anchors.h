@@ -42,6 +42,7 @@ class StickAnchors final : public pbd::ConstraintSet<D> {
   void end(pbd::Substep<D>& substep) override;
   void save() override;
   void restore() override;
+  void visit_state(pbd::StateVisitor& v);
 
  private:
   D& device_;

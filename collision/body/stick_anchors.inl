@@ -126,6 +126,19 @@ void StickAnchors<D>::end(pbd::Substep<D>& substep) {
 }
 
 template <class D>
+void StickAnchors<D>::visit_state(pbd::StateVisitor& v) {
+  uint32_t count = 0;
+  if (!v.restores() && vertices_ > 0 && anchors_.current().count > 0) {
+    device_.copy_out(&count, start_.current().data + vertices_, sizeof count);
+    count = std::min(count, anchors_.current().count);
+  }
+  v.value("count", count);
+  if (v.restores() && anchors_.current().count < count) anchors_.reserve(count, 0);
+  v.array("anchor", anchors_.current(), count);
+  v.array("start", start_.current(), vertices_ > 0 ? vertices_ + 1 : 0);
+}
+
+template <class D>
 void StickAnchors<D>::save() {
   anchors_.save();
   start_.save();

@@ -43,6 +43,10 @@ class FluidClothSet final : public pbd::ConstraintSet<D> {
     draws_before_ = draws_;
   }
   void undo_step() override { draws_ = draws_before_; }
+  void visit_state(pbd::StateVisitor& v) {
+    v.value("draws", draws_);
+    v.array("vertex_weight", self_weight_.view(), self_weight_.size());  // water changes it
+  }
   void project(pbd::Substep<D>&, int) override {}
   void settle(pbd::Substep<D>& substep) override;
   void end(pbd::Substep<D>& substep) override;

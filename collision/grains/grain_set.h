@@ -61,6 +61,7 @@ class GrainSet final : public pbd::ConstraintSet<D> {
   void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
   void save() override;
   void restore() override;
+  void visit_state(pbd::StateVisitor& v);
 
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;

@@ -164,6 +164,25 @@ void GrainSet<D>::make_room() {
   }
 }
 
+/// Rows that are longer than here make room first. Shorter rows would lose impulses, which make_room() drops.
+template <class D>
+void GrainSet<D>::visit_state(pbd::StateVisitor& v) {
+  uint32_t rows = any_ ? capacity_ : 0, row_capacity = row_capacity_;
+  v.value("last_dt", last_dt_);
+  v.value("rows", rows);
+  v.value("row_capacity", row_capacity);
+  if (v.restores() && any_) {
+    row_capacity_ = row_capacity;
+    reserve_arrays(0);
+  }
+  if (rows == 0) return;
+  const size_t elements = row_elements(rows, row_capacity_, block);
+  v.array("partner", partner_.current(), elements);
+  v.array("impulse", impulse_.current(), elements);
+  v.array("contacts", count_.current(), rows);
+  v.array("origin", origin_.current(), rows);
+}
+
 template <class D>
 void GrainSet<D>::save() {
   saved_dt_ = last_dt_;

@@ -139,6 +139,74 @@ void RigidBroadphase::restore(const State& state) {
   m_firstFreeHandle = state.first_free;
 }
 
+std::vector<RigidBroadphase::PlainEdge> RigidBroadphase::plain(const std::vector<Edge>& edges) {
+  std::vector<PlainEdge> plain;
+  for (const Edge& e : edges) plain.push_back({e.m_pos, e.m_handle});
+  return plain;
+}
+
+std::vector<RigidBroadphase::Edge> RigidBroadphase::edges_of(const std::vector<PlainEdge>& plain) {
+  std::vector<Edge> edges(plain.size());
+  for (size_t k = 0; k < plain.size(); ++k) {
+    edges[k].m_pos = plain[k].position;
+    edges[k].m_handle = plain[k].proxy;
+  }
+  return edges;
+}
+
+void RigidBroadphase::make_room(unsigned proxies) {
+  while (m_maxHandles < proxies) grow();
+}
+
+void RigidBroadphase::give_next(unsigned proxy) {
+  make_room(proxy + 1);
+  m_firstFreeHandle = proxy;
+}
+
+/// Unused handles are in no edge. The first one stands for the ends of the axes.
+bool RigidBroadphase::has(int unique_id) const {
+  for (unsigned i = 1; i < m_numHandles * 2 + 1; ++i) {
+    if (m_pEdges[0][i].m_handle == static_cast<unsigned>(unique_id)) return true;
+  }
+  return false;
+}
+
+/// Bullet's sort ends at the first edge and at the last one.
+bool RigidBroadphase::stands_in_order(const std::vector<Edge>& axis) {
+  if (axis.size() < 2) return false;
+  const Edge &first = axis.front(), &last = axis.back();
+  const auto below = [](const Edge& a, const Edge& b) { return a.m_pos < b.m_pos; };
+  return first.m_pos == 0 && first.m_handle == 0 && last.m_handle == 0 &&
+         std::is_sorted(axis.begin(), axis.end(), below);
+}
+
+bool RigidBroadphase::suits(const State& state) const {
+  const size_t edges = 2 * size_t{m_numHandles} + 2;
+  if (state.bounds.size() > m_maxHandles || state.first_free >= m_maxHandles) return false;
+  std::vector<unsigned> expected, found;
+  for (unsigned i = 0; i < edges; ++i) expected.push_back(m_pEdges[0][i].m_handle);
+  std::ranges::sort(expected);
+  for (const std::vector<Edge>& axis : state.edges) {
+    if (!stands_in_order(axis)) return false;
+    found.clear();
+    for (const Edge& e : axis) found.push_back(e.m_handle);
+    std::ranges::sort(found);
+    if (found != expected) return false;
+  }
+  for (const unsigned proxy : expected) {
+    if (proxy >= state.bounds.size()) return false;
+    const Bounds& b = state.bounds[proxy];
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool ends = proxy == 0;  // the first edge and the last one
+      if (ends) continue;
+      if (b.first[axis] >= edges || b.last[axis] >= edges) return false;
+      if (state.edges[axis][b.first[axis]].m_handle != proxy) return false;
+      if (state.edges[axis][b.last[axis]].m_handle != proxy) return false;
+    }
+  }
+  return true;
+}
+
 bool RigidFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
   const auto* of_a = static_cast<const btCollisionObject*>(a->m_clientObject);
   const auto* of_b = static_cast<const btCollisionObject*>(b->m_clientObject);

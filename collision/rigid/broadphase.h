@@ -40,7 +40,23 @@ class RigidBroadphase final : public bt32BitAxisSweep3 {
   void save(State& state) const;
   void restore(const State& state);  ///< the same proxies, and no pairs
 
+  /// The edge of a box, apart from Bullet's struct.
+  struct PlainEdge {
+    uint32_t position, proxy;
+  };
+  static std::vector<PlainEdge> plain(const std::vector<Edge>& edges);
+  static std::vector<Edge> edges_of(const std::vector<PlainEdge>& edges);
+
+  unsigned room() const { return m_maxHandles; }
+  void make_room(unsigned proxies);
+  /// The next proxy that is made is this one, which must be free.
+  void give_next(unsigned proxy);
+  bool has(int unique_id) const;
+  /// Whether a state is of these proxies, and all of its indices are valid.
+  bool suits(const State& state) const;
+
  private:
+  static bool stands_in_order(const std::vector<Edge>& axis);
   void grow();
   void adopt(Handle* handles);
 };

@@ -92,6 +92,22 @@ void RigidDynamics::detect(float dt) {
   }
 }
 
+void RigidDynamics::order_objects(const std::vector<btRigidBody*>& objects) {
+  for (int i = 0; i < m_collisionObjects.size(); ++i) {
+    m_collisionObjects[i] = objects[static_cast<size_t>(i)];
+    m_collisionObjects[i]->setWorldArrayIndex(i);
+  }
+}
+
+void RigidDynamics::order_moving(const std::vector<btRigidBody*>& bodies) {
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i)
+    m_nonStaticRigidBodies[i] = bodies[static_cast<size_t>(i)];
+}
+
+void RigidDynamics::order_joints(const std::vector<btTypedConstraint*>& joints) {
+  for (int i = 0; i < m_constraints.size(); ++i) m_constraints[i] = joints[static_cast<size_t>(i)];
+}
+
 /// The rest of Bullet's internalSingleStepSimulation, after contacts are found.
 void RigidDynamics::advance(float dt) {
   applyGravity();

@@ -99,6 +99,19 @@ class RigidDynamics final : public btDiscreteDynamicsWorld {
     for (int i = 0; i < m_predictiveManifolds.size(); ++i) visit(*m_predictiveManifolds[i]);
   }
 
+  template <class Visit>
+  void for_each_object(const Visit& visit) const {
+    for (int i = 0; i < m_collisionObjects.size(); ++i) visit(*m_collisionObjects[i]);
+  }
+  template <class Visit>
+  void for_each_moving(const Visit& visit) const {
+    for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) visit(*m_nonStaticRigidBodies[i]);
+  }
+  // Put Bullet's lists, which have just these elements, in this order.
+  void order_objects(const std::vector<btRigidBody*>& objects);
+  void order_moving(const std::vector<btRigidBody*>& bodies);
+  void order_joints(const std::vector<btTypedConstraint*>& joints);
+
  private:
   void prepare_contacts();
 };

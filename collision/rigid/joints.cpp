@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Joints, as Bullet's constraints. None of them has state from one step to the next.
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "collision/rigid/columns.h"
 #include "collision/rigid/rigid_impl.h"
 #include "pbd/math/vec.h"
 
@@ -99,25 +101,46 @@ void make_constraint(RigidJointRecord& joint, btRigidBody& a, btRigidBody& b, co
 
 }  // namespace
 
-uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
-  const InBullet bullet(*reserve_, impl_->size());
-  impl_->joints.prepare();
-  btRigidBody& a = *impl_->body(def.a).bullet;
-  btRigidBody& b = def.b == pbd::no_index ? impl_->ground : *impl_->body(def.b).bullet;
+uint32_t RigidWorld::Impl::make_joint(const RigidJointDef& joint, uint32_t number) {
+  joints.prepare();
+  btRigidBody& a = *body(joint.a).bullet;
+  btRigidBody& b = joint.b == pbd::no_index ? ground : *body(joint.b).bullet;
   auto made = std::make_unique<RigidJointRecord>();
-  made->a = def.a;
-  made->b = def.b;
-  make_constraint(*made, a, b, def);
-  impl_->dynamics.addConstraint(made->bullet.get(), !def.bodies_collide);
-  if (!def.bodies_collide && def.b != pbd::no_index) {
+  made->a = joint.a;
+  made->b = joint.b;
+  std::ranges::copy(to_plain(a.getWorldTransform()), made->places.a);
+  std::ranges::copy(to_plain(b.getWorldTransform()), made->places.b);
+  make_constraint(*made, a, b, joint);
+  dynamics.addConstraint(made->bullet.get(), !joint.bodies_collide);
+  if (!joint.bodies_collide && joint.b != pbd::no_index) {
     // Otherwise their present contacts would go on pushing.
-    btBroadphasePair* pair = impl_->pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
-    if (pair) impl_->pairs.cleanOverlappingPair(*pair, &impl_->dispatcher);
-    impl_->dispatcher.note_disorder();
+    btBroadphasePair* pair = pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
+    if (pair) pairs.cleanOverlappingPair(*pair, &dispatcher);
+    dispatcher.note_disorder();
   }
   wake_up(a);
-  if (def.b != pbd::no_index) wake_up(b);
-  return impl_->joints.add(std::move(made));
+  if (joint.b != pbd::no_index) wake_up(b);
+  return joints.add_at(number, std::move(made));
+}
+
+uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
+  const InBullet bullet(*reserve_, impl_->size());
+  return impl_->make_joint(def, pbd::no_index);
+}
+
+void RigidWorld::add_joint(const RigidJointDef& def, uint32_t number, const JointPlaces& places) {
+  const InBullet bullet(*reserve_, impl_->size());
+  const auto place = [&](uint32_t body, const float (&at)[12]) {
+    if (body == pbd::no_index) return;
+    PlainTransform plain;
+    std::ranges::copy(at, plain.begin());
+    btTransform transform;
+    from_plain(plain, transform);
+    impl_->body(body).bullet->setWorldTransform(transform);
+  };
+  place(def.a, places.a);
+  place(def.b, places.b);
+  impl_->make_joint(def, number);
 }
 
 void RigidWorld::remove_joint(uint32_t number) {

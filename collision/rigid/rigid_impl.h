@@ -56,6 +56,7 @@ struct RigidJointRecord {
   std::unique_ptr<btTypedConstraint> bullet;
   btHingeConstraint* hinge = nullptr;
   float motor_torque = 0;  ///< N·m, of the hinge
+  JointPlaces places{};    ///< from which its frames follow
   bool has_motor = false;
 };
 
@@ -76,6 +77,13 @@ struct Numbered {
     slots[n] = std::move(thing);
     first_free = n + 1;
     return static_cast<uint32_t>(n);
+  }
+  /// At a number that is free.
+  uint32_t add_at(uint32_t n, std::unique_ptr<T> thing) {
+    if (n == pbd::no_index) return add(std::move(thing));
+    if (slots.size() <= n) slots.resize(n + 1);
+    slots[n] = std::move(thing);
+    return n;
   }
   void remove(uint32_t n) {
     slots[n].reset();
@@ -123,6 +131,7 @@ struct RigidWorld::Impl {
       if (slots[n]) visit(static_cast<uint32_t>(n), *slots[n]);
     }
   }
+  uint32_t make_joint(const RigidJointDef& joint, uint32_t number);
   float acceleration_scale() const;  ///< m/s², of gravity, at least 1
 
   /// Must be called before a change of something that others may rest on.
@@ -144,9 +153,11 @@ struct RigidWorld::Impl {
   void limit_motors(float dt);
 
   RigidRef solid_of(const btCollisionObject* object) const;
+  /// By its code, as in RigidLayout; nullptr if there is none.
+  btRigidBody* object(uint32_t code) const;
   void prepare();
   /// Adds a body or fixed solid that has its number to the world.
-  void add(btRigidBody& body, const CollisionFilter& filter);
+  void add(btRigidBody& body, const CollisionFilter& filter, const RigidPlace& place);
 };
 
 /// The velocities at the start of a step with which a body is at `target` after dt.

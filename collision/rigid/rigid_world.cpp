@@ -111,7 +111,8 @@ float RigidWorld::Impl::acceleration_scale() const {
   return pbd::max(length(def.gravity), rigid_tuning::least_gravity);
 }
 
-void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& meets) {
+void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& meets, const RigidPlace& place) {
+  if (place.proxy != pbd::no_index) broadphase.give_next(place.proxy);
   dynamics.addRigidBody(&body, static_cast<int>(meets.groups), static_cast<int>(meets.mask));
   const auto proxy = static_cast<size_t>(body.getBroadphaseHandle()->m_uniqueId);
   if (solids.size() <= proxy) solids.resize(proxy + 1);  // without new memory: see prepare()
@@ -130,6 +131,12 @@ void RigidWorld::Impl::prepare() {
 
 RigidRef RigidWorld::Impl::solid_of(const btCollisionObject* object) const {
   return {!object->isStaticObject(), static_cast<uint32_t>(object->getUserIndex())};
+}
+
+btRigidBody* RigidWorld::Impl::object(uint32_t code) const {
+  const uint32_t n = code / 2;
+  if (code % 2) return bodies.has(n) ? bodies.slots[n]->bullet.get() : nullptr;
+  return fixed.has(n) ? fixed.slots[n]->bullet.get() : nullptr;
 }
 
 void RigidWorld::Impl::wake_around(const btRigidBody& changed) {
@@ -173,16 +180,16 @@ void RigidWorld::set_def(const RigidWorldDef& def) {
   impl_->dynamics.setGravity(to_bullet(def.gravity));
 }
 
-uint32_t RigidWorld::add_fixed(const RigidSolid& solid) {
+uint32_t RigidWorld::add_fixed(const RigidSolid& solid, const RigidPlace& place) {
   const InBullet bullet(*reserve_, impl_->size());
   impl_->prepare();
   auto made = std::make_unique<RigidFixedRecord>();
   made->shape = make_rigid_shape(solid.parts, nullptr);
   made->bullet = std::make_unique<btRigidBody>(info_of(solid, made->shape, 0));
   btRigidBody& body = *made->bullet;
-  const uint32_t number = impl_->fixed.add(std::move(made));
+  const uint32_t number = impl_->fixed.add_at(place.number, std::move(made));
   body.setUserIndex(static_cast<int>(number));
-  impl_->add(body, solid.filter);
+  impl_->add(body, solid.filter, place);
   return number;
 }
 
@@ -198,7 +205,7 @@ void RigidWorld::remove_fixed(uint32_t number) {
   impl_->knows_touches = false;
 }
 
-uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
+uint32_t RigidWorld::add_body(const RigidBodyDef& def, const RigidPlace& place) {
   const InBullet bullet_memory(*reserve_, impl_->size());
   impl_->prepare();
   auto made = std::make_unique<RigidBodyRecord>();
@@ -226,11 +233,11 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def) {
   scale_to_size(bullet, made->shape, length(impl_->def.gravity));
   if (!def.can_sleep) bullet.setActivationState(DISABLE_DEACTIVATION);
 
-  const uint32_t number = impl_->bodies.add(std::move(made));
+  const uint32_t number = impl_->bodies.add_at(place.number, std::move(made));
   bullet.setUserIndex(static_cast<int>(number));
   impl_->dynamics.detected.resize(impl_->bodies.slots.size(), btTransform::getIdentity());
   impl_->dynamics.detected[number] = bullet.getWorldTransform();
-  impl_->add(bullet, def.solid.filter);
+  impl_->add(bullet, def.solid.filter, place);
   return number;
 }
 

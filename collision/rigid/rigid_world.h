@@ -14,6 +14,7 @@
 
 #include "collision/mesh/mass_properties.h"
 #include "collision/mesh/mesh.h"
+#include "collision/rigid/rigid_layout.h"
 #include "collision/rigid/rigid_motion.h"
 #include "pbd/contacts.h"
 
@@ -109,11 +110,13 @@ class RigidWorld {
 
   // Solids, bodies and joints have numbers. A number that is released is used again, the lowest first. Adding
   // something does not change what is there.
-  uint32_t add_fixed(const RigidSolid& solid);
+  uint32_t add_fixed(const RigidSolid& solid, const RigidPlace& place = {});
   void remove_fixed(uint32_t number);
-  uint32_t add_body(const RigidBodyDef& def);
+  uint32_t add_body(const RigidBodyDef& def, const RigidPlace& place = {});
   void remove_body(uint32_t number);  ///< also removes its joints
   uint32_t add_joint(const RigidJointDef& def);
+  /// With this number and these poses of its bodies, which stay at them. Both are in their places already.
+  void add_joint(const RigidJointDef& def, uint32_t number, const JointPlaces& places);
   void remove_joint(uint32_t number);
   bool has_joint(uint32_t number) const;  ///< joints are removed with their bodies
 
@@ -200,8 +203,17 @@ class RigidWorld {
   void save_bodies(Snapshot& snapshot) const;    ///< one half; both may be saved at once
   void save_contacts(Snapshot& snapshot) const;  ///< the other one
   void restore(const Snapshot& snapshot);
+  /// The items of a snapshot. One that they fill is for this world. Throws Error(io) if the items do not fit.
+  void visit_snapshot(Snapshot& snapshot, pbd::StateVisitor& v) const;
+
+  /// Where all contents stand. A new world that has been given the same contents in these places stands alike
+  /// after arrange(); then its state may be restored. Throws Error(io) if they do not fit.
+  RigidLayout layout() const;
+  void arrange(const RigidLayout& layout);
 
  private:
+  void expect_valid(const Snapshot& snapshot) const;
+
   struct Impl;
   struct DeleteImpl {
     void operator()(Impl*) const;

@@ -7,28 +7,11 @@
 #include <algorithm>
 #include <cassert>
 
-#include "collision/rigid/rigid_impl.h"
+#include "collision/rigid/rigid_snapshot.h"
 
 namespace meniscus::collision {
 
 namespace {
-
-struct SavedBody {
-  btTransform pose, interpolated, detected;
-  btVector3 velocity, angular_velocity, interpolated_velocity, interpolated_angular_velocity;
-  float idle_time;  ///< s
-  int activation;
-  RigidMemory memory;
-};
-
-struct SavedPair {
-  int a, b;  ///< ids of the proxies
-  bool has_algorithm;
-};
-
-struct SavedManifold {
-  int index, points;
-};
 
 SavedBody saved(const RigidBodyRecord& body, const btTransform& detected) {
   const btRigidBody& b = *body.bullet;
@@ -59,16 +42,6 @@ void put_back(RigidBodyRecord& body, const SavedBody& saved) {
 }
 
 }  // namespace
-
-struct RigidWorld::Snapshot {
-  std::vector<SavedBody> bodies;
-  std::vector<SavedPair> pairs;
-  std::vector<SavedManifold> manifolds;
-  std::vector<btManifoldPoint> points;
-  std::vector<btPersistentManifold> predictions;
-  RigidBroadphase::State broadphase;
-  double time = 0;
-};
 
 void RigidWorld::DeleteSnapshot::operator()(Snapshot* snapshot) const {
   delete snapshot;

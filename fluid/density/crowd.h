@@ -66,6 +66,15 @@ class Crowd {
     placed_ = saved_.placed;
     is_restored_ = true;
   }
+  void visit_state(pbd::StateVisitor& v) {
+    v.value("watching", watching_);
+    v.value("placed", placed_);
+    v.values("left", left_.host());
+    is_restored_ = false;
+    if (!watching_) return;
+    if (v.restores()) make_room();
+    v.array("member", member_.current.view(), member_.current.size());
+  }
   void start_step() {
     if (!std::exchange(is_restored_, false) && !placed_) watching_ = watching_ && left_.host()[0] > 0;
   }

@@ -92,6 +92,8 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void save() override;
   void restore() override;
 
+  void visit_state(pbd::StateVisitor& v);
+
   void start_step() override;
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;
   void accelerate(pbd::Substep<D>&) override { relaxes_ = false; }

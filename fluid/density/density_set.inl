@@ -283,6 +283,13 @@ void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
   saving_ = false;
 }
 
+template <class D>
+void DensitySet<D>::visit_state(pbd::StateVisitor& v) {
+  v.value("last_dt", last_dt_);
+  v.array("multiplier", multiplier_.current.view(), multiplier_.current.size());
+  v.part("crowd", *crowd_);
+}
+
 /// Nothing is copied: the next sort keeps the memory with the present values, and uses other memory from then
 /// on.
 template <class D>

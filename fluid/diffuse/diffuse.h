@@ -56,6 +56,13 @@ class Diffuse final : public pbd::Observer<D> {
   void observe(const pbd::Substep<D>& substep) override;
   /// Accepts the step.
   void accept();
+  void visit_state(pbd::StateVisitor& v) {
+    v.value("count", count_);
+    v.value("refused", refused_);
+    v.value("step", step_);
+    v.array("particle", present_.view(), count_);
+    any_pending_ = false;
+  }
 
   uint32_t count() const { return count_; }
   uint32_t refused() const { return refused_; }  ///< in the last step, beyond the capacity

@@ -99,6 +99,11 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->delimiter(',')
       ->allow_extra_args(false);
   run.add_option("--camera", options.picture.camera, "One of the scene's named cameras")->type_name("NAME");
+  run.add_option("--save-every", options.save_every,
+                 "Save the whole state after every N frames, as snapshot_NUMBER.menisnap in the folder")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000'000).description(""));
+  run.add_option("--from", options.from, "Continue from a saved state of the same scene")->type_name("FILE");
   run.add_flag("--quiet", options.quiet, "Print errors alone");
   run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });
 }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "cloth/build/cloth_model.h"
@@ -31,6 +32,7 @@
 #include "fluid/surface/surface_mesh.h"
 #include "pbd/device/gl_buffers.h"
 #include "pbd/solver.h"
+#include "pbd/state/state_visitor.h"
 
 namespace meniscus {
 
@@ -50,6 +52,7 @@ struct ParticleMaterial {
   fluid::Material fluid;  ///< for grains only the density is used
   collision::GrainMaterial grain;
   CollisionFilter filter;  ///< which solids they collide with
+  std::string name{};
 };
 
 /// All solids in the solver's form: fixed shapes first. Shapes of bodies are placed by `carried`.
@@ -163,6 +166,9 @@ class Engine {
   virtual std::vector<ContactReadout> read_contacts() = 0;
   /// Removes the contacts of a destroyed solid, and their force in body_forces().
   virtual void forget_contacts(uint32_t solid, TouchedKind kind) = 0;
+  /// The state of all parts on the device (pbd/state/state_visitor.h). To restore it, first set the materials,
+  /// shapes and cloth with which it was saved, restore the rigid world, and call place_bodies().
+  virtual void visit_state(pbd::StateVisitor& v) = 0;
   virtual void set_sinks(std::span<const Sink> sinks) = 0;
   /// Removes the particles that the sinks take. Returns which are gone, by their former slot; empty if none
   /// is. Counts by sink: a particle counts for the first sink that takes it.

@@ -103,6 +103,7 @@ class DeviceEngine final : public Engine {
   std::span<const collision::RigidImpulse> body_forces() const override { return bodies_.mean_forces(); }
   std::vector<ContactReadout> read_contacts() override;
   void forget_contacts(uint32_t solid, TouchedKind kind) override;
+  void visit_state(pbd::StateVisitor& v) override;
   void set_sinks(std::span<const Sink> sinks) override { sinks_.set(sinks); }
   std::vector<bool> take_sinks(std::span<uint32_t> taken) override;
   void set_probes(std::span<const fluid::Probe> probes) override;
@@ -285,3 +286,4 @@ class DeviceEngine final : public Engine {
 #include "sdk/engine/engine_particles.inl"
 #include "sdk/engine/engine_readout.inl"
 #include "sdk/engine/engine_shapes.inl"
+#include "sdk/engine/engine_state.inl"

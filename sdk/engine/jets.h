@@ -63,6 +63,8 @@ class Jets final : public pbd::VelocityPass<D> {
     --steps_left_;
   }
 
+  void visit_state(pbd::StateVisitor& v) { v.value("steps_left", steps_left_); }
+
  private:
   D& device_;
   uint32_t steps_left_ = 0;  // steps for which any particle is still held

@@ -209,13 +209,11 @@ void World::Impl::upload_cloth() {
     all.add(entry, held_vertices(ropes.id(index)), clamped);
   });
   std::vector<cloth::EdgeConstraint> seams;
-  std::vector<uint32_t> attached;
   attachments.for_each([&](uint32_t, AttachmentEntry& a) {
     const uint32_t here = range_of(a.def).first;
     a.first_attachment = static_cast<uint32_t>(all.cloth.attachments.size());
     for (size_t k = 0; k < a.anchors.size(); ++k)
       all.cloth.attachments.push_back({here + a.vertices[k], a.def.body->index, a.anchors[k]});
-    if (!a.anchors.empty()) attached.push_back(a.def.body->index);
     for (const cloth::EdgeConstraint& s : a.seams) {
       const uint32_t there = a.def.other_cloth ? cloths.get(*a.def.other_cloth).range.first
                                                : ropes.get(*a.def.other_rope).range.first;
@@ -223,15 +221,24 @@ void World::Impl::upload_cloth() {
     }
   });
   all.finish(seams);
-  engine->set_cloth(all.cloth);
-  rigid.keep_awake(attached);
+  uploaded_cloth = std::make_shared<const EngineCloth>(std::move(all.cloth));
+  set_engine_cloth();
   pieces = all.pieces;
-  vertex_count = all.vertices();
-  held = all.cloth.model.held;
+  vertex_count = static_cast<uint32_t>(uploaded_cloth->position.size());
+  held = uploaded_cloth->model.held;
   const auto note = [](uint32_t, auto& entry) { entry.range.uploaded = true; };
   cloths.for_each(note);
   ropes.for_each(note);
   cloth_is_on_device = true;
+}
+
+void World::Impl::set_engine_cloth() {
+  static const EngineCloth none;
+  const EngineCloth& cloth = uploaded_cloth ? *uploaded_cloth : none;
+  engine->set_cloth(cloth);
+  std::vector<uint32_t> attached;
+  for (const collision::BodyAttachment& a : cloth.attachments) attached.push_back(a.body);
+  rigid.keep_awake(attached);
 }
 
 void World::Impl::note_cloth_step(float dt) {

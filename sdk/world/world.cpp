@@ -45,32 +45,38 @@ FluidId World::Calls::create_granular(const GranularDef& def) {
   impl_->check_solver_allows("granular materials");
   fluid::Material displaces;
   displaces.rest_density = def.density;
-  return impl_->create_material({displaces, {true, collision::contact_friction(def.friction)}, def.filter});
+  return impl_->create_material({displaces, {true, collision::contact_friction(def.friction)}, def.filter, def.name});
 }
 
 ShapeId World::Calls::create_shape(const ShapeDef& def) {
   check::def(def);
   impl_->shapes.prepare();
-  ShapeEntry entry{def.name, def.pose, {}, {}};
-  {
-    const pbd::CallMonitor::Cancellable undone_within(impl_->monitor());
-    entry.solid =
-        make_solid(def.geometry, def.surface, def.filter, SolidRole::fixed, 0, impl_->solid_context());
-  }
-  if (const auto* container = std::get_if<ContainerGeometry>(&def.geometry))
-    entry.inside = container->half_extents;
-  try {
-    const pbd::PeriodicAxes axes = periodic_axes(impl_->def.periodic);
-    for (const SolidPieces::Piece& piece : entry.solid.pieces)
-      with_seam_images(placed(piece, def.pose), axes, impl_->kernel.h, def.name);
-    impl_->rigid.add_fixed(rigid_solid(entry.solid, def.pose, def.surface, def.filter));
-  } catch (...) {
-    release_fields(entry.solid, *impl_->engine);
-    throw;
-  }
+  ShapeEntry entry = impl_->make_shape(def, {});
   impl_->solids_changed();
   impl_->note_repairs(entry.solid);
   return impl_->shapes.insert(std::move(entry));
+}
+
+/// Adds the shape to the rigid world.
+ShapeEntry World::Impl::make_shape(const ShapeDef& shape, const collision::RigidPlace& place) {
+  ShapeEntry entry{shape, {}, {}};
+  {
+    const pbd::CallMonitor::Cancellable undone_within(monitor());
+    entry.solid =
+        make_solid(shape.geometry, shape.surface, shape.filter, SolidRole::fixed, 0, solid_context());
+  }
+  if (const auto* container = std::get_if<ContainerGeometry>(&shape.geometry))
+    entry.inside = container->half_extents;
+  try {
+    const pbd::PeriodicAxes axes = periodic_axes(def.periodic);
+    for (const SolidPieces::Piece& piece : entry.solid.pieces)
+      with_seam_images(placed(piece, shape.pose), axes, kernel.h, shape.name);
+    rigid.add_fixed(rigid_solid(entry.solid, shape.pose, shape.surface, shape.filter), place);
+  } catch (...) {
+    release_fields(entry.solid, *engine);
+    throw;
+  }
+  return entry;
 }
 
 void World::Calls::destroy_shape(ShapeId id) {

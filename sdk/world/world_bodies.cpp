@@ -31,16 +31,6 @@ collision::MassProperties mass_of(const BodyDef& def, const SolidPieces& solid) 
   return mass;
 }
 
-BodyEntry make_entry(const BodyDef& def, const collision::MassProperties& mass, double volume,
-                     SolidPieces solid) {
-  BodyEntry entry;
-  entry.motion = def.motion;
-  entry.solid = std::move(solid);
-  entry.mass = {static_cast<float>(mass.mass), static_cast<float>(volume), mass.centre, mass.inertia,
-                mass.axes};
-  return entry;
-}
-
 collision::RigidBodyDef rigid_def(const BodyDef& def, const SolidPieces& solid,
                                   const collision::MassProperties& mass) {
   collision::RigidBodyDef rigid;
@@ -59,7 +49,7 @@ collision::RigidBodyDef rigid_def(const BodyDef& def, const SolidPieces& solid,
 }
 
 void expect_motion(const BodyEntry& entry, BodyMotion motion, const char* call, const char* kind) {
-  if (entry.motion == motion) return;
+  if (entry.def.motion == motion) return;
   throw Error(ErrorCode::invalid_argument, std::string(call) + " is for " + kind + " bodies alone");
 }
 
@@ -83,31 +73,37 @@ BodyId World::Calls::create_body(const BodyDef& def) {
   check::def(def);
   check::no_periodic_axes(impl_->def, "bodies");
   impl_->bodies.prepare();
-  const bool dynamic = def.motion == BodyMotion::dynamic;
-  SolidPieces solid = [&] {
-    const pbd::CallMonitor::Cancellable undone_within(impl_->monitor());
-    return make_solid(def.geometry, def.surface, def.filter,
-                      dynamic ? SolidRole::dynamic : SolidRole::kinematic, def.density,
-                      impl_->solid_context());
-  }();
-  BodyEntry entry;
-  std::string name = def.name;
-  try {
-    double volume = 0;
-    for (const collision::PlacedMass& part : solid.masses) volume += part.body.mass / double{def.density};
-    const collision::MassProperties mass = mass_of(def, solid);
-    const uint32_t number = impl_->rigid.add_body(rigid_def(def, solid, mass));  // the last that can fail
-    entry = make_entry(def, mass, volume, std::move(solid));
-    entry.principal = impl_->rigid.mass(number).principal;
-  } catch (...) {
-    release_fields(solid, *impl_->engine);
-    throw;
-  }
-  entry.name = std::move(name);
-  entry.linear_damping = def.linear_damping;
+  BodyEntry entry = impl_->make_body(def, {});
   impl_->solids_changed();
   impl_->note_repairs(entry.solid);
   return impl_->bodies.insert(std::move(entry));
+}
+
+/// Adds the body to the rigid world.
+BodyEntry World::Impl::make_body(const BodyDef& body, const collision::RigidPlace& place) {
+  const bool dynamic = body.motion == BodyMotion::dynamic;
+  BodyEntry entry;
+  entry.def = body;
+  {
+    const pbd::CallMonitor::Cancellable undone_within(monitor());
+    entry.solid =
+        make_solid(body.geometry, body.surface, body.filter,
+                   dynamic ? SolidRole::dynamic : SolidRole::kinematic, body.density, solid_context());
+  }
+  try {
+    double volume = 0;
+    for (const collision::PlacedMass& part : entry.solid.masses)
+      volume += part.body.mass / double{body.density};
+    const collision::MassProperties mass = mass_of(body, entry.solid);
+    entry.mass = {static_cast<float>(mass.mass), static_cast<float>(volume), mass.centre, mass.inertia,
+                  mass.axes};
+    const uint32_t number = rigid.add_body(rigid_def(body, entry.solid, mass), place);  // the last to fail
+    entry.principal = rigid.mass(number).principal;
+  } catch (...) {
+    release_fields(entry.solid, *engine);
+    throw;
+  }
+  return entry;
 }
 
 void World::Impl::note_repairs(const SolidPieces& solid) {
@@ -137,13 +133,16 @@ void World::Calls::destroy_body(BodyId id) {
   impl_->bodies.erase(id);
 }
 
+collision::RigidJointDef rigid_joint(const JointDef& def) {
+  return {def.a.index, def.b ? def.b->index : pbd::no_index, def.frame, def.kind, def.bodies_collide};
+}
+
 JointId World::Calls::create_joint(const JointDef& def) {
   check::def(def);
   impl_->bodies.get(def.a);
   if (def.b) impl_->bodies.get(*def.b);
   impl_->joints.prepare();
-  impl_->rigid.add_joint(
-      {def.a.index, def.b ? def.b->index : pbd::no_index, def.frame, def.kind, def.bodies_collide});
+  impl_->rigid.add_joint(rigid_joint(def));
   return impl_->joints.insert(def);
 }
 

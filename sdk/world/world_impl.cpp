@@ -76,7 +76,8 @@ ParticleMaterial material_of(const FluidDef& def) {
   return {{def.rest_density, def.dynamic_viscosity, def.xsph, def.vorticity_confinement, def.cohesion,
            def.surface_tension},
           {},
-          def.filter};
+          def.filter,
+          def.name};
 }
 
 void check_room(size_t present, double added, std::string_view emitter) {
@@ -98,9 +99,7 @@ void check_baseline_kernel(const WorldDef& def) {
 }
 
 World::Impl::Impl(const WorldDef& world_def)
-    : given((check::def(world_def), check_baseline_kernel(world_def), world_def)),
-      origin(given.origin),
-      def(origin.inward(given)),
+    : WorldTables((check::def(world_def), check_baseline_kernel(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
                               def.kernel)) {
@@ -215,7 +214,7 @@ void World::Impl::upload_solids() {
   };
   shapes.for_each([&](uint32_t number, const ShapeEntry& entry) {
     add(number, entry.solid,
-        [&](const SolidPieces::Piece& piece, collision::Shape& shape) { shape = placed(piece, entry.pose); });
+        [&](const SolidPieces::Piece& piece, collision::Shape& shape) { shape = placed(piece, entry.def.pose); });
   });
   all.fixed = static_cast<uint32_t>(all.shapes.size());
   bodies.for_each([&](uint32_t number, const BodyEntry& entry) {

@@ -13,14 +13,12 @@
 #include <vector>
 
 #include "sdk/engine/engine.h"
-#include "sdk/world/check/id_table.h"
-#include "sdk/world/cloth/cloth_table.h"
-#include "sdk/world/crowding.h"
-#include "sdk/world/flow/world_flow.h"
-#include "sdk/world/origin.h"
-#include "sdk/world/solids/world_shapes.h"
+#include "sdk/world/snapshot/snapshot_data.h"
+#include "sdk/world/world_tables.h"
 
 namespace meniscus {
+
+struct Definitions;
 
 /// A read-out that is fetched from the device on its first request after a change.
 template <class T>
@@ -39,23 +37,7 @@ struct CachedReadout {
   }
 };
 
-struct ShapeEntry {
-  std::string name;
-  Pose pose;
-  SolidPieces solid;
-  std::optional<Vec3> inside;  ///< m, half extents, of a container
-};
-
-struct BodyEntry {
-  std::string name;
-  BodyMotion motion = BodyMotion::dynamic;
-  SolidPieces solid;
-  Pose principal;  ///< the frame that the rigid world moves, in the geometry's frame
-  BodyMass mass;
-  float linear_damping = 0;
-};
-
-struct World::Impl {
+struct World::Impl : WorldTables {
   explicit Impl(const WorldDef& world_def);
 
   template <class Call>
@@ -63,7 +45,6 @@ struct World::Impl {
   pbd::CallMonitor& monitor() { return engine->device().monitor(); }
 
   EngineDef engine_def();
-  float air_density = 1.2f;  // kg/m³, of the wind
   void set_materials();
   void upload_materials();
   FluidId create_material(const ParticleMaterial& material);
@@ -72,6 +53,8 @@ struct World::Impl {
   void add_to(ParticleBatch& batch, FluidId fluid, Vec3 position, Vec3 velocity) const;
   void append(const ParticleBatch& batch);
   void relax_from(size_t slot);  // moves new particles to their rest density; if that fails, there are none
+  ShapeEntry make_shape(const ShapeDef& shape, const collision::RigidPlace& place);
+  BodyEntry make_body(const BodyDef& body, const collision::RigidPlace& place);
   void solids_changed();
   void note_repairs(const SolidPieces& solid);
   void
@@ -106,6 +89,15 @@ struct World::Impl {
   /// Removes points that are nearer than half a spacing to cloth with which the filter collides.
   void keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter);
   void cloth_changed();
+  void set_engine_cloth();  // gives the engine what `uploaded_cloth` has
+  bool has_solids_of(const WorldTables& tables) const;
+  void restore(WorldTables&& tables, const Snapshot::Data& data);
+  /// Gives the engine and the rigid world the state of the tables. `visit_engine` restores the engine's.
+  void restore_engine(const collision::RigidWorld::Snapshot& rigid_state, bool sets_cloth,
+                      const std::function<void()>& visit_engine);
+  void visit_contents(pbd::StateVisitor& v, collision::RigidWorld::Snapshot& rigid_state, EngineCloth& cloth);
+  void fill_from(const std::string& definitions, const pbd::SavedState& saved);
+  void make_solids(const Definitions& defs, const collision::RigidLayout& layout);
   void warn_of_overlaps(std::vector<std::string>& warnings);
   void warn_of_places(std::vector<std::string>& warnings);
   void warn_of_drag(std::vector<std::string>& warnings);
@@ -137,56 +129,14 @@ struct World::Impl {
   void drop_attachments_of(BodyId body);
   void remove(const std::vector<bool>& removed);  // by slot; the engine has already removed them
 
-  WorldDef given;  // as the user has it
-  Origin origin;
-  WorldDef def;  // the same in the frame about the origin
   DeviceInfo device;
   collision::RigidWorld rigid;  // numbers its fixed solids and bodies as shapes and bodies
   fluid::Kernel kernel{};
   std::unique_ptr<Engine> engine;
   bool lost = false;  // a call failed while it changed the world
-  double time = 0;
-  float last_substep = 0;
-
-  const WorldNumber world_number;
-  const uint32_t first_generation = world_number.first_generation();
-  IdTable<FluidId, ParticleMaterial> fluids{"fluid", first_generation};  // and granular materials
-  IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
-  IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
-  IdTable<JointId, JointDef> joints{"joint", first_generation};
   SolidMeshes solid_meshes;
-  std::vector<MeshRepair> mesh_repairs;
-  bool solids_are_on_device = true;            // shapes and bodies
-  std::vector<collision::RigidTouch> touches;  // after the last step
-  std::vector<ContactEvent> events;            // of the last step
-  IdTable<EmitterId, EmitterEntry> emitters{"emitter", first_generation};
-  IdTable<SinkId, SinkEntry> sinks{"sink", first_generation};
-  bool sinks_are_carried = false;  // a body carries at least one sink
-  std::vector<uint32_t> taken;     // by sink, in the last step
   Emission emission;
-  IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
-  // Each creation that uploads all before it would make many of them quadratic. So the next use uploads.
-  bool materials_are_on_device = false, probes_are_on_device = false, sinks_are_on_device = true;
-  std::vector<fluid::ProbeSum> probe_sums;    // in the order of the probes
-  std::vector<fluid::ProbeSum> probe_values;  // by the index of their ids
-
-  IdTable<ClothId, ClothEntry> cloths{"cloth", first_generation};
-  IdTable<RopeId, RopeEntry> ropes{"rope", first_generation};
-  IdTable<AttachmentId, AttachmentEntry> attachments{"attachment", first_generation};
-  bool cloth_is_on_device = true;       // all of it, in its present state
-  bool cloth_is_on_host = true;         // its latest state
-  uint32_t vertex_count = 0;            // on the device
-  std::vector<ClothId> pieces;          // on the device, by number; ropes have no id here
-  std::vector<uint32_t> held;           // vertices on the device, ascending
-  std::vector<ClothId> touched_pieces;  // the pieces of the last step
-  bool reactions_known = true;
-  uint32_t planned_drips = 0;    // number of drips with room in this step
-  float last_step = 0;           // s
-  std::vector<TearEvent> tears;  // of the last step
-
-  Crowding crowding;
-  ParticleId next_id = 0;
-  std::vector<ParticleId> ids;  // by slot, ascending
+  SnapshotList snapshots;
 
   CachedReadout<Vec3> positions, velocities;
   CachedReadout<uint32_t> fluid_indices;
@@ -202,6 +152,7 @@ struct World::Impl {
 };
 
 ParticleMaterial material_of(const FluidDef& def);
+collision::RigidJointDef rigid_joint(const JointDef& def);
 /// Throws Error(invalid_argument) if a baseline is to have another kernel than the one that it is made for.
 void check_baseline_kernel(const WorldDef& def);
 

@@ -57,11 +57,11 @@ void World::Impl::warn_of_overlaps(std::vector<std::string>& warnings) {
   if (!pairs.empty()) {
     const auto& deepest = *std::ranges::max_element(pairs, {}, &collision::RigidOverlap::depth);
     const std::string other = deepest.b.is_body
-                                  ? quoted("body", bodies.get(body_id(deepest.b.number)).name)
-                                  : quoted("shape", shapes.get(shape_id(deepest.b.number)).name);
+                                  ? quoted("body", bodies.get(body_id(deepest.b.number)).def.name)
+                                  : quoted("shape", shapes.get(shape_id(deepest.b.number)).def.name);
     warnings.push_back(sentence(pairs.size(), pairs.size() == 1 ? " pair" : " pairs",
                                 " of solids overlap, the deepest by ", deepest.depth, " m: the ",
-                                quoted("body", bodies.get(body_id(deepest.a.number)).name), " and the ",
+                                quoted("body", bodies.get(body_id(deepest.a.number)).def.name), " and the ",
                                 other));
   }
   Engine& all = with_all();
@@ -109,9 +109,9 @@ void World::Impl::warn_of_places(std::vector<std::string>& warnings) {
     shapes.for_each([&](uint32_t, const ShapeEntry& shape) {
       if (!shape.inside || shape.solid.pieces.empty()) return;
       if (!pbd::meet(filter, shape.solid.pieces.front().shape.surface.filter)) return;
-      const auto out = [&](Vec3 p) { return is_outside(*shape.inside, to_local(shape.pose, p)); };
+      const auto out = [&](Vec3 p) { return is_outside(*shape.inside, to_local(shape.def.pose, p)); };
       if (std::ranges::all_of(points, out))
-        warnings.push_back(sentence("the ", what, " is outside of the ", quoted("container", shape.name),
+        warnings.push_back(sentence("the ", what, " is outside of the ", quoted("container", shape.def.name),
                                     ", whose walls fill the space around it"));
     });
   };
@@ -120,8 +120,8 @@ void World::Impl::warn_of_places(std::vector<std::string>& warnings) {
   });
   bodies.for_each([&](uint32_t number, const BodyEntry& entry) {
     const Vec3 centre = rigid.centre_of_mass(number);
-    if (entry.motion == BodyMotion::dynamic && !entry.solid.pieces.empty())
-      beside(quoted("body", entry.name), entry.solid.pieces.front().shape.surface.filter, {&centre, 1});
+    if (entry.def.motion == BodyMotion::dynamic && !entry.solid.pieces.empty())
+      beside(quoted("body", entry.def.name), entry.solid.pieces.front().shape.surface.filter, {&centre, 1});
     else
       note(centre);
   });
@@ -136,9 +136,9 @@ void World::Impl::warn_of_places(std::vector<std::string>& warnings) {
 void World::Impl::warn_of_drag(std::vector<std::string>& warnings) {
   if (length(def.gravity) == 0) return;
   bodies.for_each([&](uint32_t, const BodyEntry& entry) {
-    if (entry.motion == BodyMotion::dynamic && entry.linear_damping > 0)
-      warnings.push_back(sentence("the ", quoted("body", entry.name), " does not fall freely: it loses ",
-                                  100 * entry.linear_damping, " % of its speed a second (linear_damping)"));
+    if (entry.def.motion == BodyMotion::dynamic && entry.def.linear_damping > 0)
+      warnings.push_back(sentence("the ", quoted("body", entry.def.name), " does not fall freely: it loses ",
+                                  100 * entry.def.linear_damping, " % of its speed a second (linear_damping)"));
   });
   if (air_density == 0) return;
   cloths.for_each([&](uint32_t index, const ClothEntry& entry) {
@@ -165,8 +165,8 @@ void World::Impl::warn_of_fields(std::vector<std::string>& warnings) {
                                     "particle_spacing is faster"));
     }
   };
-  shapes.for_each([&](uint32_t, const ShapeEntry& s) { warn(quoted("shape", s.name), s.solid); });
-  bodies.for_each([&](uint32_t, const BodyEntry& b) { warn(quoted("body", b.name), b.solid); });
+  shapes.for_each([&](uint32_t, const ShapeEntry& s) { warn(quoted("shape", s.def.name), s.solid); });
+  bodies.for_each([&](uint32_t, const BodyEntry& b) { warn(quoted("body", b.def.name), b.solid); });
 }
 
 }  // namespace meniscus

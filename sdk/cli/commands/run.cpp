@@ -14,6 +14,7 @@
 #include "sdk/cli/commands/exit_code.h"
 #include "sdk/cli/commands/interrupt.h"
 #include "sdk/cli/commands/progress.h"
+#include "sdk/cli/commands/resume.h"
 #include "sdk/cli/commands/scene_warnings.h"
 #include "sdk/cli/output/folder_lock.h"
 #include "sdk/cli/output/frame_exporter.h"
@@ -50,6 +51,16 @@ const std::filesystem::path& cleared(const std::filesystem::path& folder, const 
   return folder;
 }
 
+BuiltScene built_of(const RunOptions& options, const Scene& scene) {
+  if (options.from.empty()) return build_scene(scene);
+  BuiltScene built = resume_scene(scene, options.from);
+  const int reached = frame_of(built.world, scene);
+  if (reached < scene.frames) return built;
+  throw Error(ErrorCode::invalid_argument,
+              options.from + " is of frame " + std::to_string(reached) + ", and the run ends with frame " +
+                  std::to_string(scene.frames) + "; --frames takes a later one");
+}
+
 class Run {
  public:
   explicit Run(const RunOptions& options)
@@ -57,9 +68,11 @@ class Run {
         picture_(picture_scene(scene_, options.picture)),
         surface_(options.surface),
         folder_(folder_of(options, scene_)),
-        built_(build_scene(scene_)),
+        built_(built_of(options, scene_)),
+        reached_(frame_of(built_.world, scene_)),
+        save_every_(options.save_every),
         rope_mass_(mass_of_ropes()),
-        first_(sample(0, {})),
+        first_(sample(reached_, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
         lock_(made(folder_)),
         exporter_(cleared(folder_, options), options.formats, options.surface, scene_),
@@ -73,12 +86,14 @@ class Run {
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
     try {
-      for (int frame = 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
+      for (int frame = reached_ + 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
         recorder_.add(now);
         if (surface_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
         exporter_.write(now);
         pictures_.add(built_.world, now);
+        if (save_every_ && frame % *save_every_ == 0)
+          built_.world.save(snapshot_path(folder_, frame).string());
         const bool fluid = now.diagnostics.particles > 0;
         progress.show(frame, now.step.ms,
                       fluid ? std::optional(now.diagnostics.density_error_mean) : std::nullopt);
@@ -189,6 +204,8 @@ class Run {
   bool surface_;
   std::filesystem::path folder_;
   BuiltScene built_;
+  int reached_;  // the frame from which it starts; 0 without a snapshot
+  std::optional<int> save_every_;
   double rope_mass_;
   FrameSample first_;       // the state before the first frame
   FramePictures pictures_;  // made before the folder: a run that cannot start leaves it as it was

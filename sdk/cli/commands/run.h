@@ -20,6 +20,8 @@ struct RunOptions {
   std::vector<std::string> formats;
   bool surface = false;  ///< also writes the surfaces of the fluids, in these formats
   PictureOptions picture;
+  std::optional<int> save_every;  ///< frames from one snapshot to the next
+  std::string from;               ///< a snapshot to continue from; empty: the start
   bool quiet = false;
 };
 

@@ -12,6 +12,7 @@
 #include <meniscus/graphics.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
+#include <meniscus/snapshot.h>
 #include <meniscus/types.h>
 #include <meniscus/version.h>
 #include <meniscus/world.h>

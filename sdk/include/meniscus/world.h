@@ -11,6 +11,7 @@
 #include <meniscus/flow.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
+#include <meniscus/snapshot.h>
 
 #include <cstdint>
 #include <functional>
@@ -108,6 +109,45 @@ class World {
   /// and emitters make them. On Error(non_finite) the state is that before the call.
   StepReport step(float dt);
   double time() const;  ///< s
+
+  /// The whole state: what exists, where it is, and all that the next step reads. Its arrays are copied within
+  /// the memory of the device. The world does not change.
+  Snapshot snapshot() const;
+  /// Goes back to a snapshot of this world. Ids are valid as they were then. What follows is bit for bit what
+  /// followed the snapshot. Throws Error(invalid_argument) if the snapshot is empty or of another world.
+  void restore(const Snapshot& snapshot);
+  /// Writes the whole state to a file (docs/snapshots.md), which appears complete or not at all. Mesh files of
+  /// solids are not in it, but their names. Throws Error(io) if the file cannot be written.
+  void save(const std::string& path) const;
+  /// A new world with the state of a file. For the same program and kind of device it continues bit for bit.
+  /// On the other kind, or with another number of threads, it continues as well; another kind of device
+  /// rounds differently. Ids have the same indices, but are those of the new world (the *_ids calls list
+  /// them). Throws Error(io) with the reason if the file is not complete and unchanged, or is not known to
+  /// this program. Also throws what the creation of its solids throws.
+  static World load(const std::string& path, const LoadDef& def = {});
+
+  // What exists, in the order of the indices of ids. The find calls return the first of that name, and throw
+  // Error(not_found) if there is none.
+  std::vector<FluidId> fluid_ids() const;
+  std::vector<ShapeId> shape_ids() const;
+  std::vector<BodyId> body_ids() const;
+  std::vector<JointId> joint_ids() const;
+  std::vector<ClothId> cloth_ids() const;
+  std::vector<RopeId> rope_ids() const;
+  std::vector<AttachmentId> attachment_ids() const;
+  std::vector<EmitterId> emitter_ids() const;
+  std::vector<SinkId> sink_ids() const;
+  std::vector<ProbeId> probe_ids() const;
+  FluidId find_fluid(const std::string& name) const;
+  ShapeId find_shape(const std::string& name) const;
+  BodyId find_body(const std::string& name) const;
+  JointId find_joint(const std::string& name) const;
+  ClothId find_cloth(const std::string& name) const;
+  RopeId find_rope(const std::string& name) const;
+  AttachmentId find_attachment(const std::string& name) const;
+  EmitterId find_emitter(const std::string& name) const;
+  SinkId find_sink(const std::string& name) const;
+  ProbeId find_probe(const std::string& name) const;
   /// Ends the long call that runs, or else the next one. It throws Error(cancelled) within about a second,
   /// and nothing has changed. But relax() keeps the iterations that are done. Any thread may call this, and
   /// signal handlers. Long calls are step, relax, diagnostics, read-outs that search neighbours, and calls

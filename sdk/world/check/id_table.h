@@ -52,6 +52,14 @@ class IdTable {
 
   uint32_t size() const { return size_; }
 
+  /// Whether the same ids are valid in both.
+  bool has_ids_of(const IdTable& other) const {
+    const auto holds = [](const Entry& a, const Entry& b) {
+      return a.generation == b.generation && a.value.has_value() == b.value.has_value();
+    };
+    return std::equal(entries_.begin(), entries_.end(), other.entries_.begin(), other.entries_.end(), holds);
+  }
+
   /// nullptr where there is none.
   const T* find(IdType id) const {
     if (id.index >= entries_.size() || entries_[id.index].generation != id.generation) return nullptr;
@@ -69,6 +77,42 @@ class IdTable {
 
   /// Of what stands at an index, where something does.
   IdType id(uint32_t index) const { return {index, entries_[index].generation}; }
+
+  /// Of all places, used or not, how often each was freed.
+  std::vector<uint32_t> generations() const {
+    std::vector<uint32_t> all;
+    for (const Entry& entry : entries_) all.push_back(entry.generation - first_generation_);
+    return all;
+  }
+  /// Empty places of these generations, for a table that is empty.
+  void set_generations(const std::vector<uint32_t>& generations) {
+    entries_.clear();
+    for (const uint32_t g : generations) entries_.push_back({std::nullopt, first_generation_ + g});
+    first_free_ = size_ = 0;
+  }
+  /// Fills an empty place.
+  void put(uint32_t index, T value) {
+    entries_[index].value = std::move(value);
+    ++size_;
+  }
+
+  /// All ids, in the order of the indices.
+  std::vector<IdType> ids() const {
+    std::vector<IdType> all;
+    for_each([&](uint32_t index, const T&) { all.push_back(id(index)); });
+    return all;
+  }
+
+  /// The first for whose value `suits` holds.
+  template <class Suits>
+  std::optional<IdType> find_first(const Suits& suits) const {
+    for (uint32_t i = 0; i < entries_.size(); ++i) {
+      if (entries_[i].value && suits(*entries_[i].value)) return id(i);
+    }
+    return std::nullopt;
+  }
+
+  const char* what() const { return what_; }
 
   /// Calls visit(index, value) for each, in the order of the indices.
   template <class Visit>

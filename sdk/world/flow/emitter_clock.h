@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "pbd/state/state_visitor.h"
+
 namespace meniscus {
 
 /// A particle that is due to leave a place of an opening.
@@ -36,6 +38,12 @@ class EmitterClock {
   }
   /// Records whether a departure left; call it in the order of due().
   void note(const Departure& departure, bool left);
+
+  void visit_state(pbd::StateVisitor& v) {
+    v.list("place", places_);
+    v.value("stop", stop_);
+    v.value("period", period_);
+  }
 
  private:
   struct Place {

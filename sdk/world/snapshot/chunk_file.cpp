@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Writes and reads the container of snapshots.
+#include "sdk/world/snapshot/chunk_file.h"
+
+#include <meniscus/error.h>
+#include <meniscus/version.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace meniscus {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char magic[8] = {'M', 'E', 'N', 'I', 'S', 'N', 'A', 'P'};
+constexpr uint32_t format_version = 1;
+constexpr uint32_t chunk_version = 1;
+static_assert(std::endian::native == std::endian::little);
+
+struct Prefix {
+  char magic[8];
+  uint32_t version, header_bytes;
+  uint64_t header_hash;
+};
+static_assert(sizeof(Prefix) == 24);
+
+[[noreturn]] void fail_io(const std::string& what, const std::string& path) {
+  throw Error(ErrorCode::io, "cannot " + what + " " + path + ": " + std::strerror(errno));
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw Error(ErrorCode::io, path + " is no usable snapshot: " + why);
+}
+
+/// A file that gets its name when it is complete.
+class PartFile {
+ public:
+  explicit PartFile(const std::string& path) : path_(path), part_(path + ".XXXXXX.part") {
+    const int file = mkstemps(part_.data(), 5);
+    if (file < 0) fail_io("write", path);
+    close(file);
+    stream_.open(part_, std::ios::binary);
+  }
+  ~PartFile() {
+    if (!part_.empty()) unlink(part_.c_str());
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  void write(const void* data, std::size_t bytes) {
+    stream_.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
+  }
+  void commit() {
+    stream_.close();
+    if (!stream_ || std::rename(part_.c_str(), path_.c_str()) != 0) fail_io("write", path_);
+    part_.clear();
+  }
+
+ private:
+  std::string path_, part_;
+  std::ofstream stream_;
+};
+
+Json described(const std::string& name, const pbd::StateItem& item) {
+  return {{"name", name},
+          {"form", item.form},
+          {"element_bytes", item.element_bytes},
+          {"count", item.count},
+          {"version", chunk_version},
+          {"required", true},
+          {"xxh3", XXH3_64bits(item.host.data(), item.host.size())}};
+}
+
+Json parsed_header(const std::string& path, const std::string& text) {
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) refuse(path, "its header is no JSON");
+  return json;
+}
+
+/// Reads one chunk, which is in the file to its end.
+pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::ifstream& stream,
+                          uint64_t& bytes_left) {
+  const auto name = chunk.at("name").get<std::string>();
+  if (chunk.at("version").get<uint32_t>() > chunk_version)
+    refuse(path, "its chunk \"" + name + "\" is of a later version");
+  pbd::StateItem item{.form = chunk.at("form").get<std::string>(),
+                      .element_bytes = chunk.at("element_bytes").get<uint32_t>(),
+                      .count = chunk.at("count").get<std::size_t>(),
+                      .required = chunk.at("required").get<bool>()};
+  if (item.element_bytes == 0 || item.count > bytes_left / item.element_bytes)
+    refuse(path, "it ends within the chunk \"" + name + "\"");
+  bytes_left -= item.bytes();
+  item.host.resize(item.bytes());
+  stream.read(reinterpret_cast<char*>(item.host.data()), static_cast<std::streamsize>(item.bytes()));
+  if (!stream) fail_io("read", path);
+  if (XXH3_64bits(item.host.data(), item.host.size()) != chunk.at("xxh3").get<uint64_t>())
+    refuse(path, "its chunk \"" + name + "\" is damaged");
+  return item;
+}
+
+}  // namespace
+
+void write_chunk_file(const std::string& path, const ChunkFileHeader& header, const pbd::SavedState& chunks) {
+  Json json{{"program", header.program},
+            {"device", header.device},
+            {"time", header.time},
+            {"definitions", header.definitions},
+            {"chunks", Json::array()}};
+  for (const std::string& name : chunks.paths()) json["chunks"].push_back(described(name, *chunks.find(name)));
+  const std::string text = json.dump();
+  Prefix prefix{{}, format_version, static_cast<uint32_t>(text.size()),
+                XXH3_64bits(text.data(), text.size())};
+  std::memcpy(prefix.magic, magic, sizeof magic);
+  PartFile file(path);
+  file.write(&prefix, sizeof prefix);
+  file.write(text.data(), text.size());
+  for (const std::string& name : chunks.paths()) {
+    const pbd::StateItem& item = *chunks.find(name);
+    file.write(item.host.data(), item.host.size());
+  }
+  file.commit();
+}
+
+pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header) {
+  std::ifstream stream(path, std::ios::binary);
+  std::error_code no_size;
+  uint64_t bytes_left = std::filesystem::file_size(path, no_size);
+  if (!stream || no_size) fail_io("read", path);
+  Prefix prefix{};
+  if (bytes_left < sizeof prefix) refuse(path, "it ends within its first bytes");
+  stream.read(reinterpret_cast<char*>(&prefix), sizeof prefix);
+  bytes_left -= sizeof prefix;
+  if (std::memcmp(prefix.magic, magic, sizeof magic) != 0) refuse(path, "it does not begin with MENISNAP");
+  if (prefix.version != format_version) {
+    refuse(path, "its format is version " + std::to_string(prefix.version) + ", and this program (" +
+                     MENISCUS_VERSION_STRING + ") knows version " + std::to_string(format_version));
+  }
+  if (prefix.header_bytes > bytes_left) refuse(path, "it ends within its header");
+  std::string text(prefix.header_bytes, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream) fail_io("read", path);
+  bytes_left -= text.size();
+  if (XXH3_64bits(text.data(), text.size()) != prefix.header_hash) refuse(path, "its header is damaged");
+  const Json json = parsed_header(path, text);
+  pbd::SavedState chunks;
+  try {
+    header = {json.at("program").get<std::string>(), json.at("device").get<std::string>(),
+              json.at("time").get<double>(), json.at("definitions").get<std::string>()};
+    for (const Json& chunk : json.at("chunks"))
+      chunks.add(chunk.at("name").get<std::string>(), read_chunk(path, chunk, stream, bytes_left));
+  } catch (const Json::exception& wrong) {
+    refuse(path, std::string("its header is not as it should be: ") + wrong.what());
+  }
+  if (bytes_left > 0) refuse(path, "it goes on for " + std::to_string(bytes_left) + " bytes after its end");
+  return chunks;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The container of snapshots: a header that names the chunks, and the chunks.
+#pragma once
+
+#include <string>
+
+#include "pbd/state/saved_state.h"
+
+namespace meniscus {
+
+/// What a file says of itself, besides its chunks.
+struct ChunkFileHeader {
+  std::string program;      ///< the version that wrote it
+  std::string device;       ///< "cpu" or "cuda"
+  double time = 0;          ///< s, of the world
+  std::string definitions;  ///< JSON
+};
+
+/// The format (docs/snapshots.md), of which there is one so far:
+///
+///   8 bytes   "MENISNAP"
+///   u32       the format's version
+///   u32       length of the header, bytes
+///   u64       xxh3 of the header
+///   header    JSON: program, device, time, definitions, and the chunks: name, form, element bytes, count,
+///             version, whether it is required, and xxh3
+///   chunks    one after the other
+///
+/// Integers are little-endian. Throws Error(io); PATH is then as before.
+void write_chunk_file(const std::string& path, const ChunkFileHeader& header, const pbd::SavedState& chunks);
+
+/// All chunks, on the host. Throws Error(io) that names what is wrong, if a byte is not as it was written.
+pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header);
+
+}  // namespace meniscus

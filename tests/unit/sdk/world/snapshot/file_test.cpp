@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// A world from a file goes on bit for bit, and a file with any byte changed is refused.
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "tests/expect_error.h"
+#include "tests/many_threads.h"
+#include "tests/unit/sdk/world/snapshot/cases.h"
+
+namespace meniscus::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int steps = 3;
+
+class SnapshotFileTest : public OnDevice {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path() const { return (folder_ / "world.menisnap").string(); }
+
+  static std::string read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  static void write(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / ("meniscus_snapshots_" + std::to_string(getpid()));
+};
+
+TEST_P(SnapshotFileTest, TheFutureIsTheSame) {
+  const ManyThreads many;
+  for (const SnapshotCase& c : snapshot_cases()) {
+    SCOPED_TRACE(c.name);
+    WorldDef def = world_def(GetParam(), 0.05f);
+    def.threads = 1;
+    World world = c.make(def);
+    run(world, c.before, snapshot_step);
+    world.save(path());
+    const auto then = state_of(world);
+    const auto future = future_of(world, steps);
+    LoadDef several;
+    several.threads = 3;
+    World loaded = World::load(path(), several);
+    EXPECT_EQ(loaded.def().threads, 3);
+    EXPECT_EQ(state_of(loaded), then);
+    loaded.save(path());
+    EXPECT_EQ(future_of(loaded, steps), future);
+    EXPECT_EQ(future_of(world = World::load(path()), steps), future) << "saved again";
+  }
+}
+
+/// What was created before goes on by the same definitions, and what comes after gets the next ids.
+TEST_P(SnapshotFileTest, IsAWorldLikeAnyOther) {
+  const auto make = [&] {
+    World world = dam_break(GetParam());
+    const BodyId gone = world.create_body({});
+    world.destroy_body(gone);
+    run(world, 3, snapshot_step);
+    return world;
+  };
+  const auto go_on = [](World& world) {
+    BodyDef ball;
+    ball.name = "ball";
+    ball.geometry = SphereGeometry{0.1f};
+    ball.pose.position = {0.8f, 0.5f, 0.25f};
+    const BodyId id = world.create_body(ball);
+    world.add_fluid(block(world.fluid_ids()[0], {0.6f, 0.8f, 0}, {0.9f, 0.95f, 0.3f}));
+    run(world, 3, snapshot_step);
+    EXPECT_EQ(world.find_body("ball"), id);
+    return world.state_hash();
+  };
+  World world = make();
+  world.save(path());
+  World loaded = World::load(path());
+  EXPECT_EQ(go_on(loaded), go_on(world));
+  const Snapshot snapshot = loaded.snapshot();
+  loaded.step(snapshot_step);
+  loaded.restore(snapshot);
+  EXPECT_EQ(loaded.state_hash(), world.state_hash());
+}
+
+TEST_P(SnapshotFileTest, RefusesAFileThatWasCut) {
+  World world(world_def(GetParam(), 0.1f));
+  const FluidId water = world.create_fluid({});
+  world.add_fluid(block(water, {0, 0, 0}, {0.3f, 0.3f, 0.3f}));
+  world.save(path());
+  const std::string whole = read(path());
+  for (size_t k = 0; k < 60; ++k) {
+    write(path(), whole.substr(0, whole.size() * k / 60));
+    expect_error(ErrorCode::io, "no usable snapshot", [&] { World::load(path()); });
+  }
+  write(path(), whole + "x");
+  expect_error(ErrorCode::io, "after its end", [&] { World::load(path()); });
+  write(path(), whole);
+  EXPECT_EQ(World::load(path()).state_hash(), world.state_hash());
+}
+
+TEST_P(SnapshotFileTest, FindsEachChangedByteOfTheHeader) {
+  World world(world_def(GetParam(), 0.1f));
+  world.save(path());
+  std::string bytes = read(path());
+  uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 12, sizeof length);
+  const size_t header = 24 + length;
+  for (size_t k = 0; k < header; k += k < 64 ? 1 : 17) {
+    std::string changed = bytes;
+    changed[k] = static_cast<char>(changed[k] ^ (1 << k % 8));
+    write(path(), changed);
+    expect_error(ErrorCode::io, "no usable snapshot", [&] { World::load(path()); });
+  }
+}
+
+TEST_P(SnapshotFileTest, FindsAnyChangedBit) {
+  World world = snapshot_cases()[3].make(world_def(GetParam(), 0.1f));
+  run(world, 2, snapshot_step);
+  world.save(path());
+  const std::string bytes = read(path());
+  std::mt19937 random(7);
+  for (int k = 0; k < 60; ++k) {
+    std::string changed = bytes;
+    const size_t at = random() % changed.size();
+    changed[at] = static_cast<char>(changed[at] ^ (1 << random() % 8));
+    write(path(), changed);
+    expect_error(ErrorCode::io, "no usable snapshot", [&] { World::load(path()); });
+  }
+}
+
+TEST_P(SnapshotFileTest, NamesAFileThatCannotBeUsed) {
+  World world(world_def(GetParam(), 0.1f));
+  expect_error(ErrorCode::io, "cannot read", [&] { World::load((folder_ / "none").string()); });
+  expect_error(ErrorCode::io, "cannot write", [&] { world.save((folder_ / "none" / "x").string()); });
+  write(path(), "{}, and much more that is a file of another kind");
+  expect_error(ErrorCode::io, "does not begin with MENISNAP", [&] { World::load(path()); });
+  world.save(path());
+  size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(folder_)) files += entry.exists();
+  EXPECT_EQ(files, 1u) << "something else remains";
+}
+
+MENISCUS_ON_EACH_DEVICE(SnapshotFileTest);
+
+}  // namespace
+}  // namespace meniscus::tests
