@@ -8,7 +8,7 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Meniscus)
 
 install(DIRECTORY sdk/include/meniscus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
-install(TARGETS meniscus meniscus_fluid meniscus_cloth meniscus_collision meniscus_pbd
+install(TARGETS meniscus_scene meniscus meniscus_fluid meniscus_cloth meniscus_collision meniscus_pbd
   EXPORT MeniscusTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT MeniscusTargets NAMESPACE Meniscus:: DESTINATION ${package_folder})
 

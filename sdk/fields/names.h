@@ -4,6 +4,8 @@
 // Words for enumerators. names_of(E) lists those of an enumeration.
 #pragma once
 
+#include <meniscus/axis.h>
+
 #include <array>
 #include <string>
 
@@ -17,9 +19,6 @@ struct Named {
 };
 template <class E>
 Named(const char*, E) -> Named<E>;  // clang deduces aggregates from version 17 on
-
-/// An axis of a frame, as files name it.
-enum class Axis { x, y, z };
 
 constexpr auto names_of(Axis) {
   return std::array{Named{"x", Axis::x}, Named{"y", Axis::y}, Named{"z", Axis::z}};

@@ -3,10 +3,9 @@
 //
 // Builds a World from a Scene.
 #include <algorithm>
-#include <new>
 
 #include "pbd/host_memory.h"
-#include "sdk/scene/scene.h"
+#include "sdk/scene/scene_items.h"
 
 namespace meniscus {
 namespace {
@@ -56,34 +55,6 @@ AttachmentDef with_ids(const SceneAttachment& attachment, const Scene& scene,
   if (!attachment.other_cloth.empty()) def.other_cloth = cloth(attachment.other_cloth);
   if (!attachment.other_rope.empty()) def.other_rope = rope(attachment.other_rope);
   return def;
-}
-
-const std::string& name_of(const auto& item) {
-  if constexpr (requires { item.name; })
-    return item.name;
-  else
-    return item.def.name;
-}
-const std::string& name_of(const SceneVolume& volume) {
-  return volume.fluid;
-}
-
-/// Calls make(item) for each of the scene's items. What it throws names the item, as in cloths[0] ("flag").
-template <class Item, class Make>
-void for_each_item(const char* key, const std::vector<Item>& items, const Make& make) {
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto fail = [&](ErrorCode code, const char* why) {
-      throw Error(code,
-                  std::string(key) + "[" + std::to_string(i) + "] (\"" + name_of(items[i]) + "\"): " + why);
-    };
-    try {
-      make(items[i]);
-    } catch (const Error& error) {
-      fail(error.code(), error.what());
-    } catch (const std::bad_alloc&) {
-      fail(ErrorCode::out_of_memory, "there is not enough memory for it");
-    }
-  }
 }
 
 void add_solids(const Scene& scene, const std::vector<BodyDef>& bodies, BuiltScene& built) {
@@ -139,6 +110,7 @@ void expect_closed(const SceneCheck& check, const Scene& scene, const BuiltScene
 }
 
 BuiltScene build(const Scene& scene) {
+  check_scene(scene);
   BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for_each_item("fluids", scene.fluids,
                 [&](const FluidDef& def) { built.fluids.push_back(built.world.create_fluid(def)); });

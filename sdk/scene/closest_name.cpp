@@ -45,7 +45,7 @@ std::string name_hint(const std::string& unknown, const std::vector<std::string>
     best = &name;
     best_distance = distance;
   }
-  return best ? "; did you mean \"" + *best + "\"?" : "; allowed: " + quoted_list(known);
+  return best ? "did you mean \"" + *best + "\"?" : "allowed: " + quoted_list(known);
 }
 
 }  // namespace meniscus

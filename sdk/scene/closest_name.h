@@ -9,8 +9,8 @@
 
 namespace meniscus {
 
-/// How to end a message about a name that is not known: `; did you mean "rest_density"?`, or, where none of
-/// the known names is near, `; allowed: …` with all of them.
+/// The advice for a name that is not known: `did you mean "rest_density"?`. If none of the known names is
+/// near, it is `allowed: …` with all of them.
 std::string name_hint(const std::string& unknown, const std::vector<std::string>& known);
 
 }  // namespace meniscus

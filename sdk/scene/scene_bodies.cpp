@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Expands the copies of a scene's bodies.
+#include <meniscus/scene.h>
 #include "pbd/math/vec.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus {
 namespace {

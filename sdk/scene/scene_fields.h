@@ -6,9 +6,9 @@
 // schema (scene_schema.cpp).
 #pragma once
 
+#include <meniscus/scene.h>
 #include "pbd/math/vec.h"
 #include "sdk/fields/fields.h"
-#include "sdk/scene/scene.h"
 #include "sdk/scene/scene_fields_checks.h"
 
 namespace meniscus {

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include <meniscus/scene.h>
 #include "sdk/fields/values.h"
-#include "sdk/scene/scene_check.h"
 
 namespace meniscus {
 

@@ -29,9 +29,9 @@ std::string read_text(const std::string& path) {
   const ScenePlace place{path, ""};
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
-    place.fail("is a folder, not a scene file", ErrorCode::io);
+    place.fail("is a folder, not a scene file", "", ErrorCode::io);
   std::ifstream file(path, std::ios::binary);
-  if (!file) place.fail("cannot be read: " + std::generic_category().message(errno), ErrorCode::io);
+  if (!file) place.fail("cannot be read: " + std::generic_category().message(errno), "", ErrorCode::io);
   // A pipe or a device need not end.
   std::string text;
   for (std::vector<char> block(std::size_t{1} << 16); file;) {
@@ -39,11 +39,11 @@ std::string read_text(const std::string& path) {
     text.append(block.data(), std::size_t(file.gcount()));
     if (text.size() > most_bytes) {
       place.fail(
-          "is longer than " + std::to_string(most_bytes) + " bytes, the most that a scene file may have",
+          "is longer than " + std::to_string(most_bytes) + " bytes, the most that a scene file may have", "",
           ErrorCode::io);
     }
   }
-  if (file.bad()) place.fail("cannot be read to its end", ErrorCode::io);
+  if (file.bad()) place.fail("cannot be read to its end", "", ErrorCode::io);
   return text;
 }
 
@@ -59,6 +59,15 @@ SceneDocument document_of(const std::string& path, std::span<const std::string> 
 
 Scene read_scene(const std::string& path, std::span<const std::string> overrides) {
   return pbd::with_host_memory([&] { return scene_of_document(document_of(path, overrides).value, path); });
+}
+
+Scene read_scene_text(const std::string& text, const std::string& folder, const std::string& source) {
+  return pbd::with_host_memory([&] {
+    const SceneDocument document = parse_document(text, source);
+    Scene scene = parse_scene(document.value, source);
+    resolve_meshes(scene, document.value, folder, source);
+    return scene;
+  });
 }
 
 Json read_document(const std::string& path, std::span<const std::string> overrides) {

@@ -31,16 +31,16 @@ bool is_readable_file(const fs::path& path) {
 
 void resolve(std::string& file, const fs::path& folder, const ScenePlace& place) {
   if (file.empty()) {
-    place.fail("this scene needs a mesh file of yours; pass --set " + place.path + "=PATH", ErrorCode::io);
+    place.fail("this scene needs a mesh file of yours", "pass --set " + place.path + "=PATH", ErrorCode::io);
   }
   const bool aliased = is_mesh_alias(file);
   const fs::path path = aliased ? alias_folder() / file.substr(alias.size()) : folder / file;
   if (!is_readable_file(path)) {
     const std::string remedy =
-        aliased ? "; install Debian's package glmark2-data, or set MENISCUS_GLMARK2_DIR to the "
+        aliased ? "install Debian's package glmark2-data, or set MENISCUS_GLMARK2_DIR to the "
                   "folder that holds the models"
                 : "";
-    place.fail("cannot read mesh file \"" + path.string() + "\"" + remedy, ErrorCode::io);
+    place.fail("cannot read mesh file \"" + path.string() + "\"", remedy, ErrorCode::io);
   }
   file = path.lexically_normal().string();
 }
@@ -67,7 +67,7 @@ class GeometryFiles {
       const collision::TriangleMesh mesh = collision::load_mesh(file, json.value("scale", 1.0f));
       hull.points.insert(hull.points.end(), mesh.vertices.begin(), mesh.vertices.end());
     } catch (const Error& error) {
-      place.key("file").fail(error.what(), error.code());
+      place.key("file").fail(error.what(), "", error.code());
     }
   }
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus {
 

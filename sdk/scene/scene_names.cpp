@@ -60,7 +60,7 @@ void check_solids(const Scene& scene, const ScenePlace& root) {
 void check_reference(const std::string& name, const std::vector<std::string>& names, const ScenePlace& place,
                      const char* kind) {
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  place.fail("there is no " + std::string(kind) + " named \"" + name + "\"" + name_hint(name, names));
+  place.fail("there is no " + std::string(kind) + " named \"" + name + "\"", name_hint(name, names));
 }
 
 std::vector<std::string> body_names(const Scene& scene) {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus {
 

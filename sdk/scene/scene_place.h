@@ -4,7 +4,7 @@
 // Names a place in a scene document for messages.
 #pragma once
 
-#include <meniscus/error.h>
+#include <meniscus/scene.h>
 
 #include <string>
 
@@ -18,8 +18,12 @@ struct ScenePlace {
   ScenePlace key(const std::string& name) const { return {source, path.empty() ? name : path + "." + name}; }
   ScenePlace item(std::size_t index) const { return {source, path + "[" + std::to_string(index) + "]"}; }
 
-  [[noreturn]] void fail(const std::string& message, ErrorCode code = ErrorCode::parse) const {
-    throw Error(code, source + ": " + (path.empty() ? "" : path + ": ") + message);
+  /// Throws SceneError. `fix` says what to do, or what is allowed.
+  [[noreturn]] void fail(const std::string& problem, const std::string& fix = "",
+                         ErrorCode code = ErrorCode::parse) const {
+    const auto before = [](const std::string& part) { return part.empty() ? "" : part + ": "; };
+    const std::string end = fix.empty() ? "" : "; " + fix;
+    throw SceneError(code, before(source) + before(path) + problem + end, source, path, fix);
   }
 };
 

@@ -78,7 +78,7 @@ class ChoiceReader {
   void finish() const {
     if (chosen_) return;
     const std::string problem = type_.empty() ? "missing, and needed" : shown(type_) + " is not known";
-    place_.key("type").fail(problem + name_hint(type_, names_));
+    place_.key("type").fail(problem, name_hint(type_, names_));
   }
 
  private:
@@ -90,7 +90,7 @@ class ChoiceReader {
 };
 
 void expect_object(const Json& json, const ScenePlace& place) {
-  if (!json.is_object()) place.fail(shown(json) + " is not allowed; must be an object {...}");
+  if (!json.is_object()) place.fail(shown(json) + " is not allowed", "must be an object {...}");
 }
 
 /// Reads the keys that fields() lists; one that is neither there nor in `other_keys` is an error.
@@ -106,7 +106,7 @@ void read_fields(const Json& object, const ScenePlace& place, T& value, std::vec
         if (key == old.name) place.key(key).fail(old.advice);
       }
     }
-    place.key(key).fail("unknown key" + name_hint(key, known.keys));
+    place.key(key).fail("unknown key", name_hint(key, known.keys));
   }
   FieldReader reader(object, place);
   fields(reader, value);
@@ -122,9 +122,10 @@ void read_choice(const Json& json, const ScenePlace& place, T& value) {
 
 template <class T>
 void read_list(const Json& json, const ScenePlace& place, const FieldRule& rule, std::vector<T>& values) {
-  if (!json.is_array()) place.fail(shown(json) + " is not allowed; must be an array [...]");
+  if (!json.is_array()) place.fail(shown(json) + " is not allowed", "must be an array [...]");
   const auto refuse = [&](const char* bound, std::size_t items) {
-    place.fail(shown(json) + " is not allowed; must have " + bound + std::to_string(items) + " items");
+    place.fail(shown(json) + " is not allowed",
+               std::string("must have ") + bound + std::to_string(items) + " items");
   };
   if (json.size() < rule.min_items) refuse("at least ", rule.min_items);
   if (json.size() > rule.max_items) refuse("at most ", rule.max_items);
@@ -140,7 +141,7 @@ void read_name(const Json& json, const ScenePlace& place, E& value) {
     names.push_back(named.name);
     if (word == named.name) return void(value = named.value);
   }
-  place.fail(shown(json) + " is not known" + name_hint(word, names));
+  place.fail(shown(json) + " is not known", name_hint(word, names));
 }
 
 void read_rotation(const Json& json, const ScenePlace& place, const FieldRule& rule, Quat& value) {

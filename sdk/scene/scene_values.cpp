@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 [[noreturn]] void fail_type(const Json& json, const ScenePlace& place, const std::string& wanted) {
-  place.fail(shown(json) + " is not allowed; must be " + wanted);
+  place.fail(shown(json) + " is not allowed", "must be " + wanted);
 }
 
 double read_number(const Json& json, const ScenePlace& place, const FieldRule& rule, const char* wanted) {
@@ -92,7 +92,7 @@ void read_plain(const Json& json, const ScenePlace& place, const FieldRule& rule
                                  "an array of 4 numbers [x, y, z, w], or an object with axis and degrees");
   const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
   if (!(length > 1e-6))
-    place.fail("a quaternion near zero is no rotation; its length must be greater than 1e-06");
+    place.fail("a quaternion near zero is no rotation", "its length must be greater than 1e-06");
   value = {float(q[0] / length), float(q[1] / length), float(q[2] / length), float(q[3] / length)};
 }
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus::viewer {
 

@@ -4,8 +4,8 @@
 // A camera that the mouse turns about a target.
 #pragma once
 
+#include <meniscus/scene.h>
 #include "pbd/math/vec.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::viewer {
 

@@ -4,7 +4,7 @@
 // Memory that runs out while a scene is read and built is an error.
 #include <gtest/gtest.h>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 #include "sdk/scene/scene_file.h"
 #include "tests/faults/fail_everywhere.h"
 

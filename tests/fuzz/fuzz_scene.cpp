@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <meniscus/scene.h>
 #include "pbd/math/vec.h"
-#include "sdk/scene/scene.h"
 #include "sdk/scene/scene_file.h"
 #include "tests/fuzz/bytes.h"
 

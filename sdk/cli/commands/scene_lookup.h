@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus::cli {
 

@@ -4,7 +4,7 @@
 // What `meniscus check` says of a scene's mesh files.
 #pragma once
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus::cli {
 

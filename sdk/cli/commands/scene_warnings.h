@@ -4,7 +4,7 @@
 // Warnings about scenes that are valid but probably not intended.
 #pragma once
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus::cli {
 

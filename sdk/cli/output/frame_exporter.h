@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include <meniscus/scene.h>
 #include "sdk/cli/record/frame_sample.h"
 #include "sdk/io/pvd.h"
 #include "sdk/io/surface_frame.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 

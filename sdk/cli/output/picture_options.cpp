@@ -42,7 +42,7 @@ SceneCamera camera_named(const std::string& name, const Scene& scene) {
   }
   throw Error(ErrorCode::invalid_argument,
               "--camera is '" + name + "', but the scene has " +
-                  (names.empty() ? "no named cameras" : "no camera of that name" + name_hint(name, names)));
+                  (names.empty() ? "no named cameras" : "no camera of that name; " + name_hint(name, names)));
 }
 
 io::PreviewScene picture_scene(const Scene& scene, const PictureOptions& options) {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include <meniscus/scene.h>
 #include "sdk/cli/record/csv_file.h"
 #include "sdk/cli/record/frame_sample.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 

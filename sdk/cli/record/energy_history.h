@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include <meniscus/scene.h>
 #include "sdk/cli/record/frame_sample.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include <meniscus/scene.h>
 #include "sdk/cli/record/cloth_crossings.h"
 #include "sdk/cli/record/frame_sample.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 

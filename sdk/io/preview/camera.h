@@ -4,8 +4,8 @@
 // The pinhole camera of the preview.
 #pragma once
 
+#include <meniscus/scene.h>
 #include "pbd/math/vec.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::io {
 

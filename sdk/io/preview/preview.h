@@ -4,10 +4,10 @@
 // The preview: a picture of a world that is rasterised on the CPU.
 #pragma once
 
+#include <meniscus/scene.h>
 #include "sdk/io/cloth_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/png.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::io {
 

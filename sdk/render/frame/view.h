@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <meniscus/scene.h>
 #include "pbd/math/vec.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::render {
 

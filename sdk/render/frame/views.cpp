@@ -92,7 +92,7 @@ ViewChoice view_choice(std::span<const std::string> wanted) {
     const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     if (at == names.size()) {
       throw Error(ErrorCode::invalid_argument,
-                  "no view is called '" + name + "'" + name_hint(name, {names.begin(), names.end()}));
+                  "no view is called '" + name + "'; " + name_hint(name, {names.begin(), names.end()}));
     }
     if (at < particle_views && choice.particles != ParticleView::surface)
       throw Error(ErrorCode::invalid_argument,

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <meniscus/scene.h>
 #include "sdk/render/frame/color_map.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::render {
 

@@ -74,7 +74,7 @@ const Edges folders{
     {"sdk/world",
      {"sdk/engine", "sdk/fields", "sdk/world/check", "sdk/world/cloth", "sdk/world/flow",
       "sdk/world/solids"}},
-    {"sdk/scene", {"sdk/fields"}},
+    {"sdk/scene", {"sdk/fields", "sdk/world/check"}},
     {"sdk/io", {"sdk/scene", "sdk/world/solids"}},
     {"sdk/io/preview", {"sdk/io", "sdk/scene"}},
     {"sdk/render/gl", {}},

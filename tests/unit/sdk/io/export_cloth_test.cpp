@@ -7,10 +7,10 @@
 
 #include <assimp/Importer.hpp>
 
+#include <meniscus/scene.h>
 #include "sdk/io/obj.h"
 #include "sdk/io/ply.h"
 #include "sdk/io/vtp.h"
-#include "sdk/scene/scene.h"
 #include "tests/unit/sdk/io/export_files.h"
 
 namespace meniscus::io {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 #include "sdk/scene/scene_file.h"
 #include "tests/unit/collision/mesh_files.h"
 
