@@ -22,6 +22,7 @@
 #include "sdk/cli/commands/devices.h"
 #include "sdk/cli/commands/run.h"
 #include "sdk/cli/commands/schema.h"
+#include "sdk/cli/commands/validate.h"
 #include "sdk/cli/commands/view.h"
 #include "sdk/io/plain_text.h"
 
@@ -145,6 +146,29 @@ void add_compare(CLI::App& app, CompareOptions& options, Command& command) {
   compare.callback([&options, &command] { command = [&options] { return compare_solvers(options); }; });
 }
 
+void add_validate(CLI::App& app, ValidateOptions& options, Command& command) {
+  CLI::App& validate = *app.add_subcommand(
+      "validate", "Compare cases with theory and experiment, and write a page on their errors");
+  validate.add_option("case", options.cases, "Names of cases; by default all of them")->type_name("CASE");
+  validate.add_flag("--list", options.list, "List the cases alone");
+  add_device(validate, options.device);
+  validate.add_option("--threads", options.threads, "Threads of the CPU device; 0 is one a core")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024).description(""));
+  validate
+      .add_option("--resolution", options.resolution,
+                  "How many particles: quick takes seconds a case on a CPU, medium minutes, full a GPU")
+      ->type_name("quick|medium|full")
+      ->check(CLI::IsMember({"quick", "medium", "full"}).description(""));
+  validate.add_option("--output", options.output, "The folder for the results; by default out/validate")
+      ->type_name("DIR");
+  validate.add_option("--page", options.page, "Write the page here too, with a folder of its name beside it")
+      ->type_name("FILE.md");
+  validate.add_option("--commit", options.commit, "What the page says that the build is from")
+      ->type_name("ID");
+  validate.callback([&options, &command] { command = [&options] { return validate_cases(options); }; });
+}
+
 void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
   CLI::App& devices = *app.add_subcommand(
       "devices", "List the devices, and which one auto takes; or what memory a scene takes there");
@@ -216,6 +240,7 @@ int parse_and_run(int argc, char** argv) try {
   ViewOptions view;
   CheckOptions check;
   CompareOptions compare;
+  ValidateOptions validate;
   SceneChoice budget;
   Command command;
   CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
@@ -225,6 +250,7 @@ int parse_and_run(int argc, char** argv) try {
   add_view(app, view, command);
   add_check(app, check, command);
   add_compare(app, compare, command);
+  add_validate(app, validate, command);
   add_devices(app, budget, command);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([&] {
     command = print_schema;

@@ -8,6 +8,7 @@
 
 #include <meniscus/error.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sdk/io/output_file.h"
@@ -28,12 +29,17 @@ struct Axis {
   }
 };
 
-double largest(std::span<const double> values) {
-  double most = 0;
-  for (const double v : values) {
-    if (std::isfinite(v)) most = std::max(most, v);
+/// The interval of all finite values and 0.
+std::array<double, 2> extent(const ChartPanel& panel) {
+  double low = 0, high = 0;
+  for (const ChartSeries& series : panel.series) {
+    for (const double v : series.y) {
+      if (!std::isfinite(v)) continue;
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
   }
-  return most;
+  return {low, high > low ? high : low + 1};
 }
 
 Axis horizontal_axis(const LineChart& chart) {
@@ -45,9 +51,8 @@ Axis horizontal_axis(const LineChart& chart) {
 }
 
 Axis vertical_axis(const ChartPanel& panel, double panel_top) {
-  double high = 0;
-  for (const ChartSeries& series : panel.series) high = std::max(high, largest(series.y));
-  return {round_ticks(0, high > 0 ? high : 1, 4), panel_top + panel_height, panel_top};
+  const auto [low, high] = extent(panel);
+  return {round_ticks(low, high, 4), panel_top + panel_height, panel_top};
 }
 
 std::string text(double x, double y, const char* anchor, const std::string& content, const char* more = "") {
@@ -60,7 +65,18 @@ std::string line(double x1, double y1, double x2, double y2, const char* color) 
                      y1, x2, y2, color);
 }
 
-/// The polylines between gaps, each with a tinted area below it.
+std::string dots(const ChartSeries& series, const std::vector<double>& x, const Axis& across,
+                 const Axis& up) {
+  std::string svg;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(series.y[i])) continue;
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\" fill=\"{}\"/>\n", across.at(x[i]),
+                       up.at(series.y[i]), series.color);
+  }
+  return svg;
+}
+
+/// The polylines between gaps, each with a tinted area from it to 0.
 std::string curve(const ChartSeries& series, const std::vector<double>& x, const Axis& across,
                   const Axis& up) {
   std::string svg, points;
@@ -69,7 +85,7 @@ std::string curve(const ChartSeries& series, const std::vector<double>& x, const
     if (points.empty()) return;
     svg +=
         fmt::format("<polygon points=\"{:.1f},{:.1f} {}{:.1f},{:.1f}\" fill=\"{}\" fill-opacity=\"0.12\"/>\n",
-                    first, up.start, points, last, up.start, series.color);
+                    first, up.at(0), points, last, up.at(0), series.color);
     svg += fmt::format(
         "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.8\" "
         "stroke-linejoin=\"round\"/>\n",
@@ -119,7 +135,8 @@ std::string grid(const ChartPanel& panel, const Axis& across, const Axis& up) {
 std::string panel_svg(const LineChart& chart, const ChartPanel& panel, const Axis& across, double panel_top) {
   const Axis up = vertical_axis(panel, panel_top);
   std::string svg = grid(panel, across, up);
-  for (const ChartSeries& series : panel.series) svg += curve(series, chart.x, across, up);
+  for (const ChartSeries& series : panel.series)
+    svg += series.points ? dots(series, chart.x, across, up) : curve(series, chart.x, across, up);
   return svg + legend(panel, panel_top);
 }
 

@@ -15,9 +15,10 @@ struct ChartSeries {
   std::string name;   ///< in the legend
   std::string color;  ///< as SVG writes it
   std::vector<double> y;
+  bool points = false;  ///< dots in place of a line
 };
 
-/// A frame with its own vertical axis, from 0 up.
+/// A frame with its own vertical axis, which contains 0.
 struct ChartPanel {
   std::string y_label;
   std::vector<ChartSeries> series;

@@ -77,6 +77,8 @@ const Edges folders{
     {"sdk/scene", {"sdk/fields", "sdk/world/check"}},
     {"sdk/io", {"sdk/scene", "sdk/world/solids"}},
     {"sdk/io/preview", {"sdk/io", "sdk/scene"}},
+    {"sdk/validation", {"sdk/io"}},
+    {"sdk/validation/cases", {"sdk/scene", "sdk/validation"}},
     {"sdk/render/gl", {}},
     {"sdk/render/frame", {"sdk/io", "sdk/io/preview", "sdk/scene"}},
     {"sdk/render/meshes", {"sdk/io", "sdk/render/frame", "sdk/render/gl"}},
@@ -87,7 +89,8 @@ const Edges folders{
     {"sdk/cli/record", {"sdk/fields", "sdk/io", "sdk/scene"}},
     {"sdk/cli/output", {"sdk/cli/record", "sdk/io", "sdk/io/preview", "sdk/render", "sdk/scene"}},
     {"sdk/cli/commands",
-     {"sdk/cli/output", "sdk/cli/record", "sdk/fields", "sdk/io", "sdk/scene", "sdk/viewer"}},
+     {"sdk/cli/output", "sdk/cli/record", "sdk/fields", "sdk/io", "sdk/scene", "sdk/validation",
+      "sdk/validation/cases", "sdk/viewer"}},
     {"sdk/cli", {"sdk/cli/commands", "sdk/io"}},
 };
 
