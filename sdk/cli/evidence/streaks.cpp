@@ -16,18 +16,24 @@ struct Sum {
   std::size_t count = 0;
 
   void add(const NormalPicture& p, int x, int y, int dx, int dy, float threshold) {
-    if (x + dx < 0 || x + dx >= p.width || y + dy >= p.height) return;
-    const auto at = [&](int column, int row) -> const std::array<float, 4>& {
-      return p.pixels[static_cast<std::size_t>(row) * p.width + column];
+    const int reach = std::max(std::abs(dx), std::abs(dy));
+    if (x < reach || y < reach || x + reach >= p.width || y + reach >= p.height) return;
+    const auto at = [&](int side) -> const std::array<float, 4>& {
+      return p.pixels[static_cast<std::size_t>(y + side * dy) * p.width + (x + side * dx)];
     };
-    const auto &a = at(x, y), &b = at(x + dx, y + dy);
-    if (a[3] <= 0 || b[3] <= 0 || std::abs(a[3] - b[3]) > threshold) return;
-    const double cosine = double{a[0]} * b[0] + double{a[1]} * b[1] + double{a[2]} * b[2];
-    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
-    squares += angle * angle;
+    const auto &before = at(-1), &here = at(0), &after = at(1);
+    for (const auto* pixel : {&before, &here, &after}) {
+      if ((*pixel)[3] <= 0 || std::abs((*pixel)[3] - here[3]) > threshold) return;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const double bend = double{before[k]} - 2 * double{here[k]} + double{after[k]};
+      squares += bend * bend;
+    }
     ++count;
   }
-  double rms() const { return count ? std::sqrt(squares / static_cast<double>(count)) : 0; }
+  double rms() const {
+    return count ? std::sqrt(squares / static_cast<double>(count)) * 180 / std::numbers::pi : 0;
+  }
 };
 
 }  // namespace

@@ -15,16 +15,19 @@ struct NormalPicture {
   std::vector<std::array<float, 4>> pixels;
 };
 
-/// A filter that works along rows and columns leaves streaks there. Without streaks both values agree.
+/// How fast normals turn to and fro: root mean square of |n(−d) − 2 n(0) + n(d)| in degrees, over offsets d
+/// of 5 pixels. A filter that works along rows and columns leaves streaks there. Without streaks, and for a
+/// shape without a direction, both values agree.
 struct Roughness {
-  double axes = 0;     ///< degrees, RMS between normals 5 pixels apart along a row or a column
-  double between = 0;  ///< degrees, RMS between normals 3 pixels apart one way and 4 the other
-  std::size_t pairs = 0;
+  double axes = 0;         ///< d along a row or a column
+  double between = 0;      ///< d of 3 pixels one way and 4 the other
+  std::size_t places = 0;  ///< that count
 
-  double streaks() const { return between > 0 ? axes / between : 1; }
+  double ratio() const { return between > 0 ? axes / between : 1; }
 };
 
-/// Pairs whose distances differ by more than `threshold`, in metres, are of different surfaces and left out.
+/// Places where the distance changes by more than `threshold`, in metres, over d are between surfaces, and
+/// are left out.
 Roughness roughness_of(const NormalPicture& picture, float threshold);
 
 }  // namespace meniscus::cli

@@ -92,12 +92,11 @@ void report_drawn(io::Report& report, const std::vector<Drawn>& drawn) {
   std::vector<io::Report::Cells> rows;
   for (const Drawn& d : drawn) {
     rows.push_back({d.filter, fmt::format("{:.2f}", d.roughness.axes),
-                    fmt::format("{:.2f}", d.roughness.between),
-                    fmt::format("{:.3f}", d.roughness.streaks())});
+                    fmt::format("{:.2f}", d.roughness.between), fmt::format("{:.3f}", d.roughness.ratio())});
     report.figures["filters"].push_back({{"filter", d.filter},
                                          {"roughness_axes_degrees", d.roughness.axes},
                                          {"roughness_between_degrees", d.roughness.between},
-                                         {"pairs", d.roughness.pairs}});
+                                         {"places", d.roughness.places}});
   }
   report.table({"filter", "along rows and columns, °", "between them, °", "ratio"}, rows);
 }
@@ -109,12 +108,12 @@ bool add_filters(const Context& context) {
   io::Report& report = context.report;
   report.heading("Filters of the surface");
   report.paragraph(
-      "One moment of the bunny drop, drawn by OpenGL with ellipsoids. The table has the angle between "
-      "normals 5 "
-      "pixels apart, as root mean square: along rows and columns of pixels, and 3 pixels one way and 4 the "
-      "other. A "
-      "filter that works along rows and columns leaves streaks there. Then the ratio is above that of the "
-      "others.");
+      "One moment of the bunny drop, drawn by OpenGL with ellipsoids. The table says how fast normals "
+      "turn to and fro over 5 pixels, as root mean square: along rows and columns, and 3 pixels one way and "
+      "4 the "
+      "other. A filter that works along rows and columns leaves streaks there. The ratio is near 1 without "
+      "streaks, "
+      "and 0.7 for nothing but streaks.");
   if (!found.stand_in.empty()) report.paragraph(found.stand_in);
   try {
     report_drawn(report, draw_all(context, found.scene));
