@@ -20,10 +20,10 @@
 #include "sdk/cli/commands/check.h"
 #include "sdk/cli/commands/compare.h"
 #include "sdk/cli/commands/devices.h"
-#include "sdk/cli/commands/reproduce.h"
 #include "sdk/cli/commands/run.h"
 #include "sdk/cli/commands/schema.h"
 #include "sdk/cli/commands/view.h"
+#include "sdk/cli/reproduce/reproduce.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {

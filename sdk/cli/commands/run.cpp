@@ -12,7 +12,6 @@
 #include <numbers>
 
 #include "sdk/cli/commands/exit_code.h"
-#include "sdk/cli/commands/interrupt.h"
 #include "sdk/cli/commands/progress.h"
 #include "sdk/cli/commands/scene_warnings.h"
 #include "sdk/cli/output/folder_lock.h"
@@ -22,6 +21,7 @@
 #include "sdk/cli/record/run_recorder.h"
 #include "sdk/cli/record/run_summary.h"
 #include "sdk/cli/record/scene_checks.h"
+#include "sdk/cli/stop/interrupt.h"
 #include "sdk/fields/probes.h"
 #include "sdk/io/plain_text.h"
 

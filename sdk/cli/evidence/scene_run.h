@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sdk/cli/commands/run_budget.h"
+#include "sdk/cli/stop/run_budget.h"
 #include "sdk/scene/scene.h"
 
 namespace meniscus::cli {

@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "sdk/cli/commands/reproduce.h"
-#include "sdk/cli/commands/run_budget.h"
 #include "sdk/cli/evidence/scene_run.h"
+#include "sdk/cli/reproduce/reproduce.h"
+#include "sdk/cli/stop/run_budget.h"
 #include "sdk/io/report.h"
 
 namespace meniscus::cli::pbf {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Installs and restores the handlers of SIGINT and SIGTERM.
-#include "sdk/cli/commands/interrupt.h"
+#include "sdk/cli/stop/interrupt.h"
 
 #include <atomic>
 

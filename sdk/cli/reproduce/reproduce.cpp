@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Implements `meniscus reproduce`.
-#include "sdk/cli/commands/reproduce.h"
+#include "sdk/cli/reproduce/reproduce.h"
 
 #include <meniscus/error.h>
 #include <meniscus/version.h>

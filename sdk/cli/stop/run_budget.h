@@ -7,7 +7,7 @@
 #include <chrono>
 #include <string>
 
-#include "sdk/cli/commands/interrupt.h"
+#include "sdk/cli/stop/interrupt.h"
 
 namespace meniscus::cli {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Implements the limit on a command's time.
-#include "sdk/cli/commands/run_budget.h"
+#include "sdk/cli/stop/run_budget.h"
 
 #include <spdlog/fmt/fmt.h>
 
