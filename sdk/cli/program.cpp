@@ -24,6 +24,7 @@
 #include "sdk/cli/commands/schema.h"
 #include "sdk/cli/commands/validate.h"
 #include "sdk/cli/commands/view.h"
+#include "sdk/cli/reproduce/reproduce.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
@@ -47,6 +48,18 @@ CLI::Option* add_device(CLI::App& app, std::string& device) {
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""));
 }
 
+void add_threads(CLI::App& app, std::optional<int>& threads) {
+  app.add_option("--threads", threads, "Threads of the CPU device; 0 is one a core")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024).description(""));
+}
+
+void add_time_limit(CLI::App& app, double& minutes) {
+  app.add_option("--time-limit", minutes, "End after this time, and write what there is; by default no limit")
+      ->type_name("MINUTES")
+      ->check(CLI::Range(0.0, 1e5).description(""));
+}
+
 void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
   app.add_option("scene", scene, "A scene file, or the name of a sample")->required()->type_name("SCENE");
   add_overrides(app, overrides);
@@ -55,9 +68,7 @@ void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& over
 void add_scene(CLI::App& app, SceneChoice& choice) {
   add_scene(app, choice.scene, choice.overrides);
   add_device(app, choice.device);
-  app.add_option("--threads", choice.threads, "Threads of the CPU device; 0 is one a core")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024).description(""));
+  add_threads(app, choice.threads);
 }
 
 void add_run(CLI::App& app, RunOptions& options, Command& command) {
@@ -138,6 +149,15 @@ void add_compare(CLI::App& app, CompareOptions& options, Command& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::Range(1e-4, 100.0).description(""));
+  compare
+      .add_option("--substeps", options.substeps,
+                  "Substeps to try; the fastest that reaches the error counts; by default the scene's")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1, 1000).description(""));
+  compare.add_flag("!--no-stability", options.stability, "Leave out the search for the largest stable steps");
+  add_time_limit(compare, options.minutes);
   compare.add_option("--seconds", options.seconds, "Simulated time; by default 1 s")
       ->type_name("S")
       ->check(CLI::Range(1e-6, 1e6).description(""));
@@ -167,6 +187,50 @@ void add_validate(CLI::App& app, ValidateOptions& options, Command& command) {
   validate.add_option("--commit", options.commit, "What the page says that the build is from")
       ->type_name("ID");
   validate.callback([&options, &command] { command = [&options] { return validate_cases(options); }; });
+}
+
+void add_reproduce(CLI::App& app, ReproduceOptions& options, Command& command) {
+  CLI::App& reproduce =
+      *app.add_subcommand("reproduce", "Repeat the measurements of a paper, and write a page on them");
+  reproduce.add_option("paper", options.paper, "pbf: Macklin & Müller 2013, Position Based Fluids")
+      ->required()
+      ->type_name("PAPER")
+      ->check(CLI::IsMember({"pbf"}).description(""));
+  add_device(reproduce, options.device);
+  add_threads(reproduce, options.threads);
+  CLI::Option* scale =
+      reproduce.add_option("--scale", options.scale, "Particles, as a fraction of the paper's; by default 1")
+          ->type_name("S")
+          ->check(CLI::Range(1e-3, 10.0).description(""));
+  CLI::Option* seconds =
+      reproduce.add_option("--seconds", options.seconds, "Simulated time of each run; by default 4 s")
+          ->type_name("S")
+          ->check(CLI::Range(1e-3, 1e3).description(""));
+  reproduce.add_flag("--quick", options.quick, "The same as --scale 0.01 --seconds 1")
+      ->excludes(scale)
+      ->excludes(seconds);
+  reproduce
+      .add_option(
+          "--parts", options.parts,
+          "What to measure: times, density, substeps, pressure, vorticity and filters; by default all")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(reproduce_parts()).description(""));
+  reproduce
+      .add_option(
+          "--armadillo", options.armadillo,
+          "The mesh of the armadillo, which samples/fetch_armadillo gets; without it a ball stands in")
+      ->type_name("FILE");
+  add_time_limit(reproduce, options.minutes);
+  reproduce.add_option("--output", options.output, "The folder for the results; by default out/pbf")
+      ->type_name("DIR");
+  reproduce
+      .add_option("--page", options.page, "Write the page here too, with a folder of its name beside it")
+      ->type_name("FILE.md");
+  reproduce.add_option("--commit", options.commit, "What the page says that the build is from")
+      ->type_name("ID");
+  reproduce.callback([&options, &command] { command = [&options] { return reproduce_paper(options); }; });
 }
 
 void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
@@ -241,6 +305,7 @@ int parse_and_run(int argc, char** argv) try {
   CheckOptions check;
   CompareOptions compare;
   ValidateOptions validate;
+  ReproduceOptions reproduce;
   SceneChoice budget;
   Command command;
   CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
@@ -251,6 +316,7 @@ int parse_and_run(int argc, char** argv) try {
   add_check(app, check, command);
   add_compare(app, compare, command);
   add_validate(app, validate, command);
+  add_reproduce(app, reproduce, command);
   add_devices(app, budget, command);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([&] {
     command = print_schema;

@@ -15,11 +15,15 @@ struct CompareOptions {
   SceneChoice scene;
   std::vector<double> errors{0.05, 0.1, 0.5, 1};  ///< %, means of max(C, 0)
   double seconds = 1;                             ///< of simulated time
+  std::vector<int> substeps;                      ///< to try; empty: the scene's number
+  bool stability = true;                          ///< search for the largest stable steps
+  double minutes = 0;                             ///< limit on the wall clock; 0: none
   std::string out;                                ///< folder; empty: out/<scene name>
 };
 
-/// Runs a scene of fluids and bodies with each density solver at each mean density error, and writes times
-/// and errors as compare.md, compare.json and compare.svg. Throws Error.
+/// Runs a scene of fluids and bodies with each density solver at each mean density error, and searches for
+/// the largest stable steps. Writes times, errors, memory and steps as compare.md, compare.json and
+/// compare.svg, after each run. What is done stays written if the command ends early. Throws Error.
 int compare_solvers(const CompareOptions& options);
 
 }  // namespace meniscus::cli

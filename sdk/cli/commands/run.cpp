@@ -12,7 +12,6 @@
 #include <numbers>
 
 #include "sdk/cli/commands/exit_code.h"
-#include "sdk/cli/commands/interrupt.h"
 #include "sdk/cli/commands/progress.h"
 #include "sdk/cli/commands/resume.h"
 #include "sdk/cli/commands/scene_warnings.h"
@@ -23,6 +22,7 @@
 #include "sdk/cli/record/run_recorder.h"
 #include "sdk/cli/record/run_summary.h"
 #include "sdk/cli/record/scene_checks.h"
+#include "sdk/cli/stop/interrupt.h"
 #include "sdk/fields/probes.h"
 #include "sdk/io/plain_text.h"
 
@@ -56,9 +56,9 @@ BuiltScene built_of(const RunOptions& options, const Scene& scene) {
   BuiltScene built = resume_scene(scene, options.from);
   const int reached = frame_of(built.world, scene);
   if (reached < scene.frames) return built;
-  throw Error(ErrorCode::invalid_argument,
-              options.from + " is of frame " + std::to_string(reached) + ", and the run ends with frame " +
-                  std::to_string(scene.frames) + "; --frames takes a later one");
+  throw Error(ErrorCode::invalid_argument, options.from + " is of frame " + std::to_string(reached) +
+                                               ", and the run ends with frame " +
+                                               std::to_string(scene.frames) + "; --frames takes a later one");
 }
 
 class Run {

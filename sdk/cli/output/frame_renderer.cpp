@@ -56,4 +56,8 @@ io::Image FrameRenderer::draw(const World& world, const FrameSample& sample) {
   return parts_->draw(world, moment_of(world, sample));
 }
 
+std::vector<std::array<float, 4>> FrameRenderer::fluid_normals() {
+  return parts_->renderer.fluid_normals();
+}
+
 }  // namespace meniscus::cli

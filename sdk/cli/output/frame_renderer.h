@@ -6,7 +6,9 @@
 
 #include <meniscus/world.h>
 
+#include <array>
 #include <memory>
+#include <vector>
 
 #include "sdk/cli/output/picture_options.h"
 #include "sdk/cli/record/frame_sample.h"
@@ -23,6 +25,8 @@ class FrameRenderer {
   ~FrameRenderer();
 
   io::Image draw(const World& world, const FrameSample& sample);
+  /// Of the last picture: see render::Renderer::fluid_normals.
+  std::vector<std::array<float, 4>> fluid_normals();
 
  private:
   struct Parts;

@@ -24,5 +24,8 @@ FrameRenderer::~FrameRenderer() = default;
 io::Image FrameRenderer::draw(const World&, const FrameSample&) {
   fail();
 }
+std::vector<std::array<float, 4>> FrameRenderer::fluid_normals() {
+  fail();
+}
 
 }  // namespace meniscus::cli

@@ -110,14 +110,14 @@ class World {
   StepReport step(float dt);
   double time() const;  ///< s
 
-  /// The whole state: what exists, where it is, and all that the next step reads. Its arrays are copied within
-  /// the memory of the device. The world does not change.
+  /// The whole state: what exists, where it is, and all that the next step reads. Its arrays are copied
+  /// within the memory of the device. The world does not change.
   Snapshot snapshot() const;
   /// Goes back to a snapshot of this world. Ids are valid as they were then. What follows is bit for bit what
   /// followed the snapshot. Throws Error(invalid_argument) if the snapshot is empty or of another world.
   void restore(const Snapshot& snapshot);
-  /// Writes the whole state to a file (docs/snapshots.md), which appears complete or not at all. Mesh files of
-  /// solids are not in it, but their names. Throws Error(io) if the file cannot be written.
+  /// Writes the whole state to a file (docs/snapshots.md), which appears complete or not at all. Mesh files
+  /// of solids are not in it, but their names. Throws Error(io) if the file cannot be written.
   void save(const std::string& path) const;
   /// A new world with the state of a file. For the same program and kind of device it continues bit for bit.
   /// On the other kind, or with another number of threads, it continues as well; another kind of device

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <meniscus/world.h>
-#include "sdk/cli/commands/interrupt.h"
+#include "sdk/cli/stop/interrupt.h"
 #include "tests/unit/sdk/cli/program_fixture.h"
 
 namespace meniscus::cli {

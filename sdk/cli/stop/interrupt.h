@@ -10,17 +10,20 @@
 
 namespace meniscus::cli {
 
-/// While an object of this class exists, the first SIGINT or SIGTERM sets a flag and cancels the world's long
-/// call, so that a loop can end in good order. The second ends the program at once. Only one may exist at a
-/// time.
+/// While an object of this class exists, the first SIGINT or SIGTERM sets a flag and cancels the long call of
+/// the watched world, so that a loop can end in good order. The second ends the program at once. Only one may
+/// exist at a time.
 class Interrupt {
  public:
+  Interrupt();
   explicit Interrupt(World& world);
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
   bool raised() const;
+  /// The world whose calls are cancelled from now on; null: none. A world must outlive its watch.
+  void watch(World* world);
 
  private:
   struct sigaction old_int_ {

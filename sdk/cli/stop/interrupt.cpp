@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Installs and restores the handlers of SIGINT and SIGTERM.
-#include "sdk/cli/commands/interrupt.h"
+#include "sdk/cli/stop/interrupt.h"
 
 #include <atomic>
 
@@ -21,9 +21,12 @@ extern "C" void raise_flag(int) {
 
 }  // namespace
 
-Interrupt::Interrupt(World& world) {
+Interrupt::Interrupt(World& world) : Interrupt() {
+  watch(&world);
+}
+
+Interrupt::Interrupt() {
   flag = 0;
-  stepped = &world;
   struct sigaction action {};
   action.sa_handler = raise_flag;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
@@ -35,6 +38,10 @@ Interrupt::~Interrupt() {
   sigaction(SIGINT, &old_int_, nullptr);
   sigaction(SIGTERM, &old_term_, nullptr);
   stepped = nullptr;
+}
+
+void Interrupt::watch(World* world) {
+  stepped = world;
 }
 
 bool Interrupt::raised() const {

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Runs density solvers at equal mean density error, and searches for their stable steps.
+#include "sdk/cli/evidence/rivals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pbd/math/vec.h"
+#include "sdk/fields/world.h"
+
+namespace meniscus::cli {
+namespace {
+
+constexpr int least_iterations = 3;  // PCISPH's
+
+/// A run reaches an error if its mean is at most this times what was asked for.
+constexpr double reached = 1.2;
+
+/// The error at which stable steps are searched for.
+constexpr double error_of_search = 0.01;
+
+/// m, along gravity.
+float depth_of(const World& world) {
+  const Vec3 up = normalized_or(-world.def().gravity, {0, 1, 0});
+  float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+  for (Vec3 p : world.positions()) {
+    low = std::min(low, dot(p, up));
+    high = std::max(high, dot(p, up));
+  }
+  return std::max(high - low, world.def().particle_spacing);
+}
+
+/// WCSPH has no tolerance. A column of the fluid's depth H at rest has the mean error ρ g H κ/2.
+void soften_wcsph(World& world, float density, double error) {
+  WorldDef def = world.def();
+  const double pressure = double{density} * double{length(def.gravity)} * double{depth_of(world)};
+  if (pressure > 0) def.density.compressibility = static_cast<float>(2 * error / pressure);
+  world.set_def(def);
+}
+
+RunRequest request_of(const Scene& chosen, DensitySolver solver, double seconds, double error) {
+  RunRequest request{.name = "", .scene = chosen, .seconds = seconds};
+  if (solver == DensitySolver::wcsph)
+    request.before = [&chosen, error](World& world) {
+      soften_wcsph(world, chosen.fluids.front().rest_density, error);
+    };
+  return request;
+}
+
+RunFigures run_with(Scene chosen, DensitySolver solver, double seconds, double error, int iterations,
+                    RunBudget& budget) {
+  chosen.world.iterations = iterations;
+  return run_figures(request_of(chosen, solver, seconds, error), budget);
+}
+
+/// Contacts are solved in as many iterations as are allowed. So a first run finds how many the solver needs,
+/// and a second one is timed.
+RunFigures timed_run(const Scene& chosen, DensitySolver solver, double seconds, double error,
+                     RunBudget& budget) {
+  if (solver == DensitySolver::wcsph)
+    return run_with(chosen, solver, seconds, error, chosen.world.iterations, budget);
+  const RunFigures trial = run_with(chosen, solver, seconds, error, most_rival_iterations, budget);
+  if (!trial.failure.empty()) return trial;
+  const int needed = static_cast<int>(std::ceil(largest_of(trial.iterations))) + 1;
+  return run_with(chosen, solver, seconds, error, std::clamp(needed, least_iterations, most_rival_iterations),
+                  budget);
+}
+
+Rival rival_of(const RunFigures& run, const Scene& scene, const char* solver, double target) {
+  Rival rival{solver, target};
+  rival.failure = run.failure;
+  if (!run.failure.empty()) return rival;
+  rival.ms = mean_of(run.ms) / double{scene.frame_time};
+  rival.error = 100 * mean_of(run.error_mean);
+  rival.substeps = mean_of(run.substeps);
+  rival.iterations = mean_of(run.iterations);
+  rival.bytes = run.bytes;
+  return rival;
+}
+
+bool is_better(const Rival& a, const Rival& b) {
+  if (!a.failure.empty() || !b.failure.empty()) return a.failure.empty() && !b.failure.empty();
+  const bool a_reached = a.error <= reached * a.target, b_reached = b.error <= reached * b.target;
+  if (a_reached != b_reached) return a_reached;
+  return a_reached ? a.ms < b.ms : a.error < b.error;
+}
+
+}  // namespace
+
+Scene rival_scene(Scene scene, DensitySolver solver, double error) {
+  WorldDef& def = scene.world;
+  def.density.solver = solver;
+  def.density.artificial_pressure = {};
+  def.density.compressibility = 0;
+  def.density.tolerance = solver == DensitySolver::wcsph ? 0 : static_cast<float>(error);
+  def.diffuse.reset();
+  return scene;
+}
+
+Rival rival_at(const Scene& scene, const Named<DensitySolver>& solver, double target, double seconds,
+               const std::vector<int>& substeps, RunBudget& budget) {
+  std::vector<int> tried = substeps;
+  if (tried.empty()) tried.push_back(scene.world.substeps);
+  std::vector<Rival> results;
+  for (const int count : tried) {
+    Scene chosen = rival_scene(scene, solver.value, target / 100);
+    if (!substeps.empty()) chosen.world.cfl_number = 0;
+    chosen.world.substeps = count;
+    const RunFigures run = timed_run(chosen, solver.value, seconds, target / 100, budget);
+    results.push_back(rival_of(run, scene, solver.name, target));
+  }
+  return *std::min_element(results.begin(), results.end(), is_better);
+}
+
+StableStep stable_step_of(const Scene& scene, DensitySolver solver, double seconds,
+                          const StableBounds& bounds, RunBudget& budget) {
+  const auto run = [&](double step) {
+    Scene chosen = rival_scene(scene, solver, error_of_search);
+    chosen.frame_time = static_cast<float>(step);
+    chosen.world.substeps = 1;
+    chosen.world.cfl_number = 0;
+    chosen.world.iterations = most_rival_iterations;
+    RunRequest request = request_of(chosen, solver, seconds, error_of_search);
+    request.ends = [&](const RunFigures& so_far) { return is_lost(so_far, bounds); };
+    return run_figures(request, budget);
+  };
+  return find_stable_step({}, bounds, run);
+}
+
+}  // namespace meniscus::cli
