@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Joints, as Bullet's constraints. None of them has state from one step to the next.
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -99,17 +100,38 @@ void make_constraint(RigidJointRecord& joint, btRigidBody& a, btRigidBody& b, co
 
 }  // namespace
 
+namespace {
+
+/// Takes the memory that another number in the list needs.
+void prepare(std::vector<uint32_t>& numbers) {
+  if (numbers.size() == numbers.capacity()) numbers.reserve(2 * numbers.size() + 1);
+}
+
+void note(std::vector<uint32_t>& numbers, uint32_t number) {
+  numbers.insert(std::ranges::lower_bound(numbers, number), number);
+}
+
+void forget(std::vector<uint32_t>& numbers, uint32_t number) {
+  numbers.erase(std::ranges::lower_bound(numbers, number));
+}
+
+}  // namespace
+
 uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
   const InBullet bullet(*reserve_, impl_->size());
   impl_->joints.prepare();
+  prepare(impl_->body(def.a).joints);
+  if (def.b != pbd::no_index) prepare(impl_->body(def.b).joints);
   btRigidBody& a = *impl_->body(def.a).bullet;
   btRigidBody& b = def.b == pbd::no_index ? impl_->ground : *impl_->body(def.b).bullet;
   auto made = std::make_unique<RigidJointRecord>();
   made->a = def.a;
   made->b = def.b;
   make_constraint(*made, a, b, def);
-  impl_->dynamics.addConstraint(made->bullet.get(), !def.bodies_collide);
+  impl_->dynamics.add_joint(*made->bullet);
+  if (!def.bodies_collide) a.addConstraintRef(made->bullet.get());
   if (!def.bodies_collide && def.b != pbd::no_index) {
+    b.addConstraintRef(made->bullet.get());
     // Otherwise their present contacts would go on pushing.
     btBroadphasePair* pair = impl_->pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
     if (pair) impl_->pairs.cleanOverlappingPair(*pair, &impl_->dispatcher);
@@ -117,17 +139,26 @@ uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
   }
   wake_up(a);
   if (def.b != pbd::no_index) wake_up(b);
-  return impl_->joints.add(std::move(made));
+  const uint32_t number = impl_->joints.add(std::move(made));
+  note(impl_->body(def.a).joints, number);
+  if (def.b != pbd::no_index) note(impl_->body(def.b).joints, number);
+  return number;
 }
 
 void RigidWorld::remove_joint(uint32_t number) {
   assert(has_joint(number));
   const InBullet bullet(*reserve_, impl_->size());
-  btTypedConstraint& joint = *impl_->joints.slots[number]->bullet;
-  joint.getRigidBodyA().activate();
-  joint.getRigidBodyB().activate();
-  impl_->dynamics.removeConstraint(&joint);
-  impl_->joints.remove(number);
+  impl_->remove_joint(number);
+}
+
+void RigidWorld::Impl::remove_joint(uint32_t number) {
+  const RigidJointRecord& joint = *joints.slots[number];
+  joint.bullet->getRigidBodyA().activate();
+  joint.bullet->getRigidBodyB().activate();
+  dynamics.remove_joint(*joint.bullet);
+  for (const uint32_t n : {joint.a, joint.b})
+    if (n != pbd::no_index) forget(bodies.slots[n]->joints, number);
+  joints.remove(number);
 }
 
 bool RigidWorld::has_joint(uint32_t number) const {

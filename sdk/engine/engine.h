@@ -160,7 +160,8 @@ class Engine {
   virtual std::span<const collision::RigidImpulse> body_forces() const = 0;
   /// The contacts of the last substep with an effect, in the order of the slots.
   virtual std::vector<ContactReadout> read_contacts() = 0;
-  /// Removes the contacts of a destroyed solid, and their force in body_forces().
+  /// Removes the contacts of a destroyed solid, and their force in body_forces(). The number may be used
+  /// again. Changes nothing if it throws.
   virtual void forget_contacts(uint32_t solid, TouchedKind kind) = 0;
   virtual void set_sinks(std::span<const Sink> sinks) = 0;
   /// Removes the particles that the sinks take. Returns which are gone, by their former slot; empty if none

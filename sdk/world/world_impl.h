@@ -59,6 +59,9 @@ struct World::Impl {
 
   template <class Call>
   decltype(auto) run(const Call& call);
+  template <class Call>
+  decltype(auto) run_removal(const Call& call);
+  void settle();  // carries removals out; if it throws, all are still to be carried out
   pbd::CallMonitor& monitor() { return engine->device().monitor(); }
 
   EngineDef engine_def();
@@ -84,7 +87,7 @@ struct World::Impl {
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
   void note_events();
-  void forget_touches(bool is_body, uint32_t number);  // removes those of a destroyed object
+  void forget_solid(const collision::RigidRef& solid);
   void plan_emission(float dt);
   void add_arrivals(const EmitterEntry& emitter, float dt);
   Vec3 carried_velocity(BodyId body, Vec3 p, Quat turned) const;
@@ -122,7 +125,11 @@ struct World::Impl {
   void forget_reactions();  // after a step that failed
   std::string name_particle(uint32_t slot) const;
   std::vector<bool> held_vertices(ClothId cloth) const;
-  std::vector<bool> held_vertices(RopeId rope) const;
+  /// What the world holds: by index of the cloth or rope, its vertices, and the segments of ropes.
+  struct HeldParts {
+    std::vector<std::vector<bool>> of_cloth, of_rope, clamped;
+  };
+  HeldParts find_held() const;
   const VertexRange& range_of(const AttachmentDef& def) const;
   /// Throws Error(capacity) if there is no room for another piece of cloth or rope.
   void check_pieces() const;
@@ -134,6 +141,7 @@ struct World::Impl {
   template <class Gone>
   void drop_attachments(const Gone& gone);
   void drop_attachments_of(BodyId body);
+  void drop(const std::vector<bool>& removed);    // by slot
   void remove(const std::vector<bool>& removed);  // by slot; the engine has already removed them
 
   WorldDef def;
@@ -153,7 +161,11 @@ struct World::Impl {
   IdTable<JointId, JointDef> joints{"joint", first_generation};
   SolidMeshes solid_meshes;
   std::vector<MeshRepair> mesh_repairs;
-  bool solids_are_on_device = true;            // shapes and bodies
+  bool solids_are_on_device = true;  // shapes and bodies
+  // One removal costs about as much as many together. So they wait for the next call that is none.
+  std::vector<collision::RigidRef> removed_solids;
+  std::vector<bool> removed_particles;         // by slot; empty if there are none
+  std::vector<collision::RigidRef> forgotten;  // solids that were removed since the last step
   std::vector<collision::RigidTouch> touches;  // after the last step
   std::vector<ContactEvent> events;            // of the last step
   IdTable<EmitterId, EmitterEntry> emitters{"emitter", first_generation};
