@@ -110,6 +110,89 @@ void RigidBroadphase::adopt(Handle* handles) {
   m_pHandles = handles;
 }
 
+/// The proxies that each of `gone` has pairs with.
+struct RigidBroadphase::Partners {
+  struct Place {
+    int index;  ///< among the pairs
+    btBroadphaseProxy* partner;
+  };
+  std::vector<uint32_t> start;
+  std::vector<btBroadphaseProxy*> partners;
+  std::vector<Place> places;  ///< room for the pairs of any one
+
+  Partners(std::span<btBroadphaseProxy* const> gone, const btBroadphasePairArray& pairs, unsigned handles) {
+    constexpr uint32_t stays = ~0u;
+    std::vector<uint32_t> number(handles, stays);
+    for (uint32_t k = 0; k < gone.size(); ++k) number[static_cast<size_t>(gone[k]->m_uniqueId)] = k;
+    const auto for_each = [&](const auto& visit) {
+      for (int i = 0; i < pairs.size(); ++i) {
+        btBroadphaseProxy *a = pairs[i].m_pProxy0, *b = pairs[i].m_pProxy1;
+        const uint32_t of_a = number[static_cast<size_t>(a->m_uniqueId)];
+        const uint32_t of_b = number[static_cast<size_t>(b->m_uniqueId)];
+        if (of_a != stays) visit(of_a, b);
+        if (of_b != stays) visit(of_b, a);
+      }
+    };
+    start.assign(gone.size() + 2, 0);
+    for_each([&](uint32_t k, btBroadphaseProxy*) { ++start[k + 2]; });
+    size_t most = 0;
+    for (size_t k = 2; k < start.size(); ++k) {
+      most = std::max<size_t>(most, start[k]);
+      start[k] += start[k - 1];
+    }
+    places.reserve(most);
+    partners.resize(start.back());
+    for_each([&](uint32_t k, btBroadphaseProxy* partner) { partners[start[k + 1]++] = partner; });
+  }
+
+  /// Removes the pairs of the k-th. Bullet removes the first of them in the array, moves the last pair of the
+  /// array to its place, and looks at that place again.
+  void drop(uint32_t k, btBroadphaseProxy* proxy, btOverlappingPairCache& cache, btDispatcher* dispatcher) {
+    const btBroadphasePairArray& pairs = cache.getOverlappingPairArray();
+    places.clear();
+    for (uint32_t n = start[k]; n < start[k + 1]; ++n) {
+      if (btBroadphasePair* pair = cache.findPair(proxy, partners[n]))
+        places.push_back({static_cast<int>(pair - &pairs[0]), partners[n]});
+    }
+    std::ranges::sort(places, {}, &Place::index);
+    for (size_t first = 0, end = places.size(); first < end;) {
+      const int last = pairs.size() - 1;
+      cache.removeOverlappingPair(proxy, places[first].partner, dispatcher);
+      if (first + 1 < end && places[end - 1].index == last)
+        places[first].partner = places[--end].partner;
+      else
+        ++first;
+    }
+  }
+};
+
+void RigidBroadphase::destroy_all(std::span<btBroadphaseProxy* const> gone, btDispatcher* dispatcher) {
+  Partners partners(gone, m_pairCache->getOverlappingPairArray(), m_maxHandles);
+  std::vector<bool> is_gone(m_maxHandles);
+  for (const btBroadphaseProxy* proxy : gone) is_gone[static_cast<size_t>(proxy->m_uniqueId)] = true;
+  for (uint32_t k = 0; k < gone.size(); ++k) partners.drop(k, gone[k], *m_pairCache, dispatcher);
+  drop_edges(is_gone, static_cast<unsigned>(gone.size()));
+  for (const btBroadphaseProxy* proxy : gone) freeHandle(static_cast<unsigned>(proxy->m_uniqueId));
+}
+
+/// Closes the gaps that the edges of `count` proxies leave.
+void RigidBroadphase::drop_edges(const std::vector<bool>& is_gone, unsigned count) {
+  const unsigned end = 2 * m_numHandles + 1;  // the place of the sentinel
+  for (int axis = 0; axis < 3; ++axis) {
+    Edge* edges = m_pEdges[axis];
+    unsigned to = 1;
+    for (unsigned from = 1; from < end; ++from) {
+      const Edge edge = edges[from];
+      if (is_gone[edge.m_handle]) continue;
+      Handle& handle = m_pHandles[edge.m_handle];
+      (edge.IsMax() ? handle.m_maxEdges : handle.m_minEdges)[axis] = to;
+      edges[to++] = edge;
+    }
+    edges[to] = edges[end];
+    m_pHandles[0].m_maxEdges[axis] -= 2 * count;
+  }
+}
+
 void RigidBroadphase::save(State& state) const {
   state.bounds.resize(m_maxHandles);
   for (unsigned i = 0; i < m_maxHandles; ++i) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "collision/rigid/bullet.h"
@@ -25,6 +26,10 @@ class RigidBroadphase final : public bt32BitAxisSweep3 {
                btDispatcher* dispatcher) override;
   void rayTest(const btVector3& from, const btVector3& to, btBroadphaseRayCallback& callback,
                const btVector3& lower, const btVector3& upper) override;
+
+  /// Leaves what destroyProxy() of each would leave, in this order, with pairs and edges in the same order.
+  /// Takes memory before it changes anything. One call costs about as much as destroyProxy() of one.
+  void destroy_all(std::span<btBroadphaseProxy* const> gone, btDispatcher* dispatcher);
 
   btBroadphaseProxy* proxy(int unique_id) { return getHandle(static_cast<unsigned>(unique_id)); }
 
@@ -56,8 +61,10 @@ class RigidBroadphase final : public bt32BitAxisSweep3 {
   bool suits(const State& state) const;
 
  private:
+  struct Partners;
   static bool stands_in_order(const std::vector<Edge>& axis);
   void grow();
+  void drop_edges(const std::vector<bool>& is_gone, unsigned count);
   void adopt(Handle* handles);
 };
 

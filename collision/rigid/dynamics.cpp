@@ -82,6 +82,46 @@ void RigidDispatcher::releaseManifold(btPersistentManifold* manifold) {
   in_order_ = false;
 }
 
+void RigidDynamics::remove_all(std::span<btRigidBody* const> gone) {
+  int numbers = 0;
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i)
+    numbers = std::max(numbers, m_nonStaticRigidBodies[i]->getUserIndex() + 1);
+  std::vector<int> place(static_cast<size_t>(numbers));  // by the body's number
+  const auto note = [&](int i) { place[static_cast<size_t>(m_nonStaticRigidBodies[i]->getUserIndex())] = i; };
+  for (int i = 0; i < m_nonStaticRigidBodies.size(); ++i) note(i);
+  for (btRigidBody* body : gone) {
+    body->setBroadphaseHandle(nullptr);
+    if (!body->isStaticObject()) {
+      const int at = place[static_cast<size_t>(body->getUserIndex())];
+      m_nonStaticRigidBodies.swap(at, m_nonStaticRigidBodies.size() - 1);
+      m_nonStaticRigidBodies.pop_back();
+      if (at < m_nonStaticRigidBodies.size()) note(at);
+    }
+    btCollisionWorld::removeCollisionObject(body);
+  }
+}
+
+void RigidDynamics::forget_all() {
+  for (int i = 0; i < m_collisionObjects.size(); ++i) m_collisionObjects[i]->setBroadphaseHandle(nullptr);
+  m_collisionObjects.clear();
+  m_nonStaticRigidBodies.clear();
+  m_constraints.clear();
+}
+
+void RigidDynamics::add_joint(btTypedConstraint& joint) {
+  addConstraint(&joint, false);
+  joint.setUserConstraintId(m_constraints.size() - 1);
+}
+
+void RigidDynamics::remove_joint(btTypedConstraint& joint) {
+  const int at = joint.getUserConstraintId();
+  m_constraints.swap(at, m_constraints.size() - 1);
+  m_constraints.pop_back();
+  if (at < m_constraints.size()) m_constraints[at]->setUserConstraintId(at);
+  joint.getRigidBodyA().removeConstraintRef(&joint);
+  joint.getRigidBodyB().removeConstraintRef(&joint);
+}
+
 void RigidDynamics::detect(float dt) {
   releasePredictiveContacts();
   getDispatchInfo().m_timeStep = dt;

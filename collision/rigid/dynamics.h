@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "collision/rigid/bullet.h"
@@ -84,6 +85,15 @@ class RigidDynamics final : public btDiscreteDynamicsWorld {
   void detect(float dt);
   /// Solves the contacts that were found, and moves the bodies.
   void advance(float dt);
+
+  /// Removes solids that the broadphase no longer has, as removeRigidBody() of each would in this order.
+  /// Takes memory before it changes anything.
+  void remove_all(std::span<btRigidBody* const> gone);
+  /// Leaves out all solids and joints, without the work of removals. The broadphase then only ends.
+  void forget_all();
+  /// A joint knows its place among the joints, so that its removal needs no search.
+  void add_joint(btTypedConstraint& joint);
+  void remove_joint(btTypedConstraint& joint);
 
   /// By body: its pose when contacts were last searched.
   std::vector<btTransform> detected;

@@ -99,10 +99,25 @@ void make_constraint(RigidJointRecord& joint, btRigidBody& a, btRigidBody& b, co
   }
 }
 
+/// Takes the memory that another number in the list needs.
+void prepare(std::vector<uint32_t>& numbers) {
+  if (numbers.size() == numbers.capacity()) numbers.reserve(2 * numbers.size() + 1);
+}
+
+void note(std::vector<uint32_t>& numbers, uint32_t number) {
+  numbers.insert(std::ranges::lower_bound(numbers, number), number);
+}
+
+void forget(std::vector<uint32_t>& numbers, uint32_t number) {
+  numbers.erase(std::ranges::lower_bound(numbers, number));
+}
+
 }  // namespace
 
 uint32_t RigidWorld::Impl::make_joint(const RigidJointDef& joint, uint32_t number) {
   joints.prepare();
+  prepare(body(joint.a).joints);
+  if (joint.b != pbd::no_index) prepare(body(joint.b).joints);
   btRigidBody& a = *body(joint.a).bullet;
   btRigidBody& b = joint.b == pbd::no_index ? ground : *body(joint.b).bullet;
   auto made = std::make_unique<RigidJointRecord>();
@@ -111,8 +126,10 @@ uint32_t RigidWorld::Impl::make_joint(const RigidJointDef& joint, uint32_t numbe
   std::ranges::copy(to_plain(a.getWorldTransform()), made->places.a);
   std::ranges::copy(to_plain(b.getWorldTransform()), made->places.b);
   make_constraint(*made, a, b, joint);
-  dynamics.addConstraint(made->bullet.get(), !joint.bodies_collide);
+  dynamics.add_joint(*made->bullet);
+  if (!joint.bodies_collide) a.addConstraintRef(made->bullet.get());
   if (!joint.bodies_collide && joint.b != pbd::no_index) {
+    b.addConstraintRef(made->bullet.get());
     // Otherwise their present contacts would go on pushing.
     btBroadphasePair* pair = pairs.findPair(a.getBroadphaseHandle(), b.getBroadphaseHandle());
     if (pair) pairs.cleanOverlappingPair(*pair, &dispatcher);
@@ -120,7 +137,10 @@ uint32_t RigidWorld::Impl::make_joint(const RigidJointDef& joint, uint32_t numbe
   }
   wake_up(a);
   if (joint.b != pbd::no_index) wake_up(b);
-  return joints.add_at(number, std::move(made));
+  number = joints.add_at(number, std::move(made));
+  note(body(joint.a).joints, number);
+  if (joint.b != pbd::no_index) note(body(joint.b).joints, number);
+  return number;
 }
 
 uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
@@ -146,11 +166,17 @@ void RigidWorld::add_joint(const RigidJointDef& def, uint32_t number, const Join
 void RigidWorld::remove_joint(uint32_t number) {
   assert(has_joint(number));
   const InBullet bullet(*reserve_, impl_->size());
-  btTypedConstraint& joint = *impl_->joints.slots[number]->bullet;
-  joint.getRigidBodyA().activate();
-  joint.getRigidBodyB().activate();
-  impl_->dynamics.removeConstraint(&joint);
-  impl_->joints.remove(number);
+  impl_->remove_joint(number);
+}
+
+void RigidWorld::Impl::remove_joint(uint32_t number) {
+  const RigidJointRecord& joint = *joints.slots[number];
+  joint.bullet->getRigidBodyA().activate();
+  joint.bullet->getRigidBodyB().activate();
+  dynamics.remove_joint(*joint.bullet);
+  for (const uint32_t n : {joint.a, joint.b})
+    if (n != pbd::no_index) forget(bodies.slots[n]->joints, number);
+  joints.remove(number);
 }
 
 bool RigidWorld::has_joint(uint32_t number) const {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "collision/mesh/bullet_memory.h"
@@ -41,6 +42,7 @@ struct RigidBodyRecord {
   bool kept_awake = false;
   std::vector<Keyframe> keyframes;
   bool loop = false;
+  std::vector<uint32_t> joints;  ///< their numbers, ascending
   RigidMemory memory;
   Pose from, to;                             ///< kinematic bodies: poses at both ends of the present step
   Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the present step, if sprung
@@ -135,7 +137,9 @@ struct RigidWorld::Impl {
   float acceleration_scale() const;  ///< m/s², of gravity, at least 1
 
   /// Must be called before a change of something that others may rest on.
-  void wake_around(const btRigidBody& body);
+  void wake_around(std::span<btRigidBody* const> bodies);
+  void remove(std::span<btRigidBody* const> gone, std::span<btBroadphaseProxy* const> proxies);
+  void remove_joint(uint32_t number);
   void drop_pairs();
 
   Pose kinematic_pose(const RigidBodyRecord& body, double at) const;

@@ -90,16 +90,8 @@ void RigidWorld::Impl::drop_pairs() {
 
 RigidWorld::Impl::~Impl() {
   drop_pairs();  // otherwise each body would search all of them for its own
-  for (auto& joint : joints.slots) {
-    if (joint) dynamics.removeConstraint(joint->bullet.get());
-  }
-  for (auto& body : bodies.slots) {
-    if (body) dynamics.removeRigidBody(body->bullet.get());
-  }
-  for (auto& solid : fixed.slots) {
-    if (solid) dynamics.removeRigidBody(solid->bullet.get());
-  }
   dynamics.release_predictive();
+  dynamics.forget_all();
 }
 
 RigidBodyRecord& RigidWorld::Impl::body(uint32_t n) const {
@@ -139,18 +131,23 @@ btRigidBody* RigidWorld::Impl::object(uint32_t code) const {
   return fixed.has(n) ? fixed.slots[n]->bullet.get() : nullptr;
 }
 
-void RigidWorld::Impl::wake_around(const btRigidBody& changed) {
+void RigidWorld::Impl::wake_around(std::span<btRigidBody* const> changed) {
+  constexpr int is_changed = 1, is_other = -1;  // Bullet's default
+  for (btRigidBody* body : changed) body->setUserIndex2(is_changed);
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
     if (manifold.getNumContacts() == 0) continue;
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-    if (a == &changed) b->activate();
-    if (b == &changed) a->activate();
+    if (a->getUserIndex2() == is_changed) b->activate();
+    if (b->getUserIndex2() == is_changed) a->activate();
   }
-  for (int i = 0; i < dynamics.getNumConstraints(); ++i) {
-    btTypedConstraint& joint = *dynamics.getConstraint(i);
-    if (&joint.getRigidBodyA() == &changed) joint.getRigidBodyB().activate();
-    if (&joint.getRigidBodyB() == &changed) joint.getRigidBodyA().activate();
+  for (btRigidBody* body : changed) body->setUserIndex2(is_other);
+  for (btRigidBody* body : changed) {
+    if (body->isStaticObject()) continue;  // joints are of bodies
+    for (const uint32_t n : this->body(static_cast<uint32_t>(body->getUserIndex())).joints) {
+      joints.slots[n]->bullet->getRigidBodyA().activate();
+      joints.slots[n]->bullet->getRigidBodyB().activate();
+    }
   }
 }
 
@@ -193,18 +190,6 @@ uint32_t RigidWorld::add_fixed(const RigidSolid& solid, const RigidPlace& place)
   return number;
 }
 
-void RigidWorld::remove_fixed(uint32_t number) {
-  assert(impl_->fixed.has(number));
-  const InBullet bullet(*reserve_, impl_->size());
-  btRigidBody& body = *impl_->fixed.slots[number]->bullet;
-  impl_->wake_around(body);
-  impl_->dynamics.release_predictive();
-  impl_->dynamics.removeRigidBody(&body);
-  impl_->fixed.remove(number);
-  impl_->dispatcher.note_disorder();
-  impl_->knows_touches = false;
-}
-
 uint32_t RigidWorld::add_body(const RigidBodyDef& def, const RigidPlace& place) {
   const InBullet bullet_memory(*reserve_, impl_->size());
   impl_->prepare();
@@ -241,20 +226,42 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def, const RigidPlace& place) 
   return number;
 }
 
-void RigidWorld::remove_body(uint32_t number) {
+void RigidWorld::remove(std::span<const RigidRef> solids) {
+  if (solids.empty()) return;
   const InBullet bullet_memory(*reserve_, impl_->size());
-  btRigidBody& bullet = *impl_->body(number).bullet;
-  impl_->wake_around(bullet);
-  for (uint32_t joint = 0; joint < impl_->joints.slots.size(); ++joint) {
-    if (!has_joint(joint)) continue;
-    const RigidJointRecord& record = *impl_->joints.slots[joint];
-    if (record.a == number || record.b == number) remove_joint(joint);
+  std::vector<btRigidBody*> gone;
+  std::vector<btBroadphaseProxy*> proxies;
+  std::vector<uint32_t> joints;
+  for (const RigidRef& solid : solids) {
+    gone.push_back(solid.is_body ? impl_->body(solid.number).bullet.get()
+                                 : impl_->fixed.slots[solid.number]->bullet.get());
+    proxies.push_back(gone.back()->getBroadphaseHandle());
+    if (!solid.is_body) continue;
+    const std::vector<uint32_t>& its = impl_->body(solid.number).joints;
+    joints.insert(joints.end(), its.begin(), its.end());
   }
-  impl_->dynamics.release_predictive();
-  impl_->dynamics.removeRigidBody(&bullet);
-  impl_->bodies.remove(number);
-  impl_->dispatcher.note_disorder();
-  impl_->knows_touches = false;
+  impl_->remove(gone, proxies);
+  for (const uint32_t joint : joints) {
+    if (has_joint(joint)) impl_->remove_joint(joint);
+  }
+  for (const RigidRef& solid : solids)
+    solid.is_body ? impl_->bodies.remove(solid.number) : impl_->fixed.remove(solid.number);
+}
+
+/// Predictive contacts wake what is beside the first alone, and then end.
+void RigidWorld::Impl::remove(std::span<btRigidBody* const> gone,
+                              std::span<btBroadphaseProxy* const> proxies) {
+  wake_around(gone.first(1));
+  dynamics.release_predictive();
+  if (gone.size() > 1) wake_around(gone);
+  broadphase.destroy_all(proxies, &dispatcher);
+  dynamics.remove_all(gone);
+  dispatcher.note_disorder();
+  knows_touches = false;
+}
+
+const std::vector<uint32_t>& RigidWorld::joints_of(uint32_t body) const {
+  return impl_->body(body).joints;
 }
 
 uint32_t RigidWorld::body_slots() const {
@@ -299,7 +306,8 @@ bool RigidWorld::awake(uint32_t number) const {
 void RigidWorld::set_pose(uint32_t number, const Pose& pose) {
   const InBullet bullet(*reserve_, impl_->size());
   RigidBodyRecord& body = impl_->body(number);
-  impl_->wake_around(*body.bullet);
+  btRigidBody* const placed = body.bullet.get();
+  impl_->wake_around({&placed, 1});
   if (body.kinematic) {
     body.memory.drive = KinematicDrive::still;
     impl_->place_kinematic(body, pose);

@@ -111,9 +111,13 @@ class RigidWorld {
   // Solids, bodies and joints have numbers. A number that is released is used again, the lowest first. Adding
   // something does not change what is there.
   uint32_t add_fixed(const RigidSolid& solid, const RigidPlace& place = {});
-  void remove_fixed(uint32_t number);
   uint32_t add_body(const RigidBodyDef& def, const RigidPlace& place = {});
-  void remove_body(uint32_t number);  ///< also removes its joints
+  /// Removes bodies, with their joints, and fixed solids. The result is that of removing one at a time, in
+  /// this order. Removing all costs about as much as removing one. Changes nothing if it throws.
+  void remove(std::span<const RigidRef> solids);
+  void remove(const RigidRef& solid) { remove(std::span(&solid, 1)); }
+  /// The joints of a body, ascending.
+  const std::vector<uint32_t>& joints_of(uint32_t body) const;
   uint32_t add_joint(const RigidJointDef& def);
   /// With this number and these poses of its bodies, which stay at them. Both are in their places already.
   void add_joint(const RigidJointDef& def, uint32_t number, const JointPlaces& places);

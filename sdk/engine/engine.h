@@ -164,7 +164,8 @@ class Engine {
   virtual std::span<const collision::RigidImpulse> body_forces() const = 0;
   /// The contacts of the last substep with an effect, in the order of the slots.
   virtual std::vector<ContactReadout> read_contacts() = 0;
-  /// Removes the contacts of a destroyed solid, and their force in body_forces().
+  /// Removes the contacts of a destroyed solid, and their force in body_forces(). The number may be used
+  /// again. Changes nothing if it throws.
   virtual void forget_contacts(uint32_t solid, TouchedKind kind) = 0;
   /// The state of all parts on the device (pbd/state/state_visitor.h). To restore it, first set the
   /// materials, shapes and cloth with which it was saved, restore the rigid world, and call place_bodies().

@@ -259,6 +259,7 @@ class DeviceEngine final : public Engine {
   float last_substep_ = 0;  // s
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
+  std::vector<std::pair<uint32_t, TouchedKind>> forgotten_;  // solids of the last step that are gone
   bool contacts_fetched_ = true;
   bool any_overlapping_ = true;  // since the last step began: see note_overlapping()
   uint32_t sorted_in_step_ = 0;  // fluid particles in the last step; particles added since have no contacts

@@ -170,6 +170,7 @@ template <class D>
 EngineStep DeviceEngine<D>::step(float dt) {
   EngineStep done;
   fetched_contacts_.clear();  // after a failed step there are none
+  forgotten_.clear();
   contacts_fetched_ = true;
   note_overlapping();
   done.result = solver_.step(dt);

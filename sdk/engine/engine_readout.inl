@@ -170,14 +170,17 @@ void DeviceEngine<D>::fetch_contacts() {
 template <class D>
 std::vector<ContactReadout> DeviceEngine<D>::read_contacts() {
   fetch_contacts();
+  std::ranges::sort(forgotten_);
+  std::erase_if(fetched_contacts_, [&](const ContactReadout& c) {
+    return std::ranges::binary_search(forgotten_, std::pair(c.solid, c.kind));
+  });
+  forgotten_.clear();
   return fetched_contacts_;
 }
 
 template <class D>
 void DeviceEngine<D>::forget_contacts(uint32_t solid, TouchedKind kind) {
-  fetch_contacts();
-  std::erase_if(fetched_contacts_,
-                [&](const ContactReadout& c) { return c.solid == solid && c.kind == kind; });
+  forgotten_.emplace_back(solid, kind);
   if (kind == TouchedKind::body) bodies_.forget_forces(solid);
 }
 

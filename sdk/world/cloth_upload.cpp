@@ -196,17 +196,12 @@ void World::Impl::upload_cloth() {
   std::vector<CollisionFilter> filters;
   fluids.for_each([&](uint32_t, const ParticleMaterial& m) { filters.push_back(m.filter); });
   Assembly all(def, filters);
+  HeldParts held_parts = find_held();
   cloths.for_each([&](uint32_t index, ClothEntry& entry) {
-    all.add(cloths.id(index), entry, held_vertices(cloths.id(index)));
+    all.add(cloths.id(index), entry, held_parts.of_cloth[index]);
   });
   ropes.for_each([&](uint32_t index, RopeEntry& entry) {
-    std::vector<bool> clamped(entry.segments.size());
-    attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
-      if (a.def.rope == ropes.id(index)) {
-        for (uint32_t s : a.clamped) clamped[s] = true;
-      }
-    });
-    all.add(entry, held_vertices(ropes.id(index)), clamped);
+    all.add(entry, held_parts.of_rope[index], held_parts.clamped[index]);
   });
   std::vector<cloth::EdgeConstraint> seams;
   attachments.for_each([&](uint32_t, AttachmentEntry& a) {

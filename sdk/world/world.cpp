@@ -82,11 +82,9 @@ ShapeEntry World::Impl::make_shape(const ShapeDef& shape, const collision::Rigid
 
 void World::Calls::destroy_shape(ShapeId id) {
   const SolidPieces& solid = impl_->shapes.get(id).solid;
-  impl_->forget_touches(false, id.index);  // reads from the device, and may fail
-  impl_->monitor().commit();
+  impl_->forget_solid({false, id.index});
   impl_->solids_changed();
   release_fields(solid, *impl_->engine);
-  impl_->rigid.remove_fixed(id.index);
   impl_->shapes.erase(id);
   impl_->probes_changed();
 }
@@ -171,19 +169,18 @@ ParticleId World::Calls::add_particles(FluidId fluid, std::span<const Vec3> posi
 }
 
 void World::Calls::remove_particles(std::span<const ParticleId> gone) {
-  std::vector<bool> removed(impl_->ids.size(), false);
+  std::vector<bool>& removed = impl_->removed_particles;
+  std::vector<size_t> slots;
   for (ParticleId id : gone) {
     const auto at = std::lower_bound(impl_->ids.begin(), impl_->ids.end(), id);
-    if (at == impl_->ids.end() || *at != id) {
+    const auto slot = static_cast<size_t>(at - impl_->ids.begin());
+    if (at == impl_->ids.end() || *at != id || (!removed.empty() && removed[slot]))
       throw Error(ErrorCode::not_found, "no particle has the id " + std::to_string(id));
-    }
-    removed[static_cast<size_t>(at - impl_->ids.begin())] = true;
+    slots.push_back(slot);
   }
   if (gone.empty()) return;
-  std::vector<bool> keep = removed;
-  keep.flip();
-  impl_->engine->keep(keep);  // commits
-  impl_->remove(removed);
+  if (removed.empty()) removed.resize(impl_->ids.size());
+  for (const size_t slot : slots) removed[slot] = true;
 }
 
 void World::Calls::relax(int iterations) {

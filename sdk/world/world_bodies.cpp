@@ -116,20 +116,17 @@ const std::vector<MeshRepair>& World::Calls::mesh_repairs() const {
 
 void World::Calls::destroy_body(BodyId id) {
   const SolidPieces& solid = impl_->bodies.get(id).solid;
-  // Reads from the device come first, as they may fail.
-  std::vector<uint32_t> gone;
-  gone.reserve(impl_->joints.size());
-  impl_->forget_touches(true, id.index);
-  impl_->drop_attachments_of(id);
+  const std::vector<uint32_t> its_joints = impl_->rigid.joints_of(id.index);
+  impl_->drop_attachments_of(id);  // reads from the device, and may fail
+  impl_->forget_solid({true, id.index});
   impl_->monitor().commit();
   impl_->drop_flow_of(id);
   impl_->solids_changed();
   release_fields(solid, *impl_->engine);
-  impl_->rigid.remove_body(id.index);
-  impl_->joints.for_each([&](uint32_t number, const JointDef&) {
-    if (!impl_->rigid.has_joint(number)) gone.push_back(number);
-  });
-  for (uint32_t number : gone) impl_->joints.erase(impl_->joints.id(number));
+  for (const uint32_t joint : its_joints) {
+    impl_->rigid.remove_joint(joint);
+    impl_->joints.erase(impl_->joints.id(joint));
+  }
   impl_->bodies.erase(id);
 }
 

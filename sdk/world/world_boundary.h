@@ -27,9 +27,19 @@ inline const Error lost_before(
 
 }  // namespace world_errors
 
-/// Runs a call. An exception leaves the world as it was, or lost.
+/// Runs a call on the world without what was removed before. An exception leaves the world as it was, or
+/// lost.
 template <class Call>
 decltype(auto) World::Impl::run(const Call& call) {
+  return run_removal([&](Calls calls) -> decltype(auto) {
+    settle();
+    return call(calls);
+  });
+}
+
+/// Runs a call that may find removals that are still to be carried out.
+template <class Call>
+decltype(auto) World::Impl::run_removal(const Call& call) {
   if (lost) throw Error(world_errors::lost_before);
   pbd::CallMonitor& monitor = engine->device().monitor();
   struct Running {

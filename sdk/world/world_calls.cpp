@@ -55,13 +55,13 @@ ShapeId World::create_shape(const ShapeDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_shape(w.inward(def)); });
 }
 void World::destroy_shape(ShapeId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_shape(id); });
+  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_shape(id); });
 }
 EmitterId World::create_emitter(const EmitterDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_emitter(w.inward(def)); });
 }
 void World::destroy_emitter(EmitterId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_emitter(id); });
+  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_emitter(id); });
 }
 FlowCount World::emitter_count(EmitterId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_count(id); });
@@ -70,7 +70,7 @@ SinkId World::create_sink(const SinkDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_sink(w.inward(def)); });
 }
 void World::destroy_sink(SinkId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_sink(id); });
+  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_sink(id); });
 }
 FlowCount World::sink_count(SinkId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.sink_count(id); });
@@ -79,19 +79,19 @@ ProbeId World::create_probe(const ProbeDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_probe(w.inward(def)); });
 }
 void World::destroy_probe(ProbeId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_probe(id); });
+  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_probe(id); });
 }
 BodyId World::create_body(const BodyDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_body(w.inward(def)); });
 }
 void World::destroy_body(BodyId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_body(id); });
+  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_body(id); });
 }
 JointId World::create_joint(const JointDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_joint(w.inward(def)); });
 }
 void World::destroy_joint(JointId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_joint(id); });
+  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_joint(id); });
 }
 ClothId World::create_cloth(const ClothDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_cloth(w.inward(def)); });
@@ -123,7 +123,7 @@ ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
       [&](auto w) -> decltype(auto) { return w.add_particles(fluid, w.inward(positions), velocities); });
 }
 void World::remove_particles(std::span<const ParticleId> ids) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.remove_particles(ids); });
+  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.remove_particles(ids); });
 }
 void World::apply_impulses(std::span<const ParticleId> ids, std::span<const Vec3> impulses) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.apply_impulses(ids, impulses); });

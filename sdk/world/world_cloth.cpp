@@ -169,21 +169,7 @@ void World::Impl::drop_attachments_of(BodyId body) {
     if (entry.def.body == body) its.push_back(attachments.id(index));
   });
   if (its.empty()) return;
-  cloth_changed();
-  std::vector<AttachmentEntry> before;
-  before.reserve(its.size());
-  for (const AttachmentId id : its) {
-    AttachmentEntry& entry = attachments.edit(id);
-    before.push_back(std::exchange(entry, {}));  // holds no vertex for now
-    entry.def.cloth = before.back().def.cloth;
-    entry.def.rope = before.back().def.rope;
-  }
-  try {
-    upload_cloth();  // now: no search for contacts may meet attachments to a removed body
-  } catch (...) {
-    for (size_t k = 0; k < its.size(); ++k) attachments.edit(its[k]) = std::move(before[k]);
-    throw;
-  }
+  cloth_changed();  // the next search for contacts uploads it before
   for (const AttachmentId id : its) attachments.erase(id);
 }
 
@@ -204,12 +190,23 @@ std::vector<bool> World::Impl::held_vertices(ClothId cloth) const {
   return fast;
 }
 
-std::vector<bool> World::Impl::held_vertices(RopeId rope) const {
-  std::vector<bool> fast(ropes.get(rope).range.count());
-  attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
-    if (a.def.rope == rope) mark_held(a, fast);
+/// Looks at each attachment once.
+World::Impl::HeldParts World::Impl::find_held() const {
+  HeldParts parts;
+  const auto at = [](auto& table, uint32_t index) -> auto& {
+    if (table.size() <= index) table.resize(index + 1);
+    return table[index];
+  };
+  cloths.for_each([&](uint32_t n, const ClothEntry& e) { at(parts.of_cloth, n).resize(e.range.count()); });
+  ropes.for_each([&](uint32_t n, const RopeEntry& e) {
+    at(parts.of_rope, n).resize(e.range.count());
+    at(parts.clamped, n).resize(e.segments.size());
   });
-  return fast;
+  attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
+    mark_held(a, a.def.cloth ? parts.of_cloth[a.def.cloth->index] : parts.of_rope[a.def.rope->index]);
+    for (uint32_t s : a.clamped) parts.clamped[a.def.rope->index][s] = true;
+  });
+  return parts;
 }
 
 }  // namespace meniscus

@@ -177,10 +177,7 @@ void World::Impl::relax_from(size_t slot) {
   } catch (...) {
     std::vector<bool> added(ids.size(), false);
     std::fill(added.begin() + static_cast<std::ptrdiff_t>(slot), added.end(), true);
-    std::vector<bool> kept = added;
-    kept.flip();
-    engine->keep(kept);
-    remove(added);
+    drop(added);
     throw;
   }
 }
@@ -295,6 +292,22 @@ void World::Impl::read_probes() {
 void World::Impl::state_changed() {
   positions.valid = velocities.valid = fluid_indices.valid = false;
   diffuse.valid = ellipsoids.valid = density_errors.valid = full_support.valid = pressures.valid = false;
+}
+
+void World::Impl::settle() {
+  rigid.remove(removed_solids);
+  removed_solids.clear();
+  if (removed_particles.empty()) return;
+  drop(removed_particles);
+  monitor().restored();  // the world is whole again
+  removed_particles.clear();
+}
+
+void World::Impl::drop(const std::vector<bool>& removed) {
+  std::vector<bool> kept = removed;
+  kept.flip();
+  engine->keep(kept);  // commits
+  remove(removed);
 }
 
 void World::Impl::remove(const std::vector<bool>& removed) {

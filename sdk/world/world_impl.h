@@ -42,6 +42,9 @@ struct World::Impl : WorldTables {
 
   template <class Call>
   decltype(auto) run(const Call& call);
+  template <class Call>
+  decltype(auto) run_removal(const Call& call);
+  void settle();  // carries removals out; if it throws, all are still to be carried out
   pbd::CallMonitor& monitor() { return engine->device().monitor(); }
 
   EngineDef engine_def();
@@ -67,8 +70,9 @@ struct World::Impl : WorldTables {
   SolidContext solid_context() { return {*engine, solid_meshes, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
+  void forget_touches();
   void note_events();
-  void forget_touches(bool is_body, uint32_t number);  // removes those of a destroyed object
+  void forget_solid(const collision::RigidRef& solid);
   void plan_emission(float dt);
   void add_arrivals(const EmitterEntry& emitter, float dt);
   Vec3 carried_velocity(BodyId body, Vec3 p, Quat turned) const;
@@ -115,7 +119,11 @@ struct World::Impl : WorldTables {
   void forget_reactions();  // after a step that failed
   std::string name_particle(uint32_t slot) const;
   std::vector<bool> held_vertices(ClothId cloth) const;
-  std::vector<bool> held_vertices(RopeId rope) const;
+  /// What the world holds: by index of the cloth or rope, its vertices, and the segments of ropes.
+  struct HeldParts {
+    std::vector<std::vector<bool>> of_cloth, of_rope, clamped;
+  };
+  HeldParts find_held() const;
   const VertexRange& range_of(const AttachmentDef& def) const;
   /// Throws Error(capacity) if there is no room for another piece of cloth or rope.
   void check_pieces() const;
@@ -127,6 +135,7 @@ struct World::Impl : WorldTables {
   template <class Gone>
   void drop_attachments(const Gone& gone);
   void drop_attachments_of(BodyId body);
+  void drop(const std::vector<bool>& removed);    // by slot
   void remove(const std::vector<bool>& removed);  // by slot; the engine has already removed them
 
   DeviceInfo device;
@@ -135,6 +144,10 @@ struct World::Impl : WorldTables {
   std::unique_ptr<Engine> engine;
   bool lost = false;  // a call failed while it changed the world
   SolidMeshes solid_meshes;
+  // One removal costs about as much as many together. So they wait for the next call that is none.
+  std::vector<collision::RigidRef> removed_solids;
+  std::vector<bool> removed_particles;         // by slot; empty if there are none
+  std::vector<collision::RigidRef> forgotten;  // solids that were removed since the last step
   Emission emission;
   SnapshotList snapshots;
 

@@ -44,8 +44,20 @@ std::optional<float> meet_ball(Vec3 from, Vec3 ray, Vec3 centre, float radius) {
 
 }  // namespace
 
+/// Drops the touches of solids that were removed since the last step.
+void World::Impl::forget_touches() {
+  const auto key = [](const RigidRef& r) { return std::pair(r.is_body, r.number); };
+  std::ranges::sort(forgotten, {}, key);
+  const auto is_gone = [&](const RigidRef& r) {
+    return std::ranges::binary_search(forgotten, key(r), {}, key);
+  };
+  std::erase_if(touches, [&](const RigidTouch& t) { return is_gone(t.a) || is_gone(t.b); });
+  forgotten.clear();
+}
+
 /// Compares the touching pairs with those of the step before.
 void World::Impl::note_events() {
+  forget_touches();
   std::vector<RigidTouch> now = rigid.touches(), began, ended;
   std::set_difference(now.begin(), now.end(), touches.begin(), touches.end(), std::back_inserter(began),
                       before);
@@ -65,10 +77,14 @@ void World::Impl::note_events() {
   touches = std::move(now);
 }
 
-void World::Impl::forget_touches(bool is_body, uint32_t number) {
-  const auto is_it = [&](const RigidRef& r) { return r.is_body == is_body && r.number == number; };
-  engine->forget_contacts(number, is_body ? TouchedKind::body : TouchedKind::shape);
-  std::erase_if(touches, [&](const RigidTouch& t) { return is_it(t.a) || is_it(t.b); });
+/// Notes that a solid is removed. Takes memory before it changes anything.
+void World::Impl::forget_solid(const RigidRef& solid) {
+  if (forgotten.size() == forgotten.capacity()) forgotten.reserve(2 * forgotten.size() + 1);
+  if (removed_solids.size() == removed_solids.capacity())
+    removed_solids.reserve(2 * removed_solids.size() + 1);
+  engine->forget_contacts(solid.number, solid.is_body ? TouchedKind::body : TouchedKind::shape);
+  forgotten.push_back(solid);
+  removed_solids.push_back(solid);
 }
 
 const std::vector<ContactEvent>& World::Calls::contact_events() const {

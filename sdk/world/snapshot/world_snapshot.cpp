@@ -23,6 +23,7 @@ std::size_t Snapshot::device_bytes() const {
 Snapshot World::Calls::snapshot() const {
   Engine& engine = impl_->with_all();
   impl_->read_reactions();  // of the last step
+  impl_->forget_touches();
   auto data = std::make_shared<Snapshot::Data>(
       Snapshot::Data{WorldTables(*impl_), {}, collision::RigidWorld::make_snapshot()});
   pbd::StateSaver saver(engine.device(), data->engine, pbd::SavedTo::device);

@@ -276,7 +276,7 @@ TEST(RigidContact, HasRoomForAnyNumber) {
   run(world, dt, 1);
   EXPECT_EQ(world.body_count(), count);
   EXPECT_GT(world.touches().size(), 2 * count - 200);
-  for (uint32_t i = 0; i < count; ++i) world.remove_body(i);
+  for (uint32_t i = 0; i < count; ++i) world.remove(RigidRef{true, i});
   EXPECT_EQ(world.body_slots(), 0u);
   EXPECT_TRUE(world.contacts().empty());
 }

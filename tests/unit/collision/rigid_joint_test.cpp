@@ -235,7 +235,7 @@ TEST(RigidJoint, GoesWithItsBody) {
   TwoCubes cubes;
   const uint32_t joint = cubes.join(BallJoint{});
   EXPECT_TRUE(cubes.world.has_joint(joint));
-  cubes.world.remove_body(cubes.b);
+  cubes.world.remove(RigidRef{true, cubes.b});
   EXPECT_FALSE(cubes.world.has_joint(joint));
   run(cubes.world, dt, 10);
 }

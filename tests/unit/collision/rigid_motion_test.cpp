@@ -222,8 +222,8 @@ TEST(RigidWorldNumbers, TheLowestIsUsedAgain) {
   RigidWorld world({});
   const RigidBodyDef def = body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0, 0});
   for (uint32_t i = 0; i < 4; ++i) EXPECT_EQ(world.add_body(def), i);
-  world.remove_body(2);
-  world.remove_body(1);
+  world.remove(RigidRef{true, 2});
+  world.remove(RigidRef{true, 1});
   EXPECT_EQ(world.body_slots(), 4u);
   EXPECT_EQ(world.body_count(), 2u);
   EXPECT_EQ(world.mass(1).inverse_mass, 0);
@@ -233,12 +233,12 @@ TEST(RigidWorldNumbers, TheLowestIsUsedAgain) {
   EXPECT_EQ(world.add_body(def), 1u);
   EXPECT_EQ(world.add_body(def), 2u);
   EXPECT_EQ(world.add_body(def), 4u);
-  world.remove_body(4);
+  world.remove(RigidRef{true, 4});
   EXPECT_EQ(world.body_slots(), 4u);
   const RigidSolid solid = fixed_solid(plane_part());
   EXPECT_EQ(world.add_fixed(solid), 0u);
   EXPECT_EQ(world.add_fixed(solid), 1u);
-  world.remove_fixed(0);
+  world.remove(RigidRef{false, 0});
   EXPECT_EQ(world.add_fixed(solid), 0u);
 }
 

@@ -92,14 +92,14 @@ TEST(RigidSleep, WhatLosesItsSupportFalls) {
     run(world, dt, 1500);
     ASSERT_FALSE(world.awake(upper));
     if (removed) {
-      world.remove_body(lower);
+      world.remove(RigidRef{true, lower});
     } else {
       world.set_pose(lower, {{5, 0.1f, 0}, no_turn});
     }
     run(world, dt, 50);
     EXPECT_LT(world.pose(upper).position.y, 0.25f);
     run(world, dt, 1500);
-    world.remove_fixed(table);
+    world.remove(RigidRef{false, table});
     run(world, dt, 100);
     EXPECT_LT(world.pose(upper).position.y, -0.1f);
   }
