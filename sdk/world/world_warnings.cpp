@@ -129,7 +129,8 @@ void World::Impl::warn_of_places(std::vector<std::string>& warnings) {
   if (step > most)
     warnings.push_back(sentence("something is ", furthest,
                                 " m from WorldDef::origin, where positions are rounded to ", step,
-                                " m: more than 1 % of the spacing of ", def.particle_spacing, " m"));
+                                " m: more than 1 % of the spacing of ", def.particle_spacing,
+                                " m. An origin near it is more precise"));
 }
 
 /// Warns of free fall that is not free.

@@ -152,6 +152,27 @@ TEST_P(OriginTest, QueriesAreInTheUsersFrame) {
             b.world.overlap_box({far_away + corner}, {0.125f, 0.125f, 0.125f}).particles);
 }
 
+TEST_P(OriginTest, ACentreWithoutParticlesIsZero) {
+  World world(def_at(GetParam(), far_away));
+  const ProbeId centre = world.create_probe({.kind = ProbeKind::fluid_centre});
+  world.step(0.01f);
+  EXPECT_EQ(world.probe_vector(centre), (Vec3{0, 0, 0}));
+}
+
+TEST(OriginGraphics, ArraysAreInTheUsersFrame) {
+  constexpr auto cpu = pbd::DeviceKind::cpu;
+  Scene a(def_at(cpu, {0, 0, 0}), {0, 0, 0}), b(def_at(cpu, far_away), far_away);
+  const auto written = [](const Scene& scene) {
+    std::vector<Ellipsoid> ellipsoids(scene.world.particle_count());
+    std::vector<uint32_t> fluids(ellipsoids.size());
+    scene.world.write_particles({ellipsoids.data(), fluids.data()});
+    return ellipsoids;
+  };
+  const std::vector<Ellipsoid> here = written(a), there = written(b);
+  expect_shifted(std::span<const Ellipsoid>(here), std::span<const Ellipsoid>(there),
+                 [](const Ellipsoid& e) { return e.centre; });
+}
+
 /// A column of water that collapses onto a crate, at places that floats round.
 World rounded_scene(const WorldDef& def, Vec3 o, BodyId& crate) {
   World world(def);
