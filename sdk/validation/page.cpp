@@ -102,7 +102,7 @@ std::string section_of(const Record& record, const std::string& folder) {
   for (const Gate& gate : record.result.gates) text += row(gate);
   for (const Figure& f : record.result.figures)
     text += fmt::format("| {} | {} | | | |\n", f.name, printed(f.value, f.unit));
-  return text + fmt::format("\n`meniscus validate {}`, {:.0f} s.\n\n", record.of.name, record.seconds);
+  return text + fmt::format("\n`meniscus validate {}` took {:.0f} s.\n\n", record.of.name, record.seconds);
 }
 
 std::string markdown_of(const PageHead& head, const std::vector<Record>& records, const std::string& folder) {
@@ -139,8 +139,8 @@ std::string printed(double value, const std::string& unit) {
 }
 
 std::string interval_of(const Gate& gate) {
-  if (gate.low == -gate.high) return "± " + printed(gate.high, gate.unit);
   if (gate.low == 0) return "≤ " + printed(gate.high, gate.unit);
+  if (gate.low == -gate.high) return "± " + printed(gate.high, gate.unit);
   return fmt::format("{:.4g} to {}", gate.low, printed(gate.high, gate.unit));
 }
 

@@ -15,7 +15,10 @@ namespace meniscus::validation {
 
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> cases{
-      martin_moyce(), koshizuka_oka(), marin(), sloshing(), hydrostatics(), torricelli(), added_mass(),
+      martin_moyce(), koshizuka_oka(),   marin(),    sloshing(),   hydrostatics(),
+      torricelli(),   added_mass(),      couette(),  poiseuille(), taylor_green_vortices(),
+      draft(),        neutral_density(), friction(), catenary(),   elastica(),
+      chain(),        membrane(),
   };
   return cases;
 }
