@@ -116,6 +116,9 @@ std::string markdown_of(const PageHead& head, const std::vector<Record>& records
       head.resolution, MENISCUS_VERSION_STRING, head.commit.empty() ? "" : " at `" + head.commit + "`",
       head.device);
   text += summary_of(records);
+  if (!head.missing.empty()) text += "## What is missing\n\n";
+  for (const std::string& what : head.missing) text += "- " + what + "\n";
+  if (!head.missing.empty()) text += "\n";
   for (const Record& record : records) text += section_of(record, folder);
   text.pop_back();  // one of two ends of lines
   return text;
