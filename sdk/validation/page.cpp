@@ -102,7 +102,7 @@ std::string section_of(const Record& record, const std::string& folder) {
   for (const Gate& gate : record.result.gates) text += row(gate);
   for (const Figure& f : record.result.figures)
     text += fmt::format("| {} | {} | | | |\n", f.name, printed(f.value, f.unit));
-  return text + fmt::format("\n`meniscus validate {}`, {:.0f} s.\n\n", record.of.name, record.seconds);
+  return text + fmt::format("\n`meniscus validate {}` took {:.0f} s.\n\n", record.of.name, record.seconds);
 }
 
 std::string markdown_of(const PageHead& head, const std::vector<Record>& records, const std::string& folder) {
@@ -116,6 +116,9 @@ std::string markdown_of(const PageHead& head, const std::vector<Record>& records
       head.resolution, MENISCUS_VERSION_STRING, head.commit.empty() ? "" : " at `" + head.commit + "`",
       head.device);
   text += summary_of(records);
+  if (!head.missing.empty()) text += "## What is missing\n\n";
+  for (const std::string& what : head.missing) text += "- " + what + "\n";
+  if (!head.missing.empty()) text += "\n";
   for (const Record& record : records) text += section_of(record, folder);
   text.pop_back();  // one of two ends of lines
   return text;
@@ -139,8 +142,8 @@ std::string printed(double value, const std::string& unit) {
 }
 
 std::string interval_of(const Gate& gate) {
-  if (gate.low == -gate.high) return "± " + printed(gate.high, gate.unit);
   if (gate.low == 0) return "≤ " + printed(gate.high, gate.unit);
+  if (gate.low == -gate.high) return "± " + printed(gate.high, gate.unit);
   return fmt::format("{:.4g} to {}", gate.low, printed(gate.high, gate.unit));
 }
 

@@ -24,9 +24,10 @@ struct Record {
 };
 
 struct PageHead {
-  std::string device;      ///< its name
-  std::string resolution;  ///< quick, medium or full
-  std::string commit;      ///< of the build; may be empty
+  std::string device;                  ///< its name
+  std::string resolution;              ///< quick, medium or full
+  std::string commit;                  ///< of the build; may be empty
+  std::vector<std::string> missing{};  ///< what there is no case for, and why: sentences
 };
 
 /// "held", "missed", or "MISSED" if the gate is hard.

@@ -40,6 +40,10 @@ inline BodyDef body(const Geometry& geometry, Vec3 position, float density) {
   return def;
 }
 
+inline void run_steps(World& world, int steps, float step) {
+  for (int k = 0; k < steps; ++k) world.step(step);
+}
+
 inline void run(World& world, double seconds, float step) {
   const double end = world.time() + seconds - 0.5 * double{step};
   while (world.time() < end) world.step(step);

@@ -86,7 +86,7 @@ TEST(ValidationPage, TellsWhatIsHeldAndWhatIsNot) {
   good.result.plots = {{"Plot", "x", "y", {{"line", {0, 1}, {0, -1}}, {"dots", {0.5}, {2}, true}}}};
   Record bad{{"bad", "Bad case", "Set up so.", "By theory.", {}}, {}, 1, {}};
   bad.result.about_zero("error", "%", -9, 5, Bar::target, "It is coarse.");
-  write_page(page, {"a device", "quick", "abc"}, {good, bad});
+  write_page(page, {"a device", "quick", "abc", {"A gate is missing."}}, {good, bad});
 
   std::ifstream in(page);
   const std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -3,14 +3,17 @@
 //
 // The sample of a column of water, 40 layers deep, is at rest: its height, its pressure in each layer and its
 // weight on the floor are those of hydrostatics, and little moves.
-#include <numeric>
-
 #include "sdk/scene/scene_file.h"
+#include "sdk/validation/cases/rest_column.h"
 #include "tests/validation/measures.h"
 #include "tests/validation/scenes.h"
 
 namespace meniscus::tests {
 namespace {
+
+using validation::Layer;
+using validation::LayerMeans;
+using validation::layers_of;
 
 constexpr double gravity = 9.81, density = 1000;
 constexpr double depth = 4, base = 1.6 * 1.6;  // m, m²
@@ -22,54 +25,6 @@ double rms_speed(const World& world) {
   for (Vec3 v : world.velocities()) sum += dot(v, v);
   return std::sqrt(sum / static_cast<double>(world.particle_count()));
 }
-
-struct Layer {
-  double height = 0, pressure = 0;
-};
-
-/// The particles from the lowest up, as many at a time as there were in a layer at the start: means of each.
-std::vector<Layer> layers_of(const World& world) {
-  std::vector<size_t> order(world.particle_count());
-  std::iota(order.begin(), order.end(), size_t{0});
-  const std::span<const Vec3> positions = world.positions();
-  const std::span<const float> pressures = world.pressures();
-  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return positions[a].y < positions[b].y; });
-  std::vector<Layer> found(layers);
-  for (size_t k = 0; k < order.size(); ++k) {
-    Layer& layer = found[k / in_layer];
-    layer.height += positions[order[k]].y / in_layer;
-    layer.pressure += pressures[order[k]] / in_layer;
-  }
-  return found;
-}
-
-/// Means of the layers over frames.
-class LayerMeans {
- public:
-  void add(const std::vector<Layer>& now) {
-    for (size_t k = 0; k < layers; ++k) {
-      sums_[k].height += now[k].height;
-      sums_[k].pressure += now[k].pressure;
-    }
-    ++frames_;
-  }
-
-  /// Largest deviation from ρ·g·z, as a part of it, over the layers deeper than `from`. Just under the
-  /// surface the pressure rises in steps of two layers: the gradient at a layer is made by those above and
-  /// below it, and the top one has no pressure.
-  double worst_pressure_error(double from) const {
-    double worst = 0;
-    for (const Layer& sum : sums_) {
-      const double z = depth - sum.height / frames_;
-      if (z > from) worst = std::max(worst, std::fabs(sum.pressure / frames_ / (density * gravity * z) - 1));
-    }
-    return worst;
-  }
-
- private:
-  std::vector<Layer> sums_{layers};
-  double frames_ = 0;
-};
 
 class HydrostaticTest : public OnDevice {};
 
@@ -84,14 +39,14 @@ TEST_P(HydrostaticTest, ColumnIsAtRest) {
   while (scene.probes.at(floor).def.name != "floor_force") ++floor;
 
   Watch watch(world);
-  LayerMeans means;
+  LayerMeans means(layers, depth);
   double height_error = 0, top_error = 0, speed = 0, force = 0, frames = 0;
   while (world.time() < 10) {
     world.step(frame_time);
     watch.add(world.diagnostics());
     if (world.time() < 8) continue;
     height_error = std::max(height_error, std::fabs(2 * mean_height(world) / depth - 1));
-    const std::vector<Layer> now = layers_of(world);
+    const std::vector<Layer> now = layers_of(world, in_layer);
     top_error = std::max(top_error, std::fabs((now.back().height + 0.5 * spacing) / depth - 1));
     speed = std::max(speed, rms_speed(world) / std::sqrt(gravity * depth));
     means.add(now);

@@ -8,6 +8,8 @@
 namespace meniscus::tests {
 namespace {
 
+using validation::DraftCase;
+
 class RigidGpuTest : public testing::Test {
  protected:
   void SetUp() override {

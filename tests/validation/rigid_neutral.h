@@ -7,8 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "tests/coupling/body_worlds.h"
+#include "sdk/validation/cases/floating_box.h"
 #include "tests/validation/measures.h"
+#include "tests/worlds.h"
 
 namespace meniscus::tests {
 
@@ -28,30 +29,12 @@ inline HullGeometry faceted_capsule(float radius, float half_height) {
   return hull;
 }
 
-/// How far a body has risen, m, in the seconds after it was stopped in mid water. Before that the water has
-/// half a second to settle about it.
-inline double rise(pbd::DeviceKind device, float size, float spacing, const Geometry& geometry, float density,
-                   float seconds) {
-  constexpr float dt = 0.016f;
-  const float half = 0.5f * size + 5 * spacing, depth = 2 * size + 6 * spacing;
-  World world(world_def(device, spacing));
-  world.create_shape(tank({-half, 0, -half}, {half, 2 * depth, half}));
-  BodyDef def = body(geometry, {0, 0.5f * depth, 0}, density);
-  def.can_sleep = false;
-  const BodyId id = world.create_body(def);
-  world.add_fluid(block(world.create_fluid({}), {-half, 0, -half}, {half, depth, half}));
-  run(world, 30, dt);
-  world.set_body_velocity(id, {0, 0, 0}, {0, 0, 0});
-  const double start = double{world.body_state(id).centre_of_mass.y};
-  run(world, static_cast<int>(seconds / dt), dt);
-  return double{world.body_state(id).centre_of_mass.y} - start;
-}
-
 /// It rises at 980 kg/m³ and sinks at 1020. The density at which these two would balance is recorded.
 inline void expect_neutral(pbd::DeviceKind device, float size, float spacing, const std::string& name,
                            const Geometry& geometry, float seconds) {
-  const double light = rise(device, size, spacing, geometry, 980, seconds);
-  const double heavy = rise(device, size, spacing, geometry, 1020, seconds);
+  const WorldDef def = world_def(device, spacing);
+  const double light = validation::rise(def, size, geometry, 980, seconds);
+  const double heavy = validation::rise(def, size, geometry, 1020, seconds);
   record(name + "_rise_at_980_m", light);
   record(name + "_rise_at_1020_m", heavy);
   record(name + "_neutral_density", 980 + 40 * light / (light - heavy));

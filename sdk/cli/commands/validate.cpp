@@ -73,7 +73,8 @@ int validate_cases(const ValidateOptions& options) {
                                                               : std::filesystem::path(options.output);
   make_folder(folder);
   const Settings settings = settings_of(options);
-  const PageHead head{World(settings.world(1)).device().name, options.resolution, options.commit};
+  const PageHead head{World(settings.world(1)).device().name, options.resolution, options.commit,
+                      missing_cases()};
   std::vector<Record> records;
   for (const Case& c : chosen) {
     records.push_back(record_of(c, settings));

@@ -49,7 +49,8 @@ Result result_of(const Settings& settings) {
   }
   const double mass = push * 9.81 * speed.x.back() / speed.y.back() - 1;
   Result result;
-  result.within("added mass over that of the displaced water", "", mass, 0.45, 0.55, Bar::target);
+  result.within("added mass over that of the displaced water", "", mass, 0.45, 0.55, Bar::target,
+                "The ball has a radius of few spacings. Whether that is all is not known.");
   result.plots = {{"Speed of a ball that is pushed", "time (s)", "speed (m/s)", {speed, theory, none}}};
   return result;
 }

@@ -15,5 +15,15 @@ Case sloshing();
 Case hydrostatics();
 Case torricelli();
 Case added_mass();
+Case couette();
+Case poiseuille();
+Case taylor_green_vortices();
+Case draft();
+Case neutral_density();
+Case friction();
+Case catenary();
+Case elastica();
+Case chain();
+Case membrane();
 
 }  // namespace meniscus::validation

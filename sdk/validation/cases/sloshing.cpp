@@ -86,6 +86,11 @@ Result result_of(const Settings& settings) {
             "time over the period of theory",
             "height at the wall over the depth",
             {}};
+  const char* narrow =
+      "Probably five spacings between two walls hold the particles in layers along them, which stiffen the "
+      "water "
+      "against "
+      "quick motion.";
   const double periods = settings.choose(2.3, 4.3, 4.3);
   for (const Tank& t : tanks(settings)) {
     const float spacing = t.depth / float(settings.choose(10, 20, 50));
@@ -100,7 +105,7 @@ Result result_of(const Settings& settings) {
       wave.add((world.time() - start) / exact, 2 * amplitude(world, t));
     }
     result.about_zero("period over that of theory less 1, " + t.name(), "%", 100 * (period_of(wave) - 1), 3,
-                      Bar::target);
+                      Bar::target, t.wide ? "The water is few spacings deep." : narrow);
     if (t.length > 1 && t.mode == 1) plot.curves.push_back(wave);
   }
   result.plots = {plot};

@@ -47,6 +47,18 @@ TEST_F(ProgramTest, CompareRunsEachSolverAtEachError) {
   EXPECT_EXIT(run({"compare", "flag"}), testing::ExitedWithCode(bad_input), "flag");
 }
 
+TEST_F(ProgramTest, ValidateWritesAPageOnTheCasesThatAreNamed) {
+  EXPECT_NE(printed({"validate", "--list"}).find("sloshing"), std::string::npos);
+  const fs::path page = fs::path(out()) / "docs.md";
+  const std::string told = printed({"validate", "chain", "--device", "cpu", "--resolution", "quick",
+                                    "--output", out(), "--page", page.string(), "--commit", "abc1234"});
+  EXPECT_NE(told.find("period over that of theory"), std::string::npos);
+  for (const char* file : {"accuracy.md", "accuracy/chain.svg", "accuracy/figures.json", "docs/chain.svg"})
+    EXPECT_TRUE(fs::exists(fs::path(out()) / file)) << file;
+  EXPECT_NE(bytes(page).find("abc1234"), std::string::npos);
+  EXPECT_EXIT(run({"validate", "chian"}), testing::ExitedWithCode(bad_input), "chain");
+}
+
 TEST_F(ProgramTest, ARunTakesTheFilesOfTheOneBeforeAway) {
   printed(
       {"run", "raft", "--device", "cpu", "--frames", "2", "--export", "ply,vtp", "--quiet", "--out", out()});

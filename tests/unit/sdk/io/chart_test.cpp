@@ -59,6 +59,18 @@ TEST(LineChart, DrawsTheDataToScale) {
   EXPECT_LT(drawn[2].second, drawn[0].second) << "larger values stand higher";
 }
 
+TEST(LineChart, DrawsBelowZeroAndDots) {
+  const auto drawn = points(to_svg(one_line({0, 1, 2}, {-1, 0, 1})));
+  ASSERT_EQ(drawn.size(), 3u);
+  EXPECT_NEAR(drawn[1].second, (drawn[0].second + drawn[2].second) / 2, 0.11);
+  EXPECT_GT(drawn[0].second, drawn[1].second);
+  LineChart chart = one_line({0, 1, 2}, {1, std::numeric_limits<double>::quiet_NaN(), 2});
+  chart.panels.front().series.front().points = true;
+  const std::string svg = to_svg(chart);
+  EXPECT_EQ(count(svg, "<circle"), 2u);
+  EXPECT_EQ(count(svg, "<polyline"), 0u);
+}
+
 TEST(LineChart, HasLabelsAndEscapesThem) {
   const std::string svg = to_svg(one_line({0, 1}, {3, 4}));
   EXPECT_EQ(svg.rfind("<svg xmlns=", 0), 0u);
