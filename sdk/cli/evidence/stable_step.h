@@ -18,7 +18,7 @@ struct StableBounds {
   double gain = 0.1;    ///< of energy, over what falling can set free
 };
 
-/// The bounds as a sentence for a page.
+/// The bounds in words, for a page.
 std::string sentence_of(const StableBounds& bounds);
 
 /// Which bound the run breaks, in a few words; empty if none.
