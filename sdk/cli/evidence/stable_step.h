@@ -28,7 +28,7 @@ std::string broken_by(const RunFigures& run, const StableBounds& bounds);
 bool is_lost(const RunFigures& run, const StableBounds& bounds);
 
 struct StepSearch {
-  double longest = 0.064, shortest = 0.0005;  ///< s
+  double longest = 0.128, shortest = 0.0005;  ///< s
   int bisections = 2;                         ///< between the last step that broke and the first that held
 };
 

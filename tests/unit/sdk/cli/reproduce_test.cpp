@@ -74,7 +74,7 @@ TEST_F(ReproduceTest, DrawsTheFiltersOrSaysWhyNot) {
   const bool drawn = fs::exists(fs::path(out()) / "pbf/filters.png");
   EXPECT_EQ(drawn, text.find("Not reproduced here") == std::string::npos) << text;
   if (!drawn) return;
-  EXPECT_EQ(pixels(bytes(fs::path(out()) / "pbf/normals.png")), "1440x400");
+  EXPECT_EQ(pixels(bytes(fs::path(out()) / "pbf/normals.png")), "1920x480");
   EXPECT_EQ(figures()["filters"].size(), 3);
 }
 
