@@ -81,6 +81,7 @@ TEST_F(ReproduceTest, DrawsTheFiltersOrSaysWhyNot) {
 TEST_F(ReproduceTest, EndsAtItsTimeLimitWithAPage) {
   const std::string text = printed(small("times,density", {"--time-limit", "1e-9"}));
   EXPECT_NE(text.find("The limit of 1e-09 minutes ended the command"), std::string::npos) << text;
+  EXPECT_NE(text.find("Nothing was measured"), std::string::npos) << text;
   EXPECT_EQ(figures()["complete"], false);
   EXPECT_EQ(text.find("Figure 4"), std::string::npos) << "parts after it are left out";
 }
