@@ -35,6 +35,7 @@ std::string table_head(const Report::Cells& columns) {
 }
 
 void Report::table(const Cells& columns, const std::vector<Cells>& rows) {
+  if (rows.empty()) return paragraph("Nothing was measured.");
   body_ += table_head(columns);
   for (const Cells& row : rows) body_ += table_row(row);
   body_ += "\n";

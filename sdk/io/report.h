@@ -24,6 +24,7 @@ class Report {
 
   void heading(const std::string& text) { body_ += "## " + text + "\n\n"; }
   void paragraph(const std::string& text) { body_ += text + "\n\n"; }
+  /// Without rows it says that nothing was measured.
   void table(const Cells& columns, const std::vector<Cells>& rows);
   /// `name`: of the file, without its extension.
   void chart(const std::string& name, const LineChart& chart);

@@ -21,21 +21,12 @@ constexpr double reached = 1.2;
 /// The error at which stable steps are searched for.
 constexpr double error_of_search = 0.01;
 
-/// m, along gravity.
-float depth_of(const World& world) {
-  const Vec3 up = normalized_or(-world.def().gravity, {0, 1, 0});
-  float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
-  for (Vec3 p : world.positions()) {
-    low = std::min(low, dot(p, up));
-    high = std::max(high, dot(p, up));
-  }
-  return std::max(high - low, world.def().particle_spacing);
-}
-
 /// WCSPH has no tolerance. A column of the fluid's depth H at rest has the mean error ρ g H κ/2.
 void soften_wcsph(World& world, float density, double error) {
   WorldDef def = world.def();
-  const double pressure = double{density} * double{length(def.gravity)} * double{depth_of(world)};
+  const Heights heights = heights_of(world);
+  const double depth = std::max(heights.high - heights.low, double{def.particle_spacing});
+  const double pressure = double{density} * double{length(def.gravity)} * depth;
   if (pressure > 0) def.density.compressibility = static_cast<float>(2 * error / pressure);
   world.set_def(def);
 }

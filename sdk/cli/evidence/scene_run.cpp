@@ -16,21 +16,6 @@
 namespace meniscus::cli {
 namespace {
 
-/// The lowest and the highest particle along gravity, m.
-struct Heights {
-  double low = 0, high = 0;
-
-  explicit Heights(const World& world) {
-    const Vec3 up = normalized_or(-world.def().gravity, {0, 1, 0});
-    low = std::numeric_limits<double>::max();
-    high = std::numeric_limits<double>::lowest();
-    for (Vec3 p : world.positions()) {
-      low = std::min(low, double{dot(p, up)});
-      high = std::max(high, double{dot(p, up)});
-    }
-  }
-};
-
 /// What a run's figures are relative to.
 struct Start {
   Heights heights;
@@ -38,7 +23,7 @@ struct Start {
   double total;      ///< J
   double available;  ///< J: at most this becomes free if all falls to the lowest particle
 
-  explicit Start(const BuiltScene& built) : heights(built.world) {
+  explicit Start(const BuiltScene& built) : heights(heights_of(built.world)) {
     const World& world = built.world;
     const Diagnostics first = world.diagnostics();
     height = std::max(heights.high - heights.low, double{world.def().particle_spacing});
@@ -60,7 +45,7 @@ struct Start {
 
 void measure(const World& world, const Start& start, RunFigures& run) {
   const Diagnostics now = world.diagnostics();
-  const Heights heights(world);
+  const Heights heights = heights_of(world);
   const auto errors = world.density_errors();
   run.time.push_back(world.time());
   run.error_mean.push_back(now.density_error_mean);
@@ -89,6 +74,16 @@ bool is_result(const Error& error) {
 }
 
 }  // namespace
+
+Heights heights_of(const World& world) {
+  const Vec3 up = normalized_or(-world.def().gravity, {0, 1, 0});
+  Heights heights{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+  for (Vec3 p : world.positions()) {
+    heights.low = std::min(heights.low, double{dot(p, up)});
+    heights.high = std::max(heights.high, double{dot(p, up)});
+  }
+  return heights;
+}
 
 double mean_of(const std::vector<double>& values) {
   if (values.empty()) return 0;

@@ -41,6 +41,12 @@ double mean_of(const std::vector<double>& values);     ///< 0 without any
 double largest_of(const std::vector<double>& values);  ///< likewise
 double median_of(std::vector<double> values);          ///< likewise
 
+/// m, the lowest and the highest particle along gravity.
+struct Heights {
+  double low = 0, high = 0;
+};
+Heights heights_of(const World& world);
+
 struct RunRequest {
   std::string name;
   const Scene& scene;

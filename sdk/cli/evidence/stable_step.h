@@ -18,7 +18,7 @@ struct StableBounds {
   double gain = 0.1;    ///< of energy, over what falling can set free
 };
 
-/// The bounds as a sentence for a page.
+/// The bounds in words, for a page.
 std::string sentence_of(const StableBounds& bounds);
 
 /// Which bound the run breaks, in a few words; empty if none.
@@ -28,7 +28,7 @@ std::string broken_by(const RunFigures& run, const StableBounds& bounds);
 bool is_lost(const RunFigures& run, const StableBounds& bounds);
 
 struct StepSearch {
-  double longest = 0.064, shortest = 0.0005;  ///< s
+  double longest = 0.128, shortest = 0.0005;  ///< s
   int bisections = 2;                         ///< between the last step that broke and the first that held
 };
 

@@ -15,7 +15,7 @@ namespace meniscus::cli::pbf {
 namespace {
 
 constexpr const char* filters[] = {"bilateral", "curvature-flow", "narrow-range"};
-constexpr int width = 480, height = 400;
+constexpr int width = 640, height = 480;
 
 /// Frame of the bunny drop at which the bunny is in the pool and the splash rises.
 constexpr double moment = 0.9;  // s
@@ -46,6 +46,7 @@ Drawn drawn_by(const std::string& filter, const Scene& scene, const World& world
   io::PreviewScene picture = io::preview_of(scene);
   picture.width = width;
   picture.height = height;
+  picture.camera = camera_named("close", scene);
   const FrameSample sample{};
   PictureOptions options;
   options.render = "last";
