@@ -130,7 +130,7 @@ uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
 
 void RigidWorld::add_joint(const RigidJointDef& def, uint32_t number, const JointPlaces& places) {
   const InBullet bullet(*reserve_, impl_->size());
-  const auto place = [&](uint32_t body, const float (&at)[12]) {
+  const auto place = [&](uint32_t body, const float(&at)[12]) {
     if (body == pbd::no_index) return;
     PlainTransform plain;
     std::ranges::copy(at, plain.begin());

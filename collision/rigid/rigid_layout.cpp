@@ -61,8 +61,8 @@ void RigidWorld::arrange(const RigidLayout& layout) {
   RigidDynamics& dynamics = impl_->dynamics;
   const auto solids = static_cast<size_t>(dynamics.getNumCollisionObjects());
   dynamics.order_objects(in_order<btRigidBody>(layout.objects, solids, find_solid));
-  dynamics.order_moving(in_order<btRigidBody>(layout.moving, body_count(),
-                                              [&](uint32_t n) { return find_solid(2 * n + 1); }));
+  dynamics.order_moving(
+      in_order<btRigidBody>(layout.moving, body_count(), [&](uint32_t n) { return find_solid(2 * n + 1); }));
   dynamics.order_joints(in_order<btTypedConstraint>(
       layout.joints, static_cast<size_t>(dynamics.getNumConstraints()), find_joint));
   impl_->broadphase.make_room(layout.proxy_room);

@@ -17,7 +17,8 @@ struct RigidPlace {
   uint32_t proxy = pbd::no_index;  ///< of the broad phase
 };
 
-/// Poses of a joint's two bodies when it was made: basis and origin, row by row. Its frames follow from these.
+/// Poses of a joint's two bodies when it was made: basis and origin, row by row. Its frames follow from
+/// these.
 struct JointPlaces {
   float a[12], b[12];
 };

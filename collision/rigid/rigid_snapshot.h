@@ -19,7 +19,7 @@ struct SavedBody {
 };
 
 struct SavedPair {
-  int a, b;  ///< ids of the proxies
+  int a, b;                ///< ids of the proxies
   uint32_t has_algorithm;  ///< 1: it has one
 };
 

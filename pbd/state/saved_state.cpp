@@ -86,8 +86,8 @@ const StateItem& StateRestorer::item(const std::string& path, const ElementForm&
   if (!found) refuse(path, "is missing");
   if (found->form != form.word || found->element_bytes != form.bytes) {
     refuse(path, "has elements of the form " + found->form + " and of " +
-                     std::to_string(found->element_bytes) + " bytes; this program has " + form.word +
-                     " of " + std::to_string(form.bytes));
+                     std::to_string(found->element_bytes) + " bytes; this program has " + form.word + " of " +
+                     std::to_string(form.bytes));
   }
   used_.insert(path);
   return *found;
@@ -104,8 +104,8 @@ void StateRestorer::visit_host(const std::string& path, const ElementForm& form,
                                std::size_t count) {
   const StateItem& from = item(path, form);
   if (from.count != count) {
-    refuse(path, "has " + std::to_string(from.count) + " elements where the world has " +
-                     std::to_string(count));
+    refuse(path,
+           "has " + std::to_string(from.count) + " elements where the world has " + std::to_string(count));
   }
   if (count) std::memcpy(data, from.host.data(), from.bytes());
 }

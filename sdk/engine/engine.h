@@ -165,8 +165,8 @@ class Engine {
   virtual std::vector<ContactReadout> read_contacts() = 0;
   /// Removes the contacts of a destroyed solid, and their force in body_forces().
   virtual void forget_contacts(uint32_t solid, TouchedKind kind) = 0;
-  /// The state of all parts on the device (pbd/state/state_visitor.h). To restore it, first set the materials,
-  /// shapes and cloth with which it was saved, restore the rigid world, and call place_bodies().
+  /// The state of all parts on the device (pbd/state/state_visitor.h). To restore it, first set the
+  /// materials, shapes and cloth with which it was saved, restore the rigid world, and call place_bodies().
   virtual void visit_state(pbd::StateVisitor& v) = 0;
   virtual void set_sinks(std::span<const Sink> sinks) = 0;
   /// Removes the particles that the sinks take. Returns which are gone, by their former slot; empty if none

@@ -212,8 +212,9 @@ void World::Impl::upload_solids() {
     all.openings.insert(all.openings.end(), solid.openings.begin(), solid.openings.end());
   };
   shapes.for_each([&](uint32_t number, const ShapeEntry& entry) {
-    add(number, entry.solid,
-        [&](const SolidPieces::Piece& piece, collision::Shape& shape) { shape = placed(piece, entry.def.pose); });
+    add(number, entry.solid, [&](const SolidPieces::Piece& piece, collision::Shape& shape) {
+      shape = placed(piece, entry.def.pose);
+    });
   });
   all.fixed = static_cast<uint32_t>(all.shapes.size());
   bodies.for_each([&](uint32_t number, const BodyEntry& entry) {

@@ -138,7 +138,8 @@ void World::Impl::warn_of_drag(std::vector<std::string>& warnings) {
   bodies.for_each([&](uint32_t, const BodyEntry& entry) {
     if (entry.def.motion == BodyMotion::dynamic && entry.def.linear_damping > 0)
       warnings.push_back(sentence("the ", quoted("body", entry.def.name), " does not fall freely: it loses ",
-                                  100 * entry.def.linear_damping, " % of its speed a second (linear_damping)"));
+                                  100 * entry.def.linear_damping,
+                                  " % of its speed a second (linear_damping)"));
   });
   if (air_density == 0) return;
   cloths.for_each([&](uint32_t index, const ClothEntry& entry) {

@@ -56,9 +56,9 @@ BuiltScene built_of(const RunOptions& options, const Scene& scene) {
   BuiltScene built = resume_scene(scene, options.from);
   const int reached = frame_of(built.world, scene);
   if (reached < scene.frames) return built;
-  throw Error(ErrorCode::invalid_argument,
-              options.from + " is of frame " + std::to_string(reached) + ", and the run ends with frame " +
-                  std::to_string(scene.frames) + "; --frames takes a later one");
+  throw Error(ErrorCode::invalid_argument, options.from + " is of frame " + std::to_string(reached) +
+                                               ", and the run ends with frame " +
+                                               std::to_string(scene.frames) + "; --frames takes a later one");
 }
 
 class Run {

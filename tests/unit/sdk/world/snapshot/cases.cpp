@@ -81,7 +81,8 @@ World bodies(const WorldDef& given) {
   world.add_fluid(block(water, {0, 0, 0}, {0.4f, 0.3f, 0.6f}));
   const ShapeId gone = world.create_shape(shape(SphereGeometry{0.1f}, {0.9f, 0.5f, 0.3f}));
   world.create_body(box_body("floats", {0.2f, 0.4f, 0.3f}, 0.1f, 300));
-  for (int k = 0; k < 3; ++k) world.create_body(box_body("stack", {0.8f, 0.081f + 0.161f * float(k), 0.3f}, 0.08f));
+  for (int k = 0; k < 3; ++k)
+    world.create_body(box_body("stack", {0.8f, 0.081f + 0.161f * float(k), 0.3f}, 0.08f));
   const BodyId lost = world.create_body(box_body("lost", {1, 0.9f, 0.3f}, 0.03f));
   const BodyId arm = world.create_body(box_body("arm", {0.6f, 0.8f, 0.5f}, 0.04f));
   BodyDef plate = box_body("plate", {1.05f, 0.3f, 0.15f}, 0.05f);
@@ -211,11 +212,10 @@ World of_others(const WorldDef& given) {
 }  // namespace
 
 const std::vector<SnapshotCase>& snapshot_cases() {
-  static const std::vector<SnapshotCase> cases{{"fluids", fluids, 8}, {"flow", flow, 25},
-                                               {"bodies", bodies, 40}, {"cloth", cloth, 12},
-                                               {"ropes", ropes, 10},   {"grains", grains, 12},
-                                               {"wet", wet, 14},       {"seams", seams, 8},
-                                               {"grid", grid, 6},      {"of_others", of_others, 4}};
+  static const std::vector<SnapshotCase> cases{
+      {"fluids", fluids, 8}, {"flow", flow, 25},         {"bodies", bodies, 190}, {"cloth", cloth, 12},
+      {"ropes", ropes, 10},  {"grains", grains, 12},     {"wet", wet, 14},        {"seams", seams, 8},
+      {"grid", grid, 6},     {"of_others", of_others, 4}};
   return cases;
 }
 

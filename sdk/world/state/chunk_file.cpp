@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes and reads the container of snapshots.
-#include "sdk/world/snapshot/chunk_file.h"
+#include "sdk/world/state/chunk_file.h"
 
 #include <meniscus/error.h>
 #include <meniscus/version.h>
@@ -118,10 +118,11 @@ void write_chunk_file(const std::string& path, const ChunkFileHeader& header, co
             {"time", header.time},
             {"definitions", header.definitions},
             {"chunks", Json::array()}};
-  for (const std::string& name : chunks.paths()) json["chunks"].push_back(described(name, *chunks.find(name)));
+  for (const std::string& name : chunks.paths())
+    json["chunks"].push_back(described(name, *chunks.find(name)));
   const std::string text = json.dump();
-  Prefix prefix{{}, format_version, static_cast<uint32_t>(text.size()),
-                XXH3_64bits(text.data(), text.size())};
+  Prefix prefix{
+      {}, format_version, static_cast<uint32_t>(text.size()), XXH3_64bits(text.data(), text.size())};
   std::memcpy(prefix.magic, magic, sizeof magic);
   PartFile file(path);
   file.write(&prefix, sizeof prefix);
