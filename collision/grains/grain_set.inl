@@ -164,18 +164,27 @@ void GrainSet<D>::make_room() {
   }
 }
 
-/// Rows that are longer than here make room first. Shorter rows would lose impulses, which make_room() drops.
+/// The rows' length is state: where it grows, impulses are lost. Rows that another kind of device has stored
+/// in another order are not used, and the next solve starts without impulses.
 template <class D>
 void GrainSet<D>::visit_state(pbd::StateVisitor& v) {
-  uint32_t rows = any_ ? capacity_ : 0, row_capacity = row_capacity_;
+  uint32_t rows = any_ ? capacity_ : 0, row_capacity = row_capacity_, in_blocks_of = block;
   v.value("last_dt", last_dt_);
   v.value("rows", rows);
   v.value("row_capacity", row_capacity);
+  v.value("block", in_blocks_of);
   if (v.restores() && any_) {
     row_capacity_ = row_capacity;
     reserve_arrays(0);
   }
   if (rows == 0) return;
+  if (in_blocks_of != block) {
+    std::vector<uint32_t> unused;
+    std::vector<pbd::Vec4> unused_impulse;
+    v.list("impulse", unused_impulse);
+    for (const char* name : {"partner", "contacts", "origin"}) v.list(name, unused);
+    return;
+  }
   const size_t elements = row_elements(rows, row_capacity_, block);
   v.array("partner", partner_.current(), elements);
   v.array("impulse", impulse_.current(), elements);

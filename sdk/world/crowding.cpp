@@ -46,13 +46,12 @@ uint64_t count_near(const PointTableView& table, std::span<const Vec3> points, V
 
 }  // namespace
 
-void Crowding::check(std::span<const Vec3> added, const std::function<std::span<const Vec3>()>& present,
-                     float reach) {
+void check_crowding(uint64_t& bound, std::span<const Vec3> added,
+                    const std::function<std::span<const Vec3>()>& present, float reach) {
   PointTable table;
   table.fill(added, reach);
-  const uint64_t bound = bound_ + bound_of(table);
-  if (bound <= most) {
-    bound_ = bound;
+  if (bound + bound_of(table) <= most) {
+    bound += bound_of(table);
     return;
   }
   const std::span<const Vec3> before = present();
@@ -69,7 +68,7 @@ void Crowding::check(std::span<const Vec3> added, const std::function<std::span<
         << " may be";
     throw Error(ErrorCode::capacity, why.str());
   }
-  bound_ = std::min(most, bound_of(table));
+  bound = std::min(most, bound_of(table));
 }
 
 }  // namespace meniscus

@@ -11,6 +11,7 @@
 #include "sdk/fields/probes.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/check/periodic.h"
+#include "sdk/world/crowding.h"
 #include "sdk/world/seeding.h"
 #include "sdk/world/solids/seam_images.h"
 #include "sdk/world/tuning.h"
@@ -161,8 +162,8 @@ ParticleId World::Calls::add_particles(FluidId fluid, std::span<const Vec3> posi
   for (Vec3 p : positions) check::value("a position of add_particles", p);
   for (Vec3 v : velocities) check::value("a velocity of add_particles", v);
   check::between_seams(periodic_axes(impl_->def.periodic), positions, "a position of add_particles");
-  impl_->crowding.check(
-      positions, [this] { return this->positions(); }, impl_->kernel.h);
+  check_crowding(
+      impl_->crowding_bound, positions, [this] { return this->positions(); }, impl_->kernel.h);
   const ParticleId first = impl_->next_id;
   impl_->add(fluid, positions, velocities, {0, 0, 0}, true);
   return first;

@@ -204,6 +204,11 @@ void World::Calls::apply_force(BodyId id, Vec3 force, Vec3 point) {
   impl_->rigid.apply_force(id.index, force, point);
 }
 
+void World::Calls::apply_force(BodyId id, Vec3 force) {
+  impl_->bodies.get(id);
+  apply_force(id, force, impl_->rigid.centre_of_mass(id.index));
+}
+
 void World::Calls::apply_torque(BodyId id, Vec3 torque) {
   expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_torque", "dynamic");
   check::value("apply_torque's torque", torque);

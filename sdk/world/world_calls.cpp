@@ -143,66 +143,6 @@ void World::restore(const Snapshot& snapshot) {
 void World::save(const std::string& path) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.save(path); });
 }
-std::vector<FluidId> World::fluid_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.fluid_ids(); });
-}
-std::vector<ShapeId> World::shape_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.shape_ids(); });
-}
-std::vector<BodyId> World::body_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.body_ids(); });
-}
-std::vector<JointId> World::joint_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.joint_ids(); });
-}
-std::vector<ClothId> World::cloth_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_ids(); });
-}
-std::vector<RopeId> World::rope_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.rope_ids(); });
-}
-std::vector<AttachmentId> World::attachment_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.attachment_ids(); });
-}
-std::vector<EmitterId> World::emitter_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_ids(); });
-}
-std::vector<SinkId> World::sink_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.sink_ids(); });
-}
-std::vector<ProbeId> World::probe_ids() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.probe_ids(); });
-}
-FluidId World::find_fluid(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_fluid(name); });
-}
-ShapeId World::find_shape(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_shape(name); });
-}
-BodyId World::find_body(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_body(name); });
-}
-JointId World::find_joint(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_joint(name); });
-}
-ClothId World::find_cloth(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_cloth(name); });
-}
-RopeId World::find_rope(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_rope(name); });
-}
-AttachmentId World::find_attachment(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_attachment(name); });
-}
-EmitterId World::find_emitter(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_emitter(name); });
-}
-SinkId World::find_sink(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_sink(name); });
-}
-ProbeId World::find_probe(const std::string& name) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.find_probe(name); });
-}
 double World::time() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.time(); });
 }
@@ -224,6 +164,9 @@ void World::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
 }
 void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.apply_force(id, force, w.inward(point)); });
+}
+void World::apply_force(BodyId id, Vec3 force) {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_force(id, force); });
 }
 void World::apply_torque(BodyId id, Vec3 torque) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.apply_torque(id, torque); });

@@ -54,6 +54,8 @@ struct World::Calls {
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
   void save(const std::string& path) const;
+  /// All chunks of a file, on the host.
+  pbd::SavedState chunks() const;
   std::vector<FluidId> fluid_ids() const;
   std::vector<ShapeId> shape_ids() const;
   std::vector<BodyId> body_ids() const;
@@ -81,6 +83,7 @@ struct World::Calls {
   void set_body_pose(BodyId id, const Pose& pose);
   void set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity);
   void apply_force(BodyId id, Vec3 force, Vec3 point);
+  void apply_force(BodyId id, Vec3 force);
   void apply_torque(BodyId id, Vec3 torque);
   void apply_impulse(BodyId id, Vec3 impulse, Vec3 point);
   void move_body(BodyId id, const Pose& target, float duration);

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "sdk/engine/engine.h"
-#include "sdk/world/snapshot/snapshot_data.h"
-#include "sdk/world/world_tables.h"
+#include "sdk/world/state/snapshot_data.h"
+#include "sdk/world/state/world_tables.h"
 
 namespace meniscus {
 

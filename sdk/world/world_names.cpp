@@ -5,6 +5,7 @@
 #include <meniscus/error.h>
 #include <meniscus/world.h>
 
+#include "sdk/world/world_boundary.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -88,6 +89,69 @@ SinkId World::Calls::find_sink(const std::string& name) const {
 }
 ProbeId World::Calls::find_probe(const std::string& name) const {
   return find(impl_->probes, name);
+}
+
+// ---- through the boundary ----
+
+std::vector<FluidId> World::fluid_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.fluid_ids(); });
+}
+std::vector<ShapeId> World::shape_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.shape_ids(); });
+}
+std::vector<BodyId> World::body_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.body_ids(); });
+}
+std::vector<JointId> World::joint_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.joint_ids(); });
+}
+std::vector<ClothId> World::cloth_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_ids(); });
+}
+std::vector<RopeId> World::rope_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.rope_ids(); });
+}
+std::vector<AttachmentId> World::attachment_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.attachment_ids(); });
+}
+std::vector<EmitterId> World::emitter_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_ids(); });
+}
+std::vector<SinkId> World::sink_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.sink_ids(); });
+}
+std::vector<ProbeId> World::probe_ids() const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.probe_ids(); });
+}
+FluidId World::find_fluid(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_fluid(name); });
+}
+ShapeId World::find_shape(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_shape(name); });
+}
+BodyId World::find_body(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_body(name); });
+}
+JointId World::find_joint(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_joint(name); });
+}
+ClothId World::find_cloth(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_cloth(name); });
+}
+RopeId World::find_rope(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_rope(name); });
+}
+AttachmentId World::find_attachment(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_attachment(name); });
+}
+EmitterId World::find_emitter(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_emitter(name); });
+}
+SinkId World::find_sink(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_sink(name); });
+}
+ProbeId World::find_probe(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_probe(name); });
 }
 
 }  // namespace meniscus

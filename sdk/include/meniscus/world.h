@@ -24,6 +24,9 @@
 namespace meniscus {
 
 class GlParticles;
+namespace pbd {
+class SavedState;
+}
 
 /// One simulated world on one device. Worlds share nothing. Only one thread may use a world at a time. Every
 /// call may throw Error and has then changed nothing. Without memory for the tables of shapes, bodies or
@@ -126,6 +129,9 @@ class World {
   /// this program. Also throws what the creation of its solids throws.
   static World load(const std::string& path, const LoadDef& def = {});
 
+  /// A new world with the same state, as if by save and load.
+  World clone(const LoadDef& def = {}) const;
+
   // What exists, in the order of the indices of ids. The find calls return the first of that name, and throw
   // Error(not_found) if there is none.
   std::vector<FluidId> fluid_ids() const;
@@ -173,6 +179,7 @@ class World {
   void set_body_pose(BodyId id, const Pose& pose);
   void set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies
   void apply_force(BodyId id, Vec3 force, Vec3 point);      ///< N; dynamic bodies, as the next two
+  void apply_force(BodyId id, Vec3 force);                  ///< N, at the centre of mass
   void apply_torque(BodyId id, Vec3 torque);                ///< N·m
   void apply_impulse(BodyId id, Vec3 impulse, Vec3 point);  ///< N·s
   /// Moves a kinematic body to a pose in `duration` seconds at a constant rate. This replaces its keyframes.
@@ -270,6 +277,7 @@ class World {
   struct Impl;
   struct Calls;
   static std::unique_ptr<Impl> make(const WorldDef& def);
+  static World made_from(const std::string& definitions, const pbd::SavedState& saved, const LoadDef& def);
 
   std::unique_ptr<Impl> impl_;
 };

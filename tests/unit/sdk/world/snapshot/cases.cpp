@@ -213,8 +213,8 @@ World of_others(const WorldDef& given) {
 
 const std::vector<SnapshotCase>& snapshot_cases() {
   static const std::vector<SnapshotCase> cases{
-      {"fluids", fluids, 8}, {"flow", flow, 25},         {"bodies", bodies, 40}, {"cloth", cloth, 12},
-      {"ropes", ropes, 10},  {"grains", grains, 12},     {"wet", wet, 14},       {"seams", seams, 8},
+      {"fluids", fluids, 8}, {"flow", flow, 25},         {"bodies", bodies, 190}, {"cloth", cloth, 12},
+      {"ropes", ropes, 10},  {"grains", grains, 12},     {"wet", wet, 14},        {"seams", seams, 8},
       {"grid", grid, 6},     {"of_others", of_others, 4}};
   return cases;
 }

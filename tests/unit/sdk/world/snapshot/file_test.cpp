@@ -89,6 +89,18 @@ TEST_P(SnapshotFileTest, IsAWorldLikeAnyOther) {
   EXPECT_EQ(loaded.state_hash(), world.state_hash());
 }
 
+TEST_P(SnapshotFileTest, ACloneGoesItsOwnWay) {
+  World world = snapshot_cases()[2].make(world_def(GetParam(), 0.1f));
+  run(world, 5, snapshot_step);
+  World clone = world.clone();
+  EXPECT_EQ(state_of(clone), state_of(world));
+  const BodyId body = clone.find_body("late");
+  expect_error(ErrorCode::not_found, "no body", [&] { world.body_state(body); });
+  EXPECT_EQ(future_of(clone, 2), future_of(world, 2));
+  clone.apply_force(body, {0, 0, 50});
+  EXPECT_NE(future_of(clone, 1), future_of(world, 1));
+}
+
 TEST_P(SnapshotFileTest, RefusesAFileThatWasCut) {
   World world(world_def(GetParam(), 0.1f));
   const FluidId water = world.create_fluid({});

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A world that is restored goes on bit for bit as it did, whatever happened in between.
+#include <set>
+
 #include "tests/expect_error.h"
-#include "tests/many_threads.h"
 #include "tests/unit/sdk/world/snapshot/cases.h"
 
 namespace meniscus::tests {
@@ -29,6 +30,32 @@ TEST_P(SnapshotTest, TheFutureIsTheSame) {
       EXPECT_EQ(future_of(world, steps), future);
     }
   }
+}
+
+/// Otherwise the tests of these worlds show little.
+TEST_P(SnapshotTest, TheCasesAreInTheMidstOfThings) {
+  std::set<std::string> seen;
+  for (const SnapshotCase& c : snapshot_cases()) {
+    World world = c.make(world_def(GetParam(), 0.05f));
+    size_t cloth_vertices = 0;
+    for (const ClothId id : world.cloth_ids()) cloth_vertices += world.cloth_positions(id).size();
+    run(world, c.before, snapshot_step);
+    for (const ClothId id : world.cloth_ids()) {
+      cloth_vertices -= world.cloth_positions(id).size();
+      for (const float wetness : world.cloth_wetness(id))
+        if (wetness > 0) seen.insert("wet");
+    }
+    if (cloth_vertices != 0) seen.insert("torn");
+    for (const BodyId id : world.body_ids()) seen.insert(world.body_state(id).awake ? "awake" : "asleep");
+    for (const EmitterId id : world.emitter_ids())
+      if (world.emitter_count(id).last_step > 0) seen.insert("emits");
+    for (const SinkId id : world.sink_ids())
+      if (world.sink_count(id).total > 0) seen.insert("drained");
+    if (!world.diffuse().empty()) seen.insert("spray");
+    if (!world.solid_contacts().empty()) seen.insert("solids touch");
+  }
+  EXPECT_EQ(seen, (std::set<std::string>{"asleep", "awake", "drained", "emits", "solids touch", "spray",
+                                         "torn", "wet"}));
 }
 
 TEST_P(SnapshotTest, RestoresWhatCallsHaveChanged) {

@@ -13,10 +13,10 @@
 #include "pbd/host_memory.h"
 #include "pbd/math/hash.h"
 #include "sdk/world/check/check.h"
-#include "sdk/world/snapshot/chunk_file.h"
-#include "sdk/world/snapshot/definitions.h"
-#include "sdk/world/snapshot/snapshot_data.h"
-#include "sdk/world/snapshot/visit_tables.h"
+#include "sdk/world/state/chunk_file.h"
+#include "sdk/world/state/definitions.h"
+#include "sdk/world/state/snapshot_data.h"
+#include "sdk/world/state/visit_tables.h"
 #include "sdk/world/world_boundary.h"
 #include "sdk/world/world_calls.h"
 
@@ -104,7 +104,7 @@ void World::Impl::visit_contents(pbd::StateVisitor& v, collision::RigidWorld::Sn
   v.group("model", [&] { visit_engine_cloth(v, cloth); });
 }
 
-void World::Calls::save(const std::string& path) const {
+pbd::SavedState World::Calls::chunks() const {
   Engine& engine = impl_->with_all();
   impl_->read_reactions();
   impl_->fetch_cloth();
@@ -122,8 +122,12 @@ void World::Calls::save(const std::string& path) const {
   saver.part("layout", layout);
   impl_->visit_contents(saver, *rigid, cloth);
   saver.group("engine", [&] { engine.visit_state(saver); });
+  return chunks;
+}
+
+void World::Calls::save(const std::string& path) const {
   write_chunk_file(path, {MENISCUS_VERSION_STRING, impl_->device.kind, impl_->time, definitions_text(*impl_)},
-                   chunks);
+                   chunks());
 }
 
 /// Makes all contents of an empty world, and gives them their state.
@@ -199,17 +203,25 @@ void World::Impl::make_solids(const Definitions& defs, const collision::RigidLay
   rigid.arrange(layout);
 }
 
+World World::made_from(const std::string& definitions, const pbd::SavedState& saved, const LoadDef& def) {
+  WorldDef world_def = read_world_def(definitions);
+  if (def.device) world_def.device = *def.device;
+  if (def.threads) world_def.threads = *def.threads;
+  World world(world_def);
+  world.impl_->run([&](auto) { world.impl_->fill_from(definitions, saved); });
+  return world;
+}
+
 World World::load(const std::string& path, const LoadDef& def) {
   return pbd::with_host_memory([&] {
     ChunkFileHeader header;
     const pbd::SavedState saved = read_chunk_file(path, header);
-    WorldDef world_def = read_world_def(header.definitions);
-    if (def.device) world_def.device = *def.device;
-    if (def.threads) world_def.threads = *def.threads;
-    World world(world_def);
-    world.impl_->run([&](auto) { world.impl_->fill_from(header.definitions, saved); });
-    return world;
+    return made_from(header.definitions, saved, def);
   });
+}
+
+World World::clone(const LoadDef& def) const {
+  return impl_->run([&](auto w) { return made_from(definitions_text(*impl_), w.chunks(), def); });
 }
 
 }  // namespace meniscus

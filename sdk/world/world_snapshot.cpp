@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "sdk/world/snapshot/snapshot_data.h"
+#include "sdk/world/state/snapshot_data.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {

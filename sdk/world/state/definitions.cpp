@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The definitions of all that is in a world, as JSON.
-#include "sdk/world/snapshot/definitions.h"
+#include "sdk/world/state/definitions.h"
 
-#include "sdk/world/snapshot/definition_json.h"
+#include "sdk/world/state/definition_json.h"
 
 namespace meniscus {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "sdk/world/world_tables.h"
+#include "sdk/world/state/world_tables.h"
 
 namespace meniscus {
 

@@ -15,7 +15,6 @@
 #include "sdk/world/check/id_table.h"
 #include "sdk/world/check/world_number.h"
 #include "sdk/world/cloth/cloth_table.h"
-#include "sdk/world/crowding.h"
 #include "sdk/world/flow/world_flow.h"
 #include "sdk/world/origin.h"
 #include "sdk/world/solids/world_shapes.h"
@@ -84,7 +83,7 @@ struct WorldTables {
   float last_step = 0;           ///< s
   std::vector<TearEvent> tears;  ///< of the last step
 
-  Crowding crowding;
+  uint64_t crowding_bound = 0;  ///< see check_crowding
   ParticleId next_id = 0;
   std::vector<ParticleId> ids;  ///< by slot, ascending
 };

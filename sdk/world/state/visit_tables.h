@@ -5,7 +5,7 @@
 #pragma once
 
 #include "pbd/state/state_visitor.h"
-#include "sdk/world/world_tables.h"
+#include "sdk/world/state/world_tables.h"
 
 namespace meniscus {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The items of a world's tables, besides the definitions.
-#include "sdk/world/snapshot/visit_tables.h"
+#include "sdk/world/state/visit_tables.h"
 
 #include <string>
 
@@ -149,7 +149,7 @@ void visit_tables(StateVisitor& v, WorldTables& t) {
   v.value("last_step", t.last_step);
   v.value("next_id", t.next_id);
   v.list("id", t.ids);
-  v.part("crowding", t.crowding);
+  v.value("crowding_bound", t.crowding_bound);
   v.list("touch", t.touches);
   ids.list("event", t.events, [](const auto& shift, ContactEvent& e) {
     shift(e.a);

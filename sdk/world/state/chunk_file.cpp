@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes and reads the container of snapshots.
-#include "sdk/world/snapshot/chunk_file.h"
+#include "sdk/world/state/chunk_file.h"
 
 #include <meniscus/error.h>
 #include <meniscus/version.h>

@@ -11,7 +11,7 @@
 
 #include "collision/rigid/rigid_world.h"
 #include "pbd/state/saved_state.h"
-#include "sdk/world/world_tables.h"
+#include "sdk/world/state/world_tables.h"
 
 namespace meniscus {
 

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// A run that continues from a snapshot ends as the whole run does.
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/sdk/cli/program_fixture.h"
+
+namespace meniscus::cli {
+namespace {
+
+nlohmann::json figures_in(const fs::path& folder) {
+  return nlohmann::json::parse(std::ifstream(folder / "summary.json"));
+}
+
+TEST_F(ProgramTest, ARunContinuesFromASnapshot) {
+  for (const char* name : {"drop", "raft", "flag"}) {
+    printed(
+        {"run", name, "--device", "cpu", "--frames", "6", "--save-every", "2", "--quiet", "--out", out()});
+    const fs::path saved = folder_ / "out/snapshot_00004.menisnap";
+    EXPECT_TRUE(fs::exists(folder_ / "out/snapshot_00002.menisnap"));
+    ASSERT_TRUE(fs::exists(saved));
+    const std::string rest = (folder_ / "rest").string();
+    printed({"run", name, "--device", "cpu", "--frames", "6", "--from", saved.string(), "--quiet", "--export",
+             "obj", "--out", rest});
+    EXPECT_EQ(figures_in(rest)["state_hash"], figures_in(out())["state_hash"]) << name;
+    const std::string rows = bytes(folder_ / "rest/frames.csv");
+    EXPECT_NE(rows.find("\n5,"), std::string::npos) << rows;
+    EXPECT_EQ(rows.find("\n4,"), std::string::npos) << rows;
+  }
+}
+
+TEST_F(ProgramTest, ASnapshotOfAnotherSceneIsRefused) {
+  printed({"run", "drop", "--device", "cpu", "--save-every", "2", "--quiet", "--out", out()});
+  const std::string saved = (folder_ / "out/snapshot_00002.menisnap").string();
+  EXPECT_EXIT(run({"run", "raft", "--device", "cpu", "--frames", "9", "--from", saved}),
+              testing::ExitedWithCode(bad_input), "holds 0 bodies, and the scene has 3");
+  EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--from", saved}), testing::ExitedWithCode(bad_input),
+              "is of frame 2, and the run ends with frame 2");
+  EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--from", (folder_ / "drop.json").string()}),
+              testing::ExitedWithCode(bad_input), "does not begin with MENISNAP");
+}
+
+}  // namespace
+}  // namespace meniscus::cli
