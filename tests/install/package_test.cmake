@@ -10,7 +10,7 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 
 file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*)
 foreach(header ${headers})
-  if(NOT header MATCHES "^meniscus/[a-z_]+\\.h$")
+  if(NOT header MATCHES "^meniscus/(c/)?[a-z_]+\\.h$")
     message(FATAL_ERROR "${header} is installed, but is no public header")
   endif()
 endforeach()

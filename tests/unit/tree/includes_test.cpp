@@ -65,6 +65,7 @@ const Edges folders{
     {"collision/grains", {"collision/contact"}},
 
     {"sdk/include/meniscus", {}},
+    {"sdk/include/meniscus/c", {}},
     {"sdk/fields", {}},
     {"sdk/engine", {}},
     {"sdk/world/check", {"sdk/fields"}},
@@ -75,6 +76,7 @@ const Edges folders{
      {"sdk/engine", "sdk/fields", "sdk/world/check", "sdk/world/cloth", "sdk/world/flow",
       "sdk/world/solids"}},
     {"sdk/scene", {"sdk/fields", "sdk/world/check"}},
+    {"sdk/c", {"sdk/fields", "sdk/scene"}},
     {"sdk/io", {"sdk/scene", "sdk/world/solids"}},
     {"sdk/io/preview", {"sdk/io", "sdk/scene"}},
     {"sdk/render/gl", {}},
