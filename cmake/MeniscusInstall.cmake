@@ -10,6 +10,9 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Meniscus)
 install(DIRECTORY sdk/include/meniscus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
 install(TARGETS meniscus_scene meniscus meniscus_fluid meniscus_cloth meniscus_collision meniscus_pbd
   EXPORT MeniscusTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+if(MENISCUS_BUILD_C)
+  install(TARGETS meniscus_c EXPORT MeniscusTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
 install(EXPORT MeniscusTargets NAMESPACE Meniscus:: DESTINATION ${package_folder})
 
 configure_package_config_file(cmake/MeniscusConfig.cmake.in ${PROJECT_BINARY_DIR}/MeniscusConfig.cmake

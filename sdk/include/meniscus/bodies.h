@@ -8,6 +8,7 @@
 
 namespace meniscus {
 
+/// What moves a body.
 enum class BodyMotion {
   dynamic,    ///< moved by forces, contacts and fluid
   kinematic,  ///< moved by keyframes or World::move_body alone; nothing stops it
@@ -79,8 +80,10 @@ struct SpringJoint {
   Vec3 angular_damping{0, 0, 0};    ///< N·m·s/rad
 };
 
+/// What a joint allows.
 using JointKind = std::variant<FixedJoint, HingeJoint, SliderJoint, BallJoint, SpringJoint>;
 
+/// A joint between a body and another one, or the world.
 struct JointDef {
   std::string name;
   BodyId a;
@@ -92,6 +95,7 @@ struct JointDef {
 
 // ---- read-outs ----
 
+/// Where a body is, how it moves, and what the fluid does to it.
 struct BodyState {
   Pose pose{};                     ///< of the geometry's frame
   Vec3 centre_of_mass{0, 0, 0};    ///< m, world
@@ -151,6 +155,7 @@ struct RayHit {
   float distance = 0;    ///< m along the ray
 };
 
+/// What a volume of a query overlaps.
 struct Overlaps {
   std::vector<BodyId> bodies;
   std::vector<ShapeId> shapes;

@@ -101,6 +101,7 @@ struct ClothTube {
   bool bottom = false;  ///< a disc closes the lower end; its vertices come last, from its border inwards
 };
 
+/// The rest shape of a piece of cloth.
 using ClothGeometry = std::variant<SheetGeometry, ClothFile, ClothTriangles, ClothSphere, ClothTube>;
 
 /// Gas inside a closed piece of cloth. It escapes if the cloth tears. Its overpressure is
@@ -188,6 +189,7 @@ struct WindDef {
 
 // ---- read-outs ----
 
+/// Masses, stretch, volume and motion of a piece of cloth.
 struct ClothState {
   float mass = 0;        ///< kg, with the fluid that it holds
   float fluid_mass = 0;  ///< kg, of that fluid

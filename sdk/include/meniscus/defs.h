@@ -19,6 +19,7 @@
 
 namespace meniscus {
 
+/// Where a world runs.
 enum class DeviceChoice {
   automatic,  ///< CUDA if there is a usable GPU, else the CPU
   cpu,
@@ -59,6 +60,7 @@ struct ArtificialPressureDef {
   float distance = 0.2f;  ///< Δq, as a fraction of the support radius, 0 to 0.9
 };
 
+/// How the density of fluids is solved.
 struct DensitySolverDef {
   DensitySolver solver = DensitySolver::chebyshev;
   float relaxation = 0.3f;      ///< Jacobi's damping ω, 0.01 to 0.44
@@ -148,6 +150,7 @@ struct PeriodicDef {
   friend bool operator==(const PeriodicDef&, const PeriodicDef&) = default;
 };
 
+/// A world and its solvers.
 struct WorldDef {
   DeviceChoice device = DeviceChoice::automatic;
   int threads = 0;  ///< threads of the CPU device, at most 1024; 0: one for each core
@@ -176,6 +179,7 @@ struct WorldDef {
   PeriodicDef periodic{};
 };
 
+/// A liquid.
 struct FluidDef {
   std::string name = "water";
   float rest_density = 1000.0f;  ///< ρ₀, kg/m³, 0.001 to 1e6
@@ -233,10 +237,12 @@ struct PlaneGeometry {
   float offset = 0;      ///< m
 };
 
+/// A solid box about the origin.
 struct BoxGeometry {
   Vec3 half_extents{0.5f, 0.5f, 0.5f};  ///< m
 };
 
+/// A face of a box, by its axis and side.
 enum class Face { x_low, x_high, y_low, y_high, z_low, z_high };
 
 /// A hole in a face of a container, through which fluid leaves. A particle that has left is outside of the
@@ -254,6 +260,7 @@ struct ContainerGeometry {
   std::vector<Opening> openings{};      ///< at least one face is left
 };
 
+/// A solid ball about the origin.
 struct SphereGeometry {
   float radius = 0.5f;  ///< m
 };
@@ -302,10 +309,12 @@ struct HeightFieldGeometry {
   std::vector<float> heights{};  ///< m, columns · rows of them, x fastest
 };
 
+/// The shape of a solid.
 using Geometry =
     std::variant<PlaneGeometry, BoxGeometry, ContainerGeometry, SphereGeometry, CapsuleGeometry,
                  CylinderGeometry, MeshGeometry, HeightFieldGeometry, HullGeometry, CompoundGeometry>;
 
+/// One of the solids of a compound.
 struct CompoundPart {
   Geometry geometry = BoxGeometry{};  ///< no plane, container, height field or compound
   Pose pose{};
@@ -327,6 +336,7 @@ struct SurfaceDef {
   Vec3 belt_velocity{0, 0, 0};
 };
 
+/// A solid that does not move.
 struct ShapeDef {
   std::string name;
   Geometry geometry = PlaneGeometry{};
@@ -337,6 +347,7 @@ struct ShapeDef {
 
 // ---- fluid volumes ----
 
+/// A box.
 struct BoxRegion {
   /// m, before the pose; lower ≤ upper in every component; where they are equal it is empty
   Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};
@@ -353,6 +364,7 @@ struct MeshRegion {
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
 };
 
+/// A region that fluid can fill.
 using Region = std::variant<BoxRegion, BallRegion, MeshRegion>;
 
 /// How the particles of a volume are placed.
@@ -379,6 +391,7 @@ struct FluidVolumeDef {
 
 // ---- probes ----
 
+/// What a probe measures.
 enum class ProbeKind {
   point_pressure,  ///< Pa, kernel-weighted mean within a support radius of a point; 0 without fluid
   wall_pressure,   ///< Pa, wall_force on the patch over ProbeDef::area; contains friction, never < 0

@@ -9,6 +9,7 @@
 
 namespace meniscus {
 
+/// Why a call failed.
 enum class ErrorCode {
   invalid_argument,  ///< a value that the call does not allow
   not_found,         ///< an id or a name that does not exist
@@ -29,7 +30,7 @@ class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
 
-  ErrorCode code() const noexcept { return code_; }
+  ErrorCode code() const noexcept { return code_; }  ///< why the call failed
 
  private:
   ErrorCode code_;

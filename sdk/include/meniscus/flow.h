@@ -29,6 +29,7 @@ struct MeshOpening {
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
 };
 
+/// Where particles leave an emitter.
 using EmitterOpening = std::variant<DiscOpening, RectangleOpening, MeshOpening>;
 
 /// Makes particles in front of an opening, in layers that give the jet its rest density. Each particle is
@@ -64,6 +65,7 @@ struct HalfSpaceRegion {
   float offset = 0;      ///< m
 };
 
+/// Where a sink removes particles.
 using SinkRegion = std::variant<BoxRegion, BallRegion, HalfSpaceRegion>;
 
 /// Removes all particles of fluids and grains inside the region at the end of a step, or outside of it with

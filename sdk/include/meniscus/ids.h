@@ -17,16 +17,16 @@ struct Id {
   friend bool operator==(Id, Id) = default;
 };
 
-using FluidId = Id<struct FluidTag>;  ///< of a fluid or a granular material
-using ShapeId = Id<struct ShapeTag>;
-using BodyId = Id<struct BodyTag>;
-using JointId = Id<struct JointTag>;
-using ClothId = Id<struct ClothTag>;
-using RopeId = Id<struct RopeTag>;
-using AttachmentId = Id<struct AttachmentTag>;
-using EmitterId = Id<struct EmitterTag>;
-using SinkId = Id<struct SinkTag>;
-using ProbeId = Id<struct ProbeTag>;
+using FluidId = Id<struct FluidTag>;            ///< of a fluid or a granular material
+using ShapeId = Id<struct ShapeTag>;            ///< of a fixed solid
+using BodyId = Id<struct BodyTag>;              ///< of a rigid body
+using JointId = Id<struct JointTag>;            ///< of a joint
+using ClothId = Id<struct ClothTag>;            ///< of a piece of cloth
+using RopeId = Id<struct RopeTag>;              ///< of a rope or rod
+using AttachmentId = Id<struct AttachmentTag>;  ///< of an attachment
+using EmitterId = Id<struct EmitterTag>;        ///< of an emitter
+using SinkId = Id<struct SinkTag>;              ///< of a sink
+using ProbeId = Id<struct ProbeTag>;            ///< of a probe
 
 /// Particles are numbered from 0 in the order of their creation. A number is never used again.
 using ParticleId = uint64_t;

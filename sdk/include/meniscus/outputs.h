@@ -53,6 +53,7 @@ struct SurfaceMesh {
   std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise as seen from outside
 };
 
+/// What a diffuse particle is.
 enum class DiffuseKind : uint32_t { spray, foam, bubble };
 
 /// A particle of spray, foam or a bubble: see DiffuseDef.
@@ -67,6 +68,7 @@ struct DiffuseParticle {
 enum class Stage { predict, neighbours, contacts, solve, velocity, exchange, finish };
 inline constexpr std::size_t stage_count = 7;
 
+/// The name of a stage, as in "predict".
 const char* stage_name(Stage stage);
 
 /// What exceeded a fixed size in a step, summed over its substeps. The step goes on without the excess.
@@ -135,6 +137,7 @@ struct DeviceInfo {
   std::size_t memory_bytes = 0;
 };
 
+/// All devices of this machine, the CPU last.
 std::vector<DeviceInfo> list_devices();
 
 /// Memory of the arrays of a world on its device, by purpose.

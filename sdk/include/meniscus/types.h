@@ -9,6 +9,7 @@
 
 namespace meniscus {
 
+/// A point, a vector, or one number for each axis.
 struct Vec3 {
   float x, y, z;
 };

@@ -37,12 +37,12 @@ class SavedState;
 /// destructor throws Error(lost).
 class World {
  public:
-  explicit World(const WorldDef& def = {});
+  explicit World(const WorldDef& def = {});  ///< an empty world
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  const WorldDef& def() const;
+  const WorldDef& def() const;  ///< as it is now
   /// From the next step on. A running world can change gravity, substeps, iterations, cfl_number with its
   /// limits, and the solvers of density, solids and cloth. Throws Error(invalid_argument) and names the
   /// member if another one differs.
@@ -52,24 +52,24 @@ class World {
   float support_radius() const;           ///< h, m
   float particle_mass(FluidId id) const;  ///< kg
 
-  FluidId create_fluid(const FluidDef& def);
+  FluidId create_fluid(const FluidDef& def);  ///< adds no particles
   /// From the next step on. Throws Error(invalid_argument) unless the id is a fluid and the rest density is
   /// the same.
   void set_fluid(FluidId id, const FluidDef& def);
-  FluidId create_granular(const GranularDef& def);
+  FluidId create_granular(const GranularDef& def);  ///< adds no grains
   /// For a mesh, throws Error(io) and Error(mesh) if the file cannot be used, and Error(capacity) if
   /// MeshGeometry::max_error needs too fine a field.
   ShapeId create_shape(const ShapeDef& def);
-  void destroy_shape(ShapeId id);
+  void destroy_shape(ShapeId id);  ///< its id becomes invalid
   /// Throws Error(io) and Error(mesh) if its opening is a mesh with an unusable file.
   EmitterId create_emitter(const EmitterDef& def);
-  void destroy_emitter(EmitterId id);
-  FlowCount emitter_count(EmitterId id) const;
-  SinkId create_sink(const SinkDef& def);
-  void destroy_sink(SinkId id);
-  FlowCount sink_count(SinkId id) const;
-  ProbeId create_probe(const ProbeDef& def);
-  void destroy_probe(ProbeId id);
+  void destroy_emitter(EmitterId id);           ///< its particles stay
+  FlowCount emitter_count(EmitterId id) const;  ///< particles that it made
+  SinkId create_sink(const SinkDef& def);       ///< acts from the next step on
+  void destroy_sink(SinkId id);                 ///< its id becomes invalid
+  FlowCount sink_count(SinkId id) const;        ///< particles that it removed
+  ProbeId create_probe(const ProbeDef& def);    ///< measures from the next step on
+  void destroy_probe(ProbeId id);               ///< its id becomes invalid
   /// Throws Error(mesh) if the mesh of a dynamic body is not a closed, simple surface, and names the face.
   /// MeshGeometry::repair makes one of it.
   /// Also throws it if a moment of inertia is below a millionth of the largest. For meshes it throws as
@@ -78,18 +78,18 @@ class World {
   void destroy_body(BodyId id);  ///< and its joints, attachments, emitters and sinks
   /// Throws Error(not_found) if a body does not exist, and Error(invalid_argument) if both are the same.
   JointId create_joint(const JointDef& def);
-  void destroy_joint(JointId id);
+  void destroy_joint(JointId id);  ///< the bodies stay
 
   /// Throws Error(mesh) if the mesh is no surface, and names the triangle, edge or vertex. Also throws it if
   /// the piece is to hold gas but has a border. Throws Error(io) if a file cannot be read.
   ClothId create_cloth(const ClothDef& def);
-  void destroy_cloth(ClothId id);  ///< and its attachments
-  RopeId create_rope(const RopeDef& def);
-  void destroy_rope(RopeId id);  ///< and its attachments
+  void destroy_cloth(ClothId id);          ///< and its attachments
+  RopeId create_rope(const RopeDef& def);  ///< of a rope, or of a rod
+  void destroy_rope(RopeId id);            ///< and its attachments
   /// Throws Error(not_found) if a cloth, rope or body does not exist. Throws Error(invalid_argument) if no
   /// vertex is in the region or near enough to be sewn.
   AttachmentId create_attachment(const AttachmentDef& def);
-  void destroy_attachment(AttachmentId id);
+  void destroy_attachment(AttachmentId id);  ///< lets the vertices go
   /// From the next step on. Wind acts on cloth alone. By default the air is at rest and has 1.2 kg/m³.
   void set_wind(const WindDef& wind);
 
@@ -170,8 +170,8 @@ class World {
   // Bodies. Values that are set count from the next step on. Forces act for that step alone, or for the next
   // one if it fails. Impulses act at once. Points are in the world's frame. A call on a body of the wrong
   // motion throws Error(invalid_argument).
-  BodyState body_state(BodyId id) const;
-  BodyMass body_mass(BodyId id) const;
+  BodyState body_state(BodyId id) const;  ///< after the last step
+  BodyMass body_mass(BodyId id) const;    ///< of dynamic bodies
   /// Of shapes and bodies that were created so far, in that order.
   const std::vector<MeshRepair>& mesh_repairs() const;
   double hinge_angle(JointId id) const;  ///< rad, of b (or the world) about a, from the pose at creation
@@ -201,24 +201,25 @@ class World {
   std::span<const float> cloth_strains(ClothId id) const;  ///< largest principal strain of each triangle
   /// For each vertex: the fluid that it holds over FabricDef::absorbency, or 0 if that is 0.
   std::span<const float> cloth_wetness(ClothId id) const;
-  ClothState cloth_state(ClothId id) const;
-  const std::vector<TearEvent>& tear_events() const;
+  ClothState cloth_state(ClothId id) const;                ///< after the last step
+  const std::vector<TearEvent>& tear_events() const;       ///< of the last step
   std::span<const Vec3> rope_positions(RopeId id) const;   ///< m
   std::span<const Vec3> rope_velocities(RopeId id) const;  ///< m/s
   std::span<const Quat> rope_frames(RopeId id) const;  ///< one a segment of a rod, z along it; ropes: none
   /// N·s on each of these vertices, by number, at once. No number may repeat. A vertex that is attached to
   /// the world does not move.
   void apply_impulses(ClothId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses);
+  /// Likewise.
   void apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses);
   /// N, the force of the cloth or rope on the world or the body in the last step, summed over the vertices of
   /// the attachment. Seams read 0.
   Vec3 attachment_force(AttachmentId id) const;
-  std::vector<uint32_t> attachment_vertices(AttachmentId id) const;
+  std::vector<uint32_t> attachment_vertices(AttachmentId id) const;  ///< by number
 
   // Contacts and queries, as of the last step.
   std::vector<ParticleContact> particle_contacts() const;  ///< those with an impulse; none if the step failed
   std::vector<SolidContact> solid_contacts() const;        ///< at least one of each pair is a body
-  const std::vector<ContactEvent>& contact_events() const;
+  const std::vector<ContactEvent>& contact_events() const;  ///< of the last step
   /// The first solid or particle between `from` and `to`, or none. A particle is a ball with a radius of half
   /// a spacing. Cloth and ropes do not count. A ray that starts in a convex solid hits it there. A particle
   /// around the start does not count.
@@ -227,12 +228,12 @@ class World {
   /// It is `reach` if no solid is nearer. Cloth does not count.
   std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                      const CollisionFilter& filter = {}) const;
-  Overlaps overlap_ball(Vec3 centre, float radius) const;
-  Overlaps overlap_box(const Pose& pose, Vec3 half_extents) const;
+  Overlaps overlap_ball(Vec3 centre, float radius) const;           ///< m
+  Overlaps overlap_box(const Pose& pose, Vec3 half_extents) const;  ///< m
 
-  std::size_t particle_count() const;
+  std::size_t particle_count() const;  ///< of fluids and grains
   // Read-outs, one element a particle, in the order of the ids. Valid until the next non-const call.
-  std::span<const ParticleId> ids() const;
+  std::span<const ParticleId> ids() const;        ///< in ascending order
   std::span<const Vec3> positions() const;        ///< m
   std::span<const Vec3> velocities() const;       ///< m/s
   std::span<const uint32_t> fluids() const;       ///< FluidId::index
@@ -261,7 +262,7 @@ class World {
   /// Spray, foam and bubbles, in the order of their creation. None without WorldDef::diffuse.
   std::span<const DiffuseParticle> diffuse() const;
 
-  Diagnostics diagnostics() const;
+  Diagnostics diagnostics() const;      ///< measured from the present positions
   double probe(ProbeId id) const;       ///< of the last step; the kind has the unit. Of a vector, its length
   Vec3 probe_vector(ProbeId id) const;  ///< of a kind with vectors; 0 of the others
   /// The sum, modulo 2⁶⁴, of a hash of each particle, vertex and body: its number and the bits of position,

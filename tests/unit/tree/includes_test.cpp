@@ -66,6 +66,7 @@ const Edges folders{
     {"collision/grains", {"collision/contact"}},
 
     {"sdk/include/meniscus", {}},
+    {"sdk/include/meniscus/c", {}},
     {"sdk/fields", {}},
     {"sdk/engine", {}},
     {"sdk/world/check", {"sdk/fields"}},
@@ -79,6 +80,7 @@ const Edges folders{
      {"sdk/engine", "sdk/fields", "sdk/world/check", "sdk/world/cloth", "sdk/world/flow", "sdk/world/solids",
       "sdk/world/state"}},
     {"sdk/scene", {"sdk/fields", "sdk/world/check"}},
+    {"sdk/c", {"sdk/fields", "sdk/scene"}},
     {"sdk/io", {"sdk/scene", "sdk/world/solids"}},
     {"sdk/io/preview", {"sdk/io", "sdk/scene"}},
     {"sdk/validation", {"sdk/io"}},

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// For C: contacts, events and queries, as of the last step.
+#pragma once
+
+#include <meniscus/c/world.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// A particle that touches a body, a fixed shape or cloth.
+typedef struct MeniscusParticleContact {
+  uint64_t particle;
+  MeniscusId other;      ///< a body, shape or cloth
+  MeniscusVec3 point;    ///< m, on the surface
+  MeniscusVec3 normal;   ///< unit, out of the solid, or off the cloth
+  MeniscusVec3 impulse;  ///< N·s, on the particle
+} MeniscusParticleContact;
+
+/// Two solids that touch or are about to.
+typedef struct MeniscusSolidContact {
+  MeniscusId a;         ///< a body
+  MeniscusId b;         ///< a body or a shape
+  MeniscusVec3 point;   ///< m, on b
+  MeniscusVec3 normal;  ///< unit, from b to a
+  float distance;       ///< m, negative if they overlap
+  float impulse;        ///< N·s along the normal, in the last step of Bullet
+} MeniscusSolidContact;
+
+/// Two solids that began or ceased to touch in the last step.
+typedef struct MeniscusContactEvent {
+  MeniscusId a;   ///< a body
+  MeniscusId b;   ///< a body or a shape
+  int32_t began;  ///< 1 if they began to touch, and 0 if they ceased
+} MeniscusContactEvent;
+
+/// The first hit of a ray.
+typedef struct MeniscusRayHit {
+  uint32_t size;        ///< of this struct
+  int32_t is_hit;       ///< 0 if nothing was hit; the rest is then 0
+  MeniscusId solid;     ///< a body or a shape; of kind MENISCUS_NONE for a particle
+  uint64_t particle;    ///< if the ray hit a particle
+  MeniscusVec3 point;   ///< m
+  MeniscusVec3 normal;  ///< unit, against the ray
+  float distance;       ///< m along the ray
+} MeniscusRayHit;
+
+/// What a volume overlaps. Arrays are valid until the next overlap call.
+typedef struct MeniscusOverlaps {
+  uint32_t size;             ///< of this struct
+  const MeniscusId* solids;  ///< bodies, and then shapes
+  size_t solid_count;
+  const uint64_t* particles;  ///< those with their centres inside
+  size_t particle_count;
+} MeniscusOverlaps;
+
+/// Contacts of particles that have an impulse.
+MENISCUS_C_API MeniscusStatus meniscus_particle_contacts(MeniscusWorld* world,
+                                                         const MeniscusParticleContact** contacts,
+                                                         size_t* count);
+/// Contacts of solids. At least one of each pair is a body.
+MENISCUS_C_API MeniscusStatus meniscus_solid_contacts(MeniscusWorld* world,
+                                                      const MeniscusSolidContact** contacts, size_t* count);
+/// Pairs of solids that began or ceased to touch in the last step.
+MENISCUS_C_API MeniscusStatus meniscus_contact_events(MeniscusWorld* world,
+                                                      const MeniscusContactEvent** events, size_t* count);
+/// The first solid or particle between two points, m: World::cast_ray.
+MENISCUS_C_API MeniscusStatus meniscus_cast_ray(const MeniscusWorld* world, MeniscusVec3 from,
+                                                MeniscusVec3 to, MeniscusRayHit* hit);
+/// m, from each point to the surface of the nearest solid that the filter collides with, negative inside. It
+/// is `reach` if no solid is nearer. `filter` may be null: then all solids count. `distances` has room for
+/// `count` numbers.
+MENISCUS_C_API MeniscusStatus meniscus_solid_distances(const MeniscusWorld* world, const MeniscusVec3* points,
+                                                       size_t count, float reach,
+                                                       const MeniscusFilter* filter, float* distances);
+/// What a ball overlaps; m.
+MENISCUS_C_API MeniscusStatus meniscus_overlap_ball(MeniscusWorld* world, MeniscusVec3 centre, float radius,
+                                                    MeniscusOverlaps* overlaps);
+/// What a box overlaps; m.
+MENISCUS_C_API MeniscusStatus meniscus_overlap_box(MeniscusWorld* world, MeniscusPose pose,
+                                                   MeniscusVec3 half_extents, MeniscusOverlaps* overlaps);
+
+#ifdef __cplusplus
+}
+#endif
