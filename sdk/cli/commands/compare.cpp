@@ -16,6 +16,7 @@
 #include "pbd/math/vec.h"
 #include "sdk/cli/commands/exit_code.h"
 #include "sdk/cli/output/frame_exporter.h"
+#include "sdk/cli/record/json_text.h"
 #include "sdk/fields/world.h"
 #include "sdk/io/line_chart.h"
 #include "sdk/io/output_file.h"
@@ -173,20 +174,21 @@ int compare_solvers(const CompareOptions& options) {
   figures["device"] = {{"kind", device.kind}, {"name", device.name}};
   std::string table =
       fmt::format("# {} for {:.4g} s on {}\n\n{}", scene.name, options.seconds, device.name, header);
-  fmt::print("{}", table);
+  if (!options.json) fmt::print("{}", table);
   std::vector<Rival> rivals;
   for (const auto& solver : names_of(DensitySolver{})) {
     for (double error : errors) {
       rivals.push_back(result_of(scene, solver, error, options.seconds));
       table += row(rivals.back());
-      fmt::print("{}", row(rivals.back()));
+      if (!options.json) fmt::print("{}", row(rivals.back()));
       std::fflush(stdout);
       figures["results"].push_back(figures_of(rivals.back()));
     }
   }
   write_file(folder / "compare.md", table);
-  write_file(folder / "compare.json", figures.dump(2) + "\n");
+  write_file(folder / "compare.json", json_text(figures));
   write_file(folder / "compare.svg", chart_of(scene.name, errors, rivals));
+  if (options.json) print_json(figures);
   return success;
 }
 

@@ -16,6 +16,7 @@ struct CompareOptions {
   std::vector<double> errors{0.05, 0.1, 0.5, 1};  ///< %, means of max(C, 0)
   double seconds = 1;                             ///< of simulated time
   std::string out;                                ///< folder; empty: out/<scene name>
+  bool json = false;                              ///< prints what compare.json contains, instead of the table
 };
 
 /// Runs a scene of fluids and bodies with each density solver at each mean density error, and writes times

@@ -21,6 +21,7 @@ struct RunOptions {
   bool surface = false;  ///< also writes the surfaces of the fluids, in these formats
   PictureOptions picture;
   bool quiet = false;
+  bool json = false;  ///< prints what summary.json contains, and the folder
 };
 
 /// Runs a scene and writes its results; returns an exit code. Throws Error if nothing was run: for bad input,

@@ -86,9 +86,11 @@ const Edges folders{
     {"sdk/viewer", {"sdk/fields", "sdk/io", "sdk/render", "sdk/render/frame", "sdk/scene"}},
     {"sdk/cli/record", {"sdk/fields", "sdk/io", "sdk/scene"}},
     {"sdk/cli/output", {"sdk/cli/record", "sdk/io", "sdk/io/preview", "sdk/render", "sdk/scene"}},
+    {"sdk/cli/usage", {"sdk/scene"}},
     {"sdk/cli/commands",
-     {"sdk/cli/output", "sdk/cli/record", "sdk/fields", "sdk/io", "sdk/scene", "sdk/viewer"}},
-    {"sdk/cli", {"sdk/cli/commands", "sdk/io"}},
+     {"sdk/cli/output", "sdk/cli/record", "sdk/cli/usage", "sdk/fields", "sdk/io", "sdk/scene",
+      "sdk/viewer"}},
+    {"sdk/cli", {"sdk/cli/commands", "sdk/cli/usage", "sdk/io"}},
 };
 
 constexpr std::size_t most_files = 40;  ///< that a folder holds
