@@ -324,7 +324,7 @@ struct SurfaceDef {
 };
 
 struct ShapeDef {
-  std::string name;
+  std::string name{};
   Geometry geometry = PlaneGeometry{};
   Pose pose{};
   SurfaceDef surface{};
@@ -393,7 +393,7 @@ enum class ProbeKind {
 
 /// A measurement: the mean over the substeps of a step. Forces are averaged as vectors.
 struct ProbeDef {
-  std::string name;
+  std::string name{};
   ProbeKind kind = ProbeKind::point_pressure;
   Vec3 point{0, 0, 0};             ///< m; not of wall_pressure, wall_force, fluid_momentum and fluid_centre
   Vec3 normal{0, 1, 0};            ///< flow and level alone; of a length from 1e-6 to 1e18
