@@ -37,16 +37,30 @@ if(MENISCUS_SANITIZE)
   target_link_options(meniscus_flags INTERFACE -fsanitize=${MENISCUS_SANITIZE})
 endif()
 
-# meniscus_library(NAME SOURCES... [CUDA SOURCES...] [LINK TARGETS...]): CUDA sources count where CUDA is on.
+# meniscus_library(NAME [INTERNAL] SOURCES... [CUDA SOURCES...] [LINK TARGETS...]): CUDA sources count where CUDA is on.
+# The library is shared with BUILD_SHARED_LIBS. An INTERNAL one is never installed, and always static.
 function(meniscus_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;CUDA;LINK" ${ARGN})
-  add_library(${name} STATIC ${arg_SOURCES})
+  cmake_parse_arguments(arg "INTERNAL" "" "SOURCES;CUDA;LINK" ${ARGN})
+  set(kind)
+  set(cuda_runtime Static)
+  set(cudart CUDA::cudart_static)  # for those who link us without knowing of CUDA
+  if(arg_INTERNAL)
+    set(kind STATIC)
+  endif()
+  if(BUILD_SHARED_LIBS)
+    set(cuda_runtime Shared)  # one runtime for all the libraries: its errors are kept in it
+    set(cudart CUDA::cudart)
+  endif()
+  add_library(${name} ${kind} ${arg_SOURCES})
+  # No definition of the library's own, which would compile shared objects a second time under ccache.
+  set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
+    DEFINE_SYMBOL "" INSTALL_RPATH "$ORIGIN" CUDA_RUNTIME_LIBRARY ${cuda_runtime})
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE $<BUILD_INTERFACE:meniscus_flags>)
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   if(MENISCUS_CUDA)
     target_sources(${name} PRIVATE ${arg_CUDA})
-    target_link_libraries(${name} PRIVATE CUDA::cudart_static)  # for those who link us without knowing of CUDA
+    target_link_libraries(${name} PRIVATE ${cudart})
   endif()
 endfunction()

@@ -14,17 +14,21 @@
 #include <cstdio>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "sdk/cli/commands/check.h"
 #include "sdk/cli/commands/compare.h"
+#include "sdk/cli/commands/completion.h"
 #include "sdk/cli/commands/devices.h"
 #include "sdk/cli/commands/run.h"
+#include "sdk/cli/commands/samples.h"
 #include "sdk/cli/commands/schema.h"
 #include "sdk/cli/commands/validate.h"
 #include "sdk/cli/commands/view.h"
 #include "sdk/cli/reproduce/reproduce.h"
+#include "sdk/cli/usage/usage.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
@@ -58,6 +62,10 @@ void add_time_limit(CLI::App& app, double& minutes) {
   app.add_option("--time-limit", minutes, "End after this time, and write what there is; by default no limit")
       ->type_name("MINUTES")
       ->check(CLI::Range(0.0, 1e5).description(""));
+}
+
+CLI::Option* add_json(CLI::App& app, bool& json) {
+  return app.add_flag("--json", json, "Print the results as JSON, for other programs");
 }
 
 void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides) {
@@ -116,7 +124,8 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->type_name("N")
       ->check(CLI::Range(1, 100'000'000).description(""));
   run.add_option("--from", options.from, "Continue from a saved state of the same scene")->type_name("FILE");
-  run.add_flag("--quiet", options.quiet, "Print errors alone");
+  run.add_flag("--quiet", options.quiet, "Print errors alone, and with --json the results");
+  add_json(run, options.json);
   run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });
 }
 
@@ -137,6 +146,7 @@ void add_view(CLI::App& app, ViewOptions& options, Command& command) {
 void add_check(CLI::App& app, CheckOptions& options, Command& command) {
   CLI::App& check = *app.add_subcommand("check", "Read a scene, build it on the CPU and say what is in it");
   add_scene(check, options.scene, options.overrides);
+  add_json(check, options.json);
   check.callback([&options, &command] { command = [&options] { return check_scene(options); }; });
 }
 
@@ -163,6 +173,7 @@ void add_compare(CLI::App& app, CompareOptions& options, Command& command) {
       ->check(CLI::Range(1e-6, 1e6).description(""));
   compare.add_option("--out", options.out, "The folder for the results; by default out/<scene name>")
       ->type_name("DIR");
+  add_json(compare, options.json);
   compare.callback([&options, &command] { command = [&options] { return compare_solvers(options); }; });
 }
 
@@ -233,7 +244,7 @@ void add_reproduce(CLI::App& app, ReproduceOptions& options, Command& command) {
   reproduce.callback([&options, &command] { command = [&options] { return reproduce_paper(options); }; });
 }
 
-void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
+void add_devices(CLI::App& app, SceneChoice& choice, bool& json, Command& command) {
   CLI::App& devices = *app.add_subcommand(
       "devices", "List the devices, and which one auto takes; or what memory a scene takes there");
   CLI::Option* memory =
@@ -241,11 +252,38 @@ void add_devices(CLI::App& app, SceneChoice& choice, Command& command) {
           ->type_name("SCENE");
   add_overrides(devices, choice.overrides)->needs(memory);
   add_device(devices, choice.device)->needs(memory);
-  devices.callback([&choice, &command, memory] {
-    command = [&choice, of_scene = memory->count() > 0] {
-      return of_scene ? show_memory(choice) : show_devices();
+  add_json(devices, json);
+  devices.callback([&choice, &json, &command, memory] {
+    command = [&choice, &json, of_scene = memory->count() > 0] {
+      return of_scene ? show_memory(choice, json) : show_devices(json);
     };
   });
+}
+
+void add_samples(CLI::App& app, bool& json, Command& command) {
+  CLI::App& samples = *app.add_subcommand("samples", "List the samples by name; as JSON, what they are, too");
+  add_json(samples, json);
+  samples.callback([&json, &command] { command = [&json] { return list_samples(json); }; });
+}
+
+void add_completion(CLI::App& app, std::string& shell, Command& command) {
+  CLI::App& completion =
+      *app.add_subcommand("completion", "Print the script by which a shell completes the command line");
+  completion.add_option("shell", shell, "The shell")
+      ->required()
+      ->type_name("bash|zsh|fish")
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}).description(""));
+  completion.callback(
+      [&app, &shell, &command] { command = [&] { return print_completion(usage_of(app), shell); }; });
+}
+
+/// The message about the first word that was not understood, if there is one. It goes before all other
+/// mistakes, which often follow from it.
+std::optional<std::string> unknown_word(const CLI::App& app, const Usage& usage) {
+  const std::vector<std::string> words = app.remaining(true);
+  if (words.empty()) return std::nullopt;
+  const std::vector<CLI::App*> verbs = app.get_subcommands();
+  return unknown_argument(usage, verbs.empty() ? "" : verbs.front()->get_name(), words.front());
 }
 
 /// Writes messages as plain text: names and paths in them come from files.
@@ -307,6 +345,8 @@ int parse_and_run(int argc, char** argv) try {
   ValidateOptions validate;
   ReproduceOptions reproduce;
   SceneChoice budget;
+  bool json = false;
+  std::string shell;
   Command command;
   CLI::App app("Position-based liquid, cloth and rigid bodies on the GPU and on the CPU", "meniscus");
   app.set_version_flag("--version", "meniscus " MENISCUS_VERSION_STRING);
@@ -317,17 +357,23 @@ int parse_and_run(int argc, char** argv) try {
   add_compare(app, compare, command);
   add_validate(app, validate, command);
   add_reproduce(app, reproduce, command);
-  add_devices(app, budget, command);
+  add_devices(app, budget, json, command);
+  add_samples(app, json, command);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([&] {
     command = print_schema;
   });
+  add_completion(app, shell, command);
+  const Usage usage = usage_of(app);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = verb_first(usage, {argv + std::min(argc, 1), argv + argc});
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(words);
     return command ? command() : report("a command is required (meniscus --help lists them)", bad_input);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::Error& error) {
-    return report(std::string(error.what()) + " (meniscus --help tells more)", bad_input);
+    return report(unknown_word(app, usage).value_or(error.what()) + " (meniscus --help tells more)",
+                  bad_input);
   }
 } catch (const Error& error) {
   return report(error.what(), exit_code_of(error.code()));

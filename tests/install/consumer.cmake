@@ -20,7 +20,12 @@ function(build_and_run_consumer folder)
   run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${folder} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
     -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${flags} ${ARGN})
   run(${CMAKE_COMMAND} --build ${folder} --parallel 2)
-  run(${folder}/consumer)
+  run_consumer(${folder}/consumer)
+endfunction()
+
+# run_consumer(PROGRAM)
+function(run_consumer program)
+  run(${program})
   if(NOT output MATCHES "3000 particles on .*: after 2.0 s the front is at x = (-?[0-9.]+) m" OR CMAKE_MATCH_1 LESS 1)
     message(FATAL_ERROR "the consumer printed:\n${output}")
   endif()

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: MIT
 #
-# Installs the build, uses it from a project of its own, and runs the installed program on an installed sample.
+# Installs the build, uses it from a project of its own and by pkg-config, and runs the installed program on an installed
+# sample.
 include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
 
 set(prefix ${FOLDER}/prefix)
@@ -15,7 +16,55 @@ foreach(header ${headers})
   endif()
 endforeach()
 
-build_and_run_consumer(${FOLDER}/package -DCMAKE_PREFIX_PATH=${prefix})
+build_and_run_consumer(${FOLDER}/package -DCMAKE_PREFIX_PATH=${prefix} -DCOMPONENTS=Program)
+
+# A component that is not there, and a package that is not: the message names both.
+function(expect_refusal text)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${CONSUMER} -B ${FOLDER}/refused -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix} ${ARGN}
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE message)
+  string(REGEX REPLACE "[ \n]+" " " message "${message}")
+  string(FIND "${message}" "${text}" at)
+  if(status EQUAL 0 OR at EQUAL -1)
+    message(FATAL_ERROR "expected '${text}', but configuring said:\n${message}")
+  endif()
+  file(REMOVE_RECURSE ${FOLDER}/refused)
+endfunction()
+expect_refusal("Meniscus has no component Holograms" -DCOMPONENTS=Holograms)
+expect_refusal("Meniscus needs assimp. On Debian and Ubuntu: apt-get install libassimp-dev zlib1g-dev"
+  -DCMAKE_DISABLE_FIND_PACKAGE_assimp=ON)
+
+if(PKG_CONFIG AND NOT SANITIZE)  # NOTFOUND is false
+  file(GLOB_RECURSE pc ${prefix}/meniscus.pc)
+  cmake_path(GET pc PARENT_PATH pc_folder)
+  set(ENV{PKG_CONFIG_PATH} ${pc_folder}:$ENV{PKG_CONFIG_PATH})
+  run(${PKG_CONFIG} --cflags --libs meniscus)
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  cmake_path(GET pc_folder PARENT_PATH libraries)
+  run(${CXX} -std=c++20 ${CONSUMER}/main.cpp ${flags} -Wl,-rpath,${libraries} -o ${FOLDER}/with_pkg_config)
+  run_consumer(${FOLDER}/with_pkg_config)
+  file(REMOVE ${FOLDER}/with_pkg_config)
+endif()
+
+# The completions are those of the program, where shells look for them.
+foreach(shell IN ITEMS bash zsh fish)
+  file(GLOB_RECURSE found ${prefix}/share/bash-completion/*meniscus ${prefix}/share/zsh/*_meniscus
+    ${prefix}/share/fish/*meniscus.fish)
+  list(FILTER found INCLUDE REGEX "/share/${shell}")
+  execute_process(COMMAND ${prefix}/bin/meniscus completion ${shell} OUTPUT_VARIABLE printed)
+  file(READ "${found}" installed)
+  if(NOT installed STREQUAL printed)
+    message(FATAL_ERROR "the completion of ${shell} is not that of the program")
+  endif()
+endforeach()
+
+# The port for vcpkg is of this version.
+file(READ ${SOURCE}/cmake/packaging/vcpkg/ports/meniscus/vcpkg.json port)
+string(JSON port_version GET "${port}" version)
+run(${prefix}/bin/meniscus --version)
+if(NOT output MATCHES "meniscus ${port_version}\n")
+  message(FATAL_ERROR "vcpkg.json is of version ${port_version}, but the program prints ${output}")
+endif()
 
 # The first programs. With sanitizers the C library needs theirs in the program, which is no user's case.
 if(C_LIBRARY AND NOT SANITIZE)

@@ -12,6 +12,7 @@ namespace meniscus::cli {
 struct CheckOptions {
   std::string scene;  ///< a file or the name of a sample
   std::vector<std::string> overrides;
+  bool json = false;  ///< prints JSON
 };
 
 /// Reads a scene, builds its world on the CPU, and prints its contents. Throws Error if the scene is not

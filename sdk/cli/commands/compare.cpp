@@ -14,6 +14,7 @@
 #include "sdk/cli/commands/exit_code.h"
 #include "sdk/cli/evidence/rivals.h"
 #include "sdk/cli/output/frame_exporter.h"
+#include "sdk/cli/record/json_text.h"
 #include "sdk/fields/names.h"
 #include "sdk/fields/world.h"
 #include "sdk/io/report.h"
@@ -111,6 +112,7 @@ class Comparison {
       add("\n" + budget_.reason() + "\n");
     }
     write();
+    if (options_.json) print_json(figures_);
   }
 
   bool interrupted() const { return budget_.interrupted(); }
@@ -144,13 +146,13 @@ class Comparison {
 
   void add(const std::string& text) {
     page_ += text;
-    fmt::print("{}", text);
+    if (!options_.json) fmt::print("{}", text);
     std::fflush(stdout);
   }
 
   void write() const {
     io::write_text(folder_ / "compare.md", page_);
-    io::write_text(folder_ / "compare.json", figures_.dump(2) + "\n");
+    io::write_text(folder_ / "compare.json", json_text(figures_));
     io::write_text(folder_ / "compare.svg", chart_of(scene_.name, errors_, rivals_));
   }
 

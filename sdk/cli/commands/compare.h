@@ -19,6 +19,7 @@ struct CompareOptions {
   bool stability = true;                          ///< search for the largest stable steps
   double minutes = 0;                             ///< limit on the wall clock; 0: none
   std::string out;                                ///< folder; empty: out/<scene name>
+  bool json = false;                              ///< prints what compare.json contains, instead of the table
 };
 
 /// Runs a scene of fluids and bodies with each density solver at each mean density error, and searches for

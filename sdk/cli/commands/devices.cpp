@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "sdk/cli/commands/exit_code.h"
+#include "sdk/cli/record/json_text.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
@@ -57,10 +58,34 @@ void print_shares(const std::vector<MemoryShare>& shares, std::size_t elements) 
   row("all", all);
 }
 
+nlohmann::ordered_json json_of(const std::vector<DeviceInfo>& devices) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const DeviceInfo& device : devices) {
+    list.push_back({{"kind", device.kind},
+                    {"name", device.name},
+                    {"usable", device.usable},
+                    {"reason", device.reason},
+                    {"memory_bytes", device.memory_bytes}});
+  }
+  const bool cuda =
+      std::any_of(devices.begin(), devices.end(), [](const auto& d) { return d.kind == "cuda" && d.usable; });
+  return {{"devices", list}, {"auto", cuda ? "cuda" : "cpu"}, {"reason", choice_text(devices)}};
+}
+
+nlohmann::ordered_json json_of(const std::vector<MemoryShare>& shares) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const MemoryShare& share : shares) list.push_back({{"what", share.what}, {"bytes", share.bytes}});
+  return list;
+}
+
 }  // namespace
 
-int show_devices() {
+int show_devices(bool json) {
   const std::vector<DeviceInfo> devices = list_devices();
+  if (json) {
+    print_json(json_of(devices));
+    return success;
+  }
   std::size_t width = 4;
   for (const DeviceInfo& device : devices) width = std::max(width, device.name.size());
   const auto row = [&](const std::string& kind, const std::string& name, const std::string& usable,
@@ -76,12 +101,21 @@ int show_devices() {
   return success;
 }
 
-int show_memory(const SceneChoice& choice) {
+int show_memory(const SceneChoice& choice, bool json) {
   Scene scene = chosen_scene(choice);
   scene.relax_iterations = 0;
   const BuiltScene built = build_scene(scene);
   const DeviceInfo device = built.world.device();
   const std::size_t particles = built.world.particle_count(), vertices = vertices_of(built);
+  if (json) {
+    print_json({{"scene", scene.name},
+                {"device", {{"kind", device.kind}, {"name", device.name}}},
+                {"particles", particles},
+                {"vertices", vertices},
+                {"bytes", built.world.device_bytes()},
+                {"shares", json_of(built.world.memory_shares())}});
+    return success;
+  }
   fmt::print("{} on {} ({}): {} particles, {} vertices of cloth and ropes\n", io::plain_text(scene.name),
              device.kind, device.name, particles, vertices);
   print_shares(built.world.memory_shares(), particles + vertices);

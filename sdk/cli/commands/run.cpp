@@ -19,6 +19,7 @@
 #include "sdk/cli/output/frame_exporter.h"
 #include "sdk/cli/output/frame_pictures.h"
 #include "sdk/cli/output/old_results.h"
+#include "sdk/cli/record/json_text.h"
 #include "sdk/cli/record/run_recorder.h"
 #include "sdk/cli/record/run_summary.h"
 #include "sdk/cli/record/scene_checks.h"
@@ -86,17 +87,17 @@ class Run {
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
     try {
+      write(first_);
       for (int frame = reached_ + 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
         recorder_.add(now);
-        if (surface_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
-        exporter_.write(now);
+        write(now);
         pictures_.add(built_.world, now);
         if (save_every_ && frame % *save_every_ == 0)
           built_.world.save(snapshot_path(folder_, frame).string());
-        const bool fluid = now.diagnostics.particles > 0;
-        progress.show(frame, now.step.ms,
-                      fluid ? std::optional(now.diagnostics.density_error_mean) : std::nullopt);
+        progress.show(
+            frame, now.step.ms,
+            scene_.fluids.empty() ? std::nullopt : std::optional(now.diagnostics.density_error_mean));
       }
     } catch (const Error& error) {
       if (error.code() != ErrorCode::cancelled) end_.error = error.what();
@@ -119,6 +120,12 @@ class Run {
   std::vector<std::string> pictures() const { return pictures_.files(); }
 
  private:
+  /// The geometry of a frame; that of frame 0 is the state before the first step.
+  void write(FrameSample& now) {
+    if (surface_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
+    exporter_.write(now);
+  }
+
   FrameSample sample(int frame, const StepReport& step) const {
     const World& world = built_.world;
     FrameSample now{.frame = frame,
@@ -215,6 +222,18 @@ class Run {
   RunEnd end_;
 };
 
+void print_results(const nlohmann::ordered_json& figures, const Run& run, const RunOptions& options) {
+  if (options.json) {
+    nlohmann::ordered_json results = figures;
+    results["folder"] = run.folder().string();
+    print_json(results);
+  } else if (!options.quiet) {
+    fmt::print("{}", io::plain_text(
+                         run_summary(figures, run.folder(), options.formats, run.pictures(), options.surface),
+                         "\n"));
+  }
+}
+
 /// Reports the checks that failed; returns whether any did.
 bool report_broken(const nlohmann::ordered_json& figures) {
   bool any = false;
@@ -237,10 +256,7 @@ int run_scene(const RunOptions& options) {
   bool broken = false;
   try {
     const nlohmann::ordered_json figures = run.write_results();
-    if (!options.quiet)
-      fmt::print("{}", io::plain_text(run_summary(figures, run.folder(), options.formats, run.pictures(),
-                                                  options.surface),
-                                      "\n"));
+    print_results(figures, run, options);
     broken = report_broken(figures);
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());

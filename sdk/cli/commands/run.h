@@ -23,6 +23,7 @@ struct RunOptions {
   std::optional<int> save_every;  ///< frames from one snapshot to the next
   std::string from;               ///< a snapshot to continue from; empty: the start
   bool quiet = false;
+  bool json = false;  ///< prints what summary.json contains, and the folder
 };
 
 /// Runs a scene and writes its results; returns an exit code. Throws Error if nothing was run: for bad input,

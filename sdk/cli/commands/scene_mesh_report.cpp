@@ -5,15 +5,16 @@
 #include "sdk/cli/commands/scene_mesh_report.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "collision/mesh/inspect.h"
 #include "pbd/math/vec.h"
+#include "sdk/cli/record/json_text.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
@@ -60,40 +61,64 @@ std::vector<MeshFile> files_of(const Scene& scene) {
   return std::move(found.files);
 }
 
-void warn_of_size(const std::string& file, float longest, float spacing) {
-  if (longest < tiny * spacing) {
-    spdlog::warn(
-        "mesh {} is tiny: its longest side, {:.3g} m, is {:.2g} particle spacings; is its scale right?", file,
-        longest, longest / spacing);
-  } else if (longest > huge * spacing) {
-    spdlog::warn(
-        "mesh {} is huge: its longest side, {:.3g} m, is {:.2g} particle spacings; is its scale right?", file,
-        longest, longest / spacing);
-  }
+/// Null where the size is usual.
+nlohmann::ordered_json size_warning(const std::string& file, float longest, float spacing) {
+  if (longest >= tiny * spacing && longest <= huge * spacing) return nullptr;
+  return fmt::format(
+      "mesh {} is {}: its longest side, {:.3g} m, is {:.2g} particle spacings; is its scale right?", file,
+      longest < tiny * spacing ? "tiny" : "huge", longest, longest / spacing);
+}
+
+nlohmann::ordered_json json_of(Vec3 v) {
+  return {without_noise(v.x), without_noise(v.y), without_noise(v.z)};
+}
+
+nlohmann::ordered_json report_of(const MeshFile& of, float spacing) {
+  const collision::MeshReport mesh = collision::inspect_mesh(of.file, of.scale);
+  const std::string file = io::plain_text(of.file);
+  const Vec3 size = mesh.box.upper - mesh.box.lower;
+  const float longest = max_component(size);
+  return {{"file", file},
+          {"size_m", json_of(size)},
+          {"lower_m", json_of(mesh.box.lower)},
+          {"volume_m3", without_noise(mesh.volume)},
+          {"unit_guess", collision::unit_guess(longest / of.scale)},
+          {"scale", without_noise(of.scale)},
+          {"triangles", mesh.triangles},
+          {"dropped", mesh.dropped},
+          {"welded", mesh.welded},
+          {"holes", mesh.holes},
+          {"open_edges", mesh.open_edges},
+          {"odd_edges", mesh.odd_edges},
+          {"crossings", mesh.crossings},
+          {"warning", size_warning(file, longest, spacing)}};
 }
 
 }  // namespace
 
-void print_meshes(const Scene& scene) {
-  for (const auto& [path, scale] : files_of(scene)) {
-    const collision::MeshReport mesh = collision::inspect_mesh(path, scale);
-    const std::string file = io::plain_text(path);
-    const Vec3 size = mesh.box.upper - mesh.box.lower;
-    const float longest = max_component(size);
-    fmt::print("  mesh {}\n", file);
-    fmt::print(
-        "    {:.4g} × {:.4g} × {:.4g} m from ({:.4g}, {:.4g}, {:.4g}), volume {:.4g} m³, unit guess {}, "
-        "scale "
-        "{:.4g}\n",
-        size.x, size.y, size.z, mesh.box.lower.x, mesh.box.lower.y, mesh.box.lower.z, mesh.volume,
-        collision::unit_guess(longest / scale), scale);
-    fmt::print(
-        "    triangles {}, dropped {}, vertices welded {}, holes {} of {} open edges, odd edges {}, "
-        "crossings {}\n",
-        mesh.triangles, mesh.dropped, mesh.welded, mesh.holes, mesh.open_edges, mesh.odd_edges,
-        mesh.crossings);
-    warn_of_size(file, longest, scene.world.particle_spacing);
-  }
+nlohmann::ordered_json mesh_reports(const Scene& scene) {
+  nlohmann::ordered_json reports = nlohmann::ordered_json::array();
+  for (const MeshFile& file : files_of(scene))
+    reports.push_back(report_of(file, scene.world.particle_spacing));
+  return reports;
+}
+
+std::string mesh_text(const nlohmann::ordered_json& report) {
+  const auto number = [&](const char* key) { return report.at(key).get<double>(); };
+  const auto count = [&](const char* key) { return report.at(key).get<std::size_t>(); };
+  const auto size = report.at("size_m").get<std::array<double, 3>>();
+  const auto lower = report.at("lower_m").get<std::array<double, 3>>();
+  return fmt::format("  mesh {}\n", report.at("file").get<std::string>()) +
+         fmt::format(
+             "    {:.4g} × {:.4g} × {:.4g} m from ({:.4g}, {:.4g}, {:.4g}), volume {:.4g} m³, "
+             "unit guess {}, scale {:.4g}\n",
+             size[0], size[1], size[2], lower[0], lower[1], lower[2], number("volume_m3"),
+             report.at("unit_guess").get<std::string>(), number("scale")) +
+         fmt::format(
+             "    triangles {}, dropped {}, vertices welded {}, holes {} of {} open edges, "
+             "odd edges {}, crossings {}\n",
+             count("triangles"), count("dropped"), count("welded"), count("holes"), count("open_edges"),
+             count("odd_edges"), count("crossings"));
 }
 
 }  // namespace meniscus::cli

@@ -6,10 +6,16 @@
 
 #include <meniscus/scene.h>
 
+#include <string>
+#include <vector>
+
 namespace meniscus::cli {
 
-/// Warns of what a scene probably does not intend: a volume without particles, nothing that can move, and
-/// what World::warnings() finds. Says which meshes were repaired, and how well.
+/// What a scene probably does not intend: a volume without particles, nothing that can move, and what
+/// World::warnings() finds. Also which meshes were repaired, and how well.
+std::vector<std::string> oddities_of(const BuiltScene& built);
+
+/// Logs them as warnings.
 void warn_of_oddities(const BuiltScene& built);
 
 }  // namespace meniscus::cli

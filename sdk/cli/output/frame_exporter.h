@@ -16,7 +16,8 @@
 
 namespace meniscus::cli {
 
-/// Writes each frame's particles as FOLDER/frames/frame_00001.ply, .vtp or .obj. Beside it are, if the scene
+/// Writes each frame's particles as FOLDER/frames/frame_00001.ply, .vtp or .obj. Frame 0 is the state before
+/// the first step. Beside it are, if the scene
 /// has any: spray, foam and bubbles as diffuse_00001, bodies as bodies_00001, cloth as cloth_00001, and ropes
 /// as ropes_00001. A scene with cloth or ropes but no fluid has no particles to write. On request, the
 /// surface of its fluids is surface_00001. With vtp, FOLDER/particles.pvd, diffuse.pvd, bodies.pvd,

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "sdk/cli/record/diffuse_record.h"
+
 namespace meniscus::cli {
 namespace {
 
@@ -18,7 +20,7 @@ std::string header_of(const std::vector<std::string>& probe_columns) {
   header +=
       ",ms_step,particles,density_error_mean_percent,density_error_max_percent,kinetic_j,potential_j,"
       "contacts,"
-      "max_speed,non_finite,outside,substeps,removed,emitted";
+      "max_speed,non_finite,outside,substeps,removed,emitted,spray,foam,bubbles";
   for (const std::string& name : probe_columns) header += ',' + csv_field(name);
   return header;
 }
@@ -36,6 +38,8 @@ void FrameTable::add(const FrameSample& sample) {
                      d.particles, 100 * d.density_error_mean, 100 * std::max(d.density_error_max, 0.0),
                      d.kinetic_energy, d.potential_energy, d.contacts, d.max_speed, d.non_finite, d.outside,
                      sample.step.substeps, sample.step.removed, sample.step.emitted);
+  const DiffuseCounts diffuse = counts_of(sample.diffuse);
+  row += fmt::format(",{},{},{}", diffuse.spray, diffuse.foam, diffuse.bubbles);
   for (std::size_t i = 0; i < sample.probes.size(); ++i) {
     row += fmt::format(",{:.9g}", sample.probes[i]);
     if (!sample.probe_vectors[i]) continue;

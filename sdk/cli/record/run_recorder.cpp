@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sdk/cli/record/json_text.h"
 #include "sdk/fields/probes.h"
 #include "sdk/fields/world.h"
 #include "sdk/io/line_chart.h"
@@ -62,11 +63,6 @@ void add(Overflows& sum, const Overflows& step) {
   sum.emitter_hold += step.emitter_hold;
 }
 
-/// 0.016 rather than 0.01600000076: a float has seven digits.
-double without_noise(double value) {
-  return std::stod(fmt::format("{:.7g}", value));
-}
-
 }  // namespace
 
 // The histogram resolves a thousandth of a percent, up to a density twice that at rest.
@@ -75,6 +71,7 @@ RunRecorder::RunRecorder(std::filesystem::path folder, const Scene& scene)
       scene_(scene),
       table_(folder_ / "frames.csv", probe_columns(scene)),
       cloth_(folder_, scene),
+      diffuse_(scene),
       energy_(scene),
       checks_(scene),
       density_error_(1e-5, 100'000),
@@ -119,6 +116,7 @@ void RunRecorder::add(const FrameSample& sample) {
   wall_overflows_ = std::max(wall_overflows_, diagnostics_.wall_overflows);
   cli::add(overflows_, step_.overflows);
   cloth_.add(sample);
+  diffuse_.add(sample);
   energy_.add(sample);
   checks_.add(sample, energy_.ratio());
   table_.add(sample);
@@ -128,11 +126,12 @@ void RunRecorder::add(const FrameSample& sample) {
 nlohmann::ordered_json RunRecorder::finish(const RunEnd& end) {
   nlohmann::ordered_json figures = summary(end);
   io::OutputFile file(folder_ / "summary.json");
-  // File names need not be UTF-8; JSON must be.
-  file.write(figures.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+  file.write(json_text(figures));
   file.commit();
-  io::write_density_svg(folder_ / "density.svg",
-                        {scene_.name + ": density error", time_, density_mean_, density_max_});
+  if (!scene_.fluids.empty()) {
+    io::write_density_svg(folder_ / "density.svg",
+                          {scene_.name + ": density error", time_, density_mean_, density_max_});
+  }
   return figures;
 }
 
@@ -158,6 +157,7 @@ nlohmann::ordered_json RunRecorder::summary(const RunEnd& end) const {
           {"overflows", overflows()},
           {"removed", removed_},
           {"emitted", emitted_},
+          {"diffuse", diffuse_.summary()},
           {"contacts", diagnostics_.contacts},
           {"device_bytes", end.device_bytes},
           {"emitters", by_name(scene_.emitters, emitted_by_)},
@@ -181,7 +181,9 @@ nlohmann::ordered_json RunRecorder::times() const {
   return {{"median", percentile(step_ms_, 0.5)}, {"p90", percentile(step_ms_, 0.9)}, {"stages", stages}};
 }
 
+/// Null without a fluid.
 nlohmann::ordered_json RunRecorder::density() const {
+  if (scene_.fluids.empty()) return nullptr;
   const double values = std::max<double>(1, static_cast<double>(density_error_.total()));
   const double frames = std::max<double>(1, static_cast<double>(time_.size()));
   return {{"unit", "percent"},

@@ -12,6 +12,7 @@
 
 #include "sdk/cli/record/body_table.h"
 #include "sdk/cli/record/cloth_record.h"
+#include "sdk/cli/record/diffuse_record.h"
 #include "sdk/cli/record/energy_history.h"
 #include "sdk/cli/record/frame_table.h"
 #include "sdk/cli/record/histogram.h"
@@ -28,7 +29,8 @@ struct RunEnd {
 };
 
 /// Records the figures of a run. It writes frames.csv during the run, and bodies.csv, cloths.csv and
-/// attachments.csv if the scene has any. It writes summary.json and density.svg at the end.
+/// attachments.csv if the scene has any. It writes summary.json at the end, and density.svg if the scene has
+/// a fluid.
 class RunRecorder {
  public:
   /// `scene` must outlive the recorder. Throws Error(io) if the folder cannot be written to, and what
@@ -55,6 +57,7 @@ class RunRecorder {
   FrameTable table_;
   std::optional<BodyTable> body_table_;
   ClothRecord cloth_;
+  DiffuseRecord diffuse_;
   EnergyHistory energy_;
   SceneChecks checks_;
   Histogram density_error_;

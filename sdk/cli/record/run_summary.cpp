@@ -73,6 +73,15 @@ std::string flow_line(const json& figures) {
                      count(figures, "removed"));
 }
 
+std::string diffuse_line(const json& diffuse) {
+  std::string text =
+      fmt::format("{} of spray, {} of foam, {} bubbles at the end; {} at most", count(diffuse, "spray"),
+                  count(diffuse, "foam"), count(diffuse, "bubbles"), count(diffuse, "most"));
+  if (const uint64_t refused = count(diffuse, "refused"); refused > 0)
+    text += fmt::format("; {} found no room", refused);
+  return text;
+}
+
 std::string trouble_line(const json& figures) {
   return fmt::format("{} outside, {} not finite", count(figures, "outside"), count(figures, "non_finite"));
 }
@@ -126,7 +135,8 @@ std::string range_text(const json& low, const json& high, const std::string& uni
 /// The files of one kind of object, if there are any.
 std::string file_list(const std::vector<std::string>& formats, const json& figures,
                       const std::vector<std::string>& pictures, bool surfaces) {
-  std::string text = "summary.json, frames.csv, density.svg, preview.png";
+  std::string text = "summary.json, frames.csv, preview.png";
+  if (!figures.at("density_error").is_null()) text += ", density.svg";
   const auto add_for = [&](const char* kind, const char* file) {
     if (!figures.at(kind).empty()) text += std::string(", ") + file;
   };
@@ -166,8 +176,7 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   text += line("particles", fmt::format("{}, in {:.1f} MiB on the device", count(figures, "particles"),
                                         number(figures, "device_bytes") / (1 << 20)));
   text += line("time a step", time_line(figures.at("ms_per_step")));
-  const bool any_cloth = !figures.at("cloths").empty() || !figures.at("ropes").empty();
-  if (count(figures, "particles") > 0 || !any_cloth)
+  if (!figures.at("density_error").is_null())
     text += line("density error", density_line(figures.at("density_error")));
   if (!figures.at("energy").is_null()) text += line("energy", energy_line(figures.at("energy")));
   text += line("lost", trouble_line(figures));
@@ -175,6 +184,7 @@ std::string run_summary(const json& figures, const std::filesystem::path& folder
   if (!overflows.empty()) text += line("overflows", overflows);
   if (!figures.at("emitters").empty() || !figures.at("sinks").empty())
     text += line("flow", flow_line(figures));
+  if (!figures.at("diffuse").is_null()) text += line("diffuse", diffuse_line(figures.at("diffuse")));
   for (const auto& [name, value] : figures.at("probes").items()) {
     text += line("probe", fmt::format("{}: {:.6g}", name, value.get<double>()));
   }

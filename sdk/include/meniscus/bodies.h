@@ -27,7 +27,7 @@ struct Keyframe {
 /// kg·m² do not hold. A body rotates by at most 45° in one step of Bullet, whatever its angular velocity.
 /// Further than 10 km from WorldDef::origin, bodies collide with planes alone.
 struct BodyDef {
-  std::string name;
+  std::string name{};
   BodyMotion motion = BodyMotion::dynamic;
   Geometry geometry = BoxGeometry{};  ///< no plane or height field; a container for kinematic bodies alone
   Pose pose{};                        ///< of the geometry's frame
@@ -85,7 +85,7 @@ using JointKind = std::variant<FixedJoint, HingeJoint, SliderJoint, BallJoint, S
 
 /// A joint between a body and another one, or the world.
 struct JointDef {
-  std::string name;
+  std::string name{};
   BodyId a;
   std::optional<BodyId> b{};  ///< another body; none: the world
   Pose frame{};               ///< of the joint, in the world, at creation

@@ -115,7 +115,7 @@ struct InflationDef {
 /// Cloth that starts inside a solid is pushed out by half its thickness per 0.02 s and gains no
 /// further speed.
 struct ClothDef {
-  std::string name;
+  std::string name{};
   ClothGeometry geometry = SheetGeometry{};
   Pose pose{};             ///< of the geometry's frame
   Vec3 stretch{1, 1, 1};   ///< scales the geometry at creation; the rest shape is unscaled
@@ -137,7 +137,7 @@ struct ClothDef {
 /// A row of straight segments with a radius. A rod bends and twists, and each of its segments has a frame
 /// (Kugelstadt & Schömer 2016). A rope has a length alone.
 struct RopeDef {
-  std::string name;
+  std::string name{};
   std::vector<Vec3> points;  ///< m, in the frame of `pose`: vertices at rest, or corners with `segments`
   int segments = 0;          ///< if > 0, the path along the points is divided into so many; at most a million
   Pose pose{};
@@ -161,7 +161,7 @@ struct RopeDef {
 /// Exactly one of `cloth` and `rope` is given, and at most one of `body`, `other_cloth` and `other_rope`.
 /// Vertices do not collide with a body that they are attached to, nor do faces with such a vertex.
 struct AttachmentDef {
-  std::string name;
+  std::string name{};
   std::optional<ClothId> cloth{};
   std::optional<RopeId> rope{};
   std::vector<uint32_t> vertices{};  ///< by number

@@ -338,7 +338,7 @@ struct SurfaceDef {
 
 /// A solid that does not move.
 struct ShapeDef {
-  std::string name;
+  std::string name{};
   Geometry geometry = PlaneGeometry{};
   Pose pose{};
   SurfaceDef surface{};
@@ -410,7 +410,7 @@ enum class ProbeKind {
 
 /// A measurement: the mean over the substeps of a step. Forces are averaged as vectors.
 struct ProbeDef {
-  std::string name;
+  std::string name{};
   ProbeKind kind = ProbeKind::point_pressure;
   Vec3 point{0, 0, 0};             ///< m; not of wall_pressure, wall_force, fluid_momentum and fluid_centre
   Vec3 normal{0, 1, 0};            ///< flow and level alone; of a length from 1e-6 to 1e18

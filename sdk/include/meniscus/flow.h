@@ -43,7 +43,7 @@ using EmitterOpening = std::variant<DiscOpening, RectangleOpening, MeshOpening>;
 /// jet. So an opening under water works, and a closed vessel fills up without a burst. Emitted fluid exerts
 /// no recoil on a body.
 struct EmitterDef {
-  std::string name;
+  std::string name{};
   FluidId fluid{};  ///< or a granular material
   EmitterOpening opening = DiscOpening{};
   Pose pose{};                   ///< of the opening, in the world; with a body, in the body's frame
@@ -71,7 +71,7 @@ using SinkRegion = std::variant<BoxRegion, BallRegion, HalfSpaceRegion>;
 /// Removes all particles of fluids and grains inside the region at the end of a step, or outside of it with
 /// `outside`. Each removed particle counts for one sink alone.
 struct SinkDef {
-  std::string name;
+  std::string name{};
   SinkRegion region = BoxRegion{{-1, -1, -1}, {1, 1, 1}};
   bool outside = false;
   Pose pose{};                   ///< of the region, in the world; with a body, in the body's frame

@@ -96,12 +96,13 @@ const Edges folders{
     {"sdk/cli/output", {"sdk/cli/record", "sdk/io", "sdk/io/preview", "sdk/render", "sdk/scene"}},
     {"sdk/cli/stop", {}},
     {"sdk/cli/evidence", {"sdk/cli/stop", "sdk/fields", "sdk/scene"}},
+    {"sdk/cli/usage", {"sdk/scene"}},
     {"sdk/cli/commands",
      {"sdk/cli/evidence", "sdk/cli/output", "sdk/cli/record", "sdk/cli/stop", "sdk/fields", "sdk/io",
-      "sdk/scene", "sdk/validation", "sdk/validation/cases", "sdk/viewer"}},
+      "sdk/scene", "sdk/cli/usage", "sdk/validation", "sdk/validation/cases", "sdk/viewer"}},
     {"sdk/cli/reproduce",
      {"sdk/cli/commands", "sdk/cli/evidence", "sdk/cli/output", "sdk/cli/stop", "sdk/io", "sdk/scene"}},
-    {"sdk/cli", {"sdk/cli/commands", "sdk/cli/reproduce", "sdk/io"}},
+    {"sdk/cli", {"sdk/cli/commands", "sdk/cli/reproduce", "sdk/cli/usage", "sdk/io"}},
 };
 
 constexpr std::size_t most_files = 40;  ///< that a folder holds

@@ -19,8 +19,9 @@ namespace {
 TEST_F(ProgramTest, ARunLeavesItsFiles) {
   EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--out", out(), "--export", "ply,vtp", "--quiet"}),
               testing::ExitedWithCode(success), "^$");
-  for (const char* name : {"frames.csv", "summary.json", "density.svg", "preview.png", "particles.pvd",
-                           "frames/frame_00001.ply", "frames/frame_00002.vtp"}) {
+  for (const char* name :
+       {"frames.csv", "summary.json", "density.svg", "preview.png", "particles.pvd", "frames/frame_00000.ply",
+        "frames/frame_00000.vtp", "frames/frame_00001.ply", "frames/frame_00002.vtp"}) {
     EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
   }
   const auto figures = nlohmann::json::parse(std::ifstream(fs::path(out()) / "summary.json"));
@@ -72,16 +73,17 @@ TEST_F(ProgramTest, ARunTakesTheFilesOfTheOneBeforeAway) {
     if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder_ / "out").string());
   }
   std::sort(files.begin(), files.end());
-  EXPECT_EQ(files,
-            (std::vector<std::string>{"density.svg", "frames.csv", "frames/frame_00001.ply",
-                                      "frames/notes.ply", "notes.csv", "preview.png", "summary.json"}));
+  EXPECT_EQ(files, (std::vector<std::string>{"density.svg", "frames.csv", "frames/frame_00000.ply",
+                                             "frames/frame_00001.ply", "frames/notes.ply", "notes.csv",
+                                             "preview.png", "summary.json"}));
 }
 
 TEST_F(ProgramTest, SurfacesAreWrittenWhereTheyAreAskedFor) {
   EXPECT_EXIT(
       run({"run", "drop", "--device", "cpu", "--out", out(), "--export", "obj,vtp", "--surface", "--quiet"}),
       testing::ExitedWithCode(success), "^$");
-  for (const char* name : {"surface.pvd", "frames/surface_00001.obj", "frames/surface_00002.vtp"})
+  for (const char* name :
+       {"surface.pvd", "frames/surface_00000.obj", "frames/surface_00001.obj", "frames/surface_00002.vtp"})
     EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
   EXPECT_NE(bytes(fs::path(out()) / "frames/surface_00002.obj").find("\nf "), std::string::npos);
   EXPECT_EXIT(run({"run", "drop", "--surface"}), testing::ExitedWithCode(bad_input),
@@ -182,6 +184,7 @@ TEST_F(ProgramTest, ClothIsMovedMeasuredAndExported) {
     EXPECT_TRUE(fs::exists(fs::path(out()) / name)) << name;
   }
   EXPECT_FALSE(fs::exists(fs::path(out()) / "particles.pvd")) << "there is no fluid";
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "density.svg")) << "there is no fluid";
   const auto figures = nlohmann::json::parse(std::ifstream(fs::path(out()) / "summary.json"));
   const auto& sheet = figures["cloths"].at(0);
   EXPECT_EQ(sheet["vertices"], 20);
@@ -189,6 +192,23 @@ TEST_F(ProgramTest, ClothIsMovedMeasuredAndExported) {
   EXPECT_LT(sheet["momentum_kg_m_s"][1].get<double>(), 0) << "it falls";
   EXPECT_NEAR(figures["ropes"].at(0)["length_m"].get<double>(), 1, 1e-4);
   EXPECT_EQ(figures["attachments"].at(0)["name"], "corner");
+  EXPECT_TRUE(figures["density_error"].is_null());
+}
+
+TEST_F(ProgramTest, FrameZeroIsTheStateBeforeTheFirstStep) {
+  printed({"run", "drop", "--device", "cpu", "--out", out(), "--export", "obj,vtp", "--quiet"});
+  std::istringstream start(bytes(fs::path(out()) / "frames/frame_00000.obj"));
+  float lowest = 1;
+  for (std::string line; std::getline(start, line);) {
+    float x = 0, y = 0, z = 0;
+    if (std::sscanf(line.c_str(), "v %f %f %f", &x, &y, &z) == 3) lowest = std::min(lowest, y);
+  }
+  EXPECT_NEAR(lowest, 0.05, 1e-6) << "half a spacing above the floor, where the volume was filled";
+  const std::string collection = bytes(fs::path(out()) / "particles.pvd");
+  const std::size_t first = collection.find("timestep=\"0\"");
+  ASSERT_NE(first, std::string::npos) << collection;
+  EXPECT_LT(first, collection.find("frame_00001.vtp"));
+  EXPECT_NE(collection.find("frame_00000.vtp"), std::string::npos);
 }
 
 TEST_F(ProgramTest, CheckCountsCloth) {

@@ -30,6 +30,7 @@ class RunRecorderTest : public testing::Test {
     tank.geometry = ContainerGeometry{{1, 1, 1}, {{Face::y_high, std::nullopt}}};
     tank.pose.position = {0, 3, 0};  // its floor is at y = 2
     scene_.shapes = {tank};
+    scene_.fluids.resize(1);
     scene_.probes.resize(2);
     scene_.probes[0].def.name = "wall, left";
     scene_.probes[1].def = {.name = "push", .kind = ProbeKind::wall_force};
@@ -96,13 +97,14 @@ TEST_F(RunRecorderTest, ARowIsOnDiskAsSoonAsItIsKnown) {
       "particles,"
       "density_error_mean_percent,density_error_max_percent,kinetic_j,potential_j,contacts,max_speed,non_"
       "finite,"
-      "outside,substeps,removed,emitted,\"wall, left\",push,push_x,push_y,push_z");
+      "outside,substeps,removed,emitted,spray,foam,bubbles,\"wall, left\",push,push_x,push_y,push_z");
   recorder.start({"cpu", "test", true, "", 0}, sample(0, 3, 0, 0));
   recorder.add(sample(1, 3, 1.5, 0.04f));
   ASSERT_EQ(csv().size(), 2u);
-  EXPECT_EQ(csv()[1],
-            "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,5,"
-            "101,3,1,2,-2");
+  EXPECT_EQ(
+      csv()[1],
+      "1,0.01,0.0000,0.0000,0.0000,5.0000,0.0000,0.0000,0.0000,10.0000,2,2,4,1.5,60,7,1.5,0,0,4,1,5,0,0,0,"
+      "101,3,1,2,-2");
 }
 
 TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
@@ -135,6 +137,42 @@ TEST_F(RunRecorderTest, TheSummaryIsOfTheWholeRun) {
   EXPECT_EQ(figures["interrupted"], false);
   EXPECT_TRUE(figures["error"].is_null());
   EXPECT_TRUE(fs::exists(folder_ / "density.svg"));
+}
+
+TEST_F(RunRecorderTest, DiffuseParticlesAreCountedByTheirKind) {
+  scene_.world.diffuse.emplace();
+  RunRecorder recorder(folder_, scene_);
+  std::vector<DiffuseParticle> diffuse(6, {{}, {}, 1, DiffuseKind::foam});
+  diffuse[0].kind = DiffuseKind::spray;
+  diffuse[1].kind = diffuse[2].kind = DiffuseKind::bubble;
+  FrameSample s = sample(1, 3, 0, 0);
+  s.step.diffuse_refused = 7;
+  s.diffuse.particles = diffuse;
+  recorder.add(s);
+  s.diffuse.particles = s.diffuse.particles.first(2);
+  recorder.add(s);
+  EXPECT_NE(csv()[1].find(",1,3,2,101,"), std::string::npos) << csv()[1];
+  EXPECT_NE(csv()[2].find(",1,0,1,101,"), std::string::npos) << csv()[2];
+  const nlohmann::ordered_json figures = recorder.finish({});
+  EXPECT_EQ(
+      figures["diffuse"],
+      nlohmann::ordered_json({{"spray", 1}, {"foam", 0}, {"bubbles", 1}, {"most", 6}, {"refused", 14}}));
+  EXPECT_NE(run_summary(figures, "out/pool", {})
+                .find("1 of spray, 0 of foam, 1 bubbles at the end; 6 at most; 14 found no room"),
+            std::string::npos);
+}
+
+TEST_F(RunRecorderTest, WithoutAFluidThereIsNoDensityError) {
+  scene_.fluids.clear();
+  RunRecorder recorder(folder_, scene_);
+  recorder.add(sample(1, 3, 0, 0.5f));
+  const nlohmann::ordered_json figures = recorder.finish({});
+  EXPECT_TRUE(figures["density_error"].is_null());
+  EXPECT_TRUE(figures["diffuse"].is_null());
+  EXPECT_FALSE(fs::exists(folder_ / "density.svg"));
+  const std::string text = run_summary(figures, "out/pool", {});
+  EXPECT_EQ(text.find("density error"), std::string::npos);
+  EXPECT_EQ(text.find("density.svg"), std::string::npos);
 }
 
 TEST_F(RunRecorderTest, DensityErrorIsOverAllParticlesAndFrames) {
