@@ -31,7 +31,9 @@ void bind_value(nb::class_<Body>& type, const char* name, const char* result, co
   const std::string setter = "def " + std::string(name) + "(self, value: " + taken + ", /) -> None";
   type.def_prop_rw(
       name, [get](const Body& self) { return to_python(get(state_of(self))); },
-      [set, name](const Body& self, nb::handle given) { set(self, given, Place{"Body", name}); },
+      [set, name](const Body& self, nb::handle given) {
+        set(self, given, Place{"Body", name});
+      },
       nb::for_getter(nb::sig(getter.c_str())), nb::for_setter(nb::sig(setter.c_str())), doc);
 }
 
@@ -52,7 +54,8 @@ void bind_placement(nb::class_<Body>& type) {
         read(given, place, pose);
         set_pose(self, pose);
       },
-      "Of the geometry's frame. A body that is placed keeps its velocity; a kinematic one then stands still.");
+      "Of the geometry's frame. A body that is placed keeps its velocity; a kinematic one then stands "
+      "still.");
   bind_value(
       type, "position", vector_text, array, [](const BodyState& s) { return s.pose.position; },
       [](const Body& self, nb::handle given, const Place& place) {
@@ -90,7 +93,8 @@ void bind_placement(nb::class_<Body>& type) {
 
 void bind_answers(nb::class_<Body>& type) {
   const auto state = [&](const char* name, const char* result, auto BodyState::*member, const char* doc) {
-    bind_answer(type, name, result, [member](World& w, BodyId id) { return w.body_state(id).*member; }, doc);
+    bind_answer(
+        type, name, result, [member](World& w, BodyId id) { return w.body_state(id).*member; }, doc);
   };
   state("centre_of_mass", vector_text, &BodyState::centre_of_mass, "m, in the world.");
   state("fluid_force", vector_text, &BodyState::fluid_force,
@@ -98,7 +102,8 @@ void bind_answers(nb::class_<Body>& type) {
   state("fluid_torque", vector_text, &BodyState::fluid_torque, "N·m, about the centre of mass, likewise.");
   state("awake", "bool", &BodyState::awake, "Whether it is simulated, and not left out as it rests.");
   const auto mass = [&](const char* name, const char* result, auto BodyMass::*member, const char* doc) {
-    bind_answer(type, name, result, [member](World& w, BodyId id) { return w.body_mass(id).*member; }, doc);
+    bind_answer(
+        type, name, result, [member](World& w, BodyId id) { return w.body_mass(id).*member; }, doc);
   };
   mass("mass", "float", &BodyMass::mass, "kg; 0 for kinematic bodies.");
   mass("volume", "float", &BodyMass::volume, "m³.");
@@ -110,12 +115,14 @@ void bind_forces(nb::class_<Body>& type) {
       "apply_force",
       [](const Body& self, nb::handle force, nb::handle point) {
         const Vec3 f = vector_of(force, "apply_force", "force");
-        const Vec3 p = point.is_none() ? state_of(self).centre_of_mass : vector_of(point, "apply_force", "point");
+        const Vec3 p =
+            point.is_none() ? state_of(self).centre_of_mass : vector_of(point, "apply_force", "point");
         self.state->change([&](World& w) { w.apply_force(self.id, f, p); });
       },
       nb::arg("force"), nb::arg("point") = nb::none(),
-      nb::sig("def apply_force(self, force: numpy.typing.ArrayLike, point: numpy.typing.ArrayLike | None = None) "
-              "-> None"),
+      nb::sig(
+          "def apply_force(self, force: numpy.typing.ArrayLike, point: numpy.typing.ArrayLike | None = None) "
+          "-> None"),
       "N, at a point of the world, m; by default at the centre of mass. For the next step alone.");
   type.def(
       "apply_torque",
@@ -134,8 +141,9 @@ void bind_forces(nb::class_<Body>& type) {
         self.state->change([&](World& w) { w.apply_impulse(self.id, j, p); });
       },
       nb::arg("impulse"), nb::arg("point") = nb::none(),
-      nb::sig("def apply_impulse(self, impulse: numpy.typing.ArrayLike, point: numpy.typing.ArrayLike | None = "
-              "None) -> None"),
+      nb::sig(
+          "def apply_impulse(self, impulse: numpy.typing.ArrayLike, point: numpy.typing.ArrayLike | None = "
+          "None) -> None"),
       "N·s, at once, at a point of the world, m; by default at the centre of mass.");
   type.def(
       "move_to",
@@ -145,9 +153,11 @@ void bind_forces(nb::class_<Body>& type) {
         self.state->change([&](World& w) { w.move_body(self.id, pose, duration); });
       },
       nb::arg("pose"), nb::arg("duration"),
-      nb::sig("def move_to(self, pose: Pose | dict[str, typing.Any] | numpy.typing.ArrayLike, duration: float) -> "
+      nb::sig("def move_to(self, pose: Pose | dict[str, typing.Any] | numpy.typing.ArrayLike, duration: "
+              "float) -> "
               "None"),
-      "Moves a kinematic body to a pose in so many seconds, at a constant rate. This replaces its keyframes.");
+      "Moves a kinematic body to a pose in so many seconds, at a constant rate. This replaces its "
+      "keyframes.");
 }
 
 }  // namespace

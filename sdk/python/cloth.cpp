@@ -15,13 +15,12 @@ namespace {
 template <class Id, class Read>
 void bind_array(nb::class_<Handle<Id>>& type, const char* name, ReadoutKind kind, const char* number,
                 const Read& read_out, const char* doc) {
-  const std::string getter = "def " + std::string(name) +
-                             "(self) -> numpy.typing.NDArray[numpy." + number + "]";
+  const std::string getter =
+      "def " + std::string(name) + "(self) -> numpy.typing.NDArray[numpy." + number + "]";
   type.def_prop_ro(
       name,
       [kind, read_out](const Handle<Id>& self) {
-        return self.state->array(kind, self.id.index,
-                                 [&](World& w) { return copied(read_out(w, self.id)); });
+        return self.state->array(kind, self.id.index, [&](World& w) { return copied(read_out(w, self.id)); });
       },
       nb::for_getter(nb::sig(getter.c_str())), doc);
 }
@@ -38,8 +37,9 @@ void bind_impulses(nb::class_<Handle<Id>>& type) {
         self.state->change([&](World& w) { w.apply_impulses(self.id, numbers, pushes); });
       },
       nb::arg("vertices"), nb::arg("impulses"),
-      nb::sig("def apply_impulses(self, vertices: numpy.typing.ArrayLike, impulses: numpy.typing.ArrayLike) -> "
-              "None"),
+      nb::sig(
+          "def apply_impulses(self, vertices: numpy.typing.ArrayLike, impulses: numpy.typing.ArrayLike) -> "
+          "None"),
       "N·s on each of these vertices, by number, at once. No number may repeat.");
 }
 
@@ -82,11 +82,12 @@ void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_destruction(cloth, &WorldState::cloths, &World::destroy_cloth, "Removes it, and its attachments.");
   bind_cloth_arrays(cloth);
   bind_impulses(cloth);
-  bind_answer(cloth, "welded_vertices", "int", [](World& w, ClothId id) { return w.cloth_welded_vertices(id); },
-              "How many vertices of its file were merged into others.");
-  bind_answer(cloth, "bending_fraction", "float",
-              [](World& w, ClothId id) { return w.cloth_bending_fraction(id); },
-              "Of the bending stiffness of its fabric, the least part that substeps have resolved.");
+  bind_answer(
+      cloth, "welded_vertices", "int", [](World& w, ClothId id) { return w.cloth_welded_vertices(id); },
+      "How many vertices of its file were merged into others.");
+  bind_answer(
+      cloth, "bending_fraction", "float", [](World& w, ClothId id) { return w.cloth_bending_fraction(id); },
+      "Of the bending stiffness of its fabric, the least part that substeps have resolved.");
   cloth.def_prop_ro(
       "state",
       [](const Handle<ClothId>& self) {
@@ -114,11 +115,13 @@ void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_creation<AttachmentDef>(world, "add_attachment", &WorldState::attachments, &World::create_attachment,
                                "Holds vertices of cloth or of a rope, or sews them to others.");
   bind_destruction(attachment, &WorldState::attachments, &World::destroy_attachment, "Lets go.");
-  bind_answer(attachment, "force", "tuple[float, float, float]",
-              [](World& w, AttachmentId id) { return w.attachment_force(id); },
-              "N, on the world or the body in the last step. Seams read 0.");
-  bind_answer(attachment, "vertices", "list[int]",
-              [](World& w, AttachmentId id) { return w.attachment_vertices(id); }, "By number.");
+  bind_answer(
+      attachment, "force", "tuple[float, float, float]",
+      [](World& w, AttachmentId id) { return w.attachment_force(id); },
+      "N, on the world or the body in the last step. Seams read 0.");
+  bind_answer(
+      attachment, "vertices", "list[int]",
+      [](World& w, AttachmentId id) { return w.attachment_vertices(id); }, "By number.");
 }
 
 }  // namespace meniscus::python

@@ -68,10 +68,8 @@ void bind_type(nb::module_& module) {
 template <class T>
 nb::dict members_of(const T& def) {
   nb::dict members;
-  for_each_member(const_cast<T&>(def),
-                  [&](const char* key, auto& value, const FieldRule&, const char*, const char*) {
-                    members[key] = to_python(stored(value));
-                  });
+  for_each_member(const_cast<T&>(def), [&](const char* key, auto& value, const FieldRule&, const char*,
+                                           const char*) { members[key] = to_python(stored(value)); });
   return members;
 }
 
@@ -113,28 +111,36 @@ void bind_struct(nb::module_& module) {
       },
       nb::sig(replace.signature.c_str()), "A copy in which these members are different.");
   type.def("__repr__", [](const T& self) { return repr(self); });
-  type.def("__eq__", [](const T& self, nb::handle other) {
-    return nb::isinstance<T>(other) && members_of(self).equal(members_of(*nb::cast<const T*>(other)));
-  }, nb::sig("def __eq__(self, other: object, /) -> bool"));
-  type.attr("__hash__") = nb::none();
-  type.def("__getstate__", [](const T& self) { return members_of(self); });
-  type.def("__setstate__", [](T& self, const nb::dict& members) {
-    T def{};
-    read_members(def, members, std::string(type_name<T>()));
-    new (&self) T(std::move(def));
-  });
+  type.def(
+      "__eq__",
+      [](const T& self, nb::handle other) {
+        return nb::isinstance<T>(other) && repr(self) == repr(*nb::cast<const T*>(other));
+      },
+      nb::sig("def __eq__(self, other: object, /) -> bool"));
+  type.def("__hash__", [](const T& self) { return std::hash<std::string>()(repr(self)); });
+  type.def(
+      "__getstate__", [](const T& self) { return members_of(self); },
+      nb::sig("def __getstate__(self) -> dict[str, typing.Any]"));
+  type.def(
+      "__setstate__",
+      [](T& self, const nb::dict& members) {
+        T def{};
+        read_members(def, members, std::string(type_name<T>()));
+        new (&self) T(std::move(def));
+      },
+      nb::sig("def __setstate__(self, members: dict[str, typing.Any], /) -> None"));
   T usual{};
-  for_each_member(usual, [&](const char* key, auto& value, const FieldRule& rule, const char* unit,
-                             const char* meaning) {
-    using Value = std::decay_t<decltype(value)>;
-    using Stored = std::decay_t<decltype(stored(value))>;
-    bind_type<Value>(module);
-    const std::ptrdiff_t offset = offset_in(usual, &stored(value));
-    const Description text{getter_text(key, value), member_doc(key, value, rule, unit, meaning)};
-    type.def_prop_ro(
-        key, [offset](T& self) { return to_python(member_at<Stored>(self, offset)); },
-        nb::for_getter(nb::sig(text.signature.c_str())), text.doc.c_str());
-  });
+  for_each_member(
+      usual, [&](const char* key, auto& value, const FieldRule& rule, const char* unit, const char* meaning) {
+        using Value = std::decay_t<decltype(value)>;
+        using Stored = std::decay_t<decltype(stored(value))>;
+        bind_type<Value>(module);
+        const std::ptrdiff_t offset = offset_in(usual, &stored(value));
+        const Description text{getter_text(key, value), member_doc(key, value, rule, unit, meaning)};
+        type.def_prop_ro(
+            key, [offset](T& self) { return to_python(member_at<Stored>(self, offset)); },
+            nb::for_getter(nb::sig(text.signature.c_str())), text.doc.c_str());
+      });
 }
 
 /// The classes of the members of a definition that is no class itself.
@@ -152,33 +158,34 @@ struct Definitions {
 };
 
 using AllDefinitions =
-    Definitions<WorldDef, FluidDef, GranularDef, ShapeDef, BodyDef, JointDef, ClothDef, RopeDef, AttachmentDef,
-                WindDef, FluidVolumeDef, EmitterDef, SinkDef, ProbeDef, SurfaceMeshDef>;
+    Definitions<WorldDef, FluidDef, GranularDef, ShapeDef, BodyDef, JointDef, ClothDef, RopeDef,
+                AttachmentDef, WindDef, FluidVolumeDef, EmitterDef, SinkDef, ProbeDef, SurfaceMeshDef>;
 
 /// A property for each member of a definition that a running object has.
 template <class D, class Self, class Get, class Set>
 void bind_members(nb::class_<Self>& type, const Get& get, const Set& set) {
   D usual{};
-  for_each_member(usual, [&](const char* key, auto& value, const FieldRule& rule, const char* unit,
-                             const char* meaning) {
-    using Value = std::decay_t<decltype(value)>;
-    const std::ptrdiff_t offset = offset_in(usual, &value);
-    const Description text{getter_text(key, value), member_doc(key, value, rule, unit, meaning)};
-    const std::string setter_text = "def " + std::string(key) + "(self, value: " + type_text(value) + ", /) -> None";
-    type.def_prop_rw(
-        key,
-        [offset, get](Self& self) {
-          D def = get(self);
-          return to_python(member_at<Value>(def, offset));
-        },
-        [offset, get, set, key](Self& self, nb::handle given) {
-          D def = get(self);
-          read(given, {std::string(type_name<D>()), key}, member_at<Value>(def, offset));
-          set(self, def);
-        },
-        nb::for_getter(nb::sig(text.signature.c_str())), nb::for_setter(nb::sig(setter_text.c_str())),
-        text.doc.c_str());
-  });
+  for_each_member(
+      usual, [&](const char* key, auto& value, const FieldRule& rule, const char* unit, const char* meaning) {
+        using Value = std::decay_t<decltype(value)>;
+        const std::ptrdiff_t offset = offset_in(usual, &value);
+        const Description text{getter_text(key, value), member_doc(key, value, rule, unit, meaning)};
+        const std::string setter_text =
+            "def " + std::string(key) + "(self, value: " + type_text(value) + ", /) -> None";
+        type.def_prop_rw(
+            key,
+            [offset, get](Self& self) {
+              D def = get(self);
+              return to_python(member_at<Value>(def, offset));
+            },
+            [offset, get, set, key](Self& self, nb::handle given) {
+              D def = get(self);
+              read(given, {std::string(type_name<D>()), key}, member_at<Value>(def, offset));
+              set(self, def);
+            },
+            nb::for_getter(nb::sig(text.signature.c_str())), nb::for_setter(nb::sig(setter_text.c_str())),
+            text.doc.c_str());
+      });
 }
 
 }  // namespace

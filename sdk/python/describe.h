@@ -45,8 +45,7 @@ std::string type_text(E value) {
   return text + "]";
 }
 template <class T>
-  requires HasFields<T>
-std::string type_text(T&) {
+requires HasFields<T> std::string type_text(T&) {
   std::string text = std::string(type_name<T>()) + " | dict[str, typing.Any]";
   return std::is_same_v<T, Pose> ? text + " | numpy.typing.ArrayLike" : text;
 }
@@ -62,8 +61,7 @@ struct ChoiceText {
 };
 
 template <class T>
-  requires HasChoices<T>
-std::string type_text(T& value) {
+requires HasChoices<T> std::string type_text(T& value) {
   ChoiceText choice;
   choices(choice, value);
   return choice.text;
@@ -119,7 +117,8 @@ std::string default_text(const T& value) {
 template <class T>
 std::string member_doc(const char* key, T& value, const FieldRule& rule, const char* unit,
                        const char* meaning) {
-  std::string text = meaning == mesh_file_text ? "path of an OBJ, PLY, STL, glTF, FBX, DAE or 3DS file" : meaning;
+  std::string text =
+      meaning == mesh_file_text ? "path of an OBJ, PLY, STL, glTF, FBX, DAE or 3DS file" : meaning;
   if (const auto at = text.find("name of "); at != std::string::npos && !std::is_same_v<T, std::string>)
     text.erase(at, std::string("name of ").size());
   const std::string shown_unit = rule.in_degrees ? "rad" : unit;
@@ -147,15 +146,16 @@ Description describe_call(const std::string& name, const std::string& result, co
   D def{};
   Description text{"def " + name + "(self", summary + "\n\nArgs:"};
   bool first = true;
-  for_any_member(def, [&](const char* key, auto& value, const FieldRule& rule, const char* unit,
-                          const char* meaning) {
-    text.signature += (std::exchange(first, false) ? ", *, " : ", ") + std::string(key) + ": " + type_text(value);
-    if (optional)
-      text.signature += " = ...";
-    else if (!is_needed(value, rule))
-      text.signature += " = " + default_text(value);
-    text.doc += "\n    " + member_doc(key, value, rule, unit, meaning);
-  });
+  for_any_member(
+      def, [&](const char* key, auto& value, const FieldRule& rule, const char* unit, const char* meaning) {
+        text.signature +=
+            (std::exchange(first, false) ? ", *, " : ", ") + std::string(key) + ": " + type_text(value);
+        if (optional)
+          text.signature += " = ...";
+        else if (!is_needed(value, rule))
+          text.signature += " = " + default_text(value);
+        text.doc += "\n    " + member_doc(key, value, rule, unit, meaning);
+      });
   text.signature += ") -> " + result;
   if (first) text.doc = summary;
   return text;

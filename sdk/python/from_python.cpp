@@ -60,8 +60,7 @@ void read_numbers(nb::handle given, const Place& place, float (&out)[count]) {
   const Py_ssize_t size = PySequence_Size(items.ptr());
   if (size != static_cast<Py_ssize_t>(count) || nb::isinstance<nb::str>(given))
     throw nb::type_error((place.text() + " must be " + allowed + ", not " + std::to_string(size)).c_str());
-  for (std::size_t i = 0; i < count; ++i)
-    out[i] = static_cast<float>(number(items[i], place));
+  for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<float>(number(items[i], place));
 }
 
 nb::object as_numpy(nb::handle given, const Place& place) {
@@ -113,8 +112,8 @@ void read(nb::handle given, const Place& place, float& value) {
   value = static_cast<float>(number(given, place));
 }
 void read(nb::handle given, const Place& place, int& value) {
-  value = static_cast<int>(whole_number(given, place, std::numeric_limits<int>::min(),
-                                        std::numeric_limits<int>::max()));
+  value = static_cast<int>(
+      whole_number(given, place, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
 }
 void read(nb::handle given, const Place& place, uint32_t& value) {
   value = static_cast<uint32_t>(whole_number(given, place, 0, std::numeric_limits<uint32_t>::max()));

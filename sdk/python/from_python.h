@@ -65,10 +65,10 @@ void read(nb::handle given, const Place& place, E& value) {
 }
 
 template <class T>
-  requires HasFields<T>
+requires HasFields<T>
 void read(nb::handle given, const Place& place, T& value);
 template <class T>
-  requires HasChoices<T>
+requires HasChoices<T>
 void read(nb::handle given, const Place& place, T& value);
 template <class T>
 void read(nb::handle given, const Place& place, std::optional<T>& value) {
@@ -82,7 +82,8 @@ void read(nb::handle given, const Place& place, std::vector<T>& values) {
   if (nb::isinstance<nb::str>(given) || !PySequence_Check(given.ptr())) refuse(place, "a sequence", given);
   values.clear();
   for (const nb::handle item : nb::iter(given))
-    read(item, {place.owner, place.member + "[" + std::to_string(values.size()) + "]"}, values.emplace_back());
+    read(item, {place.owner, place.member + "[" + std::to_string(values.size()) + "]"},
+         values.emplace_back());
 }
 
 /// Reads keyword arguments into a definition.
@@ -104,7 +105,7 @@ void read_members(D& def, const nb::dict& given, const std::string& owner) {
 
 /// An object of the class, a dict of its arguments, or for a Pose a position alone.
 template <class T>
-  requires HasFields<T>
+requires HasFields<T>
 void read(nb::handle given, const Place& place, T& value) {
   if (nb::isinstance<T>(given)) return void(value = nb::cast<T>(given));
   T fresh{};
@@ -134,7 +135,7 @@ struct ChoiceFromPython {
 };
 
 template <class T>
-  requires HasChoices<T>
+requires HasChoices<T>
 void read(nb::handle given, const Place& place, T& value) {
   ChoiceFromPython choice{given};
   choices(choice, value);

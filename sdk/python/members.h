@@ -50,11 +50,11 @@ void for_any_member(D& def, const Visit& visit) {
     std::set<std::string_view> seen;
     for (const Named<ProbeKind>& kind : names_of(ProbeKind{})) {
       def.kind = kind.value;
-      for_each_member(def, [&](const char* key, auto& value, FieldRule rule, const char* unit,
-                               const char* meaning) {
-        rule.needed = false;
-        if (seen.insert(key).second) visit(key, value, rule, unit, meaning);
-      });
+      for_each_member(
+          def, [&](const char* key, auto& value, FieldRule rule, const char* unit, const char* meaning) {
+            rule.needed = false;
+            if (seen.insert(key).second) visit(key, value, rule, unit, meaning);
+          });
     }
   } else {
     for_each_member(def, visit);

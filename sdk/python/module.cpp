@@ -17,7 +17,7 @@ NB_MODULE(_core, module) {
   using namespace meniscus;
   using namespace meniscus::python;
   module.doc() = "The compiled part of meniscus.";
-  module.attr("__version__") = MENISCUS_VERSION_STRING;
+  module.attr("version") = MENISCUS_VERSION_STRING;
   translate_errors();
   bind_definitions(module);
   bind_results(module);

@@ -27,7 +27,8 @@ std::string array_type(const char* number) {
 
 /// A member of each element of a read-out.
 template <class T, class Element>
-nb::object column(std::span<const Element> elements, const void* member, std::size_t width, nb::handle owner) {
+nb::object column(std::span<const Element> elements, const void* member, std::size_t width,
+                  nb::handle owner) {
   static_assert(sizeof(Element) % sizeof(T) == 0);
   return rows(static_cast<const T*>(member), elements.size(), width, sizeof(Element) / sizeof(T), owner);
 }
@@ -50,7 +51,8 @@ nb::object diffuse(World& w) {
   const nb::object owner = owner_of(w, all);
   const DiffuseParticle none{}, *first = all.empty() ? &none : all.data();
   return make_result("Diffuse", column<float>(all, &first->position, 3, owner),
-                     column<float>(all, &first->velocity, 3, owner), column<float>(all, &first->life, 0, owner),
+                     column<float>(all, &first->velocity, 3, owner),
+                     column<float>(all, &first->life, 0, owner),
                      column<uint32_t>(all, &first->kind, 0, owner));
 }
 
@@ -102,7 +104,8 @@ void bind_changes(nb::class_<PyWorld>& world) {
         read(ids, {"remove_particles", "ids"}, gone);
         self.state->change([&](World& w) { w.remove_particles(gone); });
       },
-      nb::arg("ids"), nb::sig(("def remove_particles(self, ids: " + std::string(array) + ") -> None").c_str()),
+      nb::arg("ids"),
+      nb::sig(("def remove_particles(self, ids: " + std::string(array) + ") -> None").c_str()),
       "Removes particles by their ids. An unknown id raises NotFoundError.");
   world.def(
       "apply_impulses",
@@ -111,7 +114,8 @@ void bind_changes(nb::class_<PyWorld>& world) {
         std::vector<Vec3> pushes;
         read(ids, {"apply_impulses", "ids"}, particles);
         read(impulses, {"apply_impulses", "impulses"}, pushes);
-        self.state->change([&](World& w) { w.apply_impulses(std::span<const ParticleId>(particles), pushes); });
+        self.state->change(
+            [&](World& w) { w.apply_impulses(std::span<const ParticleId>(particles), pushes); });
       },
       nb::arg("ids"), nb::arg("impulses"),
       nb::sig(("def apply_impulses(self, ids: " + std::string(array) + ", impulses: " + array + ") -> None")
@@ -123,7 +127,8 @@ nb::object surface_mesh(const PyWorld& self, const nb::kwargs& given) {
   SurfaceMeshDef def;
   read_members(def, given, "surface_mesh");
   SurfaceMesh mesh = self.state->measure([&](World& w) { return w.surface_mesh(def); });
-  const auto triangles = std::make_shared<const std::vector<std::array<uint32_t, 3>>>(std::move(mesh.triangles));
+  const auto triangles =
+      std::make_shared<const std::vector<std::array<uint32_t, 3>>>(std::move(mesh.triangles));
   return make_result("SurfaceMesh", array_of(std::move(mesh.vertices)), array_of(std::move(mesh.normals)),
                      rows(triangles->empty() ? nullptr : triangles->front().data(), triangles->size(), 3, 3,
                           kept(triangles)));
@@ -134,8 +139,8 @@ nb::object surface_mesh(const PyWorld& self, const nb::kwargs& given) {
 void bind_particles(nb::class_<PyWorld>& world) {
   bind_arrays(world);
   bind_changes(world);
-  const Description text = describe_call<SurfaceMeshDef>(
-      "surface_mesh", "meniscus.results.SurfaceMesh", "The surface of the fluid, by marching cubes.");
+  const Description text = describe_call<SurfaceMeshDef>("surface_mesh", "meniscus.results.SurfaceMesh",
+                                                         "The surface of the fluid, by marching cubes.");
   world.def("surface_mesh", surface_mesh, nb::sig(text.signature.c_str()), text.doc.c_str());
 }
 

@@ -63,7 +63,8 @@ nb::list contact_events(const PyWorld& self) {
   nb::list list;
   const auto events = self.state->look([](World& w) { return std::vector(w.contact_events()); });
   for (const ContactEvent& e : events)
-    list.append(make_result("ContactEvent", thing(self, e.a), thing(self, e.b), thing(self, e.shape), e.began));
+    list.append(
+        make_result("ContactEvent", thing(self, e.a), thing(self, e.b), thing(self, e.shape), e.began));
   return list;
 }
 
@@ -108,8 +109,9 @@ nb::object solid_distances(const PyWorld& self, nb::handle points, float reach, 
                            uint32_t mask) {
   std::vector<Vec3> places;
   read(points, {"solid_distances", "points"}, places);
-  return array_of(
-      self.state->measure([&](World& w) { return w.solid_distances(places, reach, {groups, mask}); }));
+  return array_of(self.state->measure([&](World& w) {
+    return w.solid_distances(places, reach, {groups, mask});
+  }));
 }
 
 }  // namespace
@@ -138,11 +140,12 @@ void bind_queries(nb::class_<PyWorld>& world) {
             nb::sig("def overlap_box(self, pose: Pose | dict[str, typing.Any] | numpy.typing.ArrayLike, "
                     "half_extents: numpy.typing.ArrayLike) -> meniscus.results.Overlaps"),
             "Solids that overlap a box, and particles inside, m.");
-  world.def("solid_distances", solid_distances, nb::arg("points"), nb::arg("reach"), nb::arg("groups") = 1u,
-            nb::arg("mask") = 0xffffffffu,
-            nb::sig("def solid_distances(self, points: numpy.typing.ArrayLike, reach: float, groups: int = 1, "
-                    "mask: int = 4294967295) -> numpy.typing.NDArray[numpy.float32]"),
-            "m, from each point to the nearest solid, negative inside; `reach` where none is nearer.");
+  world.def(
+      "solid_distances", solid_distances, nb::arg("points"), nb::arg("reach"), nb::arg("groups") = 1u,
+      nb::arg("mask") = 0xffffffffu,
+      nb::sig("def solid_distances(self, points: numpy.typing.ArrayLike, reach: float, groups: int = 1, "
+              "mask: int = 4294967295) -> numpy.typing.NDArray[numpy.float32]"),
+      "m, from each point to the nearest solid, negative inside; `reach` where none is nearer.");
 }
 
 }  // namespace meniscus::python

@@ -61,11 +61,15 @@ void bind_step_report(nb::module_& module) {
   Result<Overflows>(module, "Overflows", "What exceeded a fixed size in a step, summed over its substeps.")
       .has("cloth_layers", &Overflows::cloth_layers, "Particles near more than three layers of cloth.")
       .has("cloth_vertices", &Overflows::cloth_vertices, "Contacts with more than 32 vertices of cloth.")
-      .has("fluid_failsafe", &Overflows::fluid_failsafe, "Particles that the fail-safe did not keep from cloth.")
+      .has("fluid_failsafe", &Overflows::fluid_failsafe,
+           "Particles that the fail-safe did not keep from cloth.")
       .has("cloth_failsafe", &Overflows::cloth_failsafe, "Substeps in which it did not keep cloth apart.")
-      .has("emitter_hold", &Overflows::emitter_hold, "Emitted particles that do not get away from an opening.");
+      .has("emitter_hold", &Overflows::emitter_hold,
+           "Emitted particles that do not get away from an opening.");
   Result<StepReport> report(module, "StepReport", "Counts and times of one step.");
-  report.has("substeps", &StepReport::substeps, "Made; more than World.substeps while a fast body is near cloth.")
+  report
+      .has("substeps", &StepReport::substeps,
+           "Made; more than World.substeps while a fast body is near cloth.")
       .has("iterations", &StepReport::iterations, "Per substep.")
       .has("density_iterations", &StepReport::density_iterations, "Per substep, on average.")
       .has("ms", &StepReport::ms, "Wall clock, host and device.")

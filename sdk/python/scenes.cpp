@@ -77,21 +77,23 @@ void bind_scenes(nb::module_& module, nb::class_<PyWorld>& world) {
   module.def("read_world", read_world, nb::arg("path"), nb::arg("overrides"),
              "A world from a scene file. Overrides are texts such as \"world.substeps=8\".");
   module.def("scene_schema", scene_schema, "The JSON Schema of scene files.");
-  world.def("draw", draw, nb::arg("width") = 960, nb::arg("height") = 540, nb::arg("position") = nb::none(),
-            nb::arg("target") = nb::make_tuple(0, 0, 0), nb::arg("field_of_view") = 35.0f,
-            nb::sig("def draw(self, width: int = 960, height: int = 540, position: numpy.typing.ArrayLike | None "
-                    "= None, target: numpy.typing.ArrayLike = (0, 0, 0), field_of_view: float = 35.0) -> "
-                    "numpy.typing.NDArray[numpy.uint8]"),
-            "A picture by the rasteriser on the CPU: height rows of width pixels, sRGB. Without the position of "
-            "an eye, m, the view is the scene's, or one that holds everything.");
+  world.def(
+      "draw", draw, nb::arg("width") = 960, nb::arg("height") = 540, nb::arg("position") = nb::none(),
+      nb::arg("target") = nb::make_tuple(0, 0, 0), nb::arg("field_of_view") = 35.0f,
+      nb::sig("def draw(self, width: int = 960, height: int = 540, position: numpy.typing.ArrayLike | None "
+              "= None, target: numpy.typing.ArrayLike = (0, 0, 0), field_of_view: float = 35.0) -> "
+              "numpy.typing.NDArray[numpy.uint8]"),
+      "A picture by the rasteriser on the CPU: height rows of width pixels, sRGB. Without the position of "
+      "an eye, m, the view is the scene's, or one that holds everything.");
   world.def(
       "show",
       [](nb::handle self, const nb::kwargs& options) {
         return nb::module_::import_("meniscus.pictures").attr("Picture")(self.attr("draw")(**options));
       },
-      nb::sig("def show(self, *, width: int = 960, height: int = 540, position: numpy.typing.ArrayLike | None = "
-              "None, target: numpy.typing.ArrayLike = (0, 0, 0), field_of_view: float = 35.0) -> "
-              "meniscus.pictures.Picture"),
+      nb::sig(
+          "def show(self, *, width: int = 960, height: int = 540, position: numpy.typing.ArrayLike | None = "
+          "None, target: numpy.typing.ArrayLike = (0, 0, 0), field_of_view: float = 35.0) -> "
+          "meniscus.pictures.Picture"),
       "The picture of draw(), which notebooks display and save() writes as PNG.");
 }
 

@@ -33,9 +33,12 @@ nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& worl
         return def ? name_of(*def) : std::string();
       },
       "Its name at its creation; empty once it is destroyed.");
-  type.def("__eq__", [](const Thing& self, nb::handle other) {
-    return nb::isinstance<Thing>(other) && self == *nb::cast<const Thing*>(other);
-  }, nb::sig("def __eq__(self, other: object, /) -> bool"));
+  type.def(
+      "__eq__",
+      [](const Thing& self, nb::handle other) {
+        return nb::isinstance<Thing>(other) && self == *nb::cast<const Thing*>(other);
+      },
+      nb::sig("def __eq__(self, other: object, /) -> bool"));
   type.def("__hash__", [](const Thing& self) {
     return std::hash<const void*>()(self.state.get()) ^ (std::size_t{self.id.index} << 8);
   });
@@ -50,8 +53,7 @@ nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& worl
         for (const Id id : ((*self.state).*registry).ids) list.append(Thing{self.state, id});
         return list;
       },
-      nb::for_getter(
-          nb::sig(("def " + std::string(plural) + "(self) -> list[" + type_name + "]").c_str())),
+      nb::for_getter(nb::sig(("def " + std::string(plural) + "(self) -> list[" + type_name + "]").c_str())),
       "Those that exist, in the order of their creation.");
   world.def(
       singular,
@@ -60,7 +62,8 @@ nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& worl
         for (std::size_t i = 0; i < all.ids.size(); ++i) {
           if (name_of(all.defs[i]) == name) return Thing{self.state, all.ids[i]};
         }
-        throw Error(ErrorCode::not_found, "the world has no " + std::string(singular) + " named \"" + name + "\"");
+        throw Error(ErrorCode::not_found,
+                    "the world has no " + std::string(singular) + " named \"" + name + "\"");
       },
       nb::arg("name"), "The first with this name. Raises NotFoundError.");
   return type;

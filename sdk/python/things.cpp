@@ -20,7 +20,8 @@ void bind_fluid(nb::module_& module, nb::class_<PyWorld>& world) {
   fluid.def_prop_ro(
       "index", [](const Handle<FluidId>& self) { return self.id.index; },
       "Its number in World.fluid_indices.");
-  bind_answer(fluid, "particle_mass", "float", [](World& w, FluidId id) { return w.particle_mass(id); }, "kg.");
+  bind_answer(
+      fluid, "particle_mass", "float", [](World& w, FluidId id) { return w.particle_mass(id); }, "kg.");
   bind_fluid_members(fluid);
   const Description text = describe_call<FluidVolumeDef>(
       "add_volume", "int", "Fills a region with particles. Returns how many there are.");
@@ -36,10 +37,12 @@ void bind_fluid(nb::module_& module, nb::class_<PyWorld>& world) {
 
 template <class Id>
 void bind_count(nb::class_<Handle<Id>>& type, FlowCount (World::*count)(Id) const) {
-  bind_answer(type, "total", "int", [count](World& w, Id id) { return (w.*count)(id).total; },
-              "Particles since its creation.");
-  bind_answer(type, "last_step", "int", [count](World& w, Id id) { return (w.*count)(id).last_step; },
-              "Particles in the last step.");
+  bind_answer(
+      type, "total", "int", [count](World& w, Id id) { return (w.*count)(id).total; },
+      "Particles since its creation.");
+  bind_answer(
+      type, "last_step", "int", [count](World& w, Id id) { return (w.*count)(id).last_step; },
+      "Particles in the last step.");
 }
 
 void bind_probe(nb::module_& module, nb::class_<PyWorld>& world) {
@@ -47,11 +50,12 @@ void bind_probe(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_creation<ProbeDef>(world, "add_probe", &WorldState::probes, &World::create_probe,
                           "Adds a measurement, the mean over the substeps of a step.");
   bind_destruction(probe, &WorldState::probes, &World::destroy_probe, "Removes it.");
-  bind_answer(probe, "value", "float", [](World& w, ProbeId id) { return w.probe(id); },
-              "Of the last step, in the unit of its kind. Of a vector, its length.");
-  bind_answer(probe, "vector", "tuple[float, float, float]",
-              [](World& w, ProbeId id) { return w.probe_vector(id); },
-              "Of the last step, of a kind with vectors; 0 of the others.");
+  bind_answer(
+      probe, "value", "float", [](World& w, ProbeId id) { return w.probe(id); },
+      "Of the last step, in the unit of its kind. Of a vector, its length.");
+  bind_answer(
+      probe, "vector", "tuple[float, float, float]", [](World& w, ProbeId id) { return w.probe_vector(id); },
+      "Of the last step, of a kind with vectors; 0 of the others.");
 }
 
 }  // namespace
@@ -66,8 +70,9 @@ void bind_things(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_creation<JointDef>(world, "add_joint", &WorldState::joints, &World::create_joint,
                           "Joins two bodies, or a body and the world.");
   bind_destruction(joint, &WorldState::joints, &World::destroy_joint, "Removes it.");
-  bind_answer(joint, "angle", "float", [](World& w, JointId id) { return w.hinge_angle(id); },
-              "rad, of a hinge, from the pose at its creation.");
+  bind_answer(
+      joint, "angle", "float", [](World& w, JointId id) { return w.hinge_angle(id); },
+      "rad, of a hinge, from the pose at its creation.");
   nb::class_<Handle<EmitterId>> emitter =
       bind_thing(module, world, "emitter", "emitters", &WorldState::emitters);
   bind_creation<EmitterDef>(world, "add_emitter", &WorldState::emitters, &World::create_emitter,

@@ -65,8 +65,7 @@ template <class... T>
 nb::object to_python(const std::variant<T...>& value);
 /// A copy: objects of definitions do not change.
 template <class T>
-  requires HasFields<T>
-nb::object to_python(const T& value) {
+requires HasFields<T> nb::object to_python(const T& value) {
   return nb::cast(value, nb::rv_policy::copy);
 }
 template <class T>

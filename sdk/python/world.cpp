@@ -27,7 +27,8 @@ void bind_construction(nb::class_<PyWorld>& world) {
       },
       nb::sig(text.signature.c_str()), text.doc.c_str());
   bind_world_members(world);
-  const Description wind = describe_call<WindDef>("set_wind", "None", "From the next step on. Wind acts on cloth.");
+  const Description wind =
+      describe_call<WindDef>("set_wind", "None", "From the next step on. Wind acts on cloth.");
   world.def(
       "set_wind",
       [](const PyWorld& self, const nb::kwargs& given) {
@@ -50,12 +51,11 @@ void bind_steps(nb::class_<PyWorld>& world) {
       "about a second, and the world is as before.");
   world.def(
       "relax",
-      [](const PyWorld& self, int iterations) {
-        self.state->change([&](World& w) { w.relax(iterations); });
-      },
+      [](const PyWorld& self, int iterations) { self.state->change([&](World& w) { w.relax(iterations); }); },
       nb::arg("iterations") = 50, "Moves the particles to their rest density. 0 to 100,000 iterations.");
-  world.def("cancel", [](const PyWorld& self) { self.state->cancel(); },
-            "Ends the long call that runs, or else the next one. Any thread may call it.");
+  world.def(
+      "cancel", [](const PyWorld& self) { self.state->cancel(); },
+      "Ends the long call that runs, or else the next one. Any thread may call it.");
   world.def(
       "run",
       [](nb::handle self, nb::handle frames, nb::handle dt, nb::handle progress) {
@@ -98,12 +98,17 @@ void bind_value(nb::class_<PyWorld>& world, const char* name, const Ask& ask, co
 }
 
 void bind_measurements(nb::class_<PyWorld>& world) {
-  bind_value(world, "time", [](World& w) { return w.time(); }, "s.");
-  bind_value(world, "particle_count", [](World& w) { return w.particle_count(); }, "Of fluids and grains.");
-  bind_value(world, "support_radius", [](World& w) { return w.support_radius(); }, "m.");
-  bind_value(world, "device_info", [](World& w) { return w.device(); },
-             "Where the world runs, and the reason if it fell back to the CPU.");
-  bind_value(world, "device_bytes", [](World& w) { return w.device_bytes(); }, "Held on the device.");
+  bind_value(
+      world, "time", [](World& w) { return w.time(); }, "s.");
+  bind_value(
+      world, "particle_count", [](World& w) { return w.particle_count(); }, "Of fluids and grains.");
+  bind_value(
+      world, "support_radius", [](World& w) { return w.support_radius(); }, "m.");
+  bind_value(
+      world, "device_info", [](World& w) { return w.device(); },
+      "Where the world runs, and the reason if it fell back to the CPU.");
+  bind_value(
+      world, "device_bytes", [](World& w) { return w.device_bytes(); }, "Held on the device.");
   world.def(
       "state_hash",
       [](const PyWorld& self) { return self.state->measure([](World& w) { return w.state_hash(); }); },

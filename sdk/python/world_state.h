@@ -104,8 +104,8 @@ class WorldState {
   template <class Make>
   nb::object array(ReadoutKind kind, uint32_t owner, const Make& make) {
     const Turn turn(*this);
-    nb::object& known = kind <= ReadoutKind::diffuse ? particle_arrays_[std::size_t(kind)]
-                                                     : owned_arrays_[{kind, owner}];
+    nb::object& known =
+        kind <= ReadoutKind::diffuse ? particle_arrays_[std::size_t(kind)] : owned_arrays_[{kind, owner}];
     if (!known.is_valid()) known = make(world_);
     return known;
   }

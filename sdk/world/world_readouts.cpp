@@ -66,8 +66,8 @@ std::shared_ptr<const void> World::Calls::hold(const void* first) const {
     };
     (try_one(readouts), ...);
   };
-  try_each(impl_->positions, impl_->velocities, impl_->fluid_indices, impl_->density_errors,
-           impl_->pressures, impl_->ellipsoids, impl_->diffuse);
+  try_each(impl_->positions, impl_->velocities, impl_->fluid_indices, impl_->density_errors, impl_->pressures,
+           impl_->ellipsoids, impl_->diffuse);
   if (!owner) throw Error(ErrorCode::not_found, "no read-out of particles begins at the address of hold");
   return owner;
 }

@@ -6,7 +6,8 @@ Quantities are in SI units, and y points up unless gravity says otherwise."""
 
 from . import _core, errors, pictures, results
 from ._core import *  # noqa: F403
-from ._core import World, __version__, list_devices, scene_schema
+from ._core import World, list_devices, scene_schema
+from ._core import version as __version__
 from .errors import *  # noqa: F403
 from .errors import Error
 from .rotations import axis_angle

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -15,7 +16,7 @@ def steps(frames: int, progress: bool) -> Iterable[int]:
     """The numbers of the steps, shown as a bar in terminals and notebooks."""
     if progress:
         try:
-            from tqdm.auto import tqdm
+            tqdm = importlib.import_module("tqdm.auto").tqdm
         except ImportError:
             print(f"meniscus: {frames} frames; for a bar: pip install tqdm")
         else:
