@@ -20,7 +20,9 @@ void bind_array(nb::class_<Handle<Id>>& type, const char* name, ReadoutKind kind
   type.def_prop_ro(
       name,
       [kind, read_out](const Handle<Id>& self) {
-        return self.state->array(kind, self.id.index, [&](World& w) { return copied(read_out(w, self.id)); });
+        return self.state->array(
+            kind, self.id.index, [&](World& w) { return read_out(w, self.id); },
+            [](World&, const auto& values) { return copied(values); });
       },
       nb::for_getter(nb::sig(getter.c_str())), doc);
 }
@@ -63,11 +65,13 @@ void bind_cloth_arrays(nb::class_<Handle<ClothId>>& type) {
   type.def_prop_ro(
       "triangles",
       [](const Handle<ClothId>& self) {
-        return self.state->array(ReadoutKind::cloth_triangles, self.id.index, [&](World& w) {
-          const std::span<const uint32_t> corners = w.cloth_triangles(self.id);
-          const auto owner = std::make_shared<const std::vector<uint32_t>>(corners.begin(), corners.end());
-          return rows(owner->data(), owner->size() / 3, 3, 3, kept(owner));
-        });
+        return self.state->array(
+            ReadoutKind::cloth_triangles, self.id.index, [&](World& w) { return w.cloth_triangles(self.id); },
+            [](World&, std::span<const uint32_t> corners) {
+              const auto owner =
+                  std::make_shared<const std::vector<uint32_t>>(corners.begin(), corners.end());
+              return rows(owner->data(), owner->size() / 3, 3, 3, kept(owner));
+            });
       },
       nb::for_getter(nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]")),
       "Three vertices each. Tearing adds vertices at the end and keeps the order of triangles.");

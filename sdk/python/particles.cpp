@@ -13,11 +13,11 @@ namespace {
 
 constexpr const char* array = "numpy.typing.ArrayLike";
 
-template <class Make>
+template <class ReadOut, class Wrap>
 void bind_array(nb::class_<PyWorld>& world, const char* name, ReadoutKind kind, const std::string& result,
-                const Make& make, const char* doc) {
+                const ReadOut& read_out, const Wrap& wrap, const char* doc) {
   world.def_prop_ro(
-      name, [kind, make](const PyWorld& self) { return self.state->array(kind, 0, make); },
+      name, [=](const PyWorld& self) { return self.state->array(kind, 0, read_out, wrap); },
       nb::for_getter(nb::sig(("def " + std::string(name) + "(self) -> " + result).c_str())), doc);
 }
 
@@ -37,8 +37,7 @@ nb::object owner_of(World& w, const auto& elements) {
   return elements.empty() ? nb::object(nb::none()) : nb::object(kept(w.hold(elements.data())));
 }
 
-nb::object ellipsoids(World& w) {
-  const std::span<const Ellipsoid> all = w.ellipsoids();
+nb::object ellipsoids(World& w, std::span<const Ellipsoid> all) {
   const nb::object owner = owner_of(w, all);
   const Ellipsoid none, *first = all.empty() ? &none : all.data();
   return make_result("Ellipsoids", column<float>(all, &first->centre, 3, owner),
@@ -46,8 +45,7 @@ nb::object ellipsoids(World& w) {
                      column<float>(all, &first->rotation, 4, owner));
 }
 
-nb::object diffuse(World& w) {
-  const std::span<const DiffuseParticle> all = w.diffuse();
+nb::object diffuse(World& w, std::span<const DiffuseParticle> all) {
   const nb::object owner = owner_of(w, all);
   const DiffuseParticle none{}, *first = all.empty() ? &none : all.data();
   return make_result("Diffuse", column<float>(all, &first->position, 3, owner),
@@ -57,28 +55,34 @@ nb::object diffuse(World& w) {
 }
 
 void bind_arrays(nb::class_<PyWorld>& world) {
+  const auto own = [](World& w, auto values) { return held(w, values); };
+  const auto copy = [](World&, auto values) { return copied(values); };
   bind_array(
       world, "positions", ReadoutKind::positions, array_type("float32"),
-      [](World& w) { return held(w, w.positions()); }, "m, one row a particle, in the order of ids.");
+      [](World& w) { return w.positions(); }, own, "m, one row a particle, in the order of ids.");
   bind_array(
       world, "velocities", ReadoutKind::velocities, array_type("float32"),
-      [](World& w) { return held(w, w.velocities()); }, "m/s.");
+      [](World& w) { return w.velocities(); }, own, "m/s.");
   bind_array(
-      world, "ids", ReadoutKind::ids, array_type("uint64"), [](World& w) { return copied(w.ids()); },
+      world, "ids", ReadoutKind::ids, array_type("uint64"), [](World& w) { return w.ids(); }, copy,
       "Particles are numbered from 0 in the order of their creation.");
   bind_array(
-      world, "fluid_indices", ReadoutKind::fluids, array_type("uint32"),
-      [](World& w) { return held(w, w.fluids()); }, "Fluid.index of each particle.");
+      world, "fluid_indices", ReadoutKind::fluids, array_type("uint32"), [](World& w) { return w.fluids(); },
+      own, "Fluid.index of each particle.");
   bind_array(
       world, "density_errors", ReadoutKind::density_errors, array_type("float32"),
-      [](World& w) { return held(w, w.density_errors()); }, "ρ/ρ₀ − 1, at the present positions.");
+      [](World& w) { return w.density_errors(); }, own, "ρ/ρ₀ − 1, at the present positions.");
   bind_array(
       world, "pressures", ReadoutKind::pressures, array_type("float32"),
-      [](World& w) { return held(w, w.pressures()); }, "Pa, of the last substep.");
-  bind_array(world, "ellipsoids", ReadoutKind::ellipsoids, "meniscus.results.Ellipsoids", ellipsoids,
-             "Ellipsoids whose outsides form the surface of the fluid.");
-  bind_array(world, "diffuse", ReadoutKind::diffuse, "meniscus.results.Diffuse", diffuse,
-             "Spray, foam and bubbles, in the order of their creation.");
+      [](World& w) { return w.pressures(); }, own, "Pa, of the last substep.");
+  bind_array(
+      world, "ellipsoids", ReadoutKind::ellipsoids, "meniscus.results.Ellipsoids",
+      [](World& w) { return w.ellipsoids(); }, ellipsoids,
+      "Ellipsoids whose outsides form the surface of the fluid.");
+  bind_array(
+      world, "diffuse", ReadoutKind::diffuse, "meniscus.results.Diffuse",
+      [](World& w) { return w.diffuse(); }, diffuse,
+      "Spray, foam and bubbles, in the order of their creation.");
 }
 
 ParticleId add_particles(const PyWorld& self, const Handle<FluidId>& fluid, nb::handle positions,

@@ -57,14 +57,18 @@ nb::object draw(const PyWorld& self, int width, int height, nb::handle position,
   picture.width = width;
   picture.height = height;
   if (const auto camera = camera_of(position, target, field_of_view)) picture.camera = camera;
+  // Copies: without the GIL, other threads may add to the lists.
+  const auto bodies = state.bodies.ids;
+  const auto cloths = state.cloths;
+  const auto ropes = state.ropes;
   io::Image image = state.measure([&](World& w) {
     picture.gravity = w.def().gravity;
     picture.particle_spacing = w.def().particle_spacing;
-    std::vector<BodyState> bodies;
-    for (const BodyId id : state.bodies.ids) bodies.push_back(w.body_state(id));
-    return io::render_preview(io::frame_of(w), picture, bodies,
-                              io::cloth_frame_of(w, state.cloths.ids, state.cloths.defs),
-                              io::rope_frame_of(w, state.ropes.ids, state.ropes.defs));
+    std::vector<BodyState> states;
+    for (const BodyId id : bodies) states.push_back(w.body_state(id));
+    return io::render_preview(io::frame_of(w), picture, states,
+                              io::cloth_frame_of(w, cloths.ids, cloths.defs),
+                              io::rope_frame_of(w, ropes.ids, ropes.defs));
   });
   const auto rgb = std::make_shared<const std::vector<uint8_t>>(std::move(image.rgb));
   using Pixels = nb::ndarray<nb::numpy, const uint8_t>;

@@ -100,13 +100,17 @@ class WorldState {
     forget_arrays();
     return without_gil(call);
   }
-  /// An array of the present state: make(world) on its first request.
-  template <class Make>
-  nb::object array(ReadoutKind kind, uint32_t owner, const Make& make) {
+  /// An array of the present state. On its first request read_out(world) runs without the GIL, since some
+  /// read-outs search neighbours, and wrap(world, values) makes the array.
+  template <class ReadOut, class Wrap>
+  nb::object array(ReadoutKind kind, uint32_t owner, const ReadOut& read_out, const Wrap& wrap) {
     const Turn turn(*this);
     nb::object& known =
         kind <= ReadoutKind::diffuse ? particle_arrays_[std::size_t(kind)] : owned_arrays_[{kind, owner}];
-    if (!known.is_valid()) known = make(world_);
+    if (!known.is_valid()) {
+      const auto values = without_gil(read_out);
+      known = wrap(world_, values);
+    }
     return known;
   }
   /// Ends the long call that runs. Any thread may call it.
