@@ -281,6 +281,9 @@ std::span<const float> World::pressures() const {
 std::span<const Ellipsoid> World::ellipsoids() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.outward_ellipsoids(); });
 }
+std::shared_ptr<const void> World::hold(const void* first) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.hold(first); });
+}
 void World::write_particles(const ParticleArrays& arrays) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.write_particles(arrays); });
 }

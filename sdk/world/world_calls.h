@@ -121,6 +121,7 @@ struct World::Calls {
   std::span<const float> density_errors() const;
   std::span<const float> pressures() const;
   std::span<const Ellipsoid> ellipsoids() const;
+  std::shared_ptr<const void> hold(const void* first) const;
   void write_particles(const ParticleArrays& arrays) const;
   void write_particles(GlParticles& buffers) const;
   SurfaceMesh surface_mesh(const SurfaceMeshDef& def = {}) const;

@@ -6,6 +6,7 @@
 
 #include <meniscus/world.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,17 +24,20 @@ struct Definitions;
 /// A read-out that is fetched from the device on its first request after a change.
 template <class T>
 struct CachedReadout {
-  std::vector<T> values;
+  std::shared_ptr<std::vector<T>> values = std::make_shared<std::vector<T>>();
   bool valid = false;
 
   template <class Fetch>
   std::span<const T> get(size_t count, const Fetch& fetch) {
     if (!valid) {
-      values.resize(count);
-      if (count) fetch(std::span<T>(values));
+      // World::hold() gives the array to others, who may release it on another thread.
+      if (values.use_count() > 1) values = std::make_shared<std::vector<T>>();
+      std::atomic_thread_fence(std::memory_order_acquire);
+      values->resize(count);
+      if (count) fetch(std::span<T>(*values));
       valid = true;
     }
-    return values;
+    return *values;
   }
 };
 

@@ -73,6 +73,21 @@ std::span<const DiffuseParticle> World::Calls::diffuse() const {
                             [&](auto out) { impl_->engine->read_diffuse(out); });
 }
 
+std::shared_ptr<const void> World::Calls::hold(const void* first) const {
+  std::shared_ptr<const void> owner;
+  const auto try_each = [&](const auto&... readouts) {
+    const auto try_one = [&](const auto& readout) {
+      if (readout.valid && !readout.values->empty() && readout.values->data() == first)
+        owner = readout.values;
+    };
+    (try_one(readouts), ...);
+  };
+  try_each(impl_->positions, impl_->velocities, impl_->fluid_indices, impl_->density_errors, impl_->pressures,
+           impl_->ellipsoids, impl_->diffuse);
+  if (!owner) throw Error(ErrorCode::not_found, "no read-out of particles begins at the address of hold");
+  return owner;
+}
+
 SurfaceMesh World::Calls::surface_mesh(const SurfaceMeshDef& def) const {
   check::def(def);
   std::optional<uint32_t> group;
@@ -92,7 +107,7 @@ SurfaceMesh World::Calls::surface_mesh(const SurfaceMeshDef& def) const {
 Diagnostics World::Calls::diagnostics() const {
   Diagnostics d = impl_->with_all().measure(impl_->def.gravity);
   const std::span<const float> error = density_errors();
-  const std::vector<float>& full = impl_->full_support.values;
+  const std::vector<float>& full = *impl_->full_support.values;
   double over = 0, interior = 0, interior_count = 0;
   for (size_t i = 0; i < error.size(); ++i) {
     over += std::max(error[i], 0.0f);

@@ -244,6 +244,11 @@ class World {
   /// Ellipsoids whose outsides form the surface of the fluid. They are flat along it, and balls for lone and
   /// inner particles. Their centres are smoothed. Grains are balls with a diameter of one spacing.
   std::span<const Ellipsoid> ellipsoids() const;
+  /// Keeps one of these read-outs, from positions() to ellipsoids(), or diffuse(), as it is while the result
+  /// lives. The world writes later values elsewhere. `first` is the address of its first element. Throws
+  /// Error(not_found) if no such read-out begins there. The result may outlive the world, and any thread may
+  /// release it.
+  std::shared_ptr<const void> hold(const void* first) const;
   /// Writes ellipsoids and fluids to arrays on the world's own device, for a renderer there. The arrays are
   /// complete when the call returns. Right after a step, ellipsoids use the neighbours of the last substep,
   /// which cost no search. At the surface they differ from ellipsoids() by particles that have come within

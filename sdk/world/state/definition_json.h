@@ -114,15 +114,6 @@ class Reader {
   const Ids& ids_;
 };
 
-/// fields() shows the region of an opening only where there is one.
-inline Json opening_to_json(Opening& opening, const Ids& ids) {
-  return {{"face", to_json(opening.face, ids)}, {"region", to_json(opening.region, ids)}};
-}
-inline void opening_from_json(const Json& json, Opening& opening, const Ids& ids) {
-  from_json(at(json, "face"), "face", opening.face, ids);
-  from_json(at(json, "region"), "region", opening.region, ids);
-}
-
 template <class E>
 Json name_of(E value) {
   for (const Named<E>& named : names_of(value)) {
@@ -148,8 +139,6 @@ Json to_json(T& value, const Ids& ids) {
     return list;
   } else if constexpr (is_id<T>) {
     return {value.index, value.generation - ids.first_generation};
-  } else if constexpr (std::is_same_v<T, Opening>) {
-    return opening_to_json(value, ids);
   } else if constexpr (HasNames<T>) {
     return name_of(value);
   } else if constexpr (HasChoices<T>) {
@@ -183,8 +172,6 @@ void from_json(const Json& json, const std::string& key, T& value, const Ids& id
   } else if constexpr (is_id<T>) {
     if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number()) refuse(key);
     value = {json[0].get<uint32_t>(), json[1].get<uint32_t>() + ids.first_generation};
-  } else if constexpr (std::is_same_v<T, Opening>) {
-    opening_from_json(json, value, ids);
   } else if constexpr (HasNames<T>) {
     value = value_of<T>(json, key);
   } else if constexpr (HasChoices<T>) {

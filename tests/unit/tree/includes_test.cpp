@@ -92,6 +92,7 @@ const Edges folders{
      {"sdk/io", "sdk/io/preview", "sdk/render/frame", "sdk/render/gl", "sdk/render/meshes"}},
     {"sdk/render", {"sdk/io", "sdk/render/frame", "sdk/render/gl", "sdk/render/meshes", "sdk/render/passes"}},
     {"sdk/viewer", {"sdk/fields", "sdk/io", "sdk/render", "sdk/render/frame", "sdk/scene"}},
+    {"sdk/python", {"sdk/fields", "sdk/io", "sdk/io/preview", "sdk/scene"}},
     {"sdk/cli/record", {"sdk/fields", "sdk/io", "sdk/scene"}},
     {"sdk/cli/output", {"sdk/cli/record", "sdk/io", "sdk/io/preview", "sdk/render", "sdk/scene"}},
     {"sdk/cli/stop", {}},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <numeric>
 
 #include "tests/worlds.h"
@@ -39,6 +40,39 @@ TEST_P(ParticlesTest, IdsCountFromZeroAndFollowTheOrderOfMaking) {
   std::iota(expected.begin(), expected.end(), 0);
   EXPECT_EQ(ids(world), expected);
   EXPECT_EQ(world.particle_count(), 13u);
+}
+
+TEST_P(ParticlesTest, HeldReadOutsStayAsTheyAre) {
+  std::shared_ptr<const void> positions, velocities;
+  std::span<const Vec3> held, held_velocities;
+  std::vector<Vec3> before;
+  {
+    World world(def_);
+    const FluidId water = world.create_fluid({});
+    world.add_particles(water, apart(5));
+    held = world.positions(), held_velocities = world.velocities();
+    positions = world.hold(held.data()), velocities = world.hold(held_velocities.data());
+    before.assign(held.begin(), held.end());
+    world.step(0.01f);
+    EXPECT_NE(world.positions().data(), held.data());
+    EXPECT_LT(world.positions()[0].y, before[0].y);
+    world.add_particles(water, apart(3, 5));
+    EXPECT_THROW(world.hold(held.data()), Error) << "it is no longer the world's";
+    EXPECT_THROW(world.hold(nullptr), Error);
+  }
+  for (size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(length(held[i] - before[i]), 0);
+    EXPECT_EQ(length(held_velocities[i]), 0);
+  }
+}
+
+TEST_P(ParticlesTest, ReleasedReadOutsAreWrittenAgain) {
+  World world(def_);
+  world.add_particles(world.create_fluid({}), apart(5));
+  const Vec3* const first = world.positions().data();
+  world.hold(first).reset();
+  world.step(0.01f);
+  EXPECT_EQ(world.positions().data(), first);
 }
 
 TEST_P(ParticlesTest, ReadOutsKeepTheOrderOfIdsThroughSteps) {

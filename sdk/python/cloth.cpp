@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The classes Cloth, Rope and Attachment.
+#include "sdk/python/arrays.h"
+#include "sdk/python/results.h"
+#include "sdk/python/thing.h"
+#include "sdk/python/things.h"
+
+namespace meniscus::python {
+
+namespace {
+
+/// A property that is an array, of the present state.
+template <class Id, class Read>
+void bind_array(nb::class_<Handle<Id>>& type, const char* name, ReadoutKind kind, const char* number,
+                const Read& read_out, const char* doc) {
+  const std::string getter =
+      "def " + std::string(name) + "(self) -> numpy.typing.NDArray[numpy." + number + "]";
+  type.def_prop_ro(
+      name,
+      [kind, read_out](const Handle<Id>& self) {
+        return self.state->array(
+            kind, self.id.index, [&](World& w) { return read_out(w, self.id); },
+            [](World&, const auto& values) { return copied(values); });
+      },
+      nb::for_getter(nb::sig(getter.c_str())), doc);
+}
+
+template <class Id>
+void bind_impulses(nb::class_<Handle<Id>>& type) {
+  type.def(
+      "apply_impulses",
+      [](const Handle<Id>& self, nb::handle vertices, nb::handle impulses) {
+        std::vector<uint32_t> numbers;
+        std::vector<Vec3> pushes;
+        read(vertices, {"apply_impulses", "vertices"}, numbers);
+        read(impulses, {"apply_impulses", "impulses"}, pushes);
+        self.state->change([&](World& w) { w.apply_impulses(self.id, numbers, pushes); });
+      },
+      nb::arg("vertices"), nb::arg("impulses"),
+      nb::sig(
+          "def apply_impulses(self, vertices: numpy.typing.ArrayLike, impulses: numpy.typing.ArrayLike) -> "
+          "None"),
+      "N·s on each of these vertices, by number, at once. No number may repeat.");
+}
+
+void bind_cloth_arrays(nb::class_<Handle<ClothId>>& type) {
+  bind_array(
+      type, "positions", ReadoutKind::cloth_positions, "float32",
+      [](World& w, ClothId id) { return w.cloth_positions(id); }, "m, one row a vertex.");
+  bind_array(
+      type, "velocities", ReadoutKind::cloth_velocities, "float32",
+      [](World& w, ClothId id) { return w.cloth_velocities(id); }, "m/s, one row a vertex.");
+  bind_array(
+      type, "normals", ReadoutKind::cloth_normals, "float32",
+      [](World& w, ClothId id) { return w.cloth_normals(id); }, "Unit vectors, one a vertex.");
+  bind_array(
+      type, "strains", ReadoutKind::cloth_strains, "float32",
+      [](World& w, ClothId id) { return w.cloth_strains(id); }, "Largest principal strain of each triangle.");
+  bind_array(
+      type, "wetness", ReadoutKind::cloth_wetness, "float32",
+      [](World& w, ClothId id) { return w.cloth_wetness(id); },
+      "For each vertex: the fluid that it holds over the fabric's absorbency, or 0 if that is 0.");
+  type.def_prop_ro(
+      "triangles",
+      [](const Handle<ClothId>& self) {
+        return self.state->array(
+            ReadoutKind::cloth_triangles, self.id.index, [&](World& w) { return w.cloth_triangles(self.id); },
+            [](World&, std::span<const uint32_t> corners) {
+              const auto owner =
+                  std::make_shared<const std::vector<uint32_t>>(corners.begin(), corners.end());
+              return rows(owner->data(), owner->size() / 3, 3, 3, kept(owner));
+            });
+      },
+      nb::for_getter(nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]")),
+      "Three vertices each. Tearing adds vertices at the end and keeps the order of triangles.");
+}
+
+}  // namespace
+
+void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
+  nb::class_<Handle<ClothId>> cloth = bind_thing(module, world, "cloth", "cloths", &WorldState::cloths);
+  bind_creation<ClothDef>(world, "add_cloth", &WorldState::cloths, &World::create_cloth,
+                          "Adds a piece of cloth. Raises MeshError where the mesh is no surface.");
+  bind_destruction(cloth, &WorldState::cloths, &World::destroy_cloth, "Removes it, and its attachments.");
+  bind_cloth_arrays(cloth);
+  bind_impulses(cloth);
+  bind_answer(
+      cloth, "welded_vertices", "int", [](World& w, ClothId id) { return w.cloth_welded_vertices(id); },
+      "How many vertices of its file were merged into others.");
+  bind_answer(
+      cloth, "bending_fraction", "float", [](World& w, ClothId id) { return w.cloth_bending_fraction(id); },
+      "Of the bending stiffness of its fabric, the least part that substeps have resolved.");
+  cloth.def_prop_ro(
+      "state",
+      [](const Handle<ClothId>& self) {
+        return self.state->look([&](World& w) { return w.cloth_state(self.id); });
+      },
+      "Mass, area, stretch, volume, pressure, momentum and energy.");
+
+  nb::class_<Handle<RopeId>> rope = bind_thing(module, world, "rope", "ropes", &WorldState::ropes);
+  bind_creation<RopeDef>(world, "add_rope", &WorldState::ropes, &World::create_rope, "Adds a rope or a rod.");
+  bind_destruction(rope, &WorldState::ropes, &World::destroy_rope, "Removes it, and its attachments.");
+  bind_array(
+      rope, "positions", ReadoutKind::rope_positions, "float32",
+      [](World& w, RopeId id) { return w.rope_positions(id); }, "m, one row a vertex.");
+  bind_array(
+      rope, "velocities", ReadoutKind::rope_velocities, "float32",
+      [](World& w, RopeId id) { return w.rope_velocities(id); }, "m/s, one row a vertex.");
+  bind_array(
+      rope, "frames", ReadoutKind::rope_frames, "float32",
+      [](World& w, RopeId id) { return w.rope_frames(id); },
+      "Quaternions (x, y, z, w), one a segment of a rod, z along it. Ropes have none.");
+  bind_impulses(rope);
+
+  nb::class_<Handle<AttachmentId>> attachment =
+      bind_thing(module, world, "attachment", "attachments", &WorldState::attachments);
+  bind_creation<AttachmentDef>(world, "add_attachment", &WorldState::attachments, &World::create_attachment,
+                               "Holds vertices of cloth or of a rope, or sews them to others.");
+  bind_destruction(attachment, &WorldState::attachments, &World::destroy_attachment, "Lets go.");
+  bind_answer(
+      attachment, "force", "tuple[float, float, float]",
+      [](World& w, AttachmentId id) { return w.attachment_force(id); },
+      "N, on the world or the body in the last step. Seams read 0.");
+  bind_answer(
+      attachment, "vertices", "list[int]",
+      [](World& w, AttachmentId id) { return w.attachment_vertices(id); }, "By number.");
+}
+
+}  // namespace meniscus::python

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: MIT
+"""What queries return. Arrays are read-only, and belong to the moment of the call."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from ._core import Body, Cloth, Shape
+
+Vector = tuple[float, float, float]
+
+
+class ParticleContacts(NamedTuple):
+    """Contacts of particles in the last substep, one element a contact.
+
+    bodies, shapes and cloths hold a place in the list of the same name of World, or -1."""
+
+    particles: NDArray[np.uint64]
+    bodies: NDArray[np.int64]
+    shapes: NDArray[np.int64]
+    cloths: NDArray[np.int64]
+    points: NDArray[np.float32]  # m
+    normals: NDArray[np.float32]  # unit, out of the solid
+    impulses: NDArray[np.float32]  # N·s, on the particle
+
+
+class SolidContact(NamedTuple):
+    """Two solids that touch or are about to. The second is a body or a shape."""
+
+    a: Body
+    b: Body | None
+    shape: Shape | None
+    point: Vector  # m, on b
+    normal: Vector  # unit, from b to a
+    distance: float  # m, negative if they overlap
+    impulse: float  # N·s along the normal
+
+
+class ContactEvent(NamedTuple):
+    """Two solids that began or ceased to touch in the last step."""
+
+    a: Body | None
+    b: Body | None
+    shape: Shape | None
+    began: bool
+
+
+class TearEvent(NamedTuple):
+    """A vertex that tore in two in the last step."""
+
+    cloth: Cloth
+    copy: int  # the number of the new vertex
+    original: int
+
+
+class RayHit(NamedTuple):
+    """The first hit of a ray: a body, a shape or a particle."""
+
+    body: Body | None
+    shape: Shape | None
+    particle: int | None
+    point: Vector  # m
+    normal: Vector  # unit, against the ray
+    distance: float  # m along the ray
+
+
+class Overlaps(NamedTuple):
+    """What overlaps a region."""
+
+    bodies: list[Body]
+    shapes: list[Shape]
+    particles: NDArray[np.uint64]
+
+
+class Ellipsoids(NamedTuple):
+    """One a particle."""
+
+    centres: NDArray[np.float32]  # m
+    radii: NDArray[np.float32]  # m
+    rotations: NDArray[np.float32]  # quaternions (x, y, z, w)
+
+
+class Diffuse(NamedTuple):
+    """Spray, foam and bubbles."""
+
+    positions: NDArray[np.float32]  # m
+    velocities: NDArray[np.float32]  # m/s
+    life: NDArray[np.float32]  # s, remaining
+    kinds: NDArray[np.uint32]  # 0 is spray, 1 foam, 2 a bubble
+
+
+class SurfaceMesh(NamedTuple):
+    """The surface of a fluid, closed."""
+
+    vertices: NDArray[np.float32]  # m
+    normals: NDArray[np.float32]  # unit, out of the fluid
+    triangles: NDArray[np.uint32]  # counter-clockwise as seen from outside
