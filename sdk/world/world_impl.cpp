@@ -97,10 +97,21 @@ void check_baseline_kernel(const WorldDef& def) {
                 "poly6_spiky with the solvers pcisph, wcsph and dfsph");
 }
 
+namespace {
+
+/// Far from the origin, the ends of an axis may round to one.
+WorldDef inward_checked(const Origin& origin, const WorldDef& given) {
+  WorldDef def = origin.inward(given);
+  check::def(def);
+  return def;
+}
+
+}  // namespace
+
 World::Impl::Impl(const WorldDef& world_def)
     : given((check::def(world_def), check_baseline_kernel(world_def), world_def)),
       origin(given.origin),
-      def(origin.inward(given)),
+      def(inward_checked(origin, given)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
                               def.kernel)) {
