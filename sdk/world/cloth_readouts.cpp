@@ -48,13 +48,11 @@ std::span<const Vec3> World::Calls::cloth_positions(ClothId id) const {
 }
 
 std::span<const Vec3> World::Calls::outward_positions(ClothId id) const {
-  return meniscus::outward(impl_->origin, cloth_positions(id), impl_->cloths.edit(id).outward,
-                           [](Vec3& p) -> Vec3& { return p; });
+  return meniscus::outward(impl_->origin, cloth_positions(id), impl_->cloths.edit(id).outward);
 }
 
 std::span<const Vec3> World::Calls::outward_positions(RopeId id) const {
-  return meniscus::outward(impl_->origin, rope_positions(id), impl_->ropes.edit(id).outward,
-                           [](Vec3& p) -> Vec3& { return p; });
+  return meniscus::outward(impl_->origin, rope_positions(id), impl_->ropes.edit(id).outward);
 }
 
 std::span<const Vec3> World::Calls::cloth_velocities(ClothId id) const {

@@ -79,13 +79,12 @@ class InwardPoints {
   std::span<const Vec3> points_;
 };
 
-/// A read-out in the user's frame, kept in `kept`: the read-out itself where the origin is zero.
-template <class T, class Place>
-std::span<const T> outward(const Origin& origin, std::span<const T> values, std::vector<T>& kept,
-                           const Place& place) {
-  if (origin.is_zero()) return values;
-  kept.assign(values.begin(), values.end());
-  for (T& value : kept) place(value) = origin.outward(place(value));
+/// Points in the user's frame, kept in `kept`: the points themselves where the origin is zero.
+inline std::span<const Vec3> outward(const Origin& origin, std::span<const Vec3> points,
+                                     std::vector<Vec3>& kept) {
+  if (origin.is_zero()) return points;
+  kept.clear();
+  for (const Vec3& p : points) kept.push_back(origin.outward(p));
   return kept;
 }
 

@@ -103,6 +103,7 @@ World::Impl::Impl(const WorldDef& world_def)
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
                               def.kernel)) {
+  check::def(def);  // far from zero, the ends of a periodic axis may round to one
   engine = make_engine(engine_def(), def.device, def.threads, device);
 }
 
@@ -292,6 +293,7 @@ void World::Impl::read_probes() {
 void World::Impl::state_changed() {
   positions.valid = velocities.valid = fluid_indices.valid = false;
   diffuse.valid = ellipsoids.valid = density_errors.valid = full_support.valid = pressures.valid = false;
+  outward_positions.valid = outward_ellipsoids.valid = outward_diffuse.valid = false;
 }
 
 void World::Impl::settle() {

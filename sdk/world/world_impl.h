@@ -162,9 +162,9 @@ struct World::Impl : WorldTables {
   CachedReadout<DiffuseParticle> diffuse;
   EngineMeasure measured;  // measured with density_errors
   // In the user's frame, where that is another one.
-  std::vector<Vec3> outward_positions;
-  std::vector<Ellipsoid> outward_ellipsoids;
-  std::vector<DiffuseParticle> outward_diffuse;
+  CachedReadout<Vec3> outward_positions;
+  CachedReadout<Ellipsoid> outward_ellipsoids;
+  CachedReadout<DiffuseParticle> outward_diffuse;
   std::optional<fluid::SurfaceField> surface;  // created on request
 };
 

@@ -27,19 +27,34 @@ std::span<const Vec3> World::Calls::positions() const {
   return impl_->positions.get(particle_count(), [&](auto out) { impl_->engine->read_positions(out); });
 }
 
+namespace {
+
+/// A read-out in the user's frame, kept in `kept`: the read-out itself where the origin is zero.
+template <class T, class Place>
+std::span<const T> in_users_frame(const Origin& origin, std::span<const T> values, CachedReadout<T>& kept,
+                                  const Place& place) {
+  if (origin.is_zero()) return values;
+  return kept.get(values.size(), [&](std::span<T> out) {
+    std::ranges::copy(values, out.begin());
+    for (T& value : out) place(value) = origin.outward(place(value));
+  });
+}
+
+}  // namespace
+
 std::span<const Vec3> World::Calls::outward_positions() const {
-  return meniscus::outward(impl_->origin, positions(), impl_->outward_positions,
-                           [](Vec3& p) -> Vec3& { return p; });
+  return in_users_frame(impl_->origin, positions(), impl_->outward_positions,
+                        [](Vec3& p) -> Vec3& { return p; });
 }
 
 std::span<const Ellipsoid> World::Calls::outward_ellipsoids() const {
-  return meniscus::outward(impl_->origin, ellipsoids(), impl_->outward_ellipsoids,
-                           [](Ellipsoid& e) -> Vec3& { return e.centre; });
+  return in_users_frame(impl_->origin, ellipsoids(), impl_->outward_ellipsoids,
+                        [](Ellipsoid& e) -> Vec3& { return e.centre; });
 }
 
 std::span<const DiffuseParticle> World::Calls::outward_diffuse() const {
-  return meniscus::outward(impl_->origin, diffuse(), impl_->outward_diffuse,
-                           [](DiffuseParticle& d) -> Vec3& { return d.position; });
+  return in_users_frame(impl_->origin, diffuse(), impl_->outward_diffuse,
+                        [](DiffuseParticle& d) -> Vec3& { return d.position; });
 }
 
 std::span<const Vec3> World::Calls::velocities() const {
@@ -83,7 +98,8 @@ std::shared_ptr<const void> World::Calls::hold(const void* first) const {
     (try_one(readouts), ...);
   };
   try_each(impl_->positions, impl_->velocities, impl_->fluid_indices, impl_->density_errors, impl_->pressures,
-           impl_->ellipsoids, impl_->diffuse);
+           impl_->ellipsoids, impl_->diffuse, impl_->outward_positions, impl_->outward_ellipsoids,
+           impl_->outward_diffuse);
   if (!owner) throw Error(ErrorCode::not_found, "no read-out of particles begins at the address of hold");
   return owner;
 }

@@ -229,6 +229,12 @@ TEST_P(OriginTest, ItIsFixed) {
   expect_error(ErrorCode::invalid_argument, "WorldDef::origin", [&] { World{def}; });
 }
 
+TEST_P(OriginTest, APeriodThatRoundsAwayIsRefused) {
+  WorldDef def = def_at(GetParam(), {1e9f, 0, 0});
+  def.periodic.x = {0, 1};
+  expect_error(ErrorCode::invalid_argument, "WorldDef::periodic.x.high", [&] { World{def}; });
+}
+
 TEST_P(OriginTest, PlacesNearItAreNotWarnedOf) {
   World world(def_at(GetParam(), far_away));
   const FluidId water = world.create_fluid({});
