@@ -71,8 +71,10 @@ std::string misses_of(const Record& record) {
   std::string text;
   if (!record.failure.empty())
     text += fmt::format("- {}: the run failed. {}\n", record.of.title, record.failure);
+  std::string last;  // a figure may have a gate and a closer target: the wider one is told
   for (const Gate& gate : record.result.gates) {
-    if (gate.holds()) continue;
+    if (gate.holds() || gate.name == last) continue;
+    last = gate.name;
     text += fmt::format("- {}: {} is {}, not {}. {}\n", record.of.title, gate.name,
                         printed(gate.value, gate.unit), interval_of(gate),
                         gate.reason.empty() ? "The reason is not known." : gate.reason);

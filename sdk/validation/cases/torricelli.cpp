@@ -73,7 +73,7 @@ Result result_of(const Settings& settings) {
   Drain drain = full_vessel(settings, spacing, settings.choose(5.0f, 8.0f, 8.0f) * slot);
   Curve head{"√h"}, fitted{"√h"};
   while (drain.head() > 0.5 * double{level} && drain.world.time() < 5) {
-    drain.world.step(1 / 60.0f);
+    drain.world.step(1 / 120.0f);
     const double root = std::sqrt(drain.head());
     head.add(drain.world.time(), root);
     if (root * root < 0.85 * double{level}) fitted.add(drain.world.time(), root);
