@@ -4,13 +4,13 @@
 # The shared library for C. It holds all of Meniscus and shows nothing but the functions of meniscus_c.h. Before version
 # 1.0 a minor version may change them, so that the name of the library and its symbols has both numbers.
 
-set(meniscus_c_sources bodies cloth defs member member_list particles queries scene status world)
+set(meniscus_c_sources bodies cloth defs export member member_list particles queries scene status world)
 list(TRANSFORM meniscus_c_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/sdk/c/\\1.cpp")
 configure_file(${PROJECT_SOURCE_DIR}/sdk/c/meniscus_c.map.in ${PROJECT_BINARY_DIR}/meniscus_c.map @ONLY)
 
 add_library(meniscus_c SHARED ${meniscus_c_sources})
 add_library(Meniscus::meniscus_c ALIAS meniscus_c)
-target_link_libraries(meniscus_c PRIVATE meniscus_flags meniscus_scene)
+target_link_libraries(meniscus_c PRIVATE meniscus_flags meniscus_io)
 target_include_directories(meniscus_c PUBLIC
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_options(meniscus_c PRIVATE ${meniscus_fast_build})

@@ -7,9 +7,10 @@
 // check() of a visitor takes conditions on several members: whether it holds, a message, and the name and the
 // value of the member at fault.
 //
-// Three visitors use it: the checks of World (world/check/member_check.h), and through scene/scene_fields.h
-// the reader and the schema of scene files. Rules of text, such as not_empty, apply to files only. Where a
-// file refers to another thing by name, C++ has an id, which these checks do not look at.
+// These visitors use it: the checks of World (world/check/member_check.h), the setters and the list of
+// members for C (c/member.cpp, c/member_list.cpp), and through scene/scene_fields.h the reader and the schema
+// of scene files. Rules of text, such as not_empty, apply to files only. Where a file refers to another thing
+// by name, C++ has an id, which these checks do not look at.
 #pragma once
 
 #include "sdk/fields/bodies.h"

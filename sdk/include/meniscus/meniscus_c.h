@@ -19,6 +19,7 @@
 #include <meniscus/c/bodies.h>
 #include <meniscus/c/cloth.h>
 #include <meniscus/c/defs.h>
+#include <meniscus/c/export.h>
 #include <meniscus/c/particles.h>
 #include <meniscus/c/queries.h>
 #include <meniscus/c/scene.h>

@@ -80,7 +80,7 @@ const Edges folders{
      {"sdk/engine", "sdk/fields", "sdk/world/check", "sdk/world/cloth", "sdk/world/flow", "sdk/world/solids",
       "sdk/world/state"}},
     {"sdk/scene", {"sdk/fields", "sdk/world/check"}},
-    {"sdk/c", {"sdk/fields", "sdk/scene"}},
+    {"sdk/c", {"sdk/fields", "sdk/io", "sdk/scene"}},
     {"sdk/io", {"sdk/scene", "sdk/world/solids"}},
     {"sdk/io/preview", {"sdk/io", "sdk/scene"}},
     {"sdk/validation", {"sdk/io"}},
