@@ -100,7 +100,7 @@ void make_constraint(RigidJointRecord& joint, btRigidBody& a, btRigidBody& b, co
 }
 
 /// Takes the memory that another number in the list needs.
-void prepare(std::vector<uint32_t>& numbers) {
+void make_room(std::vector<uint32_t>& numbers) {
   if (numbers.size() == numbers.capacity()) numbers.reserve(2 * numbers.size() + 1);
 }
 
@@ -116,8 +116,8 @@ void forget(std::vector<uint32_t>& numbers, uint32_t number) {
 
 uint32_t RigidWorld::Impl::make_joint(const RigidJointDef& joint, uint32_t number) {
   joints.prepare();
-  prepare(body(joint.a).joints);
-  if (joint.b != pbd::no_index) prepare(body(joint.b).joints);
+  make_room(body(joint.a).joints);
+  if (joint.b != pbd::no_index) make_room(body(joint.b).joints);
   btRigidBody& a = *body(joint.a).bullet;
   btRigidBody& b = joint.b == pbd::no_index ? ground : *body(joint.b).bullet;
   auto made = std::make_unique<RigidJointRecord>();
