@@ -96,7 +96,8 @@ class PourEnv(gymnasium.Env[Array, Array]):
         return self.world.draw(480, 360, position=(0.3, 0.9, 2.0), target=(-0.1, 0.25, 0))
 
     def _pose(self) -> meniscus.Pose:
-        return meniscus.Pose(position=(self.x, RIM, 0), rotation=meniscus.axis_angle((0, 0, -1), math.degrees(self.tilt)))
+        turned = meniscus.axis_angle((0, 0, -1), math.degrees(self.tilt))
+        return meniscus.Pose(position=(self.x, RIM, 0), rotation=turned)
 
     def _measure(self) -> tuple[float, float, float]:
         """The shares of the water in the cup, in the bowl and lost: below the bowl, or removed."""

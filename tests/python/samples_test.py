@@ -50,7 +50,8 @@ class Samples(unittest.TestCase):
         result = json.loads(done.stdout)
         self.assertEqual((result["scene"], result["frames"]), ("hanging_cloth", 2))
         self.assertEqual(len(result["state_hash"]), 16)
-        wrong = subprocess.run([sys.executable, "-m", "meniscus", "run", "hangig_cloth"], capture_output=True, text=True)
+        wrong = subprocess.run([sys.executable, "-m", "meniscus", "run", "hangig_cloth"],
+                               capture_output=True, text=True)
         self.assertEqual((wrong.returncode, wrong.stdout), (1, ""))
         self.assertIn("no sample is called 'hangig_cloth'", wrong.stderr)
 
