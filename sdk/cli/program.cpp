@@ -33,12 +33,6 @@
 namespace meniscus::cli {
 namespace {
 
-void add_scene(CLI::App& app, SceneChoice& choice) {
-  add_scene(app, choice.scene, choice.overrides);
-  add_device(app, choice.device);
-  add_threads(app, choice.threads);
-}
-
 void add_run(CLI::App& app, RunOptions& options, Command& command) {
   CLI::App& run = *app.add_subcommand("run", "Run a scene and write measurements, a picture and frames");
   add_scene(run, options.scene);

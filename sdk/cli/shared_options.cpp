@@ -41,4 +41,10 @@ void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& over
   add_overrides(app, overrides);
 }
 
+void add_scene(CLI::App& app, SceneChoice& choice) {
+  add_scene(app, choice.scene, choice.overrides);
+  add_device(app, choice.device);
+  add_threads(app, choice.threads);
+}
+
 }  // namespace meniscus::cli

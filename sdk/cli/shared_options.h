@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "sdk/cli/commands/scene_lookup.h"
+
 namespace meniscus::cli {
 
 /// What the command line asks for. Its options live until it is called.
@@ -22,5 +24,7 @@ void add_threads(CLI::App& app, std::optional<int>& threads);
 void add_time_limit(CLI::App& app, double& minutes);
 CLI::Option* add_json(CLI::App& app, bool& json);
 void add_scene(CLI::App& app, std::string& scene, std::vector<std::string>& overrides);
+/// With the device and its threads.
+void add_scene(CLI::App& app, SceneChoice& choice);
 
 }  // namespace meniscus::cli

@@ -19,7 +19,7 @@ void refuse(const Place& place, const std::string& allowed, nb::handle given) {
 }
 
 void refuse_key(const std::string& owner, const std::string& key, const std::vector<std::string>& known) {
-  throw nb::type_error((owner + "() has no argument '" + key + "'" + name_hint(key, known)).c_str());
+  throw nb::type_error((owner + "() has no argument '" + key + "'; " + name_hint(key, known)).c_str());
 }
 
 namespace {

@@ -19,7 +19,7 @@
 #include <variant>
 #include <vector>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus::python {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sdk/scene/scene.h"
+#include <meniscus/scene.h>
 
 namespace meniscus::cli {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <meniscus/scene.h>
 #include "sdk/cli/stop/run_budget.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 

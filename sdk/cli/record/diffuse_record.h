@@ -6,8 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <meniscus/scene.h>
 #include "sdk/cli/record/frame_sample.h"
-#include "sdk/scene/scene.h"
 
 namespace meniscus::cli {
 

@@ -58,10 +58,10 @@ std::string unknown_argument(const Usage& usage, const std::string& verb, const 
   const std::string command = known ? "meniscus " + verb : "meniscus";
   if (word.starts_with('-')) {
     const std::string name = word.substr(0, word.find('='));
-    return command + " has no option '" + name + "'" +
+    return command + " has no option '" + name + "'; " +
            name_hint(name, names_in(known ? known->options : usage.options));
   }
-  if (!known) return "there is no command '" + word + "'" + name_hint(word, usage.verb_names());
+  if (!known) return "there is no command '" + word + "'; " + name_hint(word, usage.verb_names());
   return command + " does not expect '" + word + "'";
 }
 

@@ -39,7 +39,7 @@ std::vector<Case> chosen_cases(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     throw Error(ErrorCode::invalid_argument,
-                "there is no case of validation named \"" + name + "\"" + name_hint(name, known));
+                "there is no case of validation named \"" + name + "\"; " + name_hint(name, known));
   }
   std::vector<Case> chosen;
   for (const Case& c : all_cases()) {
