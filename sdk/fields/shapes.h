@@ -38,7 +38,7 @@ template <class V>
 void fields(V& v, Opening& d) {
   v("face", d.face, any_value, "", "the face with the hole");
   if constexpr (OfMembers<V>) {
-    v("region", d.region, any_value, "m", "the hole, in the container's frame; left out, the face is open");
+    flat(v, "region", d.region);
   } else {
     std::optional<Vec3> lower, upper;
     v("lower", lower, key_only(any_value), "m",

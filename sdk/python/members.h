@@ -27,7 +27,7 @@ struct MemberVisitor {
   }
   template <class T>
   void flat(const char* key, T& part) {
-    if constexpr (HasChoices<T>)
+    if constexpr (HasChoices<T> || IsOptional<T>::value)
       visit(key, part, any_value, "", "which one");
     else
       fields(*this, part);

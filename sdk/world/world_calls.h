@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "sdk/world/origin.h"
+#include "sdk/world/check/origin.h"
 #include "sdk/world/world_impl.h"
 
 namespace meniscus {

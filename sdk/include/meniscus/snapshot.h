@@ -19,9 +19,9 @@ class Snapshot {
  public:
   Snapshot() = default;  ///< of no world
 
-  bool empty() const { return !data_; }
-  double time() const;               ///< s, of the world at that moment; 0 if it is empty
-  std::size_t device_bytes() const;  ///< held on the device
+  bool empty() const { return !data_; }  ///< holds no state
+  double time() const;                   ///< s, of the world at that moment; 0 if it is empty
+  std::size_t device_bytes() const;      ///< held on the device
 
   struct Data;  ///< for the library alone
 

@@ -134,26 +134,26 @@ class World {
 
   // What exists, in the order of the indices of ids. The find calls return the first of that name, and throw
   // Error(not_found) if there is none.
-  std::vector<FluidId> fluid_ids() const;
-  std::vector<ShapeId> shape_ids() const;
-  std::vector<BodyId> body_ids() const;
-  std::vector<JointId> joint_ids() const;
-  std::vector<ClothId> cloth_ids() const;
-  std::vector<RopeId> rope_ids() const;
-  std::vector<AttachmentId> attachment_ids() const;
-  std::vector<EmitterId> emitter_ids() const;
-  std::vector<SinkId> sink_ids() const;
-  std::vector<ProbeId> probe_ids() const;
-  FluidId find_fluid(const std::string& name) const;
-  ShapeId find_shape(const std::string& name) const;
-  BodyId find_body(const std::string& name) const;
-  JointId find_joint(const std::string& name) const;
-  ClothId find_cloth(const std::string& name) const;
-  RopeId find_rope(const std::string& name) const;
-  AttachmentId find_attachment(const std::string& name) const;
-  EmitterId find_emitter(const std::string& name) const;
-  SinkId find_sink(const std::string& name) const;
-  ProbeId find_probe(const std::string& name) const;
+  std::vector<FluidId> fluid_ids() const;                       ///< by index
+  std::vector<ShapeId> shape_ids() const;                       ///< by index
+  std::vector<BodyId> body_ids() const;                         ///< by index
+  std::vector<JointId> joint_ids() const;                       ///< by index
+  std::vector<ClothId> cloth_ids() const;                       ///< by index
+  std::vector<RopeId> rope_ids() const;                         ///< by index
+  std::vector<AttachmentId> attachment_ids() const;             ///< by index
+  std::vector<EmitterId> emitter_ids() const;                   ///< by index
+  std::vector<SinkId> sink_ids() const;                         ///< by index
+  std::vector<ProbeId> probe_ids() const;                       ///< by index
+  FluidId find_fluid(const std::string& name) const;            ///< the first
+  ShapeId find_shape(const std::string& name) const;            ///< the first
+  BodyId find_body(const std::string& name) const;              ///< the first
+  JointId find_joint(const std::string& name) const;            ///< the first
+  ClothId find_cloth(const std::string& name) const;            ///< the first
+  RopeId find_rope(const std::string& name) const;              ///< the first
+  AttachmentId find_attachment(const std::string& name) const;  ///< the first
+  EmitterId find_emitter(const std::string& name) const;        ///< the first
+  SinkId find_sink(const std::string& name) const;              ///< the first
+  ProbeId find_probe(const std::string& name) const;            ///< the first
   /// Ends the long call that runs, or else the next one. It throws Error(cancelled) within about a second,
   /// and nothing has changed. But relax() keeps the iterations that are done. Any thread may call this, and
   /// signal handlers. Long calls are step, relax, diagnostics, read-outs that search neighbours, and calls

@@ -13,10 +13,10 @@
 
 #include "sdk/engine/engine.h"
 #include "sdk/world/check/id_table.h"
+#include "sdk/world/check/origin.h"
 #include "sdk/world/check/world_number.h"
 #include "sdk/world/cloth/cloth_table.h"
 #include "sdk/world/flow/world_flow.h"
-#include "sdk/world/origin.h"
 #include "sdk/world/solids/world_shapes.h"
 
 namespace meniscus {

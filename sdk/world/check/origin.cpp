@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Arguments and results at the origin about which a world computes.
-#include "sdk/world/origin.h"
+#include "sdk/world/check/origin.h"
 
 #include <algorithm>
 #include <array>
