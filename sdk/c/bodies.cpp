@@ -56,6 +56,10 @@ MeniscusStatus meniscus_apply_force(MeniscusWorld* world, MeniscusId body, Menis
   return guarded([&] { world_of(world).apply_force(in_cpp<BodyId>(body), in_cpp(force), in_cpp(point)); });
 }
 
+MeniscusStatus meniscus_apply_central_force(MeniscusWorld* world, MeniscusId body, MeniscusVec3 force) {
+  return guarded([&] { world_of(world).apply_force(in_cpp<BodyId>(body), in_cpp(force)); });
+}
+
 MeniscusStatus meniscus_apply_torque(MeniscusWorld* world, MeniscusId body, MeniscusVec3 torque) {
   return guarded([&] { world_of(world).apply_torque(in_cpp<BodyId>(body), in_cpp(torque)); });
 }

@@ -64,6 +64,7 @@ struct MeniscusWorld {
   std::vector<MeniscusContactEvent> contact_events{};
   std::vector<MeniscusId> overlap_solids{};
   std::vector<uint64_t> overlap_particles{};
+  std::vector<MeniscusId> objects[MENISCUS_PROBE + 1]{};
   meniscus::SurfaceMesh surface{};
 };
 

@@ -23,4 +23,5 @@
 #include <meniscus/c/particles.h>
 #include <meniscus/c/queries.h>
 #include <meniscus/c/scene.h>
+#include <meniscus/c/state.h>
 #include <meniscus/c/world.h>

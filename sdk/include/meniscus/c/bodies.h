@@ -66,6 +66,9 @@ MENISCUS_C_API MeniscusStatus meniscus_set_body_velocity(MeniscusWorld* world, M
 /// N, at a point of the world, on a dynamic body in the next step.
 MENISCUS_C_API MeniscusStatus meniscus_apply_force(MeniscusWorld* world, MeniscusId body, MeniscusVec3 force,
                                                    MeniscusVec3 point);
+/// N, at the centre of mass, likewise.
+MENISCUS_C_API MeniscusStatus meniscus_apply_central_force(MeniscusWorld* world, MeniscusId body,
+                                                           MeniscusVec3 force);
 /// N·m, on a dynamic body in the next step.
 MENISCUS_C_API MeniscusStatus meniscus_apply_torque(MeniscusWorld* world, MeniscusId body,
                                                     MeniscusVec3 torque);

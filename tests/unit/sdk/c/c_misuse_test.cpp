@@ -66,6 +66,9 @@ const std::vector<NamedCall>& calls_without_results() {
       NO_RESULT(meniscus_particle_count),
       NO_RESULT(meniscus_set_wind),
       NO_RESULT(meniscus_write_gl_particles),
+      NO_RESULT(meniscus_snapshot),
+      NO_RESULT(meniscus_restore),
+      NO_RESULT(meniscus_save),
       NO_ARRAY(meniscus_create),
       NO_ARRAY(meniscus_add_fluid),
       NO_ARRAY(meniscus_warnings),
@@ -122,6 +125,10 @@ const std::vector<NamedCall>& calls_without_results() {
        }},
       {"distances",
        [](const Arguments& a) { return meniscus_solid_distances(a.world, nullptr, 3, 1, nullptr, nullptr); }},
+      {"clone", [](const Arguments& a) { return meniscus_clone(a.world, nullptr, -1, nullptr); }},
+      {"objects",
+       [](const Arguments& a) { return meniscus_objects(a.world, MENISCUS_BODY, nullptr, nullptr); }},
+      {"find", [](const Arguments& a) { return meniscus_find(a.world, MENISCUS_BODY, nullptr, nullptr); }},
       {"ball",
        [](const Arguments& a) {
          return meniscus_overlap_ball(a.world, {0, 0, 0}, 1, nullptr);
@@ -156,6 +163,7 @@ const std::vector<NamedCall>& calls_of_ids() {
        }},
       {"velocity", [](const Arguments& a) { return meniscus_set_body_velocity(a.world, a.id, {}, {}); }},
       {"force", [](const Arguments& a) { return meniscus_apply_force(a.world, a.id, {}, {}); }},
+      {"central force", [](const Arguments& a) { return meniscus_apply_central_force(a.world, a.id, {}); }},
       {"torque", [](const Arguments& a) { return meniscus_apply_torque(a.world, a.id, {}); }},
       {"impulse", [](const Arguments& a) { return meniscus_apply_impulse(a.world, a.id, {}, {}); }},
       {"move",
