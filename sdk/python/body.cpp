@@ -163,10 +163,10 @@ void bind_forces(nb::class_<Body>& type) {
 }  // namespace
 
 void bind_body(nb::module_& module, nb::class_<PyWorld>& world) {
-  nb::class_<Body> type = bind_thing(module, world, "body", "bodies", &WorldState::bodies);
-  bind_creation<BodyDef>(world, "add_body", &WorldState::bodies, &World::create_body,
+  nb::class_<Body> type = bind_thing(module, world, "body", "bodies", &Things::bodies);
+  bind_creation<BodyDef>(world, "add_body", &Things::bodies, &World::create_body,
                          "Adds a rigid body. Raises MeshError where a mesh is no closed, simple surface.");
-  bind_destruction(type, &WorldState::bodies, &World::destroy_body,
+  bind_destruction(type, &Things::bodies, &World::destroy_body,
                    "Removes it, and its joints, attachments, emitters and sinks.");
   bind_placement(type);
   bind_answers(type);

@@ -80,10 +80,10 @@ void bind_cloth_arrays(nb::class_<Handle<ClothId>>& type) {
 }  // namespace
 
 void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
-  nb::class_<Handle<ClothId>> cloth = bind_thing(module, world, "cloth", "cloths", &WorldState::cloths);
-  bind_creation<ClothDef>(world, "add_cloth", &WorldState::cloths, &World::create_cloth,
+  nb::class_<Handle<ClothId>> cloth = bind_thing(module, world, "cloth", "cloths", &Things::cloths);
+  bind_creation<ClothDef>(world, "add_cloth", &Things::cloths, &World::create_cloth,
                           "Adds a piece of cloth. Raises MeshError where the mesh is no surface.");
-  bind_destruction(cloth, &WorldState::cloths, &World::destroy_cloth, "Removes it, and its attachments.");
+  bind_destruction(cloth, &Things::cloths, &World::destroy_cloth, "Removes it, and its attachments.");
   bind_cloth_arrays(cloth);
   bind_impulses(cloth);
   bind_answer(
@@ -99,9 +99,9 @@ void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
       },
       "Mass, area, stretch, volume, pressure, momentum and energy.");
 
-  nb::class_<Handle<RopeId>> rope = bind_thing(module, world, "rope", "ropes", &WorldState::ropes);
-  bind_creation<RopeDef>(world, "add_rope", &WorldState::ropes, &World::create_rope, "Adds a rope or a rod.");
-  bind_destruction(rope, &WorldState::ropes, &World::destroy_rope, "Removes it, and its attachments.");
+  nb::class_<Handle<RopeId>> rope = bind_thing(module, world, "rope", "ropes", &Things::ropes);
+  bind_creation<RopeDef>(world, "add_rope", &Things::ropes, &World::create_rope, "Adds a rope or a rod.");
+  bind_destruction(rope, &Things::ropes, &World::destroy_rope, "Removes it, and its attachments.");
   bind_array(
       rope, "positions", ReadoutKind::rope_positions, "float32",
       [](World& w, RopeId id) { return w.rope_positions(id); }, "m, one row a vertex.");
@@ -115,10 +115,10 @@ void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_impulses(rope);
 
   nb::class_<Handle<AttachmentId>> attachment =
-      bind_thing(module, world, "attachment", "attachments", &WorldState::attachments);
-  bind_creation<AttachmentDef>(world, "add_attachment", &WorldState::attachments, &World::create_attachment,
+      bind_thing(module, world, "attachment", "attachments", &Things::attachments);
+  bind_creation<AttachmentDef>(world, "add_attachment", &Things::attachments, &World::create_attachment,
                                "Holds vertices of cloth or of a rope, or sews them to others.");
-  bind_destruction(attachment, &WorldState::attachments, &World::destroy_attachment, "Lets go.");
+  bind_destruction(attachment, &Things::attachments, &World::destroy_attachment, "Lets go.");
   bind_answer(
       attachment, "force", "tuple[float, float, float]",
       [](World& w, AttachmentId id) { return w.attachment_force(id); },

@@ -10,6 +10,7 @@
 #include "sdk/python/definitions.h"
 #include "sdk/python/errors.h"
 #include "sdk/python/results.h"
+#include "sdk/python/snapshots.h"
 #include "sdk/python/things.h"
 #include "sdk/python/world.h"
 
@@ -29,5 +30,6 @@ NB_MODULE(_core, module) {
   bind_particles(world);
   bind_queries(world);
   bind_scenes(module, world);
+  bind_snapshots(module, world);
   module.def("list_devices", list_devices, "The devices, and which of them are usable.");
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Worlds from scene files, and pictures of worlds.
+#include <meniscus/scene.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -10,7 +11,6 @@
 #include "sdk/python/arrays.h"
 #include "sdk/python/from_python.h"
 #include "sdk/python/world.h"
-#include "sdk/scene/scene_file.h"
 
 namespace meniscus::python {
 

@@ -22,7 +22,7 @@ inline const std::string& name_of(const std::variant<FluidDef, GranularDef>& def
 /// Makes the class of a kind, and the calls of World that list it and find it by name.
 template <class Id, class Def>
 nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& world, const char* singular,
-                                  const char* plural, Registry<Id, Def> WorldState::*registry) {
+                                  const char* plural, Registry<Id, Def> Things::*registry) {
   using Thing = Handle<Id>;
   const std::string type_name = handle_name(Id{});
   nb::class_<Thing> type(module, type_name.c_str(), ("A " + std::string(singular) + " in a world.").c_str());
@@ -71,7 +71,7 @@ nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& worl
 
 /// A call of World that creates a thing from keyword arguments.
 template <class Def, class Id, class Stored>
-void bind_creation(nb::class_<PyWorld>& world, const char* call, Registry<Id, Stored> WorldState::*registry,
+void bind_creation(nb::class_<PyWorld>& world, const char* call, Registry<Id, Stored> Things::*registry,
                    Id (World::*create)(const Def&), const char* summary) {
   const Description text = describe_call<Def>(call, handle_name(Id{}), summary);
   world.def(
@@ -109,7 +109,7 @@ inline void forget_dependents(WorldState& state) {
 
 /// destroy() of a thing.
 template <class Id, class Def>
-void bind_destruction(nb::class_<Handle<Id>>& type, Registry<Id, Def> WorldState::*registry,
+void bind_destruction(nb::class_<Handle<Id>>& type, Registry<Id, Def> Things::*registry,
                       void (World::*destroy)(Id), const char* doc) {
   type.def(
       "destroy",

@@ -12,10 +12,10 @@ namespace meniscus::python {
 namespace {
 
 void bind_fluid(nb::module_& module, nb::class_<PyWorld>& world) {
-  nb::class_<Handle<FluidId>> fluid = bind_thing(module, world, "fluid", "fluids", &WorldState::fluids);
-  bind_creation<FluidDef>(world, "add_fluid", &WorldState::fluids, &World::create_fluid,
+  nb::class_<Handle<FluidId>> fluid = bind_thing(module, world, "fluid", "fluids", &Things::fluids);
+  bind_creation<FluidDef>(world, "add_fluid", &Things::fluids, &World::create_fluid,
                           "Adds a kind of liquid. add_volume and emitters make its particles.");
-  bind_creation<GranularDef>(world, "add_granular", &WorldState::fluids, &World::create_granular,
+  bind_creation<GranularDef>(world, "add_granular", &Things::fluids, &World::create_granular,
                              "Adds a granular material, such as sand.");
   fluid.def_prop_ro(
       "index", [](const Handle<FluidId>& self) { return self.id.index; },
@@ -46,10 +46,10 @@ void bind_count(nb::class_<Handle<Id>>& type, FlowCount (World::*count)(Id) cons
 }
 
 void bind_probe(nb::module_& module, nb::class_<PyWorld>& world) {
-  nb::class_<Handle<ProbeId>> probe = bind_thing(module, world, "probe", "probes", &WorldState::probes);
-  bind_creation<ProbeDef>(world, "add_probe", &WorldState::probes, &World::create_probe,
+  nb::class_<Handle<ProbeId>> probe = bind_thing(module, world, "probe", "probes", &Things::probes);
+  bind_creation<ProbeDef>(world, "add_probe", &Things::probes, &World::create_probe,
                           "Adds a measurement, the mean over the substeps of a step.");
-  bind_destruction(probe, &WorldState::probes, &World::destroy_probe, "Removes it.");
+  bind_destruction(probe, &Things::probes, &World::destroy_probe, "Removes it.");
   bind_answer(
       probe, "value", "float", [](World& w, ProbeId id) { return w.probe(id); },
       "Of the last step, in the unit of its kind. Of a vector, its length.");
@@ -62,27 +62,26 @@ void bind_probe(nb::module_& module, nb::class_<PyWorld>& world) {
 
 void bind_things(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_fluid(module, world);
-  nb::class_<Handle<ShapeId>> shape = bind_thing(module, world, "shape", "shapes", &WorldState::shapes);
-  bind_creation<ShapeDef>(world, "add_shape", &WorldState::shapes, &World::create_shape,
+  nb::class_<Handle<ShapeId>> shape = bind_thing(module, world, "shape", "shapes", &Things::shapes);
+  bind_creation<ShapeDef>(world, "add_shape", &Things::shapes, &World::create_shape,
                           "Adds a solid that does not move.");
-  bind_destruction(shape, &WorldState::shapes, &World::destroy_shape, "Removes it.");
-  nb::class_<Handle<JointId>> joint = bind_thing(module, world, "joint", "joints", &WorldState::joints);
-  bind_creation<JointDef>(world, "add_joint", &WorldState::joints, &World::create_joint,
+  bind_destruction(shape, &Things::shapes, &World::destroy_shape, "Removes it.");
+  nb::class_<Handle<JointId>> joint = bind_thing(module, world, "joint", "joints", &Things::joints);
+  bind_creation<JointDef>(world, "add_joint", &Things::joints, &World::create_joint,
                           "Joins two bodies, or a body and the world.");
-  bind_destruction(joint, &WorldState::joints, &World::destroy_joint, "Removes it.");
+  bind_destruction(joint, &Things::joints, &World::destroy_joint, "Removes it.");
   bind_answer(
       joint, "angle", "float", [](World& w, JointId id) { return w.hinge_angle(id); },
       "rad, of a hinge, from the pose at its creation.");
-  nb::class_<Handle<EmitterId>> emitter =
-      bind_thing(module, world, "emitter", "emitters", &WorldState::emitters);
-  bind_creation<EmitterDef>(world, "add_emitter", &WorldState::emitters, &World::create_emitter,
+  nb::class_<Handle<EmitterId>> emitter = bind_thing(module, world, "emitter", "emitters", &Things::emitters);
+  bind_creation<EmitterDef>(world, "add_emitter", &Things::emitters, &World::create_emitter,
                             "Adds an opening that makes particles.");
-  bind_destruction(emitter, &WorldState::emitters, &World::destroy_emitter, "Removes it.");
+  bind_destruction(emitter, &Things::emitters, &World::destroy_emitter, "Removes it.");
   bind_count(emitter, &World::emitter_count);
-  nb::class_<Handle<SinkId>> sink = bind_thing(module, world, "sink", "sinks", &WorldState::sinks);
-  bind_creation<SinkDef>(world, "add_sink", &WorldState::sinks, &World::create_sink,
+  nb::class_<Handle<SinkId>> sink = bind_thing(module, world, "sink", "sinks", &Things::sinks);
+  bind_creation<SinkDef>(world, "add_sink", &Things::sinks, &World::create_sink,
                          "Adds a region that removes particles.");
-  bind_destruction(sink, &WorldState::sinks, &World::destroy_sink, "Removes it.");
+  bind_destruction(sink, &Things::sinks, &World::destroy_sink, "Removes it.");
   bind_count(sink, &World::sink_count);
   bind_probe(module, world);
 }

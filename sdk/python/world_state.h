@@ -4,6 +4,7 @@
 // A world as Python holds it: who may call it, the arrays that were read, and what was created in it.
 #pragma once
 
+#include <meniscus/scene.h>
 #include <meniscus/world.h>
 #include <nanobind/nanobind.h>
 
@@ -18,8 +19,6 @@
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include <meniscus/scene.h>
 
 namespace meniscus::python {
 
@@ -55,6 +54,20 @@ struct Registry {
   }
 };
 
+/// What was created in a world and exists.
+struct Things {
+  Registry<FluidId, std::variant<FluidDef, GranularDef>> fluids;
+  Registry<ShapeId, ShapeDef> shapes;
+  Registry<BodyId, BodyDef> bodies;
+  Registry<JointId, JointDef> joints;
+  Registry<ClothId, ClothDef> cloths;
+  Registry<RopeId, RopeDef> ropes;
+  Registry<AttachmentId, AttachmentDef> attachments;
+  Registry<EmitterId, EmitterDef> emitters;
+  Registry<SinkId, SinkDef> sinks;
+  Registry<ProbeId, ProbeDef> probes;
+};
+
 /// Arrays that are read from the world. Those of vertices and contacts have an owner each.
 enum class ReadoutKind {
   ids,
@@ -76,7 +89,7 @@ enum class ReadoutKind {
   rope_frames,
 };
 
-class WorldState {
+class WorldState : public Things {
  public:
   explicit WorldState(const WorldDef& def);
   WorldState(BuiltScene built, const Scene& scene);
@@ -115,17 +128,6 @@ class WorldState {
   }
   /// Ends the long call that runs. Any thread may call it.
   void cancel() { world_.cancel(); }
-
-  Registry<FluidId, std::variant<FluidDef, GranularDef>> fluids;
-  Registry<ShapeId, ShapeDef> shapes;
-  Registry<BodyId, BodyDef> bodies;
-  Registry<JointId, JointDef> joints;
-  Registry<ClothId, ClothDef> cloths;
-  Registry<RopeId, RopeDef> ropes;
-  Registry<AttachmentId, AttachmentDef> attachments;
-  Registry<EmitterId, EmitterDef> emitters;
-  Registry<SinkId, SinkDef> sinks;
-  Registry<ProbeId, ProbeDef> probes;
 
   std::string name;
   float frame_time = 1.0f / 60;  ///< s

@@ -9,10 +9,12 @@ import unittest
 
 import meniscus
 
-# What Python calls otherwise, or leaves out: graphics on the GPU, and what belongs to C++ alone.
+# What Python calls otherwise, or leaves out: graphics on the GPU, files of whole worlds, and what belongs to C++ alone.
 RENAMED = {"def": None, "set_def": None, "device": "device_info", "set_fluid": None, "fluids": "fluid_indices",
+           "body_ids": "bodies",
            "create_fluid": "add_fluid", "add_fluid": "add_volume", "set_progress": "on_progress",
-           "memory_shares": "memory", "write_particles": None, "hold": None, "World": None,
+           "memory_shares": "memory", "write_particles": None, "hold": None, "World": None, "save": None,
+           "load": None, "clone": None,
            "emitter_count": ("Emitter", "total"), "sink_count": ("Sink", "total"),
            "particle_mass": ("Fluid", "particle_mass"), "hinge_angle": ("Joint", "angle"),
            "probe": ("Probe", "value"), "probe_vector": ("Probe", "vector"), "body_state": ("Body", "velocity"),
@@ -26,9 +28,13 @@ def counterpart(name):
     if name in RENAMED:
         target = RENAMED[name]
         return ("World", target) if isinstance(target, str) else target
+    if name.endswith("_ids"):
+        return "World", name.removesuffix("_ids") + "s"
     for prefix, kind in (("cloth_", "Cloth"), ("rope_", "Rope"), ("attachment_", "Attachment")):
         if name.startswith(prefix):
             return kind, name.removeprefix(prefix)
+    if name.startswith("find_"):
+        return "World", name.removeprefix("find_")
     if name.startswith("destroy_"):
         return name.removeprefix("destroy_").capitalize(), "destroy"
     return "World", name.replace("create_", "add_")

@@ -184,6 +184,28 @@ class Others(unittest.TestCase):
         with self.assertRaises(AttributeError):
             sand.xsph
 
+    def test_snapshots(self):
+        world = empty()
+        world.add_shape(geometry=meniscus.PlaneGeometry())
+        water = world.add_fluid(name="water")
+        world.add_volume(fluid=water, region=meniscus.BoxRegion(lower=(0, 0, 0), upper=(0.3, 0.3, 0.3)))
+        world.step(0.02)
+        snapshot = world.snapshot()
+        self.assertEqual(snapshot.time, world.time)
+        before = world.state_hash()
+        world.step(0.02)
+        after = world.state_hash()
+        world.add_fluid(name="oil")
+        world.restore(snapshot)
+        self.assertEqual((world.state_hash(), [fluid.name for fluid in world.fluids]), (before, ["water"]))
+        world.step(0.02)
+        self.assertEqual(world.state_hash(), after)
+        world.add_body(geometry=box(0.1), pose=(1, 1, 1))
+        with self.assertRaises(ValueError):
+            world.restore(snapshot)
+        with self.assertRaises(ValueError):
+            empty().restore(snapshot)
+
     def test_pictures(self):
         world = empty()
         world.add_shape(geometry=meniscus.PlaneGeometry())
