@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pbd/math/vec.h"
+#include "sdk/validation/parts.h"
 #include "tests/devices.h"
 
 namespace meniscus::tests {
@@ -21,28 +22,9 @@ inline WorldDef world_def(pbd::DeviceKind device, float spacing) {
   return def;
 }
 
-/// A closed box that holds the fluid in.
-inline ShapeDef tank(Vec3 lower, Vec3 upper) {
-  ShapeDef def;
-  def.name = "tank";
-  def.geometry = ContainerGeometry{0.5f * (upper - lower), {}};
-  def.pose.position = 0.5f * (lower + upper);
-  return def;
-}
-
-inline ShapeDef shape(const Geometry& geometry, Vec3 position = {0, 0, 0}) {
-  ShapeDef def;
-  def.geometry = geometry;
-  def.pose.position = position;
-  return def;
-}
-
-inline FluidVolumeDef block(FluidId fluid, Vec3 lower, Vec3 upper) {
-  FluidVolumeDef def;
-  def.fluid = fluid;
-  def.region = BoxRegion{lower, upper};
-  return def;
-}
+using validation::block;
+using validation::shape;
+using validation::tank;
 
 /// A rotation by `degrees` about the z axis.
 inline Quat about_z(float degrees) {

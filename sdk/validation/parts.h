@@ -6,19 +6,20 @@
 
 #include <meniscus/world.h>
 
+#include "pbd/math/vec.h"
+
 namespace meniscus::validation {
 
 /// A closed box that holds the fluid in.
 inline ShapeDef tank(Vec3 lower, Vec3 upper) {
   ShapeDef def;
   def.name = "tank";
-  def.geometry = ContainerGeometry{
-      {0.5f * (upper.x - lower.x), 0.5f * (upper.y - lower.y), 0.5f * (upper.z - lower.z)}, {}};
-  def.pose.position = {0.5f * (lower.x + upper.x), 0.5f * (lower.y + upper.y), 0.5f * (lower.z + upper.z)};
+  def.geometry = ContainerGeometry{0.5f * (upper - lower), {}};
+  def.pose.position = 0.5f * (lower + upper);
   return def;
 }
 
-inline ShapeDef solid(const Geometry& geometry, Vec3 position = {0, 0, 0}) {
+inline ShapeDef shape(const Geometry& geometry, Vec3 position = {0, 0, 0}) {
   ShapeDef def;
   def.geometry = geometry;
   def.pose.position = position;

@@ -25,7 +25,7 @@ struct Column {
 World column_world(const Settings& settings, const Column& column, ProbeId& floor_force) {
   World world(settings.world(column.spacing));
   const float depth = column.depth(), half = column.half();
-  const ShapeId floor = world.create_shape(solid(PlaneGeometry{}));
+  const ShapeId floor = world.create_shape(shape(PlaneGeometry{}));
   ShapeDef walls = tank({-half, -1, -half}, {half, 2 * depth, half});
   std::get<ContainerGeometry>(walls.geometry).openings = {{Face::y_high, {}}};
   world.create_shape(walls);

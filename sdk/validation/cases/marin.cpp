@@ -43,7 +43,7 @@ Run dam_break(const Settings& settings, float spacing) {
   World world(settings.world(spacing));
   world.create_shape(tank({0, 0, 0}, {3.22f, 1, 1}));
   const ShapeId box =
-      world.create_shape(solid(BoxGeometry{{0.0805f, 0.0805f, 0.2015f}}, {0.744f, 0.0805f, 0.497f}));
+      world.create_shape(shape(BoxGeometry{{0.0805f, 0.0805f, 0.2015f}}, {0.744f, 0.0805f, 0.497f}));
   world.add_fluid(block(world.create_fluid({}), {1.992f, 0, 0}, {3.22f, 0.55f, 1}));
   ProbeDef front;
   front.kind = ProbeKind::wall_pressure;

@@ -115,7 +115,7 @@ void PeriodicFlow::run(int frames) {
 }
 
 ShapeDef flow_wall(float direction, float height, float belt_speed) {
-  ShapeDef def = solid(PlaneGeometry{{0, direction, 0}, direction * height});
+  ShapeDef def = shape(PlaneGeometry{{0, direction, 0}, direction * height});
   def.surface.slip_length = 0;
   def.surface.belt_velocity = {belt_speed, 0, 0};
   return def;

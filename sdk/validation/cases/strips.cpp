@@ -29,7 +29,7 @@ double strip_drop(const WorldDef& base, float load, int squares, BendingModel mo
 
 double slide(const WorldDef& base, float friction, float degrees) {
   World world(cloth_world(base, 10, 2));
-  ShapeDef slope = solid(PlaneGeometry{});
+  ShapeDef slope = shape(PlaneGeometry{});
   slope.pose.rotation = about_z(degrees);
   slope.surface.friction = friction;
   world.create_shape(slope);

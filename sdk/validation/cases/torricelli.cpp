@@ -32,8 +32,8 @@ struct Drain {
 Drain full_vessel(const Settings& settings, float spacing, float width) {
   World world(settings.world(spacing));
   const float across = 8 * spacing, half = 0.5f * width;
-  world.create_shape(solid(PlaneGeometry{{0, 0, 1}, 0}));
-  world.create_shape(solid(PlaneGeometry{{0, 0, -1}, -across}));
+  world.create_shape(shape(PlaneGeometry{{0, 0, 1}, 0}));
+  world.create_shape(shape(PlaneGeometry{{0, 0, -1}, -across}));
   ShapeDef vessel = tank({-half, 0, 0}, {half, 2 * level, across});
   std::get<ContainerGeometry>(vessel.geometry).openings = {
       {Face::z_low, {}},
