@@ -66,6 +66,19 @@ TEST_P(ParticlesTest, HeldReadOutsStayAsTheyAre) {
   }
 }
 
+TEST_P(ParticlesTest, HeldReadOutsOfAFarWorldStayToo) {
+  def_.origin = {10000, 0, 0};
+  World world(def_);
+  std::vector<Vec3> points = apart(5);
+  for (Vec3& p : points) p.x += 10000;
+  world.add_particles(world.create_fluid({}), points);
+  const std::span<const Vec3> held = world.positions();
+  const std::shared_ptr<const void> kept = world.hold(held.data());
+  world.step(0.01f);
+  EXPECT_LT(world.positions()[0].y, points[0].y);
+  EXPECT_EQ(length(held[0] - points[0]), 0);
+}
+
 TEST_P(ParticlesTest, ReleasedReadOutsAreWrittenAgain) {
   World world(def_);
   world.add_particles(world.create_fluid({}), apart(5));
