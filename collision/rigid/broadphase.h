@@ -28,7 +28,7 @@ class RigidBroadphase final : public bt32BitAxisSweep3 {
                const btVector3& lower, const btVector3& upper) override;
 
   /// Leaves what destroyProxy() of each would leave, in this order, with pairs and edges in the same order.
-  /// Takes memory before it changes anything. One call costs about as much as destroyProxy() of one.
+  /// Takes memory before it changes anything. Edges are gone through once for all.
   void destroy_all(std::span<btBroadphaseProxy* const> gone, btDispatcher* dispatcher);
 
   btBroadphaseProxy* proxy(int unique_id) { return getHandle(static_cast<unsigned>(unique_id)); }

@@ -113,7 +113,8 @@ class RigidWorld {
   uint32_t add_fixed(const RigidSolid& solid, const RigidPlace& place = {});
   uint32_t add_body(const RigidBodyDef& def, const RigidPlace& place = {});
   /// Removes bodies, with their joints, and fixed solids. The result is that of removing one at a time, in
-  /// this order. Removing all costs about as much as removing one. Changes nothing if it throws.
+  /// this order. Bullet's lists are gone
+  /// through once for all. Changes nothing if it throws.
   void remove(std::span<const RigidRef> solids);
   void remove(const RigidRef& solid) { remove(std::span(&solid, 1)); }
   /// The joints of a body, ascending.

@@ -148,7 +148,7 @@ struct World::Impl : WorldTables {
   std::unique_ptr<Engine> engine;
   bool lost = false;  // a call failed while it changed the world
   SolidMeshes solid_meshes;
-  // One removal costs about as much as many together. So they wait for the next call that is none.
+  // A removal goes through all that is there, as many together do. So they wait for the next other call.
   std::vector<collision::RigidRef> removed_solids;
   std::vector<bool> removed_particles;         // by slot; empty if there are none
   std::vector<collision::RigidRef> forgotten;  // solids that were removed since the last step
