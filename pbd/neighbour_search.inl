@@ -249,16 +249,17 @@ CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> sl
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},
       placed_slot{placed.data + count, count};
-  device_.parallel_for("neighbours/cells", count, CountInCells<Points>{points, grid_, keys, arrival, counts});
   try {
+    device_.parallel_for("neighbours/cells", count,
+                         CountInCells<Points>{points, grid_, keys, arrival, counts});
     device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
+    device_.parallel_for(
+        "neighbours/place", count,
+        PlaceByArrival{keys, arrival, grid_.start, slot, placed, placed_slot, counts, count, cells});
   } catch (...) {
     cell_counts_.fill(0);
     throw;
   }
-  device_.parallel_for(
-      "neighbours/place", count,
-      PlaceByArrival{keys, arrival, grid_.start, slot, placed, placed_slot, counts, count, cells});
   return {keys, grid_.start, placed, placed_slot, order_.view()};
 }
 

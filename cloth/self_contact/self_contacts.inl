@@ -340,7 +340,9 @@ void SelfContacts<D>::save() {
 template <class D>
 void SelfContacts<D>::restore() {
   lasts_one_substep_ = lasted_one_substep_;
-  if (!idle()) device_.copy(strayed_.view().data, saved_strayed_.view().data, vertices_ * sizeof(float));
+  if (idle()) return;
+  device_.copy(strayed_.view().data, saved_strayed_.view().data, vertices_ * sizeof(float));
+  push_sums_.fill(0);  // a step that was cancelled has left pushes that nobody took
 }
 
 template <class D>
