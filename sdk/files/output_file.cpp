@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes files under a temporary name and renames them.
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 
 #include <fcntl.h>
 #include <meniscus/error.h>
-#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <random>
-
-#include "sdk/io/plain_text.h"
 
 namespace meniscus::io {
 
@@ -63,7 +62,9 @@ std::filesystem::path make_part(const std::filesystem::path& path) {
   std::random_device random;
   for (;;) {
     // A path at once: once the file is there, nothing may fail before its name is known.
-    std::filesystem::path part = fmt::format("{}.{:08x}.part", path.string(), random());
+    std::array<char, 16> ending{};
+    std::snprintf(ending.data(), ending.size(), ".%08x.part", random());
+    std::filesystem::path part = path.string() + ending.data();
     const int file = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0 && errno == EEXIST) continue;
     if (file < 0) throw_io_error("write", path);
@@ -85,29 +86,6 @@ std::ofstream open_afresh(const std::filesystem::path& path) {
 void throw_io_error(const std::string& what, const std::filesystem::path& path) {
   const std::string reason = errno ? std::strerror(errno) : "the system gives no reason";
   throw Error(ErrorCode::io, "cannot " + what + " " + path.string() + ": " + reason);
-}
-
-std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : plain_text(text)) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
 }
 
 }  // namespace meniscus::io

@@ -49,7 +49,4 @@ std::ofstream open_afresh(const std::filesystem::path& path);
 /// Throws Error(io): "cannot WHAT PATH: REASON", the reason from errno.
 [[noreturn]] void throw_io_error(const std::string& what, const std::filesystem::path& path);
 
-/// Plain text for an XML element or attribute (see plain_text.h).
-std::string xml_escaped(std::string_view text);
-
 }  // namespace meniscus::io

@@ -11,7 +11,8 @@
 #include <array>
 #include <cmath>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::io {
 namespace {

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <vector>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::io {

@@ -57,4 +57,27 @@ std::string plain_text(std::string_view text, std::string_view kept) {
   return plain;
 }
 
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : plain_text(text)) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
 }  // namespace meniscus::io

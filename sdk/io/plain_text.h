@@ -13,4 +13,7 @@ namespace meniscus::io {
 /// cannot move the cursor of a terminal, or end a line or a file. `kept` lists control characters that stay.
 std::string plain_text(std::string_view text, std::string_view kept = "");
 
+/// Plain text for an XML element or attribute.
+std::string xml_escaped(std::string_view text);
+
 }  // namespace meniscus::io

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 
 namespace meniscus::io {
 namespace {

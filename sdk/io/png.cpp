@@ -9,7 +9,7 @@
 #include <meniscus/error.h>
 #include <stb/stb_image_write.h>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 
 namespace meniscus::io {
 

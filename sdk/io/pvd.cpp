@@ -8,7 +8,8 @@
 
 #include <cerrno>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
+#include "sdk/io/plain_text.h"
 
 namespace meniscus::io {
 namespace {

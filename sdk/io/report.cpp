@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 
 namespace meniscus::io {
 namespace {

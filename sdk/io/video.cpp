@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 
 extern char** environ;
 

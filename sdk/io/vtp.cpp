@@ -9,7 +9,7 @@
 #include <bit>
 #include <vector>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 
 namespace meniscus::io {
 namespace {

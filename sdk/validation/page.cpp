@@ -12,7 +12,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 #include "sdk/validation/chart.h"
 
 namespace meniscus::validation {

@@ -6,7 +6,7 @@
 
 #include <cerrno>
 
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {

@@ -13,8 +13,8 @@
 #include "sdk/cli/record/json_text.h"
 #include "sdk/fields/probes.h"
 #include "sdk/fields/world.h"
+#include "sdk/files/output_file.h"
 #include "sdk/io/line_chart.h"
-#include "sdk/io/output_file.h"
 
 namespace meniscus::cli {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <meniscus/error.h>
 #include <meniscus/version.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cerrno>
@@ -14,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "sdk/files/output_file.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -36,42 +37,9 @@ struct Prefix {
 };
 static_assert(sizeof(Prefix) == 24);
 
-[[noreturn]] void fail_io(const std::string& what, const std::string& path) {
-  throw Error(ErrorCode::io, "cannot " + what + " " + path + ": " + std::strerror(errno));
-}
-
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw Error(ErrorCode::io, path + " is no usable snapshot: " + why);
 }
-
-/// A file that gets its name when it is complete.
-class PartFile {
- public:
-  explicit PartFile(const std::string& path) : path_(path), part_(path + ".XXXXXX.part") {
-    const int file = mkstemps(part_.data(), 5);
-    if (file < 0) fail_io("write", path);
-    close(file);
-    stream_.open(part_, std::ios::binary);
-  }
-  ~PartFile() {
-    if (!part_.empty()) unlink(part_.c_str());
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-
-  void write(const void* data, std::size_t bytes) {
-    stream_.write(static_cast<const char*>(data), static_cast<std::streamsize>(bytes));
-  }
-  void commit() {
-    stream_.close();
-    if (!stream_ || std::rename(part_.c_str(), path_.c_str()) != 0) fail_io("write", path_);
-    part_.clear();
-  }
-
- private:
-  std::string path_, part_;
-  std::ofstream stream_;
-};
 
 Json described(const std::string& name, const pbd::StateItem& item) {
   return {{"name", name},
@@ -104,7 +72,7 @@ pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::ifstr
   bytes_left -= item.bytes();
   item.host.resize(item.bytes());
   stream.read(reinterpret_cast<char*>(item.host.data()), static_cast<std::streamsize>(item.bytes()));
-  if (!stream) fail_io("read", path);
+  if (!stream) io::throw_io_error("read", path);
   if (XXH3_64bits(item.host.data(), item.host.size()) != chunk.at("xxh3").get<uint64_t>())
     refuse(path, "its chunk \"" + name + "\" is damaged");
   return item;
@@ -124,21 +92,22 @@ void write_chunk_file(const std::string& path, const ChunkFileHeader& header, co
   Prefix prefix{
       {}, format_version, static_cast<uint32_t>(text.size()), XXH3_64bits(text.data(), text.size())};
   std::memcpy(prefix.magic, magic, sizeof magic);
-  PartFile file(path);
-  file.write(&prefix, sizeof prefix);
-  file.write(text.data(), text.size());
+  io::OutputFile file(path);
+  file.write(std::span<const Prefix>(&prefix, 1));
+  file.write(text);
   for (const std::string& name : chunks.paths()) {
     const pbd::StateItem& item = *chunks.find(name);
-    file.write(item.host.data(), item.host.size());
+    file.write(std::span<const std::byte>(item.host));
   }
   file.commit();
 }
 
 pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header) {
+  errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::error_code no_size;
   uint64_t bytes_left = std::filesystem::file_size(path, no_size);
-  if (!stream || no_size) fail_io("read", path);
+  if (!stream || no_size) io::throw_io_error("read", path);
   Prefix prefix{};
   if (bytes_left < sizeof prefix) refuse(path, "it ends within its first bytes");
   stream.read(reinterpret_cast<char*>(&prefix), sizeof prefix);
@@ -151,7 +120,7 @@ pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header
   if (prefix.header_bytes > bytes_left) refuse(path, "it ends within its header");
   std::string text(prefix.header_bytes, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream) fail_io("read", path);
+  if (!stream) io::throw_io_error("read", path);
   bytes_left -= text.size();
   if (XXH3_64bits(text.data(), text.size()) != prefix.header_hash) refuse(path, "its header is damaged");
   const Json json = parsed_header(path, text);

@@ -13,8 +13,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "sdk/files/output_file.h"
 #include "sdk/io/obj.h"
-#include "sdk/io/output_file.h"
 #include "sdk/io/ply.h"
 #include "sdk/io/pvd.h"
 #include "sdk/io/vtp.h"

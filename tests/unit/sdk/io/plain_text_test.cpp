@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sdk/cli/record/csv_file.h"
-#include "sdk/io/output_file.h"
+#include "sdk/files/output_file.h"
 
 namespace meniscus::io {
 namespace {

@@ -120,15 +120,18 @@ TEST_P(SnapshotFileTest, RefusesAFileThatWasCut) {
 TEST_P(SnapshotFileTest, FindsEachChangedByteOfTheHeader) {
   World world(world_def(GetParam(), 0.1f));
   world.save(path());
-  std::string bytes = read(path());
+  const std::string bytes = read(path());
   uint32_t length = 0;
   std::memcpy(&length, bytes.data() + 12, sizeof length);
   const size_t header = 24 + length;
-  for (size_t k = 0; k < header; k += k < 64 ? 1 : 17) {
-    std::string changed = bytes;
-    changed[k] = static_cast<char>(changed[k] ^ (1 << k % 8));
-    write(path(), changed);
+  std::fstream file(path(), std::ios::binary | std::ios::in | std::ios::out);
+  const auto put = [&](size_t at, char byte) {
+    file.seekp(static_cast<std::streamoff>(at)).put(byte).flush();
+  };
+  for (size_t k = 0; k < header; ++k) {
+    put(k, static_cast<char>(bytes[k] ^ (1 << k % 8)));
     expect_error(ErrorCode::io, "no usable snapshot", [&] { World::load(path()); });
+    put(k, bytes[k]);
   }
 }
 
@@ -157,6 +160,17 @@ TEST_P(SnapshotFileTest, NamesAFileThatCannotBeUsed) {
   size_t files = 0;
   for (const auto& entry : fs::directory_iterator(folder_)) files += entry.exists();
   EXPECT_EQ(files, 1u) << "something else remains";
+}
+
+TEST_P(SnapshotFileTest, ReplacesAFileAndIsAsReadableAsOthers) {
+  const std::string other = (folder_ / "other").string();
+  write(other, "a file that is kept");
+  fs::create_symlink(other, path());
+  const World world(world_def(GetParam(), 0.1f));
+  world.save(path());
+  EXPECT_FALSE(fs::is_symlink(path())) << "the link is replaced, not followed";
+  EXPECT_EQ(read(other), "a file that is kept");
+  EXPECT_EQ(fs::status(path()).permissions(), fs::status(other).permissions());
 }
 
 MENISCUS_ON_EACH_DEVICE(SnapshotFileTest);
