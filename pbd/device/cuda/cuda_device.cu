@@ -49,6 +49,7 @@ CudaDevice::CudaDevice() {
   check_cuda(cudaMallocHost(&pinned_, pinned_bytes + sizeof(uint32_t)), "allocating pinned memory");
   blocks_done_.resize_discard(1);
   blocks_done_.fill(0);
+  list_.reserve(LaunchGraphs::longest + 2);  // with a fork and a join that come last
 }
 
 CudaDevice::~CudaDevice() {

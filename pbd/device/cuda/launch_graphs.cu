@@ -87,7 +87,13 @@ LaunchGraphs::Graph* LaunchGraphs::adopt(Graph& graph, const LaunchList& list) {
     graph.list.clear();  // it no longer matches any list
     return nullptr;
   }
-  if (!changes_.empty()) graph.list = list;
+  if (changes_.empty()) return &graph;
+  try {
+    graph.list = list;
+  } catch (...) {
+    graph.list.clear();  // the nodes have changed already
+    throw;
+  }
   return &graph;
 }
 
@@ -104,6 +110,7 @@ LaunchGraphs::Graph* LaunchGraphs::take_oldest(const LaunchList& list) {
 
 /// Replaces the oldest graph where there are many.
 LaunchGraphs::Graph* LaunchGraphs::build(const LaunchList& list, const CudaStreams& streams) {
+  graphs_.reserve(most_graphs);  // nothing below takes memory once CUDA's objects are there
   Graph built{.list = list};
   if (!capture(built, streams)) {
     built.destroy();

@@ -20,7 +20,7 @@ void LaunchList::send(size_t k, const CudaStreams& streams) const {
   const cudaStream_t stream = streams.of(item.on_side);
   switch (item.kind) {
     case Kind::launch:
-      return item.launch.send(stream, arguments_of(k).data());
+      return item.launch.send(stream, arguments_of(k));
     case Kind::copy:
       return check_cuda(cudaMemcpyAsync(item.to, item.from, item.bytes, cudaMemcpyDeviceToDevice, stream),
                         "copying on the GPU");
@@ -52,7 +52,7 @@ cudaError_t LaunchList::set_node(cudaGraphExec_t graph, cudaGraphNode_t node, si
   parameters.func = const_cast<void*>(launch.kernel);
   parameters.gridDim = launch.blocks;
   parameters.blockDim = launch.threads;
-  parameters.kernelParams = arguments_of(item).data();
+  parameters.kernelParams = arguments_of(item);
   return cudaGraphExecKernelNodeSetParams(graph, node, &parameters);
 }
 
@@ -77,12 +77,12 @@ uint64_t LaunchList::hash() const {
   return all;
 }
 
-std::vector<void*>& LaunchList::arguments_of(size_t item) const {
+void** LaunchList::arguments_of(size_t item) const {
   const size_t end = item + 1 < items_.size() ? items_[item + 1].first : offsets_.size();
-  arguments_.clear();
-  for (size_t k = items_[item].first; k < end; ++k)
-    arguments_.push_back(const_cast<std::byte*>(bytes_.data() + offsets_[k]));
-  return arguments_;
+  const size_t first = items_[item].first;
+  for (size_t k = first; k < end; ++k)
+    arguments_[k - first] = const_cast<std::byte*>(bytes_.data() + offsets_[k]);
+  return arguments_.data();
 }
 
 bool LaunchList::has_equal_arguments(size_t item, const LaunchList& other) const {

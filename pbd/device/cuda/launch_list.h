@@ -6,6 +6,8 @@
 
 #include <cuda_runtime.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -55,14 +57,20 @@ struct CudaLaunch {
   }
 };
 
-/// Launches, copies, forks and joins in order, with all arguments.
+/// Launches, copies, forks and joins in order, with all arguments. A call for which there is no memory leaves
+/// the list as it was: a launch with a part of its arguments would read what is not its own.
 class LaunchList {
  public:
+  /// Makes room, so that forks, joins and copies take no memory up to this size.
+  void reserve(size_t items) { items_.reserve(items); }
   bool empty() const { return items_.empty(); }
   size_t size() const { return items_.size(); }
 
   template <class... Arguments>
   void add(const CudaLaunch& launch, bool on_side, const Arguments&... arguments) {
+    static_assert(sizeof...(arguments) <= most_arguments);
+    make_room(offsets_, sizeof...(arguments));
+    make_room(bytes_, (size_t{0} + ... + bytes_of<Arguments>()));
     add({.kind = Kind::launch, .on_side = on_side, .launch = launch});
     (put(arguments), ...);
   }
@@ -122,24 +130,33 @@ class LaunchList {
     items_.push_back(item);
   }
 
-  /// Lists are compared by these bytes.
+  template <class T>
+  static void make_room(std::vector<T>& in, size_t more) {
+    if (in.capacity() - in.size() < more) in.reserve(std::max(2 * in.capacity(), in.size() + more));
+  }
+  template <class T>
+  static constexpr size_t bytes_of() {
+    return (sizeof(T) + word - 1) / word * word;
+  }
+
+  /// There must be room. Lists are compared by these bytes.
   template <class T>
   void put(T argument) {
     clear_padding(argument);
     offsets_.push_back(bytes_.size());
-    bytes_.resize(bytes_.size() + (sizeof(T) + word - 1) / word * word);
+    bytes_.resize(bytes_.size() + bytes_of<T>());
     std::memcpy(bytes_.data() + offsets_.back(), &argument, sizeof(T));
   }
-  std::vector<void*>& arguments_of(size_t item) const;
+  void** arguments_of(size_t item) const;
   bool has_equal_arguments(size_t item, const LaunchList& other) const;
 
-  static constexpr size_t word = sizeof(uint64_t);
+  static constexpr size_t word = sizeof(uint64_t), most_arguments = 16;
 
   std::vector<Item> items_;
   std::vector<size_t> offsets_;  // of all arguments in `bytes_`
   std::vector<std::byte> bytes_;
   bool is_forked_ = false, is_whole_ = true;
-  mutable std::vector<void*> arguments_;  // of the launch that is being sent
+  mutable std::array<void*, most_arguments> arguments_;  // of the launch that is being sent
 };
 
 }  // namespace meniscus::pbd
