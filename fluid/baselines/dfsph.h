@@ -40,8 +40,7 @@ class Dfsph final : public Baseline<D> {
     divergence_end_.start_step();
   }
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override {
-    return courant_substeps(motion_.read(start, parameters_.gravity), dt, parameters_.gravity,
-                            parameters_.spacing, chosen);
+    return courant_substeps(motion_.read(start, parameters_.gravity), dt, parameters_, chosen);
   }
   uint32_t iterations_done(uint32_t) const override {
     return density_end_.iterations() + divergence_end_.iterations();

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "fluid/baselines/tuning.h"
+#include "fluid/density/density_set.h"
 #include "pbd/device/buffer.h"
 #include "pbd/device/scalar.h"
 #include "pbd/particles.h"
@@ -76,11 +77,14 @@ inline int substeps_within(float dt, float longest, int chosen) {
   return std::max(chosen, static_cast<int>(wanted < most ? wanted : most));
 }
 
-/// The same, so that nothing moves further than courant_number spacings in a substep.
-inline int courant_substeps(const FluidMotion& motion, float dt, const Vec3& gravity, float spacing,
+/// The same, so that nothing moves further than courant_number spacings in a substep (Bender & Koschier 2015,
+/// section 3.2; Ihmsen et al. 2010).
+inline int courant_substeps(const FluidMotion& motion, float dt, const DensityParameters& parameters,
                             int chosen) {
-  const float speed = std::sqrt(motion.fastest2) + dt * length(gravity);
-  return substeps_within(dt, baseline_tuning::courant_number * spacing / std::max(speed, 1e-30f), chosen);
+  if (parameters.courant_number == 0) return chosen;
+  const float speed = std::sqrt(motion.fastest2) + dt * length(parameters.gravity);
+  return substeps_within(dt, parameters.courant_number * parameters.spacing / std::max(speed, 1e-30f),
+                         chosen);
 }
 
 }  // namespace meniscus::fluid

@@ -37,7 +37,7 @@ class Pcisph final : public Baseline<D> {
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override {
     const FluidMotion motion = motion_.read(start, parameters_.gravity);
     prototype_step_ = 0.5f / (motion.inverse_mass * stage_.kernel().rest_gradient2);
-    return courant_substeps(motion, dt, parameters_.gravity, parameters_.spacing, chosen);
+    return courant_substeps(motion, dt, parameters_, chosen);
   }
   uint32_t iterations_done(uint32_t) const override { return end_.iterations(); }
 

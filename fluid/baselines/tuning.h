@@ -9,10 +9,6 @@
 
 namespace meniscus::fluid::baseline_tuning {
 
-/// Spacings that the fastest particle may move in a substep of PCISPH or DFSPH (Bender & Koschier 2015,
-/// section 3.2; Ihmsen et al. 2010). Test: BaselineStepTest.TheFastestParticleBoundsTheSubstep.
-inline constexpr float courant_number = 0.4f;
-
 /// η of PCISPH: the largest C of any particle at which the iterations end (Solenthaler & Pajarola 2009).
 /// Test: none.
 inline constexpr float pcisph_tolerance = 0.01f;

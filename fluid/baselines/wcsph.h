@@ -63,7 +63,7 @@ int Wcsph<D>::least_substeps(float dt, int chosen, const pbd::ParticleView& star
   sound_ = parameters_.compressibility > 0 ? std::sqrt(modulus() * motion.inverse_mass)
                                            : sound_over_speed * std::max(rest, motion.greatest_speed());
   const float longest = sound_courant_number * s / (sound_ * (1 + 0.6f * artificial_viscosity) + 1e-30f);
-  return substeps_within(dt, longest, courant_substeps(motion, dt, parameters_.gravity, s, chosen));
+  return substeps_within(dt, longest, courant_substeps(motion, dt, parameters_, chosen));
 }
 
 template <class D>

@@ -40,6 +40,7 @@ struct DensityParameters {
   float tolerance = 0;               ///< mean of max(C, 0) at which the iterations end; 0: all iterations run
   float compressibility = 0;         ///< 1/Pa
   float correction_limit = 0.0125f;  ///< m, in one iteration
+  float courant_number = 0.4f;       ///< of baselines: spacings in a substep; 0: no bound
   float parting_speed = 1.25f;       ///< m/s, of particles that were placed too dense (crowd.h)
   float spacing = 0.05f;             ///< m
   Vec3 gravity{0, -9.81f, 0};        ///< m/s², from which baselines estimate speeds

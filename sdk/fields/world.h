@@ -48,6 +48,8 @@ void fields(V& v, DensitySolverDef& d) {
     "mean of max(ρ/ρ₀ − 1, 0) at which a substep's density solve ends; 0: after all iterations");
   v("compressibility", d.compressibility, not_negative, "1/Pa", "inverse bulk modulus; 0 is incompressible");
   v("correction_limit", d.correction_limit, positive, "spacings", "largest correction of one iteration");
+  v("courant_number", d.courant_number, between(0, 10), "spacings",
+    "with pcisph, wcsph and dfsph: largest motion of the fastest particle in a substep; 0: no such bound");
   v("artificial_pressure", d.artificial_pressure, any_value, "", "repulsion against clumping at the surface");
   v.check(d.compressibility == 0 || !is_baseline(d.solver) || d.solver == DensitySolver::wcsph,
           "compressibility must be 0 with the solvers pcisph and dfsph, which are incompressible",

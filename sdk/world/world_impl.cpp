@@ -57,6 +57,7 @@ EngineDef World::Impl::engine_def() {
   e.density.tolerance = d.tolerance;
   e.density.compressibility = d.compressibility;
   e.density.correction_limit = d.correction_limit * def.particle_spacing;
+  e.density.courant_number = d.courant_number;
   e.density.parting_speed = e.solver.contact_radius / collision::shape_tuning::exit_time;
   e.density.spacing = def.particle_spacing;
   e.density.gravity = def.gravity;

@@ -91,6 +91,7 @@ Scene with_setting(Scene scene, int substeps, int iterations) {
 Scene with_pcisph(Scene scene, int substeps, int iterations) {
   scene.world.density.solver = DensitySolver::pcisph;
   scene.world.density.artificial_pressure = {};
+  scene.world.density.courant_number = 0;
   return with_setting(std::move(scene), substeps, iterations);
 }
 

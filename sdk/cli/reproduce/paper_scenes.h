@@ -32,7 +32,8 @@ struct Context {
 /// The setting "substeps × iterations".
 std::string setting_of(const Scene& scene);
 Scene with_setting(Scene scene, int substeps, int iterations);
-/// PCISPH in place of the density constraint. It takes no artificial pressure.
+/// PCISPH with the fixed substeps of its paper, in place of the density constraint. It takes no artificial
+/// pressure.
 Scene with_pcisph(Scene scene, int substeps, int iterations);
 
 /// Calls `add` for each item until the budget is spent. Returns whether all were done.

@@ -75,9 +75,9 @@ bool add_substeps(const Context& context) {
       "The paper says that PCISPH needs 10 substeps a frame in the bunny drop, and that PBF stays stable "
       "with one. " +
       sentence_of(bounds) +
-      " PCISPH here has a bound on its own substep: the fastest particle moves at most 0.4 spacings in it. "
-      "So it "
-      "can make more substeps than it was asked for.");
+      " PCISPH has the fixed substeps of its paper here, without the bound on the fastest particle that it "
+      "has "
+      "by default.");
   if (!found.stand_in.empty()) report.paragraph(found.stand_in);
   std::vector<io::Report::Cells> rows;
   for (const Tried& t : tried) rows.push_back(row_of(t));

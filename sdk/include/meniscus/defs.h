@@ -75,6 +75,9 @@ struct DensitySolverDef {
   /// times the fluid's greatest speed. `pcisph` and `dfsph` take 0 alone.
   float compressibility = 0.0f;
   float correction_limit = 0.25f;  ///< largest correction of one iteration, in particle spacings, > 0
+  /// With `pcisph`, `wcsph` and `dfsph`: spacings that the fastest particle may move in a substep, 0 to 10.
+  /// A step has more substeps than WorldDef::substeps where it would move further. 0: no such bound.
+  float courant_number = 0.4f;
   ArtificialPressureDef artificial_pressure{};
 };
 
