@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -15,6 +16,9 @@
 
 namespace meniscus::cli {
 namespace {
+
+/// Particles that may be thrown up: a splash has single drops at any height.
+constexpr double thrown_share = 0.001;
 
 /// What a run's figures are relative to.
 struct Start {
@@ -45,7 +49,6 @@ struct Start {
 
 void measure(const World& world, const Start& start, RunFigures& run) {
   const Diagnostics now = world.diagnostics();
-  const Heights heights = heights_of(world);
   const auto errors = world.density_errors();
   run.time.push_back(world.time());
   run.error_mean.push_back(now.density_error_mean);
@@ -55,7 +58,7 @@ void measure(const World& world, const Start& start, RunFigures& run) {
   run.kinetic.push_back(now.kinetic_energy);
   const double total = now.kinetic_energy + now.potential_energy;
   run.gain = std::max(run.gain, (total - start.total) / start.available);
-  run.rise = std::max(run.rise, (heights.high - start.heights.low) / start.height);
+  run.rise = std::max(run.rise, (height_exceeded_by(thrown_share, world) - start.heights.low) / start.height);
   run.outside = std::max(run.outside, now.outside);
 }
 
@@ -83,6 +86,17 @@ Heights heights_of(const World& world) {
     heights.high = std::max(heights.high, double{dot(p, up)});
   }
   return heights;
+}
+
+double height_exceeded_by(double share, const World& world) {
+  const Vec3 up = normalized_or(-world.def().gravity, {0, 1, 0});
+  std::vector<double> heights;
+  for (Vec3 p : world.positions()) heights.push_back(double{dot(p, up)});
+  if (heights.empty()) return 0;
+  const auto above = static_cast<std::size_t>(share * static_cast<double>(heights.size()));
+  const auto at = heights.begin() + static_cast<std::ptrdiff_t>(std::min(above, heights.size() - 1));
+  std::nth_element(heights.begin(), at, heights.end(), std::greater<>{});
+  return *at;
 }
 
 double mean_of(const std::vector<double>& values) {

@@ -32,8 +32,8 @@ struct RunFigures {
   std::vector<double> error_max;     ///< largest C, a fraction
   std::vector<double> density_mean;  ///< mean of C with the deficit of the surface, a fraction
   std::vector<double> kinetic;       ///< J
-  double gain = 0;          ///< largest total energy over the first one, of what falling can set free
-  double rise = 0;          ///< greatest height above the lowest particle, over the first one
+  double gain = 0;  ///< largest total energy over the first one, of what falling can set free
+  double rise = 0;  ///< greatest height that one particle in a thousand exceeds, over the fluid's first
   std::size_t outside = 0;  ///< most particles at once beyond a wall
 };
 
@@ -46,6 +46,8 @@ struct Heights {
   double low = 0, high = 0;
 };
 Heights heights_of(const World& world);
+/// m, the height along gravity that this share of the particles exceeds, 0 to 1.
+double height_exceeded_by(double share, const World& world);
 
 struct RunRequest {
   std::string name;

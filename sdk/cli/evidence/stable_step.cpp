@@ -13,8 +13,8 @@ namespace meniscus::cli {
 std::string sentence_of(const StableBounds& b) {
   return fmt::format(
       "A run is stable within these bounds. All values stay finite, and no particle leaves the container. "
-      "None rises "
-      "above {:g} times the fluid's first height. The mean density error over the run is at most {:g} %. The "
+      "At most one in a thousand rises above {:g} times the fluid's first height. The mean density error "
+      "over the run is at most {:g} %. The "
       "energy "
       "gains at most {:g} % of what falling can set free.",
       b.rise, 100 * b.error, 100 * b.gain);

@@ -14,7 +14,7 @@ namespace meniscus::cli {
 /// The bounds of a stable run. It ends with finite values, and no particle leaves a container.
 struct StableBounds {
   double error = 0.05;  ///< mean over the run of the mean of max(C, 0)
-  double rise = 3;      ///< height of the highest particle, over the fluid's first height
+  double rise = 3;      ///< height that one particle in a thousand exceeds, over the fluid's first height
   double gain = 0.1;    ///< of energy, over what falling can set free
 };
 
