@@ -25,5 +25,7 @@ Case catenary();
 Case elastica();
 Case chain();
 Case membrane();
+Case elastic_gate();
+Case drop();
 
 }  // namespace meniscus::validation

@@ -30,6 +30,14 @@ double height_of(const World& world, float width) {
 
 }  // namespace
 
+WorldDef column_world(const Settings& settings, float spacing) {
+  WorldDef def = settings.world(spacing);
+  if (settings.resolution != Resolution::full) return def;
+  def.iterations = 200;
+  def.density.tolerance = 0.001f;
+  return def;
+}
+
 DamMotion collapse(const DamColumn& column, double until) {
   const float a = column.width, depth = 0.4f * a;
   World world(column.world);
