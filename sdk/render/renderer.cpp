@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "pbd/math/vec.h"
 #include "sdk/render/renderer_parts.h"
 
 namespace meniscus::render {
@@ -37,7 +38,10 @@ const SceneCamera& Renderer::camera() const {
 }
 
 void Renderer::set_camera(const SceneCamera& camera) {
-  if (camera == parts_->stage.camera) return;
+  const SceneCamera& now = parts_->stage.camera;
+  if (camera.position == now.position && camera.target == now.target &&
+      camera.field_of_view == now.field_of_view)
+    return;
   parts_->stage.camera = camera;
   parts_->look();
 }

@@ -75,8 +75,6 @@ struct SceneCamera {
   Vec3 position{3, 2, 4};       ///< m
   Vec3 target{0, 0, 0};         ///< m; differs from the position
   float field_of_view = 35.0f;  ///< degrees, vertical, between 0 and 180
-
-  bool operator==(const SceneCamera&) const = default;
 };
 
 /// One more view, which is chosen by its name.
