@@ -80,6 +80,22 @@ if(C_LIBRARY AND NOT SANITIZE)
   file(REMOVE_RECURSE ${FOLDER}/first_programs)
 endif()
 
+# The manual's tutorial on linking. It checks its own result, and draws.
+if(NOT SANITIZE)
+  file(REMOVE_RECURSE ${FOLDER}/tutorial)
+  run(${CMAKE_COMMAND} -S ${SOURCE}/docs/manual/tutorials/cmake -B ${FOLDER}/tutorial -G ${GENERATOR}
+    -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_PREFIX_PATH=${prefix}
+    -DCMAKE_BUILD_TYPE=${BUILD_TYPE})
+  run(${CMAKE_COMMAND} --build ${FOLDER}/tutorial)
+  run(${CMAKE_COMMAND} -E chdir ${FOLDER}/tutorial ./drop)
+  file(STRINGS ${FOLDER}/tutorial/drop.svg circles REGEX "<circle")
+  list(LENGTH circles drawn)
+  if(drawn LESS 1000)
+    message(FATAL_ERROR "the tutorial draws ${drawn} particles")
+  endif()
+  file(REMOVE_RECURSE ${FOLDER}/tutorial)
+endif()
+
 # A sample that the source tree does not have can only come from the prefix.
 file(COPY_FILE ${prefix}/share/meniscus/scenes/hydrostatic.json ${prefix}/share/meniscus/scenes/installed.json)
 run(${prefix}/bin/meniscus check installed)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: MIT
-"""The Python programs of the README and of docs/python.md run as they stand."""
+"""The Python programs of the README, of docs/python.md and of the manual's concepts run as they stand."""
 
 import contextlib
 import importlib.util
@@ -52,6 +52,12 @@ class Pages(unittest.TestCase):
         names = {}
         for program in found:
             run(program, names)
+
+    def test_concepts(self):
+        found = [program for page in sorted((ROOT / "docs/manual/concepts").glob("*.md")) for program in programs(page)]
+        self.assertGreaterEqual(len(found), 1)
+        for program in found:
+            run(program, {})
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ enum class BodyMotion {
 /// axis, both at a constant rate.
 struct Keyframe {
   float time = 0;  ///< s, of World::time; ≥ 0 and later than the keyframe before
-  Pose pose{};
+  Pose pose{};     ///< of the geometry's frame
 };
 
 /// Mass and density are > 0. The mass of a dynamic body is from 1e-20 to 1e20 kg.
@@ -27,18 +27,18 @@ struct Keyframe {
 /// kg·m² do not hold. A body rotates by at most 45° in one step of Bullet, whatever its angular velocity.
 /// Further than 10 km from WorldDef::origin, bodies collide with planes alone.
 struct BodyDef {
-  std::string name{};
-  BodyMotion motion = BodyMotion::dynamic;
+  std::string name{};                       ///< what World::find_body takes
+  BodyMotion motion = BodyMotion::dynamic;  ///< what moves it
   Geometry geometry = BoxGeometry{};  ///< no plane or height field; a container for kinematic bodies alone
   Pose pose{};                        ///< of the geometry's frame
   Vec3 velocity{0, 0, 0};             ///< m/s, of the centre of mass; 0 for kinematic bodies
   Vec3 angular_velocity{0, 0, 0};     ///< rad/s; 0 for kinematic bodies
   float density = 500.0f;             ///< kg/m³: mass, centre of mass and inertia follow from the geometry
   std::optional<float> mass{};        ///< kg; replaces the mass that follows from the density
-  SurfaceDef surface{};
-  CollisionFilter filter{};
-  float linear_damping = 0;   ///< fraction of the velocity that is lost in a second, 0 to 1
-  float angular_damping = 0;  ///< the same for the angular velocity
+  SurfaceDef surface{};               ///< its contacts with particles, cloth and solids
+  CollisionFilter filter{};           ///< what it collides with
+  float linear_damping = 0;           ///< fraction of the velocity that is lost in a second, 0 to 1
+  float angular_damping = 0;          ///< the same for the angular velocity
   /// A body that is slower than 1 % of √(g r) for two seconds, with r its radius, sleeps. It is then left out
   /// of the simulation until something pushes it. Bodies do not sleep without gravity, or while cloth or
   /// ropes are attached to them.
@@ -85,12 +85,12 @@ using JointKind = std::variant<FixedJoint, HingeJoint, SliderJoint, BallJoint, S
 
 /// A joint between a body and another one, or the world.
 struct JointDef {
-  std::string name{};
-  BodyId a;
-  std::optional<BodyId> b{};  ///< another body; none: the world
-  Pose frame{};               ///< of the joint, in the world, at creation
-  JointKind kind = BallJoint{};
-  bool bodies_collide = false;  ///< whether a and b collide with one another
+  std::string name{};            ///< what World::find_joint takes
+  BodyId a;                      ///< a body
+  std::optional<BodyId> b{};     ///< another body; none: the world
+  Pose frame{};                  ///< of the joint, in the world, at creation
+  JointKind kind = BallJoint{};  ///< what it allows
+  bool bodies_collide = false;   ///< whether a and b collide with one another
 };
 
 // ---- read-outs ----
@@ -103,7 +103,7 @@ struct BodyState {
   Vec3 angular_velocity{0, 0, 0};  ///< rad/s
   Vec3 fluid_force{0, 0, 0};       ///< N, of all particles on the body, mean over the last step
   Vec3 fluid_torque{0, 0, 0};      ///< N·m, about the centre of mass, likewise
-  bool awake = true;
+  bool awake = true;               ///< left out of the simulation while it rests, if not
 };
 
 /// Kinematic bodies have no mass. Their values are the defaults.
@@ -117,18 +117,18 @@ struct BodyMass {
 
 /// A particle that touches a body, a fixed shape or cloth in the last substep.
 struct ParticleContact {
-  ParticleId particle = 0;
-  BodyId body{};          ///< valid if it touches a body
-  ShapeId shape{};        ///< valid if it touches a fixed shape
-  ClothId cloth{};        ///< valid if it touches cloth
-  Vec3 point{0, 0, 0};    ///< m, on the surface
-  Vec3 normal{0, 0, 0};   ///< unit, out of the solid, or off the cloth
-  Vec3 impulse{0, 0, 0};  ///< N·s, on the particle; the other side gets the opposite
+  ParticleId particle = 0;  ///< its id
+  BodyId body{};            ///< valid if it touches a body
+  ShapeId shape{};          ///< valid if it touches a fixed shape
+  ClothId cloth{};          ///< valid if it touches cloth
+  Vec3 point{0, 0, 0};      ///< m, on the surface
+  Vec3 normal{0, 0, 0};     ///< unit, out of the solid, or off the cloth
+  Vec3 impulse{0, 0, 0};    ///< N·s, on the particle; the other side gets the opposite
 };
 
 /// Two solids that touch or are about to. The first is always a body.
 struct SolidContact {
-  BodyId a{};
+  BodyId a{};            ///< the first
   BodyId b{};            ///< valid if the second is a body
   ShapeId shape{};       ///< valid if the second is a fixed shape
   Vec3 point{0, 0, 0};   ///< m, on b
@@ -139,26 +139,26 @@ struct SolidContact {
 
 /// Two solids that began or ceased to touch in the last step. At least one is a body.
 struct ContactEvent {
-  BodyId a{};
-  BodyId b{};
-  ShapeId shape{};
+  BodyId a{};         ///< the first
+  BodyId b{};         ///< valid if the second is a body
+  ShapeId shape{};    ///< valid if the second is a fixed shape
   bool began = true;  ///< else they ceased to touch
 };
 
 /// The first hit of a ray.
 struct RayHit {
-  BodyId body{};    ///< valid if it is a body
-  ShapeId shape{};  ///< valid if it is a fixed shape
-  std::optional<ParticleId> particle{};
-  Vec3 point{0, 0, 0};   ///< m
-  Vec3 normal{0, 0, 0};  ///< unit, against the ray
-  float distance = 0;    ///< m along the ray
+  BodyId body{};                         ///< valid if it is a body
+  ShapeId shape{};                       ///< valid if it is a fixed shape
+  std::optional<ParticleId> particle{};  ///< its id, if it is a particle
+  Vec3 point{0, 0, 0};                   ///< m
+  Vec3 normal{0, 0, 0};                  ///< unit, against the ray
+  float distance = 0;                    ///< m along the ray
 };
 
 /// What a volume of a query overlaps.
 struct Overlaps {
-  std::vector<BodyId> bodies;
-  std::vector<ShapeId> shapes;
+  std::vector<BodyId> bodies;         ///< that overlap it
+  std::vector<ShapeId> shapes;        ///< fixed shapes that overlap it
   std::vector<ParticleId> particles;  ///< those with their centres inside
 };
 

@@ -30,12 +30,12 @@ enum class BendingModel {
 /// Stiffnesses are per width of cloth, as in tests of fabric, and ≥ 0. Infinity is unyielding.
 struct FabricDef {
   float density = 0.2f;  ///< kg/m², 1e-6 to 1e4; silk .05, cotton .15, denim .4, canvas .6
-  StretchModel stretch_model = StretchModel::edges;
-  float warp_stiffness = 20000.0f;  ///< N/m, along u: tension over strain
-  float weft_stiffness = 20000.0f;  ///< N/m, along v
-  float shear_stiffness = 100.0f;   ///< N/m: shear force over the shear angle
-  BendingModel bending_model = BendingModel::isometric;
-  float bending_stiffness = 5e-5f;  ///< N·m: moment over curvature
+  StretchModel stretch_model = StretchModel::edges;      ///< what resists stretch and shear
+  float warp_stiffness = 20000.0f;                       ///< N/m, along u: tension over strain
+  float weft_stiffness = 20000.0f;                       ///< N/m, along v
+  float shear_stiffness = 100.0f;                        ///< N/m: shear force over the shear angle
+  BendingModel bending_model = BendingModel::isometric;  ///< what resists bending
+  float bending_stiffness = 5e-5f;                       ///< N·m: moment over curvature
   /// s, Rayleigh's, 0 to 1e6: the viscous force is this time multiplied by the rate of the elastic force.
   float stretch_damping = 0.002f;
   float bending_damping = 0.01f;  ///< s, likewise
@@ -72,7 +72,7 @@ struct SheetGeometry {
 /// Any triangles, from a mesh file. Vertices at the same position are merged, and then those
 /// within `weld`. Numbers of vertices are those after that.
 struct ClothFile {
-  std::string file;
+  std::string file;    ///< its path
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
   /// Mean edges, 0 to 0.1: vertices no further apart are merged. World::cloth_welded_vertices counts them.
   float weld = 1e-3f;
@@ -115,14 +115,14 @@ struct InflationDef {
 /// Cloth that starts inside a solid is pushed out by half its thickness per 0.02 s and gains no
 /// further speed.
 struct ClothDef {
-  std::string name{};
-  ClothGeometry geometry = SheetGeometry{};
-  Pose pose{};             ///< of the geometry's frame
-  Vec3 stretch{1, 1, 1};   ///< scales the geometry at creation; the rest shape is unscaled
-  Vec3 velocity{0, 0, 0};  ///< m/s
-  FabricDef fabric{};
-  CollisionFilter filter{};  ///< with solids, and with other cloth
-  bool self_collision = true;
+  std::string name{};                        ///< what World::find_cloth takes
+  ClothGeometry geometry = SheetGeometry{};  ///< its shape at rest
+  Pose pose{};                               ///< of the geometry's frame
+  Vec3 stretch{1, 1, 1};                     ///< scales the geometry at creation; the rest shape is unscaled
+  Vec3 velocity{0, 0, 0};                    ///< m/s
+  FabricDef fabric{};                        ///< what it is made of
+  CollisionFilter filter{};                  ///< with solids, and with other cloth
+  bool self_collision = true;                ///< whether it collides with itself
   /// Whether tethers pull a vertex that is further from the nearest held vertex than along the cloth at rest
   /// (Kim, Chentanez & Müller 2012). Cloth that is no grid then hangs with hardly more stretch at few
   /// substeps than at many. All tethers together are as stiff as the fabric, so soft cloth hangs with half of
@@ -137,13 +137,13 @@ struct ClothDef {
 /// A row of straight segments with a radius. A rod bends and twists, and each of its segments has a frame
 /// (Kugelstadt & Schömer 2016). A rope has a length alone.
 struct RopeDef {
-  std::string name{};
+  std::string name{};        ///< what World::find_rope takes
   std::vector<Vec3> points;  ///< m, in the frame of `pose`: vertices at rest, or corners with `segments`
   int segments = 0;          ///< if > 0, the path along the points is divided into so many; at most a million
-  Pose pose{};
-  Vec3 velocity{0, 0, 0};         ///< m/s
-  float radius = 0.005f;          ///< m, 1e-6 to 1000
-  float density = 1000.0f;        ///< kg/m³, 0.001 to 1e6
+  Pose pose{};               ///< of the points
+  Vec3 velocity{0, 0, 0};    ///< m/s
+  float radius = 0.005f;     ///< m, 1e-6 to 1000
+  float density = 1000.0f;   ///< kg/m³, 0.001 to 1e6
   bool bends_and_twists = false;  ///< a rod; else a rope
   float youngs_modulus = 1e8f;    ///< Pa, ≥ 1e-6; infinity: unyielding
   float shear_modulus = 3.5e7f;   ///< Pa, ≥ 1e-6, finite: for the twist of rods
@@ -161,14 +161,14 @@ struct RopeDef {
 /// Exactly one of `cloth` and `rope` is given, and at most one of `body`, `other_cloth` and `other_rope`.
 /// Vertices do not collide with a body that they are attached to, nor do faces with such a vertex.
 struct AttachmentDef {
-  std::string name{};
-  std::optional<ClothId> cloth{};
-  std::optional<RopeId> rope{};
+  std::string name{};                ///< what World::find_attachment takes
+  std::optional<ClothId> cloth{};    ///< the piece that is held
+  std::optional<RopeId> rope{};      ///< the rope that is held
   std::vector<uint32_t> vertices{};  ///< by number
   std::optional<Aabb> region{};  ///< in addition those in this box of the world, at their present positions
-  std::optional<BodyId> body{};
-  std::optional<ClothId> other_cloth{};
-  std::optional<RopeId> other_rope{};
+  std::optional<BodyId> body{};  ///< the body that holds them
+  std::optional<ClothId> other_cloth{};  ///< the piece that they are sewn to
+  std::optional<RopeId> other_rope{};    ///< the rope that they are sewn to
   /// m, > 0: each vertex is sewn to the nearest vertex of the other piece within this distance, or stays
   /// free.
   float reach = 0.05f;
@@ -184,7 +184,7 @@ struct WindDef {
   float air_density = 1.2f;  ///< kg/m³; 0: no air and no drag
   float gust_speed = 0.0f;   ///< m/s, standard deviation, 0 to 1e6
   float gust_size = 2.0f;    ///< m
-  uint32_t seed = 1;
+  uint32_t seed = 1;         ///< of the gusts
 };
 
 // ---- read-outs ----
@@ -203,14 +203,14 @@ struct ClothState {
   Vec3 centre{0, 0, 0};      ///< m, of mass
   Vec3 momentum{0, 0, 0};    ///< kg·m/s
   float kinetic_energy = 0;  ///< J
-  bool closed = false;
+  bool closed = false;       ///< whether it has no border
 };
 
 /// A vertex that tore in two in the last step. `original` keeps its number. `copy` is the number of the new
 /// one, at the end of the piece's read-outs.
 struct TearEvent {
-  ClothId cloth{};
-  uint32_t copy = 0, original = 0;
+  ClothId cloth{};                  ///< the piece
+  uint32_t copy = 0, original = 0;  ///< numbers of the new and of the old vertex
 };
 
 }  // namespace meniscus

@@ -62,8 +62,8 @@ struct ArtificialPressureDef {
 
 /// How the density of fluids is solved.
 struct DensitySolverDef {
-  DensitySolver solver = DensitySolver::chebyshev;
-  float relaxation = 0.3f;      ///< Jacobi's damping ω, 0.01 to 0.44
+  DensitySolver solver = DensitySolver::chebyshev;  ///< the method
+  float relaxation = 0.3f;                          ///< Jacobi's damping ω, 0.01 to 0.44
   float warm_start = 0.4f;      ///< fraction of the last substep's multipliers to start from, 0 to 0.5
   float spectral_bound = 4.5f;  ///< largest eigenvalue that Chebyshev's weights expect, 3 to 20
   /// ≥ 0: mean of max(C, 0) over all fluid particles, C = ρ/ρ₀ − 1, at which the density solve of a substep
@@ -78,7 +78,7 @@ struct DensitySolverDef {
   /// With `pcisph`, `wcsph` and `dfsph`: spacings that the fastest particle may move in a substep, 0 to 10.
   /// A step has more substeps than WorldDef::substeps where it would move further. 0: no such bound.
   float courant_number = 0.4f;
-  ArtificialPressureDef artificial_pressure{};
+  ArtificialPressureDef artificial_pressure{};  ///< of fluids
 };
 
 /// How Bullet solves contacts and joints among solids. Stacks with mass ratios up to 1000 need Bullet steps
@@ -108,7 +108,7 @@ struct ClothSolverDef {
 
 /// A ramp from 0 at `low` to 1 at `high`, or the interval of a random value.
 struct Range {
-  float low, high;
+  float low, high;  ///< the two ends
 
   friend bool operator==(const Range&, const Range&) = default;
 };
@@ -155,7 +155,7 @@ struct PeriodicDef {
 
 /// A world and its solvers.
 struct WorldDef {
-  DeviceChoice device = DeviceChoice::automatic;
+  DeviceChoice device = DeviceChoice::automatic;  ///< where it runs
   int threads = 0;  ///< threads of the CPU device, at most 1024; 0: one for each core
   /// m: the world computes with positions relative to this point. Calls take and return positions as always.
   /// A scene far from zero names a point in its middle, and is then as precise as one at zero. Arguments and
@@ -164,7 +164,7 @@ struct WorldDef {
   Vec3 gravity{0, -9.81f, 0};      ///< m/s²
   float particle_spacing = 0.05f;  ///< s, m: the rest distance between fluid particles, 1e-4 to 1e3
   float support_ratio = 2.0f;      ///< support radius h over spacing, 1.5 to 3
-  SmoothingKernel kernel = SmoothingKernel::poly6_spiky;
+  SmoothingKernel kernel = SmoothingKernel::poly6_spiky;  ///< smoothing kernels of density and pressure
   /// Per step, 1 to 1000, when cfl_number is 0. A minimum while a fast body is near cloth: it then takes up
   /// to 256, as StepReport::substeps tells.
   int substeps = 4;
@@ -175,16 +175,16 @@ struct WorldDef {
   int max_substeps = 16;  ///< maximum of that choice, min_substeps to 1000
   /// Distance from a surface at which the centre of a particle stops, in spacings, 0.01 to 1.
   float contact_radius = 0.5f;
-  DensitySolverDef density{};
-  RigidSolverDef rigid{};
-  ClothSolverDef cloth{};
+  DensitySolverDef density{};           ///< of fluids
+  RigidSolverDef rigid{};               ///< of contacts and joints among solids
+  ClothSolverDef cloth{};               ///< of cloth
   std::optional<DiffuseDef> diffuse{};  ///< none: no diffuse particles
-  PeriodicDef periodic{};
+  PeriodicDef periodic{};               ///< axes along which the world repeats itself
 };
 
 /// A liquid.
 struct FluidDef {
-  std::string name = "water";
+  std::string name = "water";    ///< what World::find_fluid takes
   float rest_density = 1000.0f;  ///< ρ₀, kg/m³, 0.001 to 1e6
   /// μ, Pa·s, 0 to 1e6: implicit, so that any substep is stable. Rigid rotation is not braked. Between two
   /// fluids the harmonic mean acts. Solids hold the fluid by their SurfaceDef::slip_length.
@@ -213,8 +213,8 @@ struct FluidDef {
 /// In a fluid a grain displaces a spacing cubed. So it floats if it is lighter than the fluid. The viscosity
 /// and `xsph` of the fluid drag it along. Densities from a fifth to ten times that of the fluid are tested.
 struct GranularDef {
-  std::string name = "sand";
-  float density = 1600.0f;  ///< kg/m³, 0.001 to 1e6, bulk: mass of a grain over a spacing cubed
+  std::string name = "sand";  ///< what World::find_fluid takes
+  float density = 1600.0f;    ///< kg/m³, 0.001 to 1e6, bulk: mass of a grain over a spacing cubed
   /// ≥ 0: tangent of the slope at which a collapsing column comes to rest. Below 0.18 it is that of grains
   /// without friction. A poured heap is up to 5° steeper. The μ of contacts is (friction − 0.18)/1.4, since
   /// balls that do not rotate interlock. Between two materials the geometric mean of their μ counts.
@@ -252,7 +252,7 @@ enum class Face { x_low, x_high, y_low, y_high, z_low, z_high };
 /// container for good. Without a region the whole face is open. The walls around it then continue without
 /// end, as in a tall vessel or a channel.
 struct Opening {
-  Face face = Face::y_high;
+  Face face = Face::y_high;      ///< the face with the hole
   std::optional<Aabb> region{};  ///< in the container's frame; the extent along the face's normal is ignored
 };
 
@@ -284,7 +284,7 @@ struct CylinderGeometry {
 /// winding number closes holes. The mesh of a dynamic body must have none, unless `repair` is set. For other
 /// solids, rays and overlaps, convex parts stand for the mesh of a dynamic body.
 struct MeshGeometry {
-  std::string file;
+  std::string file;        ///< its path
   float scale = 1.0f;      ///< metres a file unit; a factor if the file states its unit, as FBX does
   float cell_size = 0.0f;  ///< of the field, m; 0: half a particle_spacing, wider around large meshes
   float max_error = 0.0f;  ///< m; if > 0, the field is refined until its error is no larger
@@ -301,7 +301,7 @@ struct HullGeometry {
 
 /// Several solids as one. If parts overlap, the mass of both counts.
 struct CompoundGeometry {
-  std::vector<struct CompoundPart> parts;
+  std::vector<struct CompoundPart> parts;  ///< the solids
 };
 
 /// Heights over a regular grid in x and z, centred at the origin. It is solid below.
@@ -320,7 +320,7 @@ using Geometry =
 /// One of the solids of a compound.
 struct CompoundPart {
   Geometry geometry = BoxGeometry{};  ///< no plane, container, height field or compound
-  Pose pose{};
+  Pose pose{};                        ///< in the frame of the compound
 };
 
 /// Contact parameters of a solid. Between two solids the geometric mean counts.
@@ -341,11 +341,11 @@ struct SurfaceDef {
 
 /// A solid that does not move.
 struct ShapeDef {
-  std::string name{};
-  Geometry geometry = PlaneGeometry{};
-  Pose pose{};
-  SurfaceDef surface{};
-  CollisionFilter filter{};
+  std::string name{};                   ///< what World::find_shape takes
+  Geometry geometry = PlaneGeometry{};  ///< what it is
+  Pose pose{};                          ///< of the geometry's frame
+  SurfaceDef surface{};                 ///< its contacts with particles, cloth and bodies
+  CollisionFilter filter{};             ///< what collides with it
 };
 
 // ---- fluid volumes ----
@@ -353,7 +353,7 @@ struct ShapeDef {
 /// A box.
 struct BoxRegion {
   /// m, before the pose; lower ≤ upper in every component; where they are equal it is empty
-  Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};
+  Vec3 lower{-0.5f, -0.5f, -0.5f}, upper{0.5f, 0.5f, 0.5f};  ///< corners
 };
 
 /// About the origin, before the pose.
@@ -363,7 +363,7 @@ struct BallRegion {
 
 /// The inside of a mesh, by its winding number.
 struct MeshRegion {
-  std::string file;
+  std::string file;    ///< its path
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
 };
 
@@ -385,11 +385,11 @@ enum class Seeding {
 /// where the volume has more than a few thousand. They are relaxed against each other, the region's boundary,
 /// solids and existing particles. The same call gives the same positions. For fluids alone.
 struct FluidVolumeDef {
-  FluidId fluid;
-  Region region = BoxRegion{};
-  Pose pose{};
-  Vec3 velocity{0, 0, 0};  ///< m/s
-  Seeding seeding = Seeding::lattice;
+  FluidId fluid;                       ///< or granular material
+  Region region = BoxRegion{};         ///< what to fill
+  Pose pose{};                         ///< of the region
+  Vec3 velocity{0, 0, 0};              ///< m/s
+  Seeding seeding = Seeding::lattice;  ///< how the particles are placed
 };
 
 // ---- probes ----
@@ -413,8 +413,8 @@ enum class ProbeKind {
 
 /// A measurement: the mean over the substeps of a step. Forces are averaged as vectors.
 struct ProbeDef {
-  std::string name{};
-  ProbeKind kind = ProbeKind::point_pressure;
+  std::string name{};                          ///< what World::find_probe takes
+  ProbeKind kind = ProbeKind::point_pressure;  ///< what it measures
   Vec3 point{0, 0, 0};             ///< m; not of wall_pressure, wall_force, fluid_momentum and fluid_centre
   Vec3 normal{0, 1, 0};            ///< flow and level alone; of a length from 1e-6 to 1e18
   float radius = 0.0f;             ///< m, > 0, of the disc or column; flow and level alone

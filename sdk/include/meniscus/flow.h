@@ -25,7 +25,7 @@ struct RectangleOpening {
 
 /// The surface of any triangle mesh. Particles leave each triangle along its outward normal.
 struct MeshOpening {
-  std::string file;
+  std::string file;    ///< its path
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
 };
 
@@ -43,10 +43,10 @@ using EmitterOpening = std::variant<DiscOpening, RectangleOpening, MeshOpening>;
 /// jet. So an opening under water works, and a closed vessel fills up without a burst. Emitted fluid exerts
 /// no recoil on a body.
 struct EmitterDef {
-  std::string name{};
-  FluidId fluid{};  ///< or a granular material
-  EmitterOpening opening = DiscOpening{};
-  Pose pose{};                   ///< of the opening, in the world; with a body, in the body's frame
+  std::string name{};                      ///< what World::find_emitter takes
+  FluidId fluid{};                         ///< or a granular material
+  EmitterOpening opening = DiscOpening{};  ///< where particles leave
+  Pose pose{};                             ///< of the opening, in the world; with a body, in the body's frame
   std::optional<BodyId> body{};  ///< carries the opening; its velocity is added to the emitted particles
   float speed = 1.0f;            ///< m/s, out of the opening, > 0
   /// m³/s, at most speed · area of the opening. 0 means that maximum. At half of the maximum or less, an even
@@ -71,9 +71,9 @@ using SinkRegion = std::variant<BoxRegion, BallRegion, HalfSpaceRegion>;
 /// Removes all particles of fluids and grains inside the region at the end of a step, or outside of it with
 /// `outside`. Each removed particle counts for one sink alone.
 struct SinkDef {
-  std::string name{};
-  SinkRegion region = BoxRegion{{-1, -1, -1}, {1, 1, 1}};
-  bool outside = false;
+  std::string name{};                                      ///< what World::find_sink takes
+  SinkRegion region = BoxRegion{{-1, -1, -1}, {1, 1, 1}};  ///< where particles are removed
+  bool outside = false;                                    ///< removes those outside of the region instead
   Pose pose{};                   ///< of the region, in the world; with a body, in the body's frame
   std::optional<BodyId> body{};  ///< carries the region
 };
@@ -82,8 +82,8 @@ struct SinkDef {
 
 /// The number of particles that an emitter made or a sink removed.
 struct FlowCount {
-  uint32_t last_step = 0;
-  uint64_t total = 0;
+  uint32_t last_step = 0;  ///< in the last step
+  uint64_t total = 0;      ///< since its creation
 };
 
 }  // namespace meniscus

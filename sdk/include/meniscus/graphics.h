@@ -19,8 +19,8 @@ class GlParticles {
   /// when one device draws and another simulates.
   GlParticles(uint32_t ellipsoids, uint32_t fluids);
   ~GlParticles();
-  GlParticles(GlParticles&&) noexcept;
-  GlParticles& operator=(GlParticles&&) noexcept;
+  GlParticles(GlParticles&&) noexcept;             ///< takes the buffers of another
+  GlParticles& operator=(GlParticles&&) noexcept;  ///< likewise
 
  private:
   friend class World;

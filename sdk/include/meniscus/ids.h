@@ -11,8 +11,8 @@ namespace meniscus {
 /// Names an object in one world. Opaque: a create call returns it. A stale or foreign id is an error.
 template <class Tag>
 struct Id {
-  uint32_t index = 0xffffffff;
-  uint32_t generation = 0;
+  uint32_t index = 0xffffffff;  ///< its place among the objects of its kind
+  uint32_t generation = 0;      ///< tells it from those that had its place before
 
   friend bool operator==(Id, Id) = default;
 };

@@ -24,13 +24,13 @@ struct Ellipsoid {
 /// The arrays that World::write_particles writes, in the memory of the world's device. On CUDA that is the
 /// memory of the GPU. One element a particle, in the order of the ids.
 struct ParticleArrays {
-  Ellipsoid* ellipsoids = nullptr;
-  uint32_t* fluids = nullptr;  ///< FluidId::index
+  Ellipsoid* ellipsoids = nullptr;  ///< the surface of each particle
+  uint32_t* fluids = nullptr;       ///< FluidId::index
 };
 
 /// A mesh file whose surface was rebuilt: see MeshGeometry::repair.
 struct MeshRepair {
-  std::string file;
+  std::string file;            ///< its path
   float cell_size = 0;         ///< m: no part of either surface is further from the other
   float deviation = 0;         ///< m, the largest distance from the old outer surface to the new one
   double volume_before = 0;    ///< m³, inside the outer surface of the file; fans close its holes
@@ -106,7 +106,7 @@ struct StepReport {
   uint32_t diffuse = 0;          ///< all spray, foam and bubbles
   uint32_t diffuse_refused = 0;  ///< those that were not made for lack of room: see DiffuseDef::capacity
   float max_speed = 0;           ///< m/s, of particles and of vertices of cloth and ropes
-  Overflows overflows;
+  Overflows overflows;           ///< what exceeded a fixed size
 };
 
 /// The state of the particles, measured from their present positions. The density error is C = ρ/ρ₀ − 1.
@@ -130,11 +130,11 @@ struct Diagnostics {
 
 /// A device as `meniscus devices` lists it.
 struct DeviceInfo {
-  std::string kind;  ///< "cpu" or "cuda"
-  std::string name;
-  bool usable = false;
-  std::string reason;  ///< why it is not usable
-  std::size_t memory_bytes = 0;
+  std::string kind;              ///< "cpu" or "cuda"
+  std::string name;              ///< of the processor
+  bool usable = false;           ///< whether worlds can run there
+  std::string reason;            ///< why it is not usable
+  std::size_t memory_bytes = 0;  ///< of its memory
 };
 
 /// All devices of this machine, the CPU last.
@@ -142,8 +142,8 @@ std::vector<DeviceInfo> list_devices();
 
 /// Memory of the arrays of a world on its device, by purpose.
 struct MemoryShare {
-  std::string what;
-  std::size_t bytes = 0;
+  std::string what;       ///< their purpose
+  std::size_t bytes = 0;  ///< their size
 };
 
 }  // namespace meniscus

@@ -79,8 +79,8 @@ struct SceneCamera {
 
 /// One more view, which is chosen by its name.
 struct SceneNamedCamera {
-  std::string name;
-  SceneCamera view;
+  std::string name;  ///< what --camera takes
+  SceneCamera view;  ///< where it looks from and to
 };
 
 /// What a check looks at after each frame.
@@ -103,13 +103,13 @@ enum class CheckKind {
 
 /// A condition that a run of the scene must meet. The program evaluates it after each frame.
 struct SceneCheck {
-  CheckKind kind = CheckKind::outside;
-  std::string name;   ///< what outputs call it
-  std::string body;   ///< BodyDef::name, for body_position, body_speed and body_tilt
-  std::string cloth;  ///< ClothDef::name, for checks of cloth; with crossings, empty means all cloth
-  std::string probe;  ///< ProbeDef::name, for probe
-  Axis axis = Axis::y;
-  Aabb region{};                       ///< for share_inside
+  CheckKind kind = CheckKind::outside;  ///< what it looks at
+  std::string name;                     ///< what outputs call it
+  std::string body;                     ///< BodyDef::name, for body_position, body_speed and body_tilt
+  std::string cloth;    ///< ClothDef::name, for checks of cloth; with crossings, empty means all cloth
+  std::string probe;    ///< ProbeDef::name, for probe
+  Axis axis = Axis::y;  ///< for body_position and cloth_position
+  Aabb region{};        ///< for share_inside
   std::optional<float> low{}, high{};  ///< bounds of the value; at least one of them
   float from = 0;                      ///< s, ≥ 0: frames that end earlier do not count
   std::optional<float> until{};        ///< s: frames that end later do not count; none: all do
@@ -119,28 +119,28 @@ struct SceneCheck {
 
 /// A scene. `meniscus schema` prints the keys, units and ranges of its file.
 struct Scene {
-  std::string name;
-  std::string description;
-  float frame_time = 0.016f;  ///< s, ≥ 1e-12: length of a frame, which is one World::step
-  int frames = 250;           ///< ≥ 1: length of a run, unless the caller says otherwise
-  int relax_iterations = 0;   ///< 0 to 100,000, of World::relax before the first frame
-  WorldDef world;
-  std::vector<FluidDef> fluids;
-  std::vector<GranularDef> granulars;
-  std::vector<ShapeDef> shapes;
-  std::vector<SceneBody> bodies;
-  std::vector<SceneJoint> joints;
-  std::vector<ClothDef> cloths;
-  std::vector<RopeDef> ropes;
-  std::vector<SceneAttachment> attachments;
-  std::optional<WindDef> wind;
-  std::vector<SceneVolume> volumes;
-  std::vector<SceneEmitter> emitters;
-  std::vector<SceneSink> sinks;
-  std::vector<SceneProbe> probes;
-  std::vector<SceneCheck> checks;
-  std::optional<SceneCamera> camera;  ///< none: a view that holds everything
-  std::vector<SceneNamedCamera> cameras;
+  std::string name;                          ///< what outputs call it
+  std::string description;                   ///< what there is to see
+  float frame_time = 0.016f;                 ///< s, ≥ 1e-12: length of a frame, which is one World::step
+  int frames = 250;                          ///< ≥ 1: length of a run, unless the caller says otherwise
+  int relax_iterations = 0;                  ///< 0 to 100,000, of World::relax before the first frame
+  WorldDef world;                            ///< gravity, resolution and solvers
+  std::vector<FluidDef> fluids;              ///< kinds of liquid
+  std::vector<GranularDef> granulars;        ///< kinds of grains
+  std::vector<ShapeDef> shapes;              ///< solids that do not move
+  std::vector<SceneBody> bodies;             ///< rigid bodies
+  std::vector<SceneJoint> joints;            ///< between bodies, or a body and the world
+  std::vector<ClothDef> cloths;              ///< pieces of cloth
+  std::vector<RopeDef> ropes;                ///< ropes and rods
+  std::vector<SceneAttachment> attachments;  ///< what holds cloth and ropes
+  std::optional<WindDef> wind;               ///< none: the air is at rest
+  std::vector<SceneVolume> volumes;          ///< what is filled at the start
+  std::vector<SceneEmitter> emitters;        ///< what makes particles
+  std::vector<SceneSink> sinks;              ///< what removes particles
+  std::vector<SceneProbe> probes;            ///< measurements
+  std::vector<SceneCheck> checks;            ///< what must hold during a run
+  std::optional<SceneCamera> camera;         ///< none: a view that holds everything
+  std::vector<SceneNamedCamera> cameras;     ///< further views
 };
 
 /// The bodies of an entry: the body itself, or its copies. x is fastest. The names of copies end with their
@@ -190,18 +190,18 @@ void check_scene(const Scene& scene);
 
 /// A world made from a scene. The ids are in the order of the lists of the scene.
 struct BuiltScene {
-  World world;
-  std::vector<FluidId> fluids;  ///< of the fluids, and then of the granular materials
-  std::vector<ShapeId> shapes;
-  std::vector<BodyId> bodies;  ///< in the order of bodies_of
-  std::vector<JointId> joints;
-  std::vector<ClothId> cloths;
-  std::vector<RopeId> ropes;
-  std::vector<AttachmentId> attachments;
-  std::vector<std::size_t> volumes;  ///< number of particles that each made
-  std::vector<EmitterId> emitters;
-  std::vector<SinkId> sinks;
-  std::vector<ProbeId> probes;
+  World world;                            ///< with all of the scene in it
+  std::vector<FluidId> fluids;            ///< of the fluids, and then of the granular materials
+  std::vector<ShapeId> shapes;            ///< fixed solids
+  std::vector<BodyId> bodies;             ///< in the order of bodies_of
+  std::vector<JointId> joints;            ///< between bodies
+  std::vector<ClothId> cloths;            ///< pieces of cloth
+  std::vector<RopeId> ropes;              ///< ropes and rods
+  std::vector<AttachmentId> attachments;  ///< of cloth and ropes
+  std::vector<std::size_t> volumes;       ///< number of particles that each made
+  std::vector<EmitterId> emitters;        ///< what makes particles
+  std::vector<SinkId> sinks;              ///< what removes particles
+  std::vector<ProbeId> probes;            ///< measurements
 };
 
 /// Checks a scene and makes a world of it. Throws what check_scene throws, and what World throws, with the

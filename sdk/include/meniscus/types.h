@@ -11,23 +11,23 @@ namespace meniscus {
 
 /// A point, a vector, or one number for each axis.
 struct Vec3 {
-  float x, y, z;
+  float x, y, z;  ///< along the axes
 };
 
 /// Rotation; (0, 0, 0, 1) is none.
 struct Quat {
-  float x, y, z, w;
+  float x, y, z, w;  ///< w is the scalar part
 };
 
 /// Axis-aligned box, in metres.
 struct Aabb {
-  Vec3 lower, upper;
+  Vec3 lower, upper;  ///< its corners
 };
 
 /// Rigid placement: a point q of the local frame sits at position + rotation · q.
 struct Pose {
-  Vec3 position{0, 0, 0};
-  Quat rotation{0, 0, 0, 1};
+  Vec3 position{0, 0, 0};     ///< m, of the frame's origin
+  Quat rotation{0, 0, 0, 1};  ///< of the frame
 };
 
 /// Two objects collide if each one's group is in the other's mask.

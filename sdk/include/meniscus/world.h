@@ -39,8 +39,8 @@ class World {
  public:
   explicit World(const WorldDef& def = {});  ///< an empty world
   ~World();
-  World(World&&) noexcept;
-  World& operator=(World&&) noexcept;
+  World(World&&) noexcept;             ///< takes another world, which is then of no use
+  World& operator=(World&&) noexcept;  ///< likewise
 
   const WorldDef& def() const;  ///< as it is now
   /// From the next step on. A running world can change gravity, substeps, iterations, cfl_number with its

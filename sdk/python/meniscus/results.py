@@ -20,10 +20,10 @@ class ParticleContacts(NamedTuple):
 
     bodies, shapes and cloths hold a place in the list of the same name of World, or -1."""
 
-    particles: NDArray[np.uint64]
-    bodies: NDArray[np.int64]
-    shapes: NDArray[np.int64]
-    cloths: NDArray[np.int64]
+    particles: NDArray[np.uint64]  # ids
+    bodies: NDArray[np.int64]  # places in World.bodies, or -1
+    shapes: NDArray[np.int64]  # places in World.shapes, or -1
+    cloths: NDArray[np.int64]  # places in World.cloths, or -1
     points: NDArray[np.float32]  # m
     normals: NDArray[np.float32]  # unit, out of the solid
     impulses: NDArray[np.float32]  # N·s, on the particle
@@ -32,9 +32,9 @@ class ParticleContacts(NamedTuple):
 class SolidContact(NamedTuple):
     """Two solids that touch or are about to. The second is a body or a shape."""
 
-    a: Body
-    b: Body | None
-    shape: Shape | None
+    a: Body  # the first
+    b: Body | None  # the second, if it is a body
+    shape: Shape | None  # the second, if it is a fixed shape
     point: Vector  # m, on b
     normal: Vector  # unit, from b to a
     distance: float  # m, negative if they overlap
@@ -44,26 +44,26 @@ class SolidContact(NamedTuple):
 class ContactEvent(NamedTuple):
     """Two solids that began or ceased to touch in the last step."""
 
-    a: Body | None
-    b: Body | None
-    shape: Shape | None
-    began: bool
+    a: Body | None  # the first
+    b: Body | None  # the second, if it is a body
+    shape: Shape | None  # the second, if it is a fixed shape
+    began: bool  # else they ceased to touch
 
 
 class TearEvent(NamedTuple):
     """A vertex that tore in two in the last step."""
 
-    cloth: Cloth
+    cloth: Cloth  # the piece that tore
     copy: int  # the number of the new vertex
-    original: int
+    original: int  # the number of the vertex that tore
 
 
 class RayHit(NamedTuple):
     """The first hit of a ray: a body, a shape or a particle."""
 
-    body: Body | None
-    shape: Shape | None
-    particle: int | None
+    body: Body | None  # if it is a body
+    shape: Shape | None  # if it is a fixed shape
+    particle: int | None  # its id, if it is a particle
     point: Vector  # m
     normal: Vector  # unit, against the ray
     distance: float  # m along the ray
@@ -72,9 +72,9 @@ class RayHit(NamedTuple):
 class Overlaps(NamedTuple):
     """What overlaps a region."""
 
-    bodies: list[Body]
-    shapes: list[Shape]
-    particles: NDArray[np.uint64]
+    bodies: list[Body]  # that overlap it
+    shapes: list[Shape]  # fixed shapes that overlap it
+    particles: NDArray[np.uint64]  # ids of those with their centres inside
 
 
 class Ellipsoids(NamedTuple):

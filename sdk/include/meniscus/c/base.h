@@ -36,18 +36,18 @@ typedef enum MeniscusStatus {
 
 /// Three numbers.
 typedef struct MeniscusVec3 {
-  float x, y, z;
+  float x, y, z;  ///< along the axes
 } MeniscusVec3;
 
 /// A rotation; (0, 0, 0, 1) is none.
 typedef struct MeniscusQuat {
-  float x, y, z, w;
+  float x, y, z, w;  ///< w is the scalar part
 } MeniscusQuat;
 
 /// A placement: a point q of the local frame sits at position + rotation · q.
 typedef struct MeniscusPose {
   MeniscusVec3 position;  ///< m
-  MeniscusQuat rotation;
+  MeniscusQuat rotation;  ///< of the local frame
 } MeniscusPose;
 
 /// Two objects collide if each one's group is in the mask of the other.
@@ -73,9 +73,9 @@ typedef enum MeniscusKind {
 
 /// Names an object in one world. An id of zeros names nothing. A stale or foreign id is an error.
 typedef struct MeniscusId {
-  uint32_t kind;  ///< a MeniscusKind
-  uint32_t index;
-  uint32_t generation;
+  uint32_t kind;        ///< a MeniscusKind
+  uint32_t index;       ///< its place among the objects of its kind
+  uint32_t generation;  ///< tells it from those that had its place before
 } MeniscusId;
 
 /// Of the last call that failed on this thread; empty before. The text is valid until the next failure on

@@ -12,9 +12,9 @@ extern "C" {
 
 /// The state of a body: meniscus::BodyState.
 typedef struct MeniscusBodyState {
-  uint32_t size;  ///< of this struct
-  int32_t awake;  ///< 0 or 1
-  MeniscusPose pose;
+  uint32_t size;                  ///< of this struct
+  int32_t awake;                  ///< 0 or 1
+  MeniscusPose pose;              ///< of the geometry's frame
   MeniscusVec3 centre_of_mass;    ///< m, world
   MeniscusVec3 velocity;          ///< m/s, of the centre of mass
   MeniscusVec3 angular_velocity;  ///< rad/s
@@ -34,14 +34,14 @@ typedef struct MeniscusBodyMass {
 
 /// A mesh file whose surface was rebuilt: meniscus::MeshRepair.
 typedef struct MeniscusMeshRepair {
-  const char* file;
+  const char* file;      ///< its path
   float cell_size;       ///< m
   float deviation;       ///< m
   double volume_before;  ///< m³
   double volume;         ///< m³
-  uint64_t open_edges;
-  uint64_t odd_edges;
-  uint64_t crossings;
+  uint64_t open_edges;   ///< of the file
+  uint64_t odd_edges;    ///< of the file, with more than two faces or two that disagree
+  uint64_t crossings;    ///< of the file, pairs of faces that cross
 } MeniscusMeshRepair;
 
 /// Reads the state of a body.

@@ -28,9 +28,9 @@ typedef struct MeniscusClothState {
 
 /// A vertex that tore in two in the last step. `original` keeps its number, and `copy` is the new one.
 typedef struct MeniscusTearEvent {
-  MeniscusId cloth;
-  uint32_t copy;
-  uint32_t original;
+  MeniscusId cloth;   ///< the piece
+  uint32_t copy;      ///< the number of the new vertex
+  uint32_t original;  ///< the number of the vertex that tore
 } MeniscusTearEvent;
 
 /// m, one a vertex.

@@ -122,15 +122,15 @@ typedef enum MeniscusMemberType {
 
 /// A member as meniscus_def_members() lists it. The texts are valid during the callback.
 typedef struct MeniscusMember {
-  uint32_t size;      ///< of this struct
-  uint32_t type;      ///< a MeniscusMemberType
-  const char* path;   ///< members of list items have the index 0
-  const char* needs;  ///< words that must be set before, as in "geometry=box;"; empty if none
-  const char* unit;   ///< may be empty
-  const char* meaning;
-  const char* words;  ///< for a word or choice: the words, separated by commas; else empty
-  double low, high;   ///< bounds of numbers, infinite if there are none, in the unit of the member
-  int32_t is_optional;
+  uint32_t size;        ///< of this struct
+  uint32_t type;        ///< a MeniscusMemberType
+  const char* path;     ///< members of list items have the index 0
+  const char* needs;    ///< words that must be set before, as in "geometry=box;"; empty if none
+  const char* unit;     ///< may be empty
+  const char* meaning;  ///< what it is, in words
+  const char* words;    ///< for a word or choice: the words, separated by commas; else empty
+  double low, high;     ///< bounds of numbers, infinite if there are none, in the unit of the member
+  int32_t is_optional;  ///< 0 or 1: whether it may be left out
 } MeniscusMember;
 
 /// Calls `use` for each member of a kind of definition. `user` is passed on and may be null.

@@ -22,7 +22,7 @@ typedef struct MeniscusDiffuseParticle {
   MeniscusVec3 position;  ///< m
   MeniscusVec3 velocity;  ///< m/s
   float life;             ///< s, remaining
-  uint32_t kind;
+  uint32_t kind;          ///< 0 is spray, 1 foam, 2 a bubble
 } MeniscusDiffuseParticle;
 
 /// The number of particles.
@@ -59,9 +59,9 @@ typedef struct MeniscusSurfaceMesh {
   uint32_t size;                 ///< of this struct
   const MeniscusVec3* vertices;  ///< m
   const MeniscusVec3* normals;   ///< unit, one a vertex, out of the fluid
-  size_t vertex_count;
-  const uint32_t* triangles;  ///< three numbers of vertices each, counter-clockwise as seen from outside
-  size_t triangle_count;
+  size_t vertex_count;           ///< number of vertices
+  const uint32_t* triangles;     ///< three numbers of vertices each, counter-clockwise as seen from outside
+  size_t triangle_count;         ///< number of triangles
 } MeniscusSurfaceMesh;
 
 /// Makes the surface around the ellipsoids. A null definition means the defaults.

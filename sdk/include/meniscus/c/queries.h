@@ -12,7 +12,7 @@ extern "C" {
 
 /// A particle that touches a body, a fixed shape or cloth.
 typedef struct MeniscusParticleContact {
-  uint64_t particle;
+  uint64_t particle;     ///< its id
   MeniscusId other;      ///< a body, shape or cloth
   MeniscusVec3 point;    ///< m, on the surface
   MeniscusVec3 normal;   ///< unit, out of the solid, or off the cloth
@@ -49,11 +49,11 @@ typedef struct MeniscusRayHit {
 
 /// What a volume overlaps. Arrays are valid until the next overlap call.
 typedef struct MeniscusOverlaps {
-  uint32_t size;             ///< of this struct
-  const MeniscusId* solids;  ///< bodies, and then shapes
-  size_t solid_count;
+  uint32_t size;              ///< of this struct
+  const MeniscusId* solids;   ///< bodies, and then shapes
+  size_t solid_count;         ///< number of solids
   const uint64_t* particles;  ///< those with their centres inside
-  size_t particle_count;
+  size_t particle_count;      ///< number of particles
 } MeniscusOverlaps;
 
 /// Contacts of particles that have an impulse.

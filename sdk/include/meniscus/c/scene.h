@@ -29,11 +29,11 @@ MENISCUS_C_API void meniscus_scene_error(const char** file, const char** path, c
 
 /// What a program needs to run a scene.
 typedef struct MeniscusSceneInfo {
-  uint32_t size;     ///< of this struct
-  int32_t frames;    ///< length of a run, unless the caller says otherwise
-  float frame_time;  ///< s: one meniscus_step()
-  const char* name;  ///< valid as long as the scene
-  const char* description;
+  uint32_t size;            ///< of this struct
+  int32_t frames;           ///< length of a run, unless the caller says otherwise
+  float frame_time;         ///< s: one meniscus_step()
+  const char* name;         ///< valid as long as the scene
+  const char* description;  ///< what there is to see
 } MeniscusSceneInfo;
 
 /// Reads name, length and frame time of a scene.

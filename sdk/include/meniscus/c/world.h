@@ -24,12 +24,12 @@ MENISCUS_C_API MeniscusStatus meniscus_set_def(MeniscusWorld* world, const Menis
 
 /// A device. The texts are valid as arrays are.
 typedef struct MeniscusDeviceInfo {
-  uint32_t size;     ///< of this struct
-  int32_t usable;    ///< 0 or 1
-  const char* kind;  ///< "cpu" or "cuda"
-  const char* name;
-  const char* reason;  ///< why it is not usable, or why the world fell back to the CPU
-  uint64_t memory_bytes;
+  uint32_t size;          ///< of this struct
+  int32_t usable;         ///< 0 or 1
+  const char* kind;       ///< "cpu" or "cuda"
+  const char* name;       ///< of the processor
+  const char* reason;     ///< why it is not usable, or why the world fell back to the CPU
+  uint64_t memory_bytes;  ///< of its memory
 } MeniscusDeviceInfo;
 
 /// The device of a world.
@@ -74,28 +74,28 @@ MENISCUS_C_API MeniscusStatus meniscus_relax(MeniscusWorld* world, int iteration
 
 /// Counts and times of one step: meniscus::StepReport.
 typedef struct MeniscusStepReport {
-  uint32_t size;              ///< of this struct
-  int32_t substeps;           ///< made
-  int32_t iterations;         ///< per substep
-  uint32_t contacts;          ///< in the last substep
-  double density_iterations;  ///< per substep, on average
-  double ms;                  ///< wall clock, host and device
-  double stage_ms[7];         ///< on the device, for each stage: see meniscus_stage_name()
-  double rigid_ms;            ///< time of Bullet on the host, contained in ms
-  double emission_refused;    ///< m³, that found no room
-  uint32_t max_neighbours;    ///< the longest neighbour list so far
-  uint32_t removed;           ///< particles that sinks removed
-  uint32_t emitted;           ///< particles that emitters made
-  uint32_t absorbed;          ///< particles that cloth absorbed
-  uint32_t dripped;           ///< particles that dripped from cloth
-  uint32_t diffuse;           ///< all spray, foam and bubbles
-  uint32_t diffuse_refused;   ///< those that were not made for lack of room
-  float max_speed;            ///< m/s
-  uint32_t cloth_layer_overflows;
-  uint32_t cloth_vertex_overflows;
-  uint32_t fluid_failsafe_overflows;
-  uint32_t cloth_failsafe_overflows;
-  uint32_t emitter_hold_overflows;  ///< this and the four above: meniscus::Overflows
+  uint32_t size;                      ///< of this struct
+  int32_t substeps;                   ///< made
+  int32_t iterations;                 ///< per substep
+  uint32_t contacts;                  ///< in the last substep
+  double density_iterations;          ///< per substep, on average
+  double ms;                          ///< wall clock, host and device
+  double stage_ms[7];                 ///< on the device, for each stage: see meniscus_stage_name()
+  double rigid_ms;                    ///< time of Bullet on the host, contained in ms
+  double emission_refused;            ///< m³, that found no room
+  uint32_t max_neighbours;            ///< the longest neighbour list so far
+  uint32_t removed;                   ///< particles that sinks removed
+  uint32_t emitted;                   ///< particles that emitters made
+  uint32_t absorbed;                  ///< particles that cloth absorbed
+  uint32_t dripped;                   ///< particles that dripped from cloth
+  uint32_t diffuse;                   ///< all spray, foam and bubbles
+  uint32_t diffuse_refused;           ///< those that were not made for lack of room
+  float max_speed;                    ///< m/s
+  uint32_t cloth_layer_overflows;     ///< Overflows::cloth_layers
+  uint32_t cloth_vertex_overflows;    ///< Overflows::cloth_vertices
+  uint32_t fluid_failsafe_overflows;  ///< Overflows::fluid_failsafe
+  uint32_t cloth_failsafe_overflows;  ///< Overflows::cloth_failsafe
+  uint32_t emitter_hold_overflows;    ///< this and the four above: meniscus::Overflows
 } MeniscusStepReport;
 
 /// Advances by dt seconds, at least 1e-12. `report` may be null. After MENISCUS_NON_FINITE the state is that
@@ -127,19 +127,19 @@ MENISCUS_C_API MeniscusStatus meniscus_probe_vector(const MeniscusWorld* world, 
 
 /// The state of the particles: meniscus::Diagnostics.
 typedef struct MeniscusDiagnostics {
-  uint32_t size;    ///< of this struct
-  float max_speed;  ///< m/s
-  uint64_t particles;
+  uint32_t size;                  ///< of this struct
+  float max_speed;                ///< m/s
+  uint64_t particles;             ///< of fluids and granular materials
   double density_error_mean;      ///< mean of max(C, 0), C = ρ/ρ₀ − 1
   double density_error_max;       ///< largest C
   double density_error_interior;  ///< mean of |C| over particles with a full support
-  double neighbours_mean;
-  double kinetic_energy;    ///< J
-  double potential_energy;  ///< J, relative to the origin
-  uint64_t contacts;
-  uint64_t non_finite;
-  uint64_t outside;         ///< beyond the wall of a container or inside a solid
-  uint64_t wall_overflows;  ///< particles with more than three walls in reach
+  double neighbours_mean;         ///< particles within the support radius of one
+  double kinetic_energy;          ///< J
+  double potential_energy;        ///< J, relative to the origin
+  uint64_t contacts;              ///< between particles and solids
+  uint64_t non_finite;            ///< of particles and vertices
+  uint64_t outside;               ///< beyond the wall of a container or inside a solid
+  uint64_t wall_overflows;        ///< particles with more than three walls in reach
 } MeniscusDiagnostics;
 
 /// Measures the state from the present positions.
@@ -152,8 +152,8 @@ MENISCUS_C_API MeniscusStatus meniscus_device_bytes(const MeniscusWorld* world, 
 
 /// Memory of a world on its device for one purpose.
 typedef struct MeniscusMemoryShare {
-  const char* what;
-  uint64_t bytes;
+  const char* what;  ///< their purpose
+  uint64_t bytes;    ///< their size
 } MeniscusMemoryShare;
 
 /// The memory by purpose, the largest first.
