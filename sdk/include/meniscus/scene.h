@@ -76,7 +76,7 @@ struct SceneCamera {
   Vec3 target{0, 0, 0};         ///< m; differs from the position
   float field_of_view = 35.0f;  ///< degrees, vertical, between 0 and 180
 
-  bool operator==(const SceneCamera&) const = default;  ///< the same view
+  bool operator==(const SceneCamera&) const = default;
 };
 
 /// One more view, which is chosen by its name.
