@@ -21,12 +21,12 @@ version = release = ".".join(re.search(rf"VERSION_{part} (\d+)", version_header)
                              for part in ("MAJOR", "MINOR", "PATCH"))
 project_copyright = "2026 The Meniscus authors"
 
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "documented", "scene_keys", "gallery",
-              "repository_links"]
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "documented", "scene_keys",
+              "gallery", "repository_links"]
 root_doc = "docs/manual/index"
 source_suffix = {".md": "markdown"}
-include_patterns = ["README.md", "docs/*.md", "docs/methods/*.md", "docs/manual/**.md", "samples/README.md", "CONTRIBUTING.md",
-                    "CHANGELOG.md", "SECURITY.md"]
+include_patterns = ["README.md", "docs/*.md", "docs/methods/*.md", "docs/manual/**.md", "samples/README.md",
+                    "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"]
 exclude_patterns = ["build*", "out", ".git"]
 nitpicky = True
 # Types of the standard library, of NumPy, and of Doxygen's own making.

@@ -34,7 +34,8 @@ depth = 2 * height.mean() - height
 deep = depth > 2 * world.support_radius  # beside the surface the pressure is less exact
 layer = (depth[deep] / (2 * SPACING)).astype(int)  # a mean for each layer of two spacings
 filled = np.bincount(layer) > 0
-means = [np.bincount(layer, weights=values)[filled] / np.bincount(layer)[filled] for values in (depth[deep], pressures[deep])]
+means = [np.bincount(layer, weights=values)[filled] / np.bincount(layer)[filled]
+         for values in (depth[deep], pressures[deep])]
 error = np.abs(means[1] / (9810 * means[0]) - 1).max()
 np.savetxt("pressures.csv", np.column_stack((depth, pressures)), delimiter=",", header="depth (m),pressure (Pa)")
 
