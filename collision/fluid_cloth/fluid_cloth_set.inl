@@ -90,9 +90,8 @@ void FluidClothSet<D>::pass(pbd::Substep<D>& substep) {
 template <class D>
 void FluidClothSet<D>::to_contacts(pbd::View<const pbd::Vec4> values, pbd::View<pbd::Vec4> means) {
   using namespace fluid_cloth_kernels;
-  pbd::parallel_for_teams<TouchTeam>(
-      device_, "fluid cloth/means", most_touches * contacts_.near_count(),
-      MeansAtContacts{contacts_.near(), values, means});
+  pbd::parallel_for_teams<TouchTeam>(device_, "fluid cloth/means", most_touches * contacts_.near_count(),
+                                     MeansAtContacts{contacts_.near(), values, means});
 }
 
 template <class D>

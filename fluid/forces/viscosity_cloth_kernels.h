@@ -4,8 +4,8 @@
 // The kernels of viscosity_set.h by which vertices of cloth take part in the solve.
 //
 // A contact c has the weight a_c, the projection P_c on its tangents, and the shares b_vc of its vertices v.
-// The brake of the particle is a_c P_c (u_c − Σ_v b_vc v_v). A vertex gets Σ_c b_vc a_c P_c (u_c − v_v). So it
-// has the velocity
+// The brake of the particle is a_c P_c (u_c − Σ_v b_vc v_v). A vertex gets Σ_c b_vc a_c P_c (u_c − v_v). So
+// it has the velocity
 //
 //   v_v = D_v⁻¹ (m_v v*_v + Σ_c b_vc a_c P_c u_c),   D_v = m_v + Σ_c b_vc a_c P_c
 //
@@ -18,17 +18,15 @@
 
 namespace meniscus::fluid::viscosity_kernels {
 
-/// The weights of the contacts of particles with cloth.
-template <bool uniform>
+/// The weights of the contacts with cloth.
 struct WeighCloth {
-  Forces<uniform> forces;
-  View<Vec4> at_contacts;  ///< w: a, kg. It is 0 before
+  ContactView contacts;
+  View<const float> weights;  ///< of all contacts
+  View<Vec4> at_contacts;     ///< w: a, kg
 
-  MENISCUS_HD void operator()(uint32_t i) const {
-    const Walls& walls = forces.walls;
-    walls.for_each(i, forces.position[i].xyz(), forces.viscosity_of(i), [&](uint32_t k, float a) {
-      if (walls.contacts.contacts[k].body == pbd::on_cloth) at_contacts[k] = {0, 0, 0, a};
-    });
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const bool is_cloth = k < contacts.total() && contacts.contacts[k].body == pbd::on_cloth;
+    at_contacts[k] = {0, 0, 0, is_cloth ? weights[k] : 0.0f};
   }
 };
 
@@ -115,8 +113,7 @@ struct SolveVertices {
   MENISCUS_HD void operator()(uint32_t v) const {
     const Vec3 start = before.count ? before[vertices.first + v].xyz() : Vec3{0, 0, 0};
     const bool moves = !vertices.is_held(v);
-    const Vec3 solved =
-        moves ? vertices.solve(v, vertices.mass(v) * start + vertices.sums[v].xyz()) : start;
+    const Vec3 solved = moves ? vertices.solve(v, vertices.mass(v) * start + vertices.sums[v].xyz()) : start;
     vertices.velocity[v] = pbd::with_w(solved, 0);
   }
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fluid/forces/viscosity_cloth_kernels.h"
+#include "fluid/forces/viscosity_wall_kernels.h"
 #include "fluid/kernel/material.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/substep.h"
@@ -25,11 +26,11 @@ namespace meniscus::fluid {
 /// one, has the same to a few percent. In a continuum it is that of Σ φ r² = 3.
 ///
 /// Linear and angular momentum are kept, and a rigid rotation is not braked. μ_ij is the harmonic mean; a
-/// grain takes the viscosity of the fluid. A wall with a slip length adds terms to A: the half-space behind
-/// it, in which the velocity goes on linearly to that of the wall, one slip length deep. Bodies receive the
-/// opposite impulse through the contacts, so this set comes before them. Cloth is such a wall on both of its
-/// sides. Its vertices are part of the solve, with their own masses (viscosity_cloth_kernels.h). So light cloth
-/// transmits the stress from one side to the other.
+/// grain takes the viscosity of the fluid. A wall with a slip length adds terms to A: it completes its
+/// particles in a linear shear, whose velocity is that of the wall one slip length behind it
+/// (viscosity_wall_kernels.h). Bodies receive the opposite impulse through the contacts, so this set comes
+/// before them. Cloth is such a wall on both of its sides. Its vertices are part of the solve, with their own
+/// masses (viscosity_cloth_kernels.h). So light cloth transmits the stress from one side to the other.
 ///
 /// Conjugate gradients start from v*, and are preconditioned with the masses alone. Then each iterate keeps
 /// the momenta, and dissipates. The iterations end when the residual is small, on the device; their number is
@@ -64,7 +65,8 @@ class ViscositySet final : public pbd::ConstraintSet<D> {
   double wall_scale(float dt) const;
   void choose_vertices(const pbd::Substep<D>& substep);
   template <bool uniform>
-  void weigh_cloth(const pbd::Substep<D>& substep, const viscosity_kernels::Forces<uniform>& forces);
+  void weigh_walls(const pbd::Substep<D>& substep, const viscosity_kernels::Forces<uniform>& forces);
+  void weigh_cloth(const pbd::Substep<D>& substep);
   void solve_vertices(const pbd::Substep<D>& substep, pbd::View<const pbd::Vec4> vector,
                       pbd::View<const pbd::Vec4> change, pbd::View<const pbd::Vec4> before);
   viscosity_kernels::Vertices vertices_of(const pbd::Substep<D>& substep);
@@ -83,12 +85,13 @@ class ViscositySet final : public pbd::ConstraintSet<D> {
   uint32_t capacity_ = 0;
   pbd::VertexMeans<D>* means_ = nullptr;
   std::vector<float> shape_slip_, body_slip_, cloth_slip_;  // m
-  uint32_t vertices_ = 0;  // of cloth, that take part in the present solve
-  float sum_unit_ = 0;     // kg·m/s, in which forces on vertices are summed
-  uint32_t number_ = 0;  // of the solve: see Progress
+  uint32_t vertices_ = 0;                                   // of cloth, that take part in the present solve
+  float sum_unit_ = 0;                                      // kg·m/s, in which forces on vertices are summed
+  uint32_t number_ = 0;                                     // of the solve: see Progress
 
   pbd::Buffer<float> table_{device_, "fluid viscosities"}, viscosity_{device_, "particle viscosities"};
   pbd::Buffer<float> slip_{device_, "slip lengths"};
+  pbd::Buffer<float> wall_weights_{device_, "viscosity at walls"};  // by contact
   // By contact on cloth: the velocity of the cloth, and forces with weights. By vertex: see Vertices.
   pbd::Buffer<pbd::Vec4> cloth_{device_, "viscosity at cloth"}, cloth_force_{device_, "viscosity at cloth"},
       vertex_sums_{device_, "viscosity at cloth"}, vertex_diagonal_{device_, "viscosity at cloth"},

@@ -106,7 +106,8 @@ void ViscositySet<D>::solve(pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
   choose_vertices(substep);
   const Forces<uniform> forces = forces_of<uniform>(substep);
-  if (vertices_) weigh_cloth(substep, forces);
+  if (slip_.size() > 0) weigh_walls(substep, forces);
+  if (vertices_) weigh_cloth(substep);
   const double stiffness = 10 * substep.dt * kinematic_viscosity_ * weight_sum_;
 
   refresh_ghosts(device_, substep.ghosts, p.velocity);
@@ -176,14 +177,9 @@ viscosity_kernels::Forces<uniform> ViscositySet<D>::forces_of(const pbd::Substep
 
 template <class D>
 viscosity_kernels::Walls ViscositySet<D>::walls_of(const pbd::Substep<D>& substep) {
-  const auto first_body = static_cast<uint32_t>(shape_slip_.size());
   return {.contacts = substep.contacts.of_first(substep.particles.sorted),
-          .slip = slip_.view(),
-          .first_body = first_body,
-          .scale = static_cast<float>(wall_scale(substep.dt)),
-          .inverse_h2 = kernel_.inverse_h2,
+          .weights = wall_weights_.view().first(slip_.size() > 0 ? substep.contacts.contacts.count : 0),
           .dt = substep.dt,
-          .first_piece = first_body + static_cast<uint32_t>(body_slip_.size()),
           .cloth = cloth_.view().first(vertices_ ? static_cast<uint32_t>(cloth_.size()) : 0)};
 }
 
@@ -197,6 +193,8 @@ double ViscositySet<D>::wall_scale(float dt) const {
 /// Decides whether vertices of cloth take part, and makes room for it.
 template <class D>
 void ViscositySet<D>::choose_vertices(const pbd::Substep<D>& substep) {
+  if (slip_.size() > 0 && wall_weights_.size() != substep.contacts.contacts.count)
+    wall_weights_.resize_discard(substep.contacts.contacts.count);
   vertices_ = means_ && !is_free(cloth_slip_) ? means_->vertices() : 0;
   if (!vertices_) return;
   for (auto* buffer : {&cloth_, &cloth_force_}) {
@@ -206,7 +204,8 @@ void ViscositySet<D>::choose_vertices(const pbd::Substep<D>& substep) {
   for (auto* buffer : {&vertex_sums_, &vertex_diagonal_, &vertex_mixed_, &vertex_velocity_}) {
     if (buffer->size() != vertices_) buffer->resize_discard(vertices_);
   }
-  // A force up to that of the nearest particle possible, at 1,000 m/s. Contact radii are .01 spacings or more.
+  // A force up to that of the nearest particle possible, at 1,000 m/s. Contact radii are .01 spacings or
+  // more.
   const double least_distance = forces_tuning::least_wall_distance * 0.01 * spacing_;
   const double most = 1000 * wall_scale(substep.dt) * common_viscosity_ / least_distance;
   sum_unit_ = static_cast<float>(std::ldexp(1.0, std::ilogb(most) - 51));
@@ -214,15 +213,28 @@ void ViscositySet<D>::choose_vertices(const pbd::Substep<D>& substep) {
 
 template <class D>
 template <bool uniform>
-void ViscositySet<D>::weigh_cloth(const pbd::Substep<D>& substep,
+void ViscositySet<D>::weigh_walls(const pbd::Substep<D>& substep,
                                   const viscosity_kernels::Forces<uniform>& forces) {
   using namespace viscosity_kernels;
-  cloth_force_.fill(0);
-  device_.parallel_for("viscosity/cloth", substep.particles.sorted,
-                       WeighCloth<uniform>{forces, cloth_force_.view()});
+  const auto first_body = static_cast<uint32_t>(shape_slip_.size());
+  const double ratio = std::sqrt(double{kernel_.h2}) / spacing_;
+  device_.parallel_for_neighbours(
+      "viscosity/walls", substep.particles.sorted,
+      WeighWalls<uniform>{
+          forces, slip_.view(), first_body, first_body + static_cast<uint32_t>(body_slip_.size()),
+          static_cast<float>(wall_scale(substep.dt)),
+          static_cast<float>(std::numbers::pi * ratio * ratio * ratio / 3), wall_weights_.view()});
+}
+
+template <class D>
+void ViscositySet<D>::weigh_cloth(const pbd::Substep<D>& substep) {
+  using namespace viscosity_kernels;
+  device_.parallel_for("viscosity/cloth", static_cast<uint32_t>(cloth_force_.size()),
+                       WeighCloth{substep.contacts.of_first(substep.particles.sorted), wall_weights_.view(),
+                                  cloth_force_.view()});
   for (const bool diagonal : {true, false}) {
     device_.parallel_for("viscosity/projections", static_cast<uint32_t>(cloth_force_.size()),
-                         Projections{forces.walls.contacts, cloth_force_.view(), diagonal});
+                         Projections{substep.contacts, cloth_force_.view(), diagonal});
     means_->to_vertices(cloth_force_.view(), vertex_sums_.view(), sum_unit_);
     device_.parallel_for(
         "viscosity/keep", vertices_,
