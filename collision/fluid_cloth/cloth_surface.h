@@ -6,6 +6,8 @@
 
 #include <meniscus/types.h>
 
+#include <cmath>
+
 #include "pbd/device/teams.h"
 #include "pbd/feature_pair.h"
 #include "pbd/filter.h"
@@ -22,7 +24,8 @@ struct FluidClothPiece {
   float adhesion = 0;  ///< N: the largest pull on one particle
   float spread = 0;  ///< m: a particle acts on all vertices within this distance; 0: on those of one triangle
   float flow = 0;    ///< 1/(N·s): particles that pass through per second, for each newton of pressing force
-  uint32_t absorbs = 0;  ///< 1: it absorbs particles that touch it
+  uint32_t absorbs = 0;           ///< 1: it absorbs particles that touch it
+  float slip_length = HUGE_VALF;  ///< m, of viscous fluid
 };
 
 /// A particle that touches absorbent cloth, and the vertex that is nearest to it.

@@ -8,6 +8,7 @@
 
 #include "collision/fluid_cloth/fluid_cloth_contacts.h"
 #include "collision/fluid_cloth/load.h"
+#include "pbd/vertex_means.h"
 
 namespace meniscus::collision {
 
@@ -23,7 +24,7 @@ namespace meniscus::collision {
 /// then makes sure that no particle has passed through, and `end` transfers the impulses of restitution. The
 /// transfer keeps impulses, so momentum is conserved.
 template <class D>
-class FluidClothSet final : public pbd::ConstraintSet<D> {
+class FluidClothSet final : public pbd::ConstraintSet<D>, public pbd::VertexMeans<D> {
  public:
   FluidClothSet(D& device, pbd::Particles& particles, FluidClothContacts<D>& contacts)
       : device_(device), particles_(particles), contacts_(contacts), loading_(*this), carrying_(*this) {}
@@ -50,6 +51,9 @@ class FluidClothSet final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>&, int) override {}
   void settle(pbd::Substep<D>& substep) override;
   void end(pbd::Substep<D>& substep) override;
+  uint32_t vertices() const override { return contacts_.any() ? contacts_.vertices() : 0; }
+  void to_contacts(pbd::View<const pbd::Vec4> values, pbd::View<pbd::Vec4> means) override;
+  void to_vertices(pbd::View<const pbd::Vec4> values, pbd::View<pbd::Vec4> sums, float unit) override;
   bool had_room() override { return contacts_.had_room(); }
   void make_room() override { contacts_.make_room(); }
 

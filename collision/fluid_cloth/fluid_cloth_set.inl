@@ -8,6 +8,7 @@
 
 #include "collision/fluid_cloth/fluid_cloth_contacts.inl"
 #include "collision/fluid_cloth/fluid_cloth_set.h"
+#include "collision/fluid_cloth/means.h"
 #include "collision/fluid_cloth/passing.h"
 
 namespace meniscus::collision {
@@ -84,6 +85,21 @@ void FluidClothSet<D>::pass(pbd::Substep<D>& substep) {
       "fluid cloth/pass",
       BeginPassing{contacts_.near(), contacts, contacts_.pieces(), change_.view(), substep.particles.position,
                    substep.particles.number, particles_.phase.current.view(), draws_++, substep.dt});
+}
+
+template <class D>
+void FluidClothSet<D>::to_contacts(pbd::View<const pbd::Vec4> values, pbd::View<pbd::Vec4> means) {
+  using namespace fluid_cloth_kernels;
+  pbd::parallel_for_teams<TouchTeam>(device_, "fluid cloth/means", most_touches * contacts_.near_count(),
+                                     MeansAtContacts{contacts_.near(), values, means});
+}
+
+template <class D>
+void FluidClothSet<D>::to_vertices(pbd::View<const pbd::Vec4> values, pbd::View<pbd::Vec4> sums, float unit) {
+  using namespace fluid_cloth_kernels;
+  LoadedVertices loaded = loaded_vertices();
+  loaded.unit = unit;
+  at_vertices("fluid cloth/sums", SumsAtVertices{loaded, values, sums});
 }
 
 /// Launches a team for each near particle.

@@ -56,8 +56,7 @@ struct LoadedVertices {
     return {unit * static_cast<float>(VertexTeam::sum(x)), unit * static_cast<float>(VertexTeam::sum(y)),
             unit * static_cast<float>(VertexTeam::sum(z))};
   }
-
- private:
+  /// Calls visit(touch, weight) for the team's share of the contacts of vertex v.
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t v, const Visit& visit) const {
     const uint32_t end = start[v + 1] < entries.count ? start[v + 1] : entries.count;

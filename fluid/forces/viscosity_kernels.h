@@ -43,45 +43,32 @@ MENISCUS_HD R viscosity_between(float self, const R& other) {
   return select_less(other, R(0.0f), R(self), mean);
 }
 
-/// The integral of (1 − q)² (q − b)²/q over q from b to 1.
-MENISCUS_HD inline float beyond_wall(float b) {
-  if (!(b < 1)) return 0;
-  const float c = 1 + b, b2 = b * b;
-  const float log_term = b > 0 ? b2 * logf(b) : 0.0f;
-  return pbd::max(0.0f, 0.25f * (1 - b2 * b2) - (2.0f / 3) * c * (1 - b2 * b) +
-                            0.5f * (c * c + 2 * b) * (1 - b2) - 2 * b * c * (1 - b) - log_term);
-}
-
 /// The walls on which fluid does not slip freely.
 struct Walls {
-  ContactView contacts;     ///< of the fluid
-  View<const float> slip;   ///< m, of each fixed shape, then of each body
-  uint32_t first_body = 0;  ///< in `slip`
-  float scale = 0;          ///< kg·m/(Pa·s), of a unit of beyond_wall()/m
-  float inverse_h2 = 0, dt = 0;
+  ContactView contacts;       ///< of the fluid
+  View<const float> weights;  ///< kg, by contact: see WeighWalls; empty if there are no such walls
+  float dt = 0;
+  /// By contact on cloth: the velocity of the cloth, or its change. Empty if no cloth takes part.
+  View<const Vec4> cloth;
 
-  /// kg: h_t times the coefficient of the viscous force on a particle at x. A body takes part with its share
-  /// of mass, so that the force cannot overshoot.
-  MENISCUS_HD float weight(const Contact& c, Vec3 x, float viscosity) const {
-    if (c.body == pbd::on_cloth || c.solid == pbd::no_index) return 0;
-    const float length = slip[c.body == pbd::no_index ? c.solid : first_body + c.solid];
-    if (!(length < pbd::most_finite)) return 0;
-    const float d = pbd::max(plane_distance(c, x), forces_tuning::least_wall_distance * c.radius);
-    const float a =
-        scale * pbd::max(viscosity, 0.0f) * c.fraction * beyond_wall(d * d * inverse_h2) / (d + length);
-    return a / (1 + a * c.body_inverse_mass);
-  }
   MENISCUS_HD static Vec3 along(const Contact& c, Vec3 v) { return v - dot(v, c.normal) * c.normal; }
-  MENISCUS_HD Vec3 velocity(const Contact& c) const { return (1 / dt) * c.surface_motion; }
+  /// The velocity of the wall of contact k.
+  MENISCUS_HD Vec3 velocity(uint32_t k) const {
+    const Contact& c = contacts.contacts[k];
+    return c.body == pbd::on_cloth ? cloth[k].xyz() : (1 / dt) * c.surface_motion;
+  }
+  /// The change of that velocity within the solve.
+  MENISCUS_HD Vec3 change(uint32_t k) const {
+    return contacts.contacts[k].body == pbd::on_cloth ? cloth[k].xyz() : Vec3{0, 0, 0};
+  }
 
-  /// Calls visit(contact, weight) for each wall that acts on particle i.
+  /// Calls visit(contact's number, weight) for each wall that acts on particle i.
   template <class Visit>
-  MENISCUS_HD void for_each(uint32_t i, Vec3 x, float viscosity, const Visit& visit) const {
-    if (slip.count == 0) return;
+  MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
+    if (weights.count == 0) return;
     for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
-      Contact& c = contacts.contacts[k];
-      const float a = weight(c, x, viscosity);
-      if (a > 0) visit(c, a);
+      const float a = weights[k];
+      if (a > 0) visit(k, a);
     }
   }
 };
@@ -135,7 +122,7 @@ struct Begin {
   MENISCUS_HD void operator()(uint32_t) const { progress[0] = {0, 0, 0, 0, 0, progress[0].number + 1, 0, 0}; }
 };
 
-/// r = −h_t A v*, u = P⁻¹ r. P is the mass, plus what walls add.
+/// r = −h_t A v*, u = P⁻¹ r. P is the mass, plus what walls other than cloth add.
 template <bool uniform>
 struct Start {
   Forces<uniform> forces;
@@ -148,9 +135,11 @@ struct Start {
     const Vec4 p = forces.position[i];
     const Vec3 v = velocity[i].xyz();
     float weight = 1 / p.w;
-    forces.walls.for_each(i, p.xyz(), forces.viscosity_of(i), [&](const Contact& c, float a) {
-      force += a * Walls::along(c, v - forces.walls.velocity(c));
-      weight += a;
+    const Walls& walls = forces.walls;
+    walls.for_each(i, [&](uint32_t k, float a) {
+      const Contact& c = walls.contacts.contacts[k];
+      force += a * Walls::along(c, v - walls.velocity(k));
+      if (c.body != pbd::on_cloth) weight += a;
     });
     if (D::leads()) residual[i] = pbd::with_w((-1 / weight) * force, weight);
   }
@@ -170,8 +159,10 @@ struct Multiply {
     Vec3 force = forces.template between_pairs<D>(i, residual);
     const Vec4 p = forces.position[i];
     const Vec3 u = residual[i].xyz();
-    forces.walls.for_each(i, p.xyz(), forces.viscosity_of(i),
-                          [&](const Contact& c, float a) { force += a * Walls::along(c, u); });
+    const Walls& walls = forces.walls;
+    walls.for_each(i, [&](uint32_t k, float a) {
+      force += a * Walls::along(walls.contacts.contacts[k], u - walls.change(k));
+    });
     if (D::leads()) product[i] = pbd::with_w((1 / p.w) * u + force, 0);
   }
 };
@@ -261,10 +252,11 @@ struct Finish {
     const Vec4 position = forces.position[i];
     const Vec3 solved = p.iterations > 0 ? v.xyz() + change[i].xyz() : v.xyz();
     const Walls& walls = forces.walls;
-    walls.for_each(i, position.xyz(), forces.viscosity_of(i), [&](Contact& c, float a) {
-      c.density_push -= (walls.dt * a) * Walls::along(c, solved - walls.velocity(c));
+    walls.for_each(i, [&](uint32_t k, float a) {
+      Contact& c = walls.contacts.contacts[k];
+      c.density_push -= (walls.dt * a) * Walls::along(c, solved - walls.velocity(k));
     });
-    const bool has_walls = walls.slip.count > 0;
+    const bool has_walls = walls.weights.count > 0;
     const Vec4 u = residual[i];
     const Vec3 rest = has_walls && p.ended ? (u.w * position.w) * u.xyz() : Vec3{0, 0, 0};
     velocity[i] = pbd::with_w(solved + rest, v.w);

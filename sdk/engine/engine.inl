@@ -81,6 +81,7 @@ class DeviceEngine final : public Engine {
       return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float),
               def_.kernel.particle_volume};
     });
+    viscosity_.set_vertex_means(fluid_cloth_);
     assemble();
     if (def.diffuse) add_diffuse(*def.diffuse);
     reserve(0, 1);

@@ -36,6 +36,9 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
       std::any_of(pieces.begin(), pieces.end(), [](const cloth::Piece& p) { return p.carries_fluid; });
   fluid_cloth_contacts_.set_surface(carries_fluid ? triangles : std::span<const pbd::SurfaceTriangle>{},
                                     cloth.model.rest, cloth.sheets);
+  std::vector<float> slip;
+  for (const collision::FluidClothPiece& sheet : cloth.sheets) slip.push_back(sheet.slip_length);
+  viscosity_.set_cloth(slip);
   std::vector<float> inverse_masses;
   if (carries_fluid) {
     for (const pbd::Vec4& x : cloth.position) inverse_masses.push_back(x.w);

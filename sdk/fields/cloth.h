@@ -61,6 +61,7 @@ void fields(V& v, FabricDef& d) {
     "Coulomb's coefficient between cloth and cloth; on a solid, the solid's counts");
   v("fluid_friction", d.fluid_friction, not_negative, "", "Coulomb's coefficient between fluid and cloth");
   v("fluid_adhesion", d.fluid_adhesion, not_negative, "Pa", "pull on a wet layer of particles, per area");
+  v("slip_length", d.slip_length, or_infinity(not_negative), "m", slip_length_text);
   v("permittivity", d.permittivity, not_negative, "1/s",
     "flow of fluid through the cloth, in m/s for each metre of water column across it; 0 is tight");
   v("absorbency", d.absorbency, not_negative, "kg/m²", "fluid that it takes up at most; 0 is none");

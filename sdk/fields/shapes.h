@@ -168,6 +168,9 @@ void choices(V& v, Geometry& g) {
   v.choice("compound", CompoundGeometry{}, g, "several solids as one");
 }
 
+inline constexpr const char* slip_length_text =
+    "depth behind the surface at which a viscous fluid would rest; 0 is no slip, left out it slips freely";
+
 /// How a solid's surface treats what touches it: keys of the solid itself.
 template <class V>
 void fields(V& v, SurfaceDef& d) {
@@ -175,8 +178,7 @@ void fields(V& v, SurfaceDef& d) {
   v("restitution", d.restitution, between(0, 1), "",
     "share of the normal speed that a particle's bounce keeps");
   v("adhesion", d.adhesion, not_negative, "Pa", "pull on a wet layer of particles, per area");
-  v("slip_length", d.slip_length, or_infinity(not_negative), "m",
-    "depth behind the surface at which a viscous fluid would rest; 0 is no slip, left out it slips freely");
+  v("slip_length", d.slip_length, or_infinity(not_negative), "m", slip_length_text);
   v("solid_friction", d.solid_friction, not_negative, "",
     "Coulomb's coefficient for solids; of two that touch, the geometric mean counts");
   v("solid_restitution", d.solid_restitution, between(0, 1), "",

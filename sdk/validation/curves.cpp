@@ -5,8 +5,11 @@
 #include "sdk/validation/curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
 
 namespace meniscus::validation {
 namespace {
@@ -17,6 +20,36 @@ double interpolated(const std::vector<double>& from, const std::vector<double>& 
 
 double square(double x) {
   return x * x;
+}
+
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// Removes from `values` their part along a unit vector.
+void remove_part(std::vector<double>& values, const std::vector<double>& unit) {
+  const double part = product(values, unit);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] -= part * unit[k];
+}
+
+/// The sum of squares that is left of a curve by the best wave of this period and damping, and a constant.
+double misfit(const Curve& curve, const DampedWave& wave) {
+  const std::size_t count = curve.x.size();
+  std::array<std::vector<double>, 3> parts{std::vector<double>(count), std::vector<double>(count),
+                                           std::vector<double>(count, 1.0)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double phase = 2 * std::numbers::pi * (curve.x[k] - curve.x[0]) / wave.period;
+    parts[0][k] = std::exp(-wave.damping * phase) * std::cos(phase);
+    parts[1][k] = std::exp(-wave.damping * phase) * std::sin(phase);
+  }
+  std::vector<double> left = curve.y;
+  for (std::size_t n = 0; n < parts.size(); ++n) {  // Gram–Schmidt
+    for (std::size_t m = 0; m < n; ++m) remove_part(parts[n], parts[m]);
+    const double length = std::sqrt(product(parts[n], parts[n]));
+    for (double& value : parts[n]) value /= length;
+    remove_part(left, parts[n]);
+  }
+  return product(left, left);
 }
 
 }  // namespace
@@ -62,6 +95,29 @@ double period_of(const Curve& curve, double level) {
   }
   if (crossings.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   return (crossings.back() - crossings.front()) / static_cast<double>(crossings.size() - 1);
+}
+
+DampedWave fitted_wave(const Curve& curve, double expected) {
+  constexpr int steps = 10, rounds = 6;
+  DampedWave best{expected, 0.25};
+  double period_range = 0.5, damping_range = 0.25, least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds; ++round) {
+    const DampedWave middle = best;
+    for (int i = -steps; i <= steps; ++i) {
+      for (int j = -steps; j <= steps; ++j) {
+        const DampedWave wave{middle.period * std::exp2(2 * period_range * i / steps),
+                              std::clamp(middle.damping + damping_range * j / steps, 0.0, 0.5)};
+        const double left = misfit(curve, wave);
+        if (left < least) {
+          least = left;
+          best = wave;
+        }
+      }
+    }
+    period_range /= 4;
+    damping_range /= 4;
+  }
+  return best;
 }
 
 double percentile(std::vector<float> values, double fraction) {

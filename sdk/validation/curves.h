@@ -23,6 +23,15 @@ double best_shift(const Curve& curve, const Curve& reference, double most);
 /// Mean time between crossings of `level` upwards. NaN with fewer than two of them.
 double period_of(const Curve& curve, double level = 0);
 
+/// A wave that dies out.
+struct DampedWave {
+  double period = 0;
+  double damping = 0;  ///< ratio to critical damping: per period the wave falls to exp(−2π · damping)
+};
+/// The wave e^(−2π ζ t/T) cos(2π t/T + φ), plus a constant, that fits best by least squares. Periods from
+/// half to twice `expected` are tried, and a damping up to .5. At least ten points, over more than a period.
+DampedWave fitted_wave(const Curve& curve, double expected);
+
 /// The value that is not exceeded by `fraction` of the values, of which there is at least one.
 double percentile(std::vector<float> values, double fraction);
 

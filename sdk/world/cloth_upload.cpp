@@ -50,7 +50,8 @@ class Assembly {
                             .adhesion = fabric.fluid_adhesion * spacing_ * spacing_,
                             .spread = spread_on(entry),
                             .flow = fabric.permittivity / (metre_of_water * spacing_ * spacing_ * spacing_),
-                            .absorbs = fabric.absorbency > 0});
+                            .absorbs = fabric.absorbency > 0,
+                            .slip_length = fabric.slip_length});
     cloth::ClothModel& model = cloth.model;
     const auto part = static_cast<uint32_t>(model.pieces.size());
     constraints_.push_back(entry.constraints);

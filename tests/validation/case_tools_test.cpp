@@ -48,6 +48,15 @@ TEST(ValidationCurves, TellThePeriod) {
   EXPECT_TRUE(std::isnan(period_of(sampled([](double x) { return x; }, 1, 10))));
 }
 
+TEST(ValidationCurves, FitAWaveThatDiesOut) {
+  const Curve curve = sampled(
+      [](double x) { return 0.3 + std::exp(-0.7 * x) * std::cos(5 * x + 1) + 0.01 * std::sin(40 * x); }, 3,
+      200);
+  const DampedWave wave = fitted_wave(curve, 1.1);
+  EXPECT_NEAR(wave.period, 2 * M_PI / 5, 0.005);
+  EXPECT_NEAR(wave.damping, 0.7 / 5, 0.005);
+}
+
 TEST(ValidationGates, HoldWithinTheirInterval) {
   Result result;
   result.about_zero("low", "%", -3.1, 3, Bar::hard);

@@ -30,16 +30,16 @@ TEST_P(PeriodicFlowTest, ATaylorGreenVortexDecaysAtTheAnalyticRate) {
 }
 
 TEST_P(PeriodicFlowTest, CouettesProfileIsLinear) {
-  EXPECT_LT(couette_flow(world_def(GetParam(), 1), 8).error, 0.03);
+  EXPECT_LT(couette_flow(world_def(GetParam(), 1), 8).error, 0.015);
 }
 
-/// Fluid that is no lattice has 5 % less viscosity than it should. So the flow is that much faster, and its
-/// profile keeps its shape.
+/// The layer at a wall and the next are further apart than others. There the velocity is too steep. So the
+/// flow is 3 % faster than it should be.
 TEST_P(PeriodicFlowTest, PoiseuillesProfileIsAParabola) {
   const ProfileFit fit = poiseuille_flow(world_def(GetParam(), 1), 10);
-  EXPECT_LT(fit.error, 0.07);
-  EXPECT_NEAR(fit.scale, 1, 0.06);
-  EXPECT_LT(fit.shape, 0.03);
+  EXPECT_LT(fit.error, 0.05);
+  EXPECT_NEAR(fit.scale, 1, 0.045);
+  EXPECT_LT(fit.shape, 0.025);
 }
 
 /// A film on a belt that starts at once: the mean velocity is U (1 − Σ 2/q² exp(−q² ν t/H²)), with

@@ -43,6 +43,9 @@ struct FabricDef {
   float friction = 0.3f;   ///< Coulomb's μ of cloth on cloth; on solids SurfaceDef::friction counts
   float fluid_friction = 0.0f;  ///< Coulomb's μ between fluid and cloth
   float fluid_adhesion = 0.0f;  ///< Pa: pull on a wet layer of particles, as SurfaceDef::adhesion
+  /// m, ≥ 0: how viscous fluid slips along either side, as SurfaceDef::slip_length. 0: no slip; infinite:
+  /// free.
+  float slip_length = std::numeric_limits<float>::infinity();
   /// 1/s: the flow through the cloth, in m/s for each metre of water column across it (ISO 11058, ASTM D4491:
   /// Darcy's permeability over thickness). 0 is tight. Particles on their way through do not press, so at
   /// 0.8/s a tenth less passes.

@@ -187,7 +187,8 @@ struct FluidDef {
   std::string name = "water";    ///< what World::find_fluid takes
   float rest_density = 1000.0f;  ///< ρ₀, kg/m³, 0.001 to 1e6
   /// μ, Pa·s, 0 to 1e6: implicit, so that any substep is stable. Rigid rotation is not braked. Between two
-  /// fluids the harmonic mean acts. Solids hold the fluid by their SurfaceDef::slip_length.
+  /// fluids the harmonic mean acts. Solids and cloth hold the fluid by SurfaceDef::slip_length and
+  /// FabricDef::slip_length.
   float dynamic_viscosity = 0.0f;
   /// 1/s: rate at which a particle takes the mean velocity of its neighbours. Its effect vanishes as h². It
   /// acts as a viscosity does, and removes the motion that the density solve leaves in water at rest. In a
@@ -329,7 +330,7 @@ struct SurfaceDef {
   float restitution = 0.0f;  ///< for particles, 0 to 1
   float adhesion = 0.0f;     ///< Pa, ≥ 0: pull on a wet layer of particles
   /// m, ≥ 0: how viscous fluid slips along the surface. Its velocity, continued linearly, is that of the
-  /// solid this deep behind the surface. 0: no slip; infinite: free. Cloth lets fluid slip freely.
+  /// solid this deep behind the surface. 0: no slip; infinite: free.
   float slip_length = std::numeric_limits<float>::infinity();
   float solid_friction = 0.5f;     ///< Coulomb's μ for solids, ≥ 0
   float solid_restitution = 0.0f;  ///< for solids, 0 to 1

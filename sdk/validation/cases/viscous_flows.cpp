@@ -22,7 +22,7 @@ Plot profile_plot(const char* title, const Curve& measured, double (*exact)(doub
 Result couette_result(const Settings& settings) {
   const ProfileFit fit = couette_flow(settings.world(1), settings.choose(8, 16, 32));
   Result result;
-  result.at_most("profile, relative L2 error", "%", 100 * fit.error, 3, Bar::hard);
+  result.at_most("profile, relative L2 error", "%", 100 * fit.error, 1.5, Bar::hard);
   result.plots = {profile_plot("Couette's profile", fit.measured, couette_velocity)};
   return result;
 }
@@ -30,9 +30,9 @@ Result couette_result(const Settings& settings) {
 Result poiseuille_result(const Settings& settings) {
   const ProfileFit fit = poiseuille_flow(settings.world(1), settings.choose(10, 16, 32));
   Result result;
-  result.at_most("profile, relative L2 error", "%", 100 * fit.error, 7, Bar::hard);
-  result.about_zero("flow over that of theory less 1", "%", 100 * (fit.scale - 1), 6, Bar::hard);
-  result.at_most("shape of the profile, relative L2 error", "%", 100 * fit.shape, 3, Bar::hard);
+  result.at_most("profile, relative L2 error", "%", 100 * fit.error, 5, Bar::hard);
+  result.about_zero("flow over that of theory less 1", "%", 100 * (fit.scale - 1), 4.5, Bar::hard);
+  result.at_most("shape of the profile, relative L2 error", "%", 100 * fit.shape, 2.5, Bar::hard);
   result.plots = {profile_plot("Poiseuille's profile", fit.measured, poiseuille_velocity)};
   return result;
 }

@@ -188,6 +188,31 @@ TEST_P(ViscosityTest, AFilmSlowsDownOverItsWall) {
   }
 }
 
+/// A linear shear leaves little force at a wall, wherever the first layer is. The integral over the
+/// half-space alone would leave .18 and .35 of the stress.
+TEST_P(ViscosityTest, AWallCompletesTheShearOfItsParticles) {
+  constexpr float rate = 2, viscosity = 100;
+  for (const float slip_length : {0.0f, 0.3f}) {
+    for (const float lifted : {0.0f, 0.1f, 0.2f}) {
+      SmoothingCase c = film(8, slip_length);
+      for (pbd::Vec4& p : c.particles) p.y += lifted * spacing;
+      c.materials[0].dynamic_viscosity = viscosity;
+      for (size_t i = 0; i < c.particles.size(); ++i)
+        c.velocities[i].x = rate * (c.particles[i].y + slip_length);
+      c.dt = 1e-4f;
+      const std::vector<Vec3> v = bench_->smooth(c);
+      double force = 0;
+      for (size_t i = 0; i < v.size(); ++i) {
+        const pbd::Vec4& p = c.particles[i];
+        if (std::fabs(p.x) < 8 * spacing && p.y < spacing + lifted * spacing)
+          force += double{v[i].x - c.velocities[i].x} / double{p.w} / double{c.dt};
+      }
+      const double area = 16 * spacing * 6 * spacing;
+      EXPECT_NEAR(force / (viscosity * rate * area), 0, 0.08) << slip_length << " m, lifted by " << lifted;
+    }
+  }
+}
+
 TEST_P(ViscosityTest, AFreeWallDoesNotBrake) {
   SmoothingCase c = film(6, std::numeric_limits<float>::infinity());
   c.materials[0].dynamic_viscosity = 100;

@@ -68,7 +68,10 @@ INSTANTIATE_TEST_SUITE_P(
             R"(cloths[0].fabric.warp: unknown key; allowed: "density", "stretch_model", "warp_stiffness", )"
             R"("weft_stiffness", "shear_stiffness", "bending_model", "bending_stiffness", "unyielding", )"
             R"("stretch_damping", "bending_damping", "thickness", "friction", "fluid_friction", )"
-            R"("fluid_adhesion", "permittivity", "absorbency", "retention", "drainage", "drag", "lift", "tear_strain")"},
+            R"("fluid_adhesion", "slip_length", "permittivity", "absorbency", "retention", "drainage", "drag", )"
+            R"("lift", "tear_strain")"},
+        Mistake{"NegativeSlip", "/cloths/0/fabric/slip_length", "-0.1",
+                "cloths[0].fabric.slip_length: -0.1 is not allowed; must be at least 0"},
         Mistake{"Misspelt", "/cloths/0/fabric/warp_stifness", "1",
                 R"(cloths[0].fabric.warp_stifness: unknown key; did you mean "warp_stiffness"?)"},
         Mistake{"NoWeight", "/cloths/0/fabric/density", "0",
