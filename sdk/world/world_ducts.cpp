@@ -189,9 +189,10 @@ void World::Impl::follow_up(EmitterEntry& e, float dt) {
     }
     engine->find_room(emission.arrivals, emission.has_room);
     if (std::ranges::find(emission.has_room, uint8_t{0}) != emission.has_room.end()) return;
-    e.duct.layers.push_back(next_id);
-    e.duct.is_open = true;
+    const ParticleId first = next_id;
     append(emission.batch);
+    e.duct.layers.push_back(first);
+    e.duct.is_open = true;
   }
 }
 
