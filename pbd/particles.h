@@ -30,6 +30,8 @@ inline constexpr Phase phase_passing = 1u << 21;   ///< it is passing through pe
 inline constexpr Phase phase_overlapping =
     1u << 22;  ///< it may have overlapped a solid when it, or the solid, was created or placed, and has not
                ///< been found outside of all solids since
+inline constexpr Phase phase_piston =
+    1u << 23;  ///< it is in the duct of an imposed emitter (sdk/engine/pistons.h)
 
 /// The number of steps for which a particle that has just left an emitter's opening keeps its velocity: in
 /// the top byte.

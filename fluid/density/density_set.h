@@ -106,6 +106,9 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
   /// The compression that particles of a crowd may keep in this substep; empty without a crowd.
   pbd::View<const float> allowed() const { return allowed_; }
+  /// In this substep, particles of pistons get their multipliers from the fluid around them. Call it after
+  /// begin().
+  void extrapolate_to_pistons() { extrapolates_ = true; }
   /// Iterations done in a step with `planned` iterations. Call it when the device has finished the step.
   uint32_t iterations_done(uint32_t planned) const;
   /// C of each particle at the substep's present positions.
@@ -144,6 +147,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   std::unique_ptr<DensityStop<D>> stop_;            // exists if there is a tolerance
   std::unique_ptr<Baseline<D>> baseline_;           // exists if the method is another
   bool by_baseline_ = false;                        // in this substep
+  bool extrapolates_ = false;                       // in this substep
 
   pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};

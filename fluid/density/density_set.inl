@@ -12,6 +12,7 @@
 #include "fluid/density/density_set.h"
 #include "fluid/density/stop.h"
 #include "fluid/kernel/density_wall_kernels.h"
+#include "fluid/kernel/piston_multipliers.h"
 #include "fluid/pressure_grid/pressure_grid.h"
 #include "pbd/gather.h"
 
@@ -93,6 +94,7 @@ uint32_t DensitySet<D>::iterations_done(uint32_t planned) const {
 
 template <class D>
 void DensitySet<D>::begin(pbd::Substep<D>& substep) {
+  extrapolates_ = false;
   const float ratio = last_dt_ > 0 ? substep.dt / last_dt_ : 0;
   last_dt_ = substep.dt;
   const bool relaxes = std::exchange(relaxes_, true);
@@ -196,6 +198,11 @@ void DensitySet<D>::iterate(const K& kernel, pbd::Substep<D>& substep,
               Advance<K, grains>{kernel, substep.neighbours, contacts.start, advancing},
               contacts.contacts.count,
               AdvanceAtWalls<K, motion, grains>{kernel, substep.neighbours, contacts, advancing});
+  if (extrapolates_)
+    device_.parallel_for(
+        "density/pistons", fluid,
+        ExtrapolateToPistons<K>{kernel, substep.neighbours, substep.particles.phase, staged_.view(),
+                                multiplier_.current.view(), advancing.first});
   refresh_ghost_positions(device_, substep.ghosts, staged_.view());
   // The first iteration applies the initial multipliers, so it always runs.
   if (stop_) {

@@ -286,6 +286,11 @@ MeniscusStatus meniscus_flow_count(const MeniscusWorld* world, MeniscusId id, ui
   });
 }
 
+MeniscusStatus meniscus_emitter_pressure(const MeniscusWorld* world, MeniscusId id, double* pressure) {
+  return guarded(
+      [&] { required(pressure, "pressure") = world_of(world).emitter_pressure(in_cpp<EmitterId>(id)); });
+}
+
 MeniscusStatus meniscus_probe(const MeniscusWorld* world, MeniscusId id, double* value) {
   return guarded([&] { required(value, "value") = world_of(world).probe(in_cpp<ProbeId>(id)); });
 }

@@ -92,6 +92,40 @@ struct Arrival {
   Vec3 velocity;           ///< m/s
   CollisionFilter filter;  ///< which solids block it
   uint32_t waits;          ///< 1: it has waited, and now drives away particles that are too near
+  uint32_t in_duct = 0;    ///< 1: solids do not block it
+};
+
+/// The mouth of a duct, whose particles a step moves as they are told.
+struct Piston {
+  Pose mouth;         ///< its plane is y = 0 in this frame; y points out
+  Vec3 half;          ///< m, half extents along x and z; of a round mouth the radius
+  uint32_t is_round;  ///< 1: a disc, 0: a rectangle
+  Vec3 velocity;      ///< m/s
+  float front;        ///< m, of the foremost layer in front of the mouth at the step's end
+
+  MENISCUS_HD Vec3 direction() const { return rotate(mouth.rotation, {0, 1, 0}); }
+  /// Whether the line through q along y passes through the mouth, in the mouth's frame.
+  MENISCUS_HD bool holds(Vec3 q) const {
+    if (is_round) return q.x * q.x + q.z * q.z <= half.x * half.x;
+    return fabsf(q.x) <= half.x && fabsf(q.z) <= half.z;
+  }
+};
+
+struct PistonParticle {
+  uint32_t slot;
+  uint32_t piston;  ///< number
+};
+
+/// The fluid in front of a mouth.
+struct CrowdAhead {
+  double error = 0;  ///< sum of C
+  double count = 0;
+};
+
+/// What a piston met in a step.
+struct PistonReading {
+  double impulse = 0;      ///< N·s on it, against its direction
+  double error_ahead = 0;  ///< mean C of the fluid up to a support radius in front, at the step's end
 };
 
 struct ParticleBatch {
@@ -128,6 +162,7 @@ struct EngineStep {
   double rigid_ms = 0;
   uint32_t density_iterations = 0;  ///< over all substeps
   Overflows overflows;
+  std::vector<PistonReading> pistons;
 };
 
 /// Results of a fresh neighbour search.
@@ -212,6 +247,8 @@ class Engine {
   /// arrival that has waited gives its velocity to particles that are too near, for the next step.
   virtual void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) = 0;
   virtual void append(const ParticleBatch& batch) = 0;
+  /// The pistons of the next steps and their particles, by ascending slot. They replace those before.
+  virtual void set_pistons(std::span<const Piston> pistons, std::span<const PistonParticle> particles) = 0;
   /// Keeps the particles with keep[slot]; the rest of the slots close up.
   virtual void keep(const std::vector<bool>& keep) = 0;
 

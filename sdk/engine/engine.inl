@@ -35,6 +35,7 @@
 #include "sdk/engine/free_room.h"
 #include "sdk/engine/jets.h"
 #include "sdk/engine/phases.h"
+#include "sdk/engine/pistons.h"
 #include "sdk/engine/sinks.h"
 
 namespace meniscus {
@@ -75,6 +76,7 @@ class DeviceEngine final : public Engine {
         removal_(device_),
         sinks_(device_),
         jets_(device_),
+        pistons_(device_, density_),
         free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
     films_.set_fluid([this]() -> collision::FluidMultipliers {
       using Multiplier = fluid::density_kernels::Multiplier;
@@ -131,6 +133,9 @@ class DeviceEngine final : public Engine {
   void make_room(uint32_t more) override;
   void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) override;
   void append(const ParticleBatch& batch) override;
+  void set_pistons(std::span<const Piston> pistons, std::span<const PistonParticle> particles) override {
+    pistons_.set(particles_, pistons, particles);
+  }
   void keep(const std::vector<bool>& keep) override;
   EngineStep step(float dt) override;
   void relax(float dt, int iterations) override {
@@ -169,6 +174,7 @@ class DeviceEngine final : public Engine {
         .place(ContactPhase::solids, contacts_)
         .for_each([this](auto& source) { solver_.add(source); });
     pbd::Pipeline<SetPhase, pbd::ConstraintSet<D>>()
+        .place(SetPhase::pistons, pistons_)
         .place(SetPhase::surface_tension, tension_)
         .place(SetPhase::density, density_)
         .place(SetPhase::fluid_loads, fluid_cloth_.loading())
@@ -255,6 +261,7 @@ class DeviceEngine final : public Engine {
   pbd::Removal<D> removal_;
   Sinks<D> sinks_;
   Jets<D> jets_;
+  Pistons<D> pistons_;
   FreeRoom<D> free_room_;
 
   float last_substep_ = 0;  // s

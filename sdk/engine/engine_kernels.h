@@ -174,8 +174,9 @@ struct SumState {
     const double mass = x.w > 0 ? 1.0 / x.w : 0;
     const float v2 = dot(v, v);
     const collision::Touch touch = touches.of(i);
+    const bool in_duct = (touches.phase[i] & pbd::phase_piston) != 0;
     return {0.5 * mass * v2, -mass * dot(gravity, x.xyz()), v2, 0,
-            is_outside(set, candidates, touch.filter, i, x.xyz(), reach, touch.radius)};
+            !in_duct && is_outside(set, candidates, touch.filter, i, x.xyz(), reach, touch.radius)};
   }
 };
 

@@ -183,6 +183,7 @@ EngineStep DeviceEngine<D>::step(float dt) {
   done.stage_ms = solver_.timer().read_ms();
   done.rigid_ms = bodies_.step_ms();
   done.overflows = overflows();
+  done.pistons = pistons_.read();
   done.density_iterations =
       density_.iterations_done(static_cast<uint32_t>(done.result.substeps * def_.solver.iterations));
   return done;

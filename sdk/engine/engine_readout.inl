@@ -75,6 +75,7 @@ EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::
   uint32_t contacts = 0;
   solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found& found) {
     contacts = found.contacts.last;
+    pistons_.open_walls(substep);
     density_.measure(substep, scalar_out_.view(), full_out_.view());
     device_.reduce("measure/neighbours", particles_.sorted(), uint64_t{0},
                    CountNeighbours{substep.neighbours}, AddCounts{}, count_out_.view().first(1));

@@ -36,7 +36,7 @@ struct BlockByParticles {
       pbd::atomic_max(blocked[k], 1);
       if (arrivals[k].waits && k < driver) driver = k;
     });
-    if (driver == pbd::no_index || i >= sorted) return;
+    if (driver == pbd::no_index || i >= sorted || (phase[i] & pbd::phase_piston)) return;
     velocity[i] = pbd::with_w(arrivals[driver].velocity, velocity[i].w);
     if (pbd::held_steps(phase[i]) == 0) phase[i] += pbd::held_for(1);
   }
@@ -66,6 +66,7 @@ struct BlockBySolids {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Arrival& a = arrivals[i];
+    if (a.in_duct) return;
     const Vec3 path = a.to - a.from;
     const float whole = length(path);
     for (float along = 0;;) {

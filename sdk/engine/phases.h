@@ -12,6 +12,7 @@ namespace meniscus {
 
 /// Constraint sets, in the order in which each iteration projects them.
 enum class SetPhase {
+  pistons,             ///< first: opens walls at mouths, and takes back what moved particles of pistons
   surface_tension,     ///< changes velocities before the solve
   density,             ///< first, so that later sets correct what it pushes into cloth and solids
   fluid_loads,         ///< passes the density solve's contact impulses on to cloth
@@ -37,26 +38,13 @@ enum class SetPhase {
 };
 
 constexpr const char* phase_name(SetPhase phase) {
-  constexpr std::array names{"surface_tension",
-                             "density",
-                             "fluid_loads",
-                             "attachments",
-                             "stick_anchors",
-                             "body_loads",
-                             "cloth",
-                             "body_load_transfer",
-                             "rods",
-                             "ropes",
-                             "self_contact",
-                             "grains",
-                             "fluid_carry",
-                             "contacts",
-                             "ccd_failsafe",
-                             "body_zones",
-                             "attachment_release",
-                             "fluid_cloth",
-                             "films",
-                             "viscosity",
+  constexpr std::array names{"pistons",      "surface_tension", "density",
+                             "fluid_loads",  "attachments",     "stick_anchors",
+                             "body_loads",   "cloth",           "body_load_transfer",
+                             "rods",         "ropes",           "self_contact",
+                             "grains",       "fluid_carry",     "contacts",
+                             "ccd_failsafe", "body_zones",      "attachment_release",
+                             "fluid_cloth",  "films",           "viscosity",
                              "bodies"};
   static_assert(names.size() == static_cast<std::size_t>(SetPhase::count));
   return names[static_cast<std::size_t>(phase)];

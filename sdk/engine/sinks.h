@@ -43,11 +43,12 @@ MENISCUS_HD inline uint32_t taker(View<const Sink> sinks, Vec3 p) {
 struct Mark {
   View<const pbd::Vec4> position;
   View<const Sink> sinks;
+  View<const pbd::Phase> phase;
   View<uint32_t> keep;
   uint32_t sorted;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    keep[i] = i >= sorted || taker(sinks, position[i].xyz()) == sinks.count;
+    keep[i] = i >= sorted || (phase[i] & pbd::phase_piston) || taker(sinks, position[i].xyz()) == sinks.count;
   }
 };
 
@@ -83,7 +84,8 @@ class Sinks {
   uint32_t mark(pbd::Particles& particles, pbd::Removal<D>& removal, std::span<uint32_t> taken) {
     const View<const pbd::Vec4> position = particles.position.current.view();
     device_.parallel_for("sinks/mark", particles.count(),
-                         sink_kernels::Mark{position, sinks_.view(), removal.keep(), particles.sorted()});
+                         sink_kernels::Mark{position, sinks_.view(), particles.phase.current.view(),
+                                            removal.keep(), particles.sorted()});
     const uint32_t kept = removal.count_kept(particles);
     if (kept == particles.sorted()) return kept;
     taken_.fill(0);

@@ -35,6 +35,10 @@ void choices(V& v, EmitterOpening& o) {
   v.choice("mesh", MeshOpening{}, o, "the surface of a mesh; particles leave along its normals");
 }
 
+constexpr auto names_of(EmitterMode) {
+  return std::array{Named{"free", EmitterMode::free}, Named{"imposed", EmitterMode::imposed}};
+}
+
 /// `names` has the names of what it refers to, or the ids.
 template <class V, class Names>
 void emitter_fields(V& v, EmitterDef& d, Names& names) {
@@ -45,6 +49,8 @@ void emitter_fields(V& v, EmitterDef& d, Names& names) {
   v("body", names.body, any_value, "", "name of a body that carries the opening");
   v("speed", d.speed, positive, "m/s", "at which particles leave");
   v("rate", d.rate, not_negative, "m³/s", "how much leaves, up to speed · area; 0 is that");
+  v("mode", d.mode, any_value, "",
+    "free: what has room leaves; imposed: a piston pushes away what is in front");
   v("start", d.start, not_negative, "s", "when it begins");
   v("stop", d.stop, or_infinity(not_negative), "s", "when it ends; left out, never");
   v("most_particles", d.most_particles, any_value, "", "it makes no more than these; left out, any number");

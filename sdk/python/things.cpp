@@ -78,6 +78,9 @@ void bind_things(nb::module_& module, nb::class_<PyWorld>& world) {
                             "Adds an opening that makes particles.");
   bind_destruction(emitter, &Things::emitters, &World::destroy_emitter, "Removes it.");
   bind_count(emitter, &World::emitter_count);
+  bind_answer(
+      emitter, "pressure", "float", [](World& w, EmitterId id) { return w.emitter_pressure(id); },
+      "Pa, on the piston of an imposed emitter, mean over its opening and the last step.");
   nb::class_<Handle<SinkId>> sink = bind_thing(module, world, "sink", "sinks", &Things::sinks);
   bind_creation<SinkDef>(world, "add_sink", &Things::sinks, &World::create_sink,
                          "Adds a region that removes particles.");

@@ -221,6 +221,7 @@ StepReport World::Calls::step(float dt) {
   impl_->tear_cloth();  // last: contacts with cloth use the vertex numbers of before
   report.removed = impl_->take_sinks();
   report.overflows = done.overflows;
+  impl_->advance_ducts(done.pistons, dt, report);
   impl_->emit(dt, report);
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report.substeps = done.result.substeps;

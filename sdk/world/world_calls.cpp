@@ -66,6 +66,9 @@ void World::destroy_emitter(EmitterId id) {
 FlowCount World::emitter_count(EmitterId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_count(id); });
 }
+double World::emitter_pressure(EmitterId id) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_pressure(id); });
+}
 SinkId World::create_sink(const SinkDef& def) {
   return impl_->run([&](auto w) -> decltype(auto) { return w.create_sink(w.inward(def)); });
 }

@@ -28,6 +28,7 @@ struct World::Calls {
   EmitterId create_emitter(const EmitterDef& def);
   void destroy_emitter(EmitterId id);
   FlowCount emitter_count(EmitterId id) const;
+  double emitter_pressure(EmitterId id) const;
   SinkId create_sink(const SinkDef& def);
   void destroy_sink(SinkId id);
   FlowCount sink_count(SinkId id) const;

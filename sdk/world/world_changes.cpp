@@ -64,6 +64,7 @@ void World::Calls::set_def(const WorldDef& given) {
   expect_same("periodic", now.periodic, def.periodic);
   check_baseline_kernel(def);
   if (is_baseline(def.density.solver)) impl_->check_baseline_suits();
+  if (impl_->has_imposed()) impl_->check_solver_pushes(def.density.solver);
   impl_->read_reactions();  // of the last step, with its gravity
   if (now.cloth != def.cloth) impl_->cloth_changed();
   const WorldDef before = std::exchange(impl_->def, def);

@@ -46,7 +46,9 @@ EmitterClock clock_of(const EmitterDef& def, const EmitterSites& sites, double n
           period, std::min(1.0, 2 * (1 - flow / full))};
 }
 
+/// Whether none is due at the clock's times any more. Those of a duct never are.
 bool is_done(const EmitterEntry& e) {
+  if (e.def.mode == EmitterMode::imposed) return true;
   return e.def.most_particles && e.count.total >= *e.def.most_particles;
 }
 
@@ -57,13 +59,10 @@ EmitterId World::Calls::create_emitter(const EmitterDef& def) {
   check::no_periodic_axes(impl_->def, "emitters");
   impl_->fluids.get(def.fluid);
   if (def.body) impl_->bodies.get(*def.body);
+  impl_->check_imposed(def);
   EmitterSites sites = emitter_sites(def.opening, impl_->def.particle_spacing);
   const EmitterClock clock = clock_of(def, sites, impl_->time);
-  return impl_->emitters.insert({def, std::move(sites), clock, {}, {}, {}});
-}
-
-void World::Calls::destroy_emitter(EmitterId id) {
-  impl_->emitters.erase(id);
+  return impl_->emitters.insert({def, std::move(sites), clock, {}, {}, {}, {}});
 }
 
 FlowCount World::Calls::emitter_count(EmitterId id) const {
@@ -72,8 +71,8 @@ FlowCount World::Calls::emitter_count(EmitterId id) const {
 
 /// Finds the departures that will be due, and reserves room for them.
 void World::Impl::plan_emission(float dt) {
-  const double until = time + double{dt};
-  double expected = 0, most = 0;
+  const double until = time + double{dt}, in_ducts = plan_ducts(dt);
+  double expected = in_ducts, most = 0;
   std::string_view busiest;
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
     if (is_done(e)) return;
@@ -95,7 +94,7 @@ void World::Impl::plan_emission(float dt) {
         << static_cast<uint64_t>(world_tuning::most_arrivals) << ". A shorter step makes fewer";
     throw Error(ErrorCode::capacity, why.str());
   }
-  size_t due = 0;
+  auto due = static_cast<size_t>(in_ducts);
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
     e.departures.clear();
     if (is_done(e)) return;
@@ -149,6 +148,7 @@ double World::Impl::held_steps(const EmitterEntry& e, const Departure& d, float 
 void World::Impl::emit(float dt, StepReport& report) {
   emission.arrivals.clear();
   emitters.for_each([&](uint32_t, EmitterEntry& e) {
+    if (e.def.mode == EmitterMode::imposed) return;
     e.count.last_step = 0;
     add_arrivals(e, dt);
   });
@@ -175,7 +175,7 @@ void World::Impl::emit(float dt, StepReport& report) {
     }
   });
   append(emission.batch);
-  report.emitted = static_cast<uint32_t>(emission.batch.position.size());
+  report.emitted += static_cast<uint32_t>(emission.batch.position.size());
 }
 
 }  // namespace meniscus

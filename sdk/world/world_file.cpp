@@ -143,7 +143,7 @@ void World::Impl::fill_from(const std::string& definitions, const pbd::SavedStat
   v.list("solid_digest", digests);
   if (digests != digests_of(*this, layout)) refuse("a mesh file of its solids has changed since");
   fill(emitters, "emitter", defs.emitters,
-       [](const EmitterDef& d) { return EmitterEntry{d, {}, EmitterClock(0, 0, 0, 1, 0), {}, {}, {}}; });
+       [](const EmitterDef& d) { return EmitterEntry{d, {}, EmitterClock(0, 0, 0, 1, 0), {}, {}, {}, {}}; });
   fill(sinks, "sink", defs.sinks, [](const SinkDef& d) { return SinkEntry{d, {}}; });
   fill(probes, "probe", defs.probes, [](const ProbeDef& d) { return d; });
   fill(cloths, "cloth", defs.cloths, [](const ClothDef& d) {

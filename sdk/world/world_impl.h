@@ -69,8 +69,10 @@ struct World::Impl : WorldTables {
   /// The engine with all solids uploaded, for queries of solids or contacts. Otherwise it would look among
   /// removed solids.
   Engine& with_solids() { return upload_materials(), upload_solids(), *engine; }
-  /// The engine with solids and cloth uploaded.
-  Engine& with_all() { return with_solids(), upload_probes(), upload_sinks(), upload_cloth(), *engine; }
+  /// The engine with all that it needs for a step uploaded.
+  Engine& with_all() {
+    return with_solids(), upload_probes(), upload_sinks(), upload_cloth(), upload_pistons(), *engine;
+  }
   SolidContext solid_context() { return {*engine, solid_meshes, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
@@ -82,6 +84,17 @@ struct World::Impl : WorldTables {
   Vec3 carried_velocity(BodyId body, Vec3 p, Quat turned) const;
   double held_steps(const EmitterEntry& emitter, const Departure& departure, float dt) const;
   void emit(float dt, StepReport& report);
+  void check_imposed(const EmitterDef& emitter) const;
+  void check_solver_pushes(DensitySolver solver) const;
+  bool has_imposed() const;
+  double most_stroke(const EmitterEntry& emitter, float dt) const;
+  double plan_ducts(float dt);
+  void upload_pistons();
+  void advance_ducts(std::span<const PistonReading> readings, float dt, StepReport& report);
+  void pass_layer(EmitterEntry& emitter);
+  void follow_up(EmitterEntry& emitter, float dt);
+  void close_duct(EmitterEntry& emitter);
+  std::vector<bool> particles_in(const EmitterEntry& emitter) const;
   void sinks_changed() { sinks_are_on_device = false; }
   void upload_sinks();
   uint32_t take_sinks();
@@ -153,6 +166,8 @@ struct World::Impl : WorldTables {
   std::vector<bool> removed_particles;         // by slot; empty if there are none
   std::vector<collision::RigidRef> forgotten;  // solids that were removed since the last step
   Emission emission;
+  float planned_step = 1;    // s, for which strokes of pistons are planned
+  bool has_pistons = false;  // on the device
   SnapshotList snapshots;
 
   CachedReadout<Vec3> positions, velocities;

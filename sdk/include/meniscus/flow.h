@@ -32,6 +32,12 @@ struct MeshOpening {
 /// Where particles leave an emitter.
 using EmitterOpening = std::variant<DiscOpening, RectangleOpening, MeshOpening>;
 
+/// What an emitter does where other fluid is in front of its opening.
+enum class EmitterMode {
+  free,     ///< a particle leaves if it has room, and fluid in front slows it down; less may leave
+  imposed,  ///< a piston pushes the fluid in front away: see EmitterDef::mode
+};
+
 /// Makes particles in front of an opening, in layers that give the jet its rest density. Each particle is
 /// placed where it has moved to under gravity between its emission and the end of the step. The emitted
 /// volume is exact, however few particles fit across the opening. A jet stays together from three spacings
@@ -52,6 +58,14 @@ struct EmitterDef {
   /// m³/s, at most speed · area of the opening. 0 means that maximum. At half of the maximum or less, an even
   /// spray leaves in place of a jet.
   float rate = 0.0f;
+  /// With `imposed`, layers of particles move through a duct behind the opening, as a piston of infinite mass
+  /// and of the speed rate/area. A particle counts as emitted once its layer has passed the opening. The
+  /// opening must be a disc or a rectangle without a body, on a solid or with air behind it. Within it the
+  /// solid does not act on fluids. It starts at the end of the step in which `start` lies. It ends after
+  /// whole layers. While the fluid ahead holds a particle too many in each support, as in a full vessel, the
+  /// piston rests, and StepReport::emission_refused counts. Not with granular materials, nor with the solvers
+  /// grid, pcisph, wcsph and dfsph.
+  EmitterMode mode = EmitterMode::free;
   float start = 0.0f;                                   ///< s, of World::time, ≥ 0
   float stop = std::numeric_limits<float>::infinity();  ///< s, ≥ start
   std::optional<uint32_t> most_particles{};             ///< limit on the particles that it makes

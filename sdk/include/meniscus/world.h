@@ -63,13 +63,16 @@ class World {
   void destroy_shape(ShapeId id);  ///< its id becomes invalid
   /// Throws Error(io) and Error(mesh) if its opening is a mesh with an unusable file.
   EmitterId create_emitter(const EmitterDef& def);
-  void destroy_emitter(EmitterId id);           ///< its particles stay
+  void destroy_emitter(EmitterId id);           ///< its particles stay, but for those in a duct
   FlowCount emitter_count(EmitterId id) const;  ///< particles that it made
-  SinkId create_sink(const SinkDef& def);       ///< acts from the next step on
-  void destroy_sink(SinkId id);                 ///< its id becomes invalid
-  FlowCount sink_count(SinkId id) const;        ///< particles that it removed
-  ProbeId create_probe(const ProbeDef& def);    ///< measures from the next step on
-  void destroy_probe(ProbeId id);               ///< its id becomes invalid
+  /// Pa: the pressure of the fluid on the piston of an imposed emitter, the mean over its opening and the
+  /// last step. 0 of a free one.
+  double emitter_pressure(EmitterId id) const;
+  SinkId create_sink(const SinkDef& def);     ///< acts from the next step on
+  void destroy_sink(SinkId id);               ///< its id becomes invalid
+  FlowCount sink_count(SinkId id) const;      ///< particles that it removed
+  ProbeId create_probe(const ProbeDef& def);  ///< measures from the next step on
+  void destroy_probe(ProbeId id);             ///< its id becomes invalid
   /// Throws Error(mesh) if the mesh of a dynamic body is not a closed, simple surface, and names the face.
   /// MeshGeometry::repair makes one of it.
   /// Also throws it if a moment of inertia is below a millionth of the largest. For meshes it throws as

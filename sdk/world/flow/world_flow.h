@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sdk/engine/engine.h"
+#include "sdk/world/flow/duct.h"
 #include "sdk/world/flow/emitter_clock.h"
 #include "sdk/world/flow/emitter_sites.h"
 
@@ -21,6 +22,7 @@ struct EmitterEntry {
   FlowCount count;
   std::vector<Departure> departures;  // of the present step
   Pose body_before;                   // at the start of the step
+  Duct duct;                          // if it is imposed
 };
 
 struct SinkEntry {

@@ -106,6 +106,7 @@ void visit_emitter(StateVisitor& v, EmitterEntry& e) {
   v.part("clock", e.clock);
   v.value("emitted", e.count);
   v.value("body_before", e.body_before);
+  if (e.def.mode == EmitterMode::imposed) v.part("duct", e.duct);
 }
 
 /// Visits each entry, with its index before the names of its items.

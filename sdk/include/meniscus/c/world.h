@@ -119,6 +119,9 @@ MENISCUS_C_API MeniscusStatus meniscus_warnings(MeniscusWorld* world, const char
 /// The number of particles that an emitter made or a sink removed.
 MENISCUS_C_API MeniscusStatus meniscus_flow_count(const MeniscusWorld* world, MeniscusId id,
                                                   uint32_t* last_step, uint64_t* total);
+/// Pa: the mean pressure on the piston of an imposed emitter in the last step; 0 of a free one.
+MENISCUS_C_API MeniscusStatus meniscus_emitter_pressure(const MeniscusWorld* world, MeniscusId id,
+                                                        double* pressure);
 /// The value of a probe in the last step. The value of a vector is its length.
 MENISCUS_C_API MeniscusStatus meniscus_probe(const MeniscusWorld* world, MeniscusId id, double* value);
 /// The vector of a probe; 0 for kinds without vectors.
