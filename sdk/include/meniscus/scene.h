@@ -140,6 +140,7 @@ struct Scene {
   std::vector<SceneEmitter> emitters;
   std::vector<SceneSink> sinks;
   std::vector<SceneProbe> probes;
+  std::vector<ForceFieldDef> force_fields;
   std::vector<SceneCheck> checks;
   std::optional<SceneCamera> camera;  ///< none: a view that holds everything
   std::vector<SceneNamedCamera> cameras;
@@ -204,6 +205,7 @@ struct BuiltScene {
   std::vector<EmitterId> emitters;
   std::vector<SinkId> sinks;
   std::vector<ProbeId> probes;
+  std::vector<ForceFieldId> force_fields;
 };
 
 /// Checks a scene and makes a world of it. Throws what check_scene throws, and what World throws, with the
