@@ -4,10 +4,13 @@
 // The position-based solver: parameters, results and interface. solver.inl has the algorithm.
 #pragma once
 
+#include <meniscus/hooks.h>
+
 #include <functional>
 #include <vector>
 
 #include "pbd/contact_arrays.h"
+#include "pbd/external_forces.h"
 #include "pbd/neighbour_search.h"
 #include "pbd/periodic_axes.h"
 #include "pbd/seam_ghosts.h"
@@ -71,6 +74,13 @@ class Solver {
   void add(ConstraintSet<D>& set) { sets_.push_back(&set); }
   void add(VelocityPass<D>& pass) { passes_.push_back(&pass); }
   void add(Observer<D>& observer) { observers_.push_back(&observer); }
+  void add(ExternalForces<D>& forces) { forces_.push_back(&forces); }
+  /// Calls call(hook, the present arrays, substep, iteration) at each hook of the set, a bit each.
+  using HookCall = std::function<void(Hook, const ParticleView&, const Substep<D>&, int)>;
+  void set_hooks(uint32_t hooks, HookCall call) {
+    hooks_ = hooks;
+    hook_call_ = std::move(call);
+  }
 
   /// Makes room for this many fluid particles and vertices, here and in all parts.
   void reserve(uint32_t fluid, uint32_t vertices = 0);
@@ -83,7 +93,13 @@ class Solver {
 
   /// Advances by dt. When the result's summary counts non-finite particles, the state is the one before the
   /// call.
-  StepResult step(float dt);
+  StepResult step(float dt) {
+    begin_step(dt);
+    return end_step();
+  }
+  /// The two halves of step(). Between them the device works, and nothing else may be called.
+  void begin_step(float dt);
+  StepResult end_step();
   /// Solves for positions and discards the velocities: resolves overlaps.
   void relax(float dt, int times);
   /// The same for the particles from slot `first` on. All others stay, and all velocities.
@@ -115,7 +131,12 @@ class Solver {
   template <class Finish>
   void relax_and(float dt, int times, const Finish& finish);
   Substep<D> relax_once(float dt);
-  StepResult run(float dt);
+  void run(float dt);
+  StepResult finish();
+  View<const Vec4> velocity_changes(const ParticleView& start, float dt);
+  void call_hook(Hook hook, const Substep<D>& s, int iteration = 0) {
+    if (hooks_ & (1u << static_cast<uint32_t>(hook))) hook_call_(hook, particles_.view(), s, iteration);
+  }
   bool had_room();
   void make_room();
   void make_room_for_ghosts();
@@ -151,6 +172,9 @@ class Solver {
   size_t started_ = 0;  // sets whose start_step() was called in this step
   std::vector<VelocityPass<D>*> passes_;
   std::vector<Observer<D>*> observers_;
+  std::vector<ExternalForces<D>*> forces_;
+  uint32_t hooks_ = 0;
+  HookCall hook_call_;
   StageTimer timer_;
 
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
@@ -158,6 +182,8 @@ class Solver {
   Room room_;
   bool has_found_ = false;  // neighbours and contacts are of the end of the last step, and of all particles
   bool fresh_ = true;       // particles were added or changed from outside since the last step
+  float step_dt_ = 0;       // s, of the step that was begun
+  int step_substeps_ = 0;   // of that step
   float step_speed_ = 0;    // m/s, the upper limit of a particle's speed in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };

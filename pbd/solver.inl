@@ -27,6 +27,7 @@ namespace meniscus::pbd {
 template <class D>
 void Solver<D>::substep(float dt, bool is_first, bool is_last) {
   timer_.enter(StageId::predict);
+  for (ExternalForces<D>* forces : forces_) forces->start_substep(dt);
   for (ConstraintSet<D>* set : sets_) set->predict(dt);
   sort(predict(dt, parameters_.gravity));
   // The device is idle, and can begin while the other launches are collected.
@@ -35,23 +36,28 @@ void Solver<D>::substep(float dt, bool is_first, bool is_last) {
   Substep<D> s = make_substep(dt);
   s.gravity = parameters_.gravity;
   s.is_last = is_last;
+  call_hook(Hook::predicted, s);
   for (ConstraintSet<D>* set : sets_) set->arrange(s);
   find(s, std::any_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->prepares(); }));
 
   timer_.enter(StageId::solve);
   for (ConstraintSet<D>* set : sets_) set->accelerate(s);
   for (ConstraintSet<D>* set : sets_) set->begin(s);
+  call_hook(Hook::contacts_found, s);
   for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
     for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
+    call_hook(Hook::iterated, s, iteration);
   }
 
   timer_.enter(StageId::velocity);
   if (is_fast(dt)) contacts_.limit_motion(motion_of(s), true);
   for (ConstraintSet<D>* set : sets_) set->settle(s);
+  call_hook(Hook::solved, s);
   refresh_ghost_positions(device_, s.ghosts, s.particles.position);
   update_velocities(s);
   for (ConstraintSet<D>* set : sets_) set->end(s);
   for (VelocityPass<D>* pass : passes_) pass->apply(s, particles_);
+  call_hook(Hook::velocities_known, s);
   for (Observer<D>* observer : observers_) observer->observe(s);
 
   for (ConstraintSet<D>* set : sets_) {
@@ -62,10 +68,15 @@ void Solver<D>::substep(float dt, bool is_first, bool is_last) {
 }
 
 template <class D>
-StepResult Solver<D>::step(float dt) {
+void Solver<D>::begin_step(float dt) {
+  reserve_extra();
+  run(dt);
+}
+
+template <class D>
+StepResult Solver<D>::end_step() {
   for (;;) {
-    reserve_extra();
-    StepResult result = run(dt);
+    StepResult result = finish();
     const bool done = had_room();
     if (!done || result.summary.non_finite) {
       undo_or_lose([&] { undo_step(); });
@@ -75,19 +86,21 @@ StepResult Solver<D>::step(float dt) {
     }
     if (done) return result;
     make_room();
+    begin_step(step_dt_);
   }
 }
 
-/// Runs the substeps of a step of length dt, and returns their results. After an exception the state is the
-/// one before.
+/// Launches the substeps of a step of length dt. After an exception the state is the one before.
 template <class D>
-StepResult Solver<D>::run(float dt) {
+void Solver<D>::run(float dt) {
+  step_dt_ = dt;
   timer_.start_step();
   save_state();
   try {
     const CallMonitor::Cancellable undone_below(device_.monitor());
     start_sets();
     for (Observer<D>* observer : observers_) observer->start_step();
+    for (ExternalForces<D>* forces : forces_) forces->start_step();
     int substeps = choose_substeps(dt);
     for (ConstraintSet<D>* set : sets_) substeps = set->least_substeps(dt, substeps, particles_.source());
     for (int k = 0; k < substeps; ++k) {
@@ -98,9 +111,21 @@ StepResult Solver<D>::run(float dt) {
     if (ghosts_.any()) ghosts_.wrap(particles_, {}, {});
     summarize();
     timer_.stop();
+    step_substeps_ = substeps;
+  } catch (...) {
+    undo_or_lose([&] { undo_step(); });
+    throw;
+  }
+}
+
+/// Waits for the substeps, and returns their results. After an exception the state is the one before them.
+template <class D>
+StepResult Solver<D>::finish() {
+  try {
+    const CallMonitor::Cancellable undone_below(device_.monitor());
     for (ConstraintSet<D>* set : sets_) set->end_step();
     const ParticleSummary& after = summary();
-    return {substeps, readout_.found.contacts.last, readout_.found.longest_list, after};
+    return {step_substeps_, readout_.found.contacts.last, readout_.found.longest_list, after};
   } catch (...) {
     undo_or_lose([&] { undo_step(); });
     throw;
@@ -194,12 +219,22 @@ template <class D>
 solver_kernels::Prediction Solver<D>::predict(float dt, Vec3 gravity) {
   const ParticleView from = particles_.source();
   solver_kernels::Prediction prediction{from.position, from.velocity, gravity, dt};
+  if (dt > 0) prediction.changes = velocity_changes(from, dt);
   if (dt == 0 || !contacts_.limits_motion()) return prediction;
   const View<Vec4> predicted = particles_.predicted.view();
   device_.parallel_for("predict", from.owned, solver_kernels::Predict{prediction, predicted});
   contacts_.limit_motion({from.position, predicted, {}, from.phase, from.owned, from.sorted}, false);
   prediction.limited = predicted;
   return prediction;
+}
+
+/// What external forces add to the velocities. One part at most has forces on particles.
+template <class D>
+View<const Vec4> Solver<D>::velocity_changes(const ParticleView& start, float dt) {
+  for (ExternalForces<D>* forces : forces_) {
+    if (forces->any()) return forces->velocity_changes(start, dt);
+  }
+  return {};
 }
 
 template <class D>
@@ -332,7 +367,10 @@ bool Solver<D>::is_fast(float dt) const {
 
 template <class D>
 int Solver<D>::choose_substeps(float dt) {
-  step_speed_ = std::sqrt(summary().max_speed2) + dt * length(parameters_.gravity);
+  float acceleration = length(parameters_.gravity);
+  for (const ExternalForces<D>* forces : forces_)
+    acceleration += forces->greatest_acceleration(summary().lower, summary().upper);
+  step_speed_ = std::sqrt(summary().max_speed2) + dt * acceleration;
   for (ConstraintSet<D>* set : sets_) step_speed_ = std::fmax(step_speed_, set->speed(dt));
   if (parameters_.cfl_number <= 0) return parameters_.substeps;
   const float wanted = std::ceil(step_speed_ * dt / (parameters_.cfl_number * parameters_.support_radius));
@@ -384,6 +422,7 @@ void Solver<D>::reserve_all(const Room& room) {
   const uint32_t with_state = room.fluid ? capacity : 0;
   for (ConstraintSet<D>* set : sets_) set->reserve(with_state, particles_.sorted());
   for (VelocityPass<D>* pass : passes_) pass->reserve(with_state);
+  for (ExternalForces<D>* forces : forces_) forces->reserve(capacity);
   particles_.reserve(capacity, room.fluid > 0);
   search_.reserve(room.fluid);
   contacts_.reserve(owned);

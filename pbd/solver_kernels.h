@@ -27,17 +27,21 @@ MENISCUS_HD inline Vec3 advanced(const Vec4& position, Vec3 velocity, float dt) 
   return after(position.xyz(), velocity, dt);
 }
 
-/// The positions of particles without constraints: p = x + h·(v + h·g).
+/// The positions of particles without constraints: p = x + h·(v + h·g + Δv).
 struct Prediction {
   View<const Vec4> position, velocity;
   Vec3 gravity;
   float dt;
   View<const Vec4> limited{};  ///< the same, with the motions that were limited
+  View<const Vec4> changes{};  ///< Δv of external forces, if there are any
 
-  MENISCUS_HD Vec3 velocity_of(const Vec4& x, const Vec4& v) const { return drawn(x, v, gravity, dt); }
+  MENISCUS_HD Vec3 velocity_of(uint32_t i, const Vec4& x, const Vec4& v) const {
+    const Vec3 fallen = drawn(x, v, gravity, dt);
+    return changes.count ? fallen + load(changes, i).xyz() : fallen;
+  }
   MENISCUS_HD Vec4 unlimited(uint32_t i) const {
     const Vec4 x = load(position, i);
-    return with_w(advanced(x, velocity_of(x, load(velocity, i)), dt), x.w);
+    return with_w(advanced(x, velocity_of(i, x, load(velocity, i)), dt), x.w);
   }
   MENISCUS_HD Vec4 operator()(uint32_t i) const { return limited.count ? load(limited, i) : unlimited(i); }
 };
@@ -67,7 +71,7 @@ struct Reorder {
     const Vec4 x = prediction.position[from], before = prediction.velocity[from];
     const Phase present_phase = phase[from];
     const uint32_t present_slot = slot[from], present_number = number[from];
-    const Vec3 v = prediction.velocity_of(x, before);
+    const Vec3 v = prediction.velocity_of(from, x, before);
     const Vec3 unlimited = advanced(x, v, prediction.dt);
     const Vec3 p = prediction.limited.count ? load(prediction.limited, from).xyz() : unlimited;
     sorted_predicted[i] = with_w(p, x.w);

@@ -41,6 +41,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
   /// Resets the mean forces on a body that is destroyed, so that the next body with its number starts with
   /// none.
   void forget_forces(uint32_t body);
+  /// Call it when velocities of bodies have changed within a step.
+  void motions_changed() { ahead_ = -1; }
   /// By body: impulses of the substep that are known when contacts are summed, beside those of contacts.
   /// Empty if there are none. The view must stay valid until the next call.
   void set_loads(pbd::View<const RigidImpulse> loads) { loads_ = loads; }

@@ -16,7 +16,20 @@ struct CudaStatus {
   size_t memory_bytes = 0;
 };
 
-/// Usable means: CUDA is built in, a driver and a device exist, and a probe kernel returned the right answer.
-CudaStatus cuda_status();
+/// Usable means: CUDA is built in, a driver and this device exist, and a probe kernel returned the right
+/// answer.
+CudaStatus cuda_status(int ordinal = 0);
+
+/// While it lives, the calling thread uses this GPU. A negative ordinal changes nothing.
+class CudaScope {
+ public:
+  explicit CudaScope(int ordinal);
+  ~CudaScope();
+  CudaScope(const CudaScope&) = delete;
+  CudaScope& operator=(const CudaScope&) = delete;
+
+ private:
+  int ordinal_, before_ = -1;
+};
 
 }  // namespace meniscus::pbd

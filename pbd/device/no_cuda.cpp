@@ -9,9 +9,12 @@
 
 namespace meniscus::pbd {
 
-CudaStatus cuda_status() {
+CudaStatus cuda_status(int) {
   return {.usable = false, .name = "", .reason = "built without CUDA", .memory_bytes = 0};
 }
+
+CudaScope::CudaScope(int ordinal) : ordinal_(ordinal) {}
+CudaScope::~CudaScope() = default;
 
 std::unique_ptr<GlBuffers> share_gl_buffers(std::span<const uint32_t>) {
   throw Error(ErrorCode::device, "buffers of OpenGL cannot be shared: built without CUDA");

@@ -18,10 +18,10 @@
 namespace meniscus::c {
 
 /// In the order of MeniscusDefKind.
-using AnyDef =
-    std::variant<WorldDef, FluidDef, GranularDef, FluidVolumeDef, ShapeDef, BodyDef, JointDef, ClothDef,
-                 RopeDef, AttachmentDef, WindDef, EmitterDef, SinkDef, ProbeDef, SurfaceMeshDef>;
-static_assert(std::variant_size_v<AnyDef> == MENISCUS_SURFACE_MESH_DEF + 1);
+using AnyDef = std::variant<WorldDef, FluidDef, GranularDef, FluidVolumeDef, ShapeDef, BodyDef, JointDef,
+                            ClothDef, RopeDef, AttachmentDef, WindDef, EmitterDef, SinkDef, ProbeDef,
+                            SurfaceMeshDef, ForceFieldDef>;
+static_assert(std::variant_size_v<AnyDef> == MENISCUS_FORCE_FIELD_DEF + 1);
 
 /// The objects of a built scene, for meniscus_scene_item().
 struct SceneItems {
@@ -29,7 +29,7 @@ struct SceneItems {
     MeniscusId id;
     std::string name;
   };
-  std::vector<Item> of_kind[MENISCUS_PROBE + 1];
+  std::vector<Item> of_kind[MENISCUS_FORCE_FIELD + 1];
 };
 
 }  // namespace meniscus::c
@@ -64,7 +64,7 @@ struct MeniscusWorld {
   std::vector<MeniscusContactEvent> contact_events{};
   std::vector<MeniscusId> overlap_solids{};
   std::vector<uint64_t> overlap_particles{};
-  std::vector<MeniscusId> objects[MENISCUS_PROBE + 1]{};
+  std::vector<MeniscusId> objects[MENISCUS_FORCE_FIELD + 1]{};
   meniscus::SurfaceMesh surface{};
 };
 
@@ -122,6 +122,8 @@ template <>
 inline constexpr MeniscusKind kind_of<SinkId> = MENISCUS_SINK;
 template <>
 inline constexpr MeniscusKind kind_of<ProbeId> = MENISCUS_PROBE;
+template <>
+inline constexpr MeniscusKind kind_of<ForceFieldId> = MENISCUS_FORCE_FIELD;
 
 /// "body" for MENISCUS_BODY.
 const char* kind_name(uint32_t kind);

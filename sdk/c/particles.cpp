@@ -54,6 +54,20 @@ MeniscusStatus meniscus_write_particles(const MeniscusWorld* world, MeniscusElli
   });
 }
 
+MeniscusStatus meniscus_dlpack(const MeniscusWorld* world, MeniscusDeviceArray array,
+                               struct DLManagedTensor** tensor, void** stream) {
+  return guarded([&] {
+    DLManagedTensor*& out = required(tensor, "tensor");
+    constexpr DeviceArray DeviceArrays::*members[] = {&DeviceArrays::ids, &DeviceArrays::positions,
+                                                      &DeviceArrays::velocities, &DeviceArrays::phases};
+    if (array < MENISCUS_DEVICE_IDS || array > MENISCUS_DEVICE_PHASES)
+      throw Error(ErrorCode::invalid_argument, "array is " + std::to_string(static_cast<int>(array)));
+    const DeviceArrays all = world_of(world).device_arrays();
+    out = to_dlpack(all.*members[array]);
+    if (stream) *stream = (all.*members[array]).stream;
+  });
+}
+
 MeniscusStatus meniscus_diffuse(const MeniscusWorld* world, const MeniscusDiffuseParticle** particles,
                                 size_t* count) {
   return guarded([&] { write_same(particles, count, world_of(world).diffuse()); });

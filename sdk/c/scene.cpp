@@ -37,6 +37,7 @@ SceneItems items_of(const Scene& scene, const BuiltScene& built) {
   add_items(items, scene.emitters, built.emitters);
   add_items(items, scene.sinks, built.sinks);
   add_items(items, scene.probes, built.probes);
+  add_items(items, scene.force_fields, built.force_fields);
   return items;
 }
 
@@ -95,7 +96,7 @@ MeniscusStatus meniscus_scene_item(const MeniscusWorld* world, MeniscusKind kind
                                    MeniscusId* id, const char** name) {
   return guarded([&] {
     const SceneItems& items = required(world, "world").items;
-    if (kind <= MENISCUS_NONE || kind > MENISCUS_PROBE)
+    if (kind <= MENISCUS_NONE || kind > MENISCUS_FORCE_FIELD)
       throw Error(ErrorCode::invalid_argument, "kind is " + std::to_string(static_cast<int>(kind)));
     const std::vector<SceneItems::Item>& list = items.of_kind[kind];
     if (number >= list.size())

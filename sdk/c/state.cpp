@@ -67,6 +67,8 @@ KindCalls calls_of(MeniscusKind kind) {
       return calls<&World::sink_ids, &World::find_sink>();
     case MENISCUS_PROBE:
       return calls<&World::probe_ids, &World::find_probe>();
+    case MENISCUS_FORCE_FIELD:
+      return calls<&World::force_field_ids, &World::find_force_field>();
     default:
       throw Error(ErrorCode::invalid_argument, "kind is " + std::to_string(static_cast<int>(kind)));
   }

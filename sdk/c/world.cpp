@@ -37,6 +37,7 @@ struct Create {
   MeniscusId operator()(const EmitterDef& def) const { return in_c(world.create_emitter(def)); }
   MeniscusId operator()(const SinkDef& def) const { return in_c(world.create_sink(def)); }
   MeniscusId operator()(const ProbeDef& def) const { return in_c(world.create_probe(def)); }
+  MeniscusId operator()(const ForceFieldDef& def) const { return in_c(world.create_force_field(def)); }
   template <class Other>
   MeniscusId operator()(const Other&) const {
     throw Error(ErrorCode::invalid_argument, "def is no definition of an object");
@@ -63,6 +64,8 @@ void destroy(World& world, MeniscusId id) {
       return world.destroy_sink(in_cpp<SinkId>(id));
     case MENISCUS_PROBE:
       return world.destroy_probe(in_cpp<ProbeId>(id));
+    case MENISCUS_FORCE_FIELD:
+      return world.destroy_force_field(in_cpp<ForceFieldId>(id));
     default:
       throw Error(ErrorCode::invalid_argument,
                   std::string("the id is of a ") + kind_name(id.kind) + ", which cannot be destroyed");
@@ -121,7 +124,7 @@ std::span<const Vec3> vectors_of(const MeniscusVec3* values, std::size_t count, 
 
 const char* kind_name(uint32_t kind) {
   constexpr const char* names[] = {"nothing", "fluid",      "shape",   "body", "joint", "cloth",
-                                   "rope",    "attachment", "emitter", "sink", "probe"};
+                                   "rope",    "attachment", "emitter", "sink", "probe", "force field"};
   return kind < std::size(names) ? names[kind] : "unknown kind";
 }
 
@@ -194,6 +197,11 @@ MeniscusStatus meniscus_set_fluid(MeniscusWorld* world, MeniscusId fluid, const 
   return guarded([&] { world_of(world).set_fluid(in_cpp<FluidId>(fluid), def_of<FluidDef>(def)); });
 }
 
+MeniscusStatus meniscus_set_force_field(MeniscusWorld* world, MeniscusId field, const MeniscusDef* def) {
+  return guarded(
+      [&] { world_of(world).set_force_field(in_cpp<ForceFieldId>(field), def_of<ForceFieldDef>(def)); });
+}
+
 MeniscusStatus meniscus_set_wind(MeniscusWorld* world, const MeniscusDef* wind) {
   return guarded([&] { world_of(world).set_wind(def_of<WindDef>(wind)); });
 }
@@ -236,6 +244,18 @@ MeniscusStatus meniscus_step(MeniscusWorld* world, float dt, MeniscusStepReport*
   return guarded([&] {
     if (report) check_size(*report);  // before the step: a failing call changes nothing
     const StepReport made = world_of(world).step(dt);
+    if (report) write_result(report, report_of(made));
+  });
+}
+
+MeniscusStatus meniscus_step_begin(MeniscusWorld* world, float dt) {
+  return guarded([&] { world_of(world).step_begin(dt); });
+}
+
+MeniscusStatus meniscus_step_end(MeniscusWorld* world, MeniscusStepReport* report) {
+  return guarded([&] {
+    if (report) check_size(*report);
+    const StepReport made = world_of(world).step_end();
     if (report) write_result(report, report_of(made));
   });
 }

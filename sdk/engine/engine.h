@@ -4,8 +4,11 @@
 // The simulation behind a World, with its device hidden. A slot is a particle's place in the user's arrays.
 #pragma once
 
+#include <meniscus/hooks.h>
+#include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,6 +36,7 @@
 #include "pbd/device/gl_buffers.h"
 #include "pbd/solver.h"
 #include "pbd/state/state_visitor.h"
+#include "sdk/engine/force_fields/force_field.h"
 
 namespace meniscus {
 
@@ -156,6 +160,16 @@ struct EngineCloth {
   std::vector<cloth::SegmentState> segments;  ///< of the rods
 };
 
+/// Arrays in the memory of the device, by slot.
+struct EngineArrays {
+  Vec3* positions = nullptr;
+  Vec3* velocities = nullptr;
+  uint32_t* groups = nullptr;
+  ParticleId* ids = nullptr;
+};
+
+using HookCalls = std::array<SubstepCall, hook_count>;
+
 struct EngineStep {
   pbd::StepResult result;
   std::array<double, stage_count> stage_ms{};
@@ -177,6 +191,10 @@ class Engine {
   virtual ~Engine() = default;
 
   virtual pbd::Device& device() = 0;
+  /// Of the device, for others: see pbd::DeviceAccess. Throws Error(out_of_memory).
+  virtual int ordinal() const = 0;
+  virtual void* stream() = 0;
+  virtual std::shared_ptr<void> allocate_lasting(size_t bytes) = 0;
 
   /// Sets the parameters of the solvers from the next step on. Kernel, spacing and radii must stay. Set the
   /// cloth anew afterwards.
@@ -209,6 +227,9 @@ class Engine {
   /// Removes the particles that the sinks take. Returns which are gone, by their former slot; empty if none
   /// is. Counts by sink: a particle counts for the first sink that takes it.
   virtual std::vector<bool> take_sinks(std::span<uint32_t> taken) = 0;
+  /// Replaces all force fields. `body_densities` is by body, kg/m³.
+  virtual void set_force_fields(std::span<const ForceFieldModel> fields,
+                                std::span<const float> body_densities) = 0;
   virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
   virtual void read_probes(std::span<fluid::ProbeSum> means) = 0;
 
@@ -253,7 +274,17 @@ class Engine {
   virtual void keep(const std::vector<bool>& keep) = 0;
 
   /// If the result's summary counts non-finite particles, the state is that before the call.
-  virtual EngineStep step(float dt) = 0;
+  EngineStep step(float dt) {
+    begin_step(dt);
+    return end_step();
+  }
+  /// The two halves of step(). Nothing else may be called between them but send_step().
+  virtual void begin_step(float dt) = 0;
+  virtual EngineStep end_step() = 0;
+  /// Sends the device all of the step that was begun, since the host turns to other work.
+  void send_step() { device().send_off(); }
+  /// Calls of the user by hook; empty ones are not called.
+  virtual void set_hooks(const HookCalls& calls) = 0;
   virtual void relax(float dt, int iterations) = 0;
   /// The same for the particles from a slot on alone. All others stay, and all velocities.
   virtual void relax_from(uint32_t slot, float dt, int iterations) = 0;
@@ -275,6 +306,9 @@ class Engine {
   /// substep if they belong to the present particles. Then it waits neither for other work nor for its own
   /// end.
   virtual void write_particles(const ParticleArrays& arrays) = 0;
+  /// Writes positions and velocities, in the user's frame, groups and these ids, by slot, to arrays in the
+  /// device's memory. Does not wait for that.
+  virtual void write_arrays(const EngineArrays& arrays, std::span<const ParticleId> ids) = 0;
   virtual void read_ellipsoids(std::span<Ellipsoid> out) = 0;
   /// The surface of one material, or of all fluids.
   virtual SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) = 0;
@@ -286,6 +320,7 @@ class Engine {
 };
 
 std::unique_ptr<Engine> make_cpu_engine(const EngineDef& def, int threads);
-std::unique_ptr<Engine> make_cuda_engine(const EngineDef& def);
+/// On the GPU with this ordinal, and on the caller's stream if there is one.
+std::unique_ptr<Engine> make_cuda_engine(const EngineDef& def, int ordinal, void* stream);
 
 }  // namespace meniscus

@@ -27,11 +27,13 @@
 #include "fluid/forces/surface_tension_set.h"
 #include "fluid/forces/viscosity_set.h"
 #include "fluid/surface/anisotropy.h"
+#include "pbd/device/access.h"
 #include "pbd/pipeline.h"
 #include "pbd/removal.h"
 #include "sdk/engine/diffuse_walls.h"
 #include "sdk/engine/engine.h"
 #include "sdk/engine/engine_kernels.h"
+#include "sdk/engine/force_fields/force_fields.h"
 #include "sdk/engine/free_room.h"
 #include "sdk/engine/jets.h"
 #include "sdk/engine/phases.h"
@@ -51,6 +53,7 @@ class DeviceEngine final : public Engine {
         solver_(device_, particles_, def.solver),
         contacts_(device_, particles_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
+        forces_(device_, *def.rigid, bodies_),
         attachments_(device_, bodies_),
         films_(device_, {def.particle_spacing, def.solver.contact_radius, def.solver.support_radius},
                contacts_, bodies_),
@@ -90,6 +93,9 @@ class DeviceEngine final : public Engine {
   }
 
   pbd::Device& device() override { return device_; }
+  int ordinal() const override { return pbd::DeviceAccess<D>::ordinal(device_); }
+  void* stream() override { return pbd::DeviceAccess<D>::stream(device_); }
+  std::shared_ptr<void> allocate_lasting(size_t bytes) override;
   uint32_t particle_count() const override { return particles_.sorted(); }
 
   void set_solvers(const EngineDef& def) override;
@@ -109,6 +115,10 @@ class DeviceEngine final : public Engine {
   void visit_state(pbd::StateVisitor& v) override;
   void set_sinks(std::span<const Sink> sinks) override { sinks_.set(sinks); }
   std::vector<bool> take_sinks(std::span<uint32_t> taken) override;
+  void set_force_fields(std::span<const ForceFieldModel> fields,
+                        std::span<const float> body_densities) override {
+    forces_.set(fields, body_densities);
+  }
   void set_probes(std::span<const fluid::Probe> probes) override;
   void read_probes(std::span<fluid::ProbeSum> means) override;
 
@@ -137,7 +147,9 @@ class DeviceEngine final : public Engine {
     pistons_.set(particles_, pistons, particles);
   }
   void keep(const std::vector<bool>& keep) override;
-  EngineStep step(float dt) override;
+  void begin_step(float dt) override;
+  EngineStep end_step() override;
+  void set_hooks(const HookCalls& calls) override;
   void relax(float dt, int iterations) override {
     fetch_contacts();
     solver_.relax(dt, iterations);
@@ -159,6 +171,7 @@ class DeviceEngine final : public Engine {
   EngineMeasure read_density_errors(std::span<float> error, std::span<float> full) override;
   void read_ellipsoids(std::span<Ellipsoid> out) override;
   void write_particles(const ParticleArrays& arrays) override;
+  void write_arrays(const EngineArrays& arrays, std::span<const ParticleId> ids) override;
   SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) override;
   uint32_t diffuse_count() const override { return diffuse_ ? diffuse_->count() : 0; }
   uint32_t diffuse_refused() const override { return diffuse_ ? diffuse_->refused() : 0; }
@@ -201,6 +214,7 @@ class DeviceEngine final : public Engine {
         .place(VelocityPhase::jets, jets_)
         .place(VelocityPhase::smoothing, smoothing_)
         .for_each([this](auto& pass) { solver_.add(pass); });
+    solver_.add(forces_);
     solver_.add(probes_);
     solver_.add(static_cast<pbd::Observer<D>&>(cloth_));
     solver_.add(static_cast<pbd::Observer<D>&>(attachments_));
@@ -236,6 +250,7 @@ class DeviceEngine final : public Engine {
   pbd::Solver<D> solver_;
   collision::ShapeContacts<D> contacts_;
   collision::BodySet<D> bodies_;
+  ForceFields<D> forces_;
   collision::BodyAttachments<D> attachments_;
   collision::FilmSet<D> films_;
   collision::EffectiveMass<D> effective_mass_;
@@ -265,6 +280,7 @@ class DeviceEngine final : public Engine {
   FreeRoom<D> free_room_;
 
   float last_substep_ = 0;  // s
+  float begun_step_ = 0;    // s, of the step that was begun
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   std::vector<std::pair<uint32_t, TouchedKind>> forgotten_;  // solids of the last step that are gone
@@ -291,6 +307,7 @@ class DeviceEngine final : public Engine {
 
 }  // namespace meniscus
 
+#include "sdk/engine/engine_access.inl"
 #include "sdk/engine/engine_cloth.inl"
 #include "sdk/engine/engine_particles.inl"
 #include "sdk/engine/engine_readout.inl"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Instantiates DeviceEngine for the CPU.
-#include "pbd/device/cpu/cpu_device.h"
+#include "pbd/device/cpu/cpu_access.h"
 #include "sdk/engine/engine.inl"
 
 namespace meniscus {

@@ -32,6 +32,14 @@ struct ShiftEllipsoids {
   MENISCUS_HD void operator()(uint32_t i) const { ellipsoids[i].centre += by; }
 };
 
+/// Moves points to the user's frame.
+struct ShiftVectors {
+  View<Vec3> points;
+  Vec3 by;
+
+  MENISCUS_HD void operator()(uint32_t i) const { points[i] += by; }
+};
+
 struct ReadGroup {
   View<const pbd::Phase> phase;
   View<const uint32_t> slot;

@@ -47,7 +47,10 @@ void DeviceEngine<D>::set_materials(std::span<const ParticleMaterial> materials)
     filters.push_back(m.filter);
     (m.grain.is_grain ? any_grains : any_fluid) = true;
   }
+  std::vector<float> densities;
+  for (const fluid::Material& m : fluids) densities.push_back(m.rest_density);
   contacts_.set_filters(filters);
+  forces_.set_densities(densities);
   density_.set_kinds(any_fluid, any_grains);
   grains_.set_materials(grains);
   tension_.set_materials(fluids);
@@ -167,15 +170,21 @@ Overflows DeviceEngine<D>::overflows() const {
 }
 
 template <class D>
-EngineStep DeviceEngine<D>::step(float dt) {
-  EngineStep done;
+void DeviceEngine<D>::begin_step(float dt) {
   fetched_contacts_.clear();  // after a failed step there are none
   forgotten_.clear();
   contacts_fetched_ = true;
   note_overlapping();
-  done.result = solver_.step(dt);
+  begun_step_ = dt;
+  solver_.begin_step(dt);
+}
+
+template <class D>
+EngineStep DeviceEngine<D>::end_step() {
+  EngineStep done;
+  done.result = solver_.end_step();
   if (done.result.summary.non_finite) return done;
-  last_substep_ = dt / static_cast<float>(done.result.substeps);
+  last_substep_ = begun_step_ / static_cast<float>(done.result.substeps);
   contacts_fetched_ = false;
   sorted_in_step_ = particles_.sorted();
   jets_.age(particles_);

@@ -17,6 +17,7 @@
 #include "sdk/fields/cloth.h"
 #include "sdk/fields/flow.h"
 #include "sdk/fields/fluid.h"
+#include "sdk/fields/force_fields.h"
 #include "sdk/fields/probes.h"
 #include "sdk/fields/ropes.h"
 #include "sdk/fields/shapes.h"

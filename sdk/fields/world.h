@@ -156,6 +156,7 @@ void fields(V& v, WorldDef& d) {
   v("diffuse", d.diffuse, any_value, "", "spray, foam and bubbles; left out, there are none");
   v("periodic", d.periodic, any_value, "",
     "axes along which the world repeats itself; it then takes fluids and fixed shapes alone");
+  v("cuda_device", d.cuda_device, not_negative, "", "ordinal of the GPU; left out, the first");
   check_periodic(v, d);
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps", "max_substeps",
           d.max_substeps);

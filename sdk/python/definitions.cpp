@@ -157,9 +157,9 @@ struct Definitions {
   static void bind(nb::module_& module) { (bind_parts<D>(module), ...); }
 };
 
-using AllDefinitions =
-    Definitions<WorldDef, FluidDef, GranularDef, ShapeDef, BodyDef, JointDef, ClothDef, RopeDef,
-                AttachmentDef, WindDef, FluidVolumeDef, EmitterDef, SinkDef, ProbeDef, SurfaceMeshDef>;
+using AllDefinitions = Definitions<WorldDef, FluidDef, GranularDef, ShapeDef, BodyDef, JointDef, ClothDef,
+                                   RopeDef, AttachmentDef, WindDef, FluidVolumeDef, EmitterDef, SinkDef,
+                                   ProbeDef, SurfaceMeshDef, ForceFieldDef>;
 
 /// A property for each member of a definition that a running object has.
 template <class D, class Self, class Get, class Set>
@@ -212,6 +212,20 @@ void bind_fluid_members(nb::class_<Handle<FluidId>>& type) {
       type, [def_of](Fluid& self) { return def_of(self); },
       [def_of](Fluid& self, const FluidDef& def) {
         self.state->change([&](World& w) { w.set_fluid(self.id, def); });
+        def_of(self) = def;
+      });
+}
+
+void bind_force_field_members(nb::class_<Handle<ForceFieldId>>& type) {
+  using Field = Handle<ForceFieldId>;
+  const auto def_of = [](Field& self) -> ForceFieldDef& {
+    if (ForceFieldDef* def = self.state->force_fields.find(self.id)) return *def;
+    throw nb::attribute_error("the force field is destroyed");
+  };
+  bind_members<ForceFieldDef>(
+      type, [def_of](Field& self) { return def_of(self); },
+      [def_of](Field& self, const ForceFieldDef& def) {
+        self.state->change([&](World& w) { w.set_force_field(self.id, def); });
         def_of(self) = def;
       });
 }

@@ -13,6 +13,8 @@ void bind_definitions(nb::module_& module);
 
 /// Adds a property for each member of WorldDef.
 void bind_world_members(nb::class_<PyWorld>& type);
+/// Adds a property for each member of ForceFieldDef.
+void bind_force_field_members(nb::class_<Handle<ForceFieldId>>& type);
 /// Adds a property for each member of FluidDef.
 void bind_fluid_members(nb::class_<Handle<FluidId>>& type);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The classes Fluid, Shape, Emitter, Sink, Probe and Joint.
+// The classes Fluid, Shape, Emitter, Sink, Probe, Joint and ForceField.
 #include "sdk/python/things.h"
 
 #include "sdk/python/definitions.h"
@@ -87,6 +87,12 @@ void bind_things(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_destruction(sink, &Things::sinks, &World::destroy_sink, "Removes it.");
   bind_count(sink, &World::sink_count);
   bind_probe(module, world);
+  nb::class_<Handle<ForceFieldId>> field =
+      bind_thing(module, world, "force_field", "force_fields", &Things::force_fields);
+  bind_creation<ForceFieldDef>(world, "add_force_field", &Things::force_fields, &World::create_force_field,
+                               "Adds a force beside gravity. Its members can change later.");
+  bind_destruction(field, &Things::force_fields, &World::destroy_force_field, "Removes it.");
+  bind_force_field_members(field);
 }
 
 }  // namespace meniscus::python

@@ -8,7 +8,7 @@
 
 namespace meniscus::python {
 
-/// Makes Fluid, Shape, Emitter, Sink, Probe, Joint, Rope, Attachment.
+/// Makes Fluid, Shape, Emitter, Sink, Probe, ForceField, Joint, Rope, Attachment.
 void bind_things(nb::module_& module, nb::class_<PyWorld>& world);
 void bind_body(nb::module_& module, nb::class_<PyWorld>& world);
 void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world);

@@ -42,6 +42,7 @@ WorldState::WorldState(BuiltScene built, const Scene& scene)
   add_all(emitters, built.emitters, scene.emitters);
   add_all(sinks, built.sinks, scene.sinks);
   add_all(probes, built.probes, scene.probes);
+  add_all(force_fields, built.force_fields, scene.force_fields);
   listen();
 }
 

@@ -66,6 +66,7 @@ struct Things {
   Registry<EmitterId, EmitterDef> emitters;
   Registry<SinkId, SinkDef> sinks;
   Registry<ProbeId, ProbeDef> probes;
+  Registry<ForceFieldId, ForceFieldDef> force_fields;
 };
 
 /// Arrays that are read from the world. Those of vertices and contacts have an owner each.

@@ -125,6 +125,9 @@ BuiltScene build(const Scene& scene) {
   for_each_item("probes", scene.probes, [&](const SceneProbe& probe) {
     built.probes.push_back(built.world.create_probe(with_ids(probe, scene, built)));
   });
+  for_each_item("force_fields", scene.force_fields, [&](const ForceFieldDef& def) {
+    built.force_fields.push_back(built.world.create_force_field(def));
+  });
   for_each_item("checks", scene.checks, [&](const SceneCheck& check) { expect_closed(check, scene, built); });
   if (scene.relax_iterations > 0) built.world.relax(scene.relax_iterations);
   return built;

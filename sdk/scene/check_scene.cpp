@@ -58,6 +58,7 @@ void check_definitions(const Scene& scene) {
   for_each_item("emitters", scene.emitters, check_def);
   for_each_item("sinks", scene.sinks, check_def);
   for_each_item("probes", scene.probes, check_with_ids);
+  for_each_item("force_fields", scene.force_fields, check);
 }
 
 }  // namespace

@@ -167,6 +167,7 @@ void fields(V& v, Scene& d) {
   v("emitters", d.emitters, any_value, "", "openings that make particles");
   v("sinks", d.sinks, any_value, "", "regions that remove particles");
   v("probes", d.probes, any_value, "", "measurements");
+  v("force_fields", d.force_fields, any_value, "", "forces beside gravity");
   v("checks", d.checks, any_value, "", "what must hold while the scene runs: else the run fails");
   v("camera", d.camera, any_value, "",
     "where pictures are taken from; left out, a view that holds everything");

@@ -140,6 +140,7 @@ void check_names(const Scene& scene, const std::string& source) {
   unique_names(scene.emitters, root.key("emitters"), name_of_def);
   unique_names(scene.sinks, root.key("sinks"), name_of_def);
   const auto probes = unique_names(scene.probes, root.key("probes"), name_of_def);
+  unique_names(scene.force_fields, root.key("force_fields"), own_name);
   unique_names(scene.checks, root.key("checks"), own_name);
 
   check_joints(scene, root.key("joints"));

@@ -36,22 +36,37 @@ std::vector<DeviceInfo> list_devices() {
           {"cpu", pbd::CpuDevice().name(), true, "", 0}};
 }
 
-std::unique_ptr<Engine> make_engine(const EngineDef& def, DeviceChoice choice, int threads,
-                                    DeviceInfo& info) {
-  if (choice != DeviceChoice::cpu) {
-    const pbd::CudaStatus cuda = pbd::cuda_status();
+namespace {
+
+/// Throws if the definition names a GPU or a stream, and the world is on the CPU.
+void refuse_cuda_members(const WorldDef& def, const std::string& reason) {
+  const char* const member = def.cuda_device ? "cuda_device" : def.cuda_stream ? "cuda_stream" : nullptr;
+  if (!member) return;
+  throw Error(ErrorCode::invalid_argument, std::string("WorldDef::") + member +
+                                               " is of a GPU, and the world is on the CPU" +
+                                               (reason.empty() ? "" : ": " + reason));
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> make_engine(const EngineDef& def, const WorldDef& world, DeviceInfo& info) {
+  if (world.device != DeviceChoice::cpu) {
+    const int ordinal = world.cuda_device.value_or(0);
+    const pbd::CudaStatus cuda = pbd::cuda_status(ordinal);
     if (cuda.usable) {
 #if MENISCUS_HAS_CUDA
       info = {"cuda", cuda.name, true, "", cuda.memory_bytes};
-      return make_cuda_engine(def);
+      const pbd::CudaScope scope(ordinal);
+      return make_cuda_engine(def, ordinal, world.cuda_stream);
 #endif
     }
-    if (choice == DeviceChoice::cuda) {
+    if (world.device == DeviceChoice::cuda) {
       throw Error(ErrorCode::device, "the CUDA device cannot be used: " + cuda.reason);
     }
     info.reason = "CUDA is not used: " + cuda.reason;
   }
-  std::unique_ptr<Engine> engine = make_cpu_engine(def, threads);
+  refuse_cuda_members(world, info.reason);
+  std::unique_ptr<Engine> engine = make_cpu_engine(def, world.threads);
   info.kind = "cpu";
   info.name = engine->device().name();
   info.usable = true;

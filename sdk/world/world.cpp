@@ -194,15 +194,22 @@ void World::Calls::relax(int iterations) {
 
 // ---- time ----
 
-StepReport World::Calls::step(float dt) {
+void World::Calls::begin(float dt) {
   check::value("step's dt", dt, at_least(1e-12), "s");  // substeps of a shorter step may round to 0
-  const auto start = std::chrono::steady_clock::now();
+  impl_->step_start = std::chrono::steady_clock::now();
   impl_->plan_dripping();
   impl_->plan_emission(dt);
   Engine& engine = impl_->with_all();
   impl_->state_changed();
   impl_->forget_reactions();  // if the step fails, there are none
-  EngineStep done = engine.step(dt);
+  engine.begin_step(dt);
+  impl_->begun_step = dt;
+}
+
+StepReport World::Calls::finish() {
+  Engine& engine = *impl_->engine;
+  const float dt = impl_->begun_step;
+  EngineStep done = engine.end_step();
   if (const pbd::ParticleSummary& summary = done.result.summary; summary.non_finite) {
     throw Error(ErrorCode::non_finite,
                 std::to_string(summary.non_finite) + " particles became non-finite, the first of them " +
@@ -223,7 +230,8 @@ StepReport World::Calls::step(float dt) {
   report.overflows = done.overflows;
   impl_->advance_ducts(done.pistons, dt, report);
   impl_->emit(dt, report);
-  report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  report.ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - impl_->step_start).count();
   report.substeps = done.result.substeps;
   report.iterations = impl_->def.iterations;
   report.density_iterations = double(done.density_iterations) / report.substeps;

@@ -8,7 +8,9 @@
 
 #include <new>
 #include <string>
+#include <utility>
 
+#include "pbd/device/choose.h"
 #include "pbd/host_memory.h"
 #include "sdk/world/world_calls.h"
 
@@ -30,17 +32,35 @@ inline const Error lost_before(
 /// Runs a call on the world without what was removed before. An exception leaves the world as it was, or
 /// lost.
 template <class Call>
-decltype(auto) World::Impl::run(const Call& call) {
+decltype(auto) World::Impl::run(const Call& call, const char* name) {
+  return run_removal(
+      [&](Calls calls) -> decltype(auto) {
+        settle();
+        return call(calls);
+      },
+      name);
+}
+
+/// Runs the call that ends a step: nothing was removed since it began.
+template <class Call>
+decltype(auto) World::Impl::run_end_of_step(const Call& call) {
+  const bool was_stepping = std::exchange(is_stepping, false);
   return run_removal([&](Calls calls) -> decltype(auto) {
-    settle();
+    is_stepping = was_stepping;
     return call(calls);
   });
 }
 
 /// Runs a call that may find removals that are still to be carried out.
 template <class Call>
-decltype(auto) World::Impl::run_removal(const Call& call) {
+decltype(auto) World::Impl::run_removal(const Call& call, const char* name) {
   if (lost) throw Error(world_errors::lost_before);
+  if (is_stepping)
+    throw Error(ErrorCode::invalid_argument,
+                std::string(name) +
+                    " was called between step_begin and step_end, where only cancel and "
+                    "set_progress are allowed");
+  const pbd::CudaScope scope(device.kind == "cuda" ? engine->ordinal() : -1);
   pbd::CallMonitor& monitor = engine->device().monitor();
   struct Running {
     explicit Running(pbd::CallMonitor& begun) : monitor(begun) { monitor.begin(); }

@@ -15,9 +15,17 @@ std::unique_ptr<World::Impl> World::make(const WorldDef& def) {
 }
 
 World::World(const WorldDef& def) : impl_(make(def)) {}
-World::~World() = default;
+World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+World::~World() {
+  if (!impl_) return;
+  const pbd::CudaScope scope(impl_->device.kind == "cuda" ? impl_->engine->ordinal() : -1);
+  impl_.reset();
+}
 World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
+World& World::operator=(World&& other) noexcept {
+  if (this != &other) const World gone(std::exchange(impl_, std::move(other.impl_)));
+  return *this;
+}
 
 void World::cancel() noexcept {
   impl_->engine->device().monitor().cancel();

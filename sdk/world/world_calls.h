@@ -51,7 +51,21 @@ struct World::Calls {
   void remove_particles(std::span<const ParticleId> ids);
   void apply_impulses(std::span<const ParticleId> ids, std::span<const Vec3> impulses);
   void relax(int iterations = 50);
-  StepReport step(float dt);
+  StepReport step(float dt) {
+    begin(dt);
+    return finish();
+  }
+  void begin(float dt);
+  StepReport finish();
+  void step_begin(float dt);
+  StepReport step_end();
+  DeviceArrays device_arrays() const;
+  void set_hook(Hook hook, SubstepCall call);
+  ForceFieldId create_force_field(const ForceFieldDef& def);
+  void set_force_field(ForceFieldId id, const ForceFieldDef& def);
+  void destroy_force_field(ForceFieldId id);
+  std::vector<ForceFieldId> force_field_ids() const;
+  ForceFieldId find_force_field(const std::string& name) const;
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
   void save(const std::string& path) const;

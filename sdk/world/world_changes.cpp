@@ -56,6 +56,8 @@ void World::Calls::set_def(const WorldDef& given) {
   const WorldDef& now = impl_->def;
   expect_same("device", now.device, def.device);
   expect_same("threads", now.threads, def.threads);
+  expect_same("cuda_device", now.cuda_device, def.cuda_device);
+  expect_same("cuda_stream", now.cuda_stream, def.cuda_stream);
   expect_same("particle_spacing", now.particle_spacing, def.particle_spacing);
   expect_same("support_ratio", now.support_ratio, def.support_ratio);
   expect_same("contact_radius", now.contact_radius, def.contact_radius);

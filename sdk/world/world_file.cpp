@@ -34,6 +34,7 @@ void for_each_table(WorldTables& t, const Visit& visit) {
   visit("emitter", t.emitters);
   visit("sink", t.sinks);
   visit("probe", t.probes);
+  visit("force_field", t.force_fields);
   visit("cloth", t.cloths);
   visit("rope", t.ropes);
   visit("attachment", t.attachments);
@@ -146,6 +147,7 @@ void World::Impl::fill_from(const std::string& definitions, const pbd::SavedStat
        [](const EmitterDef& d) { return EmitterEntry{d, {}, EmitterClock(0, 0, 0, 1, 0), {}, {}, {}, {}}; });
   fill(sinks, "sink", defs.sinks, [](const SinkDef& d) { return SinkEntry{d, {}}; });
   fill(probes, "probe", defs.probes, [](const ProbeDef& d) { return d; });
+  fill(force_fields, "force_field", defs.force_fields, [](const ForceFieldDef& d) { return d; });
   fill(cloths, "cloth", defs.cloths, [](const ClothDef& d) {
     ClothEntry entry;
     entry.def = d;
@@ -207,6 +209,9 @@ World World::made_from(const std::string& definitions, const pbd::SavedState& sa
   WorldDef world_def = read_world_def(definitions);
   if (def.device) world_def.device = *def.device;
   if (def.threads) world_def.threads = *def.threads;
+  if (def.cuda_device) world_def.cuda_device = *def.cuda_device;
+  if (world_def.device == DeviceChoice::cpu) world_def.cuda_device.reset();
+  world_def.cuda_stream = def.cuda_stream;
   World world(world_def);
   world.impl_->run([&](auto) { world.impl_->fill_from(definitions, saved); });
   return world;

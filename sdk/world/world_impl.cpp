@@ -105,7 +105,7 @@ World::Impl::Impl(const WorldDef& world_def)
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
                               def.kernel)) {
   check::def(def);  // far from zero, the ends of a periodic axis may round to one
-  engine = make_engine(engine_def(), def.device, def.threads, device);
+  engine = make_engine(engine_def(), def, device);
 }
 
 void World::Impl::check_solver_allows(const char* what) const {
@@ -186,6 +186,7 @@ void World::Impl::relax_from(size_t slot) {
 
 void World::Impl::solids_changed() {
   solids_are_on_device = false;
+  forces_are_on_device &= force_fields.size() == 0;
   state_changed();
 }
 

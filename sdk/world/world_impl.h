@@ -7,6 +7,7 @@
 #include <meniscus/world.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -44,10 +45,13 @@ struct CachedReadout {
 struct World::Impl : WorldTables {
   explicit Impl(const WorldDef& world_def);
 
+  /// `name` is that of the public call.
   template <class Call>
-  decltype(auto) run(const Call& call);
+  decltype(auto) run(const Call& call, const char* name = __builtin_FUNCTION());
   template <class Call>
-  decltype(auto) run_removal(const Call& call);
+  decltype(auto) run_removal(const Call& call, const char* name = __builtin_FUNCTION());
+  template <class Call>
+  decltype(auto) run_end_of_step(const Call& call);
   void settle();  // carries removals out; if it throws, all are still to be carried out
   pbd::CallMonitor& monitor() { return engine->device().monitor(); }
 
@@ -71,7 +75,7 @@ struct World::Impl : WorldTables {
   Engine& with_solids() { return upload_materials(), upload_solids(), *engine; }
   /// The engine with all that it needs for a step uploaded.
   Engine& with_all() {
-    return with_solids(), upload_probes(), upload_sinks(), upload_cloth(), upload_pistons(), *engine;
+    return with_solids(), upload_probes(), upload_sinks(), upload_forces(), upload_cloth(), upload_pistons(), *engine;
   }
   SolidContext solid_context() { return {*engine, solid_meshes, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
@@ -97,6 +101,8 @@ struct World::Impl : WorldTables {
   std::vector<bool> particles_in(const EmitterEntry& emitter) const;
   void sinks_changed() { sinks_are_on_device = false; }
   void upload_sinks();
+  void forces_changed() { forces_are_on_device = false; }
+  void upload_forces();
   uint32_t take_sinks();
   void drop_flow_of(BodyId body);
   void probes_changed() { probes_are_on_device = false; }
@@ -159,7 +165,11 @@ struct World::Impl : WorldTables {
   collision::RigidWorld rigid;  // numbers its fixed solids and bodies as shapes and bodies
   fluid::Kernel kernel{};
   std::unique_ptr<Engine> engine;
-  bool lost = false;  // a call failed while it changed the world
+  bool lost = false;         // a call failed while it changed the world
+  bool is_stepping = false;  // between step_begin() and step_end()
+  float begun_step = 0;      // s, of the step that was begun
+  std::chrono::steady_clock::time_point step_start{};
+  HookCalls hooks;
   SolidMeshes solid_meshes;
   // A removal goes through all that is there, as many together do. So they wait for the next other call.
   std::vector<collision::RigidRef> removed_solids;
@@ -170,6 +180,7 @@ struct World::Impl : WorldTables {
   bool has_pistons = false;  // on the device
   SnapshotList snapshots;
 
+  DeviceArrays shared_arrays;  // of the last device_arrays()
   CachedReadout<Vec3> positions, velocities;
   CachedReadout<uint32_t> fluid_indices;
   CachedReadout<float> density_errors, full_support, pressures;
@@ -192,7 +203,8 @@ void check_baseline_kernel(const WorldDef& def);
 /// the emitter that wants most of them, if one does.
 void check_room(size_t present, double added, std::string_view emitter = {});
 
-/// Makes the engine for a choice of device, and fills in which device it runs on.
-std::unique_ptr<Engine> make_engine(const EngineDef& def, DeviceChoice choice, int threads, DeviceInfo& info);
+/// Makes the engine for the choice of a definition, and fills in which device it runs on.
+/// Throws Error(invalid_argument) if it has members of CUDA and is on the CPU.
+std::unique_ptr<Engine> make_engine(const EngineDef& def, const WorldDef& world, DeviceInfo& info);
 
 }  // namespace meniscus

@@ -87,6 +87,10 @@ EmitterId World::Calls::find_emitter(const std::string& name) const {
 SinkId World::Calls::find_sink(const std::string& name) const {
   return find(impl_->sinks, name);
 }
+
+ForceFieldId World::Calls::find_force_field(const std::string& name) const {
+  return find(impl_->force_fields, name);
+}
 ProbeId World::Calls::find_probe(const std::string& name) const {
   return find(impl_->probes, name);
 }
@@ -149,6 +153,9 @@ EmitterId World::find_emitter(const std::string& name) const {
 }
 SinkId World::find_sink(const std::string& name) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.find_sink(name); });
+}
+ForceFieldId World::find_force_field(const std::string& name) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.find_force_field(name); });
 }
 ProbeId World::find_probe(const std::string& name) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.find_probe(name); });

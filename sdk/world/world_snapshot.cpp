@@ -78,6 +78,8 @@ void World::Impl::restore_engine(const collision::RigidWorld::Snapshot& rigid_st
   upload_probes();
   sinks_changed();
   upload_sinks();
+  forces_changed();
+  upload_forces();
   visit_engine();
   state_changed();
 }

@@ -11,12 +11,24 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 
 file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*)
 foreach(header ${headers})
-  if(NOT header MATCHES "^meniscus/(c/)?[a-z_]+\\.h$")
+  if(NOT header MATCHES "^meniscus/((c|device)/)?[a-z_]+\\.h$")
     message(FATAL_ERROR "${header} is installed, but is no public header")
   endif()
 endforeach()
 
 build_and_run_consumer(${FOLDER}/package -DCMAKE_PREFIX_PATH=${prefix} -DCOMPONENTS=Program)
+
+# A constraint of one's own, without nvcc and, where it is found, with it. As with the first programs, not with sanitizers.
+if(NOT SANITIZE)
+  foreach(with_nvcc IN ITEMS OFF ON)
+    run(${CMAKE_COMMAND} -S ${SOURCE}/samples/constraint -B ${FOLDER}/constraint -G ${GENERATOR}
+      -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+      -DCMAKE_PREFIX_PATH=${prefix} -DWITH_NVCC=${with_nvcc})
+    run(${CMAKE_COMMAND} --build ${FOLDER}/constraint)
+    run(${FOLDER}/constraint/constraint cpu)
+    file(REMOVE_RECURSE ${FOLDER}/constraint)
+  endforeach()
+endif()
 
 # A component that is not there, and a package that is not: the message names both.
 function(expect_refusal text)

@@ -9,12 +9,14 @@ import unittest
 
 import meniscus
 
-# What Python calls otherwise, or leaves out: graphics on the GPU, files of whole worlds, and what belongs to C++ alone.
+# What Python calls otherwise, or leaves out: work on the GPU, files of whole worlds, and what belongs to C++ alone.
 RENAMED = {"def": None, "set_def": None, "device": "device_info", "set_fluid": None, "fluids": "fluid_indices",
            "body_ids": "bodies",
            "create_fluid": "add_fluid", "add_fluid": "add_volume", "set_progress": "on_progress",
            "memory_shares": "memory", "write_particles": None, "hold": None, "World": None, "save": None,
-           "load": None, "clone": None,
+           "load": None, "clone": None, "device_arrays": None, "step_begin": None, "step_end": None,
+           "set_hook": None, "set_force_field": ("ForceField", "force"),
+           "destroy_force_field": ("ForceField", "destroy"),
            "emitter_count": ("Emitter", "total"), "sink_count": ("Sink", "total"),
            "particle_mass": ("Fluid", "particle_mass"), "hinge_angle": ("Joint", "angle"),
            "probe": ("Probe", "value"), "probe_vector": ("Probe", "vector"), "body_state": ("Body", "velocity"),

@@ -15,7 +15,8 @@ import meniscus
 FILE_KEYS = {"type", "held", "angular_held", "unyielding", "copies"}
 CALLS = {"fluids": "add_fluid", "granulars": "add_granular", "shapes": "add_shape", "bodies": "add_body",
          "cloths": "add_cloth", "ropes": "add_rope", "attachments": "add_attachment", "volumes": "add_volume",
-         "emitters": "add_emitter", "sinks": "add_sink", "probes": "add_probe", "joints": "add_joint"}
+         "emitters": "add_emitter", "sinks": "add_sink", "probes": "add_probe", "joints": "add_joint",
+         "force_fields": "add_force_field"}
 
 
 def schema():

@@ -32,14 +32,19 @@ struct FillWords {
 
 }  // namespace
 
-CudaDevice::CudaDevice() {
+CudaDevice::CudaDevice(CudaPlace place) : place_(place) {
+  if (place.stream == cudaStreamLegacy)
+    throw Error(ErrorCode::invalid_argument,
+                "WorldDef::cuda_stream is the legacy default stream; it must be a stream of its own");
   cudaDeviceProp properties;
-  check_cuda(cudaGetDeviceProperties(&properties, 0), "reading the device's properties");
+  check_cuda(cudaGetDeviceProperties(&properties, place.ordinal), "reading the device's properties");
   name_ = properties.name;
   overlaps_launches_ = properties.major >= 9;
   multiprocessors_ = static_cast<uint32_t>(properties.multiProcessorCount);
   multiprocessor_bytes_ = properties.sharedMemPerMultiprocessor;
-  check_cuda(cudaStreamCreateWithFlags(&streams_.main, cudaStreamNonBlocking), "creating a stream");
+  streams_.main = static_cast<cudaStream_t>(place.stream);
+  if (!place.stream)
+    check_cuda(cudaStreamCreateWithFlags(&streams_.main, cudaStreamNonBlocking), "creating a stream");
   // Launches on the side stream have few threads and run long, so they get the highest priority.
   int least = 0, most = 0;
   check_cuda(cudaDeviceGetStreamPriorityRange(&least, &most), "reading the stream priorities");
@@ -62,7 +67,7 @@ CudaDevice::~CudaDevice() {
   cudaFreeHost(pinned_);
   cudaFreeHost(times_);
   cudaStreamDestroy(streams_.side);
-  cudaStreamDestroy(streams_.main);
+  if (!place_.stream) cudaStreamDestroy(streams_.main);
 }
 
 void* CudaDevice::do_allocate(size_t bytes) {

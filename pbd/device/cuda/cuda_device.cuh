@@ -234,6 +234,12 @@ __global__ void __launch_bounds__(reduce_block)
 
 }  // namespace cuda_kernels
 
+/// The GPU of a device, and the caller's stream on it. Null: the device makes one of its own.
+struct CudaPlace {
+  int ordinal = 0;
+  void* stream = nullptr;  ///< cudaStream_t
+};
+
 /// One NVIDIA GPU and one stream on it. Launches are collected until the host has to wait, or uses the stream
 /// for something else, and then sent: see LaunchGraphs.
 class CudaDevice final : public Device {
@@ -247,11 +253,18 @@ class CudaDevice final : public Device {
   using Lister = CudaLister<4>;
   MENISCUS_HD static bool leads() { return true; }
 
-  CudaDevice();
+  /// Throws Error(invalid_argument) for the legacy default stream, on which no graph can be captured.
+  explicit CudaDevice(CudaPlace place = {});
   ~CudaDevice() override;
 
   DeviceKind kind() const override { return DeviceKind::cuda; }
   std::string name() const override { return name_; }
+  int ordinal() const { return place_.ordinal; }
+  /// For the work of others. All earlier launches and time marks are on it.
+  void* stream_for_others() {
+    flush_mark();
+    return stream();
+  }
 
   void copy_in(void* device_memory, const void* host, size_t bytes) override;
   void copy_out(void* host, const void* device_memory, size_t bytes) override;
@@ -452,6 +465,7 @@ class CudaDevice final : public Device {
     ~Clearing() { list.clear(); }
   };
 
+  CudaPlace place_;
   CudaStreams streams_;
   cudaEvent_t fence_ = nullptr;
   bool on_side_ = false;    // the stream of the next launch

@@ -32,7 +32,16 @@ std::string run_probe() {
 
 }  // namespace
 
-CudaStatus cuda_status() {
+CudaScope::CudaScope(int ordinal) : ordinal_(ordinal) {
+  if (ordinal_ < 0 || cudaGetDevice(&before_) != cudaSuccess || before_ == ordinal_) return;
+  cudaSetDevice(ordinal_);
+}
+
+CudaScope::~CudaScope() {
+  if (before_ >= 0 && before_ != ordinal_) cudaSetDevice(before_);
+}
+
+CudaStatus cuda_status(int ordinal) {
   CudaStatus result;
   int devices = 0;
   const cudaError_t status = cudaGetDeviceCount(&devices);
@@ -41,8 +50,14 @@ CudaStatus cuda_status() {
     cudaGetLastError();
     return result;
   }
+  if (ordinal >= devices) {
+    result.reason = "there is no CUDA device " + std::to_string(ordinal) + "; the first of " +
+                    std::to_string(devices) + " is 0";
+    return result;
+  }
+  const CudaScope scope(ordinal);
   cudaDeviceProp properties;
-  if (cudaGetDeviceProperties(&properties, 0) == cudaSuccess) {
+  if (cudaGetDeviceProperties(&properties, ordinal) == cudaSuccess) {
     result.name = properties.name;
     result.memory_bytes = properties.totalGlobalMem;
   }

@@ -37,6 +37,7 @@ json counts_of(const Scene& scene, const BuiltScene& built) {
           {"emitters", scene.emitters.size()},
           {"sinks", scene.sinks.size()},
           {"probes", scene.probes.size()},
+          {"force_fields", scene.force_fields.size()},
           {"cloths", scene.cloths.size()},
           {"cloth_vertices", vertices},
           {"cloth_triangles", triangles},
@@ -71,9 +72,11 @@ std::string text_of(const json& report) {
   const auto description = report.at("description").get<std::string>();
   if (!description.empty()) text += "  " + io::plain_text(description, "\n") + "\n";
   text += fmt::format(
-      "  fluids {}, shapes {}, bodies {}, joints {}, volumes {}, emitters {}, sinks {}, probes {}\n",
+      "  fluids {}, shapes {}, bodies {}, joints {}, volumes {}, emitters {}, sinks {}, probes {}, force "
+      "fields "
+      "{}\n",
       count("fluids"), count("shapes"), count("bodies"), count("joints"), count("volumes"), count("emitters"),
-      count("sinks"), count("probes"));
+      count("sinks"), count("probes"), count("force_fields"));
   if (count("cloths") + count("ropes") > 0) {
     text +=
         fmt::format("  cloths {} of {} vertices and {} triangles, ropes {} of {} vertices, attachments {}\n",

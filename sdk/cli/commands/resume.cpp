@@ -46,6 +46,7 @@ BuiltScene resume_scene(const Scene& scene, const std::string& file) {
   built.emitters = world.emitter_ids();
   built.sinks = world.sink_ids();
   built.probes = world.probe_ids();
+  built.force_fields = world.force_field_ids();
   expect_count("fluids", built.fluids.size(), scene.fluids.size() + scene.granulars.size(), file);
   expect_count("shapes", built.shapes.size(), scene.shapes.size(), file);
   expect_count("bodies", built.bodies.size(), bodies_of(scene).size(), file);
@@ -56,6 +57,7 @@ BuiltScene resume_scene(const Scene& scene, const std::string& file) {
   expect_count("emitters", built.emitters.size(), scene.emitters.size(), file);
   expect_count("sinks", built.sinks.size(), scene.sinks.size(), file);
   expect_count("probes", built.probes.size(), scene.probes.size(), file);
+  expect_count("force fields", built.force_fields.size(), scene.force_fields.size(), file);
   return built;
 }
 

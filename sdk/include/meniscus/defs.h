@@ -180,6 +180,13 @@ struct WorldDef {
   ClothSolverDef cloth{};               ///< of cloth
   std::optional<DiffuseDef> diffuse{};  ///< none: no diffuse particles
   PeriodicDef periodic{};               ///< axes along which the world repeats itself
+  /// Which GPU, by its CUDA ordinal, ≥ 0; left out, the first. Refused where the world is on the CPU.
+  std::optional<int> cuda_device{};
+  /// A cudaStream_t of that GPU, made by the caller, that must outlive the world. All work of the world is
+  /// ordered with it. The legacy default stream is refused, as no graph can be captured on it. Null: a stream
+  /// of the world's own. It is neither in scene files nor in snapshots. Refused where the world is on the
+  /// CPU.
+  void* cuda_stream = nullptr;
 };
 
 /// A liquid.

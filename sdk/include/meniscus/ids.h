@@ -27,6 +27,7 @@ using AttachmentId = Id<struct AttachmentTag>;  ///< of an attachment
 using EmitterId = Id<struct EmitterTag>;        ///< of an emitter
 using SinkId = Id<struct SinkTag>;              ///< of a sink
 using ProbeId = Id<struct ProbeTag>;            ///< of a probe
+using ForceFieldId = Id<struct ForceFieldTag>;  ///< of a force field
 
 /// Particles are numbered from 0 in the order of their creation. A number is never used again.
 using ParticleId = uint64_t;

@@ -7,9 +7,12 @@
 #include <meniscus/bodies.h>
 #include <meniscus/cloth.h>
 #include <meniscus/defs.h>
+#include <meniscus/device_arrays.h>
 #include <meniscus/error.h>
 #include <meniscus/flow.h>
+#include <meniscus/force_fields.h>
 #include <meniscus/graphics.h>
+#include <meniscus/hooks.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 #include <meniscus/snapshot.h>

@@ -138,6 +138,7 @@ struct Scene {
   std::vector<SceneEmitter> emitters;        ///< what makes particles
   std::vector<SceneSink> sinks;              ///< what removes particles
   std::vector<SceneProbe> probes;            ///< measurements
+  std::vector<ForceFieldDef> force_fields;   ///< accelerations and forces at places
   std::vector<SceneCheck> checks;            ///< what must hold during a run
   std::optional<SceneCamera> camera;         ///< none: a view that holds everything
   std::vector<SceneNamedCamera> cameras;     ///< further views
@@ -202,6 +203,7 @@ struct BuiltScene {
   std::vector<EmitterId> emitters;        ///< what makes particles
   std::vector<SinkId> sinks;              ///< what removes particles
   std::vector<ProbeId> probes;            ///< measurements
+  std::vector<ForceFieldId> force_fields;  ///< accelerations and forces at places
 };
 
 /// Checks a scene and makes a world of it. Throws what check_scene throws, and what World throws, with the

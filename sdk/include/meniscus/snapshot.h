@@ -36,6 +36,8 @@ class Snapshot {
 struct LoadDef {
   std::optional<DeviceChoice> device{};  ///< left out, the choice with which the saved world was made
   std::optional<int> threads{};          ///< of the CPU device, 0 to 1024; left out, as the saved world
+  std::optional<int> cuda_device{};      ///< WorldDef::cuda_device; left out, as the saved world
+  void* cuda_stream = nullptr;           ///< WorldDef::cuda_stream
 };
 
 }  // namespace meniscus

@@ -7,8 +7,11 @@
 #include <meniscus/bodies.h>
 #include <meniscus/cloth.h>
 #include <meniscus/defs.h>
+#include <meniscus/device_arrays.h>
 #include <meniscus/error.h>
 #include <meniscus/flow.h>
+#include <meniscus/force_fields.h>
+#include <meniscus/hooks.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 #include <meniscus/snapshot.h>
@@ -282,12 +285,39 @@ class World {
   /// for. Throws Error(out_of_memory) if there is not enough for the upload.
   std::vector<MemoryShare> memory_shares() const;
 
+  // ---- other physics on a world ----
+
+  ForceFieldId create_force_field(const ForceFieldDef& def);  ///< acts from the next step on
+  /// From the next step on. Its kind may change as well.
+  void set_force_field(ForceFieldId id, const ForceFieldDef& def);
+  void destroy_force_field(ForceFieldId id);                     ///< its id becomes invalid
+  std::vector<ForceFieldId> force_field_ids() const;             ///< by index
+  ForceFieldId find_force_field(const std::string& name) const;  ///< the first
+
+  /// The particles of fluids and grains in the memory of the world's device, without a copy to the host. The
+  /// work that fills the arrays is on DeviceArray::stream when this returns (device_arrays.h).
+  DeviceArrays device_arrays() const;
+
+  /// The two halves of step(). Until step_end() the device works, and the caller may do other work. Only
+  /// cancel(), set_progress(), step_end() and the destructor are allowed in between. Others throw
+  /// Error(invalid_argument) with their name. With bodies the host waits within step_begin() for each
+  /// substep. On the CPU all substeps are done there. StepReport::ms contains the caller's work.
+  void step_begin(float dt);
+  /// Ends the step that step_begin() began. Throws as step() does; the state is then that before
+  /// step_begin().
+  StepReport step_end();
+
+  /// Calls `call` at this point of each substep, from the next step on. It replaces the one before; an empty
+  /// one removes it. See hooks.h for what it may do. Snapshots do not contain it.
+  void set_hook(Hook hook, SubstepCall call);
+
  private:
   struct Impl;
   struct Calls;
   static std::unique_ptr<Impl> make(const WorldDef& def);
   static World made_from(const std::string& definitions, const pbd::SavedState& saved, const LoadDef& def);
 
+  explicit World(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -139,6 +139,7 @@ template void def(const AttachmentDef&);
 template void def(const WindDef&);
 template void def(const EmitterDef&);
 template void def(const SinkDef&);
+template void def(const ForceFieldDef&);
 template void def(const ProbeDef&);
 
 }  // namespace meniscus::check

@@ -128,6 +128,11 @@ SinkDef Origin::inward(SinkDef def) const {
   return def;
 }
 
+ForceFieldDef Origin::inward(ForceFieldDef def) const {
+  def.pose = inward(def.pose);
+  return def;
+}
+
 ProbeDef Origin::inward(ProbeDef def) const {
   def.point = inward(def.point);
   if (def.patch) def.patch = inward(*def.patch);

@@ -29,6 +29,7 @@ class Origin {
   EmitterDef inward(EmitterDef def) const;
   SinkDef inward(SinkDef def) const;
   ProbeDef inward(ProbeDef def) const;
+  ForceFieldDef inward(ForceFieldDef def) const;
   BodyDef inward(BodyDef def) const;
   JointDef inward(JointDef def) const;
   ClothDef inward(ClothDef def) const;

@@ -66,6 +66,7 @@ std::string definitions_text(const WorldTables& t) {
                  {"emitters", to_json(t.emitters, ids)},
                  {"sinks", to_json(t.sinks, ids)},
                  {"probes", to_json(t.probes, ids)},
+                 {"force_fields", to_json(t.force_fields, ids)},
                  {"cloths", to_json(t.cloths, ids)},
                  {"ropes", to_json(t.ropes, ids)},
                  {"attachments", to_json(t.attachments, ids)}};
@@ -94,6 +95,7 @@ Definitions read_definitions(const std::string& text, uint32_t first_generation)
   read("emitters", all.emitters);
   read("sinks", all.sinks);
   read("probes", all.probes);
+  read("force_fields", all.force_fields);
   read("cloths", all.cloths);
   read("ropes", all.ropes);
   read("attachments", all.attachments);

@@ -20,6 +20,7 @@ struct Definitions {
   std::vector<std::optional<EmitterDef>> emitters;
   std::vector<std::optional<SinkDef>> sinks;
   std::vector<std::optional<ProbeDef>> probes;
+  std::vector<std::optional<ForceFieldDef>> force_fields;
   std::vector<std::optional<ClothDef>> cloths;
   std::vector<std::optional<RopeDef>> ropes;
   std::vector<std::optional<AttachmentDef>> attachments;

@@ -62,6 +62,8 @@ struct WorldTables {
   bool sinks_are_carried = false;  ///< a body carries at least one sink
   std::vector<uint32_t> taken;     ///< by sink, in the last step
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
+  IdTable<ForceFieldId, ForceFieldDef> force_fields{"force field", first_generation};
+  bool forces_are_on_device = true;
   // Each creation that uploads all before it would make many of them quadratic. So the next use uploads.
   bool materials_are_on_device = false, probes_are_on_device = false, sinks_are_on_device = true;
   std::vector<fluid::ProbeSum> probe_sums;    ///< in the order of the probes

@@ -67,9 +67,11 @@ const Edges folders{
 
     {"sdk/include/meniscus", {}},
     {"sdk/include/meniscus/c", {}},
+    {"sdk/include/meniscus/device", {}},
     {"sdk/fields", {}},
     {"sdk/files", {}},
-    {"sdk/engine", {}},
+    {"sdk/engine/force_fields", {}},
+    {"sdk/engine", {"sdk/engine/force_fields"}},
     {"sdk/world/check", {"sdk/fields"}},
     {"sdk/world/solids", {"sdk/engine", "sdk/world/check"}},
     {"sdk/world/cloth", {"sdk/engine", "sdk/world/check"}},

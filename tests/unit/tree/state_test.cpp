@@ -29,6 +29,7 @@ const std::set<std::string> stateless{
     "contacts_",     // shapes' contacts are found anew, and filters come with the materials
     "attachments_",  // the world has read their impulses
     "films_",        // made anew in each substep
+    "forces_",       // made from the definitions
     "effective_mass_", "tree_",      "contact_set_", "fluid_cloth_contacts_",
     "tension_",        "viscosity_", "smoothing_",
     "probes_",  // the world has read their values

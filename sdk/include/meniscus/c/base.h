@@ -68,7 +68,8 @@ typedef enum MeniscusKind {
   MENISCUS_ATTACHMENT = 7,
   MENISCUS_EMITTER = 8,
   MENISCUS_SINK = 9,
-  MENISCUS_PROBE = 10
+  MENISCUS_PROBE = 10,
+  MENISCUS_FORCE_FIELD = 11
 } MeniscusKind;
 
 /// Names an object in one world. An id of zeros names nothing. A stale or foreign id is an error.

@@ -31,7 +31,8 @@ typedef enum MeniscusDefKind {
   MENISCUS_EMITTER_DEF = 11,
   MENISCUS_SINK_DEF = 12,
   MENISCUS_PROBE_DEF = 13,
-  MENISCUS_SURFACE_MESH_DEF = 14
+  MENISCUS_SURFACE_MESH_DEF = 14,
+  MENISCUS_FORCE_FIELD_DEF = 15
 } MeniscusDefKind;
 
 /// A definition. Calls that take it copy it.

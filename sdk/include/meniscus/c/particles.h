@@ -10,6 +10,9 @@
 extern "C" {
 #endif
 
+/// A tensor of DLPack, as dlpack.h declares it.
+struct DLManagedTensor;
+
 /// A particle as a part of the surface of its fluid: meniscus::Ellipsoid.
 typedef struct MeniscusEllipsoid {
   MeniscusVec3 centre;    ///< m
@@ -50,6 +53,18 @@ MENISCUS_C_API MeniscusStatus meniscus_ellipsoids(const MeniscusWorld* world,
 /// Writes ellipsoids and fluids to arrays in the memory of the world's device: World::write_particles.
 MENISCUS_C_API MeniscusStatus meniscus_write_particles(const MeniscusWorld* world,
                                                        MeniscusEllipsoid* ellipsoids, uint32_t* fluids);
+/// An array of World::device_arrays.
+typedef enum MeniscusDeviceArray {
+  MENISCUS_DEVICE_IDS = 0,         ///< uint64
+  MENISCUS_DEVICE_POSITIONS = 1,   ///< float32, count × 3, m
+  MENISCUS_DEVICE_VELOCITIES = 2,  ///< float32, count × 3, m/s
+  MENISCUS_DEVICE_PHASES = 3       ///< uint32: the indices of fluids
+} MeniscusDeviceArray;
+
+/// Particles in the memory of the world's device, in the order of their ids, as a tensor of DLPack 0.x. Call
+/// its deleter when done. `stream` is the cudaStream_t that fills it, null on the CPU; it may be null.
+MENISCUS_C_API MeniscusStatus meniscus_dlpack(const MeniscusWorld* world, MeniscusDeviceArray array,
+                                              struct DLManagedTensor** tensor, void** stream);
 /// Spray, foam and bubbles, in the order of their creation.
 MENISCUS_C_API MeniscusStatus meniscus_diffuse(const MeniscusWorld* world,
                                                const MeniscusDiffuseParticle** particles, size_t* count);

@@ -44,13 +44,16 @@ MENISCUS_C_API MeniscusStatus meniscus_particle_mass(const MeniscusWorld* world,
                                                      float* mass);
 
 /// Creates the object that a definition describes: a fluid, granular material, shape, body, joint, cloth,
-/// rope, attachment, emitter, sink or probe.
+/// rope, attachment, emitter, sink, probe or force field.
 MENISCUS_C_API MeniscusStatus meniscus_create(MeniscusWorld* world, const MeniscusDef* def, MeniscusId* id);
 /// Destroys an object of any kind but a fluid. What depends on it is destroyed as in C++.
 MENISCUS_C_API MeniscusStatus meniscus_destroy(MeniscusWorld* world, MeniscusId id);
 /// Changes a fluid from the next step on: World::set_fluid.
 MENISCUS_C_API MeniscusStatus meniscus_set_fluid(MeniscusWorld* world, MeniscusId fluid,
                                                  const MeniscusDef* def);
+/// Changes a force field from the next step on: World::set_force_field.
+MENISCUS_C_API MeniscusStatus meniscus_set_force_field(MeniscusWorld* world, MeniscusId field,
+                                                       const MeniscusDef* def);
 /// Changes the wind from the next step on.
 MENISCUS_C_API MeniscusStatus meniscus_set_wind(MeniscusWorld* world, const MeniscusDef* wind);
 
@@ -101,6 +104,11 @@ typedef struct MeniscusStepReport {
 /// Advances by dt seconds, at least 1e-12. `report` may be null. After MENISCUS_NON_FINITE the state is that
 /// before the call.
 MENISCUS_C_API MeniscusStatus meniscus_step(MeniscusWorld* world, float dt, MeniscusStepReport* report);
+/// Begins a step. Until meniscus_step_end() other calls of this world but meniscus_cancel() are
+/// MENISCUS_INVALID_ARGUMENT: World::step_begin.
+MENISCUS_C_API MeniscusStatus meniscus_step_begin(MeniscusWorld* world, float dt);
+/// Ends the step that was begun. `report` may be null.
+MENISCUS_C_API MeniscusStatus meniscus_step_end(MeniscusWorld* world, MeniscusStepReport* report);
 /// The name of a stage of a step, or null from number 7 on.
 MENISCUS_C_API const char* meniscus_stage_name(size_t stage);
 /// s.

@@ -59,6 +59,57 @@ TEST_P(CState, ASnapshotIsGoneBackTo) {
   EXPECT_EQ(hash_after(world_.get(), 4), later);
 }
 
+TEST_P(CState, ForceFieldsAreMadeChangedAndDestroyed) {
+  MeniscusDef* def = nullptr;
+  MeniscusId field{};
+  ASSERT_EQ(meniscus_def_create(MENISCUS_FORCE_FIELD_DEF, &def), MENISCUS_OK);
+  EXPECT_EQ(meniscus_def_set_text(def, "force", "uniform"), MENISCUS_OK) << meniscus_last_error();
+  EXPECT_EQ(meniscus_def_set_vector(def, "force.value", {3, 0, 0}), MENISCUS_OK) << meniscus_last_error();
+  ASSERT_EQ(meniscus_create(world_.get(), def, &field), MENISCUS_OK) << meniscus_last_error();
+  EXPECT_EQ(field.kind, uint32_t{MENISCUS_FORCE_FIELD});
+  MeniscusWorld* cloned = nullptr;
+  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, -1, &cloned), MENISCUS_OK) << meniscus_last_error();
+  const Owned<MeniscusWorld> other(cloned);
+  EXPECT_EQ(meniscus_def_set_vector(def, "force.value", {-3, 0, 0}), MENISCUS_OK);
+  EXPECT_EQ(meniscus_set_force_field(world_.get(), field, def), MENISCUS_OK) << meniscus_last_error();
+  meniscus_def_destroy(def);
+  EXPECT_NE(hash_after(world_.get(), 1), hash_after(cloned, 1));
+  EXPECT_EQ(meniscus_destroy(world_.get(), field), MENISCUS_OK) << meniscus_last_error();
+  EXPECT_EQ(meniscus_destroy(world_.get(), field), MENISCUS_NOT_FOUND);
+}
+
+TEST_P(CState, AStepHasTwoHalves) {
+  MeniscusWorld* cloned = nullptr;
+  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, -1, &cloned), MENISCUS_OK) << meniscus_last_error();
+  const Owned<MeniscusWorld> other(cloned);
+  EXPECT_EQ(meniscus_step_end(cloned, nullptr), MENISCUS_INVALID_ARGUMENT);
+  ASSERT_EQ(meniscus_step_begin(cloned, 0.02f), MENISCUS_OK) << meniscus_last_error();
+  uint64_t hash = 0;
+  EXPECT_EQ(meniscus_state_hash(cloned, &hash), MENISCUS_INVALID_ARGUMENT);
+  MeniscusStepReport report{};
+  report.size = sizeof report;
+  ASSERT_EQ(meniscus_step_end(cloned, &report), MENISCUS_OK) << meniscus_last_error();
+  EXPECT_GT(report.substeps, 0);
+  EXPECT_EQ(hash_of(cloned), hash_after(world_.get(), 1));
+}
+
+TEST_P(CState, ParticlesAreTensorsOfDlpack) {
+  struct DLManagedTensor* tensor = nullptr;
+  void* stream = nullptr;
+  ASSERT_EQ(meniscus_dlpack(world_.get(), MENISCUS_DEVICE_POSITIONS, &tensor, &stream), MENISCUS_OK)
+      << meniscus_last_error();
+  ASSERT_NE(tensor, nullptr);
+  EXPECT_EQ(stream != nullptr, GetParam() == pbd::DeviceKind::cuda);
+  struct Layout {
+    char tensor[48];
+    void* manager;
+    void (*deleter)(DLManagedTensor*);
+  };
+  reinterpret_cast<Layout*>(tensor)->deleter(tensor);
+  EXPECT_EQ(meniscus_dlpack(world_.get(), static_cast<MeniscusDeviceArray>(9), &tensor, nullptr),
+            MENISCUS_INVALID_ARGUMENT);
+}
+
 TEST_P(CState, FilesAndClonesGoOnAlike) {
   const std::string path = (std::filesystem::path(testing::TempDir()) / "c_state.menisnap").string();
   ASSERT_EQ(meniscus_save(world_.get(), path.c_str()), MENISCUS_OK) << meniscus_last_error();

@@ -79,6 +79,8 @@ Json complete_scene(const Json& schema, std::size_t choice) {
       value.erase("scale");
       value["points"] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     }
+    if (value.is_object() && value.value("/force/type"_json_pointer, Json()) == "vortex")
+      value.erase("quantity");
     for (Json& child : value) {
       if (child.is_structured()) mend(child);
     }
@@ -172,6 +174,7 @@ TEST_F(FieldsTest, CodeAndFilesAllowTheSameNumbers) {
     try_def(scene.emitters.at(0).def, "/emitters/0");
     try_def(scene.sinks.at(0).def, "/sinks/0");
     try_def(scene.probes.at(0).def, "/probes/0");
+    try_def(scene.force_fields.at(0), "/force_fields/0");
     AttachmentDef& attachment = scene.attachments.at(0).def;
     attachment.cloth = ClothId{};  // as in the file, where they are names
     attachment.body = BodyId{};
@@ -202,7 +205,8 @@ TEST(FieldDefaults, AreAllowed) {
   expect_taken(WorldDef{}, DensitySolverDef{}, ArtificialPressureDef{}, RigidSolverDef{}, ClothSolverDef{},
                DiffuseDef{}, FluidDef{}, GranularDef{}, SurfaceMeshDef{}, FluidVolumeDef{}, ShapeDef{},
                SurfaceDef{}, BodyDef{}, Keyframe{}, JointDef{}, ClothDef{}, FabricDef{}, InflationDef{},
-               WindDef{}, EmitterDef{}, SinkDef{}, ProbeDef{});
+               WindDef{}, EmitterDef{}, SinkDef{}, ProbeDef{}, ForceFieldDef{});
+  expect_taken(UniformForce{}, RadialForce{}, VortexForce{}, DragForce{}, NoiseForce{}, GridForce{});
   expect_taken(PlaneGeometry{}, BoxGeometry{}, ContainerGeometry{}, Opening{}, SphereGeometry{},
                CapsuleGeometry{}, CylinderGeometry{}, MeshGeometry{}, CompoundPart{});
   expect_taken(FixedJoint{}, HingeJoint{}, SliderJoint{}, BallJoint{}, SpringJoint{});

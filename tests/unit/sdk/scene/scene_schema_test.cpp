@@ -46,10 +46,10 @@ TEST(SceneSchema, ReaderTakesEveryKeyOfTheSchema) {
     EXPECT_NO_THROW(parse_scene(document)) << "alternative " << choice;
   }
   // Cloth and solids have a mesh and a sphere each, but under one key.
-  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 11u + 3u + 1u + 14u)
+  EXPECT_EQ(types.size(), 10u + 3u + 5u + 3u + 11u + 3u + 1u + 14u + 7u)
       << "geometries of solids and of cloth, joints, regions, probes and openings, each at least once; and "
          "of "
-         "sinks the half-space; checks";
+         "sinks the half-space; checks; forces and everywhere";
 }
 
 /// Whether an alternative is for values like this one: of its `type`, or of its kind where it has none.

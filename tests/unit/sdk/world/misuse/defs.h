@@ -143,6 +143,18 @@ inline std::vector<ProbeDef> probe_defs(const MisuseWorld& w) {
   return defs;
 }
 
+inline std::vector<ForceFieldDef> force_field_defs(const MisuseWorld&) {
+  const Force forces[] = {UniformForce{}, RadialForce{}, VortexForce{},
+                          DragForce{},    NoiseForce{},  GridForce{}};
+  const ForceRegion regions[] = {EverywhereRegion{}, BoxRegion{}, BallRegion{}};
+  std::vector<ForceFieldDef> defs(6);
+  for (std::size_t k = 0; k < 6; ++k) {
+    defs[k].force = forces[k];
+    defs[k].region = regions[k % 3];
+  }
+  return defs;
+}
+
 inline std::vector<SurfaceMeshDef> surface_defs(const MisuseWorld& w) {
   return {{.fluid = w.water}};
 }
@@ -166,6 +178,10 @@ void for_each_def_call(const Visit& visit) {
   visit("create_emitter", emitter_defs, [](W& w, const EmitterDef& d) { w.world.create_emitter(d); });
   visit("create_sink", sink_defs, [](W& w, const SinkDef& d) { w.world.create_sink(d); });
   visit("create_probe", probe_defs, [](W& w, const ProbeDef& d) { w.world.create_probe(d); });
+  visit("create_force_field", force_field_defs,
+        [](W& w, const ForceFieldDef& d) { w.world.create_force_field(d); });
+  visit("set_force_field", force_field_defs,
+        [](W& w, const ForceFieldDef& d) { w.world.set_force_field(w.field, d); });
   visit("create_body", body_defs, [](W& w, const BodyDef& d) { w.world.create_body(d); });
   visit("create_joint", joint_defs, [](W& w, const JointDef& d) { w.world.create_joint(d); });
   visit("create_cloth", cloth_defs, [](W& w, const ClothDef& d) { w.world.create_cloth(d); });

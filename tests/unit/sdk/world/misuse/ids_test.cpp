@@ -59,13 +59,17 @@ TEST_P(MisuseIdsTest, OfFlowAndProbes) {
   const EmitterId emitter = w.create_emitter(emitter_defs(w_).front());
   const SinkId sink = w.create_sink({});
   const ProbeId probe = w.create_probe({});
-  w.destroy_emitter(emitter), w.destroy_sink(sink), w.destroy_probe(probe);
+  const ForceFieldId field = w.create_force_field({});
+  w.destroy_emitter(emitter), w.destroy_sink(sink), w.destroy_probe(probe), w.destroy_force_field(field);
   bad("emitter", emitter, other_.emitter, w_.emitter)
       .calls({[&](EmitterId id) { w.destroy_emitter(id); }, [&](EmitterId id) { w.emitter_count(id); }});
   bad("sink", sink, other_.sink, w_.sink)
       .calls({[&](SinkId id) { w.destroy_sink(id); }, [&](SinkId id) { w.sink_count(id); }});
   bad("probe", probe, other_.probe, w_.probe)
       .calls({[&](ProbeId id) { w.destroy_probe(id); }, [&](ProbeId id) { w.probe(id); }});
+  bad("force field", field, other_.field, w_.field)
+      .calls({[&](ForceFieldId id) { w.destroy_force_field(id); },
+              [&](ForceFieldId id) { w.set_force_field(id, {}); }});
 }
 
 TEST_P(MisuseIdsTest, OfBodiesAndJoints) {

@@ -28,6 +28,7 @@ struct MisuseWorld {
     emitter = world.create_emitter(jet);
     sink = world.create_sink({"sink", BoxRegion{{8, 8, 8}, {9, 9, 9}}, false, {}, {}});
     probe = world.create_probe({});
+    field = world.create_force_field({});
     world.step(0.005f);
   }
 
@@ -42,6 +43,7 @@ struct MisuseWorld {
   EmitterId emitter;
   SinkId sink;
   ProbeId probe;
+  ForceFieldId field;
 
  private:
   static WorldDef small(pbd::DeviceKind device) {

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What of a GPU device others may use.
+#pragma once
+
+#include "pbd/device/access.h"
+#include "pbd/device/cuda/cuda_device.cuh"
+
+namespace meniscus::pbd {
+
+template <>
+struct DeviceAccess<CudaDevice> {
+  static int ordinal(const CudaDevice& device) { return device.ordinal(); }
+  static void* stream(CudaDevice& device) { return device.stream_for_others(); }
+  static std::shared_ptr<void> allocate(std::size_t bytes) {
+    void* memory = nullptr;
+    const cudaError_t status = cudaMalloc(&memory, bytes);
+    if (status == cudaErrorMemoryAllocation) {
+      cudaGetLastError();  // clears it: the caller reports the error, and the device stays usable
+      return nullptr;
+    }
+    check_cuda(status, "allocating memory");
+    return {memory, [](void* held) { cudaFree(held); }};
+  }
+};
+
+}  // namespace meniscus::pbd
