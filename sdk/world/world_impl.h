@@ -75,7 +75,8 @@ struct World::Impl : WorldTables {
   Engine& with_solids() { return upload_materials(), upload_solids(), *engine; }
   /// The engine with all that it needs for a step uploaded.
   Engine& with_all() {
-    return with_solids(), upload_probes(), upload_sinks(), upload_forces(), upload_cloth(), upload_pistons(), *engine;
+    return with_solids(), upload_probes(), upload_sinks(), upload_forces(), upload_cloth(), upload_pistons(),
+           *engine;
   }
   SolidContext solid_context() { return {*engine, solid_meshes, def.particle_spacing, kernel.h}; }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
