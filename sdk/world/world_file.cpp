@@ -207,6 +207,7 @@ World World::made_from(const std::string& definitions, const pbd::SavedState& sa
   WorldDef world_def = read_world_def(definitions);
   if (def.device) world_def.device = *def.device;
   if (def.threads) world_def.threads = *def.threads;
+  world_def.read_file = def.read_file;
   World world(world_def);
   world.impl_->run([&](auto) { world.impl_->fill_from(definitions, saved); });
   return world;
@@ -221,7 +222,9 @@ World World::load(const std::string& path, const LoadDef& def) {
 }
 
 World World::clone(const LoadDef& def) const {
-  return impl_->run([&](auto w) { return made_from(definitions_text(*impl_), w.chunks(), def); });
+  LoadDef own = def;
+  if (!own.read_file) own.read_file = this->def().read_file;
+  return impl_->run([&](auto w) { return made_from(definitions_text(*impl_), w.chunks(), own); });
 }
 
 }  // namespace meniscus

@@ -183,7 +183,14 @@ void World::Impl::relax_from(size_t slot) {
   }
 }
 
+/// Fields of solids are removed from the engine, so that they go first.
+World::Impl::~Impl() {
+  shapes.clear();
+  bodies.clear();
+}
+
 void World::Impl::solids_changed() {
+  note_revision();
   solids_are_on_device = false;
   state_changed();
 }

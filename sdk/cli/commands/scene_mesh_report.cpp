@@ -37,6 +37,7 @@ class MeshFiles {
   std::vector<MeshFile> files;
 
   void add(const std::string& file, float scale) {
+    if (file.empty()) return;  // its triangles stand in the scene
     const MeshFile found{file, scale};
     if (std::ranges::find(files, found) == files.end()) files.push_back(found);
   }

@@ -36,6 +36,7 @@ class Snapshot {
 struct LoadDef {
   std::optional<DeviceChoice> device{};  ///< left out, the choice with which the saved world was made
   std::optional<int> threads{};          ///< of the CPU device, 0 to 1024; left out, as the saved world
+  FileReader read_file{};                ///< WorldDef::read_file, which is in no file; a clone keeps its own
 };
 
 }  // namespace meniscus
