@@ -6,6 +6,7 @@
 
 #include <assimp/material.h>
 #include <assimp/scene.h>
+#include <meniscus/error.h>
 
 #include <utility>
 
@@ -118,6 +119,13 @@ PaintedMesh read_soup(const MeshSource& source) {
 }
 
 PaintedMesh soup_in_memory(const MeshSource& source) {
+  if (source.vertices.empty())
+    throw Error(ErrorCode::invalid_argument,
+                source.name() + ": vertices are missing, but triangles are there");
+  if (source.triangles.size() % 3 != 0)
+    throw Error(ErrorCode::invalid_argument, source.name() +
+                                                 ": triangles must hold three numbers each, but there are " +
+                                                 std::to_string(source.triangles.size()));
   if (source.vertices.size() > most_vertices)
     throw FileDefect("has more than " + std::to_string(most_vertices) + " vertices");
   PaintedMesh soup;

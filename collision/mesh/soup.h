@@ -13,7 +13,7 @@ namespace meniscus::collision {
 /// All triangles of a file, in metres, each with the colour of its material, before they are cleaned. Throws
 /// FileDefect, Error(io) and Error(out_of_memory).
 PaintedMesh read_soup(const MeshSource& source);
-/// The same for triangles in memory.
+/// The same for triangles in memory. Throws Error(invalid_argument) where vertices or numbers are missing.
 PaintedMesh soup_in_memory(const MeshSource& source);
 
 }  // namespace meniscus::collision

@@ -27,11 +27,14 @@ struct MeshSource {
     return source;
   }
 
-  bool in_memory() const { return !vertices.empty(); }
-  /// As errors name it: "mesh file 'PATH'", or "mesh in memory".
-  std::string name() const { return in_memory() ? "mesh in memory" : "mesh file '" + file + "'"; }
+  bool in_memory() const { return !vertices.empty() || !triangles.empty(); }
+  /// As errors name it: "mesh file 'PATH'", "mesh 'NAME' in memory" or "mesh in memory".
+  std::string name() const {
+    if (!in_memory()) return "mesh file '" + file + "'";
+    return file.empty() ? "mesh in memory" : "mesh '" + file + "' in memory";
+  }
 
-  std::string file;  ///< a path, or what `read_file` takes
+  std::string file;  ///< a path, or what `read_file` takes; of a mesh in memory, its name
   float scale;       ///< metres a unit
   FileReader read_file;
   std::span<const Vec3> vertices{};

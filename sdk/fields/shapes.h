@@ -87,7 +87,8 @@ void fields(V& v, CylinderGeometry& d) {
 inline constexpr const char* mesh_file_text =
     "mesh file, from the scene's folder, or glmark2:NAME for a model of Debian's glmark2-data";
 
-/// The mesh of a file, or triangles that stand in the definition.
+/// The mesh of a file, or triangles that stand in the definition. Whether these fit is found where they are
+/// used.
 template <class V, class Def>
 void mesh_fields(V& v, Def& d) {
   constexpr FieldRule numbers = between(0, std::numeric_limits<uint32_t>::max());
@@ -95,11 +96,6 @@ void mesh_fields(V& v, Def& d) {
   v("scale", d.scale, positive, "m", "length of a unit of the mesh");
   v("vertices", d.vertices, any_value, "", "in place of a file, in units of the scale");
   v("triangles", d.triangles, numbers, "", "three numbers of vertices each, counted from 0");
-  v.check(d.file.empty() || d.vertices.empty(), "there must be a file or vertices, not both");
-  v.check(d.vertices.empty() == d.triangles.empty(), "vertices and triangles must be there together");
-  v.check(d.triangles.size() % 3 == 0,
-          "triangles must hold three numbers each, but there are " + std::to_string(d.triangles.size()),
-          "triangles", d.triangles);
 }
 
 template <class V>

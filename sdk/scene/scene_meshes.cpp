@@ -56,7 +56,7 @@ class SceneFiles {
   void resolve_in(Def* def, const ScenePlace& place) const {
     if (!def) return;
     if constexpr (requires { def->vertices; }) {
-      if (!def->vertices.empty()) return;
+      if (!def->vertices.empty() || !def->triangles.empty()) return;
     }
     resolve(def->file, place.key("file"));
   }

@@ -297,7 +297,7 @@ struct MeshGeometry {
   /// World::mesh_repairs says how well both agree.
   bool repair = false;
   int convex_parts = 32;  ///< of a dynamic body, at most, 1 to 256; 1: the convex hull
-  /// In place of a file: the vertices, in units of `scale`, and three of their numbers for each triangle.
+  /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
   std::vector<Vec3> vertices{};
   std::vector<uint32_t> triangles{};
 };
@@ -373,7 +373,7 @@ struct BallRegion {
 struct MeshRegion {
   std::string file;
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
-  /// In place of a file: the vertices, in units of `scale`, and three of their numbers for each triangle.
+  /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
   std::vector<Vec3> vertices{};
   std::vector<uint32_t> triangles{};
 };

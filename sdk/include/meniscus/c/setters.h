@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// For C: state that is set from outside. Read-outs show it at once, and the next step starts from it. World in
-// meniscus/world.h says what each call does to warm starts, lists and sleep.
+// For C: state that is set from outside. Read-outs show it at once, and the next step starts from it. World
+// in meniscus/world.h says what each call does to warm starts, lists and sleep.
 #pragma once
 
 #include <meniscus/c/defs.h>

@@ -136,11 +136,12 @@ TEST_P(MeshSourcesTest, RefusesListsThatDoNotFit) {
     EXPECT_TRUE(world.shape_ids().empty());
   };
   constexpr ErrorCode invalid = ErrorCode::invalid_argument;
-  refuse(invalid, "MeshGeometry: there must be a file or vertices",
-         [](MeshGeometry& m) { m.file = "x.obj"; });
-  refuse(invalid, "vertices and triangles", [](MeshGeometry& m) { m.triangles.clear(); });
-  refuse(invalid, "vertices and triangles", [](MeshGeometry& m) { m.vertices.clear(); });
-  refuse(invalid, "MeshGeometry::triangles", [](MeshGeometry& m) { m.triangles.pop_back(); });
+  refuse(invalid, "mesh in memory: vertices are missing", [](MeshGeometry& m) { m.vertices.clear(); });
+  refuse(invalid, "mesh 'crate' in memory: triangles must hold three", [](MeshGeometry& m) {
+    m.file = "crate";
+    m.triangles.pop_back();
+  });
+  refuse(ErrorCode::mesh, "no triangle", [](MeshGeometry& m) { m.triangles.clear(); });
   refuse(invalid, "MeshGeometry::vertices[7]", [](MeshGeometry& m) { m.vertices[7].x = not_a_number; });
   refuse(ErrorCode::mesh, "names a vertex it lacks", [](MeshGeometry& m) { m.triangles[3] = 8; });
   refuse(ErrorCode::io, "mesh file ''", [](MeshGeometry& m) { m = {}; });
@@ -165,7 +166,8 @@ TEST_P(MeshSourcesTest, AreInSnapshots) {
 }
 
 TEST_P(MeshSourcesTest, OfScenes) {
-  const std::string text = R"({"name": "bricks", "world": {"particle_spacing": 0.05}, "fluids": [{"name": "water"}],
+  const std::string text =
+      R"({"name": "bricks", "world": {"particle_spacing": 0.05}, "fluids": [{"name": "water"}],
     "shapes": [{"name": "a", "geometry": {"type": "mesh", "file": "brick.obj", "scale": 0.1}},
                {"name": "b", "geometry": {"type": "mesh", "vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]],
                              "triangles": [0,2,1, 0,1,3, 0,3,2, 1,2,3]}, "pose": {"position": [9,0,0]}}],
@@ -190,7 +192,9 @@ TEST_P(MeshSourcesTest, OfScenes) {
 
 /// What a reader throws comes out of the call, and the world is as before.
 TEST_P(MeshSourcesTest, AReaderMayThrow) {
-  def_.read_file = [](const std::string&) -> std::optional<std::string> { throw std::range_error("archive"); };
+  def_.read_file = [](const std::string&) -> std::optional<std::string> {
+    throw std::range_error("archive");
+  };
   World world(def_);
   EXPECT_THROW(world.create_shape(shape(MeshGeometry{"x.obj"})), std::range_error);
   EXPECT_TRUE(world.shape_ids().empty());
