@@ -31,9 +31,8 @@ MeniscusStatus meniscus_set_velocities(MeniscusWorld* world, const MeniscusVec3*
 
 MeniscusStatus meniscus_set_fluid_positions(MeniscusWorld* world, MeniscusId fluid,
                                             const MeniscusVec3* positions, size_t count) {
-  return guarded([&] {
-    world_of(world).set_positions(in_cpp<FluidId>(fluid), vectors(positions, count, "positions"));
-  });
+  return guarded(
+      [&] { world_of(world).set_positions(in_cpp<FluidId>(fluid), vectors(positions, count, "positions")); });
 }
 
 MeniscusStatus meniscus_set_fluid_velocities(MeniscusWorld* world, MeniscusId fluid,
@@ -45,9 +44,8 @@ MeniscusStatus meniscus_set_fluid_velocities(MeniscusWorld* world, MeniscusId fl
 
 MeniscusStatus meniscus_set_particle_positions(MeniscusWorld* world, const uint64_t* ids,
                                                const MeniscusVec3* positions, size_t count) {
-  return guarded([&] {
-    world_of(world).set_positions(particles(ids, count), vectors(positions, count, "positions"));
-  });
+  return guarded(
+      [&] { world_of(world).set_positions(particles(ids, count), vectors(positions, count, "positions")); });
 }
 
 MeniscusStatus meniscus_set_particle_velocities(MeniscusWorld* world, const uint64_t* ids,

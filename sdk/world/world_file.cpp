@@ -142,9 +142,8 @@ pbd::SavedState World::Calls::chunks() const {
 void World::Calls::save(const std::string& path) const {
   const ChunkFileHeader header{MENISCUS_VERSION_STRING, impl_->device.kind, impl_->time,
                                definitions_text(*impl_)};
-  with_chunks(*this, [&](const auto& visit) {
-    write_chunk_file(path, header, impl_->engine->device(), visit);
-  });
+  with_chunks(*this,
+              [&](const auto& visit) { write_chunk_file(path, header, impl_->engine->device(), visit); });
 }
 
 /// Makes all contents of an empty world, and gives them their state.

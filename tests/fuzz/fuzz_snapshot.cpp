@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The input is a snapshot file. It is loaded as it is, and then with the hash of its header put right, so that
-// changed definitions, names and counts are read as well. What loads makes two steps. Only Error may be thrown.
+// The input is a snapshot file. It is loaded as it is, and then with the hash of its header put right, so
+// that changed definitions, names and counts are read as well. What loads makes two steps. Only Error may be
+// thrown.
 #include <meniscus/meniscus.h>
 
 #include <cstring>

@@ -29,9 +29,9 @@ struct ChunkFileHeader {
 ///             version, whether it is required, and xxh3
 ///   chunks    one after the other
 ///
-/// Integers are little-endian. Spaces may follow the JSON. `visit` visits all chunks: once for their names and
-/// sizes, and once for their contents, which go to the file piece by piece. Throws Error(io); PATH is then as
-/// before.
+/// Integers are little-endian. Spaces may follow the JSON. `visit` visits all chunks: once for their names
+/// and sizes, and once for their contents, which go to the file piece by piece. Throws Error(io); PATH is
+/// then as before.
 void write_chunk_file(const std::string& path, const ChunkFileHeader& header, pbd::Device& device,
                       const std::function<void(pbd::StateVisitor&)>& visit);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Writes the container of snapshots. The header stands before the chunks, whose hashes it has. So its place is
-// left free, and it is written last.
+// Writes the container of snapshots. The header stands before the chunks, whose hashes it has. So its place
+// is left free, and it is written last.
 #include <meniscus/error.h>
 
 #include <algorithm>
@@ -61,9 +61,8 @@ class ChunkWriter final : public pbd::StateVisitor {
 
   void visit_host(const std::string& path, const pbd::ElementForm& form, void* data,
                   std::size_t count) override {
-    write(path, form.bytes * count, [&](std::size_t at, std::size_t) {
-      return static_cast<const std::byte*>(data) + at;
-    });
+    write(path, form.bytes * count,
+          [&](std::size_t at, std::size_t) { return static_cast<const std::byte*>(data) + at; });
   }
   void visit_device(const std::string& path, const pbd::ElementForm& form, void* data, std::size_t,
                     std::size_t count) override {

@@ -163,7 +163,10 @@ const std::vector<NamedCall>& calls_of_worlds() {
       {"relax", [](const Arguments& a) { return meniscus_relax(a.world, 1); }},
       {"cancel", [](const Arguments& a) { return meniscus_cancel(a.world); }},
       {"progress", [](const Arguments& a) { return meniscus_set_progress(a.world, nullptr, nullptr); }},
-      {"filter", [](const Arguments& a) { return meniscus_set_filter(a.world, a.id, {1, 1}); }},
+      {"filter",
+       [](const Arguments& a) {
+         return meniscus_set_filter(a.world, a.id, {1, 1});
+       }},
       {"shape_pose",
        [](const Arguments& a) {
          return meniscus_set_shape_pose(a.world, a.id, {{}, {0, 0, 0, 1}});

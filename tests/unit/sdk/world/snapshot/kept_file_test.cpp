@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A snapshot file of a release on the CPU that is kept here. Later programs, on each kind of device, load it and
-// go on as a world does that was not saved. After an intended change of the format,
+// A snapshot file of a release on the CPU that is kept here. Later programs, on each kind of device, load it
+// and go on as a world does that was not saved. After an intended change of the format,
 // MENISCUS_RENEW_SNAPSHOT=1 snapshot_tests --gtest_filter='*Kept*cpu' writes it again.
 #include <cstdlib>
 #include <filesystem>
