@@ -190,6 +190,11 @@ RodModel build_rod(std::span<const Vec3> points, const RodParameters& parameters
   return model;
 }
 
+Quat turned_frame(Quat frame, Vec3 segment) {
+  const Vec3 along = rotate(frame, {0, 0, 1});
+  return normalized(least_turn(along, normalized_or(segment, along)) * frame);
+}
+
 void append(RodModel& model, const RodModel& more, uint32_t first_vertex) {
   const uint32_t first = model.segment_count();
   for (RodChain chain : more.chains) {

@@ -47,6 +47,10 @@ struct RodModel {
 /// coincide.
 RodModel build_rod(std::span<const Vec3> points, const RodParameters& parameters);
 
+/// The frame, turned by the least rotation that lays its z axis along a segment. It stays where the segment
+/// has no length.
+Quat turned_frame(Quat frame, Vec3 segment);
+
 /// Appends `more`, with its vertices numbered from first_vertex on. Both models must bend, or neither.
 void append(RodModel& model, const RodModel& more, uint32_t first_vertex);
 

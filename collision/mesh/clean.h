@@ -22,6 +22,6 @@ struct CleanedMesh {
 CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh);
 
 /// The clean mesh of a file, with faces turned outwards, as load_mesh returns it. Throws as that does.
-CleanedMesh load_cleaned_mesh(const std::string& path, float scale);
+CleanedMesh load_cleaned_mesh(const MeshSource& source);
 
 }  // namespace meniscus::collision

@@ -40,7 +40,7 @@ std::size_t count_holes(const TriangleMesh& mesh) {
 }  // namespace
 
 MeshReport inspect_mesh(const std::string& path, float scale) {
-  const CleanedMesh clean = load_cleaned_mesh(path, scale);
+  const CleanedMesh clean = load_cleaned_mesh(MeshSource(path, scale));
   const MeshDefects defects = find_defects(clean.mesh);
   MeshReport report;
   report.box = bounds(clean.mesh);

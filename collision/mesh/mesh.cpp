@@ -24,80 +24,81 @@ namespace {
 // Bounds of the size, m, for which products of six lengths are well within the range of float.
 constexpr float smallest_size = 1e-6f, largest_size = 1e6f;
 
-[[noreturn]] void refuse(ErrorCode code, const std::string& path, const std::string& why) {
-  throw Error(code, "mesh file '" + path + "' " + why);
+[[noreturn]] void refuse(ErrorCode code, const MeshSource& source, const std::string& why) {
+  throw Error(code, source.name() + " " + why);
 }
 
-void check_scale(const std::string& path, float scale) {
-  if (scale > 0 && std::isfinite(scale)) return;
-  throw Error(ErrorCode::invalid_argument, "scale of mesh file '" + path + "' is " + std::to_string(scale) +
+void check_scale(const MeshSource& source) {
+  if (source.scale > 0 && std::isfinite(source.scale)) return;
+  throw Error(ErrorCode::invalid_argument, "scale of " + source.name() + " is " +
+                                               std::to_string(source.scale) +
                                                ": it must be a positive number of metres a file unit");
 }
 
-void check_size(const TriangleMesh& mesh, const std::string& path) {
+void check_size(const TriangleMesh& mesh, const MeshSource& source) {
   const Aabb box = bounds(mesh);
   const float size = max_component(box.upper - box.lower);
   if (size >= smallest_size && size <= largest_size) return;
   std::ostringstream why;
   why << "measures " << size << " m after scaling: from " << smallest_size << " to " << largest_size
       << " m are allowed";
-  refuse(ErrorCode::mesh, path, why.str());
+  refuse(ErrorCode::mesh, source, why.str());
 }
 
-PaintedMesh read_triangles(const std::string& path, float scale) {
-  check_scale(path, scale);
+PaintedMesh read_triangles(const MeshSource& source) {
+  check_scale(source);
   try {
-    return read_soup(path, scale);
+    return source.in_memory() ? soup_in_memory(source) : read_soup(source);
   } catch (const FileDefect& defect) {
-    refuse(ErrorCode::mesh, path, defect.what());
+    refuse(ErrorCode::mesh, source, defect.what());
   }
 }
 
-CleanedMesh cleaned(const TriangleMesh& soup, const std::string& path) {
+CleanedMesh cleaned(const TriangleMesh& soup, const MeshSource& source) {
   CleanedMesh cleaned = clean_mesh_with_sources(soup);
-  if (cleaned.mesh.triangles.empty()) refuse(ErrorCode::mesh, path, "has no triangle with an area");
-  check_size(cleaned.mesh, path);
+  if (cleaned.mesh.triangles.empty()) refuse(ErrorCode::mesh, source, "has no triangle with an area");
+  check_size(cleaned.mesh, source);
   orient_faces(cleaned.mesh);
   return cleaned;
 }
 
 // Throws for the first of the defects, if there is one. `faces` maps to the numbers in the file.
-void refuse_defects(const std::vector<MeshDefect>& defects, const std::string& path, const std::string& what,
+void refuse_defects(const std::vector<MeshDefect>& defects, const MeshSource& source, const std::string& what,
                     const std::vector<uint32_t>& faces, const std::string& remedy) {
   if (defects.empty()) return;
   const uint32_t face = faces[defects.front().face], other = faces[defects.front().other];
   std::string where = " at face " + std::to_string(face);
   if (other != face) where += " with face " + std::to_string(other);
-  refuse(ErrorCode::mesh, path,
+  refuse(ErrorCode::mesh, source,
          "has " + what + where + " (" + std::to_string(defects.size()) + " in all): " + remedy);
 }
 
 }  // namespace
 
-CleanedMesh load_cleaned_mesh(const std::string& path, float scale) {
-  return cleaned(read_triangles(path, scale).mesh, path);
+CleanedMesh load_cleaned_mesh(const MeshSource& source) {
+  return cleaned(read_triangles(source).mesh, source);
 }
 
-TriangleMesh load_mesh(const std::string& path, float scale) {
-  return load_cleaned_mesh(path, scale).mesh;
+TriangleMesh load_mesh(const MeshSource& source) {
+  return load_cleaned_mesh(source).mesh;
 }
 
-TriangleMesh load_solid(const std::string& path, float scale) {
-  CleanedMesh cleaned = load_cleaned_mesh(path, scale);
+TriangleMesh load_solid(const MeshSource& source) {
+  CleanedMesh cleaned = load_cleaned_mesh(source);
   const MeshDefects defects = find_defects(cleaned.mesh);
-  refuse_defects(defects.open_edges, path, "an open edge", cleaned.sources,
+  refuse_defects(defects.open_edges, source, "an open edge", cleaned.sources,
                  "a solid must be closed; \"repair\" closes it");
   refuse_defects(
-      defects.non_manifold_edges, path, "a non-manifold edge", cleaned.sources,
+      defects.non_manifold_edges, source, "a non-manifold edge", cleaned.sources,
       "two faces must meet at each edge of a solid, and show the same side; \"repair\" makes it so");
-  refuse_defects(defects.self_intersections, path, "a self-intersection", cleaned.sources,
+  refuse_defects(defects.self_intersections, source, "a self-intersection", cleaned.sources,
                  "the faces of a solid must not cross; \"repair\" drops what is inside");
   return std::move(cleaned.mesh);
 }
 
-PaintedMesh load_painted_mesh(const std::string& path, float scale) {
-  const PaintedMesh soup = read_triangles(path, scale);
-  CleanedMesh clean = cleaned(soup.mesh, path);
+PaintedMesh load_painted_mesh(const MeshSource& source) {
+  const PaintedMesh soup = read_triangles(source);
+  CleanedMesh clean = cleaned(soup.mesh, source);
   PaintedMesh painted{std::move(clean.mesh), {}};
   for (const uint32_t source : clean.sources) painted.colors.push_back(soup.colors[source]);
   return painted;

@@ -6,6 +6,7 @@
 
 #include <assimp/material.h>
 #include <assimp/scene.h>
+#include <meniscus/error.h>
 
 #include <utility>
 
@@ -101,10 +102,10 @@ void append_part(PaintedMesh& all, const aiMesh& part, std::optional<Vec3> color
 
 }  // namespace
 
-PaintedMesh read_soup(const std::string& path, float scale) {
-  const MeshImport import(path);
+PaintedMesh read_soup(const MeshSource& source) {
+  const MeshImport import(source.file, source.read_file);
   const aiScene& scene = import.scene();
-  const auto metres = static_cast<float>(scale * metres_a_unit(scene));
+  const auto metres = static_cast<float>(source.scale * metres_a_unit(scene));
   PaintedMesh soup;
   for (const PlacedNode& placed : placed_nodes(scene)) {
     for (unsigned m = 0; m < placed.node->mNumMeshes; ++m) {
@@ -114,6 +115,36 @@ PaintedMesh read_soup(const std::string& path, float scale) {
                   placed.to_world, metres);
     }
   }
+  return soup;
+}
+
+PaintedMesh soup_in_memory(const MeshSource& source) {
+  if (source.vertices.empty())
+    throw Error(ErrorCode::invalid_argument,
+                source.name() + ": vertices are missing, but triangles are there");
+  if (source.triangles.size() % 3 != 0)
+    throw Error(ErrorCode::invalid_argument, source.name() +
+                                                 ": triangles must hold three numbers each, but there are " +
+                                                 std::to_string(source.triangles.size()));
+  if (source.vertices.size() > most_vertices)
+    throw FileDefect("has more than " + std::to_string(most_vertices) + " vertices");
+  PaintedMesh soup;
+  soup.mesh.vertices.reserve(source.vertices.size());
+  for (size_t v = 0; v < source.vertices.size(); ++v) {
+    soup.mesh.vertices.push_back(source.scale * source.vertices[v]);
+    if (!is_finite(soup.mesh.vertices.back())) {
+      throw FileDefect("has a vertex that is not finite: number " + std::to_string(v) + ", at scale " +
+                       std::to_string(source.scale));
+    }
+  }
+  const std::span<const uint32_t> corners = source.triangles;
+  for (size_t k = 0; k + 2 < corners.size(); k += 3) {
+    for (size_t c = k; c < k + 3; ++c) {
+      if (corners[c] >= source.vertices.size()) throw FileDefect("has a face that names a vertex it lacks");
+    }
+    soup.mesh.triangles.push_back({corners[k], corners[k + 1], corners[k + 2]});
+  }
+  soup.colors.resize(soup.mesh.triangles.size());
   return soup;
 }
 

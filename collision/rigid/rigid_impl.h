@@ -138,6 +138,8 @@ struct RigidWorld::Impl {
 
   /// Must be called before a change of something that others may rest on.
   void wake_around(std::span<btRigidBody* const> bodies);
+  btRigidBody& bullet_of(const RigidRef& solid) const;
+  void wake_near(btRigidBody& changed);
   void remove(std::span<btRigidBody* const> gone, std::span<btBroadphaseProxy* const> proxies);
   void remove_joint(uint32_t number);
   void drop_pairs();

@@ -27,12 +27,19 @@ struct SavedManifold {
   int index, points;
 };
 
+/// A predicted contact of two solids, as their codes (RigidLayout::objects).
+struct SavedPrediction {
+  uint32_t a, b;
+  int points;
+};
+
 struct RigidWorld::Snapshot {
   std::vector<SavedBody> bodies;
   std::vector<SavedPair> pairs;
   std::vector<SavedManifold> manifolds;
   std::vector<btManifoldPoint> points;
-  std::vector<btPersistentManifold> predictions;
+  std::vector<SavedPrediction> predictions;
+  std::vector<btManifoldPoint> predicted_points;
   RigidBroadphase::State broadphase;
   double time = 0;
 };

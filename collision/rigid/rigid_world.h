@@ -102,6 +102,8 @@ class RigidWorld {
   explicit RigidWorld(const RigidWorldDef& def);
   ~RigidWorld();
 
+  void swap(RigidWorld& other) noexcept;
+
   /// Whether memory ran out inside Bullet. Then nothing else may be called, and its memory is never freed.
   bool is_broken() const;
 
@@ -141,6 +143,10 @@ class RigidWorld {
                 const Pose& pose);  ///< wakes it; a kinematic body has no velocity afterwards
   void set_velocity(uint32_t body, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies; wakes
   void wake(uint32_t body);
+  // These wake what touches the solid, before and after.
+  void set_fixed_pose(uint32_t number, const Pose& pose);  ///< of the geometry's frame
+  void set_filter(const RigidRef& solid, const CollisionFilter& filter);
+  void set_surface(const RigidRef& solid, float friction, float restitution);
   /// Keeps exactly these bodies from falling asleep. The forces on them change while they hardly move.
   void keep_awake(std::span<const uint32_t> bodies);
   /// Acts until the next end_step(): N at a world point, N·m.
@@ -192,9 +198,9 @@ class RigidWorld {
 
   // ---- state in memory ----
 
-  /// All state that the future depends on. Saving into the same snapshot again reuses its memory. Between
-  /// save() and restore() no solid, body or joint may have been removed, and what was added must be removed
-  /// again. The continuation is then equal bit for bit.
+  /// All state that the future depends on. Saving into the same snapshot again reuses its memory. The world
+  /// that restores it must have the same contents in the same places: none was added, removed or set since,
+  /// or it has been made again by a layout(). The continuation is then equal bit for bit.
   struct Snapshot;
   struct DeleteSnapshot {
     void operator()(Snapshot*) const;

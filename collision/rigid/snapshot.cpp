@@ -77,7 +77,17 @@ void RigidWorld::save_contacts(Snapshot& to) const {
     to.points.insert(to.points.end(), first, first + count);
   });
   to.predictions.clear();
-  for (int i = 0; i < predictive.size(); ++i) to.predictions.push_back(*predictive[i]);
+  to.predicted_points.clear();
+  const auto code = [&](const btCollisionObject* object) {
+    const RigidRef solid = impl_->solid_of(object);
+    return 2 * solid.number + solid.is_body;
+  };
+  for (int i = 0; i < predictive.size(); ++i) {
+    const btPersistentManifold& m = *predictive[i];
+    to.predictions.push_back({code(m.getBody0()), code(m.getBody1()), m.getNumContacts()});
+    const btManifoldPoint* first = &m.getContactPoint(0);
+    to.predicted_points.insert(to.predicted_points.end(), first, first + m.getNumContacts());
+  }
   impl_->broadphase.save(to.broadphase);
 }
 
@@ -134,9 +144,12 @@ void RigidWorld::restore(const Snapshot& from) {
   }
   remake_pairs(from.pairs, impl_->pairs, impl_->broadphase, impl_->dispatcher, dynamics.getDispatchInfo());
   refill_all(impl_->dispatcher, from.manifolds, from.points.data());
-  for (const btPersistentManifold& saved : from.predictions) {
-    btPersistentManifold* made = impl_->dispatcher.getNewManifold(saved.getBody0(), saved.getBody1());
-    refill(*made, &saved.getContactPoint(0), saved.getNumContacts());
+  const btManifoldPoint* predicted = from.predicted_points.data();
+  for (const SavedPrediction& saved : from.predictions) {
+    btPersistentManifold* made =
+        impl_->dispatcher.getNewManifold(impl_->object(saved.a), impl_->object(saved.b));
+    refill(*made, predicted, saved.points);
+    predicted += saved.points;
     dynamics.predictive().push_back(made);
   }
   saved_body = from.bodies.begin();

@@ -293,6 +293,12 @@ class Engine {
   virtual void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) = 0;
   virtual void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) = 0;
 
+  /// Gives fluid particles and grains in these slots, which ascend, other positions (m). They are as new ones
+  /// there, and nothing is carried over from the last substep.
+  virtual void place_particles(std::span<const uint32_t> slots, std::span<const Vec3> positions) = 0;
+  /// Gives them other velocities (m/s).
+  virtual void set_particle_velocities(std::span<const uint32_t> slots, std::span<const Vec3> velocities) = 0;
+
   // By slot.
   virtual void read_positions(std::span<Vec3> out) = 0;
   virtual void read_velocities(std::span<Vec3> out) = 0;

@@ -161,6 +161,8 @@ class DeviceEngine final : public Engine {
   }
 
   void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) override;
+  void place_particles(std::span<const uint32_t> slots, std::span<const Vec3> positions) override;
+  void set_particle_velocities(std::span<const uint32_t> slots, std::span<const Vec3> velocities) override;
   void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) override;
 
   void read_positions(std::span<Vec3> out) override { read_vector(particles_.position.current.view(), out); }
@@ -311,5 +313,6 @@ class DeviceEngine final : public Engine {
 #include "sdk/engine/engine_cloth.inl"
 #include "sdk/engine/engine_particles.inl"
 #include "sdk/engine/engine_readout.inl"
+#include "sdk/engine/engine_setters.inl"
 #include "sdk/engine/engine_shapes.inl"
 #include "sdk/engine/engine_state.inl"

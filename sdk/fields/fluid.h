@@ -58,8 +58,7 @@ void fields(V& v, BallRegion& d) {
 
 template <class V>
 void fields(V& v, MeshRegion& d) {
-  v("file", d.file, required(any_value), "", mesh_file_text);
-  v("scale", d.scale, positive, "m", "length of a unit of the file");
+  mesh_fields(v, d);
 }
 
 template <class V>

@@ -87,10 +87,20 @@ void fields(V& v, CylinderGeometry& d) {
 inline constexpr const char* mesh_file_text =
     "mesh file, from the scene's folder, or glmark2:NAME for a model of Debian's glmark2-data";
 
+/// The mesh of a file, or triangles that stand in the definition. Whether these fit is found where they are
+/// used.
+template <class V, class Def>
+void mesh_fields(V& v, Def& d) {
+  constexpr FieldRule numbers = between(0, std::numeric_limits<uint32_t>::max());
+  v("file", d.file, any_value, "", mesh_file_text);
+  v("scale", d.scale, positive, "m", "length of a unit of the mesh");
+  v("vertices", d.vertices, any_value, "", "in place of a file, in units of the scale");
+  v("triangles", d.triangles, numbers, "", "three numbers of vertices each, counted from 0");
+}
+
 template <class V>
 void fields(V& v, MeshGeometry& d) {
-  v("file", d.file, required(any_value), "", mesh_file_text);
-  v("scale", d.scale, positive, "m", "length of a unit of the file");
+  mesh_fields(v, d);
   v("cell_size", d.cell_size, not_negative, "m", "of the distance field; 0 is half of the particle spacing");
   v("max_error", d.max_error, not_negative, "m",
     "when above 0, the distance field is as fine as it takes to be off by no more");

@@ -52,6 +52,11 @@ void OutputFile::write_bytes(const void* data, std::size_t bytes) {
   }
 }
 
+void OutputFile::back_to_start() {
+  errno = 0;
+  if (!stream_.seekp(0)) throw_io_error("write", path_);
+}
+
 void OutputFile::commit() {
   errno = 0;
   stream_.close();

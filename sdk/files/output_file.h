@@ -29,6 +29,9 @@ class OutputFile {
     write_bytes(values.data(), values.size_bytes());
   }
 
+  /// What is written next replaces the first bytes.
+  void back_to_start();
+
   /// Throws Error(io) if not all bytes could be written; a file of that name is then unchanged.
   void commit();
 

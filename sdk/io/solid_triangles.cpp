@@ -68,7 +68,7 @@ class Triangulation {
   }
 
   void operator()(const MeshGeometry& def) {
-    const collision::PaintedMesh painted = collision::load_painted_mesh(def.file, def.scale);
+    const collision::PaintedMesh painted = collision::load_painted_mesh(collision::MeshSource::of(def));
     mesh(painted.mesh);
     for (std::size_t i = 0; i < painted.colors.size(); ++i) triangles[i].color = painted.colors[i];
   }

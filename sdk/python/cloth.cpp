@@ -27,6 +27,27 @@ void bind_array(nb::class_<Handle<Id>>& type, const char* name, ReadoutKind kind
       nb::for_getter(nb::sig(getter.c_str())), doc);
 }
 
+/// A property that is an array of vectors, and can be assigned.
+template <class Id, class Read>
+void bind_vectors(nb::class_<Handle<Id>>& type, const char* name, ReadoutKind kind, const Read& read_out,
+                  void (World::*set)(Id, std::span<const Vec3>), const char* doc) {
+  const std::string getter = "def " + std::string(name) + "(self) -> numpy.typing.NDArray[numpy.float32]";
+  const std::string setter = "def " + std::string(name) + "(self, value: numpy.typing.ArrayLike, /) -> None";
+  type.def_prop_rw(
+      name,
+      [kind, read_out](const Handle<Id>& self) {
+        return self.state->array(
+            kind, self.id.index, [&](World& w) { return read_out(w, self.id); },
+            [](World&, const auto& values) { return copied(values); });
+      },
+      [name, set](const Handle<Id>& self, nb::handle given) {
+        std::vector<Vec3> values;
+        read(given, {handle_name(Id{}), name}, values);
+        self.state->change([&](World& w) { (w.*set)(self.id, values); });
+      },
+      nb::for_getter(nb::sig(getter.c_str())), nb::for_setter(nb::sig(setter.c_str())), doc);
+}
+
 template <class Id>
 void bind_impulses(nb::class_<Handle<Id>>& type) {
   type.def(
@@ -46,12 +67,14 @@ void bind_impulses(nb::class_<Handle<Id>>& type) {
 }
 
 void bind_cloth_arrays(nb::class_<Handle<ClothId>>& type) {
-  bind_array(
-      type, "positions", ReadoutKind::cloth_positions, "float32",
-      [](World& w, ClothId id) { return w.cloth_positions(id); }, "m, one row a vertex.");
-  bind_array(
-      type, "velocities", ReadoutKind::cloth_velocities, "float32",
-      [](World& w, ClothId id) { return w.cloth_velocities(id); }, "m/s, one row a vertex.");
+  bind_vectors(
+      type, "positions", ReadoutKind::cloth_positions,
+      [](World& w, ClothId id) { return w.cloth_positions(id); }, &World::set_cloth_positions,
+      "m, one row a vertex.");
+  bind_vectors(
+      type, "velocities", ReadoutKind::cloth_velocities,
+      [](World& w, ClothId id) { return w.cloth_velocities(id); }, &World::set_cloth_velocities,
+      "m/s, one row a vertex.");
   bind_array(
       type, "normals", ReadoutKind::cloth_normals, "float32",
       [](World& w, ClothId id) { return w.cloth_normals(id); }, "Unit vectors, one a vertex.");
@@ -102,12 +125,14 @@ void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
   nb::class_<Handle<RopeId>> rope = bind_thing(module, world, "rope", "ropes", &Things::ropes);
   bind_creation<RopeDef>(world, "add_rope", &Things::ropes, &World::create_rope, "Adds a rope or a rod.");
   bind_destruction(rope, &Things::ropes, &World::destroy_rope, "Removes it, and its attachments.");
-  bind_array(
-      rope, "positions", ReadoutKind::rope_positions, "float32",
-      [](World& w, RopeId id) { return w.rope_positions(id); }, "m, one row a vertex.");
-  bind_array(
-      rope, "velocities", ReadoutKind::rope_velocities, "float32",
-      [](World& w, RopeId id) { return w.rope_velocities(id); }, "m/s, one row a vertex.");
+  bind_vectors(
+      rope, "positions", ReadoutKind::rope_positions,
+      [](World& w, RopeId id) { return w.rope_positions(id); }, &World::set_rope_positions,
+      "m, one row a vertex.");
+  bind_vectors(
+      rope, "velocities", ReadoutKind::rope_velocities,
+      [](World& w, RopeId id) { return w.rope_velocities(id); }, &World::set_rope_velocities,
+      "m/s, one row a vertex.");
   bind_array(
       rope, "frames", ReadoutKind::rope_frames, "float32",
       [](World& w, RopeId id) { return w.rope_frames(id); },

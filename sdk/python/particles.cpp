@@ -21,6 +21,40 @@ void bind_array(nb::class_<PyWorld>& world, const char* name, ReadoutKind kind, 
       nb::for_getter(nb::sig(("def " + std::string(name) + "(self) -> " + result).c_str())), doc);
 }
 
+/// An array of vectors that can be assigned, for all particles.
+template <class ReadOut, class Wrap, class Set>
+void bind_vectors(nb::class_<PyWorld>& world, const char* name, ReadoutKind kind, const ReadOut& read_out,
+                  const Wrap& wrap, const Set& set, const char* doc) {
+  const std::string getter = "def " + std::string(name) + "(self) -> numpy.typing.NDArray[numpy.float32]";
+  const std::string setter = "def " + std::string(name) + "(self, value: numpy.typing.ArrayLike, /) -> None";
+  world.def_prop_rw(
+      name, [=](const PyWorld& self) { return self.state->array(kind, 0, read_out, wrap); },
+      [=](const PyWorld& self, nb::handle given) {
+        std::vector<Vec3> values;
+        read(given, {"World", name}, values);
+        self.state->change([&](World& w) { set(w, values); });
+      },
+      nb::for_getter(nb::sig(getter.c_str())), nb::for_setter(nb::sig(setter.c_str())), doc);
+}
+
+/// A call that sets vectors of particles by their ids.
+template <class Set>
+void bind_set(nb::class_<PyWorld>& world, const char* call, const char* name, const Set& set,
+              const char* doc) {
+  const std::string text =
+      "def " + std::string(call) + "(self, ids: " + array + ", " + name + ": " + array + ") -> None";
+  world.def(
+      call,
+      [=](const PyWorld& self, nb::handle ids, nb::handle given) {
+        std::vector<ParticleId> particles;
+        std::vector<Vec3> values;
+        read(ids, {call, "ids"}, particles);
+        read(given, {call, name}, values);
+        self.state->change([&](World& w) { set(w, std::span<const ParticleId>(particles), values); });
+      },
+      nb::arg("ids"), nb::arg(name), nb::sig(text.c_str()), doc);
+}
+
 std::string array_type(const char* number) {
   return "numpy.typing.NDArray[numpy." + std::string(number) + "]";
 }
@@ -57,12 +91,14 @@ nb::object diffuse(World& w, std::span<const DiffuseParticle> all) {
 void bind_arrays(nb::class_<PyWorld>& world) {
   const auto own = [](World& w, auto values) { return held(w, values); };
   const auto copy = [](World&, auto values) { return copied(values); };
-  bind_array(
-      world, "positions", ReadoutKind::positions, array_type("float32"),
-      [](World& w) { return w.positions(); }, own, "m, one row a particle, in the order of ids.");
-  bind_array(
-      world, "velocities", ReadoutKind::velocities, array_type("float32"),
-      [](World& w) { return w.velocities(); }, own, "m/s.");
+  bind_vectors(
+      world, "positions", ReadoutKind::positions, [](World& w) { return w.positions(); }, own,
+      [](World& w, std::span<const Vec3> values) { w.set_positions(values); },
+      "m, one row a particle, in the order of ids.");
+  bind_vectors(
+      world, "velocities", ReadoutKind::velocities, [](World& w) { return w.velocities(); }, own,
+      [](World& w, std::span<const Vec3> values) { w.set_velocities(values); },
+      "m/s, one row a particle, in the order of ids.");
   bind_array(
       world, "ids", ReadoutKind::ids, array_type("uint64"), [](World& w) { return w.ids(); }, copy,
       "Particles are numbered from 0 in the order of their creation.");
@@ -94,6 +130,14 @@ ParticleId add_particles(const PyWorld& self, const Handle<FluidId>& fluid, nb::
 }
 
 void bind_changes(nb::class_<PyWorld>& world) {
+  bind_set(
+      world, "set_positions", "positions",
+      [](World& w, std::span<const ParticleId> ids, std::span<const Vec3> to) { w.set_positions(ids, to); },
+      "m, of these particles. An unknown or repeated id is an error. Velocities stay.");
+  bind_set(
+      world, "set_velocities", "velocities",
+      [](World& w, std::span<const ParticleId> ids, std::span<const Vec3> to) { w.set_velocities(ids, to); },
+      "m/s, of these particles. An unknown or repeated id is an error.");
   world.def("add_particles", add_particles, nb::arg("fluid"), nb::arg("positions"),
             nb::arg("velocities") = nb::none(),
             nb::sig(("def add_particles(self, fluid: Fluid, positions: " + std::string(array) +

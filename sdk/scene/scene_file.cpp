@@ -61,10 +61,12 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
   return pbd::with_host_memory([&] { return scene_of_document(document_of(path, overrides).value, path); });
 }
 
-Scene read_scene_text(const std::string& text, const std::string& folder, const std::string& source) {
+Scene read_scene_text(const std::string& text, const std::string& folder, const std::string& source,
+                      const FileReader& read_file) {
   return pbd::with_host_memory([&] {
     const SceneDocument document = parse_document(text, source);
     Scene scene = parse_scene(document.value, source);
+    scene.world.read_file = read_file;
     resolve_meshes(scene, document.value, folder, source);
     return scene;
   });

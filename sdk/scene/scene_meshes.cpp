@@ -29,49 +29,61 @@ bool is_readable_file(const fs::path& path) {
   return fs::is_regular_file(path, ignored) && std::ifstream(path).good();
 }
 
-void resolve(std::string& file, const fs::path& folder, const ScenePlace& place) {
-  if (file.empty()) {
-    place.fail("this scene needs a mesh file of yours", "pass --set " + place.path + "=PATH", ErrorCode::io);
-  }
-  const bool aliased = is_mesh_alias(file);
-  const fs::path path = aliased ? alias_folder() / file.substr(alias.size()) : folder / file;
-  if (!is_readable_file(path)) {
-    const std::string remedy =
-        aliased ? "install Debian's package glmark2-data, or set MENISCUS_GLMARK2_DIR to the "
-                  "folder that holds the models"
-                : "";
-    place.fail("cannot read mesh file \"" + path.string() + "\"", remedy, ErrorCode::io);
-  }
-  file = path.lexically_normal().string();
-}
-
-/// Puts the files of a geometry, and of its parts, in their place.
-class GeometryFiles {
+/// Where the mesh files of a scene are.
+class SceneFiles {
  public:
-  explicit GeometryFiles(const fs::path& folder) : folder_(folder) {}
+  SceneFiles(const fs::path& folder, const FileReader& reader) : folder_(folder), reader_(reader) {}
+
+  void resolve(std::string& file, const ScenePlace& place) const {
+    if (file.empty()) {
+      place.fail("this scene needs a mesh file of yours", "pass --set " + place.path + "=PATH",
+                 ErrorCode::io);
+    }
+    const bool aliased = !reader_ && is_mesh_alias(file);
+    const fs::path path = aliased ? alias_folder() / file.substr(alias.size()) : folder_ / file;
+    const std::string name = path.lexically_normal().string();
+    if (reader_ ? !reader_(name) : !is_readable_file(path)) {
+      const std::string remedy =
+          aliased ? "install Debian's package glmark2-data, or set MENISCUS_GLMARK2_DIR to the "
+                    "folder that holds the models"
+                  : "";
+      place.fail("cannot read mesh file \"" + path.string() + "\"", remedy, ErrorCode::io);
+    }
+    file = name;
+  }
+  /// Of a definition that may have vertices instead.
+  template <class Def>
+  void resolve_in(Def* def, const ScenePlace& place) const {
+    if (!def) return;
+    if constexpr (requires { def->vertices; }) {
+      if (!def->vertices.empty() || !def->triangles.empty()) return;
+    }
+    resolve(def->file, place.key("file"));
+  }
 
   void resolve_in(Geometry& geometry, const Json& json, const ScenePlace& place) const {
-    std::visit([&](auto& g) { resolve_in(g, json, place); }, geometry);
+    std::visit([&](auto& g) { resolve_solid(g, json, place); }, geometry);
   }
 
  private:
-  void resolve_in(MeshGeometry& mesh, const Json&, const ScenePlace& place) const {
-    resolve(mesh.file, folder_, place.key("file"));
+  void resolve_solid(MeshGeometry& mesh, const Json&, const ScenePlace& place) const {
+    resolve_in(&mesh, place);
   }
 
-  void resolve_in(HullGeometry& hull, const Json& json, const ScenePlace& place) const {
+  void resolve_solid(HullGeometry& hull, const Json& json, const ScenePlace& place) const {
     if (!json.contains("file")) return;
     std::string file = json["file"];
-    resolve(file, folder_, place.key("file"));
+    resolve(file, place.key("file"));
     try {
-      const collision::TriangleMesh mesh = collision::load_mesh(file, json.value("scale", 1.0f));
+      const collision::TriangleMesh mesh =
+          collision::load_mesh(collision::MeshSource(file, json.value("scale", 1.0f), reader_));
       hull.points.insert(hull.points.end(), mesh.vertices.begin(), mesh.vertices.end());
     } catch (const Error& error) {
       place.key("file").fail(error.what(), "", error.code());
     }
   }
 
-  void resolve_in(CompoundGeometry& compound, const Json& json, const ScenePlace& place) const {
+  void resolve_solid(CompoundGeometry& compound, const Json& json, const ScenePlace& place) const {
     for (std::size_t i = 0; i < compound.parts.size(); ++i) {
       resolve_in(compound.parts[i].geometry, json["parts"][i]["geometry"],
                  place.key("parts").item(i).key("geometry"));
@@ -79,9 +91,10 @@ class GeometryFiles {
   }
 
   template <class Other>
-  void resolve_in(Other&, const Json&, const ScenePlace&) const {}
+  void resolve_solid(Other&, const Json&, const ScenePlace&) const {}
 
   const fs::path& folder_;
+  const FileReader& reader_;
 };
 
 }  // namespace
@@ -92,25 +105,22 @@ bool is_mesh_alias(const std::string& file) {
 
 void resolve_meshes(Scene& scene, const Json& document, const fs::path& folder, const std::string& source) {
   const ScenePlace root{source, ""};
-  const GeometryFiles files(folder);
+  const SceneFiles files(folder, scene.world.read_file);
   const auto resolve_solid = [&](Geometry& geometry, const char* list, std::size_t i) {
     files.resolve_in(geometry, document[list][i]["geometry"], root.key(list).item(i).key("geometry"));
   };
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) resolve_solid(scene.shapes[i].geometry, "shapes", i);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     resolve_solid(scene.bodies[i].def.geometry, "bodies", i);
-  for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
-    auto* mesh = std::get_if<MeshRegion>(&scene.volumes[i].def.region);
-    if (mesh) resolve(mesh->file, folder, root.key("volumes").item(i).key("region").key("file"));
-  }
-  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
-    auto* mesh = std::get_if<MeshOpening>(&scene.emitters[i].def.opening);
-    if (mesh) resolve(mesh->file, folder, root.key("emitters").item(i).key("opening").key("file"));
-  }
-  for (std::size_t i = 0; i < scene.cloths.size(); ++i) {
-    auto* mesh = std::get_if<ClothFile>(&scene.cloths[i].geometry);
-    if (mesh) resolve(mesh->file, folder, root.key("cloths").item(i).key("geometry").key("file"));
-  }
+  const auto resolve = [&](auto* mesh, const char* list, std::size_t i, const char* key) {
+    files.resolve_in(mesh, root.key(list).item(i).key(key));
+  };
+  for (std::size_t i = 0; i < scene.volumes.size(); ++i)
+    resolve(std::get_if<MeshRegion>(&scene.volumes[i].def.region), "volumes", i, "region");
+  for (std::size_t i = 0; i < scene.emitters.size(); ++i)
+    resolve(std::get_if<MeshOpening>(&scene.emitters[i].def.opening), "emitters", i, "opening");
+  for (std::size_t i = 0; i < scene.cloths.size(); ++i)
+    resolve(std::get_if<ClothFile>(&scene.cloths[i].geometry), "cloths", i, "geometry");
 }
 
 }  // namespace meniscus

@@ -18,7 +18,8 @@ bool is_mesh_alias(const std::string& file);
 /// Replaces the names of mesh files by paths: aliases by what they stand for, relative ones by those from
 /// `folder`. Hulls get the vertices of the files that their part of the `document`, which the scene was read
 /// from, names. Throws Error(io) for a file name that is empty or not there, and for a hull's file what
-/// load_mesh throws.
+/// load_mesh throws. Meshes whose vertices stand in the scene need no file. With WorldDef::read_file of the
+/// scene, that is asked in place of the file system, and there are no aliases.
 void resolve_meshes(Scene& scene, const nlohmann::json& document, const std::filesystem::path& folder,
                     const std::string& source);
 

@@ -47,7 +47,7 @@ uint64_t count_near(const PointTableView& table, std::span<const Vec3> points, V
 }  // namespace
 
 void check_crowding(uint64_t& bound, std::span<const Vec3> added,
-                    const std::function<std::span<const Vec3>()>& present, float reach) {
+                    const std::function<std::span<const Vec3>()>& present, float reach, const char* call) {
   PointTable table;
   table.fill(added, reach);
   if (bound + bound_of(table) <= most) {
@@ -63,9 +63,8 @@ void check_crowding(uint64_t& bound, std::span<const Vec3> added,
     const uint64_t count = count_near(table.view(), all, added[i], reach);
     if (count <= most) continue;
     std::ostringstream why;
-    why << "add_particles would put " << count << " particles within one support radius (" << reach
-        << " m) of (" << added[i].x << ", " << added[i].y << ", " << added[i].z << "); at most " << most
-        << " may be";
+    why << call << " would put " << count << " particles within one support radius (" << reach << " m) of ("
+        << added[i].x << ", " << added[i].y << ", " << added[i].z << "); at most " << most << " may be";
     throw Error(ErrorCode::capacity, why.str());
   }
   bound = std::min(most, bound_of(table));

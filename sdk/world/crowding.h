@@ -15,8 +15,8 @@ namespace meniscus {
 /// `bound` is one on the particles within any support radius, and this keeps it. The present ones are read
 /// only when the bound is too high to tell. Motion alone makes no crowd. Throws Error(capacity) if more than
 /// world_tuning::most_crowded particles would be within `reach` (m) of one that is added. The message names
-/// how many, where, and the limit.
+/// the call, how many, where, and the limit.
 void check_crowding(uint64_t& bound, std::span<const Vec3> added,
-                    const std::function<std::span<const Vec3>()>& present, float reach);
+                    const std::function<std::span<const Vec3>()>& present, float reach, const char* call);
 
 }  // namespace meniscus

@@ -39,6 +39,7 @@ FreeCells fill_box(Vec3 lower, Vec3 upper, float spacing) {
 struct DivideRegion {
   Engine& engine;
   float spacing;
+  const FileReader& files;
 
   FreeCells operator()(const BoxRegion& r) const {
     const Vec3 extent = r.upper - r.lower;
@@ -65,11 +66,12 @@ struct DivideRegion {
   }
 
   FreeCells operator()(const MeshRegion& r) const {
+    const auto source = collision::MeshSource::of(r, files);
     const float cell = 0.5f * spacing;
-    const std::vector<Vec3> inside = engine.fill_mesh(collision::load_mesh(r.file, r.scale), cell);
+    const std::vector<Vec3> inside = engine.fill_mesh(collision::load_mesh(source), cell);
     if (inside.empty()) {
       throw Error(ErrorCode::mesh,
-                  "the mesh " + r.file + " has no inside, or none that a particle fits into");
+                  "the " + source.name() + " has no inside, or none that a particle fits into");
     }
     Vec3 lower = inside.front(), upper = lower;
     for (Vec3 p : inside) {
@@ -97,8 +99,8 @@ bool FreeCells::is_free(Vec3 p) const {
   return i >= 0 && j >= 0 && k >= 0 && i < nx && j < ny && k < nz && is[at(i, j, k)];
 }
 
-FreeCells cells_of(const Region& region, Engine& engine, float spacing) {
-  return std::visit(DivideRegion{engine, spacing}, region);
+FreeCells cells_of(const Region& region, Engine& engine, float spacing, const FileReader& files) {
+  return std::visit(DivideRegion{engine, spacing, files}, region);
 }
 
 }  // namespace meniscus

@@ -36,6 +36,6 @@ struct FreeCells {
 };
 
 /// The cells of a region in its own frame. None are free if no particle fits.
-FreeCells cells_of(const Region& region, Engine& engine, float spacing);
+FreeCells cells_of(const Region& region, Engine& engine, float spacing, const FileReader& files);
 
 }  // namespace meniscus

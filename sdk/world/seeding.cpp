@@ -34,6 +34,7 @@ struct FillRegion {
   Engine& engine;
   float spacing;
   float rounding;
+  const FileReader& files;
 
   std::vector<Vec3> operator()(const BoxRegion& r) const {
     const Vec3 size = r.upper - r.lower;
@@ -60,10 +61,11 @@ struct FillRegion {
   }
 
   std::vector<Vec3> operator()(const MeshRegion& r) const {
-    std::vector<Vec3> points = engine.fill_mesh(collision::load_mesh(r.file, r.scale), spacing);
+    const auto source = collision::MeshSource::of(r, files);
+    std::vector<Vec3> points = engine.fill_mesh(collision::load_mesh(source), spacing);
     if (points.empty()) {
       throw Error(ErrorCode::mesh,
-                  "the mesh " + r.file + " has no inside, or none that a particle fits into");
+                  "the " + source.name() + " has no inside, or none that a particle fits into");
     }
     return points;
   }
@@ -71,8 +73,9 @@ struct FillRegion {
 
 }  // namespace
 
-std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing, float rounding) {
-  std::vector<Vec3> points = std::visit(FillRegion{engine, spacing, rounding}, def.region);
+std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing, float rounding,
+                              const FileReader& files) {
+  std::vector<Vec3> points = std::visit(FillRegion{engine, spacing, rounding, files}, def.region);
   for (Vec3& p : points) p = to_world(def.pose, p);
   return points;
 }
@@ -140,9 +143,10 @@ void leave_solids(std::vector<Vec3>& points, Engine& engine, float spacing, cons
 }  // namespace
 
 std::vector<Vec3> fill_in_disorder(const FluidVolumeDef& def, Engine& engine, float spacing,
-                                   std::span<const Vec3> taken, const CollisionFilter& filter,
+                                   const FileReader& files, std::span<const Vec3> taken,
+                                   const CollisionFilter& filter,
                                    const std::function<void(std::vector<Vec3>&)>& keep) {
-  FreeCells cells = cells_of(def.region, engine, spacing);
+  FreeCells cells = cells_of(def.region, engine, spacing, files);
   if (cells.is.empty()) return {};
   occupy(cells, def, engine, spacing, taken, filter, keep);
   const auto placed = [&](std::vector<Vec3> points) {

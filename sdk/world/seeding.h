@@ -16,12 +16,14 @@ namespace meniscus {
 
 /// The points of the cubic lattice with this spacing inside the region, under its pose. The region's ends are
 /// rounded by `rounding` m, as arguments are far from zero.
-std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing, float rounding);
+std::vector<Vec3> fill_region(const FluidVolumeDef& def, Engine& engine, float spacing, float rounding,
+                              const FileReader& files);
 
 /// Points without order in the region, under its pose, that are relaxed beside solids and the points of
 /// `taken`. `keep` removes points where cloth is.
 std::vector<Vec3> fill_in_disorder(const FluidVolumeDef& def, Engine& engine, float spacing,
-                                   std::span<const Vec3> taken, const CollisionFilter& filter,
+                                   const FileReader& files, std::span<const Vec3> taken,
+                                   const CollisionFilter& filter,
                                    const std::function<void(std::vector<Vec3>&)>& keep);
 
 /// Disturbs `points`, because balls in a regular lattice would stand for ever. Each point moves by up to a

@@ -69,23 +69,17 @@ ShapeEntry World::Impl::make_shape(const ShapeDef& shape, const collision::Rigid
   }
   if (const auto* container = std::get_if<ContainerGeometry>(&shape.geometry))
     entry.inside = container->half_extents;
-  try {
-    const pbd::PeriodicAxes axes = periodic_axes(def.periodic);
-    for (const SolidPieces::Piece& piece : entry.solid.pieces)
-      with_seam_images(placed(piece, shape.pose), axes, kernel.h, shape.name);
-    rigid.add_fixed(rigid_solid(entry.solid, shape.pose, shape.surface, shape.filter), place);
-  } catch (...) {
-    release_fields(entry.solid, *engine);
-    throw;
-  }
+  const pbd::PeriodicAxes axes = periodic_axes(def.periodic);
+  for (const SolidPieces::Piece& piece : entry.solid.pieces)
+    with_seam_images(placed(piece, shape.pose), axes, kernel.h, shape.name);
+  rigid.add_fixed(rigid_solid(entry.solid, shape.pose, shape.surface, shape.filter), place);
   return entry;
 }
 
 void World::Calls::destroy_shape(ShapeId id) {
-  const SolidPieces& solid = impl_->shapes.get(id).solid;
+  impl_->shapes.get(id);
   impl_->forget_solid({false, id.index});
   impl_->solids_changed();
-  release_fields(solid, *impl_->engine);
   impl_->shapes.erase(id);
   impl_->probes_changed();
 }
@@ -130,10 +124,11 @@ size_t World::Calls::add_fluid(const FluidVolumeDef& def) {
   }
   if (def.seeding == Seeding::disordered) impl_->with_solids();
   const float rounding = impl_->origin.input_step();
+  const FileReader& files = impl_->def.read_file;
   std::vector<Vec3> points = [&] {
     const pbd::CallMonitor::Cancellable nothing_to_undo(impl_->monitor());
-    if (def.seeding == Seeding::lattice) return fill_region(def, *impl_->engine, spacing, rounding);
-    return fill_in_disorder(def, impl_->with_solids(), spacing, positions(), material.filter,
+    if (def.seeding == Seeding::lattice) return fill_region(def, *impl_->engine, spacing, rounding, files);
+    return fill_in_disorder(def, impl_->with_solids(), spacing, files, positions(), material.filter,
                             [&](std::vector<Vec3>& p) { impl_->keep_off_cloth(p, material.filter); });
   }();
   if (material.grain.is_grain)
@@ -163,7 +158,8 @@ ParticleId World::Calls::add_particles(FluidId fluid, std::span<const Vec3> posi
   for (Vec3 v : velocities) check::value("a velocity of add_particles", v);
   check::between_seams(periodic_axes(impl_->def.periodic), positions, "a position of add_particles");
   check_crowding(
-      impl_->crowding_bound, positions, [this] { return this->positions(); }, impl_->kernel.h);
+      impl_->crowding_bound, positions, [this] { return this->positions(); }, impl_->kernel.h,
+      "add_particles");
   const ParticleId first = impl_->next_id;
   impl_->add(fluid, positions, velocities, {0, 0, 0}, true);
   return first;

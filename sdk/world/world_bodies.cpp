@@ -90,20 +90,19 @@ BodyEntry World::Impl::make_body(const BodyDef& body, const collision::RigidPlac
         make_solid(body.geometry, body.surface, body.filter,
                    dynamic ? SolidRole::dynamic : SolidRole::kinematic, body.density, solid_context());
   }
-  try {
-    double volume = 0;
-    for (const collision::PlacedMass& part : entry.solid.masses)
-      volume += part.body.mass / double{body.density};
-    const collision::MassProperties mass = mass_of(body, entry.solid);
-    entry.mass = {static_cast<float>(mass.mass), static_cast<float>(volume), mass.centre, mass.inertia,
-                  mass.axes};
-    const uint32_t number = rigid.add_body(rigid_def(body, entry.solid, mass), place);  // the last to fail
-    entry.principal = rigid.mass(number).principal;
-  } catch (...) {
-    release_fields(entry.solid, *engine);
-    throw;
-  }
+  double volume = 0;
+  for (const collision::PlacedMass& part : entry.solid.masses)
+    volume += part.body.mass / double{body.density};
+  const collision::MassProperties mass = mass_of(body, entry.solid);
+  entry.mass = {static_cast<float>(mass.mass), static_cast<float>(volume), mass.centre, mass.inertia,
+                mass.axes};
+  const uint32_t number = rigid.add_body(rigid_def(body, entry.solid, mass), place);  // the last to fail
+  entry.principal = rigid.mass(number).principal;
   return entry;
+}
+
+collision::RigidBodyDef rigid_body(const BodyEntry& body) {
+  return rigid_def(body.def, body.solid, mass_of(body.def, body.solid));
 }
 
 void World::Impl::note_repairs(const SolidPieces& solid) {
@@ -115,14 +114,13 @@ const std::vector<MeshRepair>& World::Calls::mesh_repairs() const {
 }
 
 void World::Calls::destroy_body(BodyId id) {
-  const SolidPieces& solid = impl_->bodies.get(id).solid;
+  impl_->bodies.get(id);
   const std::vector<uint32_t> its_joints = impl_->rigid.joints_of(id.index);
   impl_->drop_attachments_of(id);  // reads from the device, and may fail
   impl_->forget_solid({true, id.index});
   impl_->monitor().commit();
   impl_->drop_flow_of(id);
   impl_->solids_changed();
-  release_fields(solid, *impl_->engine);
   for (const uint32_t joint : its_joints) {
     impl_->rigid.remove_joint(joint);
     impl_->joints.erase(impl_->joints.id(joint));
@@ -140,12 +138,14 @@ JointId World::Calls::create_joint(const JointDef& def) {
   if (def.b) impl_->bodies.get(*def.b);
   impl_->joints.prepare();
   impl_->rigid.add_joint(rigid_joint(def));
+  impl_->note_revision();
   return impl_->joints.insert(def);
 }
 
 void World::Calls::destroy_joint(JointId id) {
   impl_->joints.get(id);
   impl_->rigid.remove_joint(id.index);
+  impl_->note_revision();
   impl_->joints.erase(id);
 }
 

@@ -120,6 +120,26 @@ struct World::Calls {
   void apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses);
   Vec3 attachment_force(AttachmentId id) const;
   std::vector<uint32_t> attachment_vertices(AttachmentId id) const;
+  void set_positions(std::span<const Vec3> positions);
+  void set_positions(FluidId fluid, std::span<const Vec3> positions);
+  void set_positions(std::span<const ParticleId> ids, std::span<const Vec3> positions);
+  void set_velocities(std::span<const Vec3> velocities);
+  void set_velocities(FluidId fluid, std::span<const Vec3> velocities);
+  void set_velocities(std::span<const ParticleId> ids, std::span<const Vec3> velocities);
+  void set_cloth_positions(ClothId id, std::span<const Vec3> positions);
+  void set_cloth_velocities(ClothId id, std::span<const Vec3> velocities);
+  void set_rope_positions(RopeId id, std::span<const Vec3> positions);
+  void set_rope_velocities(RopeId id, std::span<const Vec3> velocities);
+  void set_shape_pose(ShapeId id, const Pose& pose);
+  void set_filter(FluidId id, const CollisionFilter& filter);
+  void set_filter(ShapeId id, const CollisionFilter& filter);
+  void set_filter(BodyId id, const CollisionFilter& filter);
+  void set_filter(ClothId id, const CollisionFilter& filter);
+  void set_filter(RopeId id, const CollisionFilter& filter);
+  void set_surface(ShapeId id, const SurfaceDef& surface);
+  void set_surface(BodyId id, const SurfaceDef& surface);
+  /// The slots of a fluid's particles, ascending.
+  std::vector<uint32_t> slots_of(FluidId fluid) const;
   std::vector<ParticleContact> particle_contacts() const;
   std::vector<SolidContact> solid_contacts() const;
   const std::vector<ContactEvent>& contact_events() const;

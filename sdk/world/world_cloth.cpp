@@ -88,7 +88,7 @@ ClothId World::Calls::create_cloth(const ClothDef& def) {
   check::no_periodic_axes(impl_->def, "cloth");
   impl_->check_solver_allows("cloth");
   impl_->check_pieces();
-  ClothEntry entry = make_cloth(def);
+  ClothEntry entry = make_cloth(def, impl_->def.read_file);
   impl_->cloths.prepare();
   impl_->cloth_changed();
   return impl_->cloths.insert(std::move(entry));

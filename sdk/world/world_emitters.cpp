@@ -60,7 +60,7 @@ EmitterId World::Calls::create_emitter(const EmitterDef& def) {
   impl_->fluids.get(def.fluid);
   if (def.body) impl_->bodies.get(*def.body);
   impl_->check_imposed(def);
-  EmitterSites sites = emitter_sites(def.opening, impl_->def.particle_spacing);
+  EmitterSites sites = emitter_sites(def.opening, impl_->def.particle_spacing, impl_->def.read_file);
   const EmitterClock clock = clock_of(def, sites, impl_->time);
   return impl_->emitters.insert({def, std::move(sites), clock, {}, {}, {}, {}});
 }

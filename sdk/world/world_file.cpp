@@ -105,30 +105,46 @@ void World::Impl::visit_contents(pbd::StateVisitor& v, collision::RigidWorld::Sn
   v.group("model", [&] { visit_engine_cloth(v, cloth); });
 }
 
-pbd::SavedState World::Calls::chunks() const {
-  Engine& engine = impl_->with_all();
-  impl_->read_reactions();
-  impl_->fetch_cloth();
-  pbd::SavedState chunks;
-  pbd::StateSaver saver(engine.device(), chunks, pbd::SavedTo::host);
-  collision::RigidLayout layout = impl_->rigid.layout();
-  std::vector<uint64_t> digests = digests_of(*impl_, layout);
+namespace {
+
+/// Calls use(visit), where visit(visitor) visits all chunks of a world. It may be called several times.
+template <class Calls, class Use>
+void with_chunks(const Calls& w, const Use& use) {
+  Engine& engine = w.impl_->with_all();
+  w.impl_->read_reactions();
+  w.impl_->fetch_cloth();
+  collision::RigidLayout layout = w.impl_->rigid.layout();
+  std::vector<uint64_t> digests = digests_of(*w.impl_, layout);
   const collision::RigidWorld::SnapshotPtr rigid = collision::RigidWorld::make_snapshot();
-  impl_->rigid.save(*rigid);
-  EngineCloth cloth = impl_->uploaded_cloth ? *impl_->uploaded_cloth : EngineCloth{};
-  bool has_cloth = impl_->uploaded_cloth != nullptr;
-  saver.value("has_cloth", has_cloth);
-  saver.list("solid_digest", digests);
-  visit_generations(saver, *impl_);
-  saver.part("layout", layout);
-  impl_->visit_contents(saver, *rigid, cloth);
-  saver.group("engine", [&] { engine.visit_state(saver); });
+  w.impl_->rigid.save(*rigid);
+  EngineCloth cloth = w.impl_->uploaded_cloth ? *w.impl_->uploaded_cloth : EngineCloth{};
+  bool has_cloth = w.impl_->uploaded_cloth != nullptr;
+  use([&](pbd::StateVisitor& v) {
+    v.value("has_cloth", has_cloth);
+    v.list("solid_digest", digests);
+    visit_generations(v, *w.impl_);
+    v.part("layout", layout);
+    w.impl_->visit_contents(v, *rigid, cloth);
+    v.group("engine", [&] { engine.visit_state(v); });
+  });
+}
+
+}  // namespace
+
+pbd::SavedState World::Calls::chunks() const {
+  pbd::SavedState chunks;
+  with_chunks(*this, [&](const auto& visit) {
+    pbd::StateSaver saver(impl_->engine->device(), chunks, pbd::SavedTo::host);
+    visit(saver);
+  });
   return chunks;
 }
 
 void World::Calls::save(const std::string& path) const {
-  write_chunk_file(path, {MENISCUS_VERSION_STRING, impl_->device.kind, impl_->time, definitions_text(*impl_)},
-                   chunks());
+  const ChunkFileHeader header{MENISCUS_VERSION_STRING, impl_->device.kind, impl_->time,
+                               definitions_text(*impl_)};
+  with_chunks(*this,
+              [&](const auto& visit) { write_chunk_file(path, header, impl_->engine->device(), visit); });
 }
 
 /// Makes all contents of an empty world, and gives them their state.
@@ -212,6 +228,7 @@ World World::made_from(const std::string& definitions, const pbd::SavedState& sa
   if (def.cuda_device) world_def.cuda_device = *def.cuda_device;
   if (world_def.device == DeviceChoice::cpu) world_def.cuda_device.reset();
   world_def.cuda_stream = def.cuda_stream;
+  world_def.read_file = def.read_file;
   World world(world_def);
   world.impl_->run([&](auto) { world.impl_->fill_from(definitions, saved); });
   return world;
@@ -226,7 +243,9 @@ World World::load(const std::string& path, const LoadDef& def) {
 }
 
 World World::clone(const LoadDef& def) const {
-  return impl_->run([&](auto w) { return made_from(definitions_text(*impl_), w.chunks(), def); });
+  LoadDef own = def;
+  if (!own.read_file) own.read_file = this->def().read_file;
+  return impl_->run([&](auto w) { return made_from(definitions_text(*impl_), w.chunks(), own); });
 }
 
 }  // namespace meniscus

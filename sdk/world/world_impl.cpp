@@ -184,7 +184,14 @@ void World::Impl::relax_from(size_t slot) {
   }
 }
 
+/// Fields of solids are removed from the engine, so that they go first.
+World::Impl::~Impl() {
+  shapes.clear();
+  bodies.clear();
+}
+
 void World::Impl::solids_changed() {
+  note_revision();
   solids_are_on_device = false;
   forces_are_on_device &= force_fields.size() == 0;
   state_changed();

@@ -44,6 +44,7 @@ struct CachedReadout {
 
 struct World::Impl : WorldTables {
   explicit Impl(const WorldDef& world_def);
+  ~Impl();
 
   /// `name` is that of the public call.
   template <class Call>
@@ -67,6 +68,7 @@ struct World::Impl : WorldTables {
   ShapeEntry make_shape(const ShapeDef& shape, const collision::RigidPlace& place);
   BodyEntry make_body(const BodyDef& body, const collision::RigidPlace& place);
   void solids_changed();
+  void note_revision() { solids_revision = ++last_revision; }
   void note_repairs(const SolidPieces& solid);
   void
   upload_solids();  // after solids were created or destroyed: all at once, since one costs as much as all
@@ -78,7 +80,9 @@ struct World::Impl : WorldTables {
     return with_solids(), upload_probes(), upload_sinks(), upload_forces(), upload_cloth(), upload_pistons(),
            *engine;
   }
-  SolidContext solid_context() { return {*engine, solid_meshes, def.particle_spacing, kernel.h}; }
+  SolidContext solid_context() {
+    return {*engine, solid_meshes, def.particle_spacing, kernel.h, def.read_file};
+  }
   BodyId body_id(uint32_t number) const { return bodies.id(number); }
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
   void forget_touches();
@@ -112,13 +116,21 @@ struct World::Impl : WorldTables {
   void state_changed();
   void push_vertices(const VertexRange& range, const char* kind, std::span<const uint32_t> vertices,
                      std::span<const Vec3> impulses);
+  /// `others`: where the particles in no slot of these are.
+  void place(std::span<const uint32_t> slots, std::span<const Vec3> positions,
+             const std::function<std::vector<Vec3>()>& others);
+  void set_particle_velocities(std::span<const uint32_t> slots, std::span<const Vec3> values);
+  void place_vertices(VertexRange& range, std::span<const Vec3> positions);
+  void set_vertex_velocities(VertexRange& range, std::span<const Vec3> velocities);
   void fetch_cloth();   // fetches its latest state to the host
   void upload_cloth();  // uploads it if a call has changed it
   /// Removes points that are nearer than half a spacing to cloth with which the filter collides.
   void keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter);
   void cloth_changed();
   void set_engine_cloth();  // gives the engine what `uploaded_cloth` has
-  bool has_solids_of(const WorldTables& tables) const;
+  /// A rigid world with the solids and joints of the tables, in the places of the layout.
+  static void make_rigid(collision::RigidWorld& made, const WorldTables& tables,
+                         const collision::RigidLayout& layout);
   void restore(WorldTables&& tables, const Snapshot::Data& data);
   /// Gives the engine and the rigid world the state of the tables. `visit_engine` restores the engine's.
   void restore_engine(const collision::RigidWorld::Snapshot& rigid_state, bool sets_cloth,
@@ -176,6 +188,7 @@ struct World::Impl : WorldTables {
   std::vector<collision::RigidRef> removed_solids;
   std::vector<bool> removed_particles;         // by slot; empty if there are none
   std::vector<collision::RigidRef> forgotten;  // solids that were removed since the last step
+  uint64_t last_revision = 0;                  // see solids_revision
   Emission emission;
   float planned_step = 1;    // s, for which strokes of pistons are planned
   bool has_pistons = false;  // on the device
@@ -197,6 +210,7 @@ struct World::Impl : WorldTables {
 
 ParticleMaterial material_of(const FluidDef& def);
 collision::RigidJointDef rigid_joint(const JointDef& def);
+collision::RigidBodyDef rigid_body(const BodyEntry& body);
 /// Throws Error(invalid_argument) if a baseline is to have another kernel than the one that it is made for.
 void check_baseline_kernel(const WorldDef& def);
 

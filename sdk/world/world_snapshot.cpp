@@ -25,7 +25,7 @@ Snapshot World::Calls::snapshot() const {
   impl_->read_reactions();  // of the last step
   impl_->forget_touches();
   auto data = std::make_shared<Snapshot::Data>(
-      Snapshot::Data{WorldTables(*impl_), {}, collision::RigidWorld::make_snapshot()});
+      Snapshot::Data{WorldTables(*impl_), {}, collision::RigidWorld::make_snapshot(), impl_->rigid.layout()});
   pbd::StateSaver saver(engine.device(), data->engine, pbd::SavedTo::device);
   engine.visit_state(saver);
   impl_->rigid.save(*data->rigid);
@@ -38,26 +38,49 @@ void World::Calls::restore(const Snapshot& snapshot) {
   if (!data) throw Error(ErrorCode::invalid_argument, "restore got a snapshot of no world");
   if (!impl_->snapshots.has(data))
     throw Error(ErrorCode::invalid_argument, "restore got a snapshot of another world");
-  if (!impl_->has_solids_of(data->tables)) {
-    throw Error(ErrorCode::invalid_argument,
-                "restore got a snapshot from before a shape, body or joint was created or destroyed, and "
-                "cannot bring that back");
-  }
   WorldTables tables = data->tables;
-  impl_->monitor().commit();
-  impl_->restore(std::move(tables), *data);
+  if (tables.solids_revision == impl_->solids_revision) {
+    impl_->monitor().commit();
+    impl_->restore(std::move(tables), *data);
+  } else {
+    collision::RigidWorld made({tables.def.gravity, tables.def.rigid.substeps, tables.def.rigid.iterations});
+    Impl::make_rigid(made, tables, data->layout);
+    impl_->monitor().commit();
+    impl_->rigid.swap(made);
+    tables.solids_are_on_device = false;
+    impl_->restore(std::move(tables), *data);
+  }
 }
 
-bool World::Impl::has_solids_of(const WorldTables& tables) const {
-  return shapes.has_ids_of(tables.shapes) && bodies.has_ids_of(tables.bodies) &&
-         joints.has_ids_of(tables.joints);
+void World::Impl::make_rigid(collision::RigidWorld& made, const WorldTables& tables,
+                             const collision::RigidLayout& layout) {
+  for (size_t k = 0; k < layout.objects.size(); ++k) {
+    const uint32_t index = layout.objects[k] / 2;
+    const collision::RigidPlace place{index, layout.proxies[k]};
+    if (layout.objects[k] % 2) {
+      made.add_body(rigid_body(tables.bodies.get(tables.bodies.id(index))), place);
+    } else {
+      const ShapeEntry& shape = tables.shapes.get(tables.shapes.id(index));
+      made.add_fixed(rigid_solid(shape.solid, shape.def.pose, shape.def.surface, shape.def.filter), place);
+    }
+  }
+  for (size_t k = 0; k < layout.joints.size(); ++k) {
+    const uint32_t n = layout.joints[k];
+    made.add_joint(rigid_joint(tables.joints.get(tables.joints.id(n))), n, layout.joint_places[k]);
+  }
+  made.arrange(layout);
 }
 
 void World::Impl::restore(WorldTables&& tables, const Snapshot::Data& data) {
   const std::shared_ptr<const EngineCloth> on_device = cloth_is_on_device ? uploaded_cloth : nullptr;
   const bool had_cloth = uploaded_cloth != nullptr;
+  engine->device().wait();  // for what reads the fields of solids that are dropped here
   static_cast<WorldTables&>(*this) = std::move(tables);
-  restore_engine(*data.rigid, on_device != uploaded_cloth || (had_cloth && !on_device), [&] {
+  forgotten.clear();
+  const bool has_new_bodies = !solids_are_on_device;  // to which cloth may be attached
+  upload_solids();
+  const bool sets_cloth = on_device != uploaded_cloth || ((has_new_bodies || !on_device) && had_cloth);
+  restore_engine(*data.rigid, sets_cloth, [&] {
     pbd::StateRestorer restorer(engine->device(), data.engine);
     engine->visit_state(restorer);
     restorer.expect_all_used();

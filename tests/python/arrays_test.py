@@ -156,6 +156,26 @@ class Input(unittest.TestCase):
             world.remove_particles([5])
         self.assertEqual(world.particle_count, 0)
 
+    def test_assigned(self):
+        world = meniscus.World(device="cpu")
+        water = world.add_fluid()
+        first = world.add_particles(water, [(0, 0, 0), (1, 0, 0)])
+        held = world.positions
+        world.positions = held + (0, 1, 0)
+        world.velocities = [(1, 2, 3), (4, 5, 6)]
+        world.set_positions([first + 1], np.array([(2, 2, 2)], np.float32))
+        world.set_velocities([first], [(0, 0, 0)])
+        np.testing.assert_array_equal(world.positions, [[0, 1, 0], [2, 2, 2]])
+        np.testing.assert_array_equal(world.velocities, [[0, 0, 0], [4, 5, 6]])
+        np.testing.assert_array_equal(held, [[0, 0, 0], [1, 0, 0]])
+        with self.assertRaises(ValueError):
+            world.positions = [(0, 0, 0)]
+        cloth = world.add_cloth()
+        cloth.positions = cloth.positions + (0, 2, 0)
+        cloth.velocities = np.ones_like(cloth.positions)
+        self.assertEqual(cloth.positions[5][1], 2)
+        np.testing.assert_array_equal(cloth.velocities[5], [1, 1, 1])
+
     def test_impulses(self):
         world = meniscus.World(device="cpu")
         water = world.add_fluid()

@@ -9,9 +9,12 @@ import unittest
 
 import meniscus
 
-# What Python calls otherwise, or leaves out: work on the GPU, files of whole worlds, and what belongs to C++ alone.
+# What Python calls otherwise, or leaves out: work on the GPU, files of whole worlds, poses, filters and surfaces of what
+# exists, and what belongs to C++ alone.
 RENAMED = {"def": None, "set_def": None, "device": "device_info", "set_fluid": None, "fluids": "fluid_indices",
-           "body_ids": "bodies",
+           "set_cloth_positions": ("Cloth", "positions"), "set_cloth_velocities": ("Cloth", "velocities"),
+           "set_rope_positions": ("Rope", "positions"), "set_rope_velocities": ("Rope", "velocities"),
+           "set_shape_pose": None, "set_filter": None, "set_surface": None, "body_ids": "bodies",
            "create_fluid": "add_fluid", "add_fluid": "add_volume", "set_progress": "on_progress",
            "memory_shares": "memory", "write_particles": None, "hold": None, "World": None, "save": None,
            "load": None, "clone": None, "device_arrays": None, "step_begin": None, "step_end": None,

@@ -9,10 +9,8 @@
 #include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <cstring>
-#include <filesystem>
 #include <string_view>
 
-#include "collision/mesh/file/bytes.h"
 #include "collision/mesh/file/defect.h"
 #include "collision/mesh/file/tuning.h"
 
@@ -62,8 +60,7 @@ class MemoryStream : public Assimp::IOStream {
 }  // namespace
 
 bool BoundedFiles::Exists(const char* file) const {
-  std::error_code ignored;
-  return file == path_ || std::filesystem::is_regular_file(file, ignored);
+  return file == path_ || files_.has(file);
 }
 
 void BoundedFiles::Close(Assimp::IOStream* stream) {
@@ -74,7 +71,7 @@ Assimp::IOStream* BoundedFiles::Open(const char* file, const char* mode) {
   if (std::strchr(mode, 'w') || std::strchr(mode, 'a')) return nullptr;
   if (file == path_) return new MemoryStream(bytes_, {}, budget_);
   if (!Exists(file)) return nullptr;
-  std::string bytes = read_bytes(file, budget_.file_bytes);
+  std::string bytes = files_.read(file, budget_.file_bytes);
   budget_.reads += mesh_file_tuning::most_reads_of_a_byte * bytes.size();
   return new MemoryStream({}, std::move(bytes), budget_);
 }

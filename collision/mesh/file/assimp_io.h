@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <string>
 
+#include "collision/mesh/file/bytes.h"
+
 namespace meniscus::collision {
 
 /// What one import may still do. Shared by its streams and its progress handler.
@@ -18,13 +20,14 @@ struct ImportBudget {
   bool spent() const { return reads == 0; }
 };
 
-/// Gives assimp the bytes of the mesh file, and of the regular files that it refers to. A stream throws
+/// Gives assimp the bytes of the mesh file, and of the files that it refers to. A stream throws
 /// FileDefect once the budget is spent, so that a reader that circles at the end of a file comes to an end.
 class BoundedFiles : public Assimp::IOSystem {
  public:
-  BoundedFiles(std::string path, const std::string& bytes, ImportBudget& budget)
-      : path_(std::move(path)), bytes_(bytes), budget_(budget) {}
-  BoundedFiles(std::string, std::string&&, ImportBudget&) = delete;  // the bytes are not copied
+  BoundedFiles(std::string path, const std::string& bytes, const FileSource& files, ImportBudget& budget)
+      : path_(std::move(path)), bytes_(bytes), files_(files), budget_(budget) {}
+  BoundedFiles(std::string, std::string&&, const FileSource&,
+               ImportBudget&) = delete;  // bytes are not copied
 
   bool Exists(const char* file) const override;
   char getOsSeparator() const override { return '/'; }
@@ -34,6 +37,7 @@ class BoundedFiles : public Assimp::IOSystem {
  private:
   std::string path_;
   const std::string& bytes_;
+  const FileSource& files_;
   ImportBudget& budget_;
 };
 

@@ -11,6 +11,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <utility>
 
 #include "collision/mesh/file/defect.h"
 
@@ -36,7 +38,13 @@ class Descriptor {
   int number_;
 };
 
-}  // namespace
+void spend(const std::string& path, uint64_t size, uint64_t& left) {
+  if (size > left) {
+    throw FileDefect("takes more than the " + std::to_string(left) + " bytes that are left for it: '" + path +
+                     "' has " + std::to_string(size));
+  }
+  left -= size;
+}
 
 std::string read_bytes(const std::string& path, uint64_t& left) {
   const auto refuse = [&path](const std::string& why) {
@@ -47,11 +55,7 @@ std::string read_bytes(const std::string& path, uint64_t& left) {
   if (file.number() < 0 || fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
     refuse("is not there, is not a file, or may not be read");
   uint64_t size = static_cast<uint64_t>(status.st_size);
-  if (size > left) {
-    throw FileDefect("takes more than the " + std::to_string(left) + " bytes that are left for it: '" + path +
-                     "' has " + std::to_string(size));
-  }
-  left -= size;
+  spend(path, size, left);
   std::string bytes(size, '\0');
   for (size_t done = 0; done < size;) {
     const ssize_t got = read(file.number(), bytes.data() + done, size - done);
@@ -61,6 +65,24 @@ std::string read_bytes(const std::string& path, uint64_t& left) {
     done += static_cast<size_t>(got);
   }
   return bytes;
+}
+
+}  // namespace
+
+bool FileSource::has(const std::string& name) const {
+  std::error_code ignored;
+  if (!reader_) return std::filesystem::is_regular_file(name, ignored);
+  if (found_ && found_name_ == name) return true;
+  found_ = reader_(name);
+  found_name_ = name;
+  return found_.has_value();
+}
+
+std::string FileSource::read(const std::string& name, uint64_t& left) const {
+  if (!reader_) return read_bytes(name, left);
+  if (!has(name)) throw Error(ErrorCode::io, "mesh file '" + name + "' is not there");
+  spend(name, found_->size(), left);
+  return *std::exchange(found_, std::nullopt);
 }
 
 }  // namespace meniscus::collision

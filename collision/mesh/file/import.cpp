@@ -10,7 +10,6 @@
 #include <assimp/scene.h>
 #include <meniscus/error.h>
 
-#include <filesystem>
 #include <new>
 #include <set>
 #include <utility>
@@ -96,17 +95,17 @@ void check_bytes(MeshFormat format, std::string_view bytes) {
 
 }  // namespace
 
-MeshImport::MeshImport(const std::string& path) : budget_{mesh_file_tuning::most_file_bytes, 0} {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
+MeshImport::MeshImport(const std::string& path, const FileReader& read_file)
+    : budget_{mesh_file_tuning::most_file_bytes, 0}, files_(read_file) {
+  if (!files_.has(path))
     throw Error(ErrorCode::io, "mesh file '" + path + "' is not there, or is not a file");
   const MeshFormat format = format_of(path);  // before a byte of it is read
-  bytes_ = read_bytes(path, budget_.file_bytes);
+  bytes_ = files_.read(path, budget_.file_bytes);
   budget_.reads = mesh_file_tuning::most_reads + mesh_file_tuning::most_reads_of_a_byte * bytes_.size();
   if (bytes_.empty()) throw FileDefect("is empty");
   choose_reader(path);
   check_bytes(format, bytes_);
-  importer_.SetIOHandler(new BoundedFiles(path, bytes_, budget_));
+  importer_.SetIOHandler(new BoundedFiles(path, bytes_, files_, budget_));
   importer_.SetProgressHandler(new BudgetProgress(budget_));
   import(path);
 }

@@ -18,8 +18,9 @@ namespace meniscus::collision {
 /// readers of our own, OBJ is checked by us, and assimp reads it and the other formats.
 class MeshImport {
  public:
-  /// Throws Error(io) if the file cannot be read, Error(out_of_memory), and FileDefect.
-  explicit MeshImport(const std::string& path);
+  /// Throws Error(io) if the file cannot be read, Error(out_of_memory), FileDefect, and what `read_file`
+  /// throws.
+  explicit MeshImport(const std::string& path, const FileReader& read_file = {});
 
   const aiScene& scene() const;
 
@@ -29,6 +30,7 @@ class MeshImport {
   [[noreturn]] void fail() const;
 
   ImportBudget budget_;
+  FileSource files_;
   std::string bytes_;
   Assimp::Importer importer_;  // owns what it is given: files, progress handler, readers and the scene
 };

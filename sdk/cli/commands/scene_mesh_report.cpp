@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "collision/mesh/inspect.h"
+#include "collision/mesh/source.h"
 #include "pbd/math/vec.h"
 #include "sdk/cli/record/json_text.h"
 #include "sdk/io/plain_text.h"
@@ -36,14 +37,18 @@ class MeshFiles {
  public:
   std::vector<MeshFile> files;
 
-  void add(const std::string& file, float scale) {
-    const MeshFile found{file, scale};
+  /// Triangles that stand in the scene have no file.
+  template <class Def>
+  void add(const Def& def) {
+    const auto source = collision::MeshSource::of(def);
+    const MeshFile found{def.file, def.scale};
+    if (source.in_memory()) return;
     if (std::ranges::find(files, found) == files.end()) files.push_back(found);
   }
-  void operator()(const MeshGeometry& g) { add(g.file, g.scale); }
-  void operator()(const MeshRegion& r) { add(r.file, r.scale); }
-  void operator()(const MeshOpening& o) { add(o.file, o.scale); }
-  void operator()(const ClothFile& c) { add(c.file, c.scale); }
+  void operator()(const MeshGeometry& g) { add(g); }
+  void operator()(const MeshRegion& r) { add(r); }
+  void operator()(const MeshOpening& o) { add(o); }
+  void operator()(const ClothFile& c) { add(c); }
   void operator()(const CompoundGeometry& g) {
     for (const CompoundPart& part : g.parts) std::visit(*this, part.geometry);
   }

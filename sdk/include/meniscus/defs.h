@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,6 +26,11 @@ enum class DeviceChoice {
   cpu,
   cuda,
 };
+
+/// Reads a file from where a program keeps its files, such as an archive. It returns the bytes, or none if
+/// there is no file of that name. The extension of the name tells the format. It is called within the call
+/// that needs the file, on the same thread. What it throws passes through that call.
+using FileReader = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// The method that solves for the density multipliers.
 enum class DensitySolver {
@@ -187,6 +193,8 @@ struct WorldDef {
   /// of the world's own. It is neither in scene files nor in snapshots. Refused where the world is on the
   /// CPU.
   void* cuda_stream = nullptr;
+  /// Reads the mesh files that definitions name, and the files that these refer to; none: the file system.
+  FileReader read_file{};
 };
 
 /// A liquid.
@@ -300,6 +308,9 @@ struct MeshGeometry {
   /// World::mesh_repairs says how well both agree.
   bool repair = false;
   int convex_parts = 32;  ///< of a dynamic body, at most, 1 to 256; 1: the convex hull
+  /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
+  std::vector<Vec3> vertices{};
+  std::vector<uint32_t> triangles{};
 };
 
 /// The convex hull of points. For solids, rays and overlaps it has at most 200 of them, the outermost.
@@ -373,6 +384,9 @@ struct BallRegion {
 struct MeshRegion {
   std::string file;    ///< its path
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
+  /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
+  std::vector<Vec3> vertices{};
+  std::vector<uint32_t> triangles{};
 };
 
 /// A region that fluid can fill.

@@ -27,6 +27,9 @@ struct RectangleOpening {
 struct MeshOpening {
   std::string file;    ///< its path
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
+  /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
+  std::vector<Vec3> vertices{};
+  std::vector<uint32_t> triangles{};
 };
 
 /// Where particles leave an emitter.

@@ -23,5 +23,6 @@
 #include <meniscus/c/particles.h>
 #include <meniscus/c/queries.h>
 #include <meniscus/c/scene.h>
+#include <meniscus/c/setters.h>
 #include <meniscus/c/state.h>
 #include <meniscus/c/world.h>

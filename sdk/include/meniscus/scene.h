@@ -182,8 +182,11 @@ Scene read_scene(const std::string& path, std::span<const std::string> overrides
 
 /// Reads a scene from the text of a file. Paths of mesh files start from `folder`. `source` is the name of
 /// the text in errors. Throws what read_scene throws.
+///
+/// `read_file` becomes WorldDef::read_file of the scene. Then it gets the names as they stand in the text,
+/// with `folder` before them, and the file system is not asked.
 Scene read_scene_text(const std::string& text, const std::string& folder = "",
-                      const std::string& source = "scene");
+                      const std::string& source = "scene", const FileReader& read_file = {});
 
 /// Checks the names and values of a scene, without making a world. Throws SceneError: parse if a name is
 /// missing or stands twice, and invalid_argument if a value is not allowed. Meshes are not read.

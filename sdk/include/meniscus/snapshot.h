@@ -38,6 +38,7 @@ struct LoadDef {
   std::optional<int> threads{};          ///< of the CPU device, 0 to 1024; left out, as the saved world
   std::optional<int> cuda_device{};      ///< WorldDef::cuda_device; left out, as the saved world
   void* cuda_stream = nullptr;           ///< WorldDef::cuda_stream
+  FileReader read_file{};                ///< WorldDef::read_file, which is in no file; a clone keeps its own
 };
 
 }  // namespace meniscus

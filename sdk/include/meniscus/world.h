@@ -122,8 +122,9 @@ class World {
   /// The whole state: what exists, where it is, and all that the next step reads. Its arrays are copied
   /// within the memory of the device. The world does not change.
   Snapshot snapshot() const;
-  /// Goes back to a snapshot of this world. Ids are valid as they were then. What follows is bit for bit what
-  /// followed the snapshot. Throws Error(invalid_argument) if the snapshot is empty or of another world.
+  /// Goes back to a snapshot of this world, whatever was created, destroyed or set since. Ids are valid as
+  /// they were then. What follows is bit for bit what followed the snapshot. Throws Error(invalid_argument)
+  /// if the snapshot is empty or of another world.
   void restore(const Snapshot& snapshot);
   /// Writes the whole state to a file (docs/snapshots.md), which appears complete or not at all. Mesh files
   /// of solids are not in it, but their names. Throws Error(io) if the file cannot be written.
@@ -221,6 +222,40 @@ class World {
   /// the attachment. Seams read 0.
   Vec3 attachment_force(AttachmentId id) const;
   std::vector<uint32_t> attachment_vertices(AttachmentId id) const;  ///< by number
+
+  // State that is set from outside. Read-outs show it at once, and the next step starts from it. There is one
+  // value for each particle or vertex: any other number, a value that is not finite, or one beyond 1e9 m or
+  // m/s throws Error(invalid_argument). New positions are like those of a new thing. No impulse results from
+  // the way there, but overlaps with solids are resolved at their usual speed. Bodies at rest near it wake
+  // once particles or vertices push them.
+  /// m, of all particles, in the order of ids(). Velocities stay. Density multipliers of all particles start
+  /// from 0, and emitters no longer hold the moved particles. Throws Error(capacity) as add_particles.
+  void set_positions(std::span<const Vec3> positions);
+  void set_positions(FluidId fluid, std::span<const Vec3> positions);  ///< those of one fluid or material
+  /// Those of these particles. An unknown or repeated id is an error.
+  void set_positions(std::span<const ParticleId> ids, std::span<const Vec3> positions);
+  void set_velocities(std::span<const Vec3> velocities);                 ///< m/s; multipliers stay
+  void set_velocities(FluidId fluid, std::span<const Vec3> velocities);  ///< likewise
+  void set_velocities(std::span<const ParticleId> ids, std::span<const Vec3> velocities);  ///< likewise
+  /// m, of all vertices. Velocities stay. A vertex that is attached to the world is held where it now is. One
+  /// that is attached to a body is drawn back to its place there. All cloth and ropes of the world start
+  /// without multipliers, self-contact lists and stick anchors, as after the creation of cloth.
+  void set_cloth_positions(ClothId id, std::span<const Vec3> positions);
+  void set_cloth_velocities(ClothId id, std::span<const Vec3> velocities);  ///< m/s; multipliers stay
+  /// Likewise. The frames of a rod turn with its segments, by the smallest rotation.
+  void set_rope_positions(RopeId id, std::span<const Vec3> positions);
+  void set_rope_velocities(RopeId id, std::span<const Vec3> velocities);  ///< m/s; multipliers stay
+  /// Wakes bodies that touched the shape. What the shape now covers is pushed out, as after its creation. To
+  /// carry things along, use a kinematic body. Contact events tell of the change after the next step.
+  void set_shape_pose(ShapeId id, const Pose& pose);
+  /// What the fluid or granular material collides with. Cloth starts as in set_cloth_positions.
+  void set_filter(FluidId id, const CollisionFilter& filter);
+  void set_filter(ShapeId id, const CollisionFilter& filter);  ///< wakes what touches it
+  void set_filter(BodyId id, const CollisionFilter& filter);   ///< likewise
+  void set_filter(ClothId id, const CollisionFilter& filter);  ///< cloth starts as in set_cloth_positions
+  void set_filter(RopeId id, const CollisionFilter& filter);   ///< likewise
+  void set_surface(ShapeId id, const SurfaceDef& surface);     ///< wakes what touches it
+  void set_surface(BodyId id, const SurfaceDef& surface);      ///< likewise
 
   // Contacts and queries, as of the last step.
   std::vector<ParticleContact> particle_contacts() const;  ///< those with an impulse; none if the step failed

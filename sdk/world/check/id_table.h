@@ -52,12 +52,10 @@ class IdTable {
 
   uint32_t size() const { return size_; }
 
-  /// Whether the same ids are valid in both.
-  bool has_ids_of(const IdTable& other) const {
-    const auto holds = [](const Entry& a, const Entry& b) {
-      return a.generation == b.generation && a.value.has_value() == b.value.has_value();
-    };
-    return std::equal(entries_.begin(), entries_.end(), other.entries_.begin(), other.entries_.end(), holds);
+  /// Drops all entries and places.
+  void clear() {
+    entries_.clear();
+    first_free_ = size_ = 0;
   }
 
   /// nullptr where there is none.
@@ -86,9 +84,8 @@ class IdTable {
   }
   /// Empty places of these generations, for a table that is empty.
   void set_generations(const std::vector<uint32_t>& generations) {
-    entries_.clear();
+    clear();
     for (const uint32_t g : generations) entries_.push_back({std::nullopt, first_generation_ + g});
-    first_free_ = size_ = 0;
   }
   /// Fills an empty place.
   void put(uint32_t index, T value) {

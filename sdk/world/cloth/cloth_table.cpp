@@ -22,12 +22,14 @@ namespace meniscus {
 namespace {
 
 struct MakeMesh {
+  const FileReader& files;
+
   cloth::ClothMesh operator()(const SheetGeometry& g) const {
     return cloth::make_sheet(g.width, g.depth, static_cast<uint32_t>(g.columns),
                              static_cast<uint32_t>(g.rows));
   }
   cloth::ClothMesh operator()(const ClothFile& g) const {
-    const collision::TriangleMesh mesh = collision::load_mesh(g.file, g.scale);
+    const collision::TriangleMesh mesh = collision::load_mesh(collision::MeshSource::of(g, files));
     return {mesh.vertices, mesh.triangles, {}};
   }
   cloth::ClothMesh operator()(const ClothTriangles& g) const {
@@ -119,11 +121,11 @@ float mean_edge(const cloth::ClothMesh& mesh) {
   return static_cast<float>(sum / (3.0 * static_cast<double>(mesh.triangles.size())));
 }
 
-ClothEntry make_cloth(const ClothDef& def) {
+ClothEntry make_cloth(const ClothDef& def, const FileReader& files) {
   check::def(def);
   ClothEntry entry;
   entry.def = def;
-  entry.mesh = std::visit(MakeMesh{}, def.geometry);
+  entry.mesh = std::visit(MakeMesh{files}, def.geometry);
   entry.welded = weld_file(def.geometry, entry.mesh);
   cloth::check_mesh(entry.mesh);
   cloth::orient_triangles(entry.mesh);

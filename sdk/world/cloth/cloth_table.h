@@ -92,7 +92,7 @@ struct AttachmentEntry {
 
 /// Mean edge length at rest, m.
 float mean_edge(const cloth::ClothMesh& mesh);
-ClothEntry make_cloth(const ClothDef& def);
+ClothEntry make_cloth(const ClothDef& def, const FileReader& files);
 RopeEntry make_rope(const RopeDef& def);
 
 /// Builds the constraints anew after the mesh has changed.

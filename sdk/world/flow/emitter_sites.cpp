@@ -79,6 +79,7 @@ std::pair<int, int> divide(double width, double depth, double spacing) {
 
 struct MakeSites {
   double spacing;
+  const FileReader& files;
 
   EmitterSites operator()(const DiscOpening& o) const {
     EmitterSites sites;
@@ -111,7 +112,7 @@ struct MakeSites {
   }
 
   EmitterSites operator()(const MeshOpening& o) const {
-    const collision::TriangleMesh mesh = collision::load_mesh(o.file, o.scale);
+    const collision::TriangleMesh mesh = collision::load_mesh(collision::MeshSource::of(o, files));
     EmitterSites sites;
     sites.area = surface_area(mesh);
     check_size("MeshOpening's area", sites.area, spacing);
@@ -123,8 +124,8 @@ struct MakeSites {
 
 }  // namespace
 
-EmitterSites emitter_sites(const EmitterOpening& opening, float spacing) {
-  EmitterSites sites = std::visit(MakeSites{spacing}, opening);
+EmitterSites emitter_sites(const EmitterOpening& opening, float spacing, const FileReader& files) {
+  EmitterSites sites = std::visit(MakeSites{spacing, files}, opening);
   sites.layer = static_cast<double>(sites.places.size()) * spacing * spacing * spacing / sites.area;
   return sites;
 }

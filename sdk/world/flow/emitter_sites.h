@@ -26,6 +26,6 @@ struct EmitterSites {
 
 /// Throws Error(invalid_argument) if the opening is not valid or has room for more than a million places, and
 /// what loading a mesh throws.
-EmitterSites emitter_sites(const EmitterOpening& opening, float spacing);
+EmitterSites emitter_sites(const EmitterOpening& opening, float spacing, const FileReader& files = {});
 
 }  // namespace meniscus

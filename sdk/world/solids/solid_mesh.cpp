@@ -18,18 +18,18 @@ namespace meniscus {
 
 using collision::TriangleMesh;
 
-SolidMesh SolidMeshes::load(const MeshGeometry& def, float cell_size, bool dynamic) {
+SolidMesh SolidMeshes::load(const MeshGeometry& def, float cell_size, bool dynamic, const FileReader& files) {
   SolidMesh solid;
   const bool must_be_closed = dynamic && !def.repair;
-  solid.mesh =
-      std::make_shared<const TriangleMesh>(must_be_closed ? collision::load_solid(def.file, def.scale)
-                                                          : collision::load_mesh(def.file, def.scale));
-  if (def.repair) repair(solid, def, cell_size);
+  const auto source = collision::MeshSource::of(def, files);
+  solid.mesh = std::make_shared<const TriangleMesh>(must_be_closed ? collision::load_solid(source)
+                                                                   : collision::load_mesh(source));
+  if (def.repair) repair(solid, source, cell_size);
   if (dynamic) cut(solid, def.convex_parts);
   return solid;
 }
 
-void SolidMeshes::repair(SolidMesh& solid, const MeshGeometry& def, float cell_size) {
+void SolidMeshes::repair(SolidMesh& solid, const collision::MeshSource& from, float cell_size) {
   const Aabb box = collision::bounds(*solid.mesh);
   cell_size = std::min(cell_size, max_component(box.upper - box.lower) / solids_tuning::repair_cells);
   const collision::MeshHash source = collision::hash_of(*solid.mesh);
@@ -38,15 +38,14 @@ void SolidMeshes::repair(SolidMesh& solid, const MeshGeometry& def, float cell_s
     if (entry.source != source || entry.cell_size != cell_size) continue;
     solid.mesh = entry.mesh.lock();
     solid.repair = entry.repair;
-    solid.repair->file = def.file;
+    solid.repair->file = from.file;
     return;
   }
   const collision::MeshDefects defects = collision::find_defects(*solid.mesh);
   if (defects.none()) return;
-  collision::RepairedMesh made =
-      collision::repair_mesh(*solid.mesh, cell_size, "mesh file '" + def.file + "'");
+  collision::RepairedMesh made = collision::repair_mesh(*solid.mesh, cell_size, from.name());
   solid.mesh = std::make_shared<const TriangleMesh>(std::move(made.mesh));
-  solid.repair = {def.file,
+  solid.repair = {from.file,
                   made.cell_size,
                   made.deviation,
                   made.volume_before,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "collision/mesh/hash.h"
+#include "collision/mesh/source.h"
 
 namespace meniscus {
 
@@ -27,7 +28,7 @@ class SolidMeshes {
  public:
   /// Throws what load_mesh, load_solid, repair_mesh and convex_parts throw. A grid of repair has cells of at
   /// most cell_size (m).
-  SolidMesh load(const MeshGeometry& def, float cell_size, bool dynamic);
+  SolidMesh load(const MeshGeometry& def, float cell_size, bool dynamic, const FileReader& files = {});
 
  private:
   struct Made {
@@ -42,7 +43,7 @@ class SolidMeshes {
     MeshRepair repair;
   };
 
-  void repair(SolidMesh& solid, const MeshGeometry& def, float cell_size);
+  void repair(SolidMesh& solid, const collision::MeshSource& from, float cell_size);
   void cut(SolidMesh& solid, int parts);
 
   std::vector<Made> made_;

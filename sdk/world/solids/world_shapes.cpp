@@ -27,16 +27,21 @@ using collision::TriangleMesh;
   throw Error(ErrorCode::invalid_argument, what + " " + why);
 }
 
+collision::Surface surface_of(const SurfaceDef& surface, const CollisionFilter& filter, float spacing) {
+  return {surface.friction, surface.restitution,  surface.adhesion * spacing * spacing, surface.slip_length,
+          filter,           surface.belt_velocity};
+}
+
 /// Adds a geometry's pieces to a solid, one overload a kind.
 class SolidBuilder {
  public:
   SolidBuilder(SolidPieces& solid, const SurfaceDef& surface, const CollisionFilter& filter, SolidRole role,
                float density, const SolidContext& context)
-      : solid_(solid), role_(role), density_(density), context_(context) {
-    const float s = context.spacing;
-    surface_ = {surface.friction, surface.restitution,  surface.adhesion * s * s, surface.slip_length,
-                filter,           surface.belt_velocity};
-  }
+      : solid_(solid),
+        role_(role),
+        density_(density),
+        context_(context),
+        surface_(surface_of(surface, filter, context.spacing)) {}
 
   void operator()(const PlaneGeometry& g) {
     if (role_ != SolidRole::fixed) refuse("a plane", "has no end and cannot be a body");
@@ -73,8 +78,8 @@ class SolidBuilder {
   void operator()(const MeshGeometry& g) {
     const bool falls = role_ == SolidRole::dynamic;
     const bool is_given = g.cell_size > 0;
-    SolidMesh solid =
-        context_.meshes.load(g, is_given ? g.cell_size : solids_tuning::field_cell * context_.spacing, falls);
+    SolidMesh solid = context_.meshes.load(
+        g, is_given ? g.cell_size : solids_tuning::field_cell * context_.spacing, falls, context_.files);
     const float cell_size = is_given ? g.cell_size : cell_for(collision::bounds(*solid.mesh));
     weigh([&](double d) {
       return collision::mesh_mass(*solid.mesh, d);
@@ -96,8 +101,10 @@ class SolidBuilder {
   void operator()(const HeightFieldGeometry& g) {
     if (role_ != SolidRole::fixed) refuse("a height field", "has no end below and cannot be a body");
     SolidPieces::Piece piece = new_piece(ShapeKind::height_field, {0, 0, 0});
-    piece.shape.table = context_.engine.add_height_field(
-        static_cast<uint32_t>(g.columns), static_cast<uint32_t>(g.rows), g.cell_size, g.heights);
+    hold(piece,
+         context_.engine.add_height_field(static_cast<uint32_t>(g.columns), static_cast<uint32_t>(g.rows),
+                                          g.cell_size, g.heights),
+         &Engine::remove_height_field);
     const float x = 0.5f * g.cell_size * static_cast<float>(g.columns - 1);
     const float z = 0.5f * g.cell_size * static_cast<float>(g.rows - 1);
     const float top = *std::max_element(g.heights.begin(), g.heights.end());
@@ -155,9 +162,17 @@ class SolidBuilder {
     solid_.parts.push_back(part);
   }
 
+  /// The table is removed from the engine with the last copy of the piece.
+  void hold(SolidPieces::Piece& piece, uint32_t table, void (Engine::*remove)(uint32_t)) const {
+    Engine* const engine = &context_.engine;
+    piece.shape.table = table;
+    piece.field = std::shared_ptr<const void>(
+        nullptr, [engine, table, remove](const void*) { (engine->*remove)(table); });
+  }
+
   void add_field(const TriangleMesh& mesh, float cell_size, float max_error) {
     SolidPieces::Piece piece = new_piece(ShapeKind::sdf, {0, 0, 0});
-    piece.shape.table = context_.engine.add_sdf(mesh, cell_size, max_error, context_.reach);
+    hold(piece, context_.engine.add_sdf(mesh, cell_size, max_error, context_.reach), &Engine::remove_sdf);
     piece.place.bounds = collision::bounds(mesh);
     solid_.pieces.push_back(piece);
   }
@@ -225,21 +240,14 @@ class SolidBuilder {
 SolidPieces make_solid(const Geometry& geometry, const SurfaceDef& surface, const CollisionFilter& filter,
                        SolidRole role, float density, const SolidContext& context) {
   SolidPieces solid;
-  try {
-    SolidBuilder build(solid, surface, filter, role, density, context);
-    std::visit(build, geometry);
-  } catch (...) {
-    release_fields(solid, context.engine);
-    throw;
-  }
+  SolidBuilder build(solid, surface, filter, role, density, context);
+  std::visit(build, geometry);
   return solid;
 }
 
-void release_fields(const SolidPieces& solid, Engine& engine) {
-  for (const SolidPieces::Piece& piece : solid.pieces) {
-    if (piece.shape.kind == ShapeKind::sdf) engine.remove_sdf(piece.shape.table);
-    if (piece.shape.kind == ShapeKind::height_field) engine.remove_height_field(piece.shape.table);
-  }
+void set_surfaces(SolidPieces& solid, const SurfaceDef& surface, float spacing) {
+  for (SolidPieces::Piece& piece : solid.pieces)
+    piece.shape.surface = surface_of(surface, piece.shape.surface.filter, spacing);
 }
 
 collision::Shape placed(const SolidPieces::Piece& piece, const Pose& pose) {

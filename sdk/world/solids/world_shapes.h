@@ -24,6 +24,7 @@ struct SolidPieces {
     collision::Shape shape;  ///< kind, size, table, surface, openings; first_opening counts within `openings`
     collision::CarriedShape place;                        ///< pose and extent
     std::shared_ptr<const collision::TriangleMesh> film;  ///< of a body's piece: its surface, see FilmPart
+    std::shared_ptr<const void> field;  ///< keeps its table in the engine, for all copies of the piece
   };
   std::vector<Piece> pieces;
   std::vector<collision::PlaneOpening> openings;
@@ -39,14 +40,15 @@ struct SolidContext {
   Engine& engine;
   SolidMeshes& meshes;
   float spacing, reach;  ///< m: they set a mesh field's cell size and margin
+  const FileReader& files;
 };
 
-/// Builds the pieces, with their fields in the engine. The masses of a dynamic body have this density
-/// (kg/m³).
+/// Builds the pieces, with their fields in the engine, which must outlive them. The masses of a dynamic body
+/// have this density (kg/m³).
 SolidPieces make_solid(const Geometry& geometry, const SurfaceDef& surface, const CollisionFilter& filter,
                        SolidRole role, float density, const SolidContext& context);
-/// Releases the fields.
-void release_fields(const SolidPieces& solid, Engine& engine);
+/// Gives all pieces another surface, and leaves their filter.
+void set_surfaces(SolidPieces& solid, const SurfaceDef& surface, float spacing);
 
 /// The piece at its pose.
 collision::Shape placed(const SolidPieces::Piece& piece, const Pose& pose);

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Writes and reads the container of snapshots.
+// Reads the container of snapshots.
 #include "sdk/world/state/chunk_file.h"
 
 #include <meniscus/error.h>
 #include <meniscus/version.h>
 
-#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -15,40 +14,16 @@
 #include <nlohmann/json.hpp>
 
 #include "sdk/files/output_file.h"
-
-#define XXH_INLINE_ALL
-#include <xxhash.h>
+#include "sdk/world/state/chunk_format.h"
 
 namespace meniscus {
 
+using namespace chunk_format;
+
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr char magic[8] = {'M', 'E', 'N', 'I', 'S', 'N', 'A', 'P'};
-constexpr uint32_t format_version = 1;
-constexpr uint32_t chunk_version = 1;
-static_assert(std::endian::native == std::endian::little);
-
-struct Prefix {
-  char magic[8];
-  uint32_t version, header_bytes;
-  uint64_t header_hash;
-};
-static_assert(sizeof(Prefix) == 24);
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw Error(ErrorCode::io, path + " is no usable snapshot: " + why);
-}
-
-Json described(const std::string& name, const pbd::StateItem& item) {
-  return {{"name", name},
-          {"form", item.form},
-          {"element_bytes", item.element_bytes},
-          {"count", item.count},
-          {"version", chunk_version},
-          {"required", true},
-          {"xxh3", XXH3_64bits(item.host.data(), item.host.size())}};
 }
 
 Json parsed_header(const std::string& path, const std::string& text) {
@@ -79,28 +54,6 @@ pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::ifstr
 }
 
 }  // namespace
-
-void write_chunk_file(const std::string& path, const ChunkFileHeader& header, const pbd::SavedState& chunks) {
-  Json json{{"program", header.program},
-            {"device", header.device},
-            {"time", header.time},
-            {"definitions", header.definitions},
-            {"chunks", Json::array()}};
-  for (const std::string& name : chunks.paths())
-    json["chunks"].push_back(described(name, *chunks.find(name)));
-  const std::string text = json.dump();
-  Prefix prefix{
-      {}, format_version, static_cast<uint32_t>(text.size()), XXH3_64bits(text.data(), text.size())};
-  std::memcpy(prefix.magic, magic, sizeof magic);
-  io::OutputFile file(path);
-  file.write(std::span<const Prefix>(&prefix, 1));
-  file.write(text);
-  for (const std::string& name : chunks.paths()) {
-    const pbd::StateItem& item = *chunks.find(name);
-    file.write(std::span<const std::byte>(item.host));
-  }
-  file.commit();
-}
 
 pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header) {
   errno = 0;

@@ -4,6 +4,7 @@
 // The container of snapshots: a header that names the chunks, and the chunks.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "pbd/state/saved_state.h"
@@ -28,8 +29,11 @@ struct ChunkFileHeader {
 ///             version, whether it is required, and xxh3
 ///   chunks    one after the other
 ///
-/// Integers are little-endian. Throws Error(io); PATH is then as before.
-void write_chunk_file(const std::string& path, const ChunkFileHeader& header, const pbd::SavedState& chunks);
+/// Integers are little-endian. Spaces may follow the JSON. `visit` visits all chunks: once for their names
+/// and sizes, and once for their contents, which go to the file piece by piece. Throws Error(io); PATH is
+/// then as before.
+void write_chunk_file(const std::string& path, const ChunkFileHeader& header, pbd::Device& device,
+                      const std::function<void(pbd::StateVisitor&)>& visit);
 
 /// All chunks, on the host. Throws Error(io) that names what is wrong, if a byte is not as it was written.
 pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header);

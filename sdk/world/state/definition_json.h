@@ -91,11 +91,12 @@ class Reader {
 
   template <class T>
   void operator()(const char* key, T& value, const FieldRule& rule, const char*, const char*) {
-    if (!rule.key_only) from_json(at(json_, key), key, value, ids_);
+    if (rule.key_only || lacks(key)) return;
+    from_json(json_[key], key, value, ids_);
   }
   template <class T>
   void flat(const char* member, T& part) {
-    from_json(at(json_, member), member, part, ids_);
+    if (!lacks(member)) from_json(json_[member], member, part, ids_);
   }
   template <class T, class Whole>
   void choice(const char* name, T value, Whole& whole, const char*) {
@@ -110,6 +111,12 @@ class Reader {
   bool chosen = false;  ///< an alternative
 
  private:
+  /// A member that an earlier version did not have keeps its default.
+  bool lacks(const std::string& key) const {
+    if (!json_.is_object()) refuse(key);
+    return !json_.contains(key);
+  }
+
   const Json& json_;
   const Ids& ids_;
 };

@@ -20,6 +20,7 @@ struct Snapshot::Data {
   WorldTables tables;
   pbd::SavedState engine;
   collision::RigidWorld::SnapshotPtr rigid;
+  collision::RigidLayout layout;  ///< of the solids and joints of the tables
   bool is_of_living_world = true;
 
   /// Frees what is in the memory of the world's device, before the device is gone.
@@ -27,6 +28,8 @@ struct Snapshot::Data {
     is_of_living_world = false;
     engine = {};
     rigid.reset();
+    tables.shapes.clear();  // their fields are in the engine
+    tables.bodies.clear();
   }
 };
 

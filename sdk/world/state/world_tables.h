@@ -53,6 +53,8 @@ struct WorldTables {
   IdTable<ShapeId, ShapeEntry> shapes{"shape", first_generation};
   IdTable<BodyId, BodyEntry> bodies{"body", first_generation};
   IdTable<JointId, JointDef> joints{"joint", first_generation};
+  /// Differs where solids or joints were created, destroyed or set in between. Not in files.
+  uint64_t solids_revision = 0;
   std::vector<MeshRepair> mesh_repairs;
   bool solids_are_on_device = true;            ///< shapes and bodies
   std::vector<collision::RigidTouch> touches;  ///< after the last step

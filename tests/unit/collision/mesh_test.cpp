@@ -100,7 +100,7 @@ void expect_box(const TriangleMesh& mesh, Vec3 lower, Vec3 upper) {
 
 TEST_F(MeshFile, TrianglesHaveTheColoursOfTheirMaterials) {
   write("paints.mtl", paints_mtl);
-  const PaintedMesh cube = load_painted_mesh(write("cube.obj", painted_cube_obj));
+  const PaintedMesh cube = load_painted_mesh(MeshSource(write("cube.obj", painted_cube_obj)));
   ASSERT_EQ(cube.mesh.triangles.size(), 12u);
   ASSERT_EQ(cube.colors.size(), 12u);
   for (std::size_t i = 0; i < 12; ++i) {
@@ -118,7 +118,7 @@ TEST_F(MeshFile, TrianglesHaveTheColoursOfTheirMaterials) {
 TEST_F(MeshFile, WithoutMaterialsNothingHasAColour) {
   for (const auto& [name, text] :
        {std::pair{"cube.obj", cube_obj}, std::pair{"tetrahedron.ply", tetrahedron_ply}}) {
-    for (const auto& color : load_painted_mesh(write(name, text)).colors)
+    for (const auto& color : load_painted_mesh(MeshSource(write(name, text))).colors)
       EXPECT_EQ(color, std::nullopt) << name;
   }
 }

@@ -123,6 +123,21 @@ const std::vector<NamedCall>& calls_without_results() {
        [](const Arguments& a) { return meniscus_apply_particle_impulses(a.world, nullptr, nullptr, 3); }},
       {"vertex_impulses",
        [](const Arguments& a) { return meniscus_apply_vertex_impulses(a.world, a.id, nullptr, nullptr, 3); }},
+      {"positions", [](const Arguments& a) { return meniscus_set_positions(a.world, nullptr, 3); }},
+      {"velocities", [](const Arguments& a) { return meniscus_set_velocities(a.world, nullptr, 3); }},
+      {"fluid_positions",
+       [](const Arguments& a) { return meniscus_set_fluid_positions(a.world, a.id, nullptr, 3); }},
+      {"fluid_velocities",
+       [](const Arguments& a) { return meniscus_set_fluid_velocities(a.world, a.id, nullptr, 3); }},
+      {"particle_positions",
+       [](const Arguments& a) { return meniscus_set_particle_positions(a.world, nullptr, nullptr, 3); }},
+      {"particle_velocities",
+       [](const Arguments& a) { return meniscus_set_particle_velocities(a.world, nullptr, nullptr, 3); }},
+      {"vertex_positions",
+       [](const Arguments& a) { return meniscus_set_vertex_positions(a.world, a.id, nullptr, 3); }},
+      {"vertex_velocities",
+       [](const Arguments& a) { return meniscus_set_vertex_velocities(a.world, a.id, nullptr, 3); }},
+      NO_RESULT_OF_ID(meniscus_set_surface),
       {"cast_ray",
        [](const Arguments& a) {
          return meniscus_cast_ray(a.world, {0, 1, 0}, {0, 0, 0}, nullptr);
@@ -152,6 +167,14 @@ const std::vector<NamedCall>& calls_of_worlds() {
       {"relax", [](const Arguments& a) { return meniscus_relax(a.world, 1); }},
       {"cancel", [](const Arguments& a) { return meniscus_cancel(a.world); }},
       {"progress", [](const Arguments& a) { return meniscus_set_progress(a.world, nullptr, nullptr); }},
+      {"filter",
+       [](const Arguments& a) {
+         return meniscus_set_filter(a.world, a.id, {1, 1});
+       }},
+      {"shape_pose",
+       [](const Arguments& a) {
+         return meniscus_set_shape_pose(a.world, a.id, {{}, {0, 0, 0, 1}});
+       }},
       {"item",
        [](const Arguments& a) { return meniscus_scene_item(a.world, MENISCUS_BODY, 0, nullptr, nullptr); }},
   };

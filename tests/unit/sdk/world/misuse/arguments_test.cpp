@@ -29,6 +29,17 @@ std::vector<Vec3> two(float x) {
   return {{0, 0, 0}, {0, x, 0}};
 }
 
+std::vector<Vec3> spoiled(std::span<const Vec3> values, float x) {
+  std::vector<Vec3> changed(values.begin(), values.end());
+  changed.back().y = x;
+  return changed;
+}
+
+/// For each particle, all but the last of them where they are.
+std::vector<Vec3> all_at(const MisuseWorld& w, float x) {
+  return spoiled(w.world.positions(), x);
+}
+
 std::vector<Argument> arguments() {
   using W = MisuseWorld;
   const std::vector<float> not_positive{0, -1};
@@ -46,6 +57,39 @@ std::vector<Argument> arguments() {
        [](W& w, float x) { w.world.apply_impulses(w.cloth, two_vertices, two(x)); }},
       {"an impulse of apply_impulses",
        [](W& w, float x) { w.world.apply_impulses(w.string, two_vertices, two(x)); }},
+      {"a position of set_positions", [](W& w, float x) { w.world.set_positions(two_particles, two(x)); }},
+      {"a position of set_positions", [](W& w, float x) { w.world.set_positions(all_at(w, x)); }},
+      {"a position of set_positions", [](W& w, float x) { w.world.set_positions(w.water, all_at(w, x)); }},
+      {"a velocity of set_velocities", [](W& w, float x) { w.world.set_velocities(two_particles, two(x)); }},
+      {"a velocity of set_velocities", [](W& w, float x) { w.world.set_velocities(all_at(w, x)); }},
+      {"a velocity of set_velocities", [](W& w, float x) { w.world.set_velocities(w.water, all_at(w, x)); }},
+      {"a position of set_cloth_positions",
+       [](W& w, float x) {
+         w.world.set_cloth_positions(w.cloth, spoiled(w.world.cloth_positions(w.cloth), x));
+       }},
+      {"a velocity of set_cloth_velocities",
+       [](W& w, float x) {
+         w.world.set_cloth_velocities(w.cloth, spoiled(w.world.cloth_velocities(w.cloth), x));
+       }},
+      {"a position of set_rope_positions",
+       [](W& w, float x) {
+         w.world.set_rope_positions(w.string, spoiled(w.world.rope_positions(w.string), x));
+       }},
+      {"a velocity of set_rope_velocities",
+       [](W& w, float x) {
+         w.world.set_rope_velocities(w.string, spoiled(w.world.rope_velocities(w.string), x));
+       }},
+      {"set_shape_pose's pose.position",
+       [](W& w, float x) {
+         w.world.set_shape_pose(w.vessel, {{x, 0, 0}, turn});
+       }},
+      {"set_shape_pose's pose.rotation",
+       [](W& w, float x) {
+         w.world.set_shape_pose(w.vessel, {{0, 0, 0}, {0, x, 0, 0}});
+       },
+       {0, 2}},
+      {"SurfaceDef::friction", [](W& w, float x) { w.world.set_surface(w.vessel, {.friction = x}); }, {-1}},
+      {"SurfaceDef::friction", [](W& w, float x) { w.world.set_surface(w.box, {.friction = x}); }, {-1}},
       {"step's dt", [](W& w, float x) { w.world.step(x); }, {0, -1, 1e-13f}},
       {"set_body_pose's pose.position",
        [](W& w, float x) {
@@ -217,6 +261,20 @@ TEST_P(MisuseArgumentsTest, ListsMustFitOneAnother) {
   refuse(invalid, "1 twice", [&] { w.world.apply_impulses(w.cloth, same, both); });
   refuse(invalid, "99", [&] { w.world.apply_impulses(w.cloth, beyond, both); });
   refuse(invalid, "99", [&] { w.world.apply_impulses(w.string, beyond, both); });
+  refuse(invalid, "2 positions for 27 particles", [&] { w.world.set_positions(both); });
+  refuse(invalid, "2 velocities for 27 particles", [&] { w.world.set_velocities(both); });
+  refuse(invalid, "2 positions for 0 particles", [&] { w.world.set_positions(w.sand, both); });
+  refuse(invalid, "1 velocities for 27 particles", [&] { w.world.set_velocities(w.water, one); });
+  refuse(invalid, "1 positions for 2 ids", [&] { w.world.set_positions(two_particles, one); });
+  refuse(invalid, "3 twice", [&] { w.world.set_positions(same_particle, both); });
+  refuse(invalid, "3 twice", [&] { w.world.set_velocities(same_particle, both); });
+  refuse(ErrorCode::not_found, "99", [&] { w.world.set_positions(unknown, both); });
+  refuse(ErrorCode::not_found, "99", [&] { w.world.set_velocities(unknown, both); });
+  refuse(invalid, "2 positions for 16 vertices", [&] { w.world.set_cloth_positions(w.cloth, both); });
+  refuse(invalid, "2 velocities for 16 vertices", [&] { w.world.set_cloth_velocities(w.cloth, both); });
+  refuse(invalid, "2 positions for 5 vertices", [&] { w.world.set_rope_positions(w.string, both); });
+  refuse(invalid, "2 velocities for 5 vertices", [&] { w.world.set_rope_velocities(w.string, both); });
+  refuse(invalid, "belt_velocity", [&] { w.world.set_surface(w.box, {.belt_velocity = {1, 0, 0}}); });
   refuse(invalid, "dynamic", [&] { w.world.set_body_velocity(w.door, {}, {}); });
   refuse(invalid, "dynamic", [&] { w.world.apply_force(w.door, {}, {}); });
   refuse(invalid, "dynamic", [&] { w.world.apply_torque(w.door, {}); });

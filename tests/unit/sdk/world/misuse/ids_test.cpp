@@ -50,8 +50,11 @@ TEST_P(MisuseIdsTest, OfFluidsAndShapes) {
   World& w = w_.world;
   bad("fluid", FluidId{77, 1}, other_.water, w_.water)
       .calls({[&](FluidId id) { w.particle_mass(id); }, [&](FluidId id) { w.set_fluid(id, {}); },
-              [&](FluidId id) { w.add_particles(id, one); }});
-  bad("shape", gone, other_.vessel, w_.vessel).calls({[&](ShapeId id) { w.destroy_shape(id); }});
+              [&](FluidId id) { w.add_particles(id, one); }, [&](FluidId id) { w.set_positions(id, one); },
+              [&](FluidId id) { w.set_velocities(id, one); }, [&](FluidId id) { w.set_filter(id, {}); }});
+  bad("shape", gone, other_.vessel, w_.vessel)
+      .calls({[&](ShapeId id) { w.destroy_shape(id); }, [&](ShapeId id) { w.set_shape_pose(id, {}); },
+              [&](ShapeId id) { w.set_filter(id, {}); }, [&](ShapeId id) { w.set_surface(id, {}); }});
 }
 
 TEST_P(MisuseIdsTest, OfFlowAndProbes) {
@@ -84,7 +87,8 @@ TEST_P(MisuseIdsTest, OfBodiesAndJoints) {
               [&](BodyId id) { w.body_mass(id); }, [&](BodyId id) { w.set_body_pose(id, {}); },
               [&](BodyId id) { w.set_body_velocity(id, {}, {}); },
               [&](BodyId id) { w.apply_force(id, {}, {}); }, [&](BodyId id) { w.apply_torque(id, {}); },
-              [&](BodyId id) { w.apply_impulse(id, {}, {}); }, [&](BodyId id) { w.move_body(id, {}, 1); }});
+              [&](BodyId id) { w.apply_impulse(id, {}, {}); }, [&](BodyId id) { w.move_body(id, {}, 1); },
+              [&](BodyId id) { w.set_filter(id, {}); }, [&](BodyId id) { w.set_surface(id, {}); }});
   for (const JointId joint : {destroyed, joint_of_gone})
     bad("joint", joint, other_.hinge, w_.hinge)
         .calls({[&](JointId id) { w.destroy_joint(id); }, [&](JointId id) { w.hinge_angle(id); }});
@@ -104,11 +108,17 @@ TEST_P(MisuseIdsTest, OfClothAndRopes) {
               [&](ClothId id) { w.cloth_triangles(id); }, [&](ClothId id) { w.cloth_welded_vertices(id); },
               [&](ClothId id) { w.cloth_bending_fraction(id); }, [&](ClothId id) { w.cloth_strains(id); },
               [&](ClothId id) { w.cloth_wetness(id); }, [&](ClothId id) { w.cloth_state(id); },
-              [&](ClothId id) { w.apply_impulses(id, vertex, impulse); }});
+              [&](ClothId id) { w.apply_impulses(id, vertex, impulse); },
+              [&](ClothId id) { w.set_cloth_positions(id, impulse); },
+              [&](ClothId id) { w.set_cloth_velocities(id, impulse); },
+              [&](ClothId id) { w.set_filter(id, {}); }});
   bad("rope", rope_id, other_.string, w_.string)
       .calls({[&](RopeId id) { w.destroy_rope(id); }, [&](RopeId id) { w.rope_positions(id); },
               [&](RopeId id) { w.rope_velocities(id); }, [&](RopeId id) { w.rope_frames(id); },
-              [&](RopeId id) { w.apply_impulses(id, vertex, impulse); }});
+              [&](RopeId id) { w.apply_impulses(id, vertex, impulse); },
+              [&](RopeId id) { w.set_rope_positions(id, impulse); },
+              [&](RopeId id) { w.set_rope_velocities(id, impulse); },
+              [&](RopeId id) { w.set_filter(id, {}); }});
   bad("attachment", held, other_.held, w_.held)
       .calls({[&](AttachmentId id) { w.destroy_attachment(id); },
               [&](AttachmentId id) { w.attachment_force(id); },

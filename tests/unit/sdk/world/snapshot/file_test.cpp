@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "tests/expect_error.h"
@@ -115,6 +116,31 @@ TEST_P(SnapshotFileTest, RefusesAFileThatWasCut) {
   expect_error(ErrorCode::io, "after its end", [&] { World::load(path()); });
   write(path(), whole);
   EXPECT_EQ(World::load(path()).state_hash(), world.state_hash());
+}
+
+/// At the beginning of each chunk, and within each.
+TEST_P(SnapshotFileTest, RefusesAFileThatWasCutAtAnyChunk) {
+  World world = snapshot_cases()[2].make(world_def(GetParam(), 0.1f));
+  run(world, 2, snapshot_step);
+  world.save(path());
+  const std::string whole = read(path());
+  uint32_t length = 0;
+  std::memcpy(&length, whole.data() + 12, sizeof length);
+  const auto header = nlohmann::json::parse(whole.substr(24, length));
+  size_t at = 24 + length, chunks = 0;
+  for (const auto& chunk : header.at("chunks")) {
+    const size_t bytes = chunk.at("element_bytes").get<size_t>() * chunk.at("count").get<size_t>();
+    const std::string expected = "ends within the chunk \"" + chunk.at("name").get<std::string>() + '"';
+    if (bytes == 0) continue;
+    for (const size_t cut : {at, at + bytes / 2}) {
+      write(path(), whole.substr(0, cut));
+      expect_error(ErrorCode::io, expected, [&] { World::load(path()); });
+    }
+    at += bytes;
+    ++chunks;
+  }
+  EXPECT_EQ(at, whole.size());
+  EXPECT_GT(chunks, 50u);
 }
 
 TEST_P(SnapshotFileTest, FindsEachChangedByteOfTheHeader) {
