@@ -178,7 +178,8 @@ TEST_F(MeshFileBounds, PipesAndDevicesAreNotWaitedFor) {
 TEST_F(MeshFileBounds, AReaderThatCirclesIsStopped) {
   ImportBudget budget{1000, 5000};
   const std::string bytes = "0123456789";
-  BoundedFiles files("a.obj", bytes, budget);
+  const FileSource none{FileReader()};
+  BoundedFiles files("a.obj", bytes, none, budget);
   Assimp::IOStream* stream = files.Open("a.obj", "rb");
   BudgetProgress progress(budget);
   EXPECT_TRUE(progress.Update(0));

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr int before = 10, after = 10;
 
-const fs::path kept = fs::path(__FILE__).parent_path() / "kept_0.2_cpu.menisnap";
+const fs::path kept = fs::path(MENISCUS_KEPT_SNAPSHOTS) / "kept_0.2_cpu.menisnap";
 
 /// Water, a floating box, held cloth and a rope.
 World make(pbd::DeviceKind device) {
