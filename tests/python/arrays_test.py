@@ -170,7 +170,7 @@ class Input(unittest.TestCase):
         np.testing.assert_array_equal(held, [[0, 0, 0], [1, 0, 0]])
         with self.assertRaises(ValueError):
             world.positions = [(0, 0, 0)]
-        cloth = world.add_cloth()
+        cloth = world.add_cloth(geometry=meniscus.SheetGeometry(columns=3, rows=3))
         cloth.positions = cloth.positions + (0, 2, 0)
         cloth.velocities = np.ones_like(cloth.positions)
         self.assertEqual(cloth.positions[5][1], 2)

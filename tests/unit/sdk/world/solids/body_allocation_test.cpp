@@ -15,7 +15,7 @@ constexpr float s = 0.05f;
 
 std::unique_ptr<Engine> make_engine_on(pbd::DeviceKind kind, const EngineDef& def) {
 #if MENISCUS_HAS_CUDA
-  if (kind == pbd::DeviceKind::cuda) return make_cuda_engine(def);
+  if (kind == pbd::DeviceKind::cuda) return make_cuda_engine(def, 0, nullptr);
 #endif
   return kind == pbd::DeviceKind::cpu ? make_cpu_engine(def, 0) : nullptr;
 }
