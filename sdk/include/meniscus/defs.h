@@ -310,7 +310,7 @@ struct MeshGeometry {
   int convex_parts = 32;  ///< of a dynamic body, at most, 1 to 256; 1: the convex hull
   /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
   std::vector<Vec3> vertices{};
-  std::vector<uint32_t> triangles{};
+  std::vector<uint32_t> triangles{};  ///< three vertices each
 };
 
 /// The convex hull of points. For solids, rays and overlaps it has at most 200 of them, the outermost.
@@ -386,7 +386,7 @@ struct MeshRegion {
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
   /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
   std::vector<Vec3> vertices{};
-  std::vector<uint32_t> triangles{};
+  std::vector<uint32_t> triangles{};  ///< three vertices each
 };
 
 /// A region that fluid can fill.

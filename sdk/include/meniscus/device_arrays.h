@@ -23,15 +23,15 @@ enum class ElementType { float32, uint32, uint64 };
 /// call. On a GPU they are complete for all work that `stream` gets later. Other streams must wait for it
 /// first, by an event. On the CPU they are complete when the call returns.
 struct DeviceArray {
-  void* data = nullptr;  ///< on the device; null if there are no elements
-  ElementType type = ElementType::float32;
-  int dimensions = 1;                    ///< 1, or 2
-  std::array<int64_t, 2> shape{0, 1};    ///< the second is 1 with one dimension
+  void* data = nullptr;                     ///< on the device; null if there are no elements
+  ElementType type = ElementType::float32;  ///< of an element
+  int dimensions = 1;                       ///< 1, or 2
+  std::array<int64_t, 2> shape{0, 1};       ///< the second is 1 with one dimension
   std::array<int64_t, 2> strides{1, 1};  ///< elements; times the size of one it is what NumPy and Numba want
-  bool on_cuda = false;
-  int device = 0;          ///< CUDA ordinal; 0 on the CPU
-  void* stream = nullptr;  ///< cudaStream_t; null on the CPU
-  std::shared_ptr<void> memory{};
+  bool on_cuda = false;                  ///< whether the memory is that of a GPU
+  int device = 0;                        ///< CUDA ordinal; 0 on the CPU
+  void* stream = nullptr;                ///< cudaStream_t; null on the CPU
+  std::shared_ptr<void> memory{};        ///< keeps the memory alive
 };
 
 /// The particles of fluids and grains, one element each, in the order of the ids: see World::device_arrays.

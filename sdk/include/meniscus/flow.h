@@ -29,7 +29,7 @@ struct MeshOpening {
   float scale = 1.0f;  ///< metres a file unit; a factor if the file states its unit, as FBX does
   /// In place of the file, which is then a name: vertices in units of `scale`, three of them a triangle.
   std::vector<Vec3> vertices{};
-  std::vector<uint32_t> triangles{};
+  std::vector<uint32_t> triangles{};  ///< three vertices each
 };
 
 /// Where particles leave an emitter.

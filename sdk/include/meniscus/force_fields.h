@@ -55,7 +55,7 @@ struct NoiseForce {
   float strength = 1.0f;  ///< m/s², or N/m³: RMS of the amount
   float size = 0.5f;      ///< m, > 0: distance between the nodes of the noise
   float period = 0.0f;    ///< s, ≥ 0: time from one pattern to the next; 0: it does not change
-  uint32_t seed = 0;
+  uint32_t seed = 0;      ///< another seed is another field
 };
 
 /// Values on a grid, linear between its nodes. Outside of the grid there is no force.
@@ -91,15 +91,15 @@ enum class ForceQuantity {
 /// exact for fields that are linear in x and v, in force and torque. A body that a field pulls does not fall
 /// asleep. World::relax takes no account of fields.
 struct ForceFieldDef {
-  std::string name{};
-  Force force = UniformForce{};
-  ForceQuantity quantity = ForceQuantity::acceleration;
-  ForceRegion region = EverywhereRegion{};  ///< in the frame of the field
-  Pose pose{};                              ///< of the field in the world
-  bool fluids = true;                       ///< whether it acts on fluids
-  bool grains = true;                       ///< whether it acts on granular materials
-  bool cloth = true;                        ///< whether it acts on cloth and ropes
-  bool bodies = true;                       ///< whether it acts on dynamic bodies
+  std::string name{};                                    ///< what outputs call it
+  Force force = UniformForce{};                          ///< the law
+  ForceQuantity quantity = ForceQuantity::acceleration;  ///< what the law gives
+  ForceRegion region = EverywhereRegion{};               ///< in the frame of the field
+  Pose pose{};                                           ///< of the field in the world
+  bool fluids = true;                                    ///< whether it acts on fluids
+  bool grains = true;                                    ///< whether it acts on granular materials
+  bool cloth = true;                                     ///< whether it acts on cloth and ropes
+  bool bodies = true;                                    ///< whether it acts on dynamic bodies
 };
 
 }  // namespace meniscus

@@ -25,8 +25,8 @@ inline constexpr uint32_t hook_count = 5;
 /// then the vertices of cloth and ropes by number. Vectors have four floats each. All pointers are valid
 /// within the call alone, and for work that it puts on the stream.
 struct SubstepView {
-  Hook hook;
-  bool on_cuda = false;
+  Hook hook;                        ///< the point of the substep
+  bool on_cuda = false;             ///< whether the arrays are those of a GPU
   int device = 0;                   ///< CUDA ordinal; 0 on the CPU
   void* stream = nullptr;           ///< cudaStream_t; null on the CPU
   float dt = 0;                     ///< s, of the substep
