@@ -110,7 +110,8 @@ bool add_filters(const Context& context) {
   report.heading("Filters of the surface");
   report.paragraph(
       "One moment of the bunny drop, drawn by OpenGL with ellipsoids. The table says how fast normals "
-      "turn to and fro over 5 pixels, as root mean square: along rows and columns, and 3 pixels one way and "
+      "turn back and forth over 5 pixels, as root mean square: along rows and columns, and 3 pixels one way "
+      "and "
       "4 the "
       "other. A filter that works along rows and columns leaves streaks there. The ratio is near 1 without "
       "streaks, "
