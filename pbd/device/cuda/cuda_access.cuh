@@ -14,13 +14,8 @@ struct DeviceAccess<CudaDevice> {
   static int ordinal(const CudaDevice& device) { return device.ordinal(); }
   static void* stream(CudaDevice& device) { return device.stream_for_others(); }
   static std::shared_ptr<void> allocate(std::size_t bytes) {
-    void* memory = nullptr;
-    const cudaError_t status = cudaMalloc(&memory, bytes);
-    if (status == cudaErrorMemoryAllocation) {
-      cudaGetLastError();  // clears it: the caller reports the error, and the device stays usable
-      return nullptr;
-    }
-    check_cuda(status, "allocating memory");
+    void* const memory = allocate_cuda(bytes);
+    if (!memory) return nullptr;
     return {memory, [](void* held) { cudaFree(held); }};
   }
 };

@@ -71,6 +71,10 @@ CudaDevice::~CudaDevice() {
 }
 
 void* CudaDevice::do_allocate(size_t bytes) {
+  return allocate_cuda(bytes);
+}
+
+void* allocate_cuda(size_t bytes) {
   void* memory = nullptr;
   const cudaError_t status = cudaMalloc(&memory, bytes);
   if (status == cudaErrorMemoryAllocation) {

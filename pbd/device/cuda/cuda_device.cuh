@@ -240,6 +240,9 @@ struct CudaPlace {
   void* stream = nullptr;  ///< cudaStream_t
 };
 
+/// Memory of the current GPU; null if there is too little. Any other failure throws.
+void* allocate_cuda(size_t bytes);
+
 /// One NVIDIA GPU and one stream on it. Launches are collected until the host has to wait, or uses the stream
 /// for something else, and then sent: see LaunchGraphs.
 class CudaDevice final : public Device {
