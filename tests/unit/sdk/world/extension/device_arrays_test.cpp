@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <thread>
 
 #include "tests/expect_error.h"
 #include "tests/unit/sdk/world/extension/device_memory.h"
@@ -161,6 +162,44 @@ TEST(CallersGpu, RunsTheWorldOnTheCallersStream) {
   expect_error(ErrorCode::invalid_argument, "WorldDef::cuda_stream", [&] { World world(def); });
 }
 #endif
+
+// A dam break onto a crate and a sheet on one of the GPUs.
+World coupled_on(int gpu) {
+  WorldDef def = world_def(pbd::DeviceKind::cuda, 0.1f);
+  def.cuda_device = gpu;
+  World world = dam_break(def);
+  BodyDef crate;
+  crate.geometry = BoxGeometry{{0.15f, 0.15f, 0.15f}};
+  crate.density = 300;
+  crate.pose.position = {0.5f, 1.2f, 0.25f};
+  world.create_body(crate);
+  ClothDef sheet;
+  sheet.geometry = SheetGeometry{.width = 0.4f, .depth = 0.4f, .columns = 8, .rows = 8};
+  sheet.pose.position = {0.3f, 1.6f, 0.25f};
+  world.create_cloth(sheet);
+  return world;
+}
+
+TEST(CallersGpu, TwoGpusRunAWorldEachInOneProcess) {
+  if (!pbd::cuda_status(1).usable) GTEST_SKIP() << "no second GPU";
+  World alone = coupled_on(0);
+  World first = coupled_on(0), second = coupled_on(1);
+  run(alone, 30, 0.01f);
+  for (int k = 0; k < 10; ++k) {
+    first.step(0.01f);
+    second.step(0.01f);
+  }
+  std::thread other([&] { run(second, 20, 0.01f); });
+  run(first, 20, 0.01f);
+  other.join();
+  EXPECT_EQ(first.state_hash(), alone.state_hash());
+  EXPECT_EQ(second.state_hash(), alone.state_hash());
+  EXPECT_EQ(second.device_arrays().positions.device, 1);
+  World moved = second.clone({.cuda_device = 0});
+  run(moved, 5, 0.01f);
+  run(second, 5, 0.01f);
+  EXPECT_EQ(moved.state_hash(), second.state_hash()) << "a world goes over to another GPU";
+}
 
 MENISCUS_ON_EACH_DEVICE(DeviceArraysTest);
 
