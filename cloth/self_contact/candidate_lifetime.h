@@ -87,10 +87,14 @@ struct Foresee {
         RoomOfVertex(pieces[vertex_piece[v]].thickness, frame, displacement - frame.xyz(), strayed[v])
             .whole();
     foreseen[v] = pbd::with_w(x, room);
+    if (anew) {  // no bounds are known
+      pbd::atomic_max(counters[expired], 1);
+      return;
+    }
     kept[v] = pbd::shifted(kept[v], frame.xyz());
     wide[v] = pbd::shifted(wide[v], frame.xyz());
-    if (anew || leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
-    if (!anew && leaves(wide[v], x, room)) pbd::atomic_max(counters[long_expired], 1);
+    if (leaves(kept[v], x, room)) pbd::atomic_max(counters[expired], 1);
+    if (leaves(wide[v], x, room)) pbd::atomic_max(counters[long_expired], 1);
   }
 
  private:

@@ -66,6 +66,8 @@ void fountain(SoakScene& scene) {
 }
 
 void tearing(SoakScene& scene) {
+  constexpr float give = 0.1f * soak_spacing;
+  scene.room_of_cloth = {tank_lower - Vec3{give, give, give}, tank_upper + Vec3{give, give, give}};
   World& world = scene.world;
   const FluidId water = pool(world, 0);
   world.create_emitter(jet_down(water, {0, 1.4f, 0}, 0.12f, 3));

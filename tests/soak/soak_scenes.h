@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <random>
 
 #include "tests/cloth_worlds.h"
@@ -19,6 +20,9 @@ struct SoakScene {
   std::function<void(World&, int step)> act;
   /// Particles that the user added, less those that he removed, since the last step.
   int64_t added_by_hand = 0;
+  /// Where vertices of cloth must be: a heap presses those at its bottom into the wall, by a fraction of a
+  /// spacing. Without it none may be outside of the tank at all.
+  std::optional<Aabb> room_of_cloth{};
 };
 
 /// Fills the scene's world. `act` may refer to the scene, which stays where it is.

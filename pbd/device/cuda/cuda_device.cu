@@ -133,6 +133,8 @@ void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
                "copying from the GPU");
     return wait();
   }
+  // The kernel of a read that failed before it was awaited may still set the flag.
+  if (std::exchange(is_read_open_, true)) wait();
   volatile uint32_t* const done = pinned_ + pinned_bytes / sizeof(uint32_t);
   *done = 0;
   launch("copying from the GPU", 1, cuda_kernels::block_size, cuda_kernels::copy_words,
@@ -140,6 +142,7 @@ void CudaDevice::copy_out(void* host, const void* device_memory, size_t bytes) {
          static_cast<uint32_t>(bytes / sizeof(uint32_t)), done);
   send_off();
   wait_until_set(done);
+  is_read_open_ = false;
   std::memcpy(host, pinned_, bytes);
 }
 

@@ -484,6 +484,7 @@ class CudaDevice final : public Device {
   cuda_kernels::TimeMark pending_mark_{};  // for the next launch
   uint64_t* times_ = nullptr;              // pinned, written by kernels
   uint32_t times_capacity_ = 0;
+  bool is_read_open_ = false;  // copy_out has launched a kernel, and has not seen its flag
   uint32_t* pinned_ =
       nullptr;  // receives small results, followed by a word that is set when they are complete
   Buffer<uint64_t> scratch_{*this, "CUDA scratch"};

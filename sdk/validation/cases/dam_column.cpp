@@ -33,8 +33,7 @@ double height_of(const World& world, float width) {
 WorldDef column_world(const Settings& settings, float spacing) {
   WorldDef def = settings.world(spacing);
   if (settings.resolution != Resolution::full) return def;
-  def.iterations = 200;
-  def.density.tolerance = 0.001f;
+  def.density.solver = DensitySolver::grid;
   return def;
 }
 

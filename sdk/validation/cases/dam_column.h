@@ -17,7 +17,8 @@ struct DamColumn {
 };
 
 /// With hundreds of layers, as at full resolution, ten iterations are too few: the column is compressed, and
-/// throws up water. There the density iterates until its mean error is 0.1 %, at most 200 times.
+/// throws up water. A tolerance is no way out, since a deep column lies compressed within it. There the
+/// density is solved on the pressure grid first.
 WorldDef column_world(const Settings& settings, float spacing);
 
 /// Over T = t √(2g/a), until the front has reached `until` widths or the end time.

@@ -55,7 +55,7 @@ Case koshizuka_oka() {
   return {
       "koshizuka-oka", "Collapse of a column of water: Koshizuka & Oka",
       "A column of water L = 0.146 m wide and 2L high collapses in a tank 4L long and 0.4L wide with smooth "
-      "walls. The density's iterations are those of the collapse of Martin & Moyce.",
+      "walls. The density is solved as in the collapse of Martin & Moyce.",
       "S. Koshizuka & Y. Oka, Moving-particle semi-implicit method for fragmentation of incompressible "
       "fluid, Nucl. Sci. Eng. 123 (1996). The band is what lies between their readings and those of Martin "
       "& Moyce (1952).",
