@@ -92,7 +92,8 @@ class Sinks {
     const uint32_t kept = removal.count_kept(particles);
     if (kept == particles.sorted()) return kept;
     taken_.fill(0);
-    if (by_slot_.size() < particles.sorted()) by_slot_.resize_discard(particles.sorted());
+    if (by_slot_.size() < particles.sorted())
+      by_slot_.resize_discard(std::max<size_t>(particles.sorted(), 2 * by_slot_.size()));
     device_.parallel_for("sinks/count", particles.sorted(),
                          sink_kernels::Count{position, sinks_.view(), removal.keep(),
                                              particles.slot.current.view(), taken_.view(), by_slot_.view()});

@@ -163,10 +163,6 @@ void World::remove_particles(std::span<const ParticleId> ids) {
   return impl_->recorded_removal(
       "remove_particles", [&](auto w) { return w.remove_particles(ids); }, ids);
 }
-void World::apply_impulses(std::span<const ParticleId> ids, std::span<const Vec3> impulses) {
-  return impl_->recorded(
-      "apply_particle_impulses", [&](auto w) { return w.apply_impulses(ids, impulses); }, ids, impulses);
-}
 void World::relax(int iterations) {
   try {
     impl_->recorded(
@@ -202,36 +198,6 @@ BodyMass World::body_mass(BodyId id) const {
 }
 double World::hinge_angle(JointId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.hinge_angle(id); });
-}
-void World::set_body_pose(BodyId id, const Pose& pose) {
-  return impl_->recorded(
-      "set_body_pose", [&](auto w) { return w.set_body_pose(id, w.inward(pose)); }, id, pose);
-}
-void World::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
-  return impl_->recorded(
-      "set_body_velocity", [&](auto w) { return w.set_body_velocity(id, velocity, angular_velocity); }, id,
-      velocity, angular_velocity);
-}
-void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
-  return impl_->recorded(
-      "apply_force", [&](auto w) { return w.apply_force(id, force, w.inward(point)); }, id, force, point);
-}
-void World::apply_force(BodyId id, Vec3 force) {
-  return impl_->recorded(
-      "apply_central_force", [&](auto w) { return w.apply_force(id, force); }, id, force);
-}
-void World::apply_torque(BodyId id, Vec3 torque) {
-  return impl_->recorded(
-      "apply_torque", [&](auto w) { return w.apply_torque(id, torque); }, id, torque);
-}
-void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
-  return impl_->recorded(
-      "apply_impulse", [&](auto w) { return w.apply_impulse(id, impulse, w.inward(point)); }, id, impulse,
-      point);
-}
-void World::move_body(BodyId id, const Pose& target, float duration) {
-  return impl_->recorded(
-      "move_body", [&](auto w) { return w.move_body(id, w.inward(target), duration); }, id, target, duration);
 }
 std::span<const Vec3> World::cloth_positions(ClothId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.outward_positions(id); });
@@ -277,57 +243,11 @@ std::span<const Vec3> World::rope_velocities(RopeId id) const {
 std::span<const Quat> World::rope_frames(RopeId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.rope_frames(id); });
 }
-void World::apply_impulses(ClothId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
-  return impl_->recorded(
-      "apply_cloth_impulses", [&](auto w) { return w.apply_impulses(id, vertices, impulses); }, id, vertices,
-      impulses);
-}
-void World::apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
-  return impl_->recorded(
-      "apply_rope_impulses", [&](auto w) { return w.apply_impulses(id, vertices, impulses); }, id, vertices,
-      impulses);
-}
 Vec3 World::attachment_force(AttachmentId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.attachment_force(id); });
 }
 std::vector<uint32_t> World::attachment_vertices(AttachmentId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.attachment_vertices(id); });
-}
-std::vector<ParticleContact> World::particle_contacts() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.particle_contacts()); });
-}
-std::vector<SolidContact> World::solid_contacts() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.solid_contacts()); });
-}
-const std::vector<ContactEvent>& World::contact_events() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.contact_events(); });
-}
-const std::vector<SleepEvent>& World::sleep_events() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.sleep_events(); });
-}
-const std::vector<FlowEvent>& World::flow_events() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.flow_events(); });
-}
-std::optional<RayHit> World::cast_ray(Vec3 from, Vec3 to, const QueryTargets& targets) const {
-  return impl_->run([&](auto w) { return w.outward(w.cast_ray(w.inward(from), w.inward(to), targets)); });
-}
-std::optional<NearestPoint> World::nearest(Vec3 point, float reach, const QueryTargets& targets) const {
-  return impl_->run([&](auto w) { return w.outward(w.nearest(w.inward(point), reach, targets)); });
-}
-std::vector<FluidSample> World::sample_fluid(std::span<const Vec3> points,
-                                             std::optional<FluidId> fluid) const {
-  return impl_->run([&](auto w) { return w.sample_fluid(w.inward(points), fluid); });
-}
-std::vector<float> World::solid_distances(std::span<const Vec3> points, float reach,
-                                          const CollisionFilter& filter) const {
-  return impl_->run(
-      [&](auto w) -> decltype(auto) { return w.solid_distances(w.inward(points), reach, filter); });
-}
-Overlaps World::overlap_ball(Vec3 centre, float radius, const QueryTargets& targets) const {
-  return impl_->run([&](auto w) { return w.overlap_ball(w.inward(centre), radius, targets); });
-}
-Overlaps World::overlap_box(const Pose& pose, Vec3 half_extents, const QueryTargets& targets) const {
-  return impl_->run([&](auto w) { return w.overlap_box(w.inward(pose), half_extents, targets); });
 }
 std::size_t World::particle_count() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.particle_count(); });

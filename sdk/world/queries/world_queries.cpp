@@ -130,7 +130,8 @@ struct NearestSearch {
 
 }  // namespace
 
-std::optional<NearestPoint> World::Calls::nearest(Vec3 point, float reach, const QueryTargets& targets) const {
+std::optional<NearestPoint> World::Calls::nearest(Vec3 point, float reach,
+                                                  const QueryTargets& targets) const {
   check::value("nearest's point", point);
   check::value("nearest's reach", reach, positive, "m");
   NearestSearch search{point, reach};
