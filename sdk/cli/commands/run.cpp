@@ -68,6 +68,7 @@ class Run {
       : scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
         surface_(options.surface),
+        exports_(!options.formats.empty()),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_)),
         reached_(frame_of(built_.world, scene_)),
@@ -86,7 +87,7 @@ class Run {
     const Interrupt interrupt(built_.world);
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
-    try {
+    note_error([&] {
       write(first_);
       for (int frame = reached_ + 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
@@ -99,11 +100,8 @@ class Run {
             frame, now.step.ms,
             scene_.fluids.empty() ? std::nullopt : std::optional(now.diagnostics.density_error_mean));
       }
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::cancelled) end_.error = error.what();
-    } catch (const std::exception& error) {
-      end_.error = error.what();
-    }
+    });
+    note_error([&] { exporter_.finish(); });
     end_.interrupted = interrupt.raised();
   }
 
@@ -120,9 +118,24 @@ class Run {
   std::vector<std::string> pictures() const { return pictures_.files(); }
 
  private:
+  /// Notes the first error of the run. A cancelled call is none.
+  template <class Call>
+  void note_error(const Call& call) {
+    std::string message;
+    try {
+      call();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::cancelled) message = error.what();
+    } catch (const std::exception& error) {
+      message = error.what();
+    }
+    if (end_.error.empty()) end_.error = message;
+  }
+
   /// The geometry of a frame; that of frame 0 is the state before the first step.
   void write(FrameSample& now) {
     if (surface_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
+    if (exports_) io::add_texture(now.cloth, built_.world, built_.cloths);
     exporter_.write(now);
   }
 
@@ -208,7 +221,7 @@ class Run {
 
   Scene scene_;
   io::PreviewScene picture_;
-  bool surface_;
+  bool surface_, exports_;
   std::filesystem::path folder_;
   BuiltScene built_;
   int reached_;  // the frame from which it starts; 0 without a snapshot
