@@ -4,6 +4,7 @@
 // Writes OpenVDB files.
 #include "sdk/io/vdb.h"
 
+#include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/MeshToVolume.h>
 #include <tbb/task_arena.h>
