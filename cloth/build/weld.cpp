@@ -70,7 +70,7 @@ void join_near(const std::vector<Vec3>& vertices, double distance, Sets& sets) {
 
 }  // namespace
 
-uint32_t weld(ClothMesh& mesh, double distance) {
+uint32_t weld(ClothMesh& mesh, double distance, std::vector<uint32_t>* dropped) {
   if (!(distance > 0)) return 0;
   const std::vector<Vec3> old = std::move(mesh.vertices);
   Sets sets(old);
@@ -87,7 +87,11 @@ uint32_t weld(ClothMesh& mesh, double distance) {
   for (auto& t : mesh.triangles) {
     for (uint32_t& v : t) v = v < number.size() ? number[v] : v;
   }
-  std::erase_if(mesh.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  const auto lost_a_corner = [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+  for (uint32_t t = 0; dropped && t < mesh.triangles.size(); ++t) {
+    if (lost_a_corner(mesh.triangles[t])) dropped->push_back(t);
+  }
+  std::erase_if(mesh.triangles, lost_a_corner);
   return static_cast<uint32_t>(old.size() - mesh.vertices.size());
 }
 

@@ -62,6 +62,23 @@ CleanedMesh cleaned(const TriangleMesh& soup, const MeshSource& source) {
   return cleaned;
 }
 
+// The texture of triangle `source` of the soup in the order of the corners of triangle t, which may have been
+// turned around.
+CornerTexture texture_in_order(const TriangleMesh& mesh, size_t t, const PaintedMesh& soup, size_t source) {
+  CornerTexture texture;
+  for (size_t k = 0; k < 3; ++k) {
+    const Vec3 p = mesh.vertices[mesh.triangles[t][k]];
+    const auto distance = [&](size_t c) {
+      const Vec3 d = soup.mesh.vertices[soup.mesh.triangles[source][c]] - p;
+      return dot(d, d);
+    };
+    size_t nearest = 0;
+    for (size_t c = 1; c < 3; ++c) nearest = distance(c) < distance(nearest) ? c : nearest;
+    texture[k] = soup.texture[source][nearest];
+  }
+  return texture;
+}
+
 // Throws for the first of the defects, if there is one. `faces` maps to the numbers in the file.
 void refuse_defects(const std::vector<MeshDefect>& defects, const MeshSource& source, const std::string& what,
                     const std::vector<uint32_t>& faces, const std::string& remedy) {
@@ -101,6 +118,8 @@ PaintedMesh load_painted_mesh(const MeshSource& source) {
   CleanedMesh clean = cleaned(soup.mesh, source);
   PaintedMesh painted{std::move(clean.mesh), {}};
   for (const uint32_t source : clean.sources) painted.colors.push_back(soup.colors[source]);
+  for (size_t t = 0; !soup.texture.empty() && t < clean.sources.size(); ++t)
+    painted.texture.push_back(texture_in_order(painted.mesh, t, soup, clean.sources[t]));
   return painted;
 }
 

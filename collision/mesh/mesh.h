@@ -41,12 +41,16 @@ inline TriangleMesh load_solid(const std::string& path, float scale = 1.0f) {
   return load_solid(MeshSource(path, scale));
 }
 
+/// Texture coordinates (u, v) of the corners of a triangle.
+using CornerTexture = std::array<std::array<float, 2>, 3>;
+
 /// A mesh with the colour of each triangle's material, linear RGB, 0 to 1, where the file has one.
 struct PaintedMesh {
   TriangleMesh mesh;
   std::vector<std::optional<Vec3>> colors;
+  std::vector<CornerTexture> texture{};  ///< by triangle, 0 where a part has none; empty if no part has any
 };
-/// Like load_mesh. Textures are ignored.
+/// Like load_mesh. Pictures of textures are ignored.
 PaintedMesh load_painted_mesh(const MeshSource& source);
 
 /// The box around the vertices; there must be at least one.

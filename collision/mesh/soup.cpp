@@ -8,6 +8,7 @@
 #include <assimp/scene.h>
 #include <meniscus/error.h>
 
+#include <cmath>
 #include <utility>
 
 #include "collision/mesh/file/defect.h"
@@ -80,11 +81,23 @@ std::optional<Vec3> color_of(const aiMaterial& material) {
   return min(max(rgb, {0, 0, 0}), {1, 1, 1});
 }
 
+CornerTexture texture_of(const aiMesh& part, const aiFace& face, bool mirrored) {
+  CornerTexture texture{};
+  for (unsigned k = 0; part.HasTextureCoords(0) && k < 3; ++k) {
+    const aiVector3D uv = part.mTextureCoords[0][face.mIndices[k]];
+    if (std::isfinite(uv.x) && std::isfinite(uv.y)) texture[k] = {uv.x, uv.y};
+  }
+  if (mirrored) std::swap(texture[1], texture[2]);
+  return texture;
+}
+
 void append_part(PaintedMesh& all, const aiMesh& part, std::optional<Vec3> color, const aiMatrix4x4& to_world,
                  float scale) {
   TriangleMesh& soup = all.mesh;
   const auto first = static_cast<uint32_t>(soup.vertices.size());
   append_vertices(soup, part, to_world, scale);
+  const bool textured = part.HasTextureCoords(0);
+  if (textured) all.texture.resize(soup.triangles.size());
   const bool mirrored = to_world.Determinant() < 0;  // a reflection, which would invert the orientation
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
@@ -97,6 +110,7 @@ void append_part(PaintedMesh& all, const aiMesh& part, std::optional<Vec3> color
     if (mirrored) std::swap(corners[1], corners[2]);
     soup.triangles.push_back(corners);
     all.colors.push_back(color);
+    if (!all.texture.empty() || textured) all.texture.push_back(texture_of(part, face, mirrored));
   }
 }
 

@@ -51,14 +51,21 @@ struct SurfaceMembers {
   }
 };
 
+/// Σ a (1 − u²)³ v at a node, in integers, whose sum does not depend on the order.
+struct NodeMomentum {
+  int64_t x, y, z;
+};
+
 template <class D>
 class SurfaceMesher {
  public:
   explicit SurfaceMesher(D& device) : device_(device), blocks_(device) {}
 
-  /// Builds the surface of the ellipsoids that belong to it. Leaves out those that are not finite, or further
+  /// Builds the surface of the ellipsoids that belong to it, with the velocities of its vertices.
+  /// `velocities` (m/s) are those of the particles. Leaves out ellipsoids that are not finite, or further
   /// than 2²¹ cells from the origin. Throws what BlockGrid throws. Its arrays are kept for the next call.
-  void build(pbd::View<const Ellipsoid> ellipsoids, const SurfaceMembers& members, const SurfaceField& field);
+  void build(pbd::View<const Ellipsoid> ellipsoids, pbd::View<const pbd::Vec4> velocities,
+             const SurfaceMembers& members, const SurfaceField& field);
   SurfaceMesh read() const;
 
  private:
@@ -66,6 +73,8 @@ class SurfaceMesher {
               const SurfaceField& field);
   void count(uint32_t iso);
   void write(uint32_t iso, float cell);
+  void write_velocities(pbd::View<const Ellipsoid> ellipsoids, pbd::View<const pbd::Vec4> velocities,
+                        const SurfaceMembers& members, const SurfaceField& field, uint32_t iso);
 
   template <class T>
   static void grow(pbd::Buffer<T>& buffer, size_t size) {
@@ -83,6 +92,9 @@ class SurfaceMesher {
   pbd::Buffer<Vec3> vertices_{device_, "surface vertices"};
   pbd::Buffer<Vec3> normals_{device_, "surface normals"};
   pbd::Buffer<std::array<uint32_t, 3>> triangles_{device_, "surface triangles"};
+  pbd::Buffer<uint32_t> end_start_{device_, "surface nodes by node"};
+  pbd::Buffer<NodeMomentum> momenta_{device_, "surface momenta"};
+  pbd::Buffer<Vec3> velocities_{device_, "surface velocities"};
 };
 
 }  // namespace meniscus::fluid

@@ -88,15 +88,16 @@ struct MarkBlocks {
   }
 };
 
-/// Adds each splat to the nodes within its reach.
-struct AddSplats {
+/// Visits the nodes within the reach of splats.
+struct SplatNodes {
   View<const Ellipsoid> ellipsoids;
   SurfaceMembers members;
   SurfaceField field;
   BlockTable table;
-  View<uint32_t> values;
 
-  MENISCUS_HD void operator()(uint32_t i) const {
+  /// visit(node, amount) for each node to which particle i adds an amount of the field.
+  template <class Visit>
+  MENISCUS_HD void visit(uint32_t i, const Visit& visit) const {
     if (!members.count(i)) return;
     const Splat s = splat_of(ellipsoids[i], field);
     if (!(s.weight > 0)) return;
@@ -107,7 +108,7 @@ struct AddSplats {
         for (int32_t a = x.first >> 2; a <= x.last >> 2; ++a) {
           const uint32_t number = table.find({a, b, c});
           if (number != no_block)
-            add_to_block(s, within(x, a), within(y, b), within(z, c), number * block_nodes);
+            visit_block(s, within(x, a), within(y, b), within(z, c), number * block_nodes, visit);
         }
       }
     }
@@ -119,7 +120,9 @@ struct AddSplats {
     return {nodes.first > low ? nodes.first : low, nodes.last < high ? nodes.last : high};
   }
 
-  MENISCUS_HD void add_to_block(const Splat& s, NodeRange x, NodeRange y, NodeRange z, uint32_t first) const {
+  template <class Visit>
+  MENISCUS_HD void visit_block(const Splat& s, NodeRange x, NodeRange y, NodeRange z, uint32_t first,
+                               const Visit& visit) const {
     for (int32_t c = z.first; c <= z.last; ++c) {
       const float dz = static_cast<float>(c) - s.centre.z;
       for (int32_t b = y.first; b <= y.last; ++b) {
@@ -131,10 +134,20 @@ struct AddSplats {
           const float left = constant - dx * (s.xx * dx + linear);  // 1 − u²
           if (left <= 0) continue;
           const auto amount = static_cast<uint32_t>(s.weight * left * left * left + 0.5f);
-          if (amount) pbd::atomic_add(values[first + node_in_block({a, b, c})], amount);
+          if (amount) visit(first + node_in_block({a, b, c}), amount);
         }
       }
     }
+  }
+};
+
+/// Adds each splat to the nodes within its reach.
+struct AddSplats {
+  SplatNodes nodes;
+  View<uint32_t> values;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    nodes.visit(i, [&](uint32_t node, uint32_t amount) { pbd::atomic_add(values[node], amount); });
   }
 };
 
@@ -189,6 +202,13 @@ struct CountTriangles {
   MENISCUS_HD void operator()(uint32_t i) const { counts[i] = table[field.inside_corners(i)].count; }
 };
 
+/// Where the surface cuts the edge between nodes of these values, from 0 to 1.
+MENISCUS_HD inline float crossing(uint32_t from, uint32_t to, uint32_t iso) {
+  const float a = static_cast<float>(from) - static_cast<float>(iso);
+  const float b = static_cast<float>(to) - static_cast<float>(iso);
+  return pbd::clamp(a / (a - b), surface_tuning::least_from_node, 1 - surface_tuning::least_from_node);
+}
+
 struct WriteVertices {
   FieldView field;
   View<const uint32_t> start;
@@ -204,8 +224,7 @@ struct WriteVertices {
     for (uint32_t a = 0; a < 3; ++a) {
       if (!(cut >> a & 1)) continue;
       const GridPlace end = FieldView::corner(1u << a);
-      const float t = pbd::clamp(crossing(field.values[i], field.at(i, end)), surface_tuning::least_from_node,
-                                 1 - surface_tuning::least_from_node);
+      const float t = crossing(field.values[i], field.at(i, end), field.iso);
       const Vec3 along{static_cast<float>(end.x), static_cast<float>(end.y), static_cast<float>(end.z)};
       vertices[to] = cell * (place + t * along);
       const Vec3 slope = (1 - t) * slope_at(i, {0, 0, 0}) + t * slope_at(i, end);
@@ -216,11 +235,6 @@ struct WriteVertices {
   }
 
  private:
-  MENISCUS_HD float crossing(uint32_t from, uint32_t to) const {
-    const float a = static_cast<float>(from) - static_cast<float>(field.iso);
-    const float b = static_cast<float>(to) - static_cast<float>(field.iso);
-    return a / (a - b);
-  }
   MENISCUS_HD Vec3 slope_at(uint32_t i, GridPlace p) const {
     const auto difference = [&](int32_t x, int32_t y, int32_t z) {
       return static_cast<float>(field.at(i, {p.x + x, p.y + y, p.z + z})) -

@@ -34,6 +34,11 @@ MeniscusStatus meniscus_cloth_triangles(const MeniscusWorld* world, MeniscusId c
       [&] { write_array(vertices, count, world_of(world).cloth_triangles(in_cpp<ClothId>(cloth))); });
 }
 
+MeniscusStatus meniscus_cloth_texture(const MeniscusWorld* world, MeniscusId cloth,
+                                      const MeniscusTexturePoint** texture, size_t* count) {
+  return guarded([&] { write_same(texture, count, world_of(world).cloth_texture(in_cpp<ClothId>(cloth))); });
+}
+
 MeniscusStatus meniscus_cloth_strains(const MeniscusWorld* world, MeniscusId cloth, const float** strains,
                                       size_t* count) {
   return guarded([&] { write_array(strains, count, world_of(world).cloth_strains(in_cpp<ClothId>(cloth))); });

@@ -79,7 +79,9 @@ MeniscusStatus meniscus_export_cloth(const MeniscusWorld* world, const MeniscusI
                                      const char* path) {
   return guarded([&] {
     const std::filesystem::path file = checked_path(path);
-    write(file, io::cloth_frame_of(world_of(world), ids_of<ClothId>(cloths, count),
-                                   numbered<ClothDef>("cloth_", count)));
+    const std::vector<ClothId> ids = ids_of<ClothId>(cloths, count);
+    io::ClothFrame frame = io::cloth_frame_of(world_of(world), ids, numbered<ClothDef>("cloth_", count));
+    io::add_texture(frame, world_of(world), ids);
+    write(file, frame);
   });
 }

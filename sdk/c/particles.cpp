@@ -79,10 +79,10 @@ MeniscusStatus meniscus_surface_mesh(MeniscusWorld* world, const MeniscusDef* de
     check_size(required(mesh, "mesh"));
     SurfaceMesh& made = required(world, "world").surface;
     made = world->world.surface_mesh(def ? def_of<SurfaceMeshDef>(def) : SurfaceMeshDef{});
-    write_result(mesh,
-                 {0, same_layout<MeniscusVec3>(made.vertices.data()),
-                  same_layout<MeniscusVec3>(made.normals.data()), made.vertices.size(),
-                  made.triangles.empty() ? nullptr : made.triangles.data()->data(), made.triangles.size()});
+    write_result(mesh, {0, same_layout<MeniscusVec3>(made.vertices.data()),
+                        same_layout<MeniscusVec3>(made.normals.data()), made.vertices.size(),
+                        made.triangles.empty() ? nullptr : made.triangles.data()->data(),
+                        made.triangles.size(), same_layout<MeniscusVec3>(made.velocities.data())});
   });
 }
 

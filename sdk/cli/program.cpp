@@ -43,12 +43,14 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
   run.add_option("--out", options.out, "The folder for the results; by default out/<scene name>")
       ->type_name("DIR");
   CLI::Option* formats =
-      run.add_option("--export", options.formats,
-                     "Write every frame's particles, bodies, cloth and ropes, as ply, vtp and/or obj")
-          ->type_name("ply,vtp,obj")
+      run.add_option(
+             "--export", options.formats,
+             "Write every frame's particles, bodies, cloth and ropes, and the shapes, as ply, vtp, obj "
+             "and/or usd; fluids as volumes, as vdb")
+          ->type_name("ply,vtp,obj,usd,vdb")
           ->delimiter(',')
           ->allow_extra_args(false)
-          ->check(CLI::IsMember({"ply", "vtp", "obj"}).description(""));
+          ->check(CLI::IsMember({"ply", "vtp", "obj", "usd", "vdb"}).description(""));
   run.add_flag("--surface", options.surface, "With --export: the fluids' surfaces as meshes, too")
       ->needs(formats);
   run.add_flag(

@@ -130,7 +130,8 @@ SurfaceMesh DeviceEngine<D>::read_surface(const fluid::SurfaceField& field, std:
       device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
   solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
     anisotropy.measure_sorted(substep, ellipsoid_out_.view());
-    mesher_.build(ellipsoid_out_.view(), {substep.particles.phase, group.value_or(fluid::all_fluids)}, field);
+    mesher_.build(ellipsoid_out_.view(), substep.particles.velocity,
+                  {substep.particles.phase, group.value_or(fluid::all_fluids)}, field);
   });
   return mesher_.read();
 }

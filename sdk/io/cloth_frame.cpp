@@ -66,6 +66,17 @@ ClothFrame cloth_frame_of(const World& world, const std::vector<ClothId>& ids,
   return frame;
 }
 
+void add_texture(ClothFrame& frame, const World& world, const std::vector<ClothId>& ids) {
+  bool any = false;
+  for (const ClothId id : ids) {
+    const std::span<const TexturePoint> points = world.cloth_texture(id);
+    any = any || !points.empty();
+    append(frame.texture, points);
+    if (points.empty()) frame.texture.resize(frame.texture.size() + world.cloth_triangles(id).size());
+  }
+  if (!any) frame.texture.clear();
+}
+
 RopeFrame rope_frame_of(const World& world, const std::vector<RopeId>& ids,
                         const std::vector<RopeDef>& defs) {
   RopeFrame frame;

@@ -25,6 +25,8 @@ struct ClothFrame {
   std::vector<uint32_t> pieces;                    ///< one per triangle: its piece, in the order of the scene
   std::vector<uint32_t> vertex_pieces;             ///< one per vertex: its piece
   std::vector<std::string> names;                  ///< of the pieces
+  /// One per corner of the triangles, (0, 0) for pieces without any; empty unless add_texture has found some.
+  std::vector<TexturePoint> texture;
 
   std::vector<std::size_t> vertex_counts() const;    ///< of each piece
   std::vector<std::size_t> triangle_counts() const;  ///< likewise
@@ -46,6 +48,9 @@ struct RopeFrame {
 /// The present cloth of a world; ids and definitions in the same order.
 ClothFrame cloth_frame_of(const World& world, const std::vector<ClothId>& ids,
                           const std::vector<ClothDef>& defs);
+
+/// Adds the texture coordinates of these pieces to their frame. Throws what World::cloth_texture throws.
+void add_texture(ClothFrame& frame, const World& world, const std::vector<ClothId>& ids);
 
 /// The present ropes of a world, likewise.
 RopeFrame rope_frame_of(const World& world, const std::vector<RopeId>& ids, const std::vector<RopeDef>& defs);

@@ -16,6 +16,7 @@ LiquidFrame liquid_frame_of(const World& world, const std::vector<FluidId>& ids,
     frame.names.push_back(defs[i].name);
     frame.vertices.insert(frame.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     frame.normals.insert(frame.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    frame.velocities.insert(frame.velocities.end(), mesh.velocities.begin(), mesh.velocities.end());
     for (const auto& [a, b, c] : mesh.triangles) frame.triangles.push_back({first + a, first + b, first + c});
     frame.fluids.resize(frame.triangles.size(), static_cast<uint32_t>(i));
   }

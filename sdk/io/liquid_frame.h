@@ -18,6 +18,7 @@ struct LiquidFrame {
   double time = 0;                                 ///< s
   std::vector<Vec3> vertices;                      ///< m
   std::vector<Vec3> normals;                       ///< unit, one per vertex, out of the fluid
+  std::vector<Vec3> velocities;                    ///< m/s, one per vertex
   std::vector<std::array<uint32_t, 3>> triangles;  ///< corners counter-clockwise as seen from outside
   std::vector<uint32_t> fluids;                    ///< one per triangle: its fluid, in the order of the scene
   std::vector<std::string> names;                  ///< of the fluids

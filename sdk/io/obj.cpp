@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "sdk/files/output_file.h"
@@ -38,18 +40,35 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
   file.commit();
 }
 
-/// `objects`: one per triangle.
+/// Adds each texture coordinate once; returns its number for each corner.
+std::vector<std::size_t> add_texture_points(std::string& text, std::span<const TexturePoint> texture) {
+  std::map<std::pair<float, float>, std::size_t> known;
+  std::vector<std::size_t> numbers;
+  for (const TexturePoint p : texture) {
+    const auto [found, is_new] = known.emplace(std::pair(p.u, p.v), known.size() + 1);
+    if (is_new) fmt::format_to(std::back_inserter(text), "vt {} {}\n", p.u, p.v);
+    numbers.push_back(found->second);
+  }
+  return numbers;
+}
+
+/// `objects`: one per triangle; `texture`: one per corner, or none.
 template <class Frame>
 void write_with_normals(const std::filesystem::path& path, const char* what, const Frame& frame,
-                        std::span<const uint32_t> objects) {
+                        std::span<const uint32_t> objects, std::span<const TexturePoint> texture = {}) {
   std::string text = fmt::format("# Meniscus {} at {:.7g} s; metres\n", what, frame.time);
   add_vertices(text, frame.vertices);
+  const std::vector<std::size_t> numbers = add_texture_points(text, texture);
   for (const Vec3 n : frame.normals)
     fmt::format_to(std::back_inserter(text), "vn {:.7g} {:.7g} {:.7g}\n", n.x, n.y, n.z);
   for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
     if (i == 0 || objects[i] != objects[i - 1]) text += object_line(frame.names[objects[i]]);
-    const auto& [a, b, c] = frame.triangles[i];
-    fmt::format_to(std::back_inserter(text), "f {0}//{0} {1}//{1} {2}//{2}\n", a + 1, b + 1, c + 1);
+    text += 'f';
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string number = numbers.empty() ? "" : std::to_string(numbers[3 * i + k]);
+      fmt::format_to(std::back_inserter(text), " {0}/{1}/{0}", frame.triangles[i][k] + 1, number);
+    }
+    text += '\n';
   }
   write_text(path, text);
 }
@@ -73,7 +92,7 @@ void write_obj(const std::filesystem::path& path, const DiffuseFrame& frame) {
 }
 
 void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame) {
-  std::string text = fmt::format("# Meniscus bodies at {:.7g} s; metres\n", frame.time);
+  std::string text = fmt::format("# Meniscus solids at {:.7g} s; metres\n", frame.time);
   add_vertices(text, frame.vertices);
   for (std::size_t i = 0; i < frame.triangles.size(); ++i) {
     if (i == 0 || frame.bodies[i] != frame.bodies[i - 1]) {
@@ -86,7 +105,7 @@ void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame) {
 }
 
 void write_obj(const std::filesystem::path& path, const ClothFrame& frame) {
-  write_with_normals(path, "cloth", frame, frame.pieces);
+  write_with_normals(path, "cloth", frame, frame.pieces, frame.texture);
 }
 
 void write_obj(const std::filesystem::path& path, const LiquidFrame& frame) {

@@ -19,13 +19,14 @@ void write_obj(const std::filesystem::path& path, const ParticleFrame& frame);
 /// Likewise. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const DiffuseFrame& frame);
 
-/// An object per body, with its name; blanks in it become underscores. Throws Error(io).
+/// An object per body or shape, with its name; blanks in it become underscores. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const SurfaceFrame& frame);
 
 /// An object per fluid, with the normals of its vertices. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const LiquidFrame& frame);
 
-/// An object per piece of cloth, with the normals of its vertices. Throws Error(io).
+/// An object per piece of cloth, with the normals of its vertices, and texture coordinates where the frame
+/// has some. Throws Error(io).
 void write_obj(const std::filesystem::path& path, const ClothFrame& frame);
 
 /// An object per rope: a line element. Throws Error(io).

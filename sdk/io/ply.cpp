@@ -25,15 +25,16 @@ struct PlyVertex {
 };
 static_assert(sizeof(PlyVertex) == 9 * 4);
 
-struct PlyClothVertex {
+struct PlySolidVertex {
+  Vec3 position, velocity;
+};
+static_assert(sizeof(PlySolidVertex) == 6 * 4);
+
+/// Of cloth and liquids.
+struct PlySmoothVertex {
   Vec3 position, normal, velocity;
 };
-static_assert(sizeof(PlyClothVertex) == 9 * 4);
-
-struct PlyLiquidVertex {
-  Vec3 position, normal;
-};
-static_assert(sizeof(PlyLiquidVertex) == 6 * 4);
+static_assert(sizeof(PlySmoothVertex) == 9 * 4);
 
 struct PlyRopeVertex {
   Vec3 position, velocity;
@@ -59,19 +60,26 @@ struct PlyClothFace {
   uint32_t cloth;
   float strain;
 };
+struct PlyTexturedFace {
+  PlyClothFace face;
+  uint8_t count;
+  std::array<TexturePoint, 3> texture;
+};
 #pragma pack(pop)
 static_assert(sizeof(PlyFace) == 1 + 4 * 4);
 static_assert(sizeof(PlyClothFace) == 1 + 5 * 4);
+static_assert(sizeof(PlyTexturedFace) == 2 + 11 * 4);
 
 std::string header(const SurfaceFrame& frame) {
   return fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment Meniscus bodies at {:.7g} s; metres\n"
+      "ply\nformat binary_little_endian 1.0\ncomment Meniscus solids at {:.7g} s; metres, metres a second\n"
       "element vertex {}\n"
       "property float x\nproperty float y\nproperty float z\n"
+      "property float vx\nproperty float vy\nproperty float vz\n"
       "element face {}\n"
-      "property list uchar uint vertex_indices\nproperty uint body\n"
+      "property list uchar uint vertex_indices\nproperty uint {}\n"
       "end_header\n",
-      frame.time, frame.vertices.size(), frame.triangles.size());
+      frame.time, frame.vertices.size(), frame.triangles.size(), frame.kind);
 }
 
 std::string header(const ClothFrame& frame) {
@@ -83,16 +91,18 @@ std::string header(const ClothFrame& frame) {
       "property float vx\nproperty float vy\nproperty float vz\n"
       "element face {}\n"
       "property list uchar uint vertex_indices\nproperty uint cloth\nproperty float strain\n"
-      "end_header\n",
-      frame.time, frame.vertices.size(), frame.triangles.size());
+      "{}end_header\n",
+      frame.time, frame.vertices.size(), frame.triangles.size(),
+      frame.texture.empty() ? "" : "property list uchar float texcoord\n");
 }
 
 std::string header(const LiquidFrame& frame) {
   return fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment Meniscus liquid at {:.7g} s; metres\n"
+      "ply\nformat binary_little_endian 1.0\ncomment Meniscus liquid at {:.7g} s; metres, metres a second\n"
       "element vertex {}\n"
       "property float x\nproperty float y\nproperty float z\n"
       "property float nx\nproperty float ny\nproperty float nz\n"
+      "property float vx\nproperty float vy\nproperty float vz\n"
       "element face {}\n"
       "property list uchar uint vertex_indices\nproperty uint fluid\n"
       "end_header\n",
@@ -129,6 +139,30 @@ uint32_t narrow_id(ParticleId id) {
                                        " does not fit the 32-bit integers of a PLY file; export vtp");
 }
 
+template <class Frame>
+std::vector<PlySmoothVertex> smooth_vertices(const Frame& frame) {
+  std::vector<PlySmoothVertex> vertices(frame.vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    vertices[i] = {frame.vertices[i], frame.normals[i], frame.velocities[i]};
+  return vertices;
+}
+
+std::vector<PlyClothFace> cloth_faces(const ClothFrame& frame) {
+  std::vector<PlyClothFace> faces(frame.triangles.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    faces[i] = {3, frame.triangles[i], frame.pieces[i], frame.strains[i]};
+  return faces;
+}
+
+/// `texture`: one a corner.
+std::vector<PlyTexturedFace> textured(const std::vector<PlyClothFace>& faces,
+                                      std::span<const TexturePoint> texture) {
+  std::vector<PlyTexturedFace> result(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    result[i] = {faces[i], 6, {texture[3 * i], texture[3 * i + 1], texture[3 * i + 2]}};
+  return result;
+}
+
 }  // namespace
 
 void write_ply(const std::filesystem::path& path, const ParticleFrame& frame) {
@@ -162,37 +196,35 @@ void write_ply(const std::filesystem::path& path, const DiffuseFrame& frame) {
 }
 
 void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame) {
+  std::vector<PlySolidVertex> vertices(frame.vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {frame.vertices[i], frame.velocities[i]};
   std::vector<PlyFace> faces(frame.triangles.size());
   for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {3, frame.triangles[i], frame.bodies[i]};
   OutputFile file(path);
   file.write(header(frame));
-  file.write(std::span<const Vec3>(frame.vertices));
+  file.write(std::span<const PlySolidVertex>(vertices));
   file.write(std::span<const PlyFace>(faces));
   file.commit();
 }
 
 void write_ply(const std::filesystem::path& path, const ClothFrame& frame) {
-  std::vector<PlyClothVertex> vertices(frame.vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    vertices[i] = {frame.vertices[i], frame.normals[i], frame.velocities[i]};
-  std::vector<PlyClothFace> faces(frame.triangles.size());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    faces[i] = {3, frame.triangles[i], frame.pieces[i], frame.strains[i]};
+  const std::vector<PlyClothFace> faces = cloth_faces(frame);
   OutputFile file(path);
   file.write(header(frame));
-  file.write(std::span<const PlyClothVertex>(vertices));
-  file.write(std::span<const PlyClothFace>(faces));
+  file.write(std::span<const PlySmoothVertex>(smooth_vertices(frame)));
+  if (frame.texture.empty())
+    file.write(std::span<const PlyClothFace>(faces));
+  else
+    file.write(std::span<const PlyTexturedFace>(textured(faces, frame.texture)));
   file.commit();
 }
 
 void write_ply(const std::filesystem::path& path, const LiquidFrame& frame) {
-  std::vector<PlyLiquidVertex> vertices(frame.vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {frame.vertices[i], frame.normals[i]};
   std::vector<PlyFace> faces(frame.triangles.size());
   for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {3, frame.triangles[i], frame.fluids[i]};
   OutputFile file(path);
   file.write(header(frame));
-  file.write(std::span<const PlyLiquidVertex>(vertices));
+  file.write(std::span<const PlySmoothVertex>(smooth_vertices(frame)));
   file.write(std::span<const PlyFace>(faces));
   file.commit();
 }

@@ -22,16 +22,17 @@ void write_ply(const std::filesystem::path& path, const ParticleFrame& frame);
 /// Error(io).
 void write_ply(const std::filesystem::path& path, const DiffuseFrame& frame);
 
-/// Triangles in the same format. A vertex has x y z (m); a face also has `body`, its body in the order of the
-/// scene. Throws Error(io).
+/// Triangles in the same format. A vertex has x y z (m) and vx vy vz (m/s); a face also has `body` or
+/// `shape`, its solid in the order of the scene. Throws Error(io).
 void write_ply(const std::filesystem::path& path, const SurfaceFrame& frame);
 
 /// Triangles likewise. A vertex has x y z (m), nx ny nz and vx vy vz (m/s); a face also has `cloth`, its
-/// piece in the order of the scene, and its `strain`. Throws Error(io).
+/// piece in the order of the scene, and its `strain`. Where the frame has texture coordinates, a face has
+/// `texcoord`: u and v of each corner. Throws Error(io).
 void write_ply(const std::filesystem::path& path, const ClothFrame& frame);
 
-/// Triangles likewise. A vertex has x y z (m) and nx ny nz; a face also has `fluid`, its fluid in the order
-/// of the scene. Throws Error(io).
+/// Triangles likewise. A vertex has x y z (m), nx ny nz and vx vy vz (m/s); a face also has `fluid`, its
+/// fluid in the order of the scene. Throws Error(io).
 void write_ply(const std::filesystem::path& path, const LiquidFrame& frame);
 
 /// Edges likewise. A vertex has x y z (m), vx vy vz (m/s) and the radius (m); an edge also has `rope`, its

@@ -33,11 +33,21 @@ collision::TriangleMesh welded(const std::vector<SolidTriangle>& triangles) {
   return mesh;
 }
 
+/// Adds the triangles of solid i.
+void place(SurfaceFrame& frame, const collision::TriangleMesh& mesh, const Pose& pose, uint32_t i) {
+  const auto first = static_cast<uint32_t>(frame.vertices.size());
+  for (const Vec3 p : mesh.vertices) frame.vertices.push_back(to_world(pose, p));
+  for (const auto& [a, b, c] : mesh.triangles) {
+    frame.triangles.push_back({first + a, first + b, first + c});
+    frame.bodies.push_back(i);
+  }
+}
+
 }  // namespace
 
 BodySurfaces::BodySurfaces(const std::vector<BodyDef>& bodies) {
   for (const BodyDef& body : bodies) {
-    meshes_.push_back(welded(solid_triangles(body.geometry)));
+    meshes_.push_back(solid_mesh(body.geometry));
     names_.push_back(body.name);
   }
 }
@@ -52,13 +62,27 @@ SurfaceFrame BodySurfaces::at(double time, std::span<const BodyState> states) co
   frame.time = time;
   frame.names = names_;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
-    const uint32_t first = static_cast<uint32_t>(frame.vertices.size());
-    for (const Vec3 p : meshes_[i].vertices) frame.vertices.push_back(to_world(states[i].pose, p));
-    for (const auto& [a, b, c] : meshes_[i].triangles) {
-      frame.triangles.push_back({first + a, first + b, first + c});
-      frame.bodies.push_back(static_cast<uint32_t>(i));
-    }
+    place(frame, meshes_[i], states[i].pose, static_cast<uint32_t>(i));
+    const BodyState& s = states[i];
+    for (std::size_t v = frame.velocities.size(); v < frame.vertices.size(); ++v)
+      frame.velocities.push_back(s.velocity +
+                                 cross(s.angular_velocity, frame.vertices[v] - s.centre_of_mass));
   }
+  return frame;
+}
+
+collision::TriangleMesh solid_mesh(const Geometry& geometry) {
+  return welded(solid_triangles(geometry));
+}
+
+SurfaceFrame shape_surfaces(const std::vector<ShapeDef>& shapes) {
+  SurfaceFrame frame;
+  frame.kind = "shape";
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    frame.names.push_back(shapes[i].name);
+    place(frame, solid_mesh(shapes[i].geometry), shapes[i].pose, static_cast<uint32_t>(i));
+  }
+  frame.velocities.resize(frame.vertices.size(), {0, 0, 0});
   return frame;
 }
 

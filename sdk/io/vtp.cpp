@@ -7,6 +7,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <bit>
+#include <optional>
 #include <vector>
 
 #include "sdk/files/output_file.h"
@@ -84,6 +85,21 @@ std::vector<int64_t> corners_of(const std::vector<std::array<uint32_t, 3>>& tria
   return corners;
 }
 
+/// One a vertex, where the corners at each vertex agree; else none, since the texture has a seam.
+std::vector<TexturePoint> texture_by_vertex(const ClothFrame& frame) {
+  if (frame.texture.empty()) return {};
+  std::vector<std::optional<TexturePoint>> at(frame.vertices.size());
+  for (std::size_t k = 0; k < frame.texture.size(); ++k) {
+    std::optional<TexturePoint>& here = at[frame.triangles[k / 3][k % 3]];
+    const TexturePoint p = frame.texture[k];
+    if (here && (here->u != p.u || here->v != p.v)) return {};
+    here = p;
+  }
+  std::vector<TexturePoint> points;
+  for (const std::optional<TexturePoint>& p : at) points.push_back(p.value_or(TexturePoint{0, 0}));
+  return points;
+}
+
 }  // namespace
 
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
@@ -131,23 +147,31 @@ void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame) {
   AppendedArrays arrays;
   std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
                                   frame.vertices.size(), frame.triangles.size());
-  piece += "<CellData Scalars=\"body\">\n" +
-           arrays.add("UInt32", "body", 1, std::span<const uint32_t>(frame.bodies)) + "</CellData>\n";
+  piece += "<PointData Vectors=\"velocity\">\n" +
+           arrays.add("Float32", "velocity", 3, std::span<const Vec3>(frame.velocities)) + "</PointData>\n";
+  piece += fmt::format("<CellData Scalars=\"{}\">\n", frame.kind) +
+           arrays.add("UInt32", frame.kind, 1, std::span<const uint32_t>(frame.bodies)) + "</CellData>\n";
   piece += points(arrays, frame.vertices);
   piece += "<Polys>\n" + cells(arrays, corners, ends) + "</Polys>\n</Piece>\n";
   write_polydata(path, frame.time, piece, arrays);
 }
 
 void write_vtp(const std::filesystem::path& path, const ClothFrame& frame) {
+  const std::vector<TexturePoint> by_vertex = texture_by_vertex(frame);
   const std::vector<int64_t> corners = corners_of(frame.triangles);
   const std::vector<int64_t> ends = counting(frame.triangles.size(), 3, 3);
   AppendedArrays arrays;
   std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
                                   frame.vertices.size(), frame.triangles.size());
-  piece += "<PointData Vectors=\"velocity\" Normals=\"Normals\">\n";
+  piece += fmt::format("<PointData Vectors=\"velocity\" Normals=\"Normals\"{}>\n",
+                       by_vertex.empty() ? "" : " TCoords=\"TCoords\"");
   piece += arrays.add("Float32", "velocity", 3, std::span<const Vec3>(frame.velocities));
   piece += arrays.add("Float32", "Normals", 3, std::span<const Vec3>(frame.normals));
+  if (!by_vertex.empty())
+    piece += arrays.add("Float32", "TCoords", 2, std::span<const TexturePoint>(by_vertex));
   piece += "</PointData>\n<CellData Scalars=\"strain\">\n";
+  if (!frame.texture.empty())
+    piece += arrays.add("Float32", "texture", 6, std::span<const TexturePoint>(frame.texture));
   piece += arrays.add("UInt32", "cloth", 1, std::span<const uint32_t>(frame.pieces));
   piece += arrays.add("Float32", "strain", 1, std::span<const float>(frame.strains));
   piece += "</CellData>\n" + points(arrays, frame.vertices);
@@ -161,7 +185,8 @@ void write_vtp(const std::filesystem::path& path, const LiquidFrame& frame) {
   AppendedArrays arrays;
   std::string piece = fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n",
                                   frame.vertices.size(), frame.triangles.size());
-  piece += "<PointData Normals=\"Normals\">\n" +
+  piece += "<PointData Vectors=\"velocity\" Normals=\"Normals\">\n" +
+           arrays.add("Float32", "velocity", 3, std::span<const Vec3>(frame.velocities)) +
            arrays.add("Float32", "Normals", 3, std::span<const Vec3>(frame.normals)) + "</PointData>\n";
   piece += "<CellData Scalars=\"fluid\">\n" +
            arrays.add("UInt32", "fluid", 1, std::span<const uint32_t>(frame.fluids)) + "</CellData>\n";

@@ -20,16 +20,18 @@ void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame);
 /// Points likewise, with the arrays velocity, life and kind: 0 spray, 1 foam, 2 bubble. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame);
 
-/// Triangles in the same format, with the cell array `body`: a triangle's body, in the order of the scene.
-/// Throws Error(io).
+/// Triangles in the same format, with the point array velocity. The cell array `body` or `shape` is a
+/// triangle's solid, in the order of the scene. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const SurfaceFrame& frame);
 
 /// Triangles with the point arrays velocity and Normals. The cell arrays are `cloth`, a triangle's piece in
-/// the order of the scene, and strain. Throws Error(io).
+/// the order of the scene, and strain. Where the frame has texture coordinates, the cell array `texture` is u
+/// and v of each corner. The point array TCoords is there as well if the texture has no seam. Throws
+/// Error(io).
 void write_vtp(const std::filesystem::path& path, const ClothFrame& frame);
 
-/// Triangles with the point array Normals and the cell array `fluid`, in the order of the scene. Throws
-/// Error(io).
+/// Triangles with the point arrays velocity and Normals, and the cell array `fluid`, in the order of the
+/// scene. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const LiquidFrame& frame);
 
 /// One polyline per rope, with the point arrays velocity and radius, as ParaView's tubes need them, and the

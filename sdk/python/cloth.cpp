@@ -98,6 +98,19 @@ void bind_cloth_arrays(nb::class_<Handle<ClothId>>& type) {
       },
       nb::for_getter(nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]")),
       "Three vertices each. Tearing adds vertices at the end and keeps the order of triangles.");
+  type.def_prop_ro(
+      "texture",
+      [](const Handle<ClothId>& self) {
+        return self.state->array(
+            ReadoutKind::cloth_texture, self.id.index, [&](World& w) { return w.cloth_texture(self.id); },
+            [](World&, std::span<const TexturePoint> points) {
+              const auto owner =
+                  std::make_shared<const std::vector<TexturePoint>>(points.begin(), points.end());
+              return rows(owner->empty() ? nullptr : &owner->front().u, owner->size(), 2, 2, kept(owner));
+            });
+      },
+      nb::for_getter(nb::sig("def texture(self) -> numpy.typing.NDArray[numpy.float32]")),
+      "Texture coordinates (u, v), one row a corner of the triangles; no row if there are none.");
 }
 
 }  // namespace

@@ -179,7 +179,8 @@ nb::object surface_mesh(const PyWorld& self, const nb::kwargs& given) {
       std::make_shared<const std::vector<std::array<uint32_t, 3>>>(std::move(mesh.triangles));
   return make_result("SurfaceMesh", array_of(std::move(mesh.vertices)), array_of(std::move(mesh.normals)),
                      rows(triangles->empty() ? nullptr : triangles->front().data(), triangles->size(), 3, 3,
-                          kept(triangles)));
+                          kept(triangles)),
+                     array_of(std::move(mesh.velocities)));
 }
 
 }  // namespace

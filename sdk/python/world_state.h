@@ -83,6 +83,7 @@ enum class ReadoutKind {
   cloth_velocities,
   cloth_normals,
   cloth_triangles,
+  cloth_texture,
   cloth_strains,
   cloth_wetness,
   rope_positions,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sdk/world/cloth/cloth_texture.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -70,6 +71,12 @@ std::span<const Vec3> World::Calls::cloth_normals(ClothId id) const {
 std::span<const uint32_t> World::Calls::cloth_triangles(ClothId id) const {
   const auto& triangles = impl_->cloths.get(id).mesh.triangles;
   return {triangles.front().data(), 3 * triangles.size()};
+}
+
+std::span<const TexturePoint> World::Calls::cloth_texture(ClothId id) const {
+  ClothEntry& entry = impl_->cloths.edit(id);
+  if (entry.texture.empty()) entry.texture = texture_of(entry, impl_->def.read_file);
+  return entry.texture;
 }
 
 uint32_t World::Calls::cloth_welded_vertices(ClothId id) const {

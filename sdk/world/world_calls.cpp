@@ -211,6 +211,9 @@ std::span<const Vec3> World::cloth_normals(ClothId id) const {
 std::span<const uint32_t> World::cloth_triangles(ClothId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_triangles(id); });
 }
+std::span<const TexturePoint> World::cloth_texture(ClothId id) const {
+  return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_texture(id); });
+}
 uint32_t World::cloth_welded_vertices(ClothId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.cloth_welded_vertices(id); });
 }

@@ -107,6 +107,7 @@ struct World::Calls {
   std::span<const Vec3> cloth_velocities(ClothId id) const;
   std::span<const Vec3> cloth_normals(ClothId id) const;
   std::span<const uint32_t> cloth_triangles(ClothId id) const;
+  std::span<const TexturePoint> cloth_texture(ClothId id) const;
   uint32_t cloth_welded_vertices(ClothId id) const;
   float cloth_bending_fraction(ClothId id) const;
   const std::vector<MeshRepair>& mesh_repairs() const;

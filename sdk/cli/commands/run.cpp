@@ -26,11 +26,17 @@
 #include "sdk/cli/stop/interrupt.h"
 #include "sdk/fields/probes.h"
 #include "sdk/io/plain_text.h"
+#include "sdk/io/vdb.h"
 
 namespace meniscus::cli {
 namespace {
 
+bool exports_vdb(const RunOptions& options) {
+  return std::count(options.formats.begin(), options.formats.end(), "vdb") > 0;
+}
+
 Scene scene_of(const RunOptions& options) {
+  if (exports_vdb(options)) io::require_vdb();
   Scene scene = chosen_scene(options.scene);
   if (options.frames) scene.frames = *options.frames;
   expect_floor(scene);
@@ -67,7 +73,8 @@ class Run {
   explicit Run(const RunOptions& options)
       : scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
-        surface_(options.surface),
+        liquid_(options.surface || exports_vdb(options)),
+        exports_(!options.formats.empty()),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_)),
         reached_(frame_of(built_.world, scene_)),
@@ -87,7 +94,7 @@ class Run {
     const Interrupt interrupt(built_.world);
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
-    try {
+    note_error([&] {
       if (!recording_.empty()) built_.world.start_recording(recording_);
       write(first_);
       for (int frame = reached_ + 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
@@ -102,11 +109,8 @@ class Run {
             scene_.fluids.empty() ? std::nullopt : std::optional(now.diagnostics.density_error_mean));
       }
       if (!recording_.empty()) built_.world.stop_recording();
-    } catch (const Error& error) {
-      if (error.code() != ErrorCode::cancelled) end_.error = error.what();
-    } catch (const std::exception& error) {
-      end_.error = error.what();
-    }
+    });
+    note_error([&] { exporter_.finish(); });
     end_.interrupted = interrupt.raised();
   }
 
@@ -123,9 +127,24 @@ class Run {
   std::vector<std::string> pictures() const { return pictures_.files(); }
 
  private:
+  /// Notes the first error of the run. A cancelled call is none.
+  template <class Call>
+  void note_error(const Call& call) {
+    std::string message;
+    try {
+      call();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::cancelled) message = error.what();
+    } catch (const std::exception& error) {
+      message = error.what();
+    }
+    if (end_.error.empty()) end_.error = message;
+  }
+
   /// The geometry of a frame; that of frame 0 is the state before the first step.
   void write(FrameSample& now) {
-    if (surface_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
+    if (liquid_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
+    if (exports_) io::add_texture(now.cloth, built_.world, built_.cloths);
     exporter_.write(now);
   }
 
@@ -211,7 +230,8 @@ class Run {
 
   Scene scene_;
   io::PreviewScene picture_;
-  bool surface_;
+  bool liquid_;   // whether surfaces of fluids are exported, as meshes or as volumes
+  bool exports_;  // whether anything is
   std::filesystem::path folder_;
   BuiltScene built_;
   int reached_;  // the frame from which it starts; 0 without a snapshot

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Writes the frames of a run as PLY, VTP and OBJ files.
+// Writes the frames of a run as PLY, VTP, OBJ, USD and OpenVDB files.
 #include "sdk/cli/output/frame_exporter.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -11,6 +11,7 @@
 #include "pbd/host_memory.h"
 #include "sdk/io/obj.h"
 #include "sdk/io/ply.h"
+#include "sdk/io/vdb.h"
 #include "sdk/io/vtp.h"
 
 namespace meniscus::cli {
@@ -25,16 +26,20 @@ bool has(const std::vector<std::string>& formats, const char* format) {
 FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats,
                              bool surface, const Scene& scene)
     : folder_(std::move(folder)),
+      scene_(scene),
       ply_(has(formats, "ply")),
       vtp_(has(formats, "vtp")),
       obj_(has(formats, "obj")),
+      usd_(has(formats, "usd")),
+      vdb_(has(formats, "vdb") && !scene.fluids.empty()),
+      any_(!formats.empty()),
       particles_(!scene.fluids.empty() || !scene.granulars.empty() ||
                  (scene.cloths.empty() && scene.ropes.empty())),
       diffuse_(scene.world.diffuse.has_value()),
       cloth_(!scene.cloths.empty()),
       ropes_(!scene.ropes.empty()),
       surface_(surface && !scene.fluids.empty()) {
-  if (formats.empty()) return;
+  if (!any_) return;
   if (const std::vector<BodyDef> bodies = bodies_of(scene); !bodies.empty()) bodies_.emplace(bodies);
   make_frames_folder(folder_);
   if (!vtp_) return;
@@ -46,18 +51,63 @@ FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std
   if (surface_) surface_collection_.emplace(folder_ / "surface.pvd");
 }
 
-void FrameExporter::write(const FrameSample& sample) {
-  pbd::with_host_memory([&] { write_all(sample); });
+void FrameExporter::write(FrameSample& sample) {
+  if (!any_) return;
+  background_.wait_for_room();
+  io::SceneFrame& frame = frames_[next_];
+  next_ = (next_ + 1) % most_waiting;
+  pbd::with_host_memory([&] {
+    frame.number = sample.frame;
+    frame.set_particles(sample.particles);
+    frame.diffuse.assign(sample.diffuse.particles.begin(), sample.diffuse.particles.end());
+    frame.bodies = sample.bodies;
+    frame.cloth = sample.cloth;
+    frame.ropes = sample.ropes;
+    frame.liquid = std::move(sample.liquid);
+    background_.add([this, &frame] { pbd::with_host_memory([&] { write_all(frame); }); });
+  });
 }
 
-void FrameExporter::write_all(const FrameSample& sample) {
-  const double time = sample.particles.time;
-  if (particles_) write_files("frame", sample.frame, sample.particles, particle_collection_);
-  if (diffuse_) write_files("diffuse", sample.frame, sample.diffuse, diffuse_collection_);
-  if (bodies_) write_files("bodies", sample.frame, bodies_->at(time, sample.bodies), body_collection_);
-  if (cloth_) write_files("cloth", sample.frame, sample.cloth, cloth_collection_);
-  if (ropes_) write_files("ropes", sample.frame, sample.ropes, rope_collection_);
-  if (surface_) write_files("surface", sample.frame, sample.liquid, surface_collection_);
+void FrameExporter::finish() {
+  if (!any_) return;
+  background_.finish();
+  if (usd_recording_) pbd::with_host_memory([&] { usd_recording_->finish(); });
+}
+
+void FrameExporter::write_all(const io::SceneFrame& frame) {
+  const int number = frame.number;
+  if (!shapes_written_) write_shapes();
+  shapes_written_ = true;
+  if (particles_) write_files("frame", number, frame.particles(), particle_collection_);
+  if (diffuse_) write_files("diffuse", number, frame.diffuse_frame(), diffuse_collection_);
+  if (bodies_) write_files("bodies", number, bodies_->at(frame.time, frame.bodies), body_collection_);
+  if (cloth_) write_files("cloth", number, frame.cloth, cloth_collection_);
+  if (ropes_) write_files("ropes", number, frame.ropes, rope_collection_);
+  if (surface_) write_files("surface", number, frame.liquid, surface_collection_);
+  if (usd_) write_usd(frame);
+  if (vdb_)
+    io::write_vdb(folder_ / fmt::format("frames/liquid_{:05}.vdb", number), frame.liquid, frame.particles(),
+                  scene_.world.particle_spacing);
+}
+
+void FrameExporter::write_shapes() const {
+  if (!(ply_ || vtp_ || obj_)) return;
+  const io::SurfaceFrame shapes = io::shape_surfaces(scene_.shapes);
+  if (shapes.triangles.empty()) return;
+  const std::filesystem::path name = folder_ / "frames" / "shapes";
+  if (ply_) io::write_ply(name.string() + ".ply", shapes);
+  if (obj_) io::write_obj(name.string() + ".obj", shapes);
+  if (vtp_) io::write_vtp(name.string() + ".vtp", shapes);
+}
+
+void FrameExporter::write_usd(const io::SceneFrame& frame) {
+  if (!usd_scene_) {
+    usd_scene_.emplace(scene_,
+                       io::UsdContents{.particles = particles_, .surface = surface_, .diffuse = diffuse_},
+                       bodies_ ? &*bodies_ : nullptr, frame);
+    usd_recording_.emplace(folder_, usd_scene_->stage());
+  }
+  usd_recording_->add(frame.number, usd_scene_->values(frame));
 }
 
 template <class Frame>

@@ -51,6 +51,14 @@ struct SurfaceMesh {
   std::vector<Vec3> vertices;                      ///< m
   std::vector<Vec3> normals;                       ///< unit, one a vertex, out of the fluid
   std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise as seen from outside
+  /// m/s, one a vertex: the mean of the particles there, by their parts of the field. Each component is at
+  /// most 8192 m/s.
+  std::vector<Vec3> velocities;
+};
+
+/// A place in a texture; (0, 0) is its lower left corner, and (1, 1) its upper right.
+struct TexturePoint {
+  float u, v;  ///< to the right, and up
 };
 
 /// What a diffuse particle is.

@@ -214,6 +214,10 @@ class World {
   /// Unit, one a vertex: the mean over its triangles with the weights of Max (1999), exact on a ball.
   std::span<const Vec3> cloth_normals(ClothId id) const;
   std::span<const uint32_t> cloth_triangles(ClothId id) const;  ///< three vertices each
+  /// Texture coordinates, one a corner of cloth_triangles(). Those of a file are its own, and triangles in
+  /// memory and files without any have none. A sheet has u along x and v along z. A tube has u around its
+  /// axis and v upwards, and its bottom has u along x and v along z. A sphere has longitude and latitude.
+  std::span<const TexturePoint> cloth_texture(ClothId id) const;
   /// How many vertices of its file were merged into others (ClothFile::weld).
   uint32_t cloth_welded_vertices(ClothId id) const;
   /// Of the bending stiffness of its fabric, the least part that substeps have resolved since any cloth was

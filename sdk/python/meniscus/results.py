@@ -100,3 +100,4 @@ class SurfaceMesh(NamedTuple):
     vertices: NDArray[np.float32]  # m
     normals: NDArray[np.float32]  # unit, out of the fluid
     triangles: NDArray[np.uint32]  # counter-clockwise as seen from outside
+    velocities: NDArray[np.float32]  # m/s, one a vertex

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <meniscus/cloth.h>
+#include <meniscus/outputs.h>
 
 #include <functional>
 #include <optional>
@@ -63,6 +64,7 @@ struct ClothEntry {
   std::vector<Vec3> outward;           ///< positions in the user's frame
   std::vector<Vec3> normals;           ///< of the latest state, computed on request
   std::vector<float> strains;          ///< as for the normals
+  std::vector<TexturePoint> texture;   ///< by corner, computed on request; tearing keeps it
   // Of absorbent cloth, by vertex:
   std::vector<double> water;           ///< kg
   std::optional<FluidId> soaked_with;  ///< one fluid at a time

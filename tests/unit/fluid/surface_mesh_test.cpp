@@ -311,6 +311,8 @@ TEST_P(SurfaceMeshTest, EveryNumberOfThreadsGivesTheSameBits) {
     ASSERT_EQ(now.vertices.size(), first.vertices.size());
     EXPECT_EQ(std::memcmp(now.vertices.data(), first.vertices.data(), now.vertices.size() * sizeof(Vec3)), 0);
     EXPECT_EQ(std::memcmp(now.normals.data(), first.normals.data(), now.normals.size() * sizeof(Vec3)), 0);
+    EXPECT_EQ(
+        std::memcmp(now.velocities.data(), first.velocities.data(), now.velocities.size() * sizeof(Vec3)), 0);
   }
 }
 

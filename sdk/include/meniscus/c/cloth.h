@@ -45,6 +45,14 @@ MENISCUS_C_API MeniscusStatus meniscus_cloth_normals(const MeniscusWorld* world,
 /// Numbers of vertices, three a triangle. `count` is that of the numbers.
 MENISCUS_C_API MeniscusStatus meniscus_cloth_triangles(const MeniscusWorld* world, MeniscusId cloth,
                                                        const uint32_t** vertices, size_t* count);
+/// A place in a texture: meniscus::TexturePoint.
+typedef struct MeniscusTexturePoint {
+  float u;  ///< to the right
+  float v;  ///< up
+} MeniscusTexturePoint;
+/// Texture coordinates, one a corner of the triangles, or none: World::cloth_texture.
+MENISCUS_C_API MeniscusStatus meniscus_cloth_texture(const MeniscusWorld* world, MeniscusId cloth,
+                                                     const MeniscusTexturePoint** texture, size_t* count);
 /// The largest principal strain, one a triangle.
 MENISCUS_C_API MeniscusStatus meniscus_cloth_strains(const MeniscusWorld* world, MeniscusId cloth,
                                                      const float** strains, size_t* count);

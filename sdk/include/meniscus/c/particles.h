@@ -71,12 +71,13 @@ MENISCUS_C_API MeniscusStatus meniscus_diffuse(const MeniscusWorld* world,
 
 /// The surface of a fluid, closed. Arrays are valid until the next call of meniscus_surface_mesh().
 typedef struct MeniscusSurfaceMesh {
-  uint32_t size;                 ///< of this struct
-  const MeniscusVec3* vertices;  ///< m
-  const MeniscusVec3* normals;   ///< unit, one a vertex, out of the fluid
-  size_t vertex_count;           ///< number of vertices
-  const uint32_t* triangles;     ///< three numbers of vertices each, counter-clockwise as seen from outside
-  size_t triangle_count;         ///< number of triangles
+  uint32_t size;                   ///< of this struct
+  const MeniscusVec3* vertices;    ///< m
+  const MeniscusVec3* normals;     ///< unit, one a vertex, out of the fluid
+  size_t vertex_count;             ///< number of vertices
+  const uint32_t* triangles;       ///< three numbers of vertices each, counter-clockwise as seen from outside
+  size_t triangle_count;           ///< number of triangles
+  const MeniscusVec3* velocities;  ///< m/s, one a vertex
 } MeniscusSurfaceMesh;
 
 /// Makes the surface around the ellipsoids. A null definition means the defaults.

@@ -108,6 +108,7 @@ const std::vector<NamedCall>& calls_without_results() {
       NO_ARRAY_OF_ID(meniscus_cloth_velocities),
       NO_ARRAY_OF_ID(meniscus_cloth_normals),
       NO_ARRAY_OF_ID(meniscus_cloth_triangles),
+      NO_ARRAY_OF_ID(meniscus_cloth_texture),
       NO_ARRAY_OF_ID(meniscus_cloth_strains),
       NO_ARRAY_OF_ID(meniscus_cloth_wetness),
       NO_ARRAY_OF_ID(meniscus_rope_positions),

@@ -26,7 +26,9 @@ class ExportBodies : public ExportFolder {
     bodies_[1].name = "wedge";
     bodies_[1].geometry = HullGeometry{{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}}};
     states_.resize(2);
-    states_[0].pose.position = {0, 10, 0};
+    states_[0].pose.position = states_[0].centre_of_mass = {0, 10, 0};
+    states_[0].velocity = {1, 0, 0};
+    states_[0].angular_velocity = {0, 2, 0};
     states_[1].pose = {{20, 0, 0}, {0, std::sqrt(0.5f), 0, std::sqrt(0.5f)}};
   }
 
@@ -58,13 +60,45 @@ TEST_F(ExportBodies, SurfacesFollowTheirPoses) {
   EXPECT_NEAR(near_z, -2, 1e-5f) << "and x along −z";
 }
 
+TEST_F(ExportBodies, VerticesMoveWithTheirBody) {
+  const SurfaceFrame f = frame();
+  ASSERT_EQ(f.velocities.size(), 12u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Vec3 p = f.vertices[i], v = f.velocities[i];
+    EXPECT_FLOAT_EQ(v.x, 1 + 2 * p.z);
+    EXPECT_FLOAT_EQ(v.y, 0);
+    EXPECT_FLOAT_EQ(v.z, -2 * p.x);
+  }
+  EXPECT_EQ(f.velocities[8].x, 0);
+  write_ply(folder_ / "a.ply", f);
+  write_vtp(folder_ / "a.vtp", f);
+  const std::string ply = contents(folder_ / "a.ply"), vtp = contents(folder_ / "a.vtp");
+  const std::size_t data = ply.find("end_header\n") + std::strlen("end_header\n");
+  EXPECT_EQ(value_at<float>(ply, data + 3 * 24 + 12), f.velocities[3].x);
+  EXPECT_EQ(value_at<float>(appended(vtp, "velocity", 12 * 12), 12 * 3), f.velocities[3].x);
+}
+
+TEST_F(ExportBodies, ShapesStandWhereTheyAre) {
+  std::vector<ShapeDef> shapes(2);
+  shapes[1].name = "tank";
+  shapes[1].geometry = ContainerGeometry{{1, 2, 3}};
+  shapes[1].pose.position = {10, 0, 0};
+  const SurfaceFrame f = shape_surfaces(shapes);
+  EXPECT_STREQ(f.kind, "shape");
+  ASSERT_EQ(f.triangles.size(), 12u) << "the walls of the tank alone";
+  for (const uint32_t shape : f.bodies) EXPECT_EQ(shape, 1u);
+  for (const Vec3 p : f.vertices) EXPECT_FLOAT_EQ(std::abs(p.x - 10), 1);
+  write_ply(folder_ / "a.ply", f);
+  EXPECT_NE(contents(folder_ / "a.ply").find("property uint shape\n"), std::string::npos);
+}
+
 TEST_F(ExportBodies, PlyHasABodyNumberAFace) {
   write_ply(folder_ / "a.ply", frame());
   const std::string file = contents(folder_ / "a.ply");
   const std::size_t data = file.find("end_header\n") + std::strlen("end_header\n");
   EXPECT_NE(file.find("element vertex 12\n"), std::string::npos);
   EXPECT_NE(file.find("element face 16\n"), std::string::npos);
-  const std::size_t faces = data + 12 * 12;
+  const std::size_t faces = data + 12 * 24;
   ASSERT_EQ(file.size(), faces + 16 * 17);
   EXPECT_EQ(value_at<uint8_t>(file, faces), 3u);
   EXPECT_EQ(value_at<uint32_t>(file, faces + 11 * 17 + 13), 0u) << "the crate's last face";
