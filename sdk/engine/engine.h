@@ -37,6 +37,7 @@
 #include "pbd/solver.h"
 #include "pbd/state/state_visitor.h"
 #include "sdk/engine/force_fields/force_field.h"
+#include "sdk/engine/vertex_track.h"
 
 namespace meniscus {
 
@@ -158,6 +159,7 @@ struct EngineCloth {
   cloth::ClothModel model;
   cloth::RodModel rods, ropes;
   std::vector<cloth::SegmentState> segments;  ///< of the rods
+  std::vector<DrivenPiece> driven;
 };
 
 /// Arrays in the memory of the device, by slot.

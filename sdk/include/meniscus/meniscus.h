@@ -14,6 +14,7 @@
 #include <meniscus/graphics.h>
 #include <meniscus/hooks.h>
 #include <meniscus/ids.h>
+#include <meniscus/motion.h>
 #include <meniscus/outputs.h>
 #include <meniscus/snapshot.h>
 #include <meniscus/types.h>
