@@ -6,10 +6,12 @@
 
 #include <meniscus/cloth.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "pbd/math/vec.h"
 #include "sdk/fields/keyframes.h"
 #include "sdk/fields/names.h"
 #include "sdk/fields/shapes.h"
@@ -118,6 +120,11 @@ void fields(V& v, ClothKeyframe& d) {
 
 template <class V>
 void fields(V& v, DrivenTriangles& d) {
+  for (std::size_t k = 0; k < d.keyframes.size(); ++k) {  // names the keyframe, which a vertex does not
+    const auto bad = std::ranges::find_if_not(d.keyframes[k].vertices, [](Vec3 x) { return is_finite(x); });
+    v.check(bad == d.keyframes[k].vertices.end(),
+            "keyframe " + std::to_string(k) + " has a vertex that is not finite", "keyframes", d.keyframes);
+  }
   triangle_field(v, d.triangles);
   v("keyframes", d.keyframes, required(not_empty), "", "places of the vertices, in the order of the times");
   v("loop", d.loop, any_value, "", "after the last keyframe the first follows; else the surface stays there");
