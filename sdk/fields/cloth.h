@@ -121,9 +121,10 @@ void fields(V& v, ClothKeyframe& d) {
 template <class V>
 void fields(V& v, DrivenTriangles& d) {
   for (std::size_t k = 0; k < d.keyframes.size(); ++k) {  // names the keyframe, which a vertex does not
-    const auto bad = std::ranges::find_if_not(d.keyframes[k].vertices, [](Vec3 x) { return is_finite(x); });
-    v.check(bad == d.keyframes[k].vertices.end(),
-            "keyframe " + std::to_string(k) + " has a vertex that is not finite", "keyframes", d.keyframes);
+    const std::vector<Vec3>& x = d.keyframes[k].vertices;
+    const auto bad = std::ranges::find_if_not(x, [](Vec3 p) { return is_finite(p); });
+    v.check(bad == x.end(), "ClothKeyframe::vertices[" + std::to_string(bad - x.begin()) + "] of keyframe " +
+                                std::to_string(k) + " is not finite");
   }
   triangle_field(v, d.triangles);
   v("keyframes", d.keyframes, required(not_empty), "", "places of the vertices, in the order of the times");

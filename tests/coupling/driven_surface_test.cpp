@@ -206,7 +206,7 @@ TEST_P(DrivenSurfaceTest, RefusesWhatItIsNot) {
   refused("times of keyframes must increase", [](ClothDef&, DrivenTriangles& d) { d.keyframes[1].time = 0; });
   refused("keyframe 1 has 8 vertices",
           [](ClothDef&, DrivenTriangles& d) { d.keyframes[1].vertices.pop_back(); });
-  refused("keyframe 1 has a vertex that is not finite",
+  refused("vertices[4] of keyframe 1 is not finite",
           [](ClothDef&, DrivenTriangles& d) { d.keyframes[1].vertices[4].y = NAN; });
   refused("keyframes", [](ClothDef&, DrivenTriangles& d) { d.keyframes.clear(); });
   refused("loop needs at least 2", [](ClothDef&, DrivenTriangles& d) {
