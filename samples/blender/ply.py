@@ -30,26 +30,32 @@ def read_header(data, path):
     return elements, end + len(b"end_header\n")
 
 
+def row_type(data, at, properties):
+    """The type of the rows of an element. All its lists of one name are as long as that of the first row."""
+    fields = []
+    for key, kind, of_count in properties:
+        if of_count:
+            begin = at + numpy.dtype(fields).itemsize
+            fields.append((key + " count", of_count))
+            fields.append((key, kind, (int(numpy.frombuffer(data, of_count, 1, begin)[0]),)))
+        else:
+            fields.append((key, kind))
+    return numpy.dtype(fields)
+
+
 def read_ply(path):
-    """Arrays by the name of their element: structured ones. Lists must have 3 items, and are rows of 3."""
+    """Arrays of structures by the name of their element. A list is a column of rows, as long as each other."""
     data = Path(path).read_bytes()
     elements, at = read_header(data, path)
     read = {}
     for name, count, properties in elements:
-        fields = []
-        for key, kind, of_count in properties:
-            if of_count:
-                fields.append((key + " count", of_count))
-                fields.append((key, kind, (3,)))
-            else:
-                fields.append((key, kind))
-        rows = numpy.dtype(fields)
+        rows = row_type(data, at, properties) if count else numpy.dtype([])
         if len(data) < at + count * rows.itemsize:
             raise ValueError(f"{path} ends too early")
-        read[name] = numpy.frombuffer(data, rows, count, at)
-        for key, _, of_count in properties:
-            if of_count and numpy.any(read[name][key + " count"] != 3):
-                raise ValueError(f"{path} has faces that are no triangles")
+        read[name] = numpy.frombuffer(data, rows, count, at) if count else numpy.zeros(0, rows)
+        for key, _, of_count in properties if count else ():
+            if of_count and numpy.any(read[name][key + " count"] != rows[key].shape[0]):
+                raise ValueError(f"{path} has lists of several lengths in {key}")
         at += count * rows.itemsize
     return read
 

@@ -22,27 +22,21 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import ply  # noqa: E402
 
 COLORS = {"surface": (0.25, 0.55, 0.85), "cloth": (0.7, 0.2, 0.15), "bodies": (0.7, 0.6, 0.45)}
-VELOCITY = ("vx", "vy", "vz"), ("velocity_x", "velocity_y", "velocity_z")
+PLACE, VELOCITY = ("x", "y", "z"), ("vx", "vy", "vz")
 
 
 def velocities_of(vertices, places, particles):
-    for keys in VELOCITY:
-        own = ply.vectors(vertices, keys)
-        if own is not None:
-            return own
+    own = ply.vectors(vertices, VELOCITY)
+    if own is not None:
+        return own
     if particles is None or not len(places):
         return numpy.zeros_like(places)
     rows = ply.read_ply(particles)["vertex"]
-    centres = ply.vectors(rows, ("x", "y", "z"))
-    for keys in VELOCITY:
-        moving = ply.vectors(rows, keys)
-        if moving is not None:
-            tree = mathutils.kdtree.KDTree(len(centres))
-            for n, centre in enumerate(centres):
-                tree.insert(centre, n)
-            tree.balance()
-            return moving[[tree.find(place)[1] for place in places]]
-    return numpy.zeros_like(places)
+    tree = mathutils.kdtree.KDTree(len(rows))
+    for n, centre in enumerate(ply.vectors(rows, PLACE)):
+        tree.insert(centre, n)
+    tree.balance()
+    return ply.vectors(rows, VELOCITY)[[tree.find(place)[1] for place in places]]
 
 
 class Sequence:
@@ -61,10 +55,12 @@ class Sequence:
         if not numbers:
             return
         read = ply.read_ply(self.files[numbers[-1]])
-        places = ply.vectors(read["vertex"], ("x", "y", "z"))
-        faces = read["face"][read["face"].dtype.names[1]]
-        moving = velocities_of(read["vertex"], places, self.particles.get(numbers[-1]))
         self.mesh.clear_geometry()
+        if not len(read["face"]):
+            return
+        places = ply.vectors(read["vertex"], PLACE)
+        faces = read["face"]["vertex_indices"]
+        moving = velocities_of(read["vertex"], places, self.particles.get(numbers[-1]))
         self.mesh.from_pydata(ply.z_up(places).tolist(), [], faces.tolist())
         self.mesh.polygons.foreach_set("use_smooth", numpy.ones(len(faces), dtype=bool))
         attribute = self.mesh.attributes.new("velocity", "FLOAT_VECTOR", "POINT")
@@ -125,7 +121,7 @@ def set_stage(lower, upper):
     scene.world.use_nodes = True
     scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.75, 0.85, 1, 1)
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.location = centre + 1.25 * size * mathutils.Vector((0.45, -0.8, 0.42))
+    camera.location = centre + 1.6 * size * mathutils.Vector((0.45, -0.8, 0.42))
     camera.rotation_euler = (centre - camera.location).to_track_quat("-Z", "Y").to_euler()
     scene.collection.objects.link(camera)
     scene.camera = camera
