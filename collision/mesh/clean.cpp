@@ -122,8 +122,9 @@ std::vector<uint32_t> without_repeats(const std::vector<Corners>& triangles) {
   return kept;
 }
 
-// Renumbers the used vertices, in their old order.
-TriangleMesh compact(const std::vector<Vec3>& vertices, std::vector<Corners> triangles) {
+// Renumbers the used vertices, in their old order. `sources` gets their old numbers.
+TriangleMesh compact(const std::vector<Vec3>& vertices, std::vector<Corners> triangles,
+                     std::vector<uint32_t>& sources) {
   std::vector<uint32_t> number(vertices.size(), none);
   for (const Corners& t : triangles) {
     for (uint32_t v : t) number[v] = 0;
@@ -133,6 +134,7 @@ TriangleMesh compact(const std::vector<Vec3>& vertices, std::vector<Corners> tri
     if (number[v] == none) continue;
     number[v] = static_cast<uint32_t>(result.vertices.size());
     result.vertices.push_back(vertices[v]);
+    sources.push_back(v);
   }
   for (Corners& t : triangles) t = {number[t[0]], number[t[1]], number[t[2]]};
   result.triangles = std::move(triangles);
@@ -173,7 +175,7 @@ CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh) {
   }
   result.welded = count_merged(mesh.vertices, kept);
   result.dropped = mesh.triangles.size() - triangles.size();
-  result.mesh = compact(mesh.vertices, std::move(triangles));
+  result.mesh = compact(mesh.vertices, std::move(triangles), result.vertex_sources);
   return result;
 }
 

@@ -15,9 +15,10 @@ TriangleMesh clean_mesh(const TriangleMesh& mesh);
 /// A clean mesh with the origin of its triangles.
 struct CleanedMesh {
   TriangleMesh mesh;
-  std::vector<uint32_t> sources;  ///< by triangle: its number in the original mesh
-  size_t welded = 0;              ///< places of vertices that were merged into those of others
-  size_t dropped = 0;             ///< triangles without area, or repeated
+  std::vector<uint32_t> sources;         ///< by triangle: its number in the original mesh
+  std::vector<uint32_t> vertex_sources;  ///< by vertex: likewise
+  size_t welded = 0;                     ///< places of vertices that were merged into those of others
+  size_t dropped = 0;                    ///< triangles without area, or repeated
 };
 CleanedMesh clean_mesh_with_sources(const TriangleMesh& mesh);
 

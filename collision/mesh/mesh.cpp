@@ -92,6 +92,10 @@ void refuse_defects(const std::vector<MeshDefect>& defects, const MeshSource& so
 
 }  // namespace
 
+TriangleMesh load_soup(const MeshSource& source) {
+  return read_triangles(source).mesh;
+}
+
 CleanedMesh load_cleaned_mesh(const MeshSource& source) {
   return cleaned(read_triangles(source).mesh, source);
 }

@@ -16,4 +16,8 @@ PaintedMesh read_soup(const MeshSource& source);
 /// The same for triangles in memory. Throws Error(invalid_argument) where vertices or numbers are missing.
 PaintedMesh soup_in_memory(const MeshSource& source);
 
+/// The triangles of either, with errors that name it: Error(mesh) in place of FileDefect. Also throws
+/// Error(invalid_argument) for a scale that is not positive.
+TriangleMesh load_soup(const MeshSource& source);
+
 }  // namespace meniscus::collision

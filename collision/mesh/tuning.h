@@ -12,6 +12,11 @@ namespace meniscus::collision::mesh_tuning {
 /// Test: CleanMesh.WeldsVerticesAMillionthOfTheBoxApart.
 inline constexpr double weld_distance = 1e-6;
 
+/// Of the box's diagonal: vertices that the first file of a sequence merges may be this far apart in another.
+/// Text with few digits rounds, and vertices of changed triangles are about an edge apart.
+/// Test: MeshSequenceTest.RefusesOtherTrianglesWithRepeatedVertices.
+inline constexpr double sequence_weld_distance = 1e-4;
+
 /// The least height of a triangle over its longest edge. Below it a float normal is all rounding.
 /// Test: CleanMesh.DropsFlatAndRepeatedTrianglesAndUnusedVertices.
 inline constexpr double flat_height = 1e-7;

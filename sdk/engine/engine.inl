@@ -31,6 +31,7 @@
 #include "pbd/pipeline.h"
 #include "pbd/removal.h"
 #include "sdk/engine/diffuse_walls.h"
+#include "sdk/engine/driven_surfaces.h"
 #include "sdk/engine/engine.h"
 #include "sdk/engine/engine_kernels.h"
 #include "sdk/engine/force_fields/force_fields.h"
@@ -54,6 +55,7 @@ class DeviceEngine final : public Engine {
         contacts_(device_, particles_, def.solver.support_radius, def.solver.contact_radius),
         bodies_(device_, *def.rigid, contacts_),
         forces_(device_, *def.rigid, bodies_),
+        driven_(device_, *def.rigid),
         attachments_(device_, bodies_),
         films_(device_, {def.particle_spacing, def.solver.contact_radius, def.solver.support_radius},
                contacts_, bodies_),
@@ -209,6 +211,7 @@ class DeviceEngine final : public Engine {
   collision::ShapeContacts<D> contacts_;
   collision::BodySet<D> bodies_;
   ForceFields<D> forces_;
+  DrivenSurfaces<D> driven_;
   collision::BodyAttachments<D> attachments_;
   collision::FilmSet<D> films_;
   collision::EffectiveMass<D> effective_mass_;

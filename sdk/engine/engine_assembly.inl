@@ -20,6 +20,7 @@ void DeviceEngine<D>::assemble() {
       .place(SetPhase::surface_tension, tension_)
       .place(SetPhase::density, density_)
       .place(SetPhase::fluid_loads, fluid_cloth_.loading())
+      .place(SetPhase::driven_surfaces, driven_)
       .place(SetPhase::attachments, attachments_)
       .place(SetPhase::stick_anchors, stick_anchors_)
       .place(SetPhase::body_loads, effective_mass_)

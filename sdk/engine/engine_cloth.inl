@@ -20,6 +20,7 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth) {
   rods_.set_states(0, cloth.segments);
   ropes_.set_model(cloth.ropes);
   contacts_.set_pieces(cloth.touches);
+  driven_.set(cloth.driven);
   attachments_.set_attachments(cloth.attachments);
   contacts_.set_attached_bodies(attachments_.attached_bodies());
   const std::span<const pbd::SurfaceTriangle> triangles = cloth.model.triangles;

@@ -38,6 +38,7 @@
 #include "pbd/solver.h"
 #include "pbd/state/state_visitor.h"
 #include "sdk/engine/force_fields/force_field.h"
+#include "sdk/engine/vertex_track.h"
 
 namespace meniscus {
 
@@ -167,6 +168,7 @@ struct EngineCloth {
   cloth::ClothModel model;
   cloth::RodModel rods, ropes;
   std::vector<cloth::SegmentState> segments;  ///< of the rods
+  std::vector<DrivenPiece> driven;
 };
 
 /// Arrays in the memory of the device, by slot.

@@ -16,6 +16,7 @@ enum class SetPhase {
   surface_tension,     ///< changes velocities before the solve
   density,             ///< first, so that later sets correct what it pushes into cloth and solids
   fluid_loads,         ///< passes the density solve's contact impulses on to cloth
+  driven_surfaces,     ///< before contacts are found: driven vertices are where their tracks have them
   attachments,         ///< before sets that move vertices: a held vertex gets its holder's mass
   stick_anchors,       ///< before friction: recalls where vertices have stuck to solids
   body_loads,          ///< before cloth: a vertex that carries a body resists with that body's mass
@@ -38,13 +39,28 @@ enum class SetPhase {
 };
 
 constexpr const char* phase_name(SetPhase phase) {
-  constexpr std::array names{"pistons",      "surface_tension", "density",
-                             "fluid_loads",  "attachments",     "stick_anchors",
-                             "body_loads",   "cloth",           "body_load_transfer",
-                             "rods",         "ropes",           "self_contact",
-                             "grains",       "fluid_carry",     "contacts",
-                             "ccd_failsafe", "body_zones",      "attachment_release",
-                             "fluid_cloth",  "films",           "viscosity",
+  constexpr std::array names{"pistons",
+                             "surface_tension",
+                             "density",
+                             "fluid_loads",
+                             "driven_surfaces",
+                             "attachments",
+                             "stick_anchors",
+                             "body_loads",
+                             "cloth",
+                             "body_load_transfer",
+                             "rods",
+                             "ropes",
+                             "self_contact",
+                             "grains",
+                             "fluid_carry",
+                             "contacts",
+                             "ccd_failsafe",
+                             "body_zones",
+                             "attachment_release",
+                             "fluid_cloth",
+                             "films",
+                             "viscosity",
                              "bodies"};
   static_assert(names.size() == static_cast<std::size_t>(SetPhase::count));
   return names[static_cast<std::size_t>(phase)];

@@ -5,13 +5,14 @@
 #pragma once
 
 #include <meniscus/bodies.h>
+#include <meniscus/motion.h>
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "pbd/math/vec.h"
+#include "sdk/fields/keyframes.h"
 #include "sdk/fields/names.h"
 #include "sdk/fields/shapes.h"
 
@@ -27,10 +28,14 @@ void fields(V& v, Keyframe& d) {
   flat(v, "pose", d.pose);
 }
 
-/// Strictly: a body cannot be at two places at once.
-inline bool in_order(const std::vector<Keyframe>& keyframes) {
-  const auto not_later = [](const Keyframe& a, const Keyframe& b) { return a.time >= b.time; };
-  return std::adjacent_find(keyframes.begin(), keyframes.end(), not_later) == keyframes.end();
+template <class V>
+void fields(V& v, MotionFile& d) {
+  v("file", d.file, required(any_value), "",
+    "from the scene's folder: .usda, or lines of time, position and quaternion in .csv, .tum or .txt");
+  v("prim", d.prim, any_value, "", "of a .usda: path of the prim; left out, the only one with time samples");
+  v("start", d.start, any_value, "s", "added to the times of the file");
+  v("scale", d.scale, positive, "m", "length of a unit; of a .usda a factor to its metersPerUnit");
+  v("pose", d.pose, any_value, "", "placement of the file's frame in the world");
 }
 
 /// What a body may be.
@@ -46,8 +51,9 @@ void choices(V& v, BodyGeometry& g) {
            "a box seen from inside, of a kinematic body: its faces hold the fluid in");
 }
 
+/// All but the check of the keyframes, which a scene may take from a file.
 template <class V>
-void fields(V& v, BodyDef& d) {
+void body_fields(V& v, BodyDef& d) {
   BodyGeometry geometry{d.geometry};
   v("name", d.name, required(not_empty), "", "what joints and outputs call this body");
   v("motion", d.motion, any_value, "",
@@ -80,8 +86,12 @@ void fields(V& v, BodyDef& d) {
             name, velocity);
   v.check(kinematic || d.keyframes.empty(), "keyframes are for kinematic bodies alone", "keyframes",
           d.keyframes);
-  v.check(in_order(d.keyframes), "the times of keyframes must increase", "keyframes", d.keyframes);
-  v.check(!d.loop || d.keyframes.size() >= 2, "loop needs at least 2 keyframes", "keyframes", d.keyframes);
+}
+
+template <class V>
+void fields(V& v, BodyDef& d) {
+  body_fields(v, d);
+  check_keyframes(v, d.keyframes, d.loop);
 }
 
 // ---- joints ----

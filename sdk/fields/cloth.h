@@ -6,8 +6,13 @@
 
 #include <meniscus/cloth.h>
 
+#include <algorithm>
 #include <limits>
+#include <string>
+#include <vector>
 
+#include "pbd/math/vec.h"
+#include "sdk/fields/keyframes.h"
 #include "sdk/fields/names.h"
 #include "sdk/fields/shapes.h"
 
@@ -90,16 +95,63 @@ void fields(V& v, ClothFile& d) {
   v("weld", d.weld, between(0, 0.1), "", "in mean edges: vertices no further apart are merged");
 }
 
+/// Numbers of vertices, three for each triangle.
+template <class V>
+void triangle_field(V& v, std::vector<uint32_t>& triangles) {
+  FieldRule three = between(0, std::numeric_limits<uint32_t>::max());
+  three.min_items = 3;
+  v("triangles", triangles, required(three), "", "three numbers of vertices each, counted from 0");
+  v.check(triangles.size() % 3 == 0,
+          "triangles must hold three numbers each, but there are " + std::to_string(triangles.size()),
+          "triangles", triangles);
+}
+
 template <class V>
 void fields(V& v, ClothTriangles& d) {
-  constexpr FieldRule numbers = between(0, std::numeric_limits<uint32_t>::max());
-  FieldRule three = numbers;
-  three.min_items = 3;
   v("vertices", d.vertices, required(with_items(3)), "m", "where they are at rest");
-  v("triangles", d.triangles, required(three), "", "three numbers of vertices each, counted from 0");
-  v.check(d.triangles.size() % 3 == 0,
-          "triangles must hold three numbers each, but there are " + std::to_string(d.triangles.size()),
-          "triangles", d.triangles);
+  triangle_field(v, d.triangles);
+}
+
+template <class V>
+void fields(V& v, ClothKeyframe& d) {
+  v("time", d.time, required(not_negative), "s", "when, from the start of the run");
+  v("vertices", d.vertices, required(with_items(3)), "m", "where they are then");
+}
+
+template <class V>
+void fields(V& v, DrivenTriangles& d) {
+  for (std::size_t k = 0; k < d.keyframes.size(); ++k) {  // names the keyframe, which a vertex does not
+    const std::vector<Vec3>& x = d.keyframes[k].vertices;
+    const auto bad = std::ranges::find_if_not(x, [](Vec3 p) { return is_finite(p); });
+    v.check(bad == x.end(), "ClothKeyframe::vertices[" + std::to_string(bad - x.begin()) + "] of keyframe " +
+                                std::to_string(k) + " is not finite");
+  }
+  triangle_field(v, d.triangles);
+  v("keyframes", d.keyframes, required(not_empty), "", "places of the vertices, in the order of the times");
+  v("loop", d.loop, any_value, "", "after the last keyframe the first follows; else the surface stays there");
+  check_keyframes(v, d.keyframes, d.loop);
+  for (std::size_t k = 1; k < d.keyframes.size(); ++k) {
+    const std::size_t here = d.keyframes[k].vertices.size(), first = d.keyframes[0].vertices.size();
+    v.check(here == first,
+            "keyframe " + std::to_string(k) + " has " + std::to_string(here) + " vertices, and keyframe 0 " +
+                std::to_string(first) + ": a driven surface keeps its triangles",
+            "keyframes", d.keyframes);
+  }
+}
+
+template <class V>
+void fields(V& v, DrivenFiles& d) {
+  constexpr FieldRule number = between(0, 999999999);
+  v("files", d.files, required(any_value), "",
+    "path of mesh files from the scene's folder, with %d or %04d for the number of a frame");
+  v("first", d.first, number, "", "number of the first file");
+  v("last", d.last, number, "", "number of the last file");
+  v("frames_per_second", d.frames_per_second, between(1e-3, 1e6), "1/s", "files a second");
+  v("start", d.start, not_negative, "s", "when the first file counts, from the start of the run");
+  v("scale", d.scale, positive, "m", "length of a unit of the files");
+  v("loop", d.loop, any_value, "", "after the last file the first follows; else the surface stays there");
+  v.check(d.first <= d.last, "first must not be above last", "first", d.first);
+  v.check(!d.loop || d.first < d.last, "loop needs at least 2 files", "last", d.last);
 }
 
 template <class V>
@@ -127,6 +179,9 @@ void choices(V& v, ClothGeometry& g) {
   v.choice("triangles", ClothTriangles{}, g, "any triangles");
   v.choice("sphere", ClothSphere{}, g, "a closed sphere");
   v.choice("tube", ClothTube{}, g, "a tube or cone about y, open at both ends or a bag");
+  v.choice("driven_triangles", DrivenTriangles{}, g,
+           "a driven surface: its vertices move as given, whatever they meet");
+  v.choice("driven_files", DrivenFiles{}, g, "a driven surface from numbered mesh files");
 }
 
 template <class V>

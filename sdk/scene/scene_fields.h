@@ -42,9 +42,14 @@ void fields(V& v, SceneCopies& d) {
 
 template <class V>
 void fields(V& v, SceneBody& body) {
-  fields(v, body.def);
+  body_fields(v, body.def);
+  v("motion_file", body.motion_file, any_value, "", "of a kinematic body: a file with its keyframes");
   v("copies", body.copies, any_value, "",
     "a lattice of equal bodies, this one the first; their names end in _0, _1 and so on");
+  check_keyframes(v, body.def.keyframes, body.def.loop && !body.motion_file);
+  v.check(!body.motion_file || body.def.keyframes.empty(), "motion_file takes the place of keyframes");
+  v.check(!body.motion_file || body.def.motion == BodyMotion::kinematic,
+          "motion_file is for kinematic bodies alone");
   if (!body.def.keyframes.empty()) body.def.pose = body.def.keyframes.front().pose;
 }
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Resolves the mesh files that a scene names.
+// Resolves the mesh files that a scene names, and reads its motion files.
 #include "sdk/scene/scene_meshes.h"
 
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "collision/mesh/mesh.h"
+#include "collision/mesh/sequence.h"
 #include "sdk/scene/scene_place.h"
 
 namespace meniscus {
@@ -59,6 +59,33 @@ class SceneFiles {
       if (!def->vertices.empty() || !def->triangles.empty()) return;
     }
     resolve(def->file, place.key("file"));
+  }
+
+  /// All files of a driven surface must be there before a run starts.
+  void resolve_numbered(DrivenFiles& driven, const ScenePlace& place) const {
+    try {
+      for (int number = driven.first; number <= driven.last; ++number) {
+        std::string file = collision::numbered_path(driven.files, number);
+        resolve(file, place.key("files"));
+      }
+    } catch (const SceneError&) {
+      throw;
+    } catch (const Error& error) {
+      place.key("files").fail(error.what(), "", error.code());
+    }
+    driven.files = (folder_ / driven.files).lexically_normal().string();
+  }
+
+  void read_motion(SceneBody& body, const ScenePlace& place) const {
+    if (!body.motion_file) return;
+    MotionFile motion = *body.motion_file;
+    motion.file = (folder_ / motion.file).lexically_normal().string();
+    try {
+      body.def.keyframes = read_keyframes(motion, reader_);
+    } catch (const Error& error) {
+      place.fail(error.what(), "", error.code());
+    }
+    body.def.pose = body.def.keyframes.front().pose;
   }
 
   void resolve_in(Geometry& geometry, const Json& json, const ScenePlace& place) const {
@@ -119,8 +146,13 @@ void resolve_meshes(Scene& scene, const Json& document, const fs::path& folder, 
     resolve(std::get_if<MeshRegion>(&scene.volumes[i].def.region), "volumes", i, "region");
   for (std::size_t i = 0; i < scene.emitters.size(); ++i)
     resolve(std::get_if<MeshOpening>(&scene.emitters[i].def.opening), "emitters", i, "opening");
-  for (std::size_t i = 0; i < scene.cloths.size(); ++i)
+  for (std::size_t i = 0; i < scene.cloths.size(); ++i) {
     resolve(std::get_if<ClothFile>(&scene.cloths[i].geometry), "cloths", i, "geometry");
+    if (auto* driven = std::get_if<DrivenFiles>(&scene.cloths[i].geometry))
+      files.resolve_numbered(*driven, root.key("cloths").item(i).key("geometry"));
+  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    files.read_motion(scene.bodies[i], root.key("bodies").item(i).key("motion_file"));
 }
 
 }  // namespace meniscus

@@ -19,7 +19,8 @@ bool is_mesh_alias(const std::string& file);
 /// `folder`. Hulls get the vertices of the files that their part of the `document`, which the scene was read
 /// from, names. Throws Error(io) for a file name that is empty or not there, and for a hull's file what
 /// load_mesh throws. Meshes whose vertices stand in the scene need no file. With WorldDef::read_file of the
-/// scene, that is asked in place of the file system, and there are no aliases.
+/// scene, that is asked in place of the file system, and there are no aliases. Motion files become keyframes;
+/// throws what read_keyframes throws.
 void resolve_meshes(Scene& scene, const nlohmann::json& document, const std::filesystem::path& folder,
                     const std::string& source);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Removes seed points that are too near to cloth.
+// Removes seed points that are too near to cloth, or inside of a closed driven surface.
 #include "collision/mesh/triangle_bvh_query.h"
 #include "pbd/filter.h"
 #include "sdk/engine/tuning.h"
@@ -16,7 +16,11 @@ void World::Impl::keep_off_cloth(std::vector<Vec3>& points, const CollisionFilte
   cloths.for_each([&](uint32_t, const ClothEntry& entry) {
     if (points.empty() || !pbd::meet(entry.def.filter, filter)) return;
     const collision::TriangleBvh tree({entry.range.state.positions, entry.mesh.triangles});
-    std::erase_if(points, [&](Vec3 p) { return distance_within(tree.view(), p, clearance) < clearance; });
+    const bool is_solid = entry.track && entry.closed;
+    std::erase_if(points, [&](Vec3 p) {
+      return distance_within(tree.view(), p, clearance) < clearance ||
+             (is_solid && is_inside(tree.view(), p));
+    });
   });
 }
 

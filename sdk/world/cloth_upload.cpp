@@ -40,7 +40,7 @@ class Assembly {
       : spacing_(def.particle_spacing), radius_(def.contact_radius), fluids_(std::move(fluids)) {}
 
   void add(ClothId id, ClothEntry& entry, const std::vector<bool>& held) {
-    const uint32_t first = add_range(entry.range, held);
+    const uint32_t first = add_range(entry.range, held, entry.track != nullptr);
     const FabricDef& fabric = entry.def.fabric;
     pieces.push_back(id);
     const float distance = std::max(radius_ * spacing_, 0.5f * entry.thickness);
@@ -59,9 +59,9 @@ class Assembly {
       model.triangles.push_back({first + t[0], first + t[1], first + t[2], part});
     model.rest.insert(model.rest.end(), entry.mesh.vertices.begin(), entry.mesh.vertices.end());
     model.pieces.push_back(piece_of(entry));
-    cloth.contact_pieces.push_back(
-        {entry.thickness, entry.def.fabric.friction, entry.def.filter, entry.def.self_collision});
-    if (entry.def.tethers) {
+    cloth.contact_pieces.push_back({entry.thickness, entry.def.fabric.friction, entry.def.filter,
+                                    entry.def.self_collision && !entry.track});
+    if (entry.def.tethers && !entry.track) {
       attach_to_held(entry, numbers_of(held));
       for (const cloth::Tether& t : entry.tethers)
         model.tethers.push_back(
@@ -97,13 +97,13 @@ class Assembly {
   }
 
  private:
-  uint32_t add_range(VertexRange& range, const std::vector<bool>& held) {
+  uint32_t add_range(VertexRange& range, const std::vector<bool>& held, bool driven = false) {
     const uint32_t first = vertices();
     const auto piece = static_cast<uint32_t>(cloth.touches.size());
     for (uint32_t v = 0; v < range.count(); ++v) {
       const bool fast = held[v];
       cloth.position.push_back(pbd::with_w(range.state.positions[v], fast ? 0 : 1 / range.masses[v]));
-      cloth.velocity.push_back(pbd::with_w(fast ? Vec3{0, 0, 0} : range.state.velocities[v], 0));
+      cloth.velocity.push_back(pbd::with_w(fast && !driven ? Vec3{0, 0, 0} : range.state.velocities[v], 0));
       cloth.phase.push_back(pbd::phase_vertex | (range.placed ? pbd::phase_overlapping : 0) | piece);
       if (fast) cloth.model.held.push_back(first + v);
     }
@@ -137,6 +137,8 @@ class Assembly {
                        .lift = f.lift,
                        .tear_strain = f.tear_strain,
                        .carries_fluid = carries_fluid(entry.def.filter)};
+    // Without constraints it has no part in the damping that all pieces have in common.
+    if (entry.track) piece.stretch_damping = piece.bending_damping = -1;
     if (entry.def.inflation && entry.closed) {
       // p V is constant: at the outside pressure the gas would fill V₀ (1 + p/p_air).
       const InflationDef& gas = *entry.def.inflation;
@@ -217,6 +219,7 @@ void World::Impl::upload_cloth() {
     }
   });
   all.finish(seams);
+  all.cloth.driven = driven_pieces(cloths);
   uploaded_cloth = std::make_shared<const EngineCloth>(std::move(all.cloth));
   set_engine_cloth();
   pieces = all.pieces;

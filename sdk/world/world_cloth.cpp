@@ -88,7 +88,7 @@ ClothId World::Calls::create_cloth(const ClothDef& def) {
   check::no_periodic_axes(impl_->def, "cloth");
   impl_->check_solver_allows("cloth");
   impl_->check_pieces();
-  ClothEntry entry = make_cloth(def, impl_->def.read_file);
+  ClothEntry entry = make_cloth(def, impl_->def.read_file, impl_->time);
   impl_->cloths.prepare();
   impl_->cloth_changed();
   return impl_->cloths.insert(std::move(entry));
@@ -123,6 +123,10 @@ AttachmentId World::Calls::create_attachment(const AttachmentDef& def) {
   impl_->fetch_cloth();
   AttachmentEntry entry;
   entry.def = def;
+  if (def.cloth && !def.other_cloth && !def.other_rope && impl_->cloths.get(*def.cloth).track)
+    throw Error(ErrorCode::invalid_argument,
+                "AttachmentDef::cloth of \"" + def.name +
+                    "\" is a driven surface, which moves by its keyframes; other cloth can be sewn to it");
   const VertexRange& range = impl_->range_of(def);
   entry.vertices = chosen_vertices(def, range);
   if (def.other_cloth)
@@ -183,7 +187,8 @@ void mark_held(const AttachmentEntry& a, std::vector<bool>& held) {
 }  // namespace
 
 std::vector<bool> World::Impl::held_vertices(ClothId cloth) const {
-  std::vector<bool> fast(cloths.get(cloth).range.count());
+  const ClothEntry& entry = cloths.get(cloth);
+  std::vector<bool> fast(entry.range.count(), entry.track != nullptr);
   attachments.for_each([&](uint32_t, const AttachmentEntry& a) {
     if (a.def.cloth == cloth) mark_held(a, fast);
   });
@@ -197,7 +202,9 @@ World::Impl::HeldParts World::Impl::find_held() const {
     if (table.size() <= index) table.resize(index + 1);
     return table[index];
   };
-  cloths.for_each([&](uint32_t n, const ClothEntry& e) { at(parts.of_cloth, n).resize(e.range.count()); });
+  cloths.for_each([&](uint32_t n, const ClothEntry& e) {
+    at(parts.of_cloth, n).resize(e.range.count(), e.track != nullptr);
+  });
   ropes.for_each([&](uint32_t n, const RopeEntry& e) {
     at(parts.of_rope, n).resize(e.range.count());
     at(parts.clamped, n).resize(e.segments.size());

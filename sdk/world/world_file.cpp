@@ -180,6 +180,7 @@ void World::Impl::fill_from(const std::string& definitions, const pbd::SavedStat
   const collision::RigidWorld::SnapshotPtr rigid_state = collision::RigidWorld::make_snapshot();
   v.value("has_cloth", has_cloth);
   visit_contents(v, *rigid_state, cloth);
+  cloth.driven = driven_pieces(cloths);
   if (has_cloth) uploaded_cloth = std::make_shared<const EngineCloth>(std::move(cloth));
   vertex_count = uploaded_cloth ? static_cast<uint32_t>(uploaded_cloth->position.size()) : 0;
   if (uploaded_cloth) held = uploaded_cloth->model.held;

@@ -143,7 +143,8 @@ struct World::Impl : WorldTables {
   void set_vertex_velocities(VertexRange& range, std::span<const Vec3> velocities);
   void fetch_cloth();   // fetches its latest state to the host
   void upload_cloth();  // uploads it if a call has changed it
-  /// Removes points that are nearer than half a spacing to cloth with which the filter collides.
+  /// Removes points that are nearer than half a spacing to cloth with which the filter collides, or inside of
+  /// a closed driven surface.
   void keep_off_cloth(std::vector<Vec3>& points, const CollisionFilter& filter);
   void cloth_changed();
   void set_engine_cloth();  // gives the engine what `uploaded_cloth` has

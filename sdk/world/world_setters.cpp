@@ -93,6 +93,13 @@ std::vector<Vec3> others(std::span<const Vec3> positions, std::span<const uint32
   return rest;
 }
 
+/// Its keyframes alone move a driven surface.
+void check_free(const ClothEntry& entry, const Setter& setter) {
+  if (!entry.track) return;
+  throw Error(ErrorCode::invalid_argument, std::string(setter.call) + " got \"" + entry.def.name +
+                                               "\", a driven surface, which moves by its keyframes");
+}
+
 }  // namespace
 
 // ---- particles ----
@@ -182,6 +189,7 @@ void World::Impl::set_vertex_velocities(VertexRange& range, std::span<const Vec3
 
 void World::Calls::set_cloth_positions(ClothId id, std::span<const Vec3> positions) {
   ClothEntry& entry = impl_->cloths.edit(id);
+  check_free(entry, cloth_positions_of);
   check_values(cloth_positions_of, positions, entry.range.count(), "vertices of the cloth");
   impl_->place_vertices(entry.range, positions);
   entry.normals.clear();
@@ -190,6 +198,7 @@ void World::Calls::set_cloth_positions(ClothId id, std::span<const Vec3> positio
 
 void World::Calls::set_cloth_velocities(ClothId id, std::span<const Vec3> velocities) {
   ClothEntry& entry = impl_->cloths.edit(id);
+  check_free(entry, cloth_velocities_of);
   check_values(cloth_velocities_of, velocities, entry.range.count(), "vertices of the cloth");
   impl_->set_vertex_velocities(entry.range, velocities);
 }

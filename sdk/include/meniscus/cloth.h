@@ -104,8 +104,38 @@ struct ClothTube {
   bool bottom = false;  ///< a disc closes the lower end; its vertices come last, from its border inwards
 };
 
-/// The rest shape of a piece of cloth.
-using ClothGeometry = std::variant<SheetGeometry, ClothFile, ClothTriangles, ClothSphere, ClothTube>;
+/// Where the vertices of a driven surface are at a time.
+struct ClothKeyframe {
+  float time = 0;                ///< s, of World::time; ≥ 0 and later than the keyframe before
+  std::vector<Vec3> vertices{};  ///< m, in the frame of ClothDef::pose; as many in each keyframe
+};
+
+/// A driven surface: triangles whose vertices move as given, whatever they meet. Between two keyframes each
+/// vertex moves along a line at a constant rate. Before the first and after the last the surface is at rest.
+struct DrivenTriangles {
+  std::vector<uint32_t> triangles{};       ///< three numbers each; the same in all keyframes
+  std::vector<ClothKeyframe> keyframes{};  ///< at least one
+  /// Whether the first keyframe follows the last. The last one should then have the vertices of the first. It
+  /// needs at least 2 keyframes.
+  bool loop = false;
+};
+
+/// A driven surface from numbered mesh files, one a frame. All have the same triangles and as many vertices,
+/// in the same order. Vertices at the same position in the first file are merged, in all files.
+struct DrivenFiles {
+  /// Their path, with the frame's number as %d, or as %04d with leading zeros: "walk/figure_%04d.obj".
+  std::string files{};
+  int first = 1;                 ///< number of the first file, 0 to 999,999,999
+  int last = 1;                  ///< number of the last file, at least the first
+  float frames_per_second = 24;  ///< 1e-3 to 1e6
+  float start = 0;               ///< s, ≥ 0: World::time of the first file
+  float scale = 1;               ///< metres a file unit, as ClothFile::scale
+  bool loop = false;             ///< as DrivenTriangles::loop
+};
+
+/// The rest shape of a piece of cloth, or the motion of a driven surface.
+using ClothGeometry = std::variant<SheetGeometry, ClothFile, ClothTriangles, ClothSphere, ClothTube,
+                                   DrivenTriangles, DrivenFiles>;
 
 /// Gas inside a closed piece of cloth. It escapes if the cloth tears. Its overpressure is
 /// air_pressure · (fills − V)/V₀, with V₀ the volume at rest and fills = V₀ (1 + pressure/air_pressure). Near
@@ -117,6 +147,10 @@ struct InflationDef {
 
 /// Cloth that starts inside a solid is pushed out by half its thickness per 0.02 s and gains no
 /// further speed.
+///
+/// A driven surface has infinite mass: fluid, bodies and other cloth meet it, and nothing stops it. It takes
+/// no velocity, tearing, gas, collision with itself or attachment to the world or to a body. Cloth can be
+/// sewn to it. Of its fabric only contacts with others count. Fluid is not seeded inside a closed one.
 struct ClothDef {
   std::string name{};                        ///< what World::find_cloth takes
   ClothGeometry geometry = SheetGeometry{};  ///< its shape at rest

@@ -14,7 +14,7 @@ enum class ErrorCode {
   invalid_argument,  ///< a value that the call does not allow
   not_found,         ///< an id or a name that does not exist
   io,                ///< a file that cannot be read or written
-  parse,             ///< a scene file with a wrong, missing or unknown key
+  parse,             ///< a scene file with a wrong, missing or unknown key; a motion file that is wrong
   mesh,              ///< an unusable mesh: not valid, empty, degenerate or without an inside
   capacity,          ///< a fixed limit was reached; the message names it and the remedy
   non_finite,  ///< the step met NaN, infinity or more than 1.7·10¹⁹ m/s; the state before it is restored

@@ -15,6 +15,7 @@
 #include <meniscus/hooks.h>
 #include <meniscus/host.h>
 #include <meniscus/ids.h>
+#include <meniscus/motion.h>
 #include <meniscus/outputs.h>
 #include <meniscus/queries.h>
 #include <meniscus/recording.h>

@@ -53,8 +53,9 @@ struct SceneCopies {
 
 /// A body, or a lattice of equal bodies.
 struct SceneBody {
-  BodyDef def;                        ///< of the first copy
-  std::optional<SceneCopies> copies;  ///< none: there is one body
+  BodyDef def;                            ///< of the first copy
+  std::optional<SceneCopies> copies;      ///< none: there is one body
+  std::optional<MotionFile> motion_file;  ///< whose poses are the keyframes; read with the scene
 };
 
 /// A joint between bodies, or between a body and the world.

@@ -7,6 +7,7 @@
 #include <meniscus/bodies.h>
 #include <meniscus/cloth.h>
 #include <meniscus/flow.h>
+#include <meniscus/motion.h>
 
 #include <cmath>
 
@@ -132,6 +133,7 @@ template void def(const FluidVolumeDef&);
 template void def(const SurfaceMeshDef&);
 template void def(const ShapeDef&);
 template void def(const BodyDef&);
+template void def(const MotionFile&);
 template void def(const JointDef&);
 template void def(const ClothDef&);
 template void def(const RopeDef&);

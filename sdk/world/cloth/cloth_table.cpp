@@ -11,7 +11,7 @@
 
 #include "cloth/build/tethers.h"
 #include "cloth/build/weld.h"
-#include "collision/mesh/mesh.h"
+#include "collision/mesh/sequence.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/cloth/cloth_shapes.h"
 #include "sdk/world/cloth/cloth_water.h"
@@ -39,8 +39,62 @@ struct MakeMesh {
     return mesh;
   }
   cloth::ClothMesh operator()(const ClothSphere& g) const { return sphere_mesh(g); }
+  cloth::ClothMesh operator()(const DrivenTriangles& g) const {
+    return (*this)(ClothTriangles{g.keyframes.front().vertices, g.triangles});
+  }
+  cloth::ClothMesh operator()(const DrivenFiles&) const { return {}; }  // read with its track
   cloth::ClothMesh operator()(const ClothTube& g) const { return tube_mesh(g); }
 };
+
+/// A vertex of the geometry in the world.
+Vec3 placed(const ClothDef& def, Vec3 x) {
+  const Vec3 s = def.stretch;
+  return to_world(def.pose, {s.x * x.x, s.y * x.y, s.z * x.z});
+}
+
+void check_driven(const ClothDef& def) {
+  const auto refuse = [&](const char* member, const char* what) {
+    throw Error(ErrorCode::invalid_argument, std::string("ClothDef::") + member + ": \"" + def.name +
+                                                 "\" is a driven surface, which " + what);
+  };
+  if (def.velocity != Vec3{0, 0, 0}) refuse("velocity", "moves by its keyframes");
+  if (def.fabric.tear_strain > 0) refuse("fabric.tear_strain", "cannot tear");
+  if (def.fabric.absorbency > 0) refuse("fabric.absorbency", "absorbs nothing");
+  if (def.inflation) refuse("inflation", "holds no gas");
+}
+
+VertexTrack track_of(const DrivenTriangles& g) {
+  VertexTrack track;
+  track.loop = g.loop;
+  for (const ClothKeyframe& k : g.keyframes) {
+    track.times.push_back(double{k.time});
+    track.positions.insert(track.positions.end(), k.vertices.begin(), k.vertices.end());
+  }
+  return track;
+}
+
+/// The first file's mesh comes with it.
+VertexTrack track_of(const DrivenFiles& g, const FileReader& files, cloth::ClothMesh& mesh) {
+  VertexTrack track;
+  track.loop = g.loop;
+  const collision::MeshSequence sequence = collision::load_sequence(g.files, g.first, g.last, g.scale, files);
+  mesh = {sequence.mesh.vertices, sequence.mesh.triangles, {}};
+  for (size_t k = 0; k < sequence.frames.size(); ++k) {
+    track.times.push_back(double{g.start} + static_cast<double>(k) / double{g.frames_per_second});
+    track.positions.insert(track.positions.end(), sequence.frames[k].begin(), sequence.frames[k].end());
+  }
+  return track;
+}
+
+/// Also fills in the mesh of files.
+VertexTrackPtr make_track(const ClothDef& def, const FileReader& files, cloth::ClothMesh& mesh) {
+  VertexTrack track;
+  if (const auto* triangles = std::get_if<DrivenTriangles>(&def.geometry)) track = track_of(*triangles);
+  if (const auto* numbered = std::get_if<DrivenFiles>(&def.geometry))
+    track = track_of(*numbered, files, mesh);
+  for (Vec3& x : track.positions) x = placed(def, x);
+  return std::make_shared<const VertexTrack>(std::move(track));
+}
 
 /// Merges vertices of a file that are too near to one another. Other geometry keeps its numbers.
 uint32_t weld_file(const ClothGeometry& geometry, cloth::ClothMesh& mesh) {
@@ -91,6 +145,10 @@ void turn_outwards(cloth::ClothMesh& mesh) {
 
 }  // namespace
 
+bool is_driven(const ClothGeometry& g) {
+  return std::holds_alternative<DrivenTriangles>(g) || std::holds_alternative<DrivenFiles>(g);
+}
+
 float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positions) {
   double six = 0;
   const Vec3 o = positions[0];
@@ -101,6 +159,11 @@ float enclosed_volume(const cloth::ClothMesh& mesh, std::span<const Vec3> positi
 
 void build_constraints(ClothEntry& entry) {
   entry.constraints = cloth::build_constraints(entry.mesh, parameters(entry.def.fabric));
+  if (entry.track) {  // nothing else moves its vertices
+    std::vector<float> masses = std::move(entry.constraints.masses);
+    entry.constraints = {};
+    entry.constraints.masses = std::move(masses);
+  }
   entry.range.masses = entry.constraints.masses;
   if (entry.def.fabric.absorbency > 0) entry.graph = make_graph(entry.mesh);
   entry.closed = cloth::is_closed(entry.mesh);
@@ -113,6 +176,14 @@ void attach_to_held(ClothEntry& entry, const std::vector<uint32_t>& held) {
   entry.held = held;
 }
 
+std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths) {
+  std::vector<DrivenPiece> pieces;
+  cloths.for_each([&](uint32_t, const ClothEntry& entry) {
+    if (entry.track) pieces.push_back({entry.range.first, entry.track});
+  });
+  return pieces;
+}
+
 float mean_edge(const cloth::ClothMesh& mesh) {
   double sum = 0;
   for (const auto& t : mesh.triangles) {
@@ -121,11 +192,15 @@ float mean_edge(const cloth::ClothMesh& mesh) {
   return static_cast<float>(sum / (3.0 * static_cast<double>(mesh.triangles.size())));
 }
 
-ClothEntry make_cloth(const ClothDef& def, const FileReader& files) {
+ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time) {
   check::def(def);
   ClothEntry entry;
   entry.def = def;
   entry.mesh = std::visit(MakeMesh{files}, def.geometry);
+  if (is_driven(def.geometry)) {
+    check_driven(def);
+    entry.track = make_track(def, files, entry.mesh);
+  }
   entry.welded = weld_file(def.geometry, entry.mesh);
   cloth::check_mesh(entry.mesh);
   cloth::orient_triangles(entry.mesh);
@@ -144,10 +219,8 @@ ClothEntry make_cloth(const ClothDef& def, const FileReader& files) {
   VertexRange& range = entry.range;
   range.filter = def.filter;
   range.contact_radius = 0.5f * entry.thickness;
-  for (Vec3 x : entry.mesh.vertices) {
-    const Vec3 s = def.stretch;
-    range.state.positions.push_back(to_world(def.pose, {s.x * x.x, s.y * x.y, s.z * x.z}));
-  }
+  for (Vec3 x : entry.mesh.vertices) range.state.positions.push_back(placed(def, x));
+  if (entry.track) range.state.positions = positions_at(*entry.track, time);
   range.state.velocities.assign(range.masses.size(), def.velocity);
   return entry;
 }

@@ -53,6 +53,7 @@ struct VertexGraph {
 struct ClothEntry {
   ClothDef def;
   VertexRange range;
+  VertexTrackPtr track;   ///< of a driven surface; else null
   cloth::ClothMesh mesh;  ///< at rest
   cloth::ClothConstraints constraints;
   float thickness = 0;  ///< m
@@ -92,10 +93,17 @@ struct AttachmentEntry {
   Vec3 force{0, 0, 0};            ///< N, in the last step, as read so far
 };
 
+/// Whether its vertices move as given.
+bool is_driven(const ClothGeometry& geometry);
+
 /// Mean edge length at rest, m.
 float mean_edge(const cloth::ClothMesh& mesh);
-ClothEntry make_cloth(const ClothDef& def, const FileReader& files);
+/// A driven surface is where it is at `time`, World::time.
+ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time);
 RopeEntry make_rope(const RopeDef& def);
+
+/// What the engine moves: the driven surfaces of a world, at their places since the last upload.
+std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths);
 
 /// Builds the constraints anew after the mesh has changed.
 void build_constraints(ClothEntry& entry);

@@ -77,7 +77,18 @@ void visit_range(StateVisitor& v, VertexRange& range) {
   v.value("contact_radius", range.contact_radius);
 }
 
+/// Where a driven surface is over time. Its files need not be there when a snapshot is loaded.
+void visit_track(StateVisitor& v, VertexTrackPtr& track) {
+  VertexTrack visited;
+  if (track) visited = *track;
+  v.list("track_time", visited.times);
+  v.list("track_position", visited.positions);
+  v.value("track_loops", visited.loop);
+  if (v.restores()) track = std::make_shared<const VertexTrack>(std::move(visited));
+}
+
 void visit_cloth(StateVisitor& v, const IdVisit& ids, ClothEntry& cloth) {
+  if (is_driven(cloth.def.geometry)) visit_track(v, cloth.track);
   v.list("rest_position", cloth.mesh.vertices);
   v.list("triangle", cloth.mesh.triangles);
   v.list("material", cloth.mesh.material);

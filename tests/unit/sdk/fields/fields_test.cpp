@@ -228,6 +228,8 @@ TEST(FieldDefaults, AreAllowedWithContent) {
   attachment.vertices = {0};
   expect_taken(heights, HullGeometry{corners}, CompoundGeometry{{CompoundPart{}}},
                ClothTriangles{corners, {0, 1, 2}}, rope, attachment);
+  expect_taken(DrivenFiles{.files = "a_%d.obj"}, MotionFile{.file = "a.usda"},
+               DrivenTriangles{{0, 1, 2}, {{0, corners}}, false});
 }
 
 TEST(FieldNames, AreThoseOfTheStructs) {

@@ -56,7 +56,8 @@ inline Json with_fitting_names(Json document) {
   document["bodies"][0]["name"] = "body";
   document["bodies"][0]["motion"] = "kinematic";  // the one kind that may have every key
   for (const char* key : {"velocity", "angular_velocity"}) document["bodies"][0][key] = {0, 0, 0};
-  document["joints"][0]["a"] = "body_0";  // the first of the copies
+  document["bodies"][0].erase("motion_file");  // it excludes keyframes, and is read
+  document["joints"][0]["a"] = "body_0";       // the first of the copies
   document["joints"][0]["b"] = "";
   document["attachments"][0]["body"] = "body_0";
   document["emitters"][0]["body"] = "body_0";

@@ -87,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "cloths[0].geometry: missing, and needed: its shape at rest"},
         Mistake{
             "UnknownGeometry", "/cloths/0/geometry/type", R"("box")",
-            R"(cloths[0].geometry.type: "box" is not known; allowed: "sheet", "mesh", "triangles", "sphere", "tube")"},
+            R"(cloths[0].geometry.type: "box" is not known; allowed: "sheet", "mesh", "triangles", "sphere", )"
+            R"("tube", "driven_triangles", "driven_files")"},
         Mistake{"OneColumn", "/cloths/0/geometry/columns", "1",
                 "cloths[0].geometry.columns: 1 is not allowed; must be at least 2 and at most 10000"},
         Mistake{"HalfATriangle", "/cloths/2/geometry/triangles", "[0, 1, 2, 0]",

@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
             R"(bodies[0].weight: unknown key; allowed: "name", "motion", "geometry", "pose", "velocity", )"
             R"("angular_velocity", "density", "mass", "friction", "restitution", "adhesion", "slip_length", )"
             R"("solid_friction", "solid_restitution", "belt_velocity", "groups", "mask", "linear_damping", )"
-            R"("angular_damping", "can_sleep", "keyframes", "loop", "copies")"},
+            R"("angular_damping", "can_sleep", "keyframes", "loop", "motion_file", "copies")"},
         Mistake{"Motion", BODY(BOX R"(, "motion": "static")"),
                 R"(bodies[0].motion: "static" is not known; allowed: "dynamic", "kinematic")"},
         Mistake{"NoGeometry", R"({"name": "x", "bodies": [{"name": "a"}]})",

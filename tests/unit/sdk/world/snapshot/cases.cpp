@@ -225,13 +225,38 @@ World far(const WorldDef& given) {
   return world;
 }
 
+/// A driven surface on its way through water, and cloth that it carries.
+World driven(const WorldDef& given) {
+  World world(with_spacing(given, 0.06f));
+  const FluidId water = world.create_fluid({});
+  world.create_shape(tank({0, 0, 0}, {1.2f, 1, 0.6f}));
+  ClothDef plate = sheet(0.3f, 0.3f, 5, 5);
+  const ClothId flat = world.create_cloth(plate);
+  DrivenTriangles motion;
+  const auto corners = world.cloth_triangles(flat);
+  motion.triangles.assign(corners.begin(), corners.end());
+  for (const float t : {0.0f, 0.1f, 0.3f}) {
+    ClothKeyframe& k = motion.keyframes.emplace_back(ClothKeyframe{t, {}});
+    for (const Vec3 x : world.cloth_positions(flat))
+      k.vertices.push_back(x + Vec3{0.3f + 2 * t, 0.2f + t * t, 0.3f});
+  }
+  motion.keyframes.push_back({0.6f, motion.keyframes.front().vertices});
+  motion.loop = true;
+  world.destroy_cloth(flat);
+  plate.geometry = motion;
+  world.create_cloth(plate);
+  world.create_cloth(sheet(0.2f, 0.2f, 5, 5, {0.3f, 0.25f, 0.3f}));
+  world.add_fluid(block(water, {0, 0, 0}, {1.2f, 0.15f, 0.6f}));
+  return world;
+}
+
 }  // namespace
 
 const std::vector<SnapshotCase>& snapshot_cases() {
   static const std::vector<SnapshotCase> cases{
       {"fluids", fluids, 8}, {"flow", flow, 25},          {"bodies", bodies, 190}, {"cloth", cloth, 12},
       {"ropes", ropes, 10},  {"grains", grains, 12},      {"wet", wet, 14},        {"seams", seams, 8},
-      {"grid", grid, 6},     {"of_others", of_others, 4}, {"far", far, 0}};
+      {"grid", grid, 6},     {"of_others", of_others, 4}, {"far", far, 0},         {"driven", driven, 10}};
   return cases;
 }
 

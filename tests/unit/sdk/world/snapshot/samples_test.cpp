@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> samples() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(fs::path(MENISCUS_SAMPLES_DIR) / "scenes")) {
+    if (entry.is_directory()) continue;  // meshes of a sample
     const std::string name = entry.path().stem().string();
     if (name == "armadillo_splash") continue;  // has no mesh of its own
     if (name == "dam_break_1m") continue;      // is dam_break with more particles

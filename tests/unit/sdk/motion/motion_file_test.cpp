@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Motions of bodies from files.
+#include <gtest/gtest.h>
+#include <meniscus/meniscus.h>
+#include <meniscus/scene.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "pbd/math/vec.h"
+#include "tests/expect_error.h"
+
+namespace meniscus::tests {
+namespace {
+
+constexpr float right_angle = std::numbers::pi_v<float> / 2;
+
+FileReader only(const std::string& text) {
+  return [text](const std::string&) { return std::optional(text); };
+}
+
+std::vector<Keyframe> read_usda(const std::string& text, const std::string& prim = {}) {
+  return read_keyframes({.file = "arm.usda", .prim = prim}, only("#usda 1.0\n" + text));
+}
+
+void expect_near(Vec3 a, Vec3 b, float most) {
+  EXPECT_LT(length(a - b), most) << a.x << ", " << a.y << ", " << a.z;
+}
+
+// Two prims: the one below turns about z at the end of an arm that moves along x, in centimetres.
+constexpr const char* arm = R"((
+    defaultPrim = "World"
+    framesPerSecond = 30
+    metersPerUnit = 0.01
+    timeCodesPerSecond = 25
+    upAxis = "Y"
+)
+
+def Xform "World" (
+    kind = "assembly" # a comment
+)
+{
+    custom string note = "it says } and ="
+    def Xform "Arm"
+    {
+        double3 xformOp:translate.timeSamples = {
+            0: (0, 100, 0),
+            50: (200, 100, 0),
+        }
+        uniform token[] xformOpOrder = ["xformOp:translate"]
+
+        def Xform "Hand" (
+            prepend apiSchemas = ["PhysicsRigidBodyAPI"]
+        )
+        {
+            float xformOp:rotateZ.timeSamples = { 0: 0, 25: 90 }
+            float3 xformOp:scale = (1, 1, 1)
+            double3 xformOp:translate = (10, 0, 0)
+            double3 xformOp:translate:pivot
+            rel material:binding = </World/Looks>
+            uniform token[] xformOpOrder = ["xformOp:rotateZ", "xformOp:translate", "xformOp:scale"]
+        }
+    }
+}
+)";
+
+TEST(MotionFile, FollowsAPrimAndAllAboveIt) {
+  const std::vector<Keyframe> arms = read_usda(arm, "/World/Arm");
+  ASSERT_EQ(arms.size(), 2u);
+  EXPECT_FLOAT_EQ(arms[1].time, 2);
+  expect_near(arms[1].pose.position, {2, 1, 0}, 1e-6f);
+  const std::vector<Keyframe> hands = read_usda(arm, "/World/Arm/Hand");
+  expect_near(hands.front().pose.position, {0.1f, 1, 0}, 1e-6f);
+  expect_near(hands.back().pose.position, {2, 1.1f, 0}, 1e-6f);
+  expect_near(rotate(hands.back().pose.rotation, {1, 0, 0}), {0, 1, 0}, 1e-6f);
+}
+
+TEST(MotionFile, TurnsTheWholeWayBetweenTwoSamples) {
+  const std::vector<Keyframe> turn = read_usda(R"(def Xform "Wheel" {
+    float3 xformOp:rotateXYZ.timeSamples = { 0: (0, 0, 0), 24: (0, 360, 0) }
+    uniform token[] xformOpOrder = ["xformOp:rotateXYZ"]
+  })");
+  ASSERT_GT(turn.size(), 8u);
+  EXPECT_FLOAT_EQ(turn.back().time, 1);  // 24 time codes a second, where the file says nothing
+  for (const Keyframe& k : turn) {
+    const float angle = 4 * right_angle * k.time;
+    expect_near(rotate(k.pose.rotation, {1, 0, 0}), {std::cos(angle), 0, -std::sin(angle)}, 1e-5f);
+  }
+  for (size_t k = 1; k < turn.size(); ++k) {
+    const float cosine =
+        dot(rotate(turn[k].pose.rotation, {1, 0, 0}), rotate(turn[k - 1].pose.rotation, {1, 0, 0}));
+    EXPECT_GT(cosine, std::cos(right_angle / 15));
+  }
+}
+
+TEST(MotionFile, KnowsAllOperations) {
+  // A pivot, a quaternion with w first, and rotations about x before those about z.
+  const std::vector<Keyframe> a = read_usda(R"(( metersPerUnit = 1 )
+  def Xform "A" {
+    double3 xformOp:translate:pivot = (1, 0, 0)
+    quatf xformOp:orient.timeSamples = { 0: (1, 0, 0, 0), 24: (0.70710678, 0, 0, 0.70710678) }
+    uniform token[] xformOpOrder = ["xformOp:translate:pivot", "xformOp:orient", "!invert!xformOp:translate:pivot"]
+  })");
+  expect_near(to_world(a.back().pose, {2, 0, 0}), {1, 1, 0}, 1e-6f);
+  const std::vector<Keyframe> b = read_usda(R"(( metersPerUnit = 1 )
+  def Xform "B" {
+    float3 xformOp:rotateXYZ.timeSamples = { 0: (90, 0, 90) }
+    uniform token[] xformOpOrder = ["xformOp:rotateXYZ"]
+  })");
+  expect_near(rotate(b[0].pose.rotation, {0, 1, 0}), {0, 0, 1}, 1e-6f);
+  expect_near(rotate(b[0].pose.rotation, {1, 0, 0}), {0, 1, 0}, 1e-6f);
+  // Rows, for vectors from the left: a turn of 90 degrees about z, and a translation.
+  const std::vector<Keyframe> c = read_usda(R"(( metersPerUnit = 1 )
+  def Xform "C" {
+    matrix4d xformOp:transform.timeSamples = {
+      0: ( (0, 1, 0, 0), (-1, 0, 0, 0), (0, 0, 1, 0), (3, 4, 5, 1) )
+    }
+    uniform token[] xformOpOrder = ["xformOp:transform"]
+  })");
+  expect_near(to_world(c[0].pose, {1, 0, 0}), {3, 5, 5}, 1e-6f);
+}
+
+TEST(MotionFile, RefusesWhatItCannotFollow) {
+  const auto refused = [](const std::string& named, const std::string& text, const std::string& prim = {}) {
+    expect_error(ErrorCode::parse, named, [&] { read_usda(text, prim); });
+  };
+  refused("/World/Arm, /World/Arm/Hand", arm);
+  refused("no prim '/World/Leg'", arm, "/World/Leg");
+  refused("no time samples", arm, "/World");
+  const auto with = [](const std::string& op) {
+    return "def Xform \"A\" {\n" + op +
+           "\nuniform token[] xformOpOrder = [\"xformOp:scale\", \"xformOp:translate\"]\n}";
+  };
+  const std::string moves = "double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 1: (1, 0, 0) }";
+  refused("xformOp:scale of /A scales", with("float3 xformOp:scale = (2, 2, 2)\n" + moves));
+  refused("xformOp:scale of /A has no value", with(moves));
+  refused(
+      "not finite",
+      with("float3 xformOp:scale = (1, 1, 1)\ndouble3 xformOp:translate.timeSamples = { 0: (nan, 0, 0) }"));
+  refused("line 3", "def Xform \"A\" {\n = }");
+  refused("ends too early", "def Xform \"A\" {");
+  expect_error(ErrorCode::parse, "#usda", [] { read_keyframes({.file = "a.usda"}, only("PXR-USDC")); });
+  expect_error(ErrorCode::invalid_argument, "usdcat", [] { read_keyframes({.file = "a.usdc"}, only("")); });
+  expect_error(ErrorCode::io, "not there", [] { read_keyframes({.file = "/nowhere/a.usda"}); });
+}
+
+TEST(MotionFile, ReadsLinesOfPoses) {
+  const std::string text =
+      "# made by hand\ntime,x,y,z,qx,qy,qz,qw\n0, 1, 2, 3, 0, 0, 0, 1\n\n0.5 1 2 4 0 0 0.70710678 "
+      "0.70710678\n";
+  const std::vector<Keyframe> read = read_keyframes(
+      {.file = "a.csv", .start = 2, .scale = 10, .pose = {{0, 0, 1}, {0, 0, 0, 1}}}, only(text));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_FLOAT_EQ(read[1].time, 2.5f);
+  expect_near(read[1].pose.position, {10, 20, 41}, 1e-5f);
+  expect_near(rotate(read[1].pose.rotation, {1, 0, 0}), {0, 1, 0}, 1e-6f);
+  const auto refused = [](const std::string& named, const std::string& lines) {
+    expect_error(ErrorCode::parse, named, [&] { read_keyframes({.file = "a.tum"}, only(lines)); });
+  };
+  refused("7 values in line 1", "0 0 0 0 0 0 0");
+  refused("line 2", "0 0 0 0 0 0 0 1\n1 0 0 x 0 0 0 1");
+  refused("length", "0 0 0 0 0 0 0 2");
+  refused("pose 1", "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1");
+  refused("no pose", "# nothing\n");
+}
+
+TEST(MotionFile, ASceneTakesItsKeyframesFromIt) {
+  const std::string scene = R"({"name": "arm", "bodies": [{"name": "arm", "motion": "kinematic",
+    "geometry": {"type": "sphere"}, "motion_file": {"file": "arm.usda", "prim": "/World/Arm"}}]})";
+  const Scene read = read_scene_text(scene, "folder", "scene", [](const std::string& name) {
+    return name == "folder/arm.usda" ? std::optional(std::string("#usda 1.0\n") + arm) : std::nullopt;
+  });
+  ASSERT_EQ(read.bodies[0].def.keyframes.size(), 2u);
+  expect_near(read.bodies[0].def.pose.position, {0, 1, 0}, 1e-6f);
+  try {
+    read_scene_text(scene, "elsewhere", "scene",
+                    [](const std::string&) { return std::optional<std::string>(); });
+    ADD_FAILURE();
+  } catch (const SceneError& error) {
+    EXPECT_EQ(error.path(), "bodies[0].motion_file");
+  }
+}
+
+}  // namespace
+}  // namespace meniscus::tests
