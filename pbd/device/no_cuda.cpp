@@ -6,6 +6,7 @@
 
 #include "pbd/device/choose.h"
 #include "pbd/device/gl_buffers.h"
+#include "pbd/device/stream_order.h"
 
 namespace meniscus::pbd {
 
@@ -15,6 +16,10 @@ CudaStatus cuda_status(int) {
 
 CudaScope::CudaScope(int ordinal) : ordinal_(ordinal) {}
 CudaScope::~CudaScope() = default;
+
+void put_after(void*, void*, int) {
+  throw Error(ErrorCode::device, "streams cannot be ordered: built without CUDA");
+}
 
 std::unique_ptr<GlBuffers> share_gl_buffers(std::span<const uint32_t>) {
   throw Error(ErrorCode::device, "buffers of OpenGL cannot be shared: built without CUDA");

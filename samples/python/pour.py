@@ -10,14 +10,15 @@ Observation, six numbers: the distance of the rim from the bowl's middle (m), th
 that are in the cup, in the bowl and lost, and the share of the episode that is left.
 Reward: the share that came into the bowl in this step, less the share that was lost.
 
-A seed chooses where the cup starts, within 5 cm, and how full it is. Equal seeds and actions give equal returns.
+A reset restores a snapshot, in which the cup is full to the mark. A seed chooses how far the cup is moved then, within
+5 cm, and how much water is taken out. Equal seeds and actions give equal returns, bit for bit.
 
 Run it: python samples/python/pour.py"""
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Literal
 
 import gymnasium
 import meniscus
@@ -30,6 +31,7 @@ STEPS = 75
 CUP = 0.28  # m, inner width and depth of the cup
 BOWL, BOWL_DEPTH = 0.56, 0.24  # m, inner width and depth of the bowl
 RIM = 0.62  # m, height of the cup's rim above the bowl's floor
+START = -0.3  # m, from the bowl's middle to the rim
 TOP_SPEED, TOP_RATE = 0.5, 1.5  # m/s, rad/s
 
 Array = NDArray[np.float32]
@@ -56,28 +58,35 @@ class PourEnv(gymnasium.Env[Array, Array]):
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 30}
 
-    def __init__(self, render_mode: str | None = None) -> None:
+    def __init__(self, render_mode: str | None = None, device: Literal["auto", "cpu", "cuda"] = "cpu") -> None:
         self.render_mode = render_mode
         self.action_space = gymnasium.spaces.Box(-1, 1, (2,), np.float32)
         low = np.array([-2, -math.pi, 0, 0, 0, 0], np.float32)
         high = np.array([2, math.pi, 1, 1, 1, 1], np.float32)
         self.observation_space = gymnasium.spaces.Box(low, high, (6,), np.float32)
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
-        super().reset(seed=seed)
-        self.x = -0.3 + float(self.np_random.uniform(-0.05, 0.05))
-        self.tilt, self.steps = 0.0, 0
-        fill = float(self.np_random.uniform(0.6, 0.8)) * CUP
-        world = meniscus.World(particle_spacing=SPACING, substeps=4, iterations=6, device="cpu")
+        self.x, self.tilt, self.steps = START, 0.0, 0
+        world = meniscus.World(particle_spacing=SPACING, substeps=4, iterations=6, device=device)
         world.add_shape(name="bowl", geometry=vessel(BOWL, BOWL_DEPTH, 0, BOWL_DEPTH))
         world.add_sink(region=meniscus.HalfSpaceRegion(offset=-0.3))
         self.cup = world.add_body(name="cup", motion="kinematic", pose=self._pose(),
                                   geometry=vessel(CUP, CUP, -CUP / 2 - SPACING, 0))
         water = world.add_fluid(name="water", xsph=20)
-        middle, floor = self.x - CUP / 2 - SPACING, RIM - CUP
-        self.total = world.add_volume(fluid=water, region=meniscus.BoxRegion(
-            lower=(middle - CUP / 2, floor, -CUP / 2), upper=(middle + CUP / 2, floor + fill, CUP / 2)))
+        middle, floor = START - CUP / 2 - SPACING, RIM - CUP
+        world.add_volume(fluid=water, region=meniscus.BoxRegion(
+            lower=(middle - CUP / 2, floor, -CUP / 2), upper=(middle + CUP / 2, floor + 0.8 * CUP, CUP / 2)))
         self.world = world
+        self.start = world.snapshot()
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
+        super().reset(seed=seed)
+        shift = float(self.np_random.uniform(-0.05, 0.05))
+        fill = float(self.np_random.uniform(0.6, 0.8)) * CUP
+        self.world.restore(self.start)
+        self.x, self.tilt, self.steps = START + shift, 0.0, 0
+        self.cup.pose = self._pose()
+        self.world.remove_particles(self.world.ids[self.world.positions[:, 1] > RIM - CUP + fill])
+        self.world.positions = self.world.positions + np.array([shift, 0, 0], np.float32)
+        self.total = self.world.particle_count
         self.shares = self._measure()
         return self._observation(), {}
 

@@ -169,6 +169,7 @@ void bind_body(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_destruction(type, &Things::bodies, &World::destroy_body,
                    "Removes it, and its joints, attachments, emitters and sinks.");
   bind_placement(type);
+  bind_surfaces(type);
   bind_answers(type);
   bind_forces(type);
 }

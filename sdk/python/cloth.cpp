@@ -116,7 +116,9 @@ void bind_cloth_arrays(nb::class_<Handle<ClothId>>& type) {
 }  // namespace
 
 void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
-  nb::class_<Handle<ClothId>> cloth = bind_thing(module, world, "cloth", "cloths", &Things::cloths);
+  // World.cloth is the solver of cloth.
+  nb::class_<Handle<ClothId>> cloth =
+      bind_thing(module, world, "cloth", "cloths", &Things::cloths, "find_cloth");
   bind_creation<ClothDef>(world, "add_cloth", &Things::cloths, &World::create_cloth,
                           "Adds a piece of cloth. Raises MeshError where the mesh is no surface.");
   bind_destruction(cloth, &Things::cloths, &World::destroy_cloth, "Removes it, and its attachments.");
@@ -151,6 +153,7 @@ void bind_cloth(nb::module_& module, nb::class_<PyWorld>& world) {
       [](World& w, RopeId id) { return w.rope_frames(id); },
       "Quaternions (x, y, z, w), one a segment of a rod, z along it. Ropes have none.");
   bind_impulses(rope);
+  bind_filters(cloth, rope);
 
   nb::class_<Handle<AttachmentId>> attachment =
       bind_thing(module, world, "attachment", "attachments", &Things::attachments);

@@ -7,12 +7,15 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "sdk/python/collected.h"
 #include "sdk/python/definitions.h"
+#include "sdk/python/device_arrays.h"
 #include "sdk/python/errors.h"
 #include "sdk/python/results.h"
 #include "sdk/python/snapshots.h"
 #include "sdk/python/things.h"
 #include "sdk/python/world.h"
+#include "sdk/python/world_files.h"
 
 NB_MODULE(_core, module) {
   using namespace meniscus;
@@ -22,7 +25,8 @@ NB_MODULE(_core, module) {
   translate_errors();
   bind_definitions(module);
   bind_results(module);
-  nb::class_<PyWorld> world(module, "World", "One simulated world on one device.");
+  nb::class_<PyWorld> world(module, "World", nb::type_slots(world_slots()),
+                            "One simulated world on one device.");
   bind_things(module, world);
   bind_body(module, world);
   bind_cloth(module, world);
@@ -31,5 +35,8 @@ NB_MODULE(_core, module) {
   bind_queries(world);
   bind_scenes(module, world);
   bind_snapshots(module, world);
+  bind_world_files(world);
+  bind_device_arrays(module, world);
+  bind_hooks(module, world);
   module.def("list_devices", list_devices, "The devices, and which of them are usable.");
 }

@@ -39,8 +39,8 @@ void bind_snapshots(nb::module_& module, nb::class_<PyWorld>& world) {
         static_cast<Things&>(*self.state) = snapshot.things;
       },
       nb::arg("snapshot"),
-      "Goes back to a snapshot of this world. What follows is bit for bit what followed the snapshot. Raises "
-      "InvalidArgumentError if a shape, body or joint was created or destroyed since.");
+      "Goes back to a snapshot of this world, whatever was created, destroyed or set since. What follows is bit "
+      "for bit what followed the snapshot. Raises InvalidArgumentError for a snapshot of another world.");
 }
 
 }  // namespace meniscus::python

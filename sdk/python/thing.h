@@ -19,10 +19,12 @@ inline const std::string& name_of(const std::variant<FluidDef, GranularDef>& def
   return std::visit([](const auto& held) -> const std::string& { return held.name; }, def);
 }
 
-/// Makes the class of a kind, and the calls of World that list it and find it by name.
+/// Makes the class of a kind, and the calls of World that list it and find it by name. `find` is the latter,
+/// where it has another name than the kind.
 template <class Id, class Def>
 nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& world, const char* singular,
-                                  const char* plural, Registry<Id, Def> Things::*registry) {
+                                  const char* plural, Registry<Id, Def> Things::*registry,
+                                  const char* find = nullptr) {
   using Thing = Handle<Id>;
   const std::string type_name = handle_name(Id{});
   nb::class_<Thing> type(module, type_name.c_str(), ("A " + std::string(singular) + " in a world.").c_str());
@@ -56,7 +58,7 @@ nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& worl
       nb::for_getter(nb::sig(("def " + std::string(plural) + "(self) -> list[" + type_name + "]").c_str())),
       "Those that exist, in the order of their creation.");
   world.def(
-      singular,
+      find ? find : singular,
       [registry, singular](const PyWorld& self, const std::string& name) {
         const auto& all = (*self.state).*registry;
         for (std::size_t i = 0; i < all.ids.size(); ++i) {

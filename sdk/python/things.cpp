@@ -11,6 +11,21 @@ namespace meniscus::python {
 
 namespace {
 
+/// A call that sets vectors of all particles of a fluid.
+void bind_set(nb::class_<Handle<FluidId>>& fluid, const char* call, const char* argument,
+              void (World::*set)(FluidId, std::span<const Vec3>), const char* doc) {
+  const std::string text =
+      "def " + std::string(call) + "(self, " + argument + ": numpy.typing.ArrayLike) -> None";
+  fluid.def(
+      call,
+      [=](const Handle<FluidId>& self, nb::handle given) {
+        std::vector<Vec3> values;
+        read(given, {call, argument}, values);
+        self.state->change([&](World& w) { (w.*set)(self.id, values); });
+      },
+      nb::arg(argument), nb::sig(text.c_str()), doc);
+}
+
 void bind_fluid(nb::module_& module, nb::class_<PyWorld>& world) {
   nb::class_<Handle<FluidId>> fluid = bind_thing(module, world, "fluid", "fluids", &Things::fluids);
   bind_creation<FluidDef>(world, "add_fluid", &Things::fluids, &World::create_fluid,
@@ -23,6 +38,11 @@ void bind_fluid(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_answer(
       fluid, "particle_mass", "float", [](World& w, FluidId id) { return w.particle_mass(id); }, "kg.");
   bind_fluid_members(fluid);
+  bind_filter(fluid);
+  bind_set(fluid, "set_positions", "positions", &World::set_positions,
+           "m, of all its particles, in the order of ids. Velocities stay.");
+  bind_set(fluid, "set_velocities", "velocities", &World::set_velocities,
+           "m/s, of all its particles, in the order of ids.");
   const Description text = describe_call<FluidVolumeDef>(
       "add_volume", "int", "Fills a region with particles. Returns how many there are.");
   world.def(
@@ -66,6 +86,7 @@ void bind_things(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_creation<ShapeDef>(world, "add_shape", &Things::shapes, &World::create_shape,
                           "Adds a solid that does not move.");
   bind_destruction(shape, &Things::shapes, &World::destroy_shape, "Removes it.");
+  bind_surfaces(shape);
   nb::class_<Handle<JointId>> joint = bind_thing(module, world, "joint", "joints", &Things::joints);
   bind_creation<JointDef>(world, "add_joint", &Things::joints, &World::create_joint,
                           "Joins two bodies, or a body and the world.");

@@ -11,19 +11,24 @@
 #include "sdk/python/definitions.h"
 #include "sdk/python/describe.h"
 #include "sdk/python/from_python.h"
+#include "sdk/python/world_files.h"
 
 namespace meniscus::python {
 
 namespace {
 
 void bind_construction(nb::class_<PyWorld>& world) {
-  const Description text = describe_call<WorldDef>("__init__", "None", "Makes an empty world.");
+  const Description text =
+      with_lent_members(describe_call<WorldDef>("__init__", "None", "Makes an empty world."));
   world.def(
       "__init__",
-      [](PyWorld* self, const nb::kwargs& given) {
+      [](PyWorld* self, nb::kwargs given) {
+        Lent lent = lent_members(given, "World");
         WorldDef def;
         read_members(def, given, "World");
-        new (self) PyWorld{std::make_shared<WorldState>(def)};
+        def.cuda_stream = lent.cuda_stream;
+        def.read_file = std::move(lent.read_file);
+        new (self) PyWorld{std::make_shared<WorldState>(def, std::move(lent.stream))};
       },
       nb::sig(text.signature.c_str()), text.doc.c_str());
   bind_world_members(world);
@@ -49,6 +54,20 @@ void bind_steps(nb::class_<PyWorld>& world) {
       nb::arg("dt") = nb::none(), nb::sig("def step(self, dt: float | None = None) -> StepReport"),
       "Advances by dt seconds, by default by frame_time. Other threads run meanwhile. Ctrl-C ends it within "
       "about a second, and the world is as before.");
+  world.def(
+      "step_begin",
+      [](const PyWorld& self, std::optional<float> dt) {
+        const float length = dt.value_or(self.state->frame_time);
+        self.state->change([&](World& w) { w.step_begin(length); });
+      },
+      nb::arg("dt") = nb::none(), nb::sig("def step_begin(self, dt: float | None = None) -> None"),
+      "The first half of step(): a GPU then works while the caller does something else. Until step_end() "
+      "only "
+      "cancel() is allowed. On the CPU all substeps are done here.");
+  world.def(
+      "step_end",
+      [](const PyWorld& self) { return self.state->change([](World& w) { return w.step_end(); }); },
+      "Ends the step that step_begin() began. Raises what step() raises.");
   world.def(
       "relax",
       [](const PyWorld& self, int iterations) { self.state->change([&](World& w) { w.relax(iterations); }); },

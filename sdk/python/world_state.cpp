@@ -20,7 +20,12 @@ void add_all(Registry<Id, Def>& registry, const std::vector<Id>& ids, const std:
 
 }  // namespace
 
-WorldState::WorldState(const WorldDef& def) : world_(def) {
+WorldState::WorldState(const WorldDef& def, nb::object stream) : stream_(std::move(stream)), world_(def) {
+  listen();
+}
+
+WorldState::WorldState(World world, Things things, nb::object stream)
+    : Things(std::move(things)), stream_(std::move(stream)), world_(std::move(world)) {
   listen();
 }
 

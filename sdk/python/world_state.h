@@ -20,9 +20,9 @@
 #include <variant>
 #include <vector>
 
-namespace meniscus::python {
+#include "sdk/python/callable.h"
 
-namespace nb = nanobind;
+namespace meniscus::python {
 
 /// The things of one kind that exist, in the order of their creation.
 template <class Id, class Def>
@@ -93,7 +93,9 @@ enum class ReadoutKind {
 
 class WorldState : public Things {
  public:
-  explicit WorldState(const WorldDef& def);
+  /// The stream is an object that must outlive the world, or none.
+  WorldState(const WorldDef& def, nb::object stream);
+  WorldState(World world, Things things, nb::object stream);
   WorldState(BuiltScene built, const Scene& scene);
 
   /// A quick call that changes nothing, under the GIL.
@@ -135,7 +137,8 @@ class WorldState : public Things {
   float frame_time = 1.0f / 60;  ///< s
   int frames = 250;              ///< of the scene
   std::optional<SceneCamera> camera;
-  nb::object on_progress;  ///< a function of what and fraction, or none
+  nb::object on_progress;                  ///< a function of what and fraction, or none
+  std::array<Callable, hook_count> hooks;  ///< that the world calls, for the garbage collector
 
  private:
   /// The right to call the world. A thread waits for it without the GIL.
@@ -177,6 +180,7 @@ class WorldState : public Things {
   void report(const Progress& progress) noexcept;
   void forget_arrays();
 
+  nb::object stream_;  ///< lent by Python
   World world_;
   std::mutex mutex_;
   std::atomic<std::thread::id> caller_{};

@@ -7,36 +7,12 @@
 
 #include <new>
 
-// The structs of dlpack.h, version 0.8, as its binary interface has them.
-
-struct DlDevice {
-  int32_t type;
-  int32_t ordinal;
-};
-struct DlType {
-  uint8_t code, bits;
-  uint16_t lanes;
-};
-struct DlTensor {
-  void* data;
-  DlDevice device;
-  int32_t dimensions;
-  DlType type;
-  int64_t* shape;
-  int64_t* strides;
-  uint64_t byte_offset;
-};
-struct DLManagedTensor {
-  DlTensor tensor;
-  void* manager;
-  void (*deleter)(DLManagedTensor*);
-};
+#include "sdk/world/dlpack.h"
 
 namespace meniscus {
 
 namespace {
 
-constexpr int32_t dl_cpu = 1, dl_cuda = 2;
 constexpr uint8_t dl_unsigned = 1, dl_float = 2;
 
 /// A tensor with what it points to.

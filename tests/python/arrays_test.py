@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: MIT
 """NumPy read-outs: without a copy, read-only, and frozen while they are held."""
 
+import os
 import random
 import time
 import unittest
 
 import meniscus
 import numpy as np
+
+SEQUENCES = int(os.environ.get("MENISCUS_SEQUENCES", "1000"))
 
 
 def pool(**members):
@@ -86,18 +89,19 @@ class Arrays(unittest.TestCase):
         self.assertTrue((np.abs(spray.positions) < 1).all())
 
     def test_random_sequences(self):
-        """1,000 sequences of reads, steps, adds, removals and drops leave held arrays as they were."""
+        """Sequences of reads, steps, changes and drops leave held arrays as they were."""
         names = ("positions", "velocities", "ids", "fluid_indices", "density_errors", "pressures")
         held_in_all = 0
-        for seed in range(1000):
+        for seed in range(SEQUENCES):
             choice = random.Random(seed)
             if seed % 50 == 0:
                 world, water = pool()
                 cloth = world.add_cloth(geometry=meniscus.SheetGeometry(columns=3, rows=3),
                                         pose=(0, 0.3, 0))
+                snapshot = world.snapshot()
             held = []
             for _ in range(8):
-                what = choice.randrange(6)
+                what = choice.randrange(8)
                 if what <= 1:
                     array = getattr(world, choice.choice(names))
                     held.append((array, array.copy()))
@@ -110,12 +114,27 @@ class Arrays(unittest.TestCase):
                     world.add_particles(water, [(choice.uniform(0.1, 0.4), 0.3, choice.uniform(-0.4, 0.4))])
                 elif what == 4:
                     world.remove_particles(world.ids[::2])
+                elif what == 5:
+                    arrays = world.device_arrays()
+                    array = choice.choice((np.from_dlpack(arrays.velocities), np.asarray(arrays.positions)))
+                    held.append((array, array.copy()))
+                elif what == 6:
+                    self.change(world, snapshot, choice)
                 elif held:
                     held.pop(choice.randrange(len(held)))
             for array, before in held:
                 np.testing.assert_array_equal(array, before, err_msg=f"sequence {seed}")
             held_in_all += len(held)
-        self.assertGreater(held_in_all, 1000)
+        self.assertGreater(held_in_all, SEQUENCES)
+
+    def change(self, world, snapshot, choice):
+        """One of the calls that set the state."""
+        if choice.random() < 0.3:
+            world.restore(snapshot)
+        elif choice.random() < 0.5:
+            world.velocities = world.velocities * 0.5
+        else:
+            world.positions = world.positions + (0, 0.001, 0)
 
 
 class Input(unittest.TestCase):

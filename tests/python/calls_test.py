@@ -9,17 +9,19 @@ import unittest
 
 import meniscus
 
-# What Python calls otherwise, or leaves out: work on the GPU, files of whole worlds, poses, filters and surfaces of what
-# exists, and what belongs to C++ alone.
-RENAMED = {"def": None, "set_def": None, "device": "device_info", "set_fluid": None, "fluids": "fluid_indices",
+# What Python calls otherwise. None is what belongs to C++ alone: constructors, the lifetime of read-outs, and memory of
+# a renderer.
+RENAMED = {"def": "gravity", "set_def": "gravity", "device": "device_info", "set_fluid": ("Fluid", "xsph"),
+           "fluids": "fluid_indices",
            "set_cloth_positions": ("Cloth", "positions"), "set_cloth_velocities": ("Cloth", "velocities"),
            "set_rope_positions": ("Rope", "positions"), "set_rope_velocities": ("Rope", "velocities"),
-           "set_shape_pose": None, "set_filter": None, "set_surface": None, "body_ids": "bodies",
+           "set_shape_pose": ("Shape", "pose"), "set_filter": ("Rope", "mask"), "set_surface": ("Shape", "friction"),
+           "body_ids": "bodies",
            "create_fluid": "add_fluid", "add_fluid": "add_volume", "set_progress": "on_progress",
-           "memory_shares": "memory", "write_particles": None, "hold": None, "World": None, "save": None,
-           "load": None, "clone": None, "device_arrays": None, "step_begin": None, "step_end": None,
-           "add_hook": None, "remove_hook": None, "sleep_events": None, "flow_events": None, "nearest": None,
-           "sample_fluid": None, "memory_stats": None, "start_recording": None, "stop_recording": None, "set_force_field": ("ForceField", "force"),
+           "memory_shares": "memory", "write_particles": None, "hold": None, "World": None,
+           "sleep_events": None, "flow_events": None, "nearest": None, "sample_fluid": None, "memory_stats": None,
+           "start_recording": None, "stop_recording": None,
+           "set_force_field": ("ForceField", "force"),
            "destroy_force_field": ("ForceField", "destroy"),
            "emitter_count": ("Emitter", "total"), "emitter_pressure": ("Emitter", "pressure"),
            "sink_count": ("Sink", "total"),
@@ -35,6 +37,8 @@ def counterpart(name):
     if name in RENAMED:
         target = RENAMED[name]
         return ("World", target) if isinstance(target, str) else target
+    if name == "find_cloth":
+        return "World", name
     if name.endswith("_ids"):
         return "World", name.removesuffix("_ids") + "s"
     for prefix, kind in (("cloth_", "Cloth"), ("rope_", "Rope"), ("attachment_", "Attachment")):
@@ -57,6 +61,8 @@ class Calls(unittest.TestCase):
             target = counterpart(name)
             if target:
                 self.assertTrue(hasattr(getattr(meniscus, target[0]), target[1]), f"{name}: {target}")
+            if name.startswith("find_"):
+                self.assertTrue(callable(getattr(meniscus.World, target[1])), name)
 
     def test_all_is_documented(self):
         checked = 0

@@ -26,12 +26,16 @@ class Pour(unittest.TestCase):
     def test_scripted_beats_random(self):
         env = pour.PourEnv()
         for seed in (1, 2):
-            env.action_space.seed(seed)
-            best = pour.episode(env, seed, pour.scripted)
-            other = pour.episode(env, seed, lambda _: env.action_space.sample())
+            best, other = self.returns(env, seed)
             self.assertGreater(best, other + MARGIN)
-            self.assertEqual(best, pour.episode(env, seed, pour.scripted))
             self.assertGreaterEqual(best, 0.6)
+            self.assertEqual((best, other), self.returns(env, seed))
+            self.assertEqual((best, other), self.returns(pour.PourEnv(), seed))
+
+    def returns(self, env, seed):
+        """Of both policies."""
+        env.action_space.seed(seed)
+        return pour.episode(env, seed, pour.scripted), pour.episode(env, seed, lambda _: env.action_space.sample())
 
 
 if __name__ == "__main__":

@@ -3,6 +3,8 @@
 """Things in a world: creation, properties, forces, lists, destruction, queries, pictures."""
 
 import math
+import pathlib
+import tempfile
 import unittest
 
 import meniscus
@@ -67,6 +69,50 @@ class Bodies(unittest.TestCase):
             meniscus.Keyframe(time=0, position=(1, 0, 0)), {"time": 1, "position": (2, 0, 0)}])
         world.step(0.4)
         self.assertAlmostEqual(turned.position[0], 1.5, places=3)
+
+    def test_surface_and_filter(self):
+        world = empty()
+        slope = world.add_shape(name="slope", geometry=box(2), pose=meniscus.Pose(
+            position=(0, -2, 0), rotation=meniscus.axis_angle((0, 0, 1), -10)), solid_friction=0, friction=0.4)
+        body = world.add_body(geometry=box(), pose=meniscus.Pose(
+            position=(0.02, 0.14, 0), rotation=meniscus.axis_angle((0, 0, 1), -10)), can_sleep=False)
+        self.assertAlmostEqual(slope.friction, 0.4)
+        for _ in range(20):
+            world.step(1 / 60)
+        self.assertGreater(body.velocity[0], 0.3)  # slides, as there is no friction
+        slope.solid_friction = 1
+        body.solid_friction = 1
+        for _ in range(60):
+            world.step(1 / 60)
+        self.assertLess(abs(body.velocity[0]), 0.05)
+        self.assertAlmostEqual(slope.friction, 0.4)
+        body.groups = 2
+        slope.mask = 1
+        self.assertEqual((body.groups, body.mask, slope.mask), (2, 0xffffffff, 1))
+        for _ in range(10):
+            world.step(1 / 60)
+        self.assertLess(body.velocity[1], -1)  # falls through
+        with self.assertRaisesRegex(ValueError, "restitution"):
+            slope.restitution = 2
+        self.assertEqual(slope.restitution, 0)
+
+    def test_shape_pose(self):
+        world = empty()
+        floor = world.add_shape(name="floor", geometry=box(1), pose=(0, -1, 0))
+        body = world.add_body(geometry=box(), pose=(0, 0.11, 0), can_sleep=False)
+        world.step(1 / 60)
+        floor.pose = (0, -3, 0)
+        self.assertEqual((floor.position, floor.rotation), ((0, -3, 0), (0, 0, 0, 1)))
+        self.assertAlmostEqual(world.cast_ray((0.5, 5, 0), (0.5, -9, 0)).distance, 7, places=3)
+        for _ in range(20):
+            world.step(1 / 60)
+        self.assertLess(body.velocity[1], -2)
+        floor.position = (1, -3, 0)
+        floor.rotation = meniscus.axis_angle((0, 1, 0), 30)
+        self.assertEqual(floor.pose.position, (1, -3, 0))
+        floor.destroy()
+        with self.assertRaises(meniscus.NotFoundError):
+            floor.pose
 
     def test_lists_and_destruction(self):
         world = empty()
@@ -205,6 +251,79 @@ class Others(unittest.TestCase):
         self.assertEqual((world.state_hash(), len(world.bodies)), (before, 0))
         with self.assertRaises(ValueError):
             empty().restore(snapshot)
+
+    def full(self):
+        """A world with a thing of each kind."""
+        world = empty()
+        world.add_shape(name="floor", geometry=meniscus.PlaneGeometry(), pose=(0, -1, 0), friction=0.3)
+        water = world.add_fluid(name="water", xsph=10)
+        world.add_granular(name="sand")
+        world.add_volume(fluid=water, region=meniscus.BoxRegion(lower=(0, 0, 0), upper=(0.3, 0.3, 0.3)))
+        body = world.add_body(name="crate", geometry=box(0.1), pose=(1, 0, 0))
+        world.add_joint(name="hinge", a=body, kind=meniscus.HingeJoint())
+        cloth = world.add_cloth(name="sheet", geometry=meniscus.SheetGeometry(columns=4, rows=4), pose=(2, 1, 0))
+        world.add_attachment(name="nail", cloth=cloth, vertices=[0])
+        world.add_rope(name="rope", points=[(3, 1, 0), (4, 1, 0)], segments=3)
+        world.add_emitter(name="tap", fluid=water, opening=meniscus.DiscOpening(), pose=(0, 2, 0), speed=1)
+        world.add_sink(name="drain", region=meniscus.HalfSpaceRegion(offset=-0.9))
+        world.add_probe(name="gauge", kind="level", point=(0, -1, 0), radius=0.2)
+        world.add_force_field(name="wind", force=meniscus.UniformForce(value=(1, 0, 0)))
+        gone = world.add_body(geometry=box(0.1), pose=(9, 0, 0))
+        gone.destroy()
+        world.step(0.01)
+        return world
+
+    def test_files_and_clones(self):
+        kinds = ("fluids", "shapes", "bodies", "joints", "cloths", "ropes", "attachments", "emitters", "sinks", "probes",
+                 "force_fields")
+        world = self.full()
+        world.add_body(name="second", geometry=box(0.1), pose=(5, 0, 0))  # takes the place of the one that went
+        names = {kind: [thing.name for thing in getattr(world, kind)] for kind in kinds}
+        self.assertTrue(all(names.values()))
+        clone = world.clone()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "state.meniscus"
+            world.save(path)
+            loaded = meniscus.World.load(path, device="cpu", threads=2)
+            path.write_bytes(path.read_bytes()[:-3])
+            with self.assertRaises(OSError):
+                meniscus.World.load(path)
+        hashes = []
+        for other in (world, clone, loaded):
+            for kind in kinds:
+                self.assertEqual([thing.name for thing in getattr(other, kind)], names[kind], kind)
+            crate = other.body("crate")
+            crate.velocity = (0, 1, 0)
+            self.assertAlmostEqual(other.shape("floor").friction, 0.3)
+            other.shape("floor").friction = 0.1
+            other.fluid("water").xsph = 12
+            other.find_cloth("sheet").velocities = np.ones((16, 3))
+            other.joint("hinge").destroy()
+            other.step(0.01)
+            other.run(2, 0.01)
+            hashes.append(other.state_hash())
+            self.assertEqual(other.draw(32, 24).shape, (24, 32, 3))
+        self.assertEqual(hashes[1:], hashes[:1] * 2)
+        self.assertEqual(loaded.threads, 2)
+        with self.assertRaises(meniscus.NotFoundError):
+            world.add_joint(a=clone.body("crate"))
+
+    def test_vectors_of_a_fluid(self):
+        world = empty()
+        water, oil = world.add_fluid(name="water"), world.add_fluid(name="oil")
+        world.add_particles(water, [(0, 0, 0), (1, 0, 0)])
+        world.add_particles(oil, [(2, 0, 0)])
+        oil.set_positions([(3, 0, 0)])
+        water.set_velocities([(1, 0, 0), (2, 0, 0)])
+        np.testing.assert_array_equal(world.positions[:, 0], [0, 1, 3])
+        np.testing.assert_array_equal(world.velocities[:, 0], [1, 2, 0])
+        with self.assertRaises(ValueError):
+            oil.set_positions([])
+        sand = world.add_granular(name="sand")
+        sand.mask = 4
+        self.assertEqual((sand.groups, sand.mask), (1, 4))
+        with self.assertRaises(AttributeError):
+            sand.xsph
 
     def test_pictures(self):
         world = empty()

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._core import Body, Cloth, Shape
+    from ._core import Body, Cloth, DeviceArray, Shape
 
 Vector = tuple[float, float, float]
 
@@ -101,3 +101,12 @@ class SurfaceMesh(NamedTuple):
     normals: NDArray[np.float32]  # unit, out of the fluid
     triangles: NDArray[np.uint32]  # counter-clockwise as seen from outside
     velocities: NDArray[np.float32]  # m/s, one a vertex
+
+
+class DeviceArrays(NamedTuple):
+    """The particles in the memory of the world's device, in the order of World.ids."""
+
+    ids: DeviceArray  # uint64
+    positions: DeviceArray  # float32, m
+    velocities: DeviceArray  # float32, m/s
+    phases: DeviceArray  # uint32: Fluid.index

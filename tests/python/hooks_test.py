@@ -1,0 +1,188 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: MIT
+"""Functions of Python within a substep, and files that Python reads for a world."""
+
+import gc
+import unittest
+import weakref
+
+import meniscus
+import numpy as np
+
+NAMES = ("predicted", "contacts_found", "iterated", "solved", "velocities_known")
+PLATE = b"v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n" + b"".join(
+    b"f %d %d %d %d\n" % face for face in ((1, 2, 3, 4), (8, 7, 6, 5), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 8, 4),
+                                           (4, 8, 5, 1)))
+
+
+def drop(**members):
+    world = meniscus.World(particle_spacing=0.1, substeps=2, iterations=3, device="cpu", threads=2, **members)
+    water = world.add_fluid()
+    world.add_volume(fluid=water, region=meniscus.BoxRegion(lower=(0, 0, 0), upper=(0.3, 0.3, 0.3)))
+    return world
+
+
+class Hooks(unittest.TestCase):
+    def test_order_and_contents(self):
+        world, seen = drop(), []
+        world.add_cloth(geometry=meniscus.SheetGeometry(columns=3, rows=3), pose=(0, -1, 0))
+
+        def look(view):
+            rows = view.particles + view.vertices
+            self.assertEqual((view.particles, view.vertices), (world_count, 9))
+            self.assertEqual((view.positions.shape, view.slots.shape), ((rows, 4), (rows,)))
+            self.assertEqual((view.on_cuda, view.device, view.stream), (False, 0, 0))
+            self.assertAlmostEqual(view.dt, 0.005, places=6)
+            self.assertFalse(view.slots.flags.writeable)
+            self.assertTrue(view.positions.flags.writeable)
+            self.assertEqual(sorted(view.slots[:view.particles]), list(range(world_count)))
+            if view.hook == "velocities_known":
+                with self.assertRaises(AttributeError):
+                    view.previous
+            else:
+                self.assertEqual(view.corrections.shape, (rows, 4))
+            seen.append((view.hook, view.iteration if view.hook == "iterated" else None, view.is_last))
+
+        world_count = world.particle_count
+        for name in NAMES:
+            world.set_hook(name, look)
+        world.step(0.01)
+        one = [("predicted", None), ("contacts_found", None), *(("iterated", k) for k in range(3)), ("solved", None),
+               ("velocities_known", None)]
+        self.assertEqual(seen, [(*item, last) for last in (False, True) for item in one])
+        for name in NAMES:
+            world.set_hook(name, None)
+        world.step(0.01)
+        self.assertEqual(len(seen), 2 * len(one))
+
+    def test_a_force(self):
+        pushed, plain = drop(), drop()
+
+        def push(view):
+            view.velocities[:view.particles, 0] += 3 * view.dt
+
+        pushed.set_hook("velocities_known", push)
+        for world in (pushed, plain):
+            for _ in range(5):
+                world.step(0.01)
+        change = pushed.velocities.mean(axis=0, dtype=float) - plain.velocities.mean(axis=0, dtype=float)
+        np.testing.assert_allclose(change, (0.15, 0, 0), atol=1e-5)
+
+    def test_an_exception_ends_the_step(self):
+        world = drop()
+        before, times = world.state_hash(), world.time
+
+        def fail(view):
+            if view.is_last:
+                raise RuntimeError("no more")
+
+        world.set_hook("solved", fail)
+        with self.assertRaisesRegex(RuntimeError, "no more"):
+            world.step(0.01)
+        self.assertEqual((world.state_hash(), world.time), (before, times))
+        world.set_hook("solved", None)
+        world.step(0.01)
+        other = drop()
+        other.step(0.01)
+        self.assertEqual(world.state_hash(), other.state_hash())
+
+    def test_an_array_must_not_be_kept(self):
+        for keep in (lambda view: view.positions, lambda view: view.slots[:5]):
+            world, kept = drop(), []
+            world.set_hook("solved", lambda view: kept.append(keep(view)))
+            with self.assertRaisesRegex(ValueError, "solved.*keeps an array"):
+                world.step(0.01)
+            kept.clear()
+        views = []
+        world.set_hook("solved", views.append)
+        world.step(0.01)
+        with self.assertRaises(AttributeError):
+            views[0].positions
+
+    def test_no_call_of_the_world(self):
+        world, refused = drop(), []
+
+        def ask(view):
+            try:
+                world.positions
+            except ValueError as error:
+                refused.append(str(error))
+
+        world.set_hook("predicted", ask)
+        world.step(0.01)
+        self.assertEqual(len(refused), 2)
+
+    def test_refused(self):
+        world = drop()
+        with self.assertRaisesRegex(ValueError, "'predicted', .* not 'never'"):
+            world.set_hook("never", print)
+        with self.assertRaises(TypeError):
+            world.set_hook("solved", 3)
+
+    def test_the_function_is_let_go(self):
+        class Function:
+            def __call__(self, view):
+                pass
+
+        world, function = drop(), Function()
+        gone = weakref.ref(function)
+        world.set_hook("solved", function)
+        del function
+        self.assertIsNotNone(gone())
+        world.step(0.01)
+        world.set_hook("solved", None)
+        self.assertIsNone(gone())
+        function = Function()
+        gone = weakref.ref(function)
+        function.world = world  # a cycle
+        world.set_hook("solved", function)
+        del function, world
+        gc.collect()
+        self.assertIsNone(gone())
+
+
+class Readers(unittest.TestCase):
+    def test_files_from_python(self):
+        asked = []
+
+        def read(name):
+            asked.append(name)
+            return PLATE if name == "box.obj" else None
+
+        world = drop(read_file=read)
+        body = world.add_body(geometry=meniscus.MeshGeometry(file="box.obj"), density=500)
+        self.assertAlmostEqual(body.volume, 1, places=4)
+        self.assertIn("box.obj", asked)
+        with self.assertRaises(OSError):
+            world.add_shape(geometry=meniscus.MeshGeometry(file="other.obj"))
+        asked.clear()
+        self.assertAlmostEqual(world.clone().bodies[0].volume, 1, places=4)
+        self.assertIn("box.obj", asked)
+
+    def test_what_a_reader_raises(self):
+        def fail(name):
+            raise LookupError(name)
+
+        world = drop(read_file=fail)
+        with self.assertRaisesRegex(LookupError, "some.obj"):
+            world.add_shape(geometry=meniscus.MeshGeometry(file="some.obj"))
+        self.assertEqual(world.shapes, [])
+        world.step(0.01)
+        for wrong in (3, "box.obj"):
+            with self.assertRaises(TypeError):
+                meniscus.World(read_file=wrong)
+        world = drop(read_file=lambda name: "text")
+        with self.assertRaisesRegex(TypeError, "bytes or None"):
+            world.add_shape(geometry=meniscus.MeshGeometry(file="some.obj"))
+
+    def test_streams_are_of_gpus(self):
+        for stream in (5, type("Stream", (), {"cuda_stream": 5})(), type("Stream", (), {"ptr": 5})(),
+                       type("Stream", (), {"__cuda_stream__": lambda self: (0, 5)})()):
+            with self.assertRaisesRegex(ValueError, "cuda_stream"):
+                meniscus.World(device="cpu", cuda_stream=stream)
+        with self.assertRaises(TypeError):
+            meniscus.World(device="cpu", cuda_stream="main")
+
+
+if __name__ == "__main__":
+    unittest.main()
