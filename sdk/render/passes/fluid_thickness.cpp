@@ -7,7 +7,9 @@
 namespace meniscus::render {
 
 FluidThickness::FluidThickness(int width, int height)
-    : camera_(GL_RGBA32F, (width + 1) / 2, (height + 1) / 2, GL_LINEAR),
+    : front_(GL_RGBA32F, (width + 1) / 2, (height + 1) / 2),
+      rest_(GL_RGBA32F, (width + 1) / 2, (height + 1) / 2),
+      slices_(GL_RG32UI, (width + 1) / 2, (height + 1) / 2),
       sun_(GL_RGBA32F, sun_size, sun_size, GL_LINEAR) {}
 
 void FluidThickness::draw(const TileLists& lists, const Texture& sums, const Matrix4& to_clip,
@@ -25,12 +27,20 @@ void FluidThickness::draw_for_camera(const TileLists& lists, const FrameUniforms
                                      const Texture& scene_distance) const {
   scene_distance.bind(unit::depth);
   const Matrix4 to_clip = frame.projection * frame.view;
-  draw(lists, camera_, to_clip, frame.projection(0, 0), frame.projection(1, 1), frame.floor[2], true);
+  rest_.bind_image(1);
+  slices_.bind_image(2);
+  draw(lists, front_, to_clip, frame.projection(0, 0), frame.projection(1, 1), frame.floor[2], true);
 }
 
 void FluidThickness::draw_for_sun(const TileLists& lists, const FrameUniforms& frame) const {
   const float per_metre = 1 / frame.to_sun[3];
   draw(lists, sun_, frame.world_to_sun, per_metre, per_metre, frame.floor[2], false);
+}
+
+void FluidThickness::bind_layers() const {
+  front_.bind(unit::front_layer);
+  rest_.bind(unit::rest_layer);
+  slices_.bind(unit::layer_slices);
 }
 
 }  // namespace meniscus::render

@@ -10,13 +10,15 @@
 #include "particles/particles.glsl"
 #include "particles/ellipsoid.glsl"
 #include "tiles/tiles.glsl"
-#include "fluid/found.glsl"
+#include "fluid/fluid_depth.glsl"
+#include "fluid/front_and_rest.glsl"
 layout(local_size_x = 256) in;
 layout(binding = 3) uniform sampler2D scene_distance;
 layout(std430, binding = 9) writeonly restrict buffer FoundSurface {
   float found_surface[];
 };
 layout(location = 0) uniform ivec2 tiles;
+layout(location = 1) uniform int layer;  // 0: the first surface; 1: that of the rest, behind the front layer
 
 const uint group_size = 256u;
 const uint row = 32u;         // threads, 8 by 4 pixels
@@ -39,12 +41,21 @@ struct Picture {
 shared Picture pictures[round_size];
 shared uint picture_count;
 shared uint nearest[size * size];
+shared float begins[size * size];  // what has its centre nearer belongs to the front layer
 shared uint farthest[blocks * blocks];  // no pixel of the block shows anything further away
 
-// What the scene hides is further away; of equal ones the scene comes last.
-uint limit_at(ivec2 pixel) {
+// Where the rest begins behind the first surface; 0 where nothing follows.
+float rest_begin(ivec2 pixel) {
+  if (layer == 0) return -1e30;
+  pixel = min(pixel, ivec2(viewport.xy) - 1);
+  float first = fluid_depth(pixel), end = front_end(texel_of(pixel));
+  return first > 0.0 && first < end && end < no_gap ? end : 0.0;
+}
+
+// What the scene hides is further away; of equal ones the scene comes last. Nothing is seen where no rest is.
+uint limit_at(ivec2 pixel, float begin) {
   ivec2 last = ivec2(viewport.xy) - 1;
-  return floatBitsToUint(texelFetch(scene_distance, min(pixel, last), 0).r) | share_bits;
+  return begin == 0.0 ? 0u : floatBitsToUint(texelFetch(scene_distance, min(pixel, last), 0).r) | share_bits;
 }
 
 ivec4 in_tile(ivec4 pixels, ivec2 corner) {
@@ -99,7 +110,7 @@ void draw(Picture p, int thread) {
   uint least = floatBitsToUint(p.slope.z), share = floatBitsToUint(p.slope.w);
   for (int y = pixels.y + thread / 8; y <= pixels.w; y += 4) {
     for (int x = pixels.x + thread % 8; x <= pixels.z; x += 8) {
-      if (nearest[y * size + x] < least) continue;
+      if (nearest[y * size + x] < least || p.place.z < begins[y * size + x]) continue;
       vec2 d = vec2(x, y) - p.place.xy;
       vec3 products = vec3(d.x * d.x, d.x * d.y, d.y * d.y);
       float along = p.place.w + dot(p.slope.xy, d), square = along + dot(p.slope.xy, d) + dot(p.square.xyz, products);
@@ -123,6 +134,13 @@ void find_farthest() {
   barrier();
 }
 
+// As of the rest in most tiles.
+bool shows_nothing() {
+  uint most = 0u;
+  for (int k = 0; k < blocks * blocks; ++k) most = max(most, farthest[k]);
+  return most == 0u;
+}
+
 // From front to back: after the first, most of what is inside of the fluid is hidden.
 void draw_list(int list, ivec2 corner) {
   uint begin = list_begin(list), end = begin + list_count(list), self = gl_LocalInvocationID.x;
@@ -140,8 +158,8 @@ void put(ivec2 pixel, float found) {
   if (all(lessThan(pixel, ivec2(viewport.xy)))) found_surface[place_of(pixel)] = found;
 }
 
-float marked(ivec2 pixel, uint found) {
-  if (found >= limit_at(pixel)) return nothing;
+float marked(ivec2 pixel, float begin, uint found) {
+  if (found >= limit_at(pixel, begin)) return nothing;
   return uintBitsToFloat(float(found & share_bits) < 0.6 * float(share_bits) ? found | drop_bit : found);
 }
 
@@ -154,13 +172,19 @@ void main() {
       put(corner + ivec2(k % size, k / size), nothing);
     return;
   }
-  for (int k = first; k < size * size; k += int(group_size)) nearest[k] = limit_at(corner + ivec2(k % size, k / size));
-  barrier();
-  find_farthest();
-  draw_list(all, corner);
-  draw_list(own, corner);
   for (int k = first; k < size * size; k += int(group_size)) {
     ivec2 pixel = corner + ivec2(k % size, k / size);
-    put(pixel, marked(pixel, nearest[k]));
+    begins[k] = rest_begin(pixel);
+    nearest[k] = limit_at(pixel, begins[k]);
+  }
+  barrier();
+  find_farthest();
+  if (!shows_nothing()) {
+    draw_list(all, corner);
+    draw_list(own, corner);
+  }
+  for (int k = first; k < size * size; k += int(group_size)) {
+    ivec2 pixel = corner + ivec2(k % size, k / size);
+    put(pixel, marked(pixel, begins[k], nearest[k]));
   }
 }

@@ -4,15 +4,20 @@
 // How much fluid lies along each line of sight of a block, a quarter of a tile. Each particle's volume is spread as
 // (1 − r²/R²)² over a disc: smooth, and all of it is there. Threads take a particle each and write down the discs that
 // reach the block; then each sums up some of them for four pixels, so that it reads a disc once for all four. Sums are
-// of whole numbers, which add up to the same in any order.
+// of whole numbers, which add up to the same in any order. For the camera the block notes which slices of depth hold
+// fluid, and sums up what lies before the first gap once more.
 #include "shared/frame.glsl"
 #include "particles/fluids.glsl"
 #include "particles/particles.glsl"
 #include "particles/disc.glsl"
 #include "tiles/tiles.glsl"
+#include "fluid/fluid_depth.glsl"
+#include "fluid/layers.glsl"
 layout(local_size_x = 128) in;
 layout(binding = 3) uniform sampler2D scene_distance;  // of the camera alone
 layout(binding = 0, rgba32f) writeonly restrict uniform image2D sums;  // absorbance; metres, or the smallest depth
+layout(binding = 1, rgba32f) writeonly restrict uniform image2D rest;  // likewise, behind the front layer
+layout(binding = 2, rg32ui) writeonly restrict uniform uimage2D layer_slices;  // see fluid/front_and_rest.glsl
 layout(location = 0) uniform ivec2 tiles;
 layout(location = 1) uniform mat4 to_clip;    // of the world
 layout(location = 2) uniform vec2 per_metre;  // clip space at distance 1
@@ -31,7 +36,10 @@ shared vec3 absorbances[group_size];
 shared uint disc_count;
 shared int metres[pixels], red[pixels], green[pixels], blue[pixels];
 shared uint nearest[pixels];  // depth, of the sun's
+shared uint slices[pixels];   // of the camera's
+shared float starts[pixels];  // distance of the first surface
 shared uint lowest_fluid, highest_fluid;
+shared bool has_layers;
 
 // On the path that the colour is given for the colour is left of the light; all black would take in all at once.
 vec3 absorbance_of(uint fluid) {
@@ -54,10 +62,20 @@ void look_at(uint i, ivec2 corner, ivec2 all) {
 struct Sums {
   ivec4 metres, red, green, blue;
   vec4 nearest;
+  uvec4 slices;
 };
+const Sums no_sums = Sums(ivec4(0), ivec4(0), ivec4(0), ivec4(0), vec4(1.0), uvec4(0u));
+
+// A ball of one spacing, within the disc of `radius`: balls of neighbours leave no gap between them.
+uvec4 slices_of(vec4 u, float distance, vec4 start) {
+  vec4 square = floor_.z * floor_.z - (1.0 - u) * radius * radius;
+  vec4 half_way = sqrt(max(square, 0.0)), beyond = distance - start;
+  uvec4 met = slices_between(slice_at(beyond - half_way), slice_at(beyond + half_way));
+  return met * uvec4(greaterThan(square, vec4(0.0)));
+}
 
 // `x` and `y` in the block; `behind`: the distance of what hides fluid.
-void add_discs(inout Sums own, vec4 x, vec4 y, vec4 behind) {
+void add_discs(inout Sums own, vec4 x, vec4 y, vec4 behind, vec4 start) {
   float amount = units * floor_.z * floor_.z * 3.0 / (3.14159265 * radius * radius);
   float depth_of_radius = 0.5 * radius / to_sun.w;
   bool is_one_fluid = lowest_fluid == highest_fluid;
@@ -67,6 +85,7 @@ void add_discs(inout Sums own, vec4 x, vec4 y, vec4 behind) {
     vec4 u = max(1.0 - right * right - up_ * up_, 0.0);
     vec4 part = mix(vec4(0.0), amount * u * u, greaterThanEqual(behind, vec4(distance)));
     own.metres += ivec4(part + 0.5);
+    if (hides == 1) own.slices |= slices_of(u, distance, start) * uvec4(greaterThanEqual(behind, vec4(distance)));
     // As a ball would have it, behind whose top the disc is hung: steps from disc to disc would be seen as shades.
     if (hides == 0) {
       vec4 depth = distance + depth_of_radius * (1.0 - sqrt(u));
@@ -91,10 +110,12 @@ void note_fluids(int list) {
 void add_list(int list, ivec2 corner, ivec2 all, ivec2 place, vec4 behind, inout Sums own) {
   uint begin = list_begin(list), end = begin + list_count(list), self = gl_LocalInvocationID.x;
   vec4 x = vec4(place.x) + vec4(0.0, 1.0, 0.0, 1.0), y = vec4(place.y) + vec4(0.0, 0.0, 1.0, 1.0);
+  int k = place.y * size + place.x;
+  vec4 start = vec4(starts[k], starts[k + 1], starts[k + size], starts[k + size + 1]);
   for (; begin < end; begin += group_size) {
     if (begin + self < end) look_at(tile_entries[begin + self], corner, all);
     barrier();
-    add_discs(own, x, y, behind);
+    add_discs(own, x, y, behind, start);
     barrier();
     if (self == 0u) disc_count = 0u;
     barrier();
@@ -104,6 +125,7 @@ void add_list(int list, ivec2 corner, ivec2 all, ivec2 place, vec4 behind, inout
 void add_up(ivec2 place, Sums own) {
   for (int i = 0; i < 4; ++i) {
     int k = (place.y + i / 2) * size + place.x + i % 2;
+    if (own.slices[i] != 0u) atomicOr(slices[k], own.slices[i]);
     if (own.nearest[i] < 1.0) atomicMin(nearest[k], floatBitsToUint(max(own.nearest[i], 0.0)));
     if (own.metres[i] == 0) continue;
     atomicAdd(metres[k], own.metres[i]);
@@ -119,11 +141,39 @@ float hidden_from(ivec2 pixel) {
   return hides == 1 ? texelFetch(scene_distance, min(2 * pixel + 1, textureSize(scene_distance, 0) - 1), 0).r : 2.0;
 }
 
-void put(ivec2 pixel, uint k) {
+// Of the four pixels of the picture; no_gap where there is no surface.
+float first_surface(ivec2 pixel) {
+  float nearest = no_gap;
+  for (int k = 0; k < 4; ++k) {
+    float found = fluid_depth(2 * pixel + ivec2(k & 1, k >> 1));
+    if (found > 0.0) nearest = min(nearest, found);
+  }
+  return nearest;
+}
+
+// Absorbance; metres.
+vec4 summed(uint k) {
   float length = float(metres[k]) * (floor_.z / units);
   vec3 dyed = vec3(red[k], green[k], blue[k]) * (floor_.z / units * most);
   if (lowest_fluid == highest_fluid) dyed = length * absorbance_of(lowest_fluid);
-  imageStore(sums, pixel, vec4(dyed / centre.w, hides == 1 ? length : uintBitsToFloat(nearest[k])));
+  return vec4(dyed / centre.w, length);
+}
+
+float gap_at(ivec2 place) {
+  int k = place.y * size + place.x;
+  float gap = gap_behind(slices[k]);
+  return starts[k] < no_gap && gap < no_gap ? starts[k] + gap : no_gap;
+}
+
+void clear(uint k) {
+  metres[k] = red[k] = green[k] = blue[k] = 0;
+}
+
+void put_empty(ivec2 pixel) {
+  imageStore(sums, pixel, vec4(0.0, 0.0, 0.0, hides == 1 ? 0.0 : 1.0));
+  if (hides == 0) return;
+  imageStore(rest, pixel, vec4(0.0));
+  imageStore(layer_slices, pixel, uvec4(floatBitsToUint(no_gap), 0u, 0u, 0u));
 }
 
 void main() {
@@ -132,16 +182,19 @@ void main() {
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * size, pixel = corner + ivec2(int(self) % size, int(self) / size);
   ivec2 all = imageSize(sums);
   if (list_count(list) + list_count(shared_list) == 0u) {
-    if (self < pixels) imageStore(sums, pixel, vec4(0.0, 0.0, 0.0, hides == 1 ? 0.0 : 1.0));
+    if (self < pixels) put_empty(pixel);
     return;
   }
   if (self < pixels) {
-    metres[self] = red[self] = green[self] = blue[self] = 0;
+    clear(self);
     nearest[self] = floatBitsToUint(1.0);
+    slices[self] = 0u;
+    starts[self] = hides == 1 ? first_surface(pixel) : 0.0;
   }
   lowest_fluid = ~0u;
   highest_fluid = 0u;
   disc_count = 0u;
+  has_layers = false;
   int quad = int(self % quads);
   ivec2 place = 2 * ivec2(quad % (size / 2), quad / (size / 2)), first = corner + place;
   vec4 behind = vec4(hidden_from(first), hidden_from(first + ivec2(1, 0)), hidden_from(first + ivec2(0, 1)),
@@ -150,10 +203,33 @@ void main() {
   note_fluids(list);
   note_fluids(shared_list);
   barrier();
-  Sums own = Sums(ivec4(0), ivec4(0), ivec4(0), ivec4(0), vec4(1.0));
+  Sums own = no_sums;
   add_list(list, corner, all, place, behind, own);
   add_list(shared_list, corner, all, place, behind, own);
   add_up(place, own);
   barrier();
-  if (self < pixels) put(pixel, self);
+  vec4 total = self < pixels ? summed(self) : vec4(0.0);
+  if (hides == 0) {
+    if (self < pixels) imageStore(sums, pixel, vec4(total.rgb, uintBitsToFloat(nearest[self])));
+    return;
+  }
+  vec4 gaps = vec4(gap_at(place), gap_at(place + ivec2(1, 0)), gap_at(place + ivec2(0, 1)), gap_at(place + 1));
+  if (any(lessThan(gaps, vec4(no_gap)))) has_layers = true;
+  uint met = self < pixels ? slices[self] : 0u;
+  barrier();
+  vec4 front = total;
+  if (has_layers) {
+    if (self < pixels) clear(self);
+    barrier();
+    own = no_sums;
+    add_list(list, corner, all, place, min(behind, gaps), own);
+    add_list(shared_list, corner, all, place, min(behind, gaps), own);
+    add_up(place, own);
+    barrier();
+    if (self < pixels) front = summed(self);
+  }
+  if (self >= pixels) return;
+  imageStore(sums, pixel, front);
+  imageStore(rest, pixel, total - front);
+  imageStore(layer_slices, pixel, uvec4(floatBitsToUint(starts[self]), met, 0u, 0u));
 }
