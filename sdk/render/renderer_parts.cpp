@@ -82,6 +82,7 @@ void Renderer::Parts::check_particles(const Moment& moment) const {
   Particles::check_room(moment.world ? moment.world->particle_count() : moment.ellipsoids.size());
   if (moment.world) return;
   check_count("fluids", moment.fluids.size(), moment.ellipsoids.size());
+  if (!moment.velocities.empty()) check_count("velocities", moment.velocities.size(), moment.ellipsoids.size());
   if (!settings.anisotropic) check_count("positions", moment.positions.size(), moment.ellipsoids.size());
 }
 
@@ -89,7 +90,7 @@ void Renderer::Parts::load_particles(const Moment& moment, bool shows_fluid) {
   if (!shows_fluid)
     particles.set({}, {});  // balls replace them
   else if (settings.anisotropic)
-    particles.set(moment.ellipsoids, moment.fluids);
+    particles.set(moment.ellipsoids, moment.fluids, moment.velocities);
   else
     particles.set(balls_at(moment, scene), moment.fluids);
 }
@@ -158,7 +159,7 @@ void Renderer::Parts::list_particles() {
 void Renderer::Parts::gather_fluid() {
   // These run concurrently: the longest starts first, and the others fill the capacity that it leaves free
   // towards its end.
-  to->surface.draw_front(camera_lists, to->scene_distance);
+  to->surface.draw_front(camera_lists, particles, to->scene_distance);
   timer.mark("ellipsoids");
   if (!to->has_fluid_shadows) to->thickness.draw_for_sun(sun_lists, frame);
   to->has_fluid_shadows = true;
@@ -169,7 +170,7 @@ void Renderer::Parts::gather_fluid() {
   Program::show_writes();
   timer.mark("thickness");
   to->thickness.bind_layers();
-  to->surface.draw_rest(camera_lists, to->scene_distance);
+  to->surface.draw_rest(camera_lists, particles, to->scene_distance);
   Program::show_writes();
   timer.mark("ellipsoids behind");
 }
@@ -196,9 +197,9 @@ void Renderer::Parts::draw_fluid() {
   timer.mark("foam");
   to->surface.bind_rest();
   draw_layer(1, to->scene_color, to->behind_front);
+  to->surface.bind_front();
   to->to_behind_front.use();
   foam.lay_over_rest(screen, to->foam);
-  to->surface.bind_front();
   draw_layer(0, to->behind_front, to->lit);
   timer.mark("fluid");
 }

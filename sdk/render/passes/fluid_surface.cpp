@@ -48,20 +48,24 @@ void FluidSurface::check_room(int width, int height) {
                                        std::to_string(static_cast<std::size_t>(most) / sizeof(float)));
 }
 
-void FluidSurface::draw_front(const TileLists& lists, const Texture& scene_distance) {
-  draw(layers_[0], 0, lists, scene_distance);
+void FluidSurface::draw_front(const TileLists& lists, const Particles& particles,
+                              const Texture& scene_distance) {
+  draw(layers_[0], 0, lists, particles, scene_distance);
 }
 
-void FluidSurface::draw_rest(const TileLists& lists, const Texture& scene_distance) {
+void FluidSurface::draw_rest(const TileLists& lists, const Particles& particles,
+                             const Texture& scene_distance) {
   bind_front();
-  draw(layers_[1], 1, lists, scene_distance);
+  draw(layers_[1], 1, lists, particles, scene_distance);
 }
 
-void FluidSurface::draw(Layer& layer, int index, const TileLists& lists, const Texture& scene_distance) {
+void FluidSurface::draw(Layer& layer, int index, const TileLists& lists, const Particles& particles,
+                        const Texture& scene_distance) {
   scene_distance.bind(unit::depth);
   bind_storage(write_binding, layer.first);
   splat_.use();
   glUniform1i(1, index);
+  particles.bind_motion();
   lists.start(splat_);
   layer.result = &layer.first;
 }

@@ -26,9 +26,9 @@ class FluidSurface {
   static void check_room(int width, int height);
 
   /// Starts drawing the ellipsoids that lie in front of `scene_distance`: see Program::start.
-  void draw_front(const TileLists& lists, const Texture& scene_distance);
+  void draw_front(const TileLists& lists, const Particles& particles, const Texture& scene_distance);
   /// Starts the same for the rest; the first surface must not be filtered yet, and the layers must be bound.
-  void draw_rest(const TileLists& lists, const Texture& scene_distance);
+  void draw_rest(const TileLists& lists, const Particles& particles, const Texture& scene_distance);
   /// Lengths in metres: `reach` is the filter's standard deviation. Depths that differ by `threshold` belong
   /// to different surfaces. `pixels`: reach, as seen at the scene's middle.
   void filter(SurfaceFilter filter, float reach, float threshold, float pixels);
@@ -44,7 +44,8 @@ class FluidSurface {
     DataBuffer first, second;
     const DataBuffer* result = &first;
   };
-  void draw(Layer& layer, int index, const TileLists& lists, const Texture& scene_distance);
+  void draw(Layer& layer, int index, const TileLists& lists, const Particles& particles,
+            const Texture& scene_distance);
   void apply(const Program& program, int x, int y, float reach, float threshold);
 
   int width_, height_;

@@ -42,9 +42,10 @@ void Foam::gather(const FrameUniforms& frame, const Texture& scene_distance, con
   glDisable(GL_BLEND);
 }
 
-void Foam::lay_over(const Screen& screen, const Texture& sums, int layer) const {
+void Foam::lay_over(const Screen& screen, const Sums& sums, int layer) const {
   if (count_ == 0) return;
-  sums.bind(unit::foam);
+  sums.front.bind(unit::foam);
+  sums.rest.bind(unit::rest_foam);
   lay_over_.use();
   glUniform1i(0, layer);
   glEnable(GL_BLEND);

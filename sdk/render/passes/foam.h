@@ -33,12 +33,12 @@ class Foam {
   void set(std::span<const DiffuseParticle> particles);
   /// Sums up the amounts; the fluid's surfaces and layers must be bound.
   void gather(const FrameUniforms& frame, const Texture& scene_distance, const Sums& sums);
-  /// Draws over the present target, which shows the layer whose surface is bound. The layers are bound already.
-  void lay_over_rest(const Screen& screen, const Sums& sums) const { lay_over(screen, sums.rest, 1); }
-  void lay_over_front(const Screen& screen, const Sums& sums) const { lay_over(screen, sums.front, 0); }
+  /// Draws over the present target, which shows the layer. The surfaces and layers must be bound.
+  void lay_over_rest(const Screen& screen, const Sums& sums) const { lay_over(screen, sums, 1); }
+  void lay_over_front(const Screen& screen, const Sums& sums) const { lay_over(screen, sums, 0); }
 
  private:
-  void lay_over(const Screen& screen, const Texture& sums, int layer) const;
+  void lay_over(const Screen& screen, const Sums& sums, int layer) const;
 
   VertexArrayHandle array_;
   DataBuffer particles_;

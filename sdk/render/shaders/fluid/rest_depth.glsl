@@ -8,5 +8,5 @@ layout(std430, binding = 10) readonly restrict buffer RestSurface {
 // 0 where there is none.
 float rest_depth(ivec2 pixel) {
   float found = rest_surface[place_of(clamp(pixel, ivec2(0), ivec2(viewport.xy) - 1))];
-  return is_nothing_at(found) ? 0.0 : abs(found);
+  return has_share(found) ? abs(found) : 0.0;
 }

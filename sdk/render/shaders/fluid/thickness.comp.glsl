@@ -188,8 +188,8 @@ void main() {
   if (self < pixels) {
     clear(self);
     nearest[self] = floatBitsToUint(1.0);
-    slices[self] = 0u;
     starts[self] = hides == 1 ? first_surface(pixel) : 0.0;
+    slices[self] = starts[self] < no_gap ? 1u : 0u;  // a surface has fluid behind it
   }
   lowest_fluid = ~0u;
   highest_fluid = 0u;

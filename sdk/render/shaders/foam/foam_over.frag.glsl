@@ -7,9 +7,11 @@
 #include "light/sky.glsl"
 #include "light/shadow.glsl"
 #include "fluid/fluid_depth.glsl"
+#include "fluid/rest_depth.glsl"
 #include "fluid/front_and_rest.glsl"
 layout(binding = 3) uniform sampler2D scene_distance;
-layout(binding = 4) uniform sampler2D foam_sums;  // half as many pixels each way
+layout(binding = 4) uniform sampler2D front_foam;  // half as many pixels each way
+layout(binding = 11) uniform sampler2D rest_foam;
 layout(location = 0) uniform int layer;           // 0: the front; 1: the rest
 in vec2 place;
 layout(location = 0) out vec4 color;  // times its opacity
@@ -19,18 +21,28 @@ vec3 spline(float f) {
   return vec3(0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f));
 }
 
+// Of one texel, as of the layer that has the surface; `found`: where that layer is there.
+vec3 sums_at(ivec2 texel, float surface, out float found) {
+  float rest = rest_depth(2 * texel);
+  bool is_rest = rest > 0.0 && (layer == 1 || surface > front_end(texel));
+  found = is_rest ? rest : fluid_depth(2 * texel);
+  return is_rest ? texelFetch(rest_foam, texel, 0).rgb : texelFetch(front_foam, texel, 0).rgb;
+}
+
 // Smoothed over three texels each way, of those that show the same surface.
 vec3 smoothed_sums(ivec2 pixel, float surface) {
   vec2 at = 0.5 * vec2(pixel) - 0.25, middle = floor(at + 0.5);
   vec3 across = spline(at.x - middle.x), up_ = spline(at.y - middle.y), sums = vec3(0.0);
-  ivec2 last = textureSize(foam_sums, 0) - 1;
+  ivec2 last = textureSize(front_foam, 0) - 1;
   float weights = 1e-9;
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 3; ++x) {
       ivec2 texel = clamp(ivec2(middle) + ivec2(x, y) - 1, ivec2(0), last);
-      float apart = (fluid_depth(2 * texel) - surface) / (2.0 * floor_.z);
+      float found;
+      vec3 here = sums_at(texel, surface, found);
+      float apart = (found - surface) / (2.0 * floor_.z);
       float weight = across[x] * up_[y] * (exp(-apart * apart) + 1e-6);
-      sums += weight * texelFetch(foam_sums, texel, 0).rgb;
+      sums += weight * here;
       weights += weight;
     }
   }
@@ -39,7 +51,7 @@ vec3 smoothed_sums(ivec2 pixel, float surface) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  float surface = fluid_depth(pixel);
+  float surface = layer == 1 ? rest_depth(pixel) : fluid_depth(pixel);
   if (layer == 1 && surface <= 0.0) discard;
   vec3 sums = smoothed_sums(pixel, surface);
   if (sums.r + sums.g <= 1e-4) discard;

@@ -44,9 +44,29 @@ vec3 behind(vec3 here, vec3 normal, float metres, vec2 place, float end) {
   return textureLod(scene_color, shows_behind(at, -here.z, end) ? at : place, 0.0).rgb;
 }
 
+// By how much the normal turns from this pixel to the next, squared, about. An edge does not count.
+float bend_at(ivec2 pixel, float z) {
+  vec2 bends = vec2(0.0);
+  for (int axis = 0; axis < 2; ++axis) {
+    ivec2 step = ivec2(1 - axis, axis);
+    float a = fluid_depth(pixel - step), b = fluid_depth(pixel + step);
+    if (max(abs(a - z), abs(b - z)) > 2.0 * floor_.z) a = b = z;
+    bends[axis] = (a + b - 2.0 * z) / (2.0 * z * lens[axis] * viewport[2 + axis]);
+  }
+  return dot(bends, bends);
+}
+
+// The sun as a smooth surface mirrors it: a lobe, wider and fainter by as much as the surface is bent within a pixel
+// (Kaplanyan, Hill, Patney & Lefohn 2016). Else small drops would sparkle by chance.
+float highlight(float facing, float bend) {
+  const float power = 700.0;
+  float wider = power / (1.0 + 0.5 * power * bend);
+  return (wider / power) * (wider / power) * pow(facing, wider);
+}
+
 vec3 color_at(ivec2 pixel) {
   float z = fluid_depth(pixel);
-  if (z <= 0.0) return texelFetch(scene_color, pixel, 0).rgb;
+  if (!shows_layer(pixel)) return texelFetch(scene_color, pixel, 0).rgb;
 
   vec2 place = (vec2(pixel) + 0.5) * viewport.zw;
   vec3 here = surface_point(pixel, z), view_normal = surface_normal(pixel, z);
@@ -64,7 +84,7 @@ vec3 color_at(ivec2 pixel) {
 
   float facing = clamp(dot(n, to_eye), 0.0, 1.0);
   float fresnel = f0 + (1.0 - f0) * pow(1.0 - facing, 5.0);
-  float shine = pow(max(dot(n, normalize(to_sun.xyz + to_eye)), 0.0), 700.0);
+  float shine = highlight(max(dot(n, normalize(to_sun.xyz + to_eye)), 0.0), bend_at(pixel, z));
   return mix(through, mirrored(world, reflect(-to_eye, n), length(here)), fresnel) + 3.5 * shine * sun;
 }
 
