@@ -109,6 +109,7 @@ void Renderer::Parts::bind() const {
   bind_uniforms(fluids_binding, fluid_buffer);
   shadow.bind(unit::shadow);
   to->thickness.sun().bind(unit::fluid_shadow);
+  to->thickness.sun_rest().bind(unit::rest_shadow);
   vessels.bind();
 }
 

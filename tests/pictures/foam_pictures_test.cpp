@@ -48,7 +48,7 @@ TEST_F(FoamPictures, OnWaterAndBeforeIt) {
 /// Foam of the pool is dyed by the ball before it, and by nothing else. Bubbles are dyed by the pool.
 TEST_F(FoamPictures, BehindWater) {
   std::vector<DiffuseParticle> diffuse;
-  add(diffuse, DiffuseKind::foam, {-0.1f, 0.26f, -0.9f}, 0.8f, 0.012f);
+  add(diffuse, DiffuseKind::foam, {-0.1f, 0.26f, -0.9f}, 1.3f, 0.012f);
   add(diffuse, DiffuseKind::bubble, {-0.75f, 0.1f, -0.9f}, 0.7f, 0.01f);
   io::PreviewScene scene = pool_side();
   scene.fluid_colors = {{0.45f, 0.7f, 0.85f}};

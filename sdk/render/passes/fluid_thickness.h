@@ -10,8 +10,8 @@
 namespace meniscus::render {
 
 /// The amount of fluid along each line of sight and along the sun's light. It is a sum over the particles,
-/// each with its part of the volume. Red, green and blue are the absorption. For the camera, the front layer, from
-/// the first surface to the first gap behind it, is summed up apart from the rest.
+/// each with its part of the volume. Red, green and blue are the absorption. The front layer, from the first surface
+/// to the first gap behind it, is summed up apart from the rest.
 class FluidThickness {
  public:
   /// The size is that of the camera's picture; the sums have half as many pixels each way.
@@ -32,13 +32,14 @@ class FluidThickness {
   void bind_layers() const;
   const Texture& front() const { return front_; }    ///< a: m
   const Texture& rest() const { return rest_; }      ///< a: m
-  const Texture& sun() const { return sun_; }        ///< a: the least depth, 0 to 1
+  const Texture& sun() const { return sun_; }        ///< front layer; a: the least depth, 0 to 1
+  const Texture& sun_rest() const { return sun_rest_; }  ///< likewise
 
  private:
-  void draw(const TileLists& lists, const Texture& sums, const Matrix4& to_clip, float x_per_metre,
+  void draw(const TileLists& lists, const Texture& sums, const Texture& rest, const Matrix4& to_clip, float x_per_metre,
             float y_per_metre, float spacing, bool hides) const;
 
-  Texture front_, rest_, slices_, sun_;
+  Texture front_, rest_, slices_, sun_, sun_rest_;
   Program program_{"fluid/thickness.comp.glsl"};
 };
 

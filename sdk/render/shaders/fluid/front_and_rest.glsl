@@ -9,8 +9,8 @@ layout(binding = 10) uniform usampler2D layer_slices;  // bits of the first surf
 // Distance along −z at which the front layer ends for sure, and the rest has not begun.
 float front_end(ivec2 texel) {
   uvec4 slices = texelFetch(layer_slices, texel, 0);
-  float gap = gap_behind(slices.y);
-  return gap < no_gap ? uintBitsToFloat(slices.x) + gap : no_gap;
+  vec2 gap = gap_behind(slices.y);
+  return gap.x < no_gap ? uintBitsToFloat(slices.x) + 0.5 * (gap.x + gap.y) : no_gap;
 }
 
 ivec2 texel_of(ivec2 pixel) {

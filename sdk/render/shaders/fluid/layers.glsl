@@ -20,12 +20,12 @@ uvec4 slices_between(vec4 first, vec4 last) {
   return (~uvec4(0u) << uvec4(first)) & (~uvec4(0u) >> (31u - uvec4(last)));
 }
 
-// How far behind the first surface, m, the middle of the gap after the front layer is; no_gap if nothing follows.
+// How far behind the first surface, m, the gap after the front layer begins and ends; no_gap if nothing follows.
 const float no_gap = 1e30;
-float gap_behind(uint slices) {
-  if (slices == 0u) return no_gap;
+vec2 gap_behind(uint slices) {
+  if (slices == 0u) return vec2(no_gap);
   uint front = slices >> findLSB(slices);
   int end = findLSB(slices) + findLSB(~front);
-  if (~front == 0u || end > 31 || slices >> end == 0u) return no_gap;
-  return 0.5 * (slice_begin(end) + slice_begin(end + findLSB(slices >> end)));
+  if (~front == 0u || end > 31 || slices >> end == 0u) return vec2(no_gap);
+  return vec2(slice_begin(end), slice_begin(end + findLSB(slices >> end)));
 }

@@ -17,7 +17,7 @@ flat out float opacity;
 
 // Of a kind: the spacings that a piece is wide, those over which it is spread, and how much it hides in its middle.
 const float radii[3] = float[](0.08, 0.12, 0.08), kernels[3] = float[](0.22, 0.45, 0.45);
-const float opacities[3] = float[](0.45, 0.38, 0.25);
+const float opacities[3] = float[](0.40, 0.345, 0.22);
 const float exposure = 0.008;  // s, half of the time that a picture of film takes in
 
 void main() {
