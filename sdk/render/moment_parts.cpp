@@ -13,6 +13,7 @@ Moment with_spans(Moment moment) {
   moment.ellipsoids = moment.world->ellipsoids();
   moment.fluids = moment.world->fluids();
   moment.positions = moment.world->positions();
+  moment.velocities = moment.world->velocities();
   moment.diffuse = moment.world->diffuse();
   moment.world = nullptr;
   return moment;

@@ -6,6 +6,7 @@
 
 #include "sdk/render/passes/fluid_surface.h"
 #include "sdk/render/passes/fluid_thickness.h"
+#include "sdk/render/passes/foam.h"
 
 namespace meniscus::render {
 
@@ -25,9 +26,10 @@ struct Pictures {
   Texture lit{GL_RGBA16F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};
   Texture picture{GL_RGBA8, width, height};
-  Texture foam{GL_RGBA16F, width, height};  ///< sums: see Foam
-  Target to_foam{{&foam}, nullptr};
+  Texture behind_front{GL_RGBA16F, width, height, GL_LINEAR};  ///< lit scene, and the fluid behind the front layer
+  Foam::Sums foam{width, height};
   Target to_surfaces{{&albedo, &normal}, &scene_depth};
+  Target to_behind_front{{&behind_front}, nullptr};
   Target to_lit{{&lit}, nullptr};
   Target to_over{{&lit}, &scene_depth};
   Target to_toned{{&toned}, nullptr};

@@ -112,7 +112,7 @@ std::vector<std::array<float, 4>> Renderer::fluid_normals() {
   const Program program("screen/screen.vert.glsl", "fluid/normal.frag.glsl");
   parts_->bind();
   target.use();
-  parts_->to->surface.bind();
+  parts_->to->surface.bind_front();
   program.use();
   parts_->screen.draw();
   std::vector<std::array<float, 4>> pixels(std::size_t{1} * normals.width() * normals.height());
@@ -123,13 +123,15 @@ std::vector<std::array<float, 4>> Renderer::fluid_normals() {
 }
 
 std::vector<float> Renderer::fluid_thickness() {
-  const Texture& map = parts_->to->thickness.camera();
-  std::vector<std::array<float, 4>> pixels(std::size_t{1} * map.width() * map.height());
-  glGetTextureImage(map.name(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof pixels[0]),
-                    pixels.data());
-  turn_over(pixels, map.width(), map.height());
   std::vector<float> metres;
-  for (const auto& p : pixels) metres.push_back(p[3]);
+  for (const Texture* map : {&parts_->to->thickness.front(), &parts_->to->thickness.rest()}) {
+    std::vector<std::array<float, 4>> pixels(std::size_t{1} * map->width() * map->height());
+    glGetTextureImage(map->name(), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(pixels.size() * sizeof pixels[0]), pixels.data());
+    turn_over(pixels, map->width(), map->height());
+    metres.resize(pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) metres[i] += pixels[i][3];
+  }
   return metres;
 }
 

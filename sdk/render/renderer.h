@@ -39,7 +39,8 @@ class Renderer {
   void set_size(int width, int height, float share = 1);
 
   /// Loads the moment to draw. Throws Error(invalid_argument) if there are bodies, but not as many as in the
-  /// scene. It also throws it unless there is one fluid and, for balls, one position per ellipsoid. Throws
+  /// scene. It also throws it unless there is one fluid per ellipsoid, one position for balls, and one
+  /// velocity or none at all. Throws
   /// Error(capacity) for more particles than OpenGL's buffers hold; a million take 40 MB.
   void load(const Moment& moment);
   /// Draws the loaded moment.

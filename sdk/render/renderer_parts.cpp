@@ -82,6 +82,7 @@ void Renderer::Parts::check_particles(const Moment& moment) const {
   Particles::check_room(moment.world ? moment.world->particle_count() : moment.ellipsoids.size());
   if (moment.world) return;
   check_count("fluids", moment.fluids.size(), moment.ellipsoids.size());
+  if (!moment.velocities.empty()) check_count("velocities", moment.velocities.size(), moment.ellipsoids.size());
   if (!settings.anisotropic) check_count("positions", moment.positions.size(), moment.ellipsoids.size());
 }
 
@@ -89,7 +90,7 @@ void Renderer::Parts::load_particles(const Moment& moment, bool shows_fluid) {
   if (!shows_fluid)
     particles.set({}, {});  // balls replace them
   else if (settings.anisotropic)
-    particles.set(moment.ellipsoids, moment.fluids);
+    particles.set(moment.ellipsoids, moment.fluids, moment.velocities);
   else
     particles.set(balls_at(moment, scene), moment.fluids);
 }
@@ -108,6 +109,7 @@ void Renderer::Parts::bind() const {
   bind_uniforms(fluids_binding, fluid_buffer);
   shadow.bind(unit::shadow);
   to->thickness.sun().bind(unit::fluid_shadow);
+  to->thickness.sun_rest().bind(unit::rest_shadow);
   vessels.bind();
 }
 
@@ -158,14 +160,20 @@ void Renderer::Parts::list_particles() {
 void Renderer::Parts::gather_fluid() {
   // These run concurrently: the longest starts first, and the others fill the capacity that it leaves free
   // towards its end.
-  to->surface.draw(camera_lists, to->scene_distance);
+  to->surface.draw_front(camera_lists, particles, to->scene_distance);
   timer.mark("ellipsoids");
-  to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
-  timer.mark("thickness");
   if (!to->has_fluid_shadows) to->thickness.draw_for_sun(sun_lists, frame);
   to->has_fluid_shadows = true;
   Program::show_writes();
   timer.mark("thickness for the sun");
+  to->surface.bind_front();
+  to->thickness.draw_for_camera(camera_lists, frame, to->scene_distance);
+  Program::show_writes();
+  timer.mark("thickness");
+  to->thickness.bind_layers();
+  to->surface.draw_rest(camera_lists, particles, to->scene_distance);
+  Program::show_writes();
+  timer.mark("ellipsoids behind");
 }
 
 void Renderer::Parts::light_scene() {
@@ -184,20 +192,30 @@ void Renderer::Parts::draw_fluid() {
                      reach * frame.viewport[1] / (2 * frame.lens[1] * away));
   Program::show_writes();  // makes the light visible, if there is no filter
   timer.mark("filter");
-  to->surface.bind();
-  foam.gather(frame, to->scene_distance, stage.spacing, to->to_foam);
+  to->surface.bind_front();
+  to->surface.bind_rest_too();
+  foam.gather(frame, to->scene_distance, to->foam);
   timer.mark("foam");
-  to->scene_color.bind(unit::color);
-  to->scene_distance.bind(unit::depth);
-  to->thickness.camera().bind(unit::thickness);
-  fluid.use();
-  fluid.run_over(to->lit);
+  to->surface.bind_rest();
+  draw_layer(1, to->scene_color, to->behind_front);
+  to->surface.bind_front();
+  to->to_behind_front.use();
+  foam.lay_over_rest(screen, to->foam);
+  draw_layer(0, to->behind_front, to->lit);
   timer.mark("fluid");
+}
+
+void Renderer::Parts::draw_layer(int layer, const Texture& behind, const Texture& over) {
+  behind.bind(unit::color);
+  to->scene_distance.bind(unit::depth);
+  fluid.use();
+  glUniform1i(0, layer);
+  fluid.run_over(over);
 }
 
 void Renderer::Parts::draw_over() {
   to->to_lit.use();
-  foam.lay_over(screen, to->foam);
+  foam.lay_over_front(screen, to->foam);
   if (!needles.empty() || !slice.empty()) {
     to->to_over.use();
     to->to_over.clear_depth();  // they compare distances by themselves

@@ -41,6 +41,8 @@ struct Renderer::Parts {
   void gather_fluid();
   void light_scene();
   void draw_fluid();
+  /// The front layer (0) or the rest (1), whose surface is bound.
+  void draw_layer(int layer, const Texture& behind, const Texture& over);
   /// Draws what must stay visible through reflections of the fluid.
   void draw_over();
   void draw_picture();

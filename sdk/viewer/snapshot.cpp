@@ -21,6 +21,7 @@ Snapshot snapshot_of(const BuiltScene& built, const Scene& scene) {
   s.time = world.time();
   s.ellipsoids = copy_of(world.ellipsoids());
   s.positions = copy_of(world.positions());
+  s.velocities = copy_of(world.velocities());
   s.ids = copy_of(world.ids());
   s.fluids = copy_of(world.fluids());
   s.diffuse = copy_of(world.diffuse());

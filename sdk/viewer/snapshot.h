@@ -30,6 +30,7 @@ struct Snapshot {
 
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Vec3> positions;   ///< m, of particles
+  std::vector<Vec3> velocities;  ///< m/s, of particles
   std::vector<ParticleId> ids;   ///< of particles
   std::vector<uint32_t> fluids;  ///< of particles
   std::vector<DiffuseParticle> diffuse;
@@ -42,6 +43,7 @@ struct Snapshot {
   render::Moment moment() const {
     return {.ellipsoids = ellipsoids,
             .fluids = fluids,
+            .velocities = velocities,
             .diffuse = diffuse,
             .bodies = bodies,
             .cloth = cloth,

@@ -163,6 +163,33 @@ TEST_F(FluidPictures, Grains) {
   expect_drawn("grains", scene, {.ellipsoids = world.ellipsoids(), .fluids = world.fluids()});
 }
 
+/// Fluid ends at the glass and at the edges of the vessel that holds it, without scallops.
+TEST_F(FluidPictures, Walls) {
+  io::PreviewScene scene = on_ground({1.5f, 0.9f, 1.7f}, {0, 0.25f, 0}, 30);
+  scene.shapes.push_back(
+      shape(ContainerGeometry{{0.4f, 0.4f, 0.4f}, {{Face::y_high, std::nullopt}}}, {0, 0.4f, 0}));
+  const Water water(points_where(spacing, {0.4f, 0.5f, 0.4f}, [](Vec3 p) { return p.y > 0; }), spacing);
+  expect_drawn("walls", scene, water.moment());
+}
+
+/// Single particles, round at rest and long where they are fast, before a pool and before the ground.
+TEST_F(FluidPictures, DropsBeforeAPool) {
+  io::PreviewScene scene = on_ground({0, 0.9f, 2.2f}, {0, 0.25f, 0}, 30);
+  std::vector<Vec3> points = points_where(
+      spacing, {0.8f, 0.3f, 0.8f}, [](Vec3 p) { return p.y > 0 && p.y < 0.25f && p.x < 0.35f; });
+  const std::size_t drops = points.size();
+  for (int i = 0; i < 14; ++i) {
+    const float t = static_cast<float>(i);
+    points.push_back({0.12f * t - 0.8f, 0.42f + 0.12f * std::sin(2.1f * t), 0.9f});
+  }
+  const Water water(points, spacing);
+  std::vector<Vec3> velocities(points.size());
+  for (std::size_t i = drops; i < points.size(); i += 2) velocities[i] = {3, -5, 0};
+  render::Moment moment = water.moment();
+  moment.velocities = velocities;
+  expect_drawn("drops_before_pool", scene, moment);
+}
+
 /// All of it at once.
 TEST_F(FluidPictures, Splash) {
   io::PreviewScene scene = around_splash();

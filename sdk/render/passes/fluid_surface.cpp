@@ -16,7 +16,8 @@ namespace meniscus::render {
 
 namespace {
 
-constexpr GLuint read_binding = 8, write_binding = 9;  // see shaders/fluid/found.glsl
+constexpr GLuint read_binding = 8, write_binding = 9;  // see shaders/fluid/fluid_depth.glsl and filter.glsl
+constexpr GLuint rest_binding = 10;                   // see shaders/fluid/rest_depth.glsl
 
 void bind_storage(GLuint binding, const DataBuffer& buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());
@@ -33,7 +34,9 @@ int groups_for(int count, int size) {
 }  // namespace
 
 FluidSurface::FluidSurface(int width, int height) : width_(width), height_(height) {
-  for (DataBuffer* buffer : {&first_, &second_}) buffer->resize(bytes_for(width, height));
+  for (Layer& layer : layers_) {
+    for (DataBuffer* buffer : {&layer.first, &layer.second}) buffer->resize(bytes_for(width, height));
+  }
 }
 
 void FluidSurface::check_room(int width, int height) {
@@ -45,12 +48,26 @@ void FluidSurface::check_room(int width, int height) {
                                        std::to_string(static_cast<std::size_t>(most) / sizeof(float)));
 }
 
-void FluidSurface::draw(const TileLists& lists, const Texture& scene_distance) {
+void FluidSurface::draw_front(const TileLists& lists, const Particles& particles,
+                              const Texture& scene_distance) {
+  draw(layers_[0], 0, lists, particles, scene_distance);
+}
+
+void FluidSurface::draw_rest(const TileLists& lists, const Particles& particles,
+                             const Texture& scene_distance) {
+  bind_front();
+  draw(layers_[1], 1, lists, particles, scene_distance);
+}
+
+void FluidSurface::draw(Layer& layer, int index, const TileLists& lists, const Particles& particles,
+                        const Texture& scene_distance) {
   scene_distance.bind(unit::depth);
-  bind_storage(write_binding, first_);
+  bind_storage(write_binding, layer.first);
   splat_.use();
+  glUniform1i(1, index);
+  particles.bind_motion();
   lists.start(splat_);
-  result_ = &first_;
+  layer.result = &layer.first;
 }
 
 void FluidSurface::filter(SurfaceFilter filter, float reach, float threshold, float pixels) {
@@ -70,20 +87,30 @@ void FluidSurface::filter(SurfaceFilter filter, float reach, float threshold, fl
 }
 
 void FluidSurface::apply(const Program& program, int x, int y, float reach, float threshold) {
-  const DataBuffer& into = result_ == &first_ ? second_ : first_;
-  bind();
-  bind_storage(write_binding, into);
   program.use();
   glUniform2i(0, x, y);
   glUniform1f(1, reach);
   glUniform1f(2, threshold);
-  program.start(groups_for(width_, 32), groups_for(height_, 8));  // see shaders/fluid/filter.glsl
+  for (Layer& layer : layers_) {
+    const DataBuffer& into = layer.result == &layer.first ? layer.second : layer.first;
+    bind_storage(read_binding, *layer.result);
+    bind_storage(write_binding, into);
+    program.start(groups_for(width_, 32), groups_for(height_, 8));  // see shaders/fluid/filter.glsl
+    layer.result = &into;
+  }
   Program::show_writes();
-  result_ = &into;
 }
 
-void FluidSurface::bind() const {
-  bind_storage(read_binding, *result_);
+void FluidSurface::bind_front() const {
+  bind_storage(read_binding, *layers_[0].result);
+}
+
+void FluidSurface::bind_rest() const {
+  bind_storage(read_binding, *layers_[1].result);
+}
+
+void FluidSurface::bind_rest_too() const {
+  bind_storage(rest_binding, *layers_[1].result);
 }
 
 }  // namespace meniscus::render

@@ -27,17 +27,25 @@ Particles::Particles() : array_(make_vertex_array()) {
   for (const GLuint binding : {0u, 1u}) glVertexArrayBindingDivisor(array_, binding, 1);
 }
 
-void Particles::set(std::span<const Ellipsoid> ellipsoids, std::span<const uint32_t> fluids) {
+void Particles::set(std::span<const Ellipsoid> ellipsoids, std::span<const uint32_t> fluids,
+                    std::span<const Vec3> velocities) {
   shared_.reset();
   ellipsoids_.write(ellipsoids);
   fluids_.write(fluids);
   count_ = static_cast<GLsizei>(ellipsoids.size());
+  set_motion(velocities);
+}
+
+void Particles::set_motion(std::span<const Vec3> velocities) {
+  has_velocities_ = !velocities.empty();
+  velocities_.write(velocities);
 }
 
 void Particles::set(const World& world) {
-  if (!share(world)) return set(world.ellipsoids(), world.fluids());
+  if (!share(world)) return set(world.ellipsoids(), world.fluids(), world.velocities());
   world.write_particles(*shared_);
   count_ = static_cast<GLsizei>(world.particle_count());
+  set_motion(world.velocities());
 }
 
 void Particles::check_room(std::size_t count) {
@@ -71,6 +79,11 @@ bool Particles::share(const World& world) {
 void Particles::draw() const {
   glBindVertexArray(array_);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+}
+
+void Particles::bind_motion() const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 11, velocities_.name());
+  glUniform1i(2, has_velocities_);
 }
 
 void Particles::bind() const {

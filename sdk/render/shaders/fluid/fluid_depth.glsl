@@ -6,6 +6,10 @@ layout(std430, binding = 8) readonly restrict buffer FluidSurface {
   float fluid_surface[];
 };
 
+bool shows_layer(ivec2 pixel) {
+  return has_share(fluid_surface[place_of(pixel)]);
+}
+
 // 0 where there is none.
 float fluid_depth(ivec2 pixel) {
   float found = fluid_surface[place_of(clamp(pixel, ivec2(0), ivec2(viewport.xy) - 1))];

@@ -4,15 +4,21 @@
 // How much fluid lies along each line of sight of a block, a quarter of a tile. Each particle's volume is spread as
 // (1 − r²/R²)² over a disc: smooth, and all of it is there. Threads take a particle each and write down the discs that
 // reach the block; then each sums up some of them for four pixels, so that it reads a disc once for all four. Sums are
-// of whole numbers, which add up to the same in any order.
+// of whole numbers, which add up to the same in any order. The block also notes which slices of depth hold fluid, and
+// sums up what lies before the first gap once more.
 #include "shared/frame.glsl"
 #include "particles/fluids.glsl"
 #include "particles/particles.glsl"
 #include "particles/disc.glsl"
 #include "tiles/tiles.glsl"
+#include "fluid/fluid_depth.glsl"
+#include "fluid/layers.glsl"
 layout(local_size_x = 128) in;
 layout(binding = 3) uniform sampler2D scene_distance;  // of the camera alone
-layout(binding = 0, rgba32f) writeonly restrict uniform image2D sums;  // absorbance; metres, or the smallest depth
+layout(binding = 0, rgba32f) writeonly restrict uniform image2D sums;  // of the front layer: absorbance; metres for
+                                                                       // the camera, the least depth for the sun
+layout(binding = 1, rgba32f) writeonly restrict uniform image2D rest;  // likewise, of what is behind it
+layout(binding = 2, rg32ui) writeonly restrict uniform uimage2D layer_slices;  // see fluid/front_and_rest.glsl
 layout(location = 0) uniform ivec2 tiles;
 layout(location = 1) uniform mat4 to_clip;    // of the world
 layout(location = 2) uniform vec2 per_metre;  // clip space at distance 1
@@ -26,12 +32,15 @@ const float units = 65536.0;  // of a spacing's length
 const float most = 4.0;       // absorbance, along the path that colours are given for
 
 shared vec4 discs[group_size];  // from pixels of the block to the disc's radii: scale, and what to add
-shared float distances[group_size];  // along −z of the camera's, depths of the sun's
+shared float distances[group_size];  // along −z, m
 shared vec3 absorbances[group_size];
 shared uint disc_count;
 shared int metres[pixels], red[pixels], green[pixels], blue[pixels];
-shared uint nearest[pixels];  // depth, of the sun's
+shared uint nearest[pixels];  // distance, m; of the sun's
+shared uint slices[pixels];
+shared float starts[pixels];  // distance of the first surface, m
 shared uint lowest_fluid, highest_fluid;
+shared bool has_layers;
 
 // On the path that the colour is given for the colour is left of the light; all black would take in all at once.
 vec3 absorbance_of(uint fluid) {
@@ -46,7 +55,7 @@ void look_at(uint i, ivec2 corner, ivec2 all) {
   uint place = atomicAdd(disc_count, 1u);
   vec2 scale = 2.0 * clip.w / (reach * vec2(all)), middle = (0.5 * clip.xy / clip.w + 0.5) * vec2(all) - 0.5;
   discs[place] = vec4(scale, (vec2(corner) - middle) * scale);
-  distances[place] = hides == 1 ? clip.w : 0.5 * clip.z / clip.w + 0.5;
+  distances[place] = hides == 1 ? clip.w : (clip.z / clip.w + 1.0) * to_sun.w;
   if (lowest_fluid < highest_fluid) absorbances[place] = absorbance_of(fluid_indices[i]) / most;
 }
 
@@ -54,24 +63,37 @@ void look_at(uint i, ivec2 corner, ivec2 all) {
 struct Sums {
   ivec4 metres, red, green, blue;
   vec4 nearest;
+  uvec4 slices;
 };
+const Sums no_sums = Sums(ivec4(0), ivec4(0), ivec4(0), ivec4(0), vec4(no_gap), uvec4(0u));
+const int amounts = 1, first_depths = 2, depth_slices = 4;  // what a pass over the discs finds; may be added up
+
+// A ball of one spacing, within the disc of `radius`: balls of neighbours leave no gap between them.
+uvec4 slices_of(vec4 u, float distance, vec4 start) {
+  vec4 square = floor_.z * floor_.z - (1.0 - u) * radius * radius;
+  vec4 half_way = sqrt(max(square, 0.0)), beyond = distance - start;
+  uvec4 met = slices_between(slice_at(beyond - half_way), slice_at(beyond + half_way));
+  return met * uvec4(greaterThan(square, vec4(0.0)));
+}
 
 // `x` and `y` in the block; `behind`: the distance of what hides fluid.
-void add_discs(inout Sums own, vec4 x, vec4 y, vec4 behind) {
+void add_discs(inout Sums own, int finds, vec4 x, vec4 y, vec4 behind, vec4 start) {
   float amount = units * floor_.z * floor_.z * 3.0 / (3.14159265 * radius * radius);
-  float depth_of_radius = 0.5 * radius / to_sun.w;
   bool is_one_fluid = lowest_fluid == highest_fluid;
   for (uint k = gl_LocalInvocationID.x / quads; k < disc_count; k += parts) {
     vec4 disc = discs[k], right = x * disc.x + disc.z, up_ = y * disc.y + disc.w;
     float distance = distances[k];
     vec4 u = max(1.0 - right * right - up_ * up_, 0.0);
-    vec4 part = mix(vec4(0.0), amount * u * u, greaterThanEqual(behind, vec4(distance)));
-    own.metres += ivec4(part + 0.5);
+    bvec4 is_hidden = lessThan(behind, vec4(distance));
+    if ((finds & depth_slices) != 0) own.slices |= slices_of(u, distance, start) * uvec4(not(is_hidden));
     // As a ball would have it, behind whose top the disc is hung: steps from disc to disc would be seen as shades.
-    if (hides == 0) {
-      vec4 depth = distance + depth_of_radius * (1.0 - sqrt(u));
-      own.nearest = min(own.nearest, mix(vec4(1.0), depth, greaterThan(u, vec4(0.0))));
+    if ((finds & first_depths) != 0) {
+      vec4 depth = distance + radius * (1.0 - sqrt(u));
+      own.nearest = min(own.nearest, mix(vec4(no_gap), depth, greaterThan(u, vec4(0.0))));
     }
+    if ((finds & amounts) == 0) continue;
+    vec4 part = mix(amount * u * u, vec4(0.0), is_hidden);
+    own.metres += ivec4(part + 0.5);
     if (is_one_fluid) continue;
     own.red += ivec4(part * absorbances[k].r + 0.5);
     own.green += ivec4(part * absorbances[k].g + 0.5);
@@ -88,13 +110,15 @@ void note_fluids(int list) {
   }
 }
 
-void add_list(int list, ivec2 corner, ivec2 all, ivec2 place, vec4 behind, inout Sums own) {
+void add_list(int list, int finds, ivec2 corner, ivec2 all, ivec2 place, vec4 behind, inout Sums own) {
   uint begin = list_begin(list), end = begin + list_count(list), self = gl_LocalInvocationID.x;
   vec4 x = vec4(place.x) + vec4(0.0, 1.0, 0.0, 1.0), y = vec4(place.y) + vec4(0.0, 0.0, 1.0, 1.0);
+  int k = place.y * size + place.x;
+  vec4 start = vec4(starts[k], starts[k + 1], starts[k + size], starts[k + size + 1]);
   for (; begin < end; begin += group_size) {
     if (begin + self < end) look_at(tile_entries[begin + self], corner, all);
     barrier();
-    add_discs(own, x, y, behind);
+    add_discs(own, finds, x, y, behind, start);
     barrier();
     if (self == 0u) disc_count = 0u;
     barrier();
@@ -104,7 +128,8 @@ void add_list(int list, ivec2 corner, ivec2 all, ivec2 place, vec4 behind, inout
 void add_up(ivec2 place, Sums own) {
   for (int i = 0; i < 4; ++i) {
     int k = (place.y + i / 2) * size + place.x + i % 2;
-    if (own.nearest[i] < 1.0) atomicMin(nearest[k], floatBitsToUint(max(own.nearest[i], 0.0)));
+    if (own.slices[i] != 0u) atomicOr(slices[k], own.slices[i]);
+    if (own.nearest[i] < no_gap) atomicMin(nearest[k], floatBitsToUint(max(own.nearest[i], 0.0)));
     if (own.metres[i] == 0) continue;
     atomicAdd(metres[k], own.metres[i]);
     if (lowest_fluid == highest_fluid) continue;
@@ -114,34 +139,90 @@ void add_up(ivec2 place, Sums own) {
   }
 }
 
-// Of pixels of the sums; without solids that hide fluid beyond all depths.
-float hidden_from(ivec2 pixel) {
-  return hides == 1 ? texelFetch(scene_distance, min(2 * pixel + 1, textureSize(scene_distance, 0) - 1), 0).r : 2.0;
+// All discs of the block; the results are in shared memory.
+void find(int finds, ivec2 place, vec4 behind) {
+  int list = int(gl_WorkGroupID.y / 2u) * tiles.x + int(gl_WorkGroupID.x / 2u);
+  ivec2 corner = ivec2(gl_WorkGroupID.xy) * size, all = imageSize(sums);
+  Sums own = no_sums;
+  add_list(list, finds, corner, all, place, behind, own);
+  add_list(tiles.x * tiles.y, finds, corner, all, place, behind, own);
+  add_up(place, own);
+  barrier();
 }
 
-void put(ivec2 pixel, uint k) {
+// Of pixels of the sums; without solids that hide fluid beyond all depths.
+float hidden_from(ivec2 pixel) {
+  return hides == 1 ? texelFetch(scene_distance, min(2 * pixel + 1, textureSize(scene_distance, 0) - 1), 0).r : no_gap;
+}
+
+// Of the four pixels of the picture; no_gap where there is no surface.
+float first_surface(ivec2 pixel) {
+  float nearest = no_gap;
+  for (int k = 0; k < 4; ++k) {
+    float found = fluid_depth(2 * pixel + ivec2(k & 1, k >> 1));
+    if (found > 0.0) nearest = min(nearest, found);
+  }
+  return nearest;
+}
+
+// Absorbance; metres.
+vec4 summed(uint k) {
   float length = float(metres[k]) * (floor_.z / units);
   vec3 dyed = vec3(red[k], green[k], blue[k]) * (floor_.z / units * most);
   if (lowest_fluid == highest_fluid) dyed = length * absorbance_of(lowest_fluid);
-  imageStore(sums, pixel, vec4(dyed / centre.w, hides == 1 ? length : uintBitsToFloat(nearest[k])));
+  return vec4(dyed / centre.w, length);
+}
+
+// Distance at which the front layer has ended and the rest not begun, m.
+float gap_at(ivec2 place) {
+  int k = place.y * size + place.x;
+  vec2 gap = gap_behind(slices[k]);
+  return starts[k] < no_gap && gap.x < no_gap ? starts[k] + 0.5 * (gap.x + gap.y) : no_gap;
+}
+
+void clear(uint k) {
+  metres[k] = red[k] = green[k] = blue[k] = 0;
+}
+
+// Once the surface is known.
+void start_at(uint k, float distance) {
+  starts[k] = distance;
+  slices[k] = distance < no_gap ? 1u : 0u;  // a surface has fluid behind it
+}
+
+float sun_depth(float distance) {
+  return min(0.5 * distance / to_sun.w, 1.0);
+}
+
+void put(ivec2 pixel, uint k, vec4 front, vec4 total) {
+  vec4 others = total - front;
+  if (hides == 0) {
+    front.a = sun_depth(starts[k]);
+    others.a = sun_depth(starts[k] + gap_behind(slices[k]).y);
+  } else {
+    imageStore(layer_slices, pixel, uvec4(floatBitsToUint(starts[k]), slices[k], 0u, 0u));
+  }
+  imageStore(sums, pixel, front);
+  imageStore(rest, pixel, others);
 }
 
 void main() {
   uint self = gl_LocalInvocationID.x;
   int list = int(gl_WorkGroupID.y / 2u) * tiles.x + int(gl_WorkGroupID.x / 2u), shared_list = tiles.x * tiles.y;
   ivec2 corner = ivec2(gl_WorkGroupID.xy) * size, pixel = corner + ivec2(int(self) % size, int(self) / size);
-  ivec2 all = imageSize(sums);
-  if (list_count(list) + list_count(shared_list) == 0u) {
-    if (self < pixels) imageStore(sums, pixel, vec4(0.0, 0.0, 0.0, hides == 1 ? 0.0 : 1.0));
-    return;
-  }
   if (self < pixels) {
-    metres[self] = red[self] = green[self] = blue[self] = 0;
-    nearest[self] = floatBitsToUint(1.0);
+    clear(self);
+    nearest[self] = floatBitsToUint(no_gap);
+    start_at(self, hides == 1 ? first_surface(pixel) : no_gap);
+  }
+  if (list_count(list) + list_count(shared_list) == 0u) {
+    if (self < pixels) put(pixel, self, vec4(0.0), vec4(0.0));
+    return;
   }
   lowest_fluid = ~0u;
   highest_fluid = 0u;
   disc_count = 0u;
+  has_layers = false;
   int quad = int(self % quads);
   ivec2 place = 2 * ivec2(quad % (size / 2), quad / (size / 2)), first = corner + place;
   vec4 behind = vec4(hidden_from(first), hidden_from(first + ivec2(1, 0)), hidden_from(first + ivec2(0, 1)),
@@ -150,10 +231,20 @@ void main() {
   note_fluids(list);
   note_fluids(shared_list);
   barrier();
-  Sums own = Sums(ivec4(0), ivec4(0), ivec4(0), ivec4(0), vec4(1.0));
-  add_list(list, corner, all, place, behind, own);
-  add_list(shared_list, corner, all, place, behind, own);
-  add_up(place, own);
+  find(amounts + (hides == 1 ? depth_slices : first_depths), place, behind);
+  vec4 total = self < pixels ? summed(self) : vec4(0.0), front = total;
+  if (hides == 0) {
+    if (self < pixels) start_at(self, uintBitsToFloat(nearest[self]));
+    barrier();
+    find(depth_slices, place, behind);
+  }
+  vec4 gaps = vec4(gap_at(place), gap_at(place + ivec2(1, 0)), gap_at(place + ivec2(0, 1)), gap_at(place + 1));
+  if (any(lessThan(gaps, vec4(no_gap)))) has_layers = true;
+  if (self < pixels) clear(self);
   barrier();
-  if (self < pixels) put(pixel, self);
+  if (has_layers) {
+    find(amounts, place, min(behind, gaps));
+    if (self < pixels) front = summed(self);
+  }
+  if (self < pixels) put(pixel, self, front, total);
 }

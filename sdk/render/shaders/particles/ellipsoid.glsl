@@ -14,12 +14,15 @@ float longest(vec3 radii) {
   return max(radii.x, max(radii.y, radii.z));
 }
 
-// Pixels, from first to last; first > last where nothing of it is seen.
-ivec4 pixels_of(Particle p, mat3 turn, vec3 middle) {
-  if (!is_seen(middle, longest(p.radii))) return ivec4(0, 0, -1, -1);
+mat3 axes_of(Particle p, mat3 turn) {
+  return mat3(turn[0] * p.radii.x, turn[1] * p.radii.y, turn[2] * p.radii.z);
+}
+
+// Pixels, from first to last; first > last where nothing of it is seen. No axis is longer than `reach`.
+ivec4 pixels_of(mat3 axes, float reach, vec3 middle) {
+  if (!is_seen(middle, reach)) return ivec4(0, 0, -1, -1);
   vec2 low, high;
-  picture_of(mat4(vec4(turn[0] * p.radii.x, 0.0), vec4(turn[1] * p.radii.y, 0.0), vec4(turn[2] * p.radii.z, 0.0),
-                  vec4(middle, 1.0)), low, high);
+  picture_of(mat4(vec4(axes[0], 0.0), vec4(axes[1], 0.0), vec4(axes[2], 0.0), vec4(middle, 1.0)), low, high);
   // Centres of pixels lie at halves.
   vec2 first = (0.5 * low + 0.5) * viewport.xy - 0.5, last = (0.5 * high + 0.5) * viewport.xy - 0.5;
   return ivec4(ceil(clamp(first, vec2(0.0), viewport.xy)), floor(clamp(last, vec2(-1.0), viewport.xy - 1.0)));

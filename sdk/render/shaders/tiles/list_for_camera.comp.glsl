@@ -26,7 +26,7 @@ ivec4 pixels_covered(uint i, out uint strand) {
   if (is_grain(fluid_indices[i]) || !is_finite(p.centre) || !is_finite(p.radii)) return ivec4(0, 0, -1, -1);
   vec3 middle = (view * vec4(p.centre, 1.0)).xyz;
   strand = strand_at(-middle.z);
-  ivec4 ellipsoid = pixels_of(p, turn_of(p.rotation), middle);
+  ivec4 ellipsoid = pixels_of(axes_of(p, turn_of(p.rotation)), longest(p.radii), middle);
   ivec4 disc = disc_pixels(projection * vec4(middle, 1.0), radius * vec2(projection[0][0], projection[1][1]),
                            ivec2(viewport.xy + 1.0) / 2);
   if (disc.x > disc.z || disc.y > disc.w) return ellipsoid;

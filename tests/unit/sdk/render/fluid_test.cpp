@@ -204,11 +204,11 @@ TEST_F(FluidPictureTest, ParticlesThatAreNotFiniteAreLeftOut) {
 
 /// Of those that cover few tiles of the picture, and of one that covers most.
 TEST_F(FluidPictureTest, ABallOfAnySizeIsDrawnWhole) {
-  io::PreviewScene scene = small_scene(0.8f);
-  scene.width = 640;
-  scene.height = 480;
-  scene.shapes = {shape(PlaneGeometry{}, {0, -50, 0})};
   for (const float radius : {0.02f, 0.1f, 0.8f}) {
+    io::PreviewScene scene = small_scene(radius);
+    scene.width = 640;
+    scene.height = 480;
+    scene.shapes = {shape(PlaneGeometry{}, {0, -50, 0})};
     const Ellipsoid ball{{0, 0, 0}, {radius, radius, radius}, {0, 0, 0, 1}};
     const uint32_t fluid = 0;
     const render::Moment moment{.ellipsoids = {&ball, 1}, .fluids = {&fluid, 1}};
