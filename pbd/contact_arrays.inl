@@ -42,6 +42,7 @@ void ContactArrays<D>::resize(uint32_t contacts) {
   }
   particle_.fill(0);
   touching_.fill(0);
+  contacts_.fill(0);  // kernels load a contact together with the count that says whether it is one
 }
 
 template <class D>
