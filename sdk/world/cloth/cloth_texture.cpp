@@ -103,6 +103,8 @@ class MakeTexture {
     return by_triangle([&](const std::array<Vec3, 3>& at) { return sphere_corners(g, at); });
   }
   std::vector<TexturePoint> operator()(const ClothTriangles&) const { return {}; }
+  std::vector<TexturePoint> operator()(const DrivenTriangles&) const { return {}; }
+  std::vector<TexturePoint> operator()(const DrivenFiles&) const { return {}; }
   std::vector<TexturePoint> operator()(const ClothFile& g) const {
     const TexturedCloth file = read_texture(g, files_);
     std::vector<TexturePoint> points;
