@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <utility>
 
 #include "sdk/fields/probes.h"
@@ -256,7 +257,10 @@ StepReport World::Calls::finish() {
   report.diffuse = engine.diffuse_count();
   report.diffuse_refused = engine.diffuse_refused();
   impl_->budget.note(report, impl_->begin_ms + ms_since(start));
-  impl_->log_step(report);
+  try {
+    impl_->log_step(report);
+  } catch (const std::bad_alloc&) {  // the step is done, and a message is not worth it
+  }
   return report;
 }
 

@@ -109,6 +109,7 @@ collision::RigidBodyDef rigid_body(const BodyEntry& body) {
 
 void World::Impl::note_repairs(const SolidPieces& solid) {
   mesh_repairs.insert(mesh_repairs.end(), solid.repairs.begin(), solid.repairs.end());
+  if (!log.is_read()) return;
   for (const MeshRepair& r : solid.repairs)
     log.note("the surface of " + r.file + " was rebuilt, within " + std::to_string(r.deviation) + " m");
 }

@@ -68,6 +68,16 @@ void World::Impl::note_sleep() {
   });
 }
 
+/// Notes that a solid is removed. Takes memory before it changes anything.
+void World::Impl::forget_solid(const RigidRef& solid) {
+  if (forgotten.size() == forgotten.capacity()) forgotten.reserve(2 * forgotten.size() + 1);
+  if (removed_solids.size() == removed_solids.capacity())
+    removed_solids.reserve(2 * removed_solids.size() + 1);
+  engine->forget_contacts(solid.number, solid.is_body ? TouchedKind::body : TouchedKind::shape);
+  forgotten.push_back(solid);
+  removed_solids.push_back(solid);
+}
+
 const std::vector<ContactEvent>& World::Calls::contact_events() const {
   return impl_->events;
 }

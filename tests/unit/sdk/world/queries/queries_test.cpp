@@ -175,7 +175,7 @@ TEST_P(QueriesTest, TheFluidIsSampledAsProbesDo) {
   density.point = velocity.point = inside;
   const ProbeId a = world.create_probe(density), b = world.create_probe(velocity);
   const FluidSample before = world.sample_fluid(std::vector<Vec3>{{0.25f, 0.25f, 0.25f}})[0];
-  EXPECT_NEAR(before.density, 1000, 25) << "a lattice at rest";
+  EXPECT_NEAR(before.density, 1000, 40) << "a lattice at rest, between its points";
   run(world, 5, 0.01f);
   const std::vector<FluidSample> found = world.sample_fluid(std::vector<Vec3>{inside, {0.9f, 0.9f, 0.25f}});
   ASSERT_EQ(found.size(), 2u);
