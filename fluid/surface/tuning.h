@@ -38,7 +38,7 @@ inline constexpr float least_from_node = 1e-3f;
 
 /// m/s: the unit of velocities that are summed at nodes, and the largest component. With the field's unit of
 /// 2⁻²⁰ a sum of 2⁷ full contributions at this speed fits 63 bits.
-/// Test: SurfaceMeshTest.VerticesMoveAsTheFluid.
+/// Test: SurfaceVelocityTest.AUniformVelocityIsThatOfEachVertex.
 inline constexpr float speed_unit = 1.0f / (1 << 22), fastest = 8192;
 
 }  // namespace meniscus::fluid::surface_tuning

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <sys/uio.h>
 
+#include <atomic>
 #include <cerrno>
 
 #include "tests/faults/program_runs.h"
@@ -21,7 +22,7 @@ struct DiskFault {
   bool kills = false;
 };
 DiskFault fault;
-int writes = 0;
+std::atomic<int> writes = 0;  // files are written by two threads
 
 /// Whether a write is to fail now.
 bool fails(int file) {

@@ -246,60 +246,6 @@ TEST_P(SurfaceMeshTest, OneFluidOrAllButNoGrains) {
   EXPECT_TRUE(world.surface_mesh({.fluid = none}).vertices.empty());
 }
 
-/// The mean velocity at a place by the particles' parts of the field, without a grid.
-Vec3 field_velocity(std::span<const Ellipsoid> ellipsoids, std::span<const Vec3> velocities, Vec3 at) {
-  const fluid::SurfaceField f = fluid::calibrate_surface(s, 2 * s);
-  double sum = 0, x = 0, y = 0, z = 0;
-  for (size_t i = 0; i < ellipsoids.size(); ++i) {
-    const Ellipsoid& e = ellipsoids[i];
-    const Vec3 d = rotate(conjugate(e.rotation), at - e.centre) / f.reach;
-    const Vec3 q{d.x / e.radii.x, d.y / e.radii.y, d.z / e.radii.z};
-    const double volume = double{e.radii.x} * e.radii.y * e.radii.z;
-    const double part = f.weight * std::pow(f.unit_volume / volume, f.power) *
-                        std::pow(std::max(0.0, 1 - double{dot(q, q)}), 3);
-    sum += part;
-    x += part * velocities[i].x;
-    y += part * velocities[i].y;
-    z += part * velocities[i].z;
-  }
-  return {static_cast<float>(x / sum), static_cast<float>(y / sum), static_cast<float>(z / sum)};
-}
-
-TEST_P(SurfaceMeshTest, VerticesMoveAsTheFluid) {
-  World world = world_of(ball(5.3f * s));
-  std::vector<Vec3> turning;
-  for (const Vec3 p : world.positions()) turning.push_back(cross({2, -3, 5}, p) + Vec3{0.5f, 0, -1});
-  world.set_velocities(turning);
-  const std::vector<Vec3> velocities(world.velocities().begin(), world.velocities().end());
-  const std::span<const Ellipsoid> ellipsoids = world.ellipsoids();
-  const float turn = length(Vec3{2, -3, 5});
-  for (const auto& [cell, bound] :
-       {std::pair{0.5f, 0.3f}, std::pair{0.25f, 0.08f}, std::pair{0.125f, 0.02f}}) {
-    const SurfaceMesh mesh = world.surface_mesh({.cell_size = cell});
-    ASSERT_EQ(mesh.velocities.size(), mesh.vertices.size());
-    float most = 0;
-    for (size_t v = 0; v < mesh.vertices.size(); v += 17) {
-      const Vec3 wanted = field_velocity(ellipsoids, velocities, mesh.vertices[v]);
-      most = std::max(most, length(mesh.velocities[v] - wanted));
-      // Particles are within about a spacing below the surface.
-      const Vec3 rigid = cross({2, -3, 5}, mesh.vertices[v]) + Vec3{0.5f, 0, -1};
-      ASSERT_LT(length(mesh.velocities[v] - rigid), turn * s) << v;
-    }
-    EXPECT_LT(most, bound * turn * s) << "cells of " << cell;
-  }
-}
-
-TEST_P(SurfaceMeshTest, AUniformVelocityIsThatOfEachVertex) {
-  World world = world_of(ball(3.1f * s));
-  for (const Vec3 velocity : {Vec3{1e-3f, -2, 3}, Vec3{7000, 0, -7000}}) {
-    world.set_velocities(std::vector<Vec3>(world.particle_count(), velocity));
-    for (const Vec3 v : world.surface_mesh().velocities)
-      ASSERT_LT(length(v - velocity), 1e-6f + 1e-6f * length(velocity));
-  }
-  world.set_velocities(std::vector<Vec3>(world.particle_count(), {1e5f, 0, 0}));
-  for (const Vec3 v : world.surface_mesh().velocities) ASSERT_NEAR(v.x, 8192, 0.1f) << "it is the most";
-}
-
 TEST_P(SurfaceMeshTest, AHigherLevelIsThinner) {
   const World world = world_of(ball(5 * s));
   double before = 1e9;

@@ -72,7 +72,7 @@ TEST_F(CompletionTest, BashCompletesCommandsOptionsAndValues) {
   EXPECT_EQ(of_bash("meniscus run drop --device c"), (Words{"cpu", "cuda"}));
   EXPECT_EQ(of_bash("meniscus run drop --device = cu"), (Words{"cuda"}));
   EXPECT_EQ(of_bash("meniscus run drop --render = ''"), (Words{"frames", "last", "auto"}));
-  EXPECT_EQ(of_bash("meniscus run drop --export ply,v"), (Words{"ply,vtp"}));
+  EXPECT_EQ(of_bash("meniscus run drop --export ply,vt"), (Words{"ply,vtp"}));
   EXPECT_EQ(of_bash("meniscus run drop --frames ''"), (Words{""})) << "a number";
   EXPECT_EQ(of_bash("meniscus check dr"), (Words{"drop.json"})) << "a file here";
   EXPECT_EQ(of_bash("meniscus completion z"), (Words{"zsh"}));
@@ -94,7 +94,7 @@ TEST_F(CompletionTest, FishCompletesCommandsOptionsAndValues) {
   EXPECT_EQ(of_fish("meniscus run --fra"), (Words{"--frames"}));
   EXPECT_EQ(of_fish("meniscus run drop --device c"), (Words{"cpu", "cuda"}));
   EXPECT_EQ(of_fish("meniscus run drop --render=l"), (Words{"--render=last"}));
-  EXPECT_EQ(of_fish("meniscus run drop --export ply,v"), (Words{"ply,vtp"}));
+  EXPECT_EQ(of_fish("meniscus run drop --export ply,vt"), (Words{"ply,vtp"}));
   EXPECT_EQ(of_fish("meniscus completion z"), (Words{"zsh"}));
 }
 

@@ -61,8 +61,9 @@ TEST_F(ProgramTest, ValidateWritesAPageOnTheCasesThatAreNamed) {
 }
 
 TEST_F(ProgramTest, ARunTakesTheFilesOfTheOneBeforeAway) {
-  printed(
-      {"run", "raft", "--device", "cpu", "--frames", "2", "--export", "ply,vtp", "--quiet", "--out", out()});
+  printed({"run", "raft", "--device", "cpu", "--frames", "2", "--export", "ply,vtp,usd", "--quiet", "--out",
+           out()});
+  EXPECT_TRUE(fs::exists(folder_ / "out/scene.usda"));
   EXPECT_TRUE(fs::exists(folder_ / "out/bodies.csv"));
   EXPECT_TRUE(fs::exists(folder_ / "out/frames/frame_00002.ply"));
   std::ofstream(folder_ / "out/frames/notes.ply") << "mine";
