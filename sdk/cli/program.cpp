@@ -45,11 +45,11 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       run.add_option(
              "--export", options.formats,
              "Write every frame's particles, bodies, cloth and ropes, and the shapes, as ply, vtp, obj "
-             "and/or usd")
-          ->type_name("ply,vtp,obj,usd")
+             "and/or usd; fluids as volumes, as vdb")
+          ->type_name("ply,vtp,obj,usd,vdb")
           ->delimiter(',')
           ->allow_extra_args(false)
-          ->check(CLI::IsMember({"ply", "vtp", "obj", "usd"}).description(""));
+          ->check(CLI::IsMember({"ply", "vtp", "obj", "usd", "vdb"}).description(""));
   run.add_flag("--surface", options.surface, "With --export: the fluids' surfaces as meshes, too")
       ->needs(formats);
   run.add_flag(

@@ -19,7 +19,7 @@ scene = pathlib.Path(__file__).with_name("tank.json")
 folder = pathlib.Path("out/export")
 
 subprocess.run([program, "run", str(scene), "--frames", str(FRAMES), "--out", str(folder), "--quiet",
-                "--export", "obj,ply", "--surface"], check=True)
+                "--export", "obj,ply,usd", "--surface"], check=True)
 
 
 def read_obj(path: pathlib.Path) -> tuple[np.ndarray, np.ndarray]:
@@ -61,4 +61,6 @@ axes.plot_trisurf(vertices[:, 0], -vertices[:, 2], vertices[:, 1], triangles=tri
 axes.set_aspect("equal")
 plt.savefig("export_frames.png", dpi=75)
 
+stage = (folder / "scene.usda").read_text()
+assert f"endTimeCode = {FRAMES}\n" in stage and 'def Mesh "water"' in stage, "the stage lacks the surface"
 assert np.abs(np.array(volumes) / expected - 1).max() < 0.05, "the surface does not hold the volume of the particles"

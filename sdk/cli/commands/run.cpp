@@ -26,11 +26,17 @@
 #include "sdk/cli/stop/interrupt.h"
 #include "sdk/fields/probes.h"
 #include "sdk/io/plain_text.h"
+#include "sdk/io/vdb.h"
 
 namespace meniscus::cli {
 namespace {
 
+bool exports_vdb(const RunOptions& options) {
+  return std::count(options.formats.begin(), options.formats.end(), "vdb") > 0;
+}
+
 Scene scene_of(const RunOptions& options) {
+  if (exports_vdb(options)) io::require_vdb();
   Scene scene = chosen_scene(options.scene);
   if (options.frames) scene.frames = *options.frames;
   expect_floor(scene);
@@ -67,7 +73,7 @@ class Run {
   explicit Run(const RunOptions& options)
       : scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
-        surface_(options.surface),
+        liquid_(options.surface || exports_vdb(options)),
         exports_(!options.formats.empty()),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_)),
@@ -134,7 +140,7 @@ class Run {
 
   /// The geometry of a frame; that of frame 0 is the state before the first step.
   void write(FrameSample& now) {
-    if (surface_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
+    if (liquid_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
     if (exports_) io::add_texture(now.cloth, built_.world, built_.cloths);
     exporter_.write(now);
   }
@@ -221,7 +227,8 @@ class Run {
 
   Scene scene_;
   io::PreviewScene picture_;
-  bool surface_, exports_;
+  bool liquid_;   // whether surfaces of fluids are exported, as meshes or as volumes
+  bool exports_;  // whether anything is
   std::filesystem::path folder_;
   BuiltScene built_;
   int reached_;  // the frame from which it starts; 0 without a snapshot

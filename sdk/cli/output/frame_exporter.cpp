@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Writes the frames of a run as PLY, VTP, OBJ and USD files.
+// Writes the frames of a run as PLY, VTP, OBJ, USD and OpenVDB files.
 #include "sdk/cli/output/frame_exporter.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -11,6 +11,7 @@
 #include "pbd/host_memory.h"
 #include "sdk/io/obj.h"
 #include "sdk/io/ply.h"
+#include "sdk/io/vdb.h"
 #include "sdk/io/vtp.h"
 
 namespace meniscus::cli {
@@ -30,6 +31,7 @@ FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std
       vtp_(has(formats, "vtp")),
       obj_(has(formats, "obj")),
       usd_(has(formats, "usd")),
+      vdb_(has(formats, "vdb") && !scene.fluids.empty()),
       any_(!formats.empty()),
       particles_(!scene.fluids.empty() || !scene.granulars.empty() ||
                  (scene.cloths.empty() && scene.ropes.empty())),
@@ -83,6 +85,9 @@ void FrameExporter::write_all(const io::SceneFrame& frame) {
   if (ropes_) write_files("ropes", number, frame.ropes, rope_collection_);
   if (surface_) write_files("surface", number, frame.liquid, surface_collection_);
   if (usd_) write_usd(frame);
+  if (vdb_)
+    io::write_vdb(folder_ / fmt::format("frames/liquid_{:05}.vdb", number), frame.liquid, frame.particles(),
+                  scene_.world.particle_spacing);
 }
 
 void FrameExporter::write_shapes() const {

@@ -27,14 +27,14 @@ namespace meniscus::cli {
 /// as ropes_00001. A scene with cloth or ropes but no fluid has no particles to write. On request, the
 /// surface of its fluids is surface_00001. Fixed shapes are FOLDER/frames/shapes.ply, .vtp or .obj. With vtp,
 /// FOLDER/particles.pvd, diffuse.pvd, bodies.pvd, cloth.pvd, ropes.pvd and surface.pvd list the frames. With
-/// usd, FOLDER/scene.usda has all of it.
+/// usd, FOLDER/scene.usda has all of it. With vdb, liquids are liquid_00001.vdb.
 ///
 /// Files are written on a thread of their own, in the order of the frames. At most three frames wait or are
 /// being written; then the run waits.
 class FrameExporter {
  public:
-  /// `formats`: "ply", "vtp", "obj" and "usd"; empty writes nothing. Throws Error(io), and what BodySurfaces
-  /// throws.
+  /// `formats`: "ply", "vtp", "obj", "usd" and "vdb"; empty writes nothing. Throws Error(io), and what
+  /// BodySurfaces throws.
   FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats, bool surface,
                 const Scene& scene);
 
@@ -57,7 +57,7 @@ class FrameExporter {
 
   std::filesystem::path folder_;
   Scene scene_;
-  bool ply_, vtp_, obj_, usd_;
+  bool ply_, vtp_, obj_, usd_, vdb_;
   bool any_;                                            // whether there is any format
   bool particles_, diffuse_, cloth_, ropes_, surface_;  // whether there are any
   bool shapes_written_ = false;
