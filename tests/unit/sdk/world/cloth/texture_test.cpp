@@ -84,7 +84,7 @@ TEST_P(ClothTextureTest, AFileHasItsOwnAndWeldingKeepsThemApart) {
   // Two charts: the middle column has other coordinates on its two sides.
   const char* charts =
       "v 0 0 0\nv 0.1 0 0\nv 0.2 0 0\nv 0 0 0.1\nv 0.1 0 0.1\nv 0.2 0 0.1\n"
-      "vt 0 0\nvt .3 0\nvt 0 1\nvt .3 1\nvt .6 0\nvt .9 0\nvt .6 1\nvt .9 1\n"
+      "vt 0 0\nvt 0.3 0\nvt 0 1\nvt 0.3 1\nvt 0.6 0\nvt 0.9 0\nvt 0.6 1\nvt 0.9 1\n"
       "f 1/1 4/3 5/4\nf 1/1 5/4 2/2\nf 2/5 5/7 6/8\nf 2/5 6/8 3/6\n";
   const ClothId id = create(ClothFile{folder.write("charts.obj", charts), 1});
   const std::span<const TexturePoint> texture = world_.cloth_texture(id);
