@@ -48,7 +48,8 @@ TEST_P(DrivenSurfaceTest, IsWhereItsKeyframesSay) {
       const Vec3 expected = plate.vertices[n] + Vec3{static_cast<float>(x), 1, 2};
       EXPECT_LT(length(world_.cloth_positions(id)[n] - expected), 2e-6f) << t;
       const bool turns = std::fabs(t - 0.1) < 1e-3 || std::fabs(t - 0.4) < 1e-3 || t > 0.7 - 1e-3;
-      if (!turns) EXPECT_LT(length(world_.cloth_velocities(id)[n] - Vec3{v, 0, 0}), 1e-3f) << t;
+      if (turns) continue;
+      EXPECT_LT(length(world_.cloth_velocities(id)[n] - Vec3{v, 0, 0}), 1e-3f) << t;
     }
   }
 }

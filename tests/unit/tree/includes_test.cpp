@@ -73,6 +73,7 @@ const Edges folders{
     {"sdk/engine/force_fields", {}},
     {"sdk/engine", {"sdk/engine/force_fields"}},
     {"sdk/world/check", {"sdk/fields"}},
+    {"sdk/motion", {"sdk/fields", "sdk/world/check"}},
     {"sdk/world/solids", {"sdk/engine", "sdk/world/check"}},
     {"sdk/world/cloth", {"sdk/engine", "sdk/world/check"}},
     {"sdk/world/flow", {"sdk/engine", "sdk/world/check", "sdk/world/solids"}},

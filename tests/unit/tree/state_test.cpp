@@ -31,6 +31,7 @@ const std::set<std::string> stateless{
     "films_",        // made anew in each substep
     "forces_",       // made from the definitions
     "pistons_",      // made from the ducts of emitters
+    "driven_",       // made from the tracks of driven surfaces
     "effective_mass_", "tree_",      "contact_set_", "fluid_cloth_contacts_",
     "tension_",        "viscosity_", "smoothing_",
     "probes_",  // the world has read their values
