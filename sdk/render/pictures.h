@@ -26,7 +26,8 @@ struct Pictures {
   Texture lit{GL_RGBA16F, width, height};
   Texture toned{GL_RGBA8, width, height, GL_LINEAR};
   Texture picture{GL_RGBA8, width, height};
-  Texture behind_front{GL_RGBA16F, width, height, GL_LINEAR};  ///< lit scene, and the fluid behind the front layer
+  Texture behind_front{GL_RGBA16F, width, height,
+                       GL_LINEAR};  ///< lit scene, and the fluid behind the front layer
   Foam::Sums foam{width, height};
   Target to_surfaces{{&albedo, &normal}, &scene_depth};
   Target to_behind_front{{&behind_front}, nullptr};

@@ -82,7 +82,8 @@ void Renderer::Parts::check_particles(const Moment& moment) const {
   Particles::check_room(moment.world ? moment.world->particle_count() : moment.ellipsoids.size());
   if (moment.world) return;
   check_count("fluids", moment.fluids.size(), moment.ellipsoids.size());
-  if (!moment.velocities.empty()) check_count("velocities", moment.velocities.size(), moment.ellipsoids.size());
+  if (!moment.velocities.empty())
+    check_count("velocities", moment.velocities.size(), moment.ellipsoids.size());
   if (!settings.anisotropic) check_count("positions", moment.positions.size(), moment.ellipsoids.size());
 }
 

@@ -175,8 +175,8 @@ TEST_F(FluidPictures, Walls) {
 /// Single particles, round at rest and long where they are fast, before a pool and before the ground.
 TEST_F(FluidPictures, DropsBeforeAPool) {
   io::PreviewScene scene = on_ground({0, 0.9f, 2.2f}, {0, 0.25f, 0}, 30);
-  std::vector<Vec3> points = points_where(
-      spacing, {0.8f, 0.3f, 0.8f}, [](Vec3 p) { return p.y > 0 && p.y < 0.25f && p.x < 0.35f; });
+  std::vector<Vec3> points =
+      points_where(spacing, {0.8f, 0.3f, 0.8f}, [](Vec3 p) { return p.y > 0 && p.y < 0.25f && p.x < 0.35f; });
   const std::size_t drops = points.size();
   for (int i = 0; i < 14; ++i) {
     const float t = static_cast<float>(i);

@@ -32,8 +32,8 @@ class FoamQuality : public GoldenTest {
       p = p + random_vector(random, 0.01f);
       const float life = 2 * static_cast<float>(random() % 1000) / 1000;
       if (std::sin(9 * p.x) + std::sin(7 * p.z) < 0) continue;
-      all.push_back({p + Vec3{0.02f * time, 0, 0}, {0.02f, 0, 0}, std::fmod(life + 2 - time, 2.0f),
-                     DiffuseKind::foam});
+      all.push_back(
+          {p + Vec3{0.02f * time, 0, 0}, {0.02f, 0, 0}, std::fmod(life + 2 - time, 2.0f), DiffuseKind::foam});
     }
     return all;
   }

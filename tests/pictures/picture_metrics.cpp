@@ -23,7 +23,8 @@ struct Plane {
   T at(int x, int y) const {
     x = std::clamp(x, 0, width - 1);
     y = std::clamp(y, 0, height - 1);
-    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x)];
   }
 };
 
@@ -60,9 +61,11 @@ double edge_of(const Plane<double>& light, const Plane<char>& fluid) {
   int count = 0;
   for (int y = 1; y + 1 < light.height; ++y) {
     for (int x = 1; x + 1 < light.width; ++x) {
-      if (!body.at(x, y) || (body.at(x - 1, y) && body.at(x + 1, y) && body.at(x, y - 1) && body.at(x, y + 1)))
+      if (!body.at(x, y) ||
+          (body.at(x - 1, y) && body.at(x + 1, y) && body.at(x, y - 1) && body.at(x, y + 1)))
         continue;
-      sum += 0.5 * std::hypot(light.at(x + 1, y) - light.at(x - 1, y), light.at(x, y + 1) - light.at(x, y - 1));
+      sum +=
+          0.5 * std::hypot(light.at(x + 1, y) - light.at(x - 1, y), light.at(x, y + 1) - light.at(x, y - 1));
       ++count;
     }
   }

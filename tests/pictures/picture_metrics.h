@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Figures of a picture with foam, by which two renderers are compared. Luma is 0.299 R + 0.587 G + 0.114 B, 0 to 255.
+// Figures of a picture with foam, by which two renderers are compared. Luma is 0.299 R + 0.587 G + 0.114 B, 0
+// to 255.
 #pragma once
 
 #include <array>

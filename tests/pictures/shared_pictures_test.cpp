@@ -28,9 +28,7 @@ class SharedPictures : public RenderTest {
 TEST_F(SharedPictures, LookAsThoseByWayOfTheHost) {
   const World world = falling();
   const render::Moment shared{.world = &world},
-      copied{.ellipsoids = world.ellipsoids(),
-             .fluids = world.fluids(),
-             .velocities = world.velocities()};
+      copied{.ellipsoids = world.ellipsoids(), .fluids = world.fluids(), .velocities = world.velocities()};
   render::Renderer renderer(small_scene(), shared);
   const io::Image a = renderer.draw(shared), b = renderer.draw(copied), again = renderer.draw(shared);
   EXPECT_TRUE(difference_of(a, b).acceptable());

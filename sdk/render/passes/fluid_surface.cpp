@@ -17,7 +17,7 @@ namespace meniscus::render {
 namespace {
 
 constexpr GLuint read_binding = 8, write_binding = 9;  // see shaders/fluid/fluid_depth.glsl and filter.glsl
-constexpr GLuint rest_binding = 10;                   // see shaders/fluid/rest_depth.glsl
+constexpr GLuint rest_binding = 10;                    // see shaders/fluid/rest_depth.glsl
 
 void bind_storage(GLuint binding, const DataBuffer& buffer) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.name());

@@ -16,8 +16,9 @@ enum class SurfaceFilter {
   none,
 };
 
-/// The fluid's surfaces as the camera sees them, one number per pixel: see shaders/fluid/found.glsl. The first
-/// belongs to the front layer, and the second to the rest behind it, as FluidThickness tells them apart.
+/// The fluid's surfaces as the camera sees them, one number per pixel: see shaders/fluid/found.glsl. The
+/// first belongs to the front layer, and the second to the rest behind it, as FluidThickness tells them
+/// apart.
 class FluidSurface {
  public:
   FluidSurface(int width, int height);

@@ -14,7 +14,8 @@ FluidThickness::FluidThickness(int width, int height)
       sun_rest_(GL_RGBA32F, sun_size, sun_size) {}
 
 void FluidThickness::draw(const TileLists& lists, const Texture& sums, const Texture& rest,
-                          const Matrix4& to_clip, float x_per_metre, float y_per_metre, float spacing, bool hides) const {
+                          const Matrix4& to_clip, float x_per_metre, float y_per_metre, float spacing,
+                          bool hides) const {
   program_.use();
   glUniformMatrix4fv(1, 1, GL_FALSE, to_clip.data());
   glUniform2f(2, x_per_metre, y_per_metre);

@@ -14,9 +14,9 @@
 
 namespace meniscus::render {
 
-/// Spray, foam and bubbles. Their amounts along each line of sight, before a layer's surface and behind it, are
-/// summed up as a volume with half as many pixels each way, so that their order does not count. Then they are
-/// blended over the picture of the layer.
+/// Spray, foam and bubbles. Their amounts along each line of sight, before a layer's surface and behind it,
+/// are summed up as a volume with half as many pixels each way, so that their order does not count. Then they
+/// are blended over the picture of the layer.
 class Foam {
  public:
   /// The size is that of the picture.

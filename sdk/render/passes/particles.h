@@ -22,8 +22,8 @@ class Particles {
 
   /// Throws Error(capacity) if OpenGL's buffers do not hold that many.
   static void check_room(std::size_t count);
-  /// All have the same length; without velocities, m/s, drops are round. Particles that are not finite are not
-  /// drawn.
+  /// All have the same length; without velocities, m/s, drops are round. Particles that are not finite are
+  /// not drawn.
   void set(std::span<const Ellipsoid> ellipsoids, std::span<const uint32_t> fluids,
            std::span<const Vec3> velocities = {});
   /// The particles of a world. Its own device writes them if OpenGL draws there as well; otherwise they are

@@ -2,22 +2,24 @@
 // SPDX-License-Identifier: MIT
 // Where fluid lies along a line of sight: one bit per slice of depth, from the first surface on. Slices grow with
 // depth, so that 32 of them reach through any scene. The first run of bits is the front layer; the rest lies behind a gap.
-const float slice_growth = 1.1;
+// There are eight to an octave of 1 + depth / scale, as in a float's bits below 2⁴.
+const int slice_shift = 20;  // to three bits of the mantissa
+const uint first_slice = 0x3f800000u;  // the bits of 1
 
 // m; the first slice has three quarters of a spacing.
 float slice_scale() {
-  return 0.75 * floor_.z / (slice_growth - 1.0);
+  return 6.0 * floor_.z;
 }
-vec4 slice_at(vec4 beyond) {
-  return clamp(floor(log2(1.0 + max(beyond, 0.0) / slice_scale()) / log2(slice_growth)), 0.0, 31.0);
+uvec4 slice_at(vec4 beyond) {
+  return min((floatBitsToUint(1.0 + max(beyond, 0.0) / slice_scale()) - first_slice) >> slice_shift, 31u);
 }
 float slice_begin(int slice) {
-  return slice_scale() * (pow(slice_growth, float(slice)) - 1.0);
+  return slice_scale() * (uintBitsToFloat(first_slice + (uint(slice) << slice_shift)) - 1.0);
 }
 
 // All bits from `first` to `last`.
-uvec4 slices_between(vec4 first, vec4 last) {
-  return (~uvec4(0u) << uvec4(first)) & (~uvec4(0u) >> (31u - uvec4(last)));
+uvec4 slices_between(uvec4 first, uvec4 last) {
+  return (~uvec4(0u) << first) & (~uvec4(0u) >> (31u - last));
 }
 
 // How far behind the first surface, m, the gap after the front layer begins and ends; no_gap if nothing follows.
