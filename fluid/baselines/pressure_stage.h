@@ -20,7 +20,9 @@ class PressureStage {
   void reserve(uint32_t size, uint32_t sentinel) {
     compression_.resize_discard(size);
     step_.resize_discard(size);
-    step_.fill(0);  // kernels load a step before they know whether it has been found
+    // A substep without room for all contacts leaves some unwritten, and is done again.
+    compression_.fill(0);
+    step_.fill(0);
     staged_.resize_discard(size);
     constexpr float away = pbd::Particles::far_away;
     const pbd::Vec4 far[] = {{away, away, away, 0}};

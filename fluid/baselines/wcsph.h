@@ -33,6 +33,7 @@ class Wcsph final : public Baseline<D> {
   void reserve(uint32_t size, uint32_t sentinel) override {
     stage_.reserve(size, sentinel);
     change_.resize_discard(size);
+    change_.fill(0);
   }
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;
   uint32_t iterations_done(uint32_t) const override { return 0; }

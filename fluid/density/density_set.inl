@@ -265,6 +265,9 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
   multiplier_.reserve(size, kept);
   increment_.resize_discard(size);
   staged_.resize_discard(size);
+  // A substep without room for all contacts leaves some unwritten, and is done again.
+  increment_.fill(0);
+  staged_.fill(0);
   if (pressure_grid_) pressure_grid_->reserve(size);
   if (stop_) stop_->reserve(size);
   if (baseline_) baseline_->reserve(size, capacity);

@@ -15,6 +15,7 @@ namespace meniscus::fluid {
 template <class D>
 void PressureGrid<D>::reserve(uint32_t size) {
   found_.resize_discard(size);
+  found_.fill(0);  // a substep without room for all contacts leaves some unwritten, and is done again
   scale_.resize_discard(size);
   multiplier_.resize_discard(size);
 }
