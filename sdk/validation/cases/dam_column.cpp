@@ -4,6 +4,7 @@
 // A column of water twice as high as it is wide collapses: its front on the floor and its height at the wall.
 #include "sdk/validation/cases/dam_column.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sdk/validation/curves.h"
@@ -30,10 +31,11 @@ double height_of(const World& world, float width) {
 
 }  // namespace
 
-WorldDef column_world(const Settings& settings, float spacing) {
-  WorldDef def = settings.world(spacing);
-  if (settings.resolution != Resolution::full) return def;
-  def.density.solver = DensitySolver::grid;
+WorldDef column_world(const Settings& settings, float width, int across) {
+  constexpr int across_a_substep = 5;
+  WorldDef def = settings.world(width / float(across));
+  def.substeps = std::max(def.substeps, across / across_a_substep);
+  if (settings.resolution == Resolution::full) def.density.solver = DensitySolver::grid;
   return def;
 }
 

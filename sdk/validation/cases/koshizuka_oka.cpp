@@ -30,7 +30,7 @@ double outside_band(const Curve& front) {
 Result result_of(const Settings& settings) {
   const int across = settings.choose(20, 40, 160);
   constexpr float width = 0.146f;  // m
-  DamMotion motion = collapse({column_world(settings, width / float(across)), width, 4}, 3.8);
+  DamMotion motion = collapse({column_world(settings, width, across), width, 4}, 3.8);
   Result result;
   result.at_most(
       "front, RMS", "%", 100 * rms_relative_error(motion.front, readings), 10, Bar::target,
