@@ -161,7 +161,9 @@ TEST_P(CHost, ARecordingIsRepeated) {
     ASSERT_EQ(meniscus_replay_next(opened, started, &step), MENISCUS_OK) << meniscus_last_error();
     EXPECT_EQ(step.is_there, 1);
     EXPECT_EQ(step.hash, step.recorded_hash);
-    if (k == 0) EXPECT_EQ(step.iterations, 3);
+    if (k == 0) {
+      EXPECT_EQ(step.iterations, 3);
+    }
   }
   ASSERT_EQ(meniscus_replay_next(opened, started, &step), MENISCUS_OK);
   EXPECT_EQ(step.is_there, 0);

@@ -80,7 +80,7 @@ TEST_P(OtherDeviceTest, GoesOnThere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Case, OtherDeviceTest, testing::ValuesIn(snapshot_cases()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& chosen) { return std::string(chosen.param.name); });
 
 }  // namespace
 }  // namespace meniscus::tests
