@@ -94,11 +94,12 @@ class Solver {
   /// Advances by dt. When the result's summary counts non-finite particles, the state is the one before the
   /// call.
   StepResult step(float dt) {
-    begin_step(dt);
+    begin_step(dt, parameters_.iterations);
     return end_step();
   }
-  /// The two halves of step(). Between them the device works, and nothing else may be called.
-  void begin_step(float dt);
+  /// The two halves of step(), with a number of iterations of its own. Between them the device works, and
+  /// nothing else may be called.
+  void begin_step(float dt, int iterations);
   StepResult end_step();
   /// Solves for positions and discards the velocities: resolves overlaps.
   void relax(float dt, int times);
@@ -184,7 +185,8 @@ class Solver {
   bool fresh_ = true;       // particles were added or changed from outside since the last step
   float step_dt_ = 0;       // s, of the step that was begun
   int step_substeps_ = 0;   // of that step
-  float step_speed_ = 0;    // m/s, the upper limit of a particle's speed in the present step
+  int step_iterations_ = 0;
+  float step_speed_ = 0;  // m/s, the upper limit of a particle's speed in the present step
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };
 

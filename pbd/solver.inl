@@ -34,6 +34,7 @@ void Solver<D>::substep(float dt, bool is_first, bool is_last) {
   if (is_first && particles_.sorted()) device_.send_off();
 
   Substep<D> s = make_substep(dt);
+  s.iterations = step_iterations_;
   s.gravity = parameters_.gravity;
   s.is_last = is_last;
   call_hook(Hook::predicted, s);
@@ -44,7 +45,7 @@ void Solver<D>::substep(float dt, bool is_first, bool is_last) {
   for (ConstraintSet<D>* set : sets_) set->accelerate(s);
   for (ConstraintSet<D>* set : sets_) set->begin(s);
   call_hook(Hook::contacts_found, s);
-  for (int iteration = 0; iteration < parameters_.iterations; ++iteration) {
+  for (int iteration = 0; iteration < s.iterations; ++iteration) {
     for (ConstraintSet<D>* set : sets_) set->project(s, iteration);
     call_hook(Hook::iterated, s, iteration);
   }
@@ -68,7 +69,8 @@ void Solver<D>::substep(float dt, bool is_first, bool is_last) {
 }
 
 template <class D>
-void Solver<D>::begin_step(float dt) {
+void Solver<D>::begin_step(float dt, int iterations) {
+  step_iterations_ = iterations;
   reserve_extra();
   run(dt);
 }
@@ -86,7 +88,7 @@ StepResult Solver<D>::end_step() {
     }
     if (done) return result;
     make_room();
-    begin_step(step_dt_);
+    begin_step(step_dt_, step_iterations_);
   }
 }
 

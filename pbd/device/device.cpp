@@ -9,26 +9,36 @@
 
 namespace meniscus::pbd {
 
+namespace {
+
+void count(MemoryUse& use, size_t bytes) {
+  use.bytes += bytes;
+  use.peak_bytes = std::max(use.peak_bytes, use.bytes);
+  ++use.allocations;
+}
+
+}  // namespace
+
 void* Device::allocate(size_t bytes, const char* what) {
   size_t& held = held_[what];
   void* memory = do_allocate(bytes);
   if (!memory) refuse(bytes, what);
   held += bytes;
-  memory_.bytes += bytes;
-  memory_.peak_bytes = std::max(memory_.peak_bytes, memory_.bytes);
-  ++memory_.allocations;
+  count(memory_, bytes);
   return memory;
 }
 
 void* Device::allocate_shared(size_t bytes, const char* what) {
   void* memory = do_allocate_shared(bytes);
   if (!memory) refuse(bytes, what);
-  ++memory_.allocations;
+  count(shared_memory_, bytes);
   return memory;
 }
 
-void Device::release_shared(void* memory) noexcept {
-  if (memory) do_release_shared(memory);
+void Device::release_shared(void* memory, size_t bytes) noexcept {
+  if (!memory) return;
+  do_release_shared(memory);
+  shared_memory_.bytes -= bytes;
 }
 
 void Device::refuse(size_t bytes, const char* what) const {

@@ -17,12 +17,6 @@ namespace meniscus::pbd {
 
 enum class DeviceKind { cpu, cuda };
 
-struct MemoryUse {
-  size_t bytes = 0;          ///< held now
-  size_t peak_bytes = 0;     ///< most ever held
-  uint64_t allocations = 0;  ///< calls of allocate so far; constant over a warm step
-};
-
 class Device {
  public:
   virtual ~Device() = default;
@@ -36,6 +30,7 @@ class Device {
   void* allocate(size_t bytes, const char* what);
   void release(void* memory, size_t bytes, const char* what) noexcept;
   const MemoryUse& memory() const { return memory_; }
+  const MemoryUse& shared_memory() const { return shared_memory_; }  ///< of allocate_shared
   /// Of the call that runs. One thread at a time makes calls.
   CallMonitor& monitor() { return monitor_; }
   /// Bytes held now, by purpose.
@@ -43,7 +38,7 @@ class Device {
 
   /// Host memory that kernels can use as well. Throws Error(out_of_memory), naming `what`.
   void* allocate_shared(size_t bytes, const char* what);
-  void release_shared(void* memory) noexcept;
+  void release_shared(void* memory, size_t bytes) noexcept;
 
   /// Copies are ordered with the kernels launched before and after. Only copy_out waits for the result.
   virtual void copy_in(void* device_memory, const void* host, size_t bytes) = 0;
@@ -72,7 +67,7 @@ class Device {
   virtual void do_release_shared(void* memory) noexcept = 0;
 
   CallMonitor monitor_;
-  MemoryUse memory_;
+  MemoryUse memory_, shared_memory_;
   std::map<std::string, size_t, std::less<>> held_;
 };
 

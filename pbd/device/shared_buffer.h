@@ -20,16 +20,14 @@ class SharedBuffer {
 
  public:
   SharedBuffer(Device& device, const char* what) : device_(device), what_(what) {}
-  ~SharedBuffer() { device_.release_shared(data_); }
+  ~SharedBuffer() { free_memory(); }
   SharedBuffer(const SharedBuffer&) = delete;
   SharedBuffer& operator=(const SharedBuffer&) = delete;
 
   /// Sets a new length; the contents are lost.
   void resize_discard(uint32_t size) {
     if (size == size_) return;
-    device_.release_shared(data_);
-    data_ = nullptr;
-    size_ = 0;
+    free_memory();
     if (size) data_ = static_cast<T*>(device_.allocate_shared(size * sizeof(T), what_));
     size_ = size;
   }
@@ -38,6 +36,12 @@ class SharedBuffer {
   std::span<T> host() const { return {data_, size_}; }
 
  private:
+  void free_memory() noexcept {
+    device_.release_shared(data_, size_ * sizeof(T));
+    data_ = nullptr;
+    size_ = 0;
+  }
+
   Device& device_;
   const char* what_;
   T* data_ = nullptr;

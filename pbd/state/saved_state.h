@@ -58,6 +58,7 @@ class StateSaver final : public StateVisitor {
   void visit_device(const std::string& path, const ElementForm& form, void* data, std::size_t room,
                     std::size_t count) override;
   std::size_t count_of(const std::string& path) override;
+  bool has(const std::string&) const override { return false; }
 
   Device& device_;
   SavedState& to_;
@@ -77,6 +78,7 @@ class StateRestorer final : public StateVisitor {
   void visit_device(const std::string& path, const ElementForm& form, void* data, std::size_t room,
                     std::size_t count) override;
   std::size_t count_of(const std::string& path) override;
+  bool has(const std::string& path) const override { return from_.find(path) != nullptr; }
   const StateItem& item(const std::string& path, const ElementForm& form);
 
   Device& device_;

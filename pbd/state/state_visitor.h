@@ -69,6 +69,9 @@ class StateVisitor {
     path_.resize(before);
   }
 
+  /// Whether the visit restores a state of a time when there was no such item. The part then makes it.
+  bool lacks(const char* name) const { return restores() && !has(path_ + name); }
+
   /// A single value on the host.
   template <class T>
   void value(const char* name, T& value) {
@@ -108,6 +111,8 @@ class StateVisitor {
                             std::size_t count) = 0;
   /// The number of elements of the saved item that comes next. Only while restoring.
   virtual std::size_t count_of(const std::string& path) = 0;
+  /// Whether an item was saved. Only while restoring.
+  virtual bool has(const std::string& path) const = 0;
 
  private:
   std::string named(const char* name) const { return path_ + name; }

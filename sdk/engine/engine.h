@@ -5,186 +5,18 @@
 #pragma once
 
 #include <meniscus/hooks.h>
+#include <meniscus/host.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "cloth/build/cloth_model.h"
-#include "cloth/rods/rod.h"
-#include "cloth/self_contact/self_contacts.h"
-#include "cloth/solve/cloth_set.h"
-#include "collision/body/attachments.h"
-#include "collision/body/proxy.h"
-#include "collision/contact/shape.h"
-#include "collision/contact/shape_contacts.h"
-#include "collision/film/film_surface.h"
-#include "collision/fluid_cloth/cloth_surface.h"
-#include "collision/grains/grain_set.h"
-#include "collision/mesh/mesh.h"
-#include "collision/rigid/rigid_world.h"
-#include "fluid/density/density_set.h"
-#include "fluid/density/probes.h"
-#include "fluid/diffuse/diffuse.h"
-#include "fluid/kernel/material.h"
-#include "fluid/surface/surface_mesh.h"
-#include "pbd/device/gl_buffers.h"
-#include "pbd/solver.h"
-#include "pbd/state/state_visitor.h"
-#include "sdk/engine/force_fields/force_field.h"
+#include "sdk/engine/engine_types.h"
 
 namespace meniscus {
-
-struct EngineDef {
-  pbd::SolverParameters solver;
-  fluid::Kernel kernel{};
-  float particle_spacing = 0;  ///< m
-  Vec3 origin{0, 0, 0};        ///< m, added to the places that write_particles writes
-  fluid::DensityParameters density;
-  std::optional<fluid::DiffuseParameters> diffuse;
-  cloth::ClothSolverParameters cloth;
-  collision::RigidWorld* rigid = nullptr;  ///< must outlive the engine
-};
-
-/// The material of the particles of one group: a fluid, or grains.
-struct ParticleMaterial {
-  fluid::Material fluid;  ///< for grains only the density is used
-  collision::GrainMaterial grain;
-  CollisionFilter filter;  ///< which solids they collide with
-  std::string name{};
-};
-
-/// All solids in the solver's form: fixed shapes first. Shapes of bodies are placed by `carried`.
-struct SolidShapes {
-  std::vector<collision::Shape> shapes;
-  uint32_t fixed = 0;
-  std::vector<collision::PlaneOpening> openings;
-  std::vector<collision::CarriedShape> carried;
-  std::vector<collision::FilmPart> films;  ///< the surfaces of bodies
-};
-
-enum class TouchedKind { shape, body, cloth };
-
-/// The effect of a contact in the last substep.
-struct ContactReadout {
-  uint32_t slot;   ///< of the particle
-  uint32_t solid;  ///< fixed shape, body or piece of cloth
-  TouchedKind kind;
-  Vec3 point, normal;
-  Vec3 impulse;  ///< N·s, on the particle
-};
-
-/// Takes the particles of fluids inside its region, or those outside of it.
-struct Sink {
-  enum class Kind : uint32_t { box, ball, half_space };
-  Kind kind = Kind::box;
-  uint32_t outside = 0;
-  Pose pose{};                     ///< of the region
-  Aabb box{{0, 0, 0}, {0, 0, 0}};  ///< m
-  Vec3 normal{0, 1, 0};            ///< half space: unit
-  float size = 0;                  ///< m; ball: radius; half space: normal · p below this is inside
-};
-
-/// A particle that is to be placed at `to`, where it has arrived from the opening at `from`.
-struct Arrival {
-  Vec3 from, to;           ///< m
-  Vec3 velocity;           ///< m/s
-  CollisionFilter filter;  ///< which solids block it
-  uint32_t waits;          ///< 1: it has waited, and now drives away particles that are too near
-  uint32_t in_duct = 0;    ///< 1: solids do not block it
-};
-
-/// The mouth of a duct, whose particles a step moves as they are told.
-struct Piston {
-  Pose mouth;         ///< its plane is y = 0 in this frame; y points out
-  Vec3 half;          ///< m, half extents along x and z; of a round mouth the radius
-  uint32_t is_round;  ///< 1: a disc, 0: a rectangle
-  Vec3 velocity;      ///< m/s
-  float front;        ///< m, of the foremost layer in front of the mouth at the step's end
-
-  MENISCUS_HD Vec3 direction() const { return rotate(mouth.rotation, {0, 1, 0}); }
-  /// Whether the line through q along y passes through the mouth, in the mouth's frame.
-  MENISCUS_HD bool holds(Vec3 q) const {
-    if (is_round) return q.x * q.x + q.z * q.z <= half.x * half.x;
-    return fabsf(q.x) <= half.x && fabsf(q.z) <= half.z;
-  }
-};
-
-struct PistonParticle {
-  uint32_t slot;
-  uint32_t piston;  ///< number
-};
-
-/// The fluid in front of a mouth.
-struct CrowdAhead {
-  double error = 0;  ///< sum of C
-  double count = 0;
-};
-
-/// What a piston met in a step.
-struct PistonReading {
-  double impulse = 0;      ///< N·s on it, against its direction
-  double error_ahead = 0;  ///< mean C of the fluid up to a support radius in front, at the step's end
-};
-
-struct ParticleBatch {
-  std::vector<pbd::Vec4> position;  ///< w: inverse mass
-  std::vector<pbd::Vec4> velocity;
-  std::vector<pbd::Phase> phase;
-  bool by_hand = false;    ///< nobody has checked for room: the particles may be in solids
-  bool may_crowd = false;  ///< nor whether they are far enough apart
-
-  void clear() {
-    position.clear();
-    velocity.clear();
-    phase.clear();
-  }
-};
-
-/// All cloth and ropes of a world: their vertices, by number, and their constraints.
-struct EngineCloth {
-  std::vector<pbd::Vec4> position;  ///< w: inverse mass
-  std::vector<pbd::Vec4> velocity;
-  std::vector<pbd::Phase> phase;                    ///< the group is the piece
-  std::vector<collision::Touch> touches;            ///< by piece
-  std::vector<cloth::ContactPiece> contact_pieces;  ///< by piece
-  std::vector<collision::FluidClothPiece> sheets;   ///< by piece
-  std::vector<collision::BodyAttachment> attachments;
-  cloth::ClothModel model;
-  cloth::RodModel rods, ropes;
-  std::vector<cloth::SegmentState> segments;  ///< of the rods
-};
-
-/// Arrays in the memory of the device, by slot.
-struct EngineArrays {
-  Vec3* positions = nullptr;
-  Vec3* velocities = nullptr;
-  uint32_t* groups = nullptr;
-  ParticleId* ids = nullptr;
-};
-
-using HookCalls = std::array<SubstepCall, hook_count>;
-
-struct EngineStep {
-  pbd::StepResult result;
-  std::array<double, stage_count> stage_ms{};
-  double rigid_ms = 0;
-  uint32_t density_iterations = 0;  ///< over all substeps
-  Overflows overflows;
-  std::vector<PistonReading> pistons;
-};
-
-/// Results of a fresh neighbour search.
-struct EngineMeasure {
-  double neighbours_mean = 0;
-  uint32_t contacts = 0;
-  std::size_t wall_overflows = 0;
-};
 
 class Engine {
  public:
@@ -226,10 +58,11 @@ class Engine {
   virtual void set_sinks(std::span<const Sink> sinks) = 0;
   /// Removes the particles that the sinks take. Returns which are gone, by their former slot; empty if none
   /// is. Counts by sink: a particle counts for the first sink that takes it.
-  virtual std::vector<bool> take_sinks(std::span<uint32_t> taken) = 0;
+  /// `takers` gets the number of the sink by former slot, if any are gone.
+  virtual std::vector<bool> take_sinks(std::span<uint32_t> taken, std::vector<uint32_t>& takers) = 0;
   /// Replaces all force fields. `body_densities` is by body, kg/m³.
   virtual void set_force_fields(std::span<const ForceFieldModel> fields,
-                                std::span<const float> body_densities) = 0;
+                                std::span<const float> body_densities, const VertexVolumes& volumes) = 0;
   virtual void set_probes(std::span<const fluid::Probe> probes) = 0;
   virtual void read_probes(std::span<fluid::ProbeSum> means) = 0;
 
@@ -238,6 +71,8 @@ class Engine {
   /// Signed distance of each point to the nearest solid with which this filter collides.
   virtual std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                              const CollisionFilter& filter) = 0;
+  /// The nearest solid within `reach` of a point.
+  virtual std::optional<NearestSolid> nearest_solid(Vec3 point, float reach) = 0;
 
   /// Replaces all cloth and ropes.
   virtual void set_cloth(const EngineCloth& cloth) = 0;
@@ -274,12 +109,12 @@ class Engine {
   virtual void keep(const std::vector<bool>& keep) = 0;
 
   /// If the result's summary counts non-finite particles, the state is that before the call.
-  EngineStep step(float dt) {
-    begin_step(dt);
+  EngineStep step(float dt, int iterations) {
+    begin_step(dt, iterations);
     return end_step();
   }
   /// The two halves of step(). Nothing else may be called between them but send_step().
-  virtual void begin_step(float dt) = 0;
+  virtual void begin_step(float dt, int iterations) = 0;
   virtual EngineStep end_step() = 0;
   /// Sends the device all of the step that was begun, since the host turns to other work.
   void send_step() { device().send_off(); }
@@ -325,7 +160,8 @@ class Engine {
   virtual Diagnostics measure(Vec3 gravity) = 0;
 };
 
-std::unique_ptr<Engine> make_cpu_engine(const EngineDef& def, int threads);
+/// On threads of its own, or in a loop of the user's if there is one.
+std::unique_ptr<Engine> make_cpu_engine(const EngineDef& def, int threads, const ParallelFor& loop = {});
 /// On the GPU with this ordinal, and on the caller's stream if there is one.
 std::unique_ptr<Engine> make_cuda_engine(const EngineDef& def, int ordinal, void* stream);
 

@@ -114,10 +114,10 @@ class DeviceEngine final : public Engine {
   void forget_contacts(uint32_t solid, TouchedKind kind) override;
   void visit_state(pbd::StateVisitor& v) override;
   void set_sinks(std::span<const Sink> sinks) override { sinks_.set(sinks); }
-  std::vector<bool> take_sinks(std::span<uint32_t> taken) override;
-  void set_force_fields(std::span<const ForceFieldModel> fields,
-                        std::span<const float> body_densities) override {
-    forces_.set(fields, body_densities);
+  std::vector<bool> take_sinks(std::span<uint32_t> taken, std::vector<uint32_t>& takers) override;
+  void set_force_fields(std::span<const ForceFieldModel> fields, std::span<const float> body_densities,
+                        const VertexVolumes& volumes) override {
+    forces_.set(fields, body_densities, volumes);
   }
   void set_probes(std::span<const fluid::Probe> probes) override;
   void read_probes(std::span<fluid::ProbeSum> means) override;
@@ -125,6 +125,7 @@ class DeviceEngine final : public Engine {
   std::vector<Vec3> fill_mesh(const collision::TriangleMesh& mesh, float spacing) override;
   std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                      const CollisionFilter& filter) override;
+  std::optional<NearestSolid> nearest_solid(Vec3 point, float reach) override;
 
   void set_cloth(const EngineCloth& cloth) override;
   void set_wind(const cloth::Wind& wind) override { cloth_.set_wind(wind); }
@@ -147,7 +148,7 @@ class DeviceEngine final : public Engine {
     pistons_.set(particles_, pistons, particles);
   }
   void keep(const std::vector<bool>& keep) override;
-  void begin_step(float dt) override;
+  void begin_step(float dt, int iterations) override;
   EngineStep end_step() override;
   void set_hooks(const HookCalls& calls) override;
   void relax(float dt, int iterations) override {
@@ -182,53 +183,8 @@ class DeviceEngine final : public Engine {
 
  private:
   /// Registers all phases with the solver; throws std::logic_error if a phase is missing or registered twice.
-  void assemble() {
-    pbd::Pipeline<ContactPhase, pbd::ContactSource<D>>()
-        .place(ContactPhase::attachments, attachments_)
-        .place(ContactPhase::cloth, fluid_cloth_contacts_)
-        .place(ContactPhase::solids, contacts_)
-        .for_each([this](auto& source) { solver_.add(source); });
-    pbd::Pipeline<SetPhase, pbd::ConstraintSet<D>>()
-        .place(SetPhase::pistons, pistons_)
-        .place(SetPhase::surface_tension, tension_)
-        .place(SetPhase::density, density_)
-        .place(SetPhase::fluid_loads, fluid_cloth_.loading())
-        .place(SetPhase::attachments, attachments_)
-        .place(SetPhase::stick_anchors, stick_anchors_)
-        .place(SetPhase::body_loads, effective_mass_)
-        .place(SetPhase::cloth, cloth_)
-        .place(SetPhase::body_load_transfer, effective_mass_.transfer())
-        .place(SetPhase::rods, rods_)
-        .place(SetPhase::ropes, ropes_)
-        .place(SetPhase::self_contact, self_contacts_)
-        .place(SetPhase::grains, grains_)
-        .place(SetPhase::fluid_carry, fluid_cloth_.carrying())
-        .place(SetPhase::contacts, face_points_)
-        .place(SetPhase::ccd_failsafe, self_contacts_.ccd_failsafe())
-        .place(SetPhase::body_zones, body_zones_)
-        .place(SetPhase::attachment_release, attachments_.release())
-        .place(SetPhase::fluid_cloth, fluid_cloth_)
-        .place(SetPhase::films, films_)
-        .place(SetPhase::viscosity, viscosity_)
-        .place(SetPhase::bodies, bodies_)
-        .for_each([this](auto& set) { solver_.add(set); });
-    pbd::Pipeline<VelocityPhase, pbd::VelocityPass<D>>()
-        .place(VelocityPhase::jets, jets_)
-        .place(VelocityPhase::smoothing, smoothing_)
-        .for_each([this](auto& pass) { solver_.add(pass); });
-    solver_.add(forces_);
-    solver_.add(probes_);
-    solver_.add(static_cast<pbd::Observer<D>&>(cloth_));
-    solver_.add(static_cast<pbd::Observer<D>&>(attachments_));
-  }
-  void add_diffuse(const fluid::DiffuseParameters& parameters) {
-    diffuse_.emplace(device_, parameters);
-    diffuse_->set_walls([this](const fluid::PendingDiffuse& pending) {
-      device_.parallel_for("diffuse/walls", pending.particles.count,
-                           KeepOutOfSolids{shape_set_, pending, def_.solver.support_radius});
-    });
-    solver_.add(*diffuse_);
-  }
+  void assemble();
+  void add_diffuse(const fluid::DiffuseParameters& parameters);
   void note_overlapping();
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
@@ -283,6 +239,7 @@ class DeviceEngine final : public Engine {
 
   float last_substep_ = 0;  // s
   float begun_step_ = 0;    // s, of the step that was begun
+  int begun_iterations_ = 0;
   uint32_t fluid_capacity_ = 0, vertex_capacity_ = 0;
   std::vector<ContactReadout> fetched_contacts_;
   std::vector<std::pair<uint32_t, TouchedKind>> forgotten_;  // solids of the last step that are gone
@@ -310,6 +267,7 @@ class DeviceEngine final : public Engine {
 }  // namespace meniscus
 
 #include "sdk/engine/engine_access.inl"
+#include "sdk/engine/engine_assembly.inl"
 #include "sdk/engine/engine_cloth.inl"
 #include "sdk/engine/engine_particles.inl"
 #include "sdk/engine/engine_readout.inl"

@@ -7,7 +7,8 @@
 
 namespace meniscus {
 
-std::unique_ptr<Engine> make_cpu_engine(const EngineDef& def, int threads) {
+std::unique_ptr<Engine> make_cpu_engine(const EngineDef& def, int threads, const ParallelFor& loop) {
+  if (loop) return std::make_unique<DeviceEngine<pbd::CpuDevice>>(def, loop);
   return std::make_unique<DeviceEngine<pbd::CpuDevice>>(def, threads);
 }
 

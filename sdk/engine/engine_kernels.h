@@ -99,6 +99,27 @@ struct SolidDistance {
   }
 };
 
+/// The first of the nearest solids, for one point. Its distance is `reach` if none is that near.
+struct FindNearest {
+  collision::ShapeSet set;
+  Vec3 point;
+  float reach;
+  View<NearestSolid> nearest;
+
+  MENISCUS_HD void operator()(uint32_t) const {
+    NearestSolid best{pbd::no_index, TouchedKind::shape, {0, 1, 0}, reach};
+    for (uint32_t k = 0; k < set.shapes.count; ++k) {
+      const collision::Shape& shape = set.shapes[k];
+      if (shape.kind != collision::ShapeKind::plane && out_of_reach(shape, point, point, reach)) continue;
+      const collision::SurfaceSample s = collision::sample_surface(set, shape, point, reach);
+      if (!(s.distance < best.distance)) continue;
+      const TouchedKind kind = shape.body == pbd::no_index ? TouchedKind::shape : TouchedKind::body;
+      best = {shape.owner, kind, s.normal, s.distance};
+    }
+    nearest[0] = best;
+  }
+};
+
 /// Marks particles inside a solid, or nearer to it than motion can bring them: see phase_overlapping.
 struct NotePlaced {
   collision::ShapeSet set;

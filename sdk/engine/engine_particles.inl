@@ -150,10 +150,11 @@ void DeviceEngine<D>::push(uint32_t count, std::span<const uint32_t> who, std::s
 }
 
 template <class D>
-std::vector<bool> DeviceEngine<D>::take_sinks(std::span<uint32_t> taken) {
+std::vector<bool> DeviceEngine<D>::take_sinks(std::span<uint32_t> taken, std::vector<uint32_t>& takers) {
   if (sinks_.empty() || particles_.sorted() == 0) return {};
   const uint32_t kept = sinks_.mark(particles_, removal_, taken);
   if (kept == particles_.sorted()) return {};
+  sinks_.read_takers(particles_.sorted(), takers);
   const std::vector<uint32_t> by_slot = remove_marked(kept);
   std::vector<bool> removed(by_slot.size());
   std::transform(by_slot.begin(), by_slot.end(), removed.begin(), [](uint32_t stays) { return stays == 0; });
@@ -170,13 +171,14 @@ Overflows DeviceEngine<D>::overflows() const {
 }
 
 template <class D>
-void DeviceEngine<D>::begin_step(float dt) {
+void DeviceEngine<D>::begin_step(float dt, int iterations) {
   fetched_contacts_.clear();  // after a failed step there are none
   forgotten_.clear();
   contacts_fetched_ = true;
   note_overlapping();
   begun_step_ = dt;
-  solver_.begin_step(dt);
+  begun_iterations_ = iterations;
+  solver_.begin_step(dt, iterations);
 }
 
 template <class D>
@@ -194,7 +196,7 @@ EngineStep DeviceEngine<D>::end_step() {
   done.overflows = overflows();
   done.pistons = pistons_.read();
   done.density_iterations =
-      density_.iterations_done(static_cast<uint32_t>(done.result.substeps * def_.solver.iterations));
+      density_.iterations_done(static_cast<uint32_t>(done.result.substeps * begun_iterations_));
   return done;
 }
 

@@ -105,4 +105,14 @@ std::vector<float> DeviceEngine<D>::solid_distances(std::span<const Vec3> points
   return out.read(count);
 }
 
+template <class D>
+std::optional<NearestSolid> DeviceEngine<D>::nearest_solid(Vec3 point, float reach) {
+  pbd::Buffer<NearestSolid> out(device_, "nearest solid");
+  out.resize_discard(1);
+  device_.parallel_for("shapes/nearest", 1,
+                       engine_kernels::FindNearest{shape_set_, point, reach, out.view()});
+  const NearestSolid found = out.read(1).front();
+  return found.distance < reach ? std::optional(found) : std::nullopt;
+}
+
 }  // namespace meniscus

@@ -55,17 +55,20 @@ struct Mark {
 struct Count {
   View<const pbd::Vec4> position;
   View<const Sink> sinks;
-  View<const uint32_t> keep;
-  View<uint32_t> taken;
+  View<const uint32_t> keep, slot;
+  View<uint32_t> taken, by_slot;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (keep[i] == 0) pbd::atomic_add(taken[taker(sinks, position[i].xyz())], 1);
+    if (keep[i]) return;
+    const uint32_t by = taker(sinks, position[i].xyz());
+    pbd::atomic_add(taken[by], 1);
+    by_slot[slot[i]] = by;
   }
 };
 
 }  // namespace sink_kernels
 
-/// Marks the particles that the sinks take, and counts them.
+/// Marks the particles that the sinks take, counts them, and notes by slot which sink takes each.
 template <class D>
 class Sinks {
  public:
@@ -89,10 +92,19 @@ class Sinks {
     const uint32_t kept = removal.count_kept(particles);
     if (kept == particles.sorted()) return kept;
     taken_.fill(0);
+    if (by_slot_.size() < particles.sorted())
+      by_slot_.resize_discard(std::max<size_t>(particles.sorted(), 2 * by_slot_.size()));
     device_.parallel_for("sinks/count", particles.sorted(),
-                         sink_kernels::Count{position, sinks_.view(), removal.keep(), taken_.view()});
+                         sink_kernels::Count{position, sinks_.view(), removal.keep(),
+                                             particles.slot.current.view(), taken_.view(), by_slot_.view()});
     taken_.read(taken);
     return kept;
+  }
+
+  /// The number of the sink that takes each particle, by slot, after mark() has found some.
+  void read_takers(uint32_t count, std::vector<uint32_t>& takers) const {
+    takers.resize(count);
+    by_slot_.read(std::span(takers));
   }
 
  private:
@@ -102,6 +114,7 @@ class Sinks {
   D& device_;
   pbd::Buffer<Sink> sinks_{device_, "sinks"};
   pbd::Buffer<uint32_t> taken_{device_, "particles by sink"};
+  pbd::Buffer<uint32_t> by_slot_{device_, "sinks by particle"};  // of those that are taken alone
 };
 
 }  // namespace meniscus

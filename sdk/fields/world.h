@@ -157,7 +157,12 @@ void fields(V& v, WorldDef& d) {
   v("periodic", d.periodic, any_value, "",
     "axes along which the world repeats itself; it then takes fluids and fixed shapes alone");
   v("cuda_device", d.cuda_device, not_negative, "", "ordinal of the GPU; left out, the first");
+  v("step_budget_ms", d.step_budget_ms, not_negative, "ms",
+    "time that a step may take: iterations are left out to keep it, so results depend on the machine; 0: "
+    "none");
   check_periodic(v, d);
+  v.check(!d.parallel_for || d.threads == 0, "threads must be 0 with parallel_for, which has its own",
+          "threads", d.threads);
   v.check(d.min_substeps <= d.max_substeps, "min_substeps must not be above max_substeps", "max_substeps",
           d.max_substeps);
 }

@@ -232,6 +232,7 @@ void World::Impl::set_engine_cloth() {
   static const EngineCloth none;
   const EngineCloth& cloth = uploaded_cloth ? *uploaded_cloth : none;
   engine->set_cloth(cloth);
+  forces_are_on_device &= force_fields.size() == 0;
   std::vector<uint32_t> attached;
   for (const collision::BodyAttachment& a : cloth.attachments) attached.push_back(a.body);
   rigid.keep_awake(attached);

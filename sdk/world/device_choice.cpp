@@ -66,7 +66,7 @@ std::unique_ptr<Engine> make_engine(const EngineDef& def, const WorldDef& world,
     info.reason = "CUDA is not used: " + cuda.reason;
   }
   refuse_cuda_members(world, info.reason);
-  std::unique_ptr<Engine> engine = make_cpu_engine(def, world.threads);
+  std::unique_ptr<Engine> engine = make_cpu_engine(def, world.threads, world.parallel_for);
   info.kind = "cpu";
   info.name = engine->device().name();
   info.usable = true;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
+#include <utility>
 
 #include "sdk/fields/probes.h"
 #include "sdk/world/check/check.h"
@@ -190,19 +192,34 @@ void World::Calls::relax(int iterations) {
 
 // ---- time ----
 
-void World::Calls::begin(float dt) {
+namespace {
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void World::Calls::begin(float dt, std::optional<int> iterations) {
   check::value("step's dt", dt, at_least(1e-12), "s");  // substeps of a shorter step may round to 0
+  if (iterations) check::value("step's iterations", *iterations, between(1, 1000));
+  if (!std::exchange(impl_->has_begun, true)) impl_->log_before_steps();
   impl_->step_start = std::chrono::steady_clock::now();
+  const WorldDef& def = impl_->def;
+  impl_->begun_iterations =
+      iterations.value_or(impl_->budget.choose(double{def.step_budget_ms}, def.iterations));
   impl_->plan_dripping();
   impl_->plan_emission(dt);
   Engine& engine = impl_->with_all();
   impl_->state_changed();
   impl_->forget_reactions();  // if the step fails, there are none
-  engine.begin_step(dt);
+  engine.begin_step(dt, impl_->begun_iterations);
   impl_->begun_step = dt;
+  impl_->begin_ms = ms_since(impl_->step_start);
 }
 
 StepReport World::Calls::finish() {
+  const auto start = std::chrono::steady_clock::now();
   Engine& engine = *impl_->engine;
   const float dt = impl_->begun_step;
   EngineStep done = engine.end_step();
@@ -218,6 +235,8 @@ StepReport World::Calls::finish() {
   impl_->touched_pieces = impl_->pieces;
   impl_->read_probes();
   impl_->note_events();
+  impl_->note_sleep();
+  impl_->flows.clear();
   impl_->note_cloth_step(dt);
   StepReport report;
   impl_->wet_cloth(dt, report);
@@ -226,10 +245,9 @@ StepReport World::Calls::finish() {
   report.overflows = done.overflows;
   impl_->advance_ducts(done.pistons, dt, report);
   impl_->emit(dt, report);
-  report.ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - impl_->step_start).count();
+  report.ms = ms_since(impl_->step_start);
   report.substeps = done.result.substeps;
-  report.iterations = impl_->def.iterations;
+  report.iterations = impl_->begun_iterations;
   report.density_iterations = double(done.density_iterations) / report.substeps;
   report.stage_ms = done.stage_ms;
   report.rigid_ms = done.rigid_ms;
@@ -238,6 +256,11 @@ StepReport World::Calls::finish() {
   report.max_speed = std::sqrt(done.result.summary.max_speed2);
   report.diffuse = engine.diffuse_count();
   report.diffuse_refused = engine.diffuse_refused();
+  impl_->budget.note(report, impl_->begin_ms + ms_since(start));
+  try {
+    impl_->log_step(report);
+  } catch (const std::bad_alloc&) {  // the step is done, and a message is not worth it
+  }
   return report;
 }
 

@@ -50,19 +50,47 @@ DeviceArrays World::Calls::device_arrays() const {
   return arrays;
 }
 
-void World::Calls::set_hook(Hook hook, SubstepCall call) {
+/// Gives the engine one call for each hook, which makes those of the user in order.
+void World::Impl::set_hooks(std::vector<HookEntry> all) {
+  HookCalls calls;
+  for (uint32_t k = 0; k < hook_count; ++k) {
+    std::vector<SubstepCall> of_hook;
+    for (const HookEntry& entry : all) {
+      if (entry.hook == static_cast<Hook>(k)) of_hook.push_back(entry.call);
+    }
+    if (of_hook.empty()) continue;
+    calls[k] = [of_hook = std::move(of_hook)](const SubstepView& view) {
+      for (const SubstepCall& call : of_hook) call(view);
+    };
+  }
+  engine->set_hooks(calls);
+  hooks = std::move(all);
+}
+
+HookId World::Calls::add_hook(Hook hook, SubstepCall call) {
   const auto number = static_cast<uint32_t>(hook);
   if (number >= hook_count)
     throw Error(ErrorCode::invalid_argument,
-                "set_hook got the hook " + std::to_string(number) + "; there are 0 to 4");
-  HookCalls calls = impl_->hooks;
-  calls[number] = std::move(call);
-  impl_->engine->set_hooks(calls);
-  impl_->hooks = std::move(calls);
+                "add_hook got the hook " + std::to_string(number) + "; there are 0 to 4");
+  if (!call) throw Error(ErrorCode::invalid_argument, "add_hook got an empty call");
+  std::vector<HookEntry> all = impl_->hooks;
+  const auto id = static_cast<HookId>(impl_->next_hook);
+  all.push_back({id, hook, std::move(call)});
+  impl_->set_hooks(std::move(all));
+  ++impl_->next_hook;
+  if (impl_->recorder) impl_->log.warn("the world is being recorded, and hooks are in no recording");
+  return id;
 }
 
-void World::Calls::step_begin(float dt) {
-  begin(dt);
+void World::Calls::remove_hook(HookId id) {
+  std::vector<HookEntry> all = impl_->hooks;
+  if (std::erase_if(all, [&](const HookEntry& entry) { return entry.id == id; }) == 0)
+    throw Error(ErrorCode::not_found, "no hook has the id " + std::to_string(static_cast<uint64_t>(id)));
+  impl_->set_hooks(std::move(all));
+}
+
+void World::Calls::step_begin(float dt, std::optional<int> iterations) {
+  begin(dt, iterations);
   impl_->engine->send_step();
   impl_->is_stepping = true;
 }
@@ -77,14 +105,19 @@ StepReport World::Calls::step_end() {
 DeviceArrays World::device_arrays() const {
   return impl_->run([&](auto w) { return w.device_arrays(); });
 }
-void World::step_begin(float dt) {
-  return impl_->run([&](auto w) { w.step_begin(dt); });
+void World::step_begin(float dt, std::optional<int> iterations) {
+  return impl_->run([&](auto w) { w.step_begin(dt, iterations); });
 }
 StepReport World::step_end() {
-  return impl_->run_end_of_step([&](auto w) { return w.step_end(); });
+  const StepReport report = impl_->run_end_of_step([&](auto w) { return w.step_end(); });
+  impl_->note_step(impl_->begun_step, report);
+  return report;
 }
-void World::set_hook(Hook hook, SubstepCall call) {
-  return impl_->run([&](auto w) { w.set_hook(hook, std::move(call)); });
+HookId World::add_hook(Hook hook, SubstepCall call) {
+  return impl_->run([&](auto w) { return w.add_hook(hook, std::move(call)); });
+}
+void World::remove_hook(HookId id) {
+  return impl_->run([&](auto w) { w.remove_hook(id); });
 }
 
 }  // namespace meniscus

@@ -76,7 +76,9 @@ BodyId World::Calls::create_body(const BodyDef& def) {
   BodyEntry entry = impl_->make_body(def, {});
   impl_->solids_changed();
   impl_->note_repairs(entry.solid);
-  return impl_->bodies.insert(std::move(entry));
+  const BodyId id = impl_->bodies.insert(std::move(entry));
+  if (id.index < impl_->awake.size()) impl_->awake[id.index] = 1;
+  return id;
 }
 
 /// Adds the body to the rigid world.
@@ -107,6 +109,9 @@ collision::RigidBodyDef rigid_body(const BodyEntry& body) {
 
 void World::Impl::note_repairs(const SolidPieces& solid) {
   mesh_repairs.insert(mesh_repairs.end(), solid.repairs.begin(), solid.repairs.end());
+  if (!log.is_read()) return;
+  for (const MeshRepair& r : solid.repairs)
+    log.note("the surface of " + r.file + " was rebuilt, within " + std::to_string(r.deviation) + " m");
 }
 
 const std::vector<MeshRepair>& World::Calls::mesh_repairs() const {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sdk/world/world_boundary.h"
+#include "sdk/world/world_recorded.h"
 
 namespace meniscus {
 
@@ -39,7 +40,8 @@ const WorldDef& World::def() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.def(); });
 }
 void World::set_def(const WorldDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.set_def(def); });
+  return impl_->recorded(
+      "set_def", [&](auto w) { return w.set_def(def); }, def);
 }
 DeviceInfo World::device() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.device(); });
@@ -51,25 +53,32 @@ float World::particle_mass(FluidId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.particle_mass(id); });
 }
 FluidId World::create_fluid(const FluidDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_fluid(def); });
+  return impl_->recorded(
+      "create_fluid", [&](auto w) { return w.create_fluid(def); }, def);
 }
 void World::set_fluid(FluidId id, const FluidDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.set_fluid(id, def); });
+  return impl_->recorded(
+      "set_fluid", [&](auto w) { return w.set_fluid(id, def); }, id, def);
 }
 FluidId World::create_granular(const GranularDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_granular(def); });
+  return impl_->recorded(
+      "create_granular", [&](auto w) { return w.create_granular(def); }, def);
 }
 ShapeId World::create_shape(const ShapeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_shape(w.inward(def)); });
+  return impl_->recorded(
+      "create_shape", [&](auto w) { return w.create_shape(w.inward(def)); }, def);
 }
 void World::destroy_shape(ShapeId id) {
-  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_shape(id); });
+  return impl_->recorded_removal(
+      "destroy_shape", [&](auto w) { return w.destroy_shape(id); }, id);
 }
 EmitterId World::create_emitter(const EmitterDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_emitter(w.inward(def)); });
+  return impl_->recorded(
+      "create_emitter", [&](auto w) { return w.create_emitter(w.inward(def)); }, def);
 }
 void World::destroy_emitter(EmitterId id) {
-  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_emitter(id); });
+  return impl_->recorded_removal(
+      "destroy_emitter", [&](auto w) { return w.destroy_emitter(id); }, id);
 }
 FlowCount World::emitter_count(EmitterId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_count(id); });
@@ -78,78 +87,102 @@ double World::emitter_pressure(EmitterId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.emitter_pressure(id); });
 }
 SinkId World::create_sink(const SinkDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_sink(w.inward(def)); });
+  return impl_->recorded(
+      "create_sink", [&](auto w) { return w.create_sink(w.inward(def)); }, def);
 }
 void World::destroy_sink(SinkId id) {
-  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_sink(id); });
+  return impl_->recorded_removal(
+      "destroy_sink", [&](auto w) { return w.destroy_sink(id); }, id);
 }
 FlowCount World::sink_count(SinkId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.sink_count(id); });
 }
 ProbeId World::create_probe(const ProbeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_probe(w.inward(def)); });
+  return impl_->recorded(
+      "create_probe", [&](auto w) { return w.create_probe(w.inward(def)); }, def);
 }
 void World::destroy_probe(ProbeId id) {
-  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_probe(id); });
+  return impl_->recorded_removal(
+      "destroy_probe", [&](auto w) { return w.destroy_probe(id); }, id);
 }
 BodyId World::create_body(const BodyDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_body(w.inward(def)); });
+  return impl_->recorded(
+      "create_body", [&](auto w) { return w.create_body(w.inward(def)); }, def);
 }
 void World::destroy_body(BodyId id) {
-  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_body(id); });
+  return impl_->recorded_removal(
+      "destroy_body", [&](auto w) { return w.destroy_body(id); }, id);
 }
 JointId World::create_joint(const JointDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_joint(w.inward(def)); });
+  return impl_->recorded(
+      "create_joint", [&](auto w) { return w.create_joint(w.inward(def)); }, def);
 }
 void World::destroy_joint(JointId id) {
-  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.destroy_joint(id); });
+  return impl_->recorded_removal(
+      "destroy_joint", [&](auto w) { return w.destroy_joint(id); }, id);
 }
 ClothId World::create_cloth(const ClothDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_cloth(w.inward(def)); });
+  return impl_->recorded(
+      "create_cloth", [&](auto w) { return w.create_cloth(w.inward(def)); }, def);
 }
 void World::destroy_cloth(ClothId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_cloth(id); });
+  return impl_->recorded(
+      "destroy_cloth", [&](auto w) { return w.destroy_cloth(id); }, id);
 }
 RopeId World::create_rope(const RopeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_rope(w.inward(def)); });
+  return impl_->recorded(
+      "create_rope", [&](auto w) { return w.create_rope(w.inward(def)); }, def);
 }
 void World::destroy_rope(RopeId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_rope(id); });
+  return impl_->recorded(
+      "destroy_rope", [&](auto w) { return w.destroy_rope(id); }, id);
 }
 AttachmentId World::create_attachment(const AttachmentDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.create_attachment(w.inward(def)); });
+  return impl_->recorded(
+      "create_attachment", [&](auto w) { return w.create_attachment(w.inward(def)); }, def);
 }
 void World::destroy_attachment(AttachmentId id) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.destroy_attachment(id); });
+  return impl_->recorded(
+      "destroy_attachment", [&](auto w) { return w.destroy_attachment(id); }, id);
 }
 void World::set_wind(const WindDef& wind) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.set_wind(wind); });
+  return impl_->recorded(
+      "set_wind", [&](auto w) { return w.set_wind(wind); }, wind);
 }
 std::size_t World::add_fluid(const FluidVolumeDef& def) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.add_fluid(w.inward(def)); });
+  return impl_->recorded(
+      "add_fluid", [&](auto w) { return w.add_fluid(w.inward(def)); }, def);
 }
 ParticleId World::add_particles(FluidId fluid, std::span<const Vec3> positions,
                                 std::span<const Vec3> velocities) {
-  return impl_->run(
-      [&](auto w) -> decltype(auto) { return w.add_particles(fluid, w.inward(positions), velocities); });
+  return impl_->recorded(
+      "add_particles", [&](auto w) { return w.add_particles(fluid, w.inward(positions), velocities); }, fluid,
+      positions, velocities);
 }
 void World::remove_particles(std::span<const ParticleId> ids) {
-  return impl_->run_removal([&](auto w) -> decltype(auto) { return w.remove_particles(ids); });
-}
-void World::apply_impulses(std::span<const ParticleId> ids, std::span<const Vec3> impulses) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_impulses(ids, impulses); });
+  return impl_->recorded_removal(
+      "remove_particles", [&](auto w) { return w.remove_particles(ids); }, ids);
 }
 void World::relax(int iterations) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.relax(iterations); });
+  try {
+    impl_->recorded(
+        "relax", [&](auto w) { w.relax(iterations); }, iterations);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled) impl_->note_state();  // the iterations so far remain
+    throw;
+  }
 }
-StepReport World::step(float dt) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.step(dt); });
+StepReport World::step(float dt, std::optional<int> iterations) {
+  const StepReport report = impl_->run([&](auto w) { return w.step(dt, iterations); });
+  impl_->note_step(dt, report);
+  return report;
 }
 Snapshot World::snapshot() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.snapshot(); });
 }
 void World::restore(const Snapshot& snapshot) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.restore(snapshot); });
+  impl_->run([&](auto w) { w.restore(snapshot); });
+  impl_->note_state();
 }
 void World::save(const std::string& path) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.save(path); });
@@ -165,28 +198,6 @@ BodyMass World::body_mass(BodyId id) const {
 }
 double World::hinge_angle(JointId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.hinge_angle(id); });
-}
-void World::set_body_pose(BodyId id, const Pose& pose) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.set_body_pose(id, w.inward(pose)); });
-}
-void World::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
-  return impl_->run(
-      [&](auto w) -> decltype(auto) { return w.set_body_velocity(id, velocity, angular_velocity); });
-}
-void World::apply_force(BodyId id, Vec3 force, Vec3 point) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_force(id, force, w.inward(point)); });
-}
-void World::apply_force(BodyId id, Vec3 force) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_force(id, force); });
-}
-void World::apply_torque(BodyId id, Vec3 torque) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_torque(id, torque); });
-}
-void World::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_impulse(id, impulse, w.inward(point)); });
-}
-void World::move_body(BodyId id, const Pose& target, float duration) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.move_body(id, w.inward(target), duration); });
 }
 std::span<const Vec3> World::cloth_positions(ClothId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.outward_positions(id); });
@@ -232,41 +243,11 @@ std::span<const Vec3> World::rope_velocities(RopeId id) const {
 std::span<const Quat> World::rope_frames(RopeId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.rope_frames(id); });
 }
-void World::apply_impulses(ClothId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_impulses(id, vertices, impulses); });
-}
-void World::apply_impulses(RopeId id, std::span<const uint32_t> vertices, std::span<const Vec3> impulses) {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.apply_impulses(id, vertices, impulses); });
-}
 Vec3 World::attachment_force(AttachmentId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.attachment_force(id); });
 }
 std::vector<uint32_t> World::attachment_vertices(AttachmentId id) const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.attachment_vertices(id); });
-}
-std::vector<ParticleContact> World::particle_contacts() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.particle_contacts()); });
-}
-std::vector<SolidContact> World::solid_contacts() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.outward(w.solid_contacts()); });
-}
-const std::vector<ContactEvent>& World::contact_events() const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.contact_events(); });
-}
-std::optional<RayHit> World::cast_ray(Vec3 from, Vec3 to) const {
-  return impl_->run(
-      [&](auto w) -> decltype(auto) { return w.outward(w.cast_ray(w.inward(from), w.inward(to))); });
-}
-std::vector<float> World::solid_distances(std::span<const Vec3> points, float reach,
-                                          const CollisionFilter& filter) const {
-  return impl_->run(
-      [&](auto w) -> decltype(auto) { return w.solid_distances(w.inward(points), reach, filter); });
-}
-Overlaps World::overlap_ball(Vec3 centre, float radius) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.overlap_ball(w.inward(centre), radius); });
-}
-Overlaps World::overlap_box(const Pose& pose, Vec3 half_extents) const {
-  return impl_->run([&](auto w) -> decltype(auto) { return w.overlap_box(w.inward(pose), half_extents); });
 }
 std::size_t World::particle_count() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.particle_count(); });
@@ -327,6 +308,9 @@ std::size_t World::device_bytes() const {
 }
 std::vector<MemoryShare> World::memory_shares() const {
   return impl_->run([&](auto w) -> decltype(auto) { return w.memory_shares(); });
+}
+MemoryStats World::memory_stats() const {
+  return impl_->run([&](auto w) { return w.memory_stats(); });
 }
 
 }  // namespace meniscus

@@ -51,16 +51,17 @@ struct World::Calls {
   void remove_particles(std::span<const ParticleId> ids);
   void apply_impulses(std::span<const ParticleId> ids, std::span<const Vec3> impulses);
   void relax(int iterations = 50);
-  StepReport step(float dt) {
-    begin(dt);
+  StepReport step(float dt, std::optional<int> iterations = {}) {
+    begin(dt, iterations);
     return finish();
   }
-  void begin(float dt);
+  void begin(float dt, std::optional<int> iterations);
   StepReport finish();
-  void step_begin(float dt);
+  void step_begin(float dt, std::optional<int> iterations);
   StepReport step_end();
   DeviceArrays device_arrays() const;
-  void set_hook(Hook hook, SubstepCall call);
+  HookId add_hook(Hook hook, SubstepCall call);
+  void remove_hook(HookId id);
   ForceFieldId create_force_field(const ForceFieldDef& def);
   void set_force_field(ForceFieldId id, const ForceFieldDef& def);
   void destroy_force_field(ForceFieldId id);
@@ -143,11 +144,15 @@ struct World::Calls {
   std::vector<ParticleContact> particle_contacts() const;
   std::vector<SolidContact> solid_contacts() const;
   const std::vector<ContactEvent>& contact_events() const;
-  std::optional<RayHit> cast_ray(Vec3 from, Vec3 to) const;
+  const std::vector<SleepEvent>& sleep_events() const;
+  const std::vector<FlowEvent>& flow_events() const;
+  std::optional<RayHit> cast_ray(Vec3 from, Vec3 to, const QueryTargets& targets = {}) const;
+  std::optional<NearestPoint> nearest(Vec3 point, float reach, const QueryTargets& targets = {}) const;
+  std::vector<FluidSample> sample_fluid(std::span<const Vec3> points, std::optional<FluidId> fluid) const;
   std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                      const CollisionFilter& filter = {}) const;
-  Overlaps overlap_ball(Vec3 centre, float radius) const;
-  Overlaps overlap_box(const Pose& pose, Vec3 half_extents) const;
+  Overlaps overlap_ball(Vec3 centre, float radius, const QueryTargets& targets) const;
+  Overlaps overlap_box(const Pose& pose, Vec3 half_extents, const QueryTargets& targets) const;
   std::size_t particle_count() const;
   std::span<const ParticleId> ids() const;
   std::span<const Vec3> positions() const;
@@ -168,6 +173,9 @@ struct World::Calls {
   std::vector<std::string> warnings() const;
   std::size_t device_bytes() const;
   std::vector<MemoryShare> memory_shares() const;
+  MemoryStats memory_stats() const;
+  void start_recording(const std::string& path);
+  void stop_recording();
 
   // Arguments in the frame about the origin, and results in that of the user.
   template <class Def>

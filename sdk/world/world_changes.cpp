@@ -52,8 +52,9 @@ void expect_same(const char* name, const T& now, const T& wanted) {
 void World::Calls::set_def(const WorldDef& given) {
   check::def(given);
   expect_same("origin", impl_->given.origin, given.origin);
-  const WorldDef def = impl_->origin.inward(given);
+  WorldDef def = impl_->origin.inward(given);
   const WorldDef& now = impl_->def;
+  def.parallel_for = now.parallel_for;  // the device has it
   expect_same("device", now.device, def.device);
   expect_same("threads", now.threads, def.threads);
   expect_same("cuda_device", now.cuda_device, def.cuda_device);
@@ -71,6 +72,7 @@ void World::Calls::set_def(const WorldDef& given) {
   if (now.cloth != def.cloth) impl_->cloth_changed();
   const WorldDef before = std::exchange(impl_->def, def);
   const WorldDef given_before = std::exchange(impl_->given, given);
+  impl_->given.parallel_for = now.parallel_for;
   try {
     impl_->engine->set_solvers(impl_->engine_def());
   } catch (...) {
@@ -82,6 +84,7 @@ void World::Calls::set_def(const WorldDef& given) {
     throw;
   }
   impl_->rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});
+  impl_->log.set_sink(def.log);
 }
 
 void World::Calls::apply_impulses(std::span<const ParticleId> targets, std::span<const Vec3> impulses) {

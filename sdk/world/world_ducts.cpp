@@ -140,7 +140,7 @@ void World::Impl::upload_pistons() {
 /// Notes what the pistons have done in a step, and lets layers pass, follow and end.
 void World::Impl::advance_ducts(std::span<const PistonReading> readings, float dt, StepReport& report) {
   size_t next = 0;
-  emitters.for_each([&](uint32_t, EmitterEntry& e) {
+  emitters.for_each([&](uint32_t index, EmitterEntry& e) {
     if (!is_imposed(e)) return;
     Duct& duct = e.duct;
     report.emission_refused += (duct.asked - duct.stroke) * e.sites.area;
@@ -155,17 +155,20 @@ void World::Impl::advance_ducts(std::span<const PistonReading> readings, float d
     }
     const double close_to = 1e-6 * e.sites.layer;
     while (!duct.layers.empty() && duct.centre(duct.passed, e.sites.layer) >= 0.5 * e.sites.layer - close_to)
-      pass_layer(e);
-    is_over(e, time) ? close_duct(e) : follow_up(e, dt);
+      pass_layer(e, emitters.id(index));
+    is_over(e, time) ? close_duct(e, emitters.id(index)) : follow_up(e, dt);
     duct.stroke = 0;
     report.emitted += e.count.last_step;
   });
 }
 
-void World::Impl::pass_layer(EmitterEntry& e) {
+void World::Impl::pass_layer(EmitterEntry& e, EmitterId id) {
+  const auto particles = static_cast<uint32_t>(e.sites.places.size());
+  const ParticleId first = e.duct.layers.front();
+  for (auto at = std::ranges::lower_bound(ids, first); at != ids.end() && *at < first + particles; ++at)
+    flows.push_back({id, {}, *at});
   e.duct.layers.erase(e.duct.layers.begin());
   ++e.duct.passed;
-  const auto particles = static_cast<uint32_t>(e.sites.places.size());
   e.count.last_step += particles;
   e.count.total += particles;
 }
@@ -197,8 +200,8 @@ void World::Impl::follow_up(EmitterEntry& e, float dt) {
 }
 
 /// Ends an emission. Layers that are more than half out of the opening have left, and the others are removed.
-void World::Impl::close_duct(EmitterEntry& e) {
-  while (!e.duct.layers.empty() && e.duct.centre(e.duct.passed, e.sites.layer) >= 0) pass_layer(e);
+void World::Impl::close_duct(EmitterEntry& e, EmitterId id) {
+  while (!e.duct.layers.empty() && e.duct.centre(e.duct.passed, e.sites.layer) >= 0) pass_layer(e, id);
   const std::vector<bool> removed = particles_in(e);
   if (!removed.empty()) drop(removed);
   e.duct.layers.clear();

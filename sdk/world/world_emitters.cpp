@@ -157,7 +157,8 @@ void World::Impl::emit(float dt, StepReport& report) {
   engine->find_room(emission.arrivals, emission.has_room);
   emission.batch.clear();
   size_t next = 0;
-  emitters.for_each([&](uint32_t, EmitterEntry& e) {
+  ParticleId made = next_id;
+  emitters.for_each([&](uint32_t index, EmitterEntry& e) {
     for (const Departure& d : e.departures) {
       const size_t at = next++;
       const bool leaves = emission.has_room[at] && !is_done(e);
@@ -172,6 +173,7 @@ void World::Impl::emit(float dt, StepReport& report) {
       if (steps > most) ++report.overflows.emitter_hold;
       ++e.count.last_step;
       ++e.count.total;
+      flows.push_back({emitters.id(index), {}, made++});
     }
   });
   append(emission.batch);

@@ -189,6 +189,12 @@ void World::Impl::fill_from(const std::string& definitions, const pbd::SavedStat
     v.group("engine", [&] { engine->visit_state(v); });
     v.expect_all_used();
   });
+  if (awake.empty()) {  // a file of 0.2
+    bodies.for_each([&](uint32_t number, const BodyEntry&) {
+      awake.resize(number + 1, 1);
+      awake[number] = rigid.awake(number);
+    });
+  }
   if (engine->particle_count() != ids.size()) refuse("its particles and their ids differ in number");
 }
 
@@ -229,6 +235,9 @@ World World::made_from(const std::string& definitions, const pbd::SavedState& sa
   if (world_def.device == DeviceChoice::cpu) world_def.cuda_device.reset();
   world_def.cuda_stream = def.cuda_stream;
   world_def.read_file = def.read_file;
+  world_def.log = def.log;
+  world_def.parallel_for = def.parallel_for;
+  if (def.parallel_for && !def.threads) world_def.threads = 0;
   World world(world_def);
   world.impl_->run([&](auto) { world.impl_->fill_from(definitions, saved); });
   return world;
@@ -245,6 +254,8 @@ World World::load(const std::string& path, const LoadDef& def) {
 World World::clone(const LoadDef& def) const {
   LoadDef own = def;
   if (!own.read_file) own.read_file = this->def().read_file;
+  if (!own.log) own.log = this->def().log;
+  if (!own.parallel_for && !own.threads) own.parallel_for = this->def().parallel_for;
   return impl_->run([&](auto w) { return made_from(definitions_text(*impl_), w.chunks(), own); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "sdk/world/check/check.h"
 #include "sdk/world/world_boundary.h"
+#include "sdk/world/world_recorded.h"
 
 namespace meniscus {
 
@@ -111,7 +112,32 @@ std::vector<ForceFieldId> World::Calls::force_field_ids() const {
   return impl_->force_fields.ids();
 }
 
-/// Fields need the densities of bodies, so they are uploaded anew when solids have changed.
+namespace {
+
+/// What fields act on where they act on volumes: that of a rope's radius, and of a cloth's given thickness.
+class VolumesOf {
+ public:
+  explicit VolumesOf(size_t vertices) { all.volumes.resize(vertices); }
+
+  void add(const ClothEntry& cloth) {
+    const FabricDef& f = cloth.def.fabric;
+    if (f.thickness > 0) add(cloth.range, cloth.constraints.masses, f.density / f.thickness);
+  }
+  void add(const RopeEntry& rope) { add(rope.range, rope.range.masses, rope.def.density); }
+
+  VertexVolumes all;
+
+ private:
+  void add(const VertexRange& range, std::span<const float> dry_masses, float density) {
+    for (uint32_t v = 0; v < range.count(); ++v) all.volumes[range.first + v] = dry_masses[v] / density;
+    all.least_density = std::min(all.least_density, density);
+  }
+};
+
+}  // namespace
+
+/// Fields need the densities of bodies and the numbers of vertices, so they are uploaded anew when solids or
+/// cloth have changed.
 void World::Impl::upload_forces() {
   if (forces_are_on_device) return;
   std::vector<ForceFieldModel> models;
@@ -121,18 +147,29 @@ void World::Impl::upload_forces() {
     densities.resize(number + 1, 1.0f);
     if (entry.mass.volume > 0) densities[number] = entry.mass.mass / entry.mass.volume;
   });
-  engine->set_force_fields(models, densities);
+  const bool on_volumes = std::ranges::any_of(models, [](const ForceFieldModel& m) {
+    return m.field.is_per_volume && m.field.targets & ForceField::cloth;
+  });
+  VolumesOf vertices(on_volumes ? vertex_count : 0);
+  if (on_volumes) {
+    cloths.for_each([&](uint32_t, const ClothEntry& cloth) { vertices.add(cloth); });
+    ropes.for_each([&](uint32_t, const RopeEntry& rope) { vertices.add(rope); });
+  }
+  engine->set_force_fields(models, densities, vertices.all);
   forces_are_on_device = true;
 }
 
 ForceFieldId World::create_force_field(const ForceFieldDef& def) {
-  return impl_->run([&](auto w) { return w.create_force_field(w.inward(def)); });
+  return impl_->recorded(
+      "create_force_field", [&](auto w) { return w.create_force_field(w.inward(def)); }, def);
 }
 void World::set_force_field(ForceFieldId id, const ForceFieldDef& def) {
-  return impl_->run([&](auto w) { w.set_force_field(id, w.inward(def)); });
+  return impl_->recorded(
+      "set_force_field", [&](auto w) { return w.set_force_field(id, w.inward(def)); }, id, def);
 }
 void World::destroy_force_field(ForceFieldId id) {
-  return impl_->run([&](auto w) { w.destroy_force_field(id); });
+  return impl_->recorded(
+      "destroy_force_field", [&](auto w) { return w.destroy_force_field(id); }, id);
 }
 std::vector<ForceFieldId> World::force_field_ids() const {
   return impl_->run([&](auto w) { return w.force_field_ids(); });

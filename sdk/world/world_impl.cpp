@@ -103,9 +103,11 @@ World::Impl::Impl(const WorldDef& world_def)
     : WorldTables((check::def(world_def), check_baseline_kernel(world_def), world_def)),
       rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
-                              def.kernel)) {
+                              def.kernel)),
+      log(def.log) {
   check::def(def);  // far from zero, the ends of a periodic axis may round to one
   engine = make_engine(engine_def(), def, device);
+  log.note("the world runs on " + device.name + (device.reason.empty() ? "" : "; " + device.reason));
 }
 
 void World::Impl::check_solver_allows(const char* what) const {

@@ -15,6 +15,9 @@
 #include <vector>
 
 #include "sdk/engine/engine.h"
+#include "sdk/world/host/log.h"
+#include "sdk/world/host/step_budget.h"
+#include "sdk/world/recording/recorder.h"
 #include "sdk/world/state/snapshot_data.h"
 #include "sdk/world/state/world_tables.h"
 
@@ -42,6 +45,12 @@ struct CachedReadout {
   }
 };
 
+struct HookEntry {
+  HookId id;
+  Hook hook;
+  SubstepCall call;
+};
+
 struct World::Impl : WorldTables {
   explicit Impl(const WorldDef& world_def);
   ~Impl();
@@ -53,6 +62,14 @@ struct World::Impl : WorldTables {
   decltype(auto) run_removal(const Call& call, const char* name = __builtin_FUNCTION());
   template <class Call>
   decltype(auto) run_end_of_step(const Call& call);
+  /// run(), for a call that changes the state, with its arguments for the recording.
+  template <class Call, class... Args>
+  auto recorded(const RecordedAs& as, const Call& call, const Args&... args);
+  /// The same for a call that removes.
+  template <class Call, class... Args>
+  auto recorded_removal(const RecordedAs& as, const Call& call, const Args&... args);
+  void note_step(float dt, const StepReport& report);
+  void note_state();
   void settle();  // carries removals out; if it throws, all are still to be carried out
   pbd::CallMonitor& monitor() { return engine->device().monitor(); }
 
@@ -77,7 +94,7 @@ struct World::Impl : WorldTables {
   Engine& with_solids() { return upload_materials(), upload_solids(), *engine; }
   /// The engine with all that it needs for a step uploaded.
   Engine& with_all() {
-    return with_solids(), upload_probes(), upload_sinks(), upload_forces(), upload_cloth(), upload_pistons(),
+    return with_solids(), upload_probes(), upload_sinks(), upload_cloth(), upload_forces(), upload_pistons(),
            *engine;
   }
   SolidContext solid_context() {
@@ -87,6 +104,7 @@ struct World::Impl : WorldTables {
   ShapeId shape_id(uint32_t number) const { return shapes.id(number); }
   void forget_touches();
   void note_events();
+  void note_sleep();
   void forget_solid(const collision::RigidRef& solid);
   void plan_emission(float dt);
   void add_arrivals(const EmitterEntry& emitter, float dt);
@@ -100,15 +118,16 @@ struct World::Impl : WorldTables {
   double plan_ducts(float dt);
   void upload_pistons();
   void advance_ducts(std::span<const PistonReading> readings, float dt, StepReport& report);
-  void pass_layer(EmitterEntry& emitter);
+  void pass_layer(EmitterEntry& emitter, EmitterId id);
   void follow_up(EmitterEntry& emitter, float dt);
-  void close_duct(EmitterEntry& emitter);
+  void close_duct(EmitterEntry& emitter, EmitterId id);
   std::vector<bool> particles_in(const EmitterEntry& emitter) const;
   void sinks_changed() { sinks_are_on_device = false; }
   void upload_sinks();
   void forces_changed() { forces_are_on_device = false; }
   void upload_forces();
   uint32_t take_sinks();
+  void note_removals(const std::vector<bool>& removed);
   void drop_flow_of(BodyId body);
   void probes_changed() { probes_are_on_device = false; }
   void upload_probes();
@@ -142,6 +161,9 @@ struct World::Impl : WorldTables {
   void warn_of_places(std::vector<std::string>& warnings);
   void warn_of_drag(std::vector<std::string>& warnings);
   void warn_of_fields(std::vector<std::string>& warnings);
+  void log_before_steps();
+  void log_step(const StepReport& report);
+  void set_hooks(std::vector<HookEntry> all);
   void tear_cloth();
   void note_cloth_step(float dt);
   struct WetPiece;
@@ -180,14 +202,22 @@ struct World::Impl : WorldTables {
   std::unique_ptr<Engine> engine;
   bool lost = false;         // a call failed while it changed the world
   bool is_stepping = false;  // between step_begin() and step_end()
+  bool has_begun = false;    // a first step
   float begun_step = 0;      // s, of the step that was begun
+  int begun_iterations = 0;  // likewise
+  double begin_ms = 0;       // that step_begin() took
   std::chrono::steady_clock::time_point step_start{};
-  HookCalls hooks;
+  std::vector<HookEntry> hooks;  // in the order in which they were added
+  uint64_t next_hook = 1;
+  Log log;
+  StepBudget budget;
+  std::unique_ptr<Recorder> recorder;  // while the world is being recorded
   SolidMeshes solid_meshes;
   // A removal goes through all that is there, as many together do. So they wait for the next other call.
   std::vector<collision::RigidRef> removed_solids;
   std::vector<bool> removed_particles;         // by slot; empty if there are none
   std::vector<collision::RigidRef> forgotten;  // solids that were removed since the last step
+  std::vector<uint32_t> takers;                // sinks by slot, where one has taken a particle in this step
   uint64_t last_revision = 0;                  // see solids_revision
   Emission emission;
   float planned_step = 1;    // s, for which strokes of pistons are planned

@@ -210,4 +210,9 @@ std::vector<MemoryShare> World::Calls::memory_shares() const {
   return shares;
 }
 
+MemoryStats World::Calls::memory_stats() const {
+  const pbd::Device& device = impl_->engine->device();
+  return {device.memory(), device.shared_memory()};
+}
+
 }  // namespace meniscus

@@ -67,6 +67,14 @@ void World::Impl::upload_sinks() {
   sinks_are_on_device = true;
 }
 
+/// Notes which sink takes each of these particles, by slot.
+void World::Impl::note_removals(const std::vector<bool>& removed) {
+  std::vector<SinkId> all = sinks.ids();
+  for (size_t slot = 0; slot < removed.size(); ++slot) {
+    if (removed[slot]) flows.push_back({{}, all[takers[slot]], ids[slot]});
+  }
+}
+
 /// Removes the particles that the sinks take at the end of a step. Returns their number.
 uint32_t World::Impl::take_sinks() {
   if (sinks_are_carried) {
@@ -74,8 +82,11 @@ uint32_t World::Impl::take_sinks() {
     upload_sinks();
   }
   std::fill(taken.begin(), taken.end(), 0u);
-  const std::vector<bool> removed = engine->take_sinks(taken);
-  if (!removed.empty()) remove(removed);
+  const std::vector<bool> removed = engine->take_sinks(taken, takers);
+  if (!removed.empty()) {
+    note_removals(removed);
+    remove(removed);
+  }
   size_t place = 0;
   uint32_t sum = 0;
   sinks.for_each([&](uint32_t, SinkEntry& entry) {

@@ -144,6 +144,8 @@ std::vector<SceneCall> coupled_calls(int steps) {
       w.overlap_ball({0, 0.5f, 0}, 0.5f);
       w.overlap_box({{0, 0.5f, 0}, {0, 0, 0, 1}}, {0.5f, 0.5f, 0.5f});
       w.solid_distances(points, 1);
+      w.nearest({0, 1, 0}, 1);
+      w.sample_fluid(points);
     };
   });
   const std::vector<Vec3> impulses{{0.1f, 0, 0}, {0, 0.1f, 0}}, small{{0, 0.001f, 0}};

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <latch>
+#include <utility>
 #include <vector>
 
 #ifdef __linux__
@@ -74,7 +75,11 @@ CpuDevice::CpuDevice(int threads, Registers registers)
       threads_(threads_or_all(threads)),
       wide_(registers == Registers::widest && has_wide_lanes()) {}
 
+CpuDevice::CpuDevice(ParallelFor loop)
+    : arena_(1), threads_(0), loop_of_user_(std::move(loop)), wide_(has_wide_lanes()) {}
+
 std::string CpuDevice::name() const {
+  if (loop_of_user_) return "CPU, threads of the program";
   return "CPU, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads");
 }
 

@@ -32,6 +32,8 @@ class CpuDevice final : public Device {
 
   /// threads = 0: one for each core. The choice of registers does not change the bits of the results.
   explicit CpuDevice(int threads = 0, Registers registers = Registers::widest);
+  /// Without threads of its own: loops run in the user's.
+  explicit CpuDevice(ParallelFor loop);
 
   DeviceKind kind() const override { return DeviceKind::cpu; }
   std::string name() const override;
@@ -156,7 +158,7 @@ class CpuDevice final : public Device {
   template <class Body>
   void loop(uint32_t count, uint32_t piece, const Body& body) {
     const CallMonitor& watched = monitor();
-    parallel_loop(arena_, count, piece, [&](uint32_t begin, uint32_t end) {
+    parallel_loop(loop_of_user_, arena_, count, piece, [&](uint32_t begin, uint32_t end) {
       for (uint32_t next; begin < end && !watched.stops(); begin = next) {
         next = end - begin > piece ? begin + piece : end;
         body(begin, next);
@@ -253,7 +255,8 @@ class CpuDevice final : public Device {
   }
 
   tbb::task_arena arena_;
-  int threads_;
+  int threads_;  // 0: those of the user
+  ParallelFor loop_of_user_;
   bool wide_;  // whether AVX2 is available and to be used
   Buffer<uint64_t> scratch_{*this, "CPU scratch"};
   std::vector<std::chrono::steady_clock::time_point> marks_;

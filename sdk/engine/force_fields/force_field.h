@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -40,6 +41,12 @@ struct ForceField {
   pbd::View<const Vec3> values{};                  ///< grid, in the memory of whoever uses the field
 };
 
+/// The volumes of vertices, for fields that act on volumes.
+struct VertexVolumes {
+  std::vector<float> volumes{};  ///< m³, by vertex, 0 of those without one; empty if no field acts on volumes
+  float least_density = std::numeric_limits<float>::infinity();  ///< kg/m³, of the dry vertices
+};
+
 /// A field, and the values of its grid on the host.
 struct ForceFieldModel {
   ForceField field;
@@ -50,10 +57,13 @@ namespace force_kernels {
 
 using pbd::View;
 
+/// The density of what has no volume.
+inline constexpr float infinite_density = 3e38f;
+
 /// What feels a field.
 struct Felt {
   Vec3 place;       ///< m
-  float density;    ///< kg/m³
+  float density;    ///< kg/m³, mass over volume; infinite_density without a volume
   uint32_t target;  ///< a ForceField::Target
 };
 
@@ -135,7 +145,7 @@ MENISCUS_HD inline Vec3 vortex_change(const ForceField& f, Vec3 x, Vec3 v, float
 
 /// What a field adds to a velocity in dt.
 MENISCUS_HD inline Vec3 change_by(const ForceField& f, const Felt& felt, Vec3 v, double time, float dt) {
-  const bool has_volume = felt.target != ForceField::cloth;
+  const bool has_volume = felt.density < infinite_density;
   if (!(f.targets & felt.target) || (f.is_per_volume && !has_volume)) return {0, 0, 0};
   const Vec3 q = to_local(f.pose, felt.place), x = felt.place - f.pose.position;
   if (!is_inside(f, q)) return {0, 0, 0};

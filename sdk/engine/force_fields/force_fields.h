@@ -21,6 +21,8 @@ struct FindChange {
   View<const pbd::Phase> phase;
   View<const ForceField> fields;
   View<const float> densities;  // kg/m³, by group of fluids and grains
+  View<const float> volumes;    // m³, by vertex; empty if no field acts on volumes
+  uint32_t first_vertex;
   View<pbd::Vec4> change;
   double time;
   float dt;
@@ -30,11 +32,15 @@ struct FindChange {
     change[i] = {0, 0, 0, 0};
     if (x.w == 0) return;
     const bool is_vertex = (phase[i] & pbd::phase_vertex) != 0;
-    const Felt felt{x.xyz(), is_vertex ? 1.0f : densities[pbd::phase_group(phase[i])],
+    const Felt felt{x.xyz(), is_vertex ? density_of_vertex(i, x.w) : densities[pbd::phase_group(phase[i])],
                     is_vertex                 ? ForceField::cloth
                     : pbd::is_grain(phase[i]) ? ForceField::grains
                                               : ForceField::fluids};
     change[i] = pbd::with_w(change_by_all(fields, felt, velocity[i].xyz(), time, dt), 0);
+  }
+  MENISCUS_HD float density_of_vertex(uint32_t i, float inverse_mass) const {
+    const float volume = volumes.count ? volumes[i - first_vertex] : 0;
+    return volume > 0 ? 1 / (inverse_mass * volume) : infinite_density;
   }
 };
 
@@ -48,7 +54,8 @@ class ForceFields final : public pbd::ExternalForces<D> {
       : device_(device), rigid_(rigid), bodies_(bodies) {}
 
   /// `body_densities` is by body, kg/m³.
-  void set(std::span<const ForceFieldModel> models, std::span<const float> body_densities) {
+  void set(std::span<const ForceFieldModel> models, std::span<const float> body_densities,
+           const VertexVolumes& vertices) {
     device_.wait();
     std::vector<pbd::Buffer<Vec3>> grids;
     std::vector<ForceField> on_host, on_device;
@@ -61,8 +68,13 @@ class ForceFields final : public pbd::ExternalForces<D> {
       grid.write(model.values);
       on_device.back().values = grid.view();
     }
+    pbd::Buffer<float> volumes(device_, "volumes of vertices");
+    volumes.resize_discard(vertices.volumes.size());
+    volumes.write(vertices.volumes);
     fields_.resize_or_stay(on_device.size());
     fields_.write(on_device);
+    volumes_ = std::move(volumes);
+    least_vertex_density_ = vertices.least_density;
     models_.assign(models.begin(), models.end());
     for (size_t k = 0; k < models_.size(); ++k)
       on_host[k].values = {models_[k].values.data(), static_cast<uint32_t>(models_[k].values.size())};
@@ -82,7 +94,8 @@ class ForceFields final : public pbd::ExternalForces<D> {
 
   bool any() const override { return fields_.size() > 0; }
   float greatest_acceleration(Vec3 lower, Vec3 upper) const override {
-    return force_kernels::greatest_acceleration(on_host_, least_density_, lower, upper);
+    return force_kernels::greatest_acceleration(on_host_, std::min(least_density_, least_vertex_density_),
+                                                lower, upper);
   }
   void reserve(uint32_t particles) override {
     capacity_ = particles;
@@ -100,10 +113,10 @@ class ForceFields final : public pbd::ExternalForces<D> {
     bodies_.motions_changed();
   }
   pbd::View<const pbd::Vec4> velocity_changes(const pbd::ParticleView& start, float dt) override {
-    device_.parallel_for(
-        "forces/fields", start.owned,
-        force_kernels::FindChange{start.position, start.velocity, start.phase, fields_.view(),
-                                  densities_.view(), changes_.view(), start_time_ + passed_, dt});
+    device_.parallel_for("forces/fields", start.owned,
+                         force_kernels::FindChange{start.position, start.velocity, start.phase,
+                                                   fields_.view(), densities_.view(), volumes_.view(),
+                                                   start.sorted, changes_.view(), start_time_ + passed_, dt});
     return changes_.view();
   }
 
@@ -121,9 +134,10 @@ class ForceFields final : public pbd::ExternalForces<D> {
   std::vector<pbd::Buffer<Vec3>> grids_;
   pbd::Buffer<ForceField> fields_{device_, "force fields"};
   pbd::Buffer<float> densities_{device_, "densities of materials"};
+  pbd::Buffer<float> volumes_{device_, "volumes of vertices"};
   pbd::Buffer<pbd::Vec4> changes_{device_, "changes by force fields"};
   std::vector<float> body_densities_;
-  float least_density_ = 1;  // kg/m³
+  float least_density_ = 1, least_vertex_density_ = std::numeric_limits<float>::infinity();  // kg/m³
   bool any_on_bodies_ = false;
   uint32_t capacity_ = 0;
   double start_time_ = 0, passed_ = 0, next_ = 0;  // s

@@ -145,21 +145,10 @@ struct ContactEvent {
   bool began = true;  ///< else they ceased to touch
 };
 
-/// The first hit of a ray.
-struct RayHit {
-  BodyId body{};                         ///< valid if it is a body
-  ShapeId shape{};                       ///< valid if it is a fixed shape
-  std::optional<ParticleId> particle{};  ///< its id, if it is a particle
-  Vec3 point{0, 0, 0};                   ///< m
-  Vec3 normal{0, 0, 0};                  ///< unit, against the ray
-  float distance = 0;                    ///< m along the ray
-};
-
-/// What a volume of a query overlaps.
-struct Overlaps {
-  std::vector<BodyId> bodies;         ///< that overlap it
-  std::vector<ShapeId> shapes;        ///< fixed shapes that overlap it
-  std::vector<ParticleId> particles;  ///< those with their centres inside
+/// A body that fell asleep or woke since the end of the step before. A call that wakes a body counts.
+struct SleepEvent {
+  BodyId body{};      ///< the body
+  bool awake = true;  ///< whether it woke; else it fell asleep
 };
 
 }  // namespace meniscus

@@ -44,9 +44,10 @@ std::vector<uint32_t> colours_of(const std::vector<Constraint>& constraints) {
 ///   float compliance;              // m/N, ≥ 0
 ///   MENISCUS_BOTH_DEVICES float value(const Vec3 (&x)[point_count], Vec3 (&gradient)[point_count]) const;
 ///
-/// value() returns C and fills in ∇C by point. The constraints take the hooks contacts_found and iterated of
-/// the world. Constraints of one colour run at once; colours run in order, so that results repeat bit for
-/// bit. After particles were removed, indices in World::ids() are others: make the constraints anew.
+/// value() returns C and fills in ∇C by point. The constraints add calls to the hooks contacts_found and
+/// iterated of the world. Several kinds run in the order in which they were made. Constraints of one colour
+/// run at once; colours run in order, so that results repeat bit for bit. After particles were removed,
+/// indices in World::ids() are others: make the constraints anew.
 template <class Constraint>
 class ConstraintsOf {
  public:
@@ -63,14 +64,15 @@ class ConstraintsOf {
       }
     }
     sort_by_colour(constraints);
-    world.set_hook(Hook::contacts_found,
-                   [shared = shared_](const SubstepView& view) { shared->begin(view); });
-    world.set_hook(Hook::iterated, [shared = shared_](const SubstepView& view) { shared->project(view); });
+    begin_ = world.add_hook(Hook::contacts_found,
+                            [shared = shared_](const SubstepView& view) { shared->begin(view); });
+    project_ = world.add_hook(Hook::iterated,
+                              [shared = shared_](const SubstepView& view) { shared->project(view); });
   }
   /// Removes them from the world, which must still be there.
   void remove() {
-    world_->set_hook(Hook::contacts_found, {});
-    world_->set_hook(Hook::iterated, {});
+    world_->remove_hook(begin_);
+    world_->remove_hook(project_);
   }
   /// The number of colours.
   std::size_t colour_count() const { return shared_->colour_starts.size() - 1; }
@@ -119,6 +121,7 @@ class ConstraintsOf {
 
   std::shared_ptr<Shared> shared_;
   World* world_;
+  HookId begin_{}, project_{};
 };
 
 }  // namespace meniscus

@@ -103,4 +103,11 @@ struct FlowCount {
   uint64_t total = 0;      ///< since its creation
 };
 
+/// A particle that an emitter made or that a sink removed in the last step. One of the first two is valid.
+struct FlowEvent {
+  EmitterId emitter{};      ///< that made it; of an imposed emitter, once it has passed the opening
+  SinkId sink{};            ///< that removed it
+  ParticleId particle = 0;  ///< its id, which is gone if a sink removed it
+};
+
 }  // namespace meniscus

@@ -80,8 +80,10 @@ using ForceRegion = std::variant<EverywhereRegion, BoxRegion, BallRegion>;
 
 /// What the amounts of a force field are.
 enum class ForceQuantity {
-  acceleration,   ///< m/s²: the same for all masses
-  force_density,  ///< N/m³, divided by the density. Cloth and ropes, which have no volume, do not feel it
+  acceleration,  ///< m/s²: the same for all masses
+  /// N/m³, on the volume: of particles mass over density, of bodies their own, and of ropes that of their
+  /// radius. Cloth has the volume of FabricDef::thickness, without its fluid. Where that is 0, it has none.
+  force_density,
 };
 
 /// A force field. Fields add up in the order of their ids. They act on velocities at the start of each

@@ -50,4 +50,7 @@ struct SubstepView {
 /// then that before the step.
 using SubstepCall = std::function<void(const SubstepView&)>;
 
+/// Names a call that World::add_hook added. Opaque; never used again.
+enum class HookId : uint64_t {};
+
 }  // namespace meniscus

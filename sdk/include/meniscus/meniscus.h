@@ -13,8 +13,11 @@
 #include <meniscus/force_fields.h>
 #include <meniscus/graphics.h>
 #include <meniscus/hooks.h>
+#include <meniscus/host.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
+#include <meniscus/queries.h>
+#include <meniscus/recording.h>
 #include <meniscus/snapshot.h>
 #include <meniscus/types.h>
 #include <meniscus/version.h>

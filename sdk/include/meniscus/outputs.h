@@ -88,7 +88,7 @@ struct Overflows {
 /// Counts and times of one step.
 struct StepReport {
   int substeps = 0;    ///< made; more than WorldDef::substeps while a fast body is near cloth
-  int iterations = 0;  ///< per substep
+  int iterations = 0;  ///< per substep; fewer than WorldDef::iterations with WorldDef::step_budget_ms
   /// Per substep, on average. DensitySolverDef::tolerance can end them early.
   double density_iterations = 0;
   double ms = 0;  ///< wall clock, host and device
@@ -139,6 +139,20 @@ struct DeviceInfo {
 
 /// All devices of this machine, the CPU last.
 std::vector<DeviceInfo> list_devices();
+
+/// Memory from one allocator.
+struct MemoryUse {
+  std::size_t bytes = 0;       ///< held now
+  std::size_t peak_bytes = 0;  ///< most ever held
+  uint64_t allocations = 0;    ///< so far; constant over a step that needs no more room
+};
+
+/// What a world has taken from its allocators. Tables of the host, such as definitions and Bullet's, come
+/// from the heap of the program and are not counted.
+struct MemoryStats {
+  MemoryUse device;  ///< arrays on the device, with those of snapshots; on the CPU they are host memory
+  MemoryUse shared;  ///< host memory that the device reads and writes as well
+};
 
 /// Memory of the arrays of a world on its device, by purpose.
 struct MemoryShare {

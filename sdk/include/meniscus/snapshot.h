@@ -39,6 +39,8 @@ struct LoadDef {
   std::optional<int> cuda_device{};      ///< WorldDef::cuda_device; left out, as the saved world
   void* cuda_stream = nullptr;           ///< WorldDef::cuda_stream
   FileReader read_file{};                ///< WorldDef::read_file, which is in no file; a clone keeps its own
+  LogSink log{};                         ///< WorldDef::log, likewise
+  ParallelFor parallel_for{};            ///< WorldDef::parallel_for, likewise, if its world is on the CPU
 };
 
 }  // namespace meniscus

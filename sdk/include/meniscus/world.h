@@ -14,6 +14,7 @@
 #include <meniscus/hooks.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
+#include <meniscus/queries.h>
 #include <meniscus/snapshot.h>
 
 #include <cstdint>
@@ -27,6 +28,7 @@
 namespace meniscus {
 
 class GlParticles;
+class Replay;
 namespace pbd {
 class SavedState;
 }
@@ -47,7 +49,8 @@ class World {
 
   const WorldDef& def() const;  ///< as it is now
   /// From the next step on. A running world can change gravity, substeps, iterations, cfl_number with its
-  /// limits, and the solvers of density, solids and cloth. Throws Error(invalid_argument) and names the
+  /// limits, step_budget_ms, log, read_file, and the solvers of density, solids and cloth. parallel_for stays
+  /// as it is. Throws Error(invalid_argument) and names the
   /// member if another one differs.
   void set_def(const WorldDef& def);
   /// "cpu" or "cuda", the name of the device, and the reason if `automatic` fell back to the CPU.
@@ -115,8 +118,9 @@ class World {
   void relax(int iterations = 50);
 
   /// Advances by dt seconds, at least 1e-12. Then cloth absorbs particles and drips, sinks remove particles,
-  /// and emitters make them. On Error(non_finite) the state is that before the call.
-  StepReport step(float dt);
+  /// and emitters make them. On Error(non_finite) the state is that before the call. `iterations`, 1 to 1000,
+  /// replace WorldDef::iterations and the choice of WorldDef::step_budget_ms in this step.
+  StepReport step(float dt, std::optional<int> iterations = {});
   double time() const;  ///< s
 
   /// The whole state: what exists, where it is, and all that the next step reads. Its arrays are copied
@@ -138,6 +142,17 @@ class World {
 
   /// A new world with the same state, as if by save and load.
   World clone(const LoadDef& def = {}) const;
+
+  /// Writes all further calls that change the world to a file, and its state at the beginning. After each
+  /// step the file has its hash. Replay (recording.h) repeats them. Where the world goes back to a snapshot,
+  /// or a relax() is cancelled, the file gets the whole state again. Hooks and what they do are not in it. If
+  /// a write fails, the recording ends there, a warning goes to WorldDef::log, and stop_recording() throws
+  /// the reason. Throws Error(io) if the file cannot be made, and Error(invalid_argument) if the world is
+  /// being recorded already.
+  void start_recording(const std::string& path);
+  /// Ends the recording. Without it the file is good but has no end. Throws Error(io) if not all could be
+  /// written, and Error(invalid_argument) if nothing is being recorded.
+  void stop_recording();
 
   // What exists, in the order of the indices of ids. The find calls return the first of that name, and throw
   // Error(not_found) if there is none.
@@ -261,16 +276,25 @@ class World {
   std::vector<ParticleContact> particle_contacts() const;  ///< those with an impulse; none if the step failed
   std::vector<SolidContact> solid_contacts() const;        ///< at least one of each pair is a body
   const std::vector<ContactEvent>& contact_events() const;  ///< of the last step
-  /// The first solid or particle between `from` and `to`, or none. A particle is a ball with a radius of half
-  /// a spacing. Cloth and ropes do not count. A ray that starts in a convex solid hits it there. A particle
-  /// around the start does not count.
-  std::optional<RayHit> cast_ray(Vec3 from, Vec3 to) const;
+  const std::vector<SleepEvent>& sleep_events() const;      ///< of the last step, by body
+  const std::vector<FlowEvent>& flow_events() const;        ///< of the last step, those of sinks first
+  /// The first thing between `from` and `to`, or none. A particle is a ball with a radius of half a spacing.
+  /// A ray that starts in a convex solid hits it there. A particle or rope around the start does not count.
+  std::optional<RayHit> cast_ray(Vec3 from, Vec3 to, const QueryTargets& targets = {}) const;
+  /// The nearest place on a surface within `reach` (m) of a point, or none. A particle is a ball with a
+  /// radius of half a spacing. Of equally near places the first counts, in the order of QueryTargets.
+  std::optional<NearestPoint> nearest(Vec3 point, float reach, const QueryTargets& targets = {}) const;
+  /// Density and velocity of the fluid at points, from the present positions; of one fluid or granular
+  /// material, or of all fluids and grains. Probes measure the same within a step.
+  std::vector<FluidSample> sample_fluid(std::span<const Vec3> points,
+                                        std::optional<FluidId> fluid = {}) const;
   /// m, from each point to the surface of the nearest solid that the filter collides with, negative inside.
   /// It is `reach` if no solid is nearer. Cloth does not count.
   std::vector<float> solid_distances(std::span<const Vec3> points, float reach,
                                      const CollisionFilter& filter = {}) const;
-  Overlaps overlap_ball(Vec3 centre, float radius) const;           ///< m
-  Overlaps overlap_box(const Pose& pose, Vec3 half_extents) const;  ///< m
+  Overlaps overlap_ball(Vec3 centre, float radius, const QueryTargets& targets = {}) const;  ///< m
+  /// m
+  Overlaps overlap_box(const Pose& pose, Vec3 half_extents, const QueryTargets& targets = {}) const;
 
   std::size_t particle_count() const;  ///< of fluids and grains
   // Read-outs, one element a particle, in the order of the ids. Valid until the next non-const call.
@@ -319,6 +343,7 @@ class World {
   /// which the next step starts. A step takes more if it finds more neighbours or contacts than there is room
   /// for. Throws Error(out_of_memory) if there is not enough for the upload.
   std::vector<MemoryShare> memory_shares() const;
+  MemoryStats memory_stats() const;  ///< bytes and counts of allocations, without an upload
 
   // ---- other physics on a world ----
 
@@ -337,16 +362,19 @@ class World {
   /// cancel(), set_progress(), step_end() and the destructor are allowed in between. Others throw
   /// Error(invalid_argument) with their name. With bodies the host waits within step_begin() for each
   /// substep. On the CPU all substeps are done there. StepReport::ms contains the caller's work.
-  void step_begin(float dt);
+  void step_begin(float dt, std::optional<int> iterations = {});
   /// Ends the step that step_begin() began. Throws as step() does; the state is then that before
   /// step_begin().
   StepReport step_end();
 
-  /// Calls `call` at this point of each substep, from the next step on. It replaces the one before; an empty
-  /// one removes it. See hooks.h for what it may do. Snapshots do not contain it.
-  void set_hook(Hook hook, SubstepCall call);
+  /// Calls `call` at this point of each substep, from the next step on, after those that were added before.
+  /// See hooks.h for what it may do. Snapshots do not contain it. Throws Error(invalid_argument) if it is
+  /// empty.
+  HookId add_hook(Hook hook, SubstepCall call);
+  void remove_hook(HookId id);  ///< throws Error(not_found) if it is not there
 
  private:
+  friend class Replay;
   struct Impl;
   struct Calls;
   static std::unique_ptr<Impl> make(const WorldDef& def);

@@ -214,6 +214,11 @@ std::vector<SolidContact> Origin::outward(std::vector<SolidContact> contacts) co
   return contacts;
 }
 
+std::optional<NearestPoint> Origin::outward(std::optional<NearestPoint> place) const {
+  if (place) place->point = outward(place->point);
+  return place;
+}
+
 std::optional<RayHit> Origin::outward(std::optional<RayHit> hit) const {
   if (hit) hit->point = outward(hit->point);
   return hit;

@@ -46,6 +46,7 @@ class Origin {
   std::vector<ParticleContact> outward(std::vector<ParticleContact> contacts) const;
   std::vector<SolidContact> outward(std::vector<SolidContact> contacts) const;
   std::optional<RayHit> outward(std::optional<RayHit> hit) const;
+  std::optional<NearestPoint> outward(std::optional<NearestPoint> place) const;
 
  private:
   Vec3 at_;

@@ -33,7 +33,7 @@ Json parsed_header(const std::string& path, const std::string& text) {
 }
 
 /// Reads one chunk, which is in the file to its end.
-pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::ifstream& stream,
+pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::istream& stream,
                           uint64_t& bytes_left) {
   const auto name = chunk.at("name").get<std::string>();
   if (chunk.at("version").get<uint32_t>() > chunk_version)
@@ -61,6 +61,11 @@ pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header
   std::error_code no_size;
   uint64_t bytes_left = std::filesystem::file_size(path, no_size);
   if (!stream || no_size) io::throw_io_error("read", path);
+  return read_chunks(stream, bytes_left, path, header);
+}
+
+pbd::SavedState read_chunks(std::istream& stream, uint64_t bytes_left, const std::string& path,
+                            ChunkFileHeader& header) {
   Prefix prefix{};
   if (bytes_left < sizeof prefix) refuse(path, "it ends within its first bytes");
   stream.read(reinterpret_cast<char*>(&prefix), sizeof prefix);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <istream>
 #include <string>
 
 #include "pbd/state/saved_state.h"
@@ -37,5 +38,8 @@ void write_chunk_file(const std::string& path, const ChunkFileHeader& header, pb
 
 /// All chunks, on the host. Throws Error(io) that names what is wrong, if a byte is not as it was written.
 pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header);
+/// The same of a stream of so many bytes; `path` names it in errors.
+pbd::SavedState read_chunks(std::istream& stream, uint64_t bytes, const std::string& path,
+                            ChunkFileHeader& header);
 
 }  // namespace meniscus

@@ -46,6 +46,7 @@ class ChunkList final : public pbd::StateVisitor {
     visit_host(path, form, data, count);
   }
   std::size_t count_of(const std::string&) override { return 0; }
+  bool has(const std::string&) const override { return false; }
 };
 
 /// Writes the contents of chunks that are listed, and notes their hashes. A piece is hashed and written while
@@ -72,6 +73,7 @@ class ChunkWriter final : public pbd::StateVisitor {
     });
   }
   std::size_t count_of(const std::string&) override { return 0; }
+  bool has(const std::string&) const override { return false; }
 
   template <class Fetch>
   void write(const std::string& path, std::size_t bytes, const Fetch& fetch) {

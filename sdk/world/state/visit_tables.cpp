@@ -157,6 +157,18 @@ void visit_tables(StateVisitor& v, WorldTables& t) {
     shift(e.b);
     shift(e.shape);
   });
+  if (v.lacks("awake")) {  // a file of 0.2
+    t.awake.clear();
+    t.sleeps.clear();
+    t.flows.clear();
+  } else {
+    v.list("awake", t.awake);
+    ids.list("sleep", t.sleeps, [](const auto& shift, SleepEvent& e) { shift(e.body); });
+    ids.list("flow", t.flows, [](const auto& shift, FlowEvent& e) {
+      shift(e.emitter);
+      shift(e.sink);
+    });
+  }
   ids.list("tear", t.tears, [](const auto& shift, TearEvent& e) { shift(e.cloth); });
   ids.list("piece", t.pieces);
   ids.list("touched_piece", t.touched_pieces);

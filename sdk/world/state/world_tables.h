@@ -59,10 +59,13 @@ struct WorldTables {
   bool solids_are_on_device = true;            ///< shapes and bodies
   std::vector<collision::RigidTouch> touches;  ///< after the last step
   std::vector<ContactEvent> events;            ///< of the last step
+  std::vector<uint8_t> awake;                  ///< by the index of bodies, after the last step
+  std::vector<SleepEvent> sleeps;              ///< of the last step
   IdTable<EmitterId, EmitterEntry> emitters{"emitter", first_generation};
   IdTable<SinkId, SinkEntry> sinks{"sink", first_generation};
   bool sinks_are_carried = false;  ///< a body carries at least one sink
   std::vector<uint32_t> taken;     ///< by sink, in the last step
+  std::vector<FlowEvent> flows;    ///< of the last step
   IdTable<ProbeId, ProbeDef> probes{"probe", first_generation};
   IdTable<ForceFieldId, ForceFieldDef> force_fields{"force field", first_generation};
   bool forces_are_on_device = true;

@@ -61,7 +61,7 @@ class ClothSolidBench {
   virtual std::vector<Vec3> attachment_impulses() = 0;  ///< N·s, on the vertices in the last step
   virtual collision::RigidWorld& rigid() = 0;
   virtual uint32_t points_wanted() = 0;
-  virtual pbd::MemoryUse memory() = 0;
+  virtual MemoryUse memory() = 0;
 };
 
 std::unique_ptr<ClothSolidBench> make_cpu_cloth_solid_bench(const ClothSolidSetup& setup);

@@ -46,7 +46,7 @@ class ClothSolidBenchOn final : public ClothSolidBench {
   std::vector<Vec3> attachment_impulses() override { return attachments_.read_impulses(); }
   collision::RigidWorld& rigid() override { return rigid_; }
   uint32_t points_wanted() override { return faces_.wanted(); }
-  pbd::MemoryUse memory() override { return device_.memory(); }
+  MemoryUse memory() override { return device_.memory(); }
 
  private:
   static pbd::SolverParameters parameters(const ClothSolidSetup& setup) {

@@ -52,7 +52,7 @@ TEST_P(BufferTest, FillSetsEveryByte) {
 }
 
 TEST_P(BufferTest, TheDeviceCountsWhatItHolds) {
-  const pbd::MemoryUse before = device_.memory();
+  const MemoryUse before = device_.memory();
   {
     Buffer<double> a(device_, "a"), b(device_, "b");
     a.resize_discard(1000);

@@ -42,7 +42,7 @@ bool is_whole(const std::string& line) {
 /// Whether the declaration in a line has a comment, before it or at its end.
 bool is_documented(const std::vector<std::string>& lines, std::size_t i) {
   std::size_t before = i - 1;
-  if (lines[before].rfind("template", 0) == 0) --before;
+  if (std::regex_match(lines[before], std::regex(" *template <.*"))) --before;
   if (lines[before].find("///") != std::string::npos && lines[before].find("///<") == std::string::npos)
     return true;
   std::size_t end = i;

@@ -53,6 +53,30 @@ TEST(State, TheEngineListsEachPart) {
   EXPECT_GT(parts, 20u);
 }
 
+/// Calls that change a world but stand in recordings otherwise, or not at all.
+const std::set<std::string> not_replayed{
+    "step",         "step_begin", "step_end",  // by a record of their own
+    "restore",                                 // as a state
+    "set_progress", "add_hook",   "remove_hook", "start_recording", "stop_recording"};
+
+TEST(State, RecordingsHaveEachCallThatChangesAWorld) {
+  const std::string header = text_of(root / "sdk/include/meniscus/world.h");
+  const std::string table = text_of(root / "sdk/world/recording/replayed_calls.cpp");
+  const std::regex call(R"(\n  (?:void|[A-Z]\w+|std::size_t) ([a-z]\w+)\([^;]*?\)( const)?(?: noexcept)?;)"),
+      entry(R"re(\{"\w+")re");
+  std::multiset<std::string> changing;
+  for (std::sregex_iterator at(header.begin(), header.end(), call), end; at != end; ++at) {
+    if (!(*at)[2].matched && (*at)[1] != "cancel" && !not_replayed.count((*at)[1])) changing.insert((*at)[1]);
+  }
+  const auto entries = std::distance(std::sregex_iterator(table.begin(), table.end(), entry), {});
+  EXPECT_EQ(static_cast<std::size_t>(entries), changing.size());
+  for (const std::string& name : changing)
+    EXPECT_TRUE(table.find("World::" + name) != std::string::npos ||
+                table.find("{\"" + name + "\"") != std::string::npos)
+        << name << " must be in the table, or not_replayed";
+  EXPECT_GT(changing.size(), 50u);
+}
+
 TEST(State, WhatAFailedStepRestoresIsVisited) {
   const std::regex restores(R"(void (restore|undo_step)\(\) override(?! \{\}))");
   std::size_t sets = 0;

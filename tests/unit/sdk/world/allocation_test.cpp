@@ -210,9 +210,9 @@ uint64_t allocations_on(pbd::DeviceKind kind, const fluid::DensityParameters& de
     batch.phase.push_back(pbd::phase_fluid);
   }
   engine->append(batch);
-  for (int k = 0; k < 60; ++k) engine->step(0.016f);
+  for (int k = 0; k < 60; ++k) engine->step(0.016f, 10);
   const uint64_t count = engine->device().memory().allocations;
-  for (int k = 0; k < 20; ++k) engine->step(0.016f);
+  for (int k = 0; k < 20; ++k) engine->step(0.016f, 10);
   return engine->device().memory().allocations - count;
 }
 

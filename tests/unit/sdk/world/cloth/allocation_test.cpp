@@ -65,10 +65,10 @@ TEST_P(ClothAllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
   solids.fixed = 1;
   engine->set_shapes(solids);
   engine->set_cloth(cloth_on_the_floor());
-  for (int k = 0; k < 60; ++k) engine->step(0.016f);
-  EXPECT_GT(engine->step(0.016f).result.contacts, 200u);
+  for (int k = 0; k < 60; ++k) engine->step(0.016f, 10);
+  EXPECT_GT(engine->step(0.016f, 10).result.contacts, 200u);
   const uint64_t count = engine->device().memory().allocations;
-  for (int k = 0; k < 30; ++k) engine->step(0.016f);
+  for (int k = 0; k < 30; ++k) engine->step(0.016f, 10);
   EXPECT_EQ(engine->device().memory().allocations, count);
 }
 

@@ -149,8 +149,31 @@ TEST_P(ForceFieldsTest, AForcePerVolumeGoesByTheDensity) {
   EXPECT_NEAR(v[0].x, 0.1f, 1e-5f);
   EXPECT_NEAR(v[1].x, 100.0f / 1600, 1e-5f);
   EXPECT_NEAR(v[2].x, 100 * mass.volume / mass.mass, 1e-4f);
-  EXPECT_NEAR(v[3].x, 0, 2e-4f);  // cloth and ropes do not feel it
-  EXPECT_NEAR(v[4].x, 0, 2e-4f);
+  EXPECT_NEAR(v[3].x, 0, 2e-4f) << "cloth without a given thickness has no volume";
+  EXPECT_NEAR(v[4].x, 0.1f, 2e-4f) << "a rope has that of its radius";
+}
+
+TEST_P(ForceFieldsTest, AForcePerVolumeActsOnClothOfAGivenThickness) {
+  World world(weightless(GetParam()));
+  world.set_wind({.air_density = 0});
+  ForceFieldDef per_volume = field(UniformForce{{1000, 0, 0}});
+  per_volume.quantity = ForceQuantity::force_density;
+  world.create_force_field(per_volume);
+  ClothDef felt = sheet(0.4f, 0.4f, 4, 4, {0, 0, 0});
+  felt.fabric.density = 0.8f;
+  felt.fabric.thickness = 0.004f;  // 200 kg/m³
+  const ClothId thick = world.create_cloth(felt);
+  const ClothId late = world.create_cloth(sheet(0.4f, 0.4f, 4, 4, {0, 2, 0}));
+  run(world, 10, dt);
+  EXPECT_NEAR(world.cloth_velocities(thick)[7].x, 10 * dt * 1000 / 200, 1e-4f);
+  EXPECT_NEAR(world.cloth_velocities(late)[7].x, 0, 1e-4f);
+  world.destroy_cloth(late);  // numbers of vertices change with cloth
+  felt.pose.position = {0, 4, 0};
+  felt.fabric.density = 1.6f;
+  const ClothId heavy = world.create_cloth(felt);
+  run(world, 10, dt);
+  EXPECT_NEAR(world.cloth_velocities(thick)[7].x, 20 * dt * 1000 / 200, 2e-4f);
+  EXPECT_NEAR(world.cloth_velocities(heavy)[7].x, 10 * dt * 1000 / 400, 1e-4f);
 }
 
 TEST_P(ForceFieldsTest, EachKindOfTargetCanBeLeftOut) {

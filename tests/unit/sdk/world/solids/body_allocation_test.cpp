@@ -77,10 +77,10 @@ TEST_P(BodyAllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
     batch.phase.push_back(pbd::phase_fluid);
   }
   engine->append(batch);
-  for (int k = 0; k < 80; ++k) engine->step(0.016f);
+  for (int k = 0; k < 80; ++k) engine->step(0.016f, 10);
   ASSERT_GT(engine->body_forces()[0].linear.y, 10);  // it floats: 39 N
   const uint64_t count = engine->device().memory().allocations;
-  for (int k = 0; k < 30; ++k) engine->step(0.016f);
+  for (int k = 0; k < 30; ++k) engine->step(0.016f, 10);
   EXPECT_EQ(engine->device().memory().allocations, count);
 }
 

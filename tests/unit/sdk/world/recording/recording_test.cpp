@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// A recording repeats a run bit for bit, whatever calls it has.
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "sdk/world/recording/record_file.h"
+#include "sdk/world/recording/replayed_calls.h"
+#include "tests/cloth_worlds.h"
+#include "tests/expect_error.h"
+#include "tests/many_threads.h"
+#include "tests/unit/sdk/world/recording/all_calls.h"
+#include "tests/unit/sdk/world/snapshot/cases.h"
+
+namespace meniscus::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecordingTest : public OnDevice {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path() const { return (folder_ / "run.menisrec").string(); }
+
+  std::string read() const {
+    std::ifstream file(path(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void write(const std::string& bytes) const { std::ofstream(path(), std::ios::binary) << bytes; }
+
+  /// Replays all steps; each has the hash of the recorded one.
+  int replayed(Replay& replay, World& world) const {
+    int steps = 0;
+    while (const std::optional<ReplayStep> step = replay.next(world)) {
+      EXPECT_EQ(step->hash, step->recorded_hash) << "step " << steps;
+      ++steps;
+    }
+    return steps;
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / ("meniscus_recordings_" + std::to_string(getpid()));
+};
+
+TEST_P(RecordingTest, RepeatsWorldsInTheMidstOfSomething) {
+  const ManyThreads many;
+  for (const SnapshotCase& c : snapshot_cases()) {
+    SCOPED_TRACE(c.name);
+    WorldDef def = world_def(GetParam(), 0.05f);
+    def.threads = 1;
+    World world = c.make(def);
+    run(world, c.before, snapshot_step);
+    world.start_recording(path());
+    run(world, 2, snapshot_step);
+    world.stop_recording();
+    Replay replay(path());
+    EXPECT_EQ(replay.device(), world.device().kind);
+    LoadDef several;
+    several.threads = 3;
+    World again = replay.start(several);
+    EXPECT_EQ(replayed(replay, again), 2);
+    EXPECT_TRUE(replay.is_complete());
+    EXPECT_EQ(state_of(again), state_of(world));
+  }
+}
+
+TEST_P(RecordingTest, RepeatsEachCall) {
+  World world = make_for_all_calls(world_def(GetParam(), 0.1f));
+  world.start_recording(path());
+  make_all_calls(world);
+  world.stop_recording();
+  std::set<std::string> made;
+  RecordReader reader(path());
+  while (const std::optional<Record> record = reader.next()) {
+    if (record->kind == RecordKind::call)
+      made.insert(call_text::Json::from_cbor(record->bytes)[0].get<std::string>());
+  }
+  for (const auto& [name, call] : replayed_calls()) EXPECT_TRUE(made.count(name)) << name;
+  Replay replay(path());
+  World again = replay.start();
+  EXPECT_GT(replayed(replay, again), 5);
+  EXPECT_TRUE(replay.is_complete());
+  EXPECT_EQ(state_of(again), state_of(world));
+}
+
+TEST_P(RecordingTest, HasTheIterationsOfABudget) {
+  WorldDef def = world_def(GetParam(), 0.1f);
+  def.step_budget_ms = 1e-6f;
+  World world = dam_break(def);
+  world.start_recording(path());
+  std::vector<int> chosen;
+  for (int k = 0; k < 3; ++k) chosen.push_back(world.step(0.01f).iterations);
+  world.stop_recording();
+  Replay replay(path());
+  World again = replay.start();
+  for (const int iterations : chosen) EXPECT_EQ(replay.next(again)->report.iterations, iterations);
+}
+
+TEST_P(RecordingTest, FollowsAWorldThatGoesBack) {
+  World world = dam_break(GetParam(), 0.1f);
+  const Snapshot start = world.snapshot();
+  world.step(0.01f);
+  world.start_recording(path());
+  world.step_begin(0.01f);
+  world.step_end();
+  world.restore(start);
+  world.step(0.01f);
+  world.stop_recording();
+  Replay replay(path());
+  World again = replay.start();
+  EXPECT_EQ(replayed(replay, again), 2);
+  EXPECT_EQ(again.time(), world.time());
+}
+
+TEST_P(RecordingTest, LeavesOutCallsThatFail) {
+  World world = dam_break(GetParam(), 0.1f);
+  world.start_recording(path());
+  EXPECT_THROW(world.create_shape(shape(SphereGeometry{-1}, {0, 0, 0})), Error);
+  EXPECT_THROW(world.step(-1), Error);
+  world.step(0.01f);
+  world.stop_recording();
+  Replay replay(path());
+  World again = replay.start();
+  EXPECT_EQ(replayed(replay, again), 1);
+}
+
+TEST_P(RecordingTest, IsGoodUpToWhereItWasCut) {
+  World world = dam_break(GetParam(), 0.2f);
+  world.start_recording(path());
+  run(world, 3, 0.01f);
+  world.stop_recording();
+  const std::string whole = read();
+  for (const size_t cut : {size_t{1}, size_t{24}, size_t{30}, size_t{80}, size_t{100}}) {
+    write(whole.substr(0, whole.size() - cut));
+    Replay replay(path());
+    World again = replay.start();
+    const int steps = replayed(replay, again);
+    EXPECT_LE(steps, 3);
+    EXPECT_GE(steps, 1);
+    EXPECT_FALSE(replay.is_complete());
+  }
+  for (const size_t length : {0, 8, 20, 40}) {
+    write(whole.substr(0, length));
+    expect_error(ErrorCode::io, "no usable recording", [&] { Replay(path()).start(); });
+  }
+}
+
+TEST_P(RecordingTest, RefusesAByteThatDiffers) {
+  World world = dam_break(GetParam(), 0.2f);
+  world.start_recording(path());
+  run(world, 2, 0.01f);
+  world.stop_recording();
+  const std::string whole = read();
+  for (size_t at = 0; at < whole.size(); at += 1 + whole.size() / 97) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    write(changed);
+    try {
+      Replay replay(path());
+      World again = replay.start();
+      replayed(replay, again);
+      EXPECT_FALSE(replay.is_complete()) << "byte " << at;  // a length beyond the file reads as a cut
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::io) << "byte " << at;
+    }
+  }
+}
+
+TEST_P(RecordingTest, RefusesWhatCannotBe) {
+  WorldDef def = world_def(GetParam(), 0.2f);
+  int warnings = 0;
+  def.log = [&](LogLevel level, const std::string&) { warnings += level == LogLevel::warning; };
+  World world = dam_break(def);
+  expect_error(ErrorCode::io, "no/such", [&] { world.start_recording("/no/such/folder/file"); });
+  world.start_recording(path());
+  expect_error(ErrorCode::invalid_argument, "is recorded", [&] { world.start_recording(path()); });
+  world.step(0.01f);
+  world.stop_recording();
+  expect_error(ErrorCode::invalid_argument, "nothing is being recorded", [&] { world.stop_recording(); });
+  EXPECT_EQ(warnings, 0);
+}
+
+MENISCUS_ON_EACH_DEVICE(RecordingTest);
+
+}  // namespace
+}  // namespace meniscus::tests
