@@ -4,7 +4,7 @@
 # The shared library for C. It holds all of Meniscus and shows nothing but the functions of meniscus_c.h. Before version
 # 1.0 a minor version may change them, so that the name of the library and its symbols has both numbers.
 
-set(meniscus_c_sources bodies cloth defs export member member_list particles queries scene setters state status world)
+set(meniscus_c_sources bodies cloth defs export hooks host measures member member_list particles queries recording scene setters state status world)
 list(TRANSFORM meniscus_c_sources REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/sdk/c/\\1.cpp")
 configure_file(${PROJECT_SOURCE_DIR}/sdk/c/meniscus_c.map.in ${PROJECT_BINARY_DIR}/meniscus_c.map @ONLY)
 

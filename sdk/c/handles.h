@@ -62,7 +62,9 @@ struct MeniscusWorld {
   std::vector<MeniscusParticleContact> particle_contacts{};
   std::vector<MeniscusSolidContact> solid_contacts{};
   std::vector<MeniscusContactEvent> contact_events{};
-  std::vector<MeniscusId> overlap_solids{};
+  std::vector<MeniscusSleepEvent> sleep_events{};
+  std::vector<MeniscusFlowEvent> flow_events{};
+  std::vector<MeniscusId> overlap_things{};
   std::vector<uint64_t> overlap_particles{};
   std::vector<MeniscusId> objects[MENISCUS_FORCE_FIELD + 1]{};
   meniscus::SurfaceMesh surface{};

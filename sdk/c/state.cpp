@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "sdk/c/handles.h"
+#include "sdk/c/host.h"
 #include "sdk/fields/world.h"
 
 struct MeniscusSnapshot {
@@ -14,20 +15,30 @@ struct MeniscusSnapshot {
 };
 
 namespace meniscus::c {
-namespace {
 
-LoadDef load_def_of(const char* device, int threads) {
+LoadDef load_def_of(const MeniscusLoadDef* given) {
   LoadDef def;
-  if (threads >= 0) def.threads = threads;
-  if (!device) return def;
+  if (!given) return def;
+  if (given->size != sizeof *given)
+    throw Error(ErrorCode::invalid_argument, "size of the MeniscusLoadDef is " + std::to_string(given->size) +
+                                                 "; meniscus_load_def_init() sets it");
+  if (given->threads >= 0) def.threads = given->threads;
+  if (given->cuda_device >= 0) def.cuda_device = given->cuda_device;
+  def.cuda_stream = given->cuda_stream;
+  def.read_file = reader_of(given->read_file, given->user);
+  def.log = sink_of(given->log, given->user);
+  def.parallel_for = loop_of(given->parallel_for, given->user);
+  if (!given->device) return def;
   for (const Named<DeviceChoice>& choice : names_of(DeviceChoice{})) {
-    if (choice.name == std::string(device)) def.device = choice.value;
+    if (choice.name == std::string(given->device)) def.device = choice.value;
   }
   if (!def.device)
     throw Error(ErrorCode::invalid_argument,
-                "device is \"" + std::string(device) + "\"; it must be auto, cpu or cuda");
+                "device is \"" + std::string(given->device) + "\"; it must be auto, cpu or cuda");
   return def;
 }
+
+namespace {
 
 /// The calls of World for one kind of object.
 struct KindCalls {
@@ -99,20 +110,23 @@ MeniscusStatus meniscus_save(const MeniscusWorld* world, const char* path) {
   return guarded([&] { world_of(world).save(&required(path, "path")); });
 }
 
-MeniscusStatus meniscus_load(const char* path, const char* device, int threads, MeniscusWorld** world) {
+void meniscus_load_def_init(MeniscusLoadDef* def) {
+  if (def) *def = {sizeof *def, -1, -1, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+}
+
+MeniscusStatus meniscus_load(const char* path, const MeniscusLoadDef* def, MeniscusWorld** world) {
   return guarded([&] {
     MeniscusWorld*& out = required(world, "world");
-    const LoadDef def = load_def_of(device, threads);
-    out = std::make_unique<MeniscusWorld>(MeniscusWorld{World::load(&required(path, "path"), def)}).release();
+    const LoadDef how = load_def_of(def);
+    out = std::make_unique<MeniscusWorld>(MeniscusWorld{World::load(&required(path, "path"), how)}).release();
   });
 }
 
-MeniscusStatus meniscus_clone(const MeniscusWorld* world, const char* device, int threads,
-                              MeniscusWorld** copy) {
+MeniscusStatus meniscus_clone(const MeniscusWorld* world, const MeniscusLoadDef* def, MeniscusWorld** copy) {
   return guarded([&] {
     MeniscusWorld*& out = required(copy, "copy");
-    const LoadDef def = load_def_of(device, threads);
-    out = std::make_unique<MeniscusWorld>(MeniscusWorld{world_of(world).clone(def)}).release();
+    const LoadDef how = load_def_of(def);
+    out = std::make_unique<MeniscusWorld>(MeniscusWorld{world_of(world).clone(how)}).release();
   });
 }
 

@@ -20,8 +20,11 @@
 #include <meniscus/c/cloth.h>
 #include <meniscus/c/defs.h>
 #include <meniscus/c/export.h>
+#include <meniscus/c/hooks.h>
+#include <meniscus/c/host.h>
 #include <meniscus/c/particles.h>
 #include <meniscus/c/queries.h>
+#include <meniscus/c/recording.h>
 #include <meniscus/c/scene.h>
 #include <meniscus/c/setters.h>
 #include <meniscus/c/state.h>

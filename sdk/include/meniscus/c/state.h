@@ -4,6 +4,7 @@
 // For C: snapshots and files of whole worlds, and the objects that a world has.
 #pragma once
 
+#include <meniscus/c/host.h>
 #include <meniscus/c/world.h>
 
 #ifdef __cplusplus
@@ -22,12 +23,28 @@ MENISCUS_C_API MeniscusStatus meniscus_restore(MeniscusWorld* world, const Menis
 
 /// Writes the whole state to a file, which appears complete or not at all: World::save.
 MENISCUS_C_API MeniscusStatus meniscus_save(const MeniscusWorld* world, const char* path);
-/// Makes a world with the state of a file. `device` is "auto", "cpu" or "cuda"; null means that of the saved
-/// world. So does a negative number of threads. Destroy the world with meniscus_world_destroy().
-MENISCUS_C_API MeniscusStatus meniscus_load(const char* path, const char* device, int threads,
+/// How a world is made from a state: meniscus::LoadDef. Begin with meniscus_load_def_init(). `user` is passed
+/// to all callbacks.
+typedef struct MeniscusLoadDef {
+  uint32_t size;                     ///< of this struct
+  int32_t threads;                   ///< of the CPU device; negative: as the saved world
+  int32_t cuda_device;               ///< ordinal of the GPU; negative: as the saved world
+  const char* device;                ///< "auto", "cpu" or "cuda"; null: as the saved world
+  void* cuda_stream;                 ///< a cudaStream_t, or null
+  MeniscusReadFile read_file;        ///< WorldDef::read_file, or null
+  MeniscusLog log;                   ///< WorldDef::log, or null
+  MeniscusParallelFor parallel_for;  ///< WorldDef::parallel_for, or null
+  void* user;                        ///< what the callbacks get
+} MeniscusLoadDef;
+
+/// Sets size and defaults.
+MENISCUS_C_API void meniscus_load_def_init(MeniscusLoadDef* def);
+/// Makes a world with the state of a file. `def` may be null. Destroy the world with
+/// meniscus_world_destroy().
+MENISCUS_C_API MeniscusStatus meniscus_load(const char* path, const MeniscusLoadDef* def,
                                             MeniscusWorld** world);
 /// Makes a world with the same state, as if by saving and loading.
-MENISCUS_C_API MeniscusStatus meniscus_clone(const MeniscusWorld* world, const char* device, int threads,
+MENISCUS_C_API MeniscusStatus meniscus_clone(const MeniscusWorld* world, const MeniscusLoadDef* def,
                                              MeniscusWorld** copy);
 
 /// Lists what exists of a kind, in the order of the indices of ids.

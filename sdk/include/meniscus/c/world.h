@@ -109,6 +109,12 @@ MENISCUS_C_API MeniscusStatus meniscus_step(MeniscusWorld* world, float dt, Meni
 MENISCUS_C_API MeniscusStatus meniscus_step_begin(MeniscusWorld* world, float dt);
 /// Ends the step that was begun. `report` may be null.
 MENISCUS_C_API MeniscusStatus meniscus_step_end(MeniscusWorld* world, MeniscusStepReport* report);
+/// meniscus_step() and meniscus_step_begin() with a number of iterations, 1 to 1000, in place of those of the
+/// definition and of WorldDef::step_budget_ms.
+MENISCUS_C_API MeniscusStatus meniscus_step_iterated(MeniscusWorld* world, float dt, int iterations,
+                                                     MeniscusStepReport* report);
+/// Likewise.
+MENISCUS_C_API MeniscusStatus meniscus_step_begin_iterated(MeniscusWorld* world, float dt, int iterations);
 /// The name of a stage of a step, or null from number 7 on.
 MENISCUS_C_API const char* meniscus_stage_name(size_t stage);
 /// s.
@@ -170,6 +176,23 @@ typedef struct MeniscusMemoryShare {
 /// The memory by purpose, the largest first.
 MENISCUS_C_API MeniscusStatus meniscus_memory_shares(MeniscusWorld* world, const MeniscusMemoryShare** shares,
                                                      size_t* count);
+
+/// Memory from one allocator: meniscus::MemoryUse.
+typedef struct MeniscusMemoryUse {
+  uint64_t bytes;        ///< held now
+  uint64_t peak_bytes;   ///< most ever held
+  uint64_t allocations;  ///< so far
+} MeniscusMemoryUse;
+
+/// What a world has taken from its allocators: meniscus::MemoryStats.
+typedef struct MeniscusMemoryStats {
+  uint32_t size;             ///< of this struct
+  MeniscusMemoryUse device;  ///< arrays on the device
+  MeniscusMemoryUse shared;  ///< host memory that the device reads and writes as well
+} MeniscusMemoryStats;
+
+/// Reads the accounts of the allocators.
+MENISCUS_C_API MeniscusStatus meniscus_memory_stats(const MeniscusWorld* world, MeniscusMemoryStats* stats);
 
 #ifdef __cplusplus
 }

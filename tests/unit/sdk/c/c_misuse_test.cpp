@@ -140,21 +140,35 @@ const std::vector<NamedCall>& calls_without_results() {
       NO_RESULT_OF_ID(meniscus_set_surface),
       {"cast_ray",
        [](const Arguments& a) {
-         return meniscus_cast_ray(a.world, {0, 1, 0}, {0, 0, 0}, nullptr);
+         return meniscus_cast_ray(a.world, {0, 1, 0}, {0, 0, 0}, MENISCUS_ALL, nullptr);
        }},
+      {"nearest",
+       [](const Arguments& a) {
+         return meniscus_nearest(a.world, {0, 1, 0}, 1, MENISCUS_ALL, nullptr);
+       }},
+      {"samples",
+       [](const Arguments& a) { return meniscus_sample_fluid(a.world, nullptr, 3, nullptr, nullptr); }},
+      {"sleep_events", [](const Arguments& a) { return meniscus_sleep_events(a.world, nullptr, nullptr); }},
+      {"flow_events", [](const Arguments& a) { return meniscus_flow_events(a.world, nullptr, nullptr); }},
+      {"memory_stats", [](const Arguments& a) { return meniscus_memory_stats(a.world, nullptr); }},
+      {"add_hook",
+       [](const Arguments& a) {
+         return meniscus_add_hook(a.world, MENISCUS_SOLVED, nullptr, nullptr, nullptr);
+       }},
+      {"start_recording", [](const Arguments& a) { return meniscus_start_recording(a.world, nullptr); }},
       {"distances",
        [](const Arguments& a) { return meniscus_solid_distances(a.world, nullptr, 3, 1, nullptr, nullptr); }},
-      {"clone", [](const Arguments& a) { return meniscus_clone(a.world, nullptr, -1, nullptr); }},
+      {"clone", [](const Arguments& a) { return meniscus_clone(a.world, nullptr, nullptr); }},
       {"objects",
        [](const Arguments& a) { return meniscus_objects(a.world, MENISCUS_BODY, nullptr, nullptr); }},
       {"find", [](const Arguments& a) { return meniscus_find(a.world, MENISCUS_BODY, nullptr, nullptr); }},
       {"ball",
        [](const Arguments& a) {
-         return meniscus_overlap_ball(a.world, {0, 0, 0}, 1, nullptr);
+         return meniscus_overlap_ball(a.world, {0, 0, 0}, 1, MENISCUS_ALL, nullptr);
        }},
       {"box",
        [](const Arguments& a) {
-         return meniscus_overlap_box(a.world, {{}, {0, 0, 0, 1}}, {1, 1, 1}, nullptr);
+         return meniscus_overlap_box(a.world, {{}, {0, 0, 0, 1}}, {1, 1, 1}, MENISCUS_ALL, nullptr);
        }},
   };
   return calls;

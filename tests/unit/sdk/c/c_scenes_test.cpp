@@ -106,10 +106,10 @@ TEST_P(CScenes, TankWithBody) {
   hit.size = sizeof hit;
   const MeniscusVec3 from = {state.pose.position.x, 0.39f, state.pose.position.z},
                      to = {from.x, -0.3f, from.z};
-  ASSERT_EQ(meniscus_cast_ray(made, from, to, &hit), MENISCUS_OK);
+  ASSERT_EQ(meniscus_cast_ray(made, from, to, MENISCUS_ALL, &hit), MENISCUS_OK);
   EXPECT_EQ(hit.is_hit, 1);
-  EXPECT_EQ(hit.solid.kind, uint32_t{MENISCUS_BODY});
-  EXPECT_EQ(hit.solid.index, id.index);
+  EXPECT_EQ(hit.thing.kind, uint32_t{MENISCUS_BODY});
+  EXPECT_EQ(hit.thing.index, id.index);
 
   MeniscusSurfaceMesh mesh{};
   mesh.size = sizeof mesh;

@@ -68,7 +68,7 @@ TEST_P(CState, ForceFieldsAreMadeChangedAndDestroyed) {
   ASSERT_EQ(meniscus_create(world_.get(), def, &field), MENISCUS_OK) << meniscus_last_error();
   EXPECT_EQ(field.kind, uint32_t{MENISCUS_FORCE_FIELD});
   MeniscusWorld* cloned = nullptr;
-  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, -1, &cloned), MENISCUS_OK) << meniscus_last_error();
+  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, &cloned), MENISCUS_OK) << meniscus_last_error();
   const Owned<MeniscusWorld> other(cloned);
   EXPECT_EQ(meniscus_def_set_vector(def, "force.value", {-3, 0, 0}), MENISCUS_OK);
   EXPECT_EQ(meniscus_set_force_field(world_.get(), field, def), MENISCUS_OK) << meniscus_last_error();
@@ -80,7 +80,7 @@ TEST_P(CState, ForceFieldsAreMadeChangedAndDestroyed) {
 
 TEST_P(CState, AStepHasTwoHalves) {
   MeniscusWorld* cloned = nullptr;
-  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, -1, &cloned), MENISCUS_OK) << meniscus_last_error();
+  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, &cloned), MENISCUS_OK) << meniscus_last_error();
   const Owned<MeniscusWorld> other(cloned);
   EXPECT_EQ(meniscus_step_end(cloned, nullptr), MENISCUS_INVALID_ARGUMENT);
   ASSERT_EQ(meniscus_step_begin(cloned, 0.02f), MENISCUS_OK) << meniscus_last_error();
@@ -114,10 +114,10 @@ TEST_P(CState, FilesAndClonesGoOnAlike) {
   const std::string path = (std::filesystem::path(testing::TempDir()) / "c_state.menisnap").string();
   ASSERT_EQ(meniscus_save(world_.get(), path.c_str()), MENISCUS_OK) << meniscus_last_error();
   MeniscusWorld *loaded = nullptr, *cloned = nullptr;
-  ASSERT_EQ(meniscus_load(path.c_str(), nullptr, -1, &loaded), MENISCUS_OK) << meniscus_last_error();
+  ASSERT_EQ(meniscus_load(path.c_str(), nullptr, &loaded), MENISCUS_OK) << meniscus_last_error();
   const Owned<MeniscusWorld> from_file(loaded);
   std::filesystem::remove(path);
-  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, -1, &cloned), MENISCUS_OK) << meniscus_last_error();
+  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, &cloned), MENISCUS_OK) << meniscus_last_error();
   const Owned<MeniscusWorld> copy(cloned);
   const uint64_t later = hash_after(world_.get(), 4);
   EXPECT_EQ(hash_after(loaded, 4), later);
@@ -146,15 +146,18 @@ TEST_P(CState, ObjectsAreFoundByKindAndName) {
 
 TEST_P(CState, BadFilesAndDevicesAreRefused) {
   MeniscusWorld* none = nullptr;
-  EXPECT_EQ(meniscus_load("/no/such/file", nullptr, -1, &none), MENISCUS_IO);
-  EXPECT_EQ(meniscus_clone(world_.get(), "abacus", -1, &none), MENISCUS_INVALID_ARGUMENT);
+  EXPECT_EQ(meniscus_load("/no/such/file", nullptr, &none), MENISCUS_IO);
+  MeniscusLoadDef def;
+  meniscus_load_def_init(&def);
+  def.device = "abacus";
+  EXPECT_EQ(meniscus_clone(world_.get(), &def, &none), MENISCUS_INVALID_ARGUMENT);
   EXPECT_NE(std::string(meniscus_last_error()).find("abacus"), std::string::npos);
   EXPECT_EQ(none, nullptr);
 }
 
 TEST_P(CState, AForceAtTheCentrePushes) {
   MeniscusWorld* cloned = nullptr;
-  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, -1, &cloned), MENISCUS_OK) << meniscus_last_error();
+  ASSERT_EQ(meniscus_clone(world_.get(), nullptr, &cloned), MENISCUS_OK) << meniscus_last_error();
   const Owned<MeniscusWorld> copy(cloned);
   MeniscusId body{};
   ASSERT_EQ(meniscus_find(cloned, MENISCUS_BODY, "crate", &body), MENISCUS_OK);
