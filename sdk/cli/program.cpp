@@ -21,6 +21,7 @@
 #include "sdk/cli/commands/check.h"
 #include "sdk/cli/commands/completion.h"
 #include "sdk/cli/commands/devices.h"
+#include "sdk/cli/commands/replay.h"
 #include "sdk/cli/commands/run.h"
 #include "sdk/cli/commands/samples.h"
 #include "sdk/cli/commands/schema.h"
@@ -78,6 +79,8 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->type_name("N")
       ->check(CLI::Range(1, 100'000'000).description(""));
   run.add_option("--from", options.from, "Continue from a saved state of the same scene")->type_name("FILE");
+  run.add_option("--record", options.record, "Record all steps with their hashes, for the command replay")
+      ->type_name("FILE");
   run.add_flag("--quiet", options.quiet, "Print errors alone, and with --json the results");
   add_json(run, options.json);
   run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });
@@ -118,6 +121,15 @@ void add_devices(CLI::App& app, SceneChoice& choice, bool& json, Command& comman
       return of_scene ? show_memory(choice, json) : show_devices(json);
     };
   });
+}
+
+void add_replay(CLI::App& app, ReplayOptions& options, Command& command) {
+  CLI::App& replay = *app.add_subcommand("replay", "Repeat a recording, and compare the hash of each step");
+  replay.add_option("file", options.file, "The recording")->required()->type_name("FILE");
+  add_device(replay, options.device)->description("Where to run; by default as recorded");
+  add_threads(replay, options.threads);
+  add_json(replay, options.json);
+  replay.callback([&options, &command] { command = [&options] { return replay_recording(options); }; });
 }
 
 void add_samples(CLI::App& app, bool& json, Command& command) {
@@ -204,6 +216,7 @@ int parse_and_run(int argc, char** argv) try {
   CompareOptions compare;
   ValidateOptions validate;
   ReproduceOptions reproduce;
+  ReplayOptions replay;
   SceneChoice budget;
   bool json = false;
   std::string shell;
@@ -217,6 +230,7 @@ int parse_and_run(int argc, char** argv) try {
   add_compare(app, compare, command);
   add_validate(app, validate, command);
   add_reproduce(app, reproduce, command);
+  add_replay(app, replay, command);
   add_devices(app, budget, json, command);
   add_samples(app, json, command);
   app.add_subcommand("schema", "Print the JSON Schema of scene files")->callback([&] {

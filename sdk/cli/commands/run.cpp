@@ -72,6 +72,7 @@ class Run {
         built_(built_of(options, scene_)),
         reached_(frame_of(built_.world, scene_)),
         save_every_(options.save_every),
+        recording_(options.record),
         rope_mass_(mass_of_ropes()),
         first_(sample(reached_, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
@@ -87,6 +88,7 @@ class Run {
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
     try {
+      if (!recording_.empty()) built_.world.start_recording(recording_);
       write(first_);
       for (int frame = reached_ + 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
@@ -99,6 +101,7 @@ class Run {
             frame, now.step.ms,
             scene_.fluids.empty() ? std::nullopt : std::optional(now.diagnostics.density_error_mean));
       }
+      if (!recording_.empty()) built_.world.stop_recording();
     } catch (const Error& error) {
       if (error.code() != ErrorCode::cancelled) end_.error = error.what();
     } catch (const std::exception& error) {
@@ -213,6 +216,7 @@ class Run {
   BuiltScene built_;
   int reached_;  // the frame from which it starts; 0 without a snapshot
   std::optional<int> save_every_;
+  std::string recording_;
   double rope_mass_;
   FrameSample first_;       // the state before the first frame
   FramePictures pictures_;  // made before the folder: a run that cannot start leaves it as it was

@@ -22,6 +22,7 @@ struct RunOptions {
   PictureOptions picture;
   std::optional<int> save_every;  ///< frames from one snapshot to the next
   std::string from;               ///< a snapshot to continue from; empty: the start
+  std::string record;             ///< the file for a recording; empty: none
   bool quiet = false;
   bool json = false;  ///< prints what summary.json contains, and the folder
 };

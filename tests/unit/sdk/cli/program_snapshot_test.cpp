@@ -30,6 +30,24 @@ TEST_F(ProgramTest, ARunContinuesFromASnapshot) {
   }
 }
 
+TEST_F(ProgramTest, ARecordedRunIsReplayed) {
+  const std::string file = (folder_ / "drop.menisrec").string();
+  printed({"run", "drop", "--device", "cpu", "--frames", "4", "--record", file, "--quiet", "--out", out()});
+  const std::string text = printed({"replay", file, "--threads", "2"});
+  EXPECT_NE(text.find("4 steps"), std::string::npos) << text;
+  EXPECT_NE(text.find("4 of them have the recorded hash"), std::string::npos) << text;
+  const auto json = nlohmann::json::parse(printed({"replay", file, "--json"}));
+  EXPECT_EQ(json["steps"], 4);
+  EXPECT_EQ(json["equal"], 4);
+  EXPECT_TRUE(json["first_difference"].is_null());
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_EQ(json["recorded_on"], "cpu");
+  fs::resize_file(file, fs::file_size(file) - 100);
+  EXPECT_NE(printed({"replay", file}).find("has no end"), std::string::npos);
+  EXPECT_EXIT(run({"replay", (folder_ / "drop.json").string()}), testing::ExitedWithCode(bad_input),
+              "does not begin with MENISREC");
+}
+
 TEST_F(ProgramTest, ASnapshotOfAnotherSceneIsRefused) {
   printed({"run", "drop", "--device", "cpu", "--save-every", "2", "--quiet", "--out", out()});
   const std::string saved = (folder_ / "out/snapshot_00002.menisnap").string();
