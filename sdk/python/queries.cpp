@@ -80,7 +80,8 @@ nb::object cast_ray(const PyWorld& self, nb::handle start, nb::handle end) {
   Vec3 from, to;
   read(start, {"cast_ray", "start"}, from);
   read(end, {"cast_ray", "end"}, to);
-  const std::optional<RayHit> hit = self.state->measure([&](World& w) { return w.cast_ray(from, to); });
+  const std::optional<RayHit> hit =
+      self.state->measure([&](World& w) { return w.cast_ray(from, to, {.cloth = false, .ropes = false}); });
   if (!hit) return nb::none();
   return make_result("RayHit", thing(self, hit->body), thing(self, hit->shape), to_python(hit->particle),
                      to_python(hit->point), to_python(hit->normal), hit->distance);
