@@ -30,21 +30,26 @@ std::string kind_of(const std::string& name) {
   return name.substr(begin, name.find(':', begin) - begin);
 }
 
-/// The value at a time code, linear between samples. A quaternion goes along, and is made a unit afterwards.
-Numbers value_at(const UsdaOp& op, double code) {
-  if (op.samples.empty()) return *op.fixed;
+/// The samples around a time code, and how far it is from the first to the second.
+struct Samples {
+  const Numbers &before, &after;
+  double fraction;
+};
+
+Samples samples_at(const UsdaOp& op, double code) {
+  if (op.samples.empty()) return {*op.fixed, *op.fixed, 0};
   const auto next = op.samples.lower_bound(code);
-  if (next == op.samples.end()) return op.samples.rbegin()->second;
-  if (next == op.samples.begin() || next->first == code) return next->second;
+  if (next == op.samples.end()) return {op.samples.rbegin()->second, op.samples.rbegin()->second, 0};
+  if (next == op.samples.begin() || next->first == code) return {next->second, next->second, 0};
   const auto before = std::prev(next);
-  const double fraction = (code - before->first) / (next->first - before->first);
-  Numbers value = before->second;
-  if (value.size() != next->second.size())
+  return {before->second, next->second, (code - before->first) / (next->first - before->first)};
+}
+
+Numbers linear(const Samples& samples) {
+  if (samples.before.size() != samples.after.size())
     throw FileDefect("has samples of different sizes in one operation");
-  double along = 0;
-  for (size_t k = 0; k < value.size(); ++k) along += value[k] * next->second[k];
-  const double sign = op.type.starts_with("quat") && along < 0 ? -1 : 1;
-  for (size_t k = 0; k < value.size(); ++k) value[k] += fraction * (sign * next->second[k] - value[k]);
+  Numbers value = samples.before;
+  for (size_t k = 0; k < value.size(); ++k) value[k] += samples.fraction * (samples.after[k] - value[k]);
   return value;
 }
 
@@ -109,6 +114,22 @@ Placed operation(const std::string& path, const std::string& name, const Numbers
   return placed;
 }
 
+/// An operation at a time code. Numbers are linear between samples, and rotations turn about one axis.
+/// OpenUSD is linear in the elements of matrices, which then scale.
+Placed operation_at(const std::string& path, const std::string& name, const UsdaOp& op, double code) {
+  const Samples samples = samples_at(op, code);
+  const std::string kind = kind_of(name);
+  if (kind != "orient" && kind != "transform") return operation(path, name, linear(samples));
+  const Placed before = operation(path, name, samples.before), after = operation(path, name, samples.after);
+  Placed between = Placed::Identity();
+  between.linear() = Eigen::Quaterniond(before.linear())
+                         .slerp(samples.fraction, Eigen::Quaterniond(after.linear()))
+                         .toRotationMatrix();
+  between.translation() =
+      before.translation() + samples.fraction * (after.translation() - before.translation());
+  return between;
+}
+
 /// A prim and all above it, the outermost first.
 class Chain {
  public:
@@ -126,7 +147,7 @@ class Chain {
   Placed at(double code) const {
     Placed all = Placed::Identity();
     for_each_op([&](const UsdaPrim& link, const std::string& name, const UsdaOp& op, bool inverts) {
-      const Placed one = operation(link.path, name, value_at(op, code));
+      const Placed one = operation_at(link.path, name, op, code);
       all = all * (inverts ? one.inverse() : one);
     });
     return all;
@@ -169,7 +190,7 @@ class Chain {
     double most = 0;
     for_each_op([&](const UsdaPrim&, const std::string& name, const UsdaOp& op, bool) {
       if (!kind_of(name).starts_with("rotate")) return;
-      const Numbers before = value_at(op, from), after = value_at(op, to);
+      const Numbers before = linear(samples_at(op, from)), after = linear(samples_at(op, to));
       for (size_t k = 0; k < std::min(before.size(), after.size()); ++k)
         most = std::max(most, std::fabs(after[k] - before[k]));
     });

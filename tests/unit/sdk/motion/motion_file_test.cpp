@@ -120,6 +120,24 @@ TEST(MotionFile, KnowsAllOperations) {
     uniform token[] xformOpOrder = ["xformOp:transform"]
   })");
   expect_near(to_world(c[0].pose, {1, 0, 0}), {3, 5, 5}, 1e-6f);
+  // Between two matrices a body stays rigid, and between two quaternions it turns at a constant rate.
+  const std::vector<Keyframe> d = read_usda(R"(( metersPerUnit = 1 )
+  def Xform "Up" {
+    double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 8: (0, 8, 0), 24: (0, 24, 0) }
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+    def Xform "D" {
+      matrix4d xformOp:transform.timeSamples = {
+        0: ( (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1) ),
+        24: ( (0, 1, 0, 0), (-1, 0, 0, 0), (0, 0, 1, 0), (3, 0, 0, 1) )
+      }
+      quatf xformOp:orient.timeSamples = { 0: (1, 0, 0, 0), 24: (0.70710678, 0, 0, 0.70710678) }
+      uniform token[] xformOpOrder = ["xformOp:transform", "xformOp:orient"]
+    }
+  })",
+                                            "/Up/D");
+  ASSERT_EQ(d.size(), 3u);
+  expect_near(d[1].pose.position, {1, 8, 0}, 1e-6f);
+  expect_near(rotate(d[1].pose.rotation, {1, 0, 0}), {0.5f, std::sqrt(0.75f), 0}, 1e-6f);
 }
 
 TEST(MotionFile, RefusesWhatItCannotFollow) {
