@@ -39,7 +39,8 @@ void bind_snapshots(nb::module_& module, nb::class_<PyWorld>& world) {
         static_cast<Things&>(*self.state) = snapshot.things;
       },
       nb::arg("snapshot"),
-      "Goes back to a snapshot of this world, whatever was created, destroyed or set since. What follows is bit "
+      "Goes back to a snapshot of this world, whatever was created, destroyed or set since. What follows is "
+      "bit "
       "for bit what followed the snapshot. Raises InvalidArgumentError for a snapshot of another world.");
 }
 
