@@ -60,6 +60,15 @@ TEST_F(SolidPictures, Shadows) {
   expect_drawn("shadows", scene);
 }
 
+/// Corners, and the ground beneath a ball, are darker than what lies open, also where the sun does not reach.
+TEST_F(SolidPictures, ContactShading) {
+  io::PreviewScene scene = on_ground({1.1f, 0.8f, 1.0f}, {0, 0.15f, -0.1f});
+  scene.shapes.push_back(shape(SphereGeometry{0.3f}, {0.1f, 0.29f, 0.1f}));
+  scene.shapes.push_back(shape(BoxGeometry{{0.5f, 0.4f, 0.05f}}, {0, 0.4f, -0.3f}));
+  scene.shapes.push_back(shape(BoxGeometry{{0.05f, 0.4f, 0.5f}}, {-0.5f, 0.4f, 0}));
+  expect_drawn("contact_shading", scene);
+}
+
 /// A container in front of a dark wall, seen at a low angle: its glass mirrors the sky.
 TEST_F(SolidPictures, Glass) {
   io::PreviewScene scene = on_ground({1.6f, 0.75f, 1.5f}, {0, 0.4f, 0});

@@ -17,6 +17,7 @@ Mesh::Mesh() : array_(make_vertex_array()) {
   attribute(0, 3, offsetof(Vertex, position));
   attribute(1, 3, offsetof(Vertex, normal));
   attribute(2, 4, offsetof(Vertex, color));
+  attribute(3, 2, offsetof(Vertex, place));
   glVertexArrayVertexBuffer(array_, 0, vertices_.name(), 0, sizeof(Vertex));
 }
 

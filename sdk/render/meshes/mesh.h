@@ -13,11 +13,13 @@
 namespace meniscus::render {
 
 /// The kind of a surface beside its colour. solids/solid.frag.glsl reads it from the colour's last component.
-enum class Look { glossy, cloth };
+enum class Look { glossy, cloth, rope };
 
 struct Vertex {
   Vec3 position, normal;
   Float4 color;  ///< linear RGB; w: the look
+  /// Of ropes: the angle around the line, and the way along it in radii.
+  std::array<float, 2> place{};
 };
 
 /// Three vertices per triangle.

@@ -34,7 +34,7 @@ Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& co
     if (!triangle_colors.empty()) color = float4(triangle_colors[i], color[3]);
     for (const uint32_t v : t) {
       const float wetness = frame.wetness.empty() || !triangle_colors.empty() ? 0 : frame.wetness[v];
-      all.push_back({frame.vertices[v], frame.normals[v], wetted(color, wetness)});
+      all.push_back({frame.vertices[v], frame.normals[v], wetted(color, wetness), {}});
     }
   }
   return all;
@@ -46,7 +46,7 @@ Triangles rope_surface(const io::RopeFrame& frame, const std::vector<Vec3>& colo
     std::vector<Vec3> line;
     for (const uint32_t v : frame.lines[i]) line.push_back(frame.vertices[v]);
     if (!std::all_of(line.begin(), line.end(), [](Vec3 p) { return is_finite(p); })) continue;
-    add_tube(all, line, frame.radii[i], paint(colors, i, RopeDef{}.color, Look::cloth));
+    add_tube(all, line, frame.radii[i], paint(colors, i, RopeDef{}.color, Look::rope));
   }
   return all;
 }

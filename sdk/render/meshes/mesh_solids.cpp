@@ -17,7 +17,7 @@ Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec
   for (const io::SolidTriangle& t : io::solid_triangles(geometry)) {
     if (floors_alone && !is_floor(t.normals[0], pose, up)) continue;
     const Float4 look = float4(t.color.value_or(color), static_cast<float>(Look::glossy));
-    for (int k = 0; k < 3; ++k) all.push_back({t.corners[k], t.normals[k], look});
+    for (int k = 0; k < 3; ++k) all.push_back({t.corners[k], t.normals[k], look, {}});
   }
   return all;
 }

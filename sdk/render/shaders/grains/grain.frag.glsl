@@ -18,5 +18,5 @@ void main() {
   vec3 here = distance * ray;
   if (is_under_ground((camera_to_world * vec4(here, 1.0)).xyz, 0.0)) discard;
   gl_FragDepth = to_window_depth(distance);
-  put(albedo, 0.02, mat3(camera_to_world) * ((here - middle) / radius));
+  put(albedo, 0.02, mat3(camera_to_world) * ((here - middle) / radius), 0.0);
 }

@@ -26,7 +26,7 @@ vec3 mirrored(vec3 world, vec3 direction, float away) {
   if (!meets_ground(world, direction, along)) return sky(direction);
   // Of what a pixel shows of the ground, about: surfaces are not flat.
   float wide = 6.0 * lens.y * viewport.w * (away + along) / max(-dot(ground.xyz, direction), 0.02);
-  return ground_color(world + along * direction, direction, vec2(wide / floor_.x));
+  return ground_color(world + along * direction, direction, vec2(wide / floor_.x), 1.0);
 }
 
 // Whether what lies behind is drawn at a pixel, as it is not where the first surface belongs to what lies behind.

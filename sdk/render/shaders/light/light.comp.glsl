@@ -13,6 +13,7 @@
 #include "light/vessels.glsl"
 layout(binding = 2) uniform sampler2D albedos;         // a: gloss
 layout(binding = 3) uniform sampler2D scene_distance;  // and what is there
+#include "light/openness.glsl"
 layout(binding = 8) uniform sampler2D normals;
 layout(binding = 0, rgba16f) writeonly restrict uniform image2D scene_color;
 
@@ -32,7 +33,8 @@ vec3 floor_at(int face, ivec2 pixel, vec3 world) {
   vec3 normal = inward_normal(uint(face / 6), face % 6);
   vec2 here = tile_place(normal, world);
   vec3 albedo = tiles(here, width_at(vec4(normal, dot(normal, world)), pixel, here), vec3(0.24, 0.25, 0.26));
-  return lit(albedo, 0.05, world, faceforward(normal, world - eye.xyz, normal));
+  normal = faceforward(normal, world - eye.xyz, normal);
+  return lit(albedo, 0.05, 0.0, openness(pixel, world, normal), world, normal);
 }
 
 // A tint, and what walls mirror at low angles.
@@ -57,10 +59,12 @@ vec3 color_at(ivec2 pixel) {
   if (what == is_nothing) {
     color = sky(ahead);
   } else if (what == is_ground) {
-    color = ground_color(world, ahead, width_at(ground, pixel, tile_place(ground.xyz, world)));
+    color = ground_color(world, ahead, width_at(ground, pixel, tile_place(ground.xyz, world)),
+                         openness(pixel, world, ground.xyz));
   } else if (what == is_solid) {
-    vec4 albedo = texelFetch(albedos, pixel, 0);
-    color = lit(albedo.rgb, albedo.a, world, normalize(texelFetch(normals, pixel, 0).xyz));
+    vec4 albedo = texelFetch(albedos, pixel, 0), normal = texelFetch(normals, pixel, 0);
+    normal.xyz = normalize(normal.xyz);
+    color = lit(albedo.rgb, albedo.a, normal.a, openness(pixel, world, normal.xyz), world, normal.xyz);
   } else {
     color = floor_at(what - is_floor, pixel, world);
   }

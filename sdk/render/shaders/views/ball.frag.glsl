@@ -19,5 +19,5 @@ void main() {
   vec3 here = (along - sqrt(inside)) * ray;
   if (is_under_ground((camera_to_world * vec4(here, 1.0)).xyz, 0.0)) discard;
   gl_FragDepth = to_window_depth(-here.z);
-  put(texture(colors, vec2(value, 0.5)).rgb, 0.05, mat3(camera_to_world) * ((here - middle) / radius));
+  put(texture(colors, vec2(value, 0.5)).rgb, 0.05, mat3(camera_to_world) * ((here - middle) / radius), 0.0);
 }
