@@ -13,14 +13,16 @@ if(MENISCUS_OPENVDB)
   find_library(OPENVDB_LIBRARY openvdb)
   # Its headers include those of both, and Debian's package does not ask for Boost.
   find_path(IMATH_INCLUDE_DIR half.h PATH_SUFFIXES Imath)
+  find_library(IMATH_LIBRARY NAMES Imath Imath-3_1 Imath-3_2)
   find_path(BOOST_INCLUDE_DIR boost/numeric/conversion/conversion_traits.hpp)
-  if(OPENVDB_INCLUDE_DIR AND OPENVDB_LIBRARY AND IMATH_INCLUDE_DIR AND BOOST_INCLUDE_DIR)
+  if(OPENVDB_INCLUDE_DIR AND OPENVDB_LIBRARY AND IMATH_INCLUDE_DIR AND IMATH_LIBRARY AND
+     BOOST_INCLUDE_DIR)
     set(MENISCUS_OPENVDB ON)
     find_package(TBB REQUIRED)
     add_library(meniscus_openvdb INTERFACE)
     target_include_directories(meniscus_openvdb SYSTEM INTERFACE ${OPENVDB_INCLUDE_DIR} ${IMATH_INCLUDE_DIR}
       ${BOOST_INCLUDE_DIR})
-    target_link_libraries(meniscus_openvdb INTERFACE ${OPENVDB_LIBRARY} TBB::tbb)
+    target_link_libraries(meniscus_openvdb INTERFACE ${OPENVDB_LIBRARY} ${IMATH_LIBRARY} TBB::tbb)
   else()
     set(MENISCUS_NO_OPENVDB_REASON
       "OpenVDB was not found when Meniscus was built (Debian's packages libopenvdb-dev and libboost-dev)")
