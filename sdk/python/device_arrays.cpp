@@ -104,7 +104,12 @@ nb::dict cuda_interface(const PyDeviceArray& self) {
 
 nb::dict array_interface(const PyDeviceArray& self) {
   if (self.array.on_cuda) throw nb::attribute_error("the array is on a GPU; take it by DLPack");
-  return interface_of(self);
+  nb::dict members = interface_of(self);
+  // NumPy before 2 refuses a null pointer, of an empty array as well.
+  static const uint64_t nothing = 0;
+  if (!self.array.data)
+    members["data"] = nb::make_tuple(reinterpret_cast<uintptr_t>(&nothing), self.read_only);
+  return members;
 }
 
 std::string repr(const PyDeviceArray& self) {
