@@ -163,16 +163,18 @@ TEST_F(FluidPictures, Grains) {
   expect_drawn("grains", scene, {.ellipsoids = world.ellipsoids(), .fluids = world.fluids()});
 }
 
-/// A shallow pool and a film on a wall, of coarse particles. They end at the edges of the vessel, without scallops.
+/// A shallow pool and a film on a wall, of coarse particles. They end at the edges of the vessel, without
+/// scallops.
 TEST_F(FluidPictures, Walls) {
   constexpr float coarse = 0.1f;
   io::PreviewScene scene = on_ground({0.7f, 0.75f, 1.9f}, {0, 0.3f, 0}, 30);
   scene.particle_spacing = coarse;
   scene.shapes.push_back(
       shape(ContainerGeometry{{0.4f, 0.4f, 0.4f}, {{Face::y_high, std::nullopt}}}, {0, 0.4f, 0}));
-  const Water water(points_where(coarse, {0.4f, 0.6f, 0.4f},
-                                 [](Vec3 p) { return p.y > 0 && (p.y < 0.1f || (p.z > 0.3f && p.y < 0.5f)); }),
-                    coarse);
+  const Water water(
+      points_where(coarse, {0.4f, 0.6f, 0.4f},
+                   [](Vec3 p) { return p.y > 0 && (p.y < 0.1f || (p.z > 0.3f && p.y < 0.5f)); }),
+      coarse);
   expect_drawn("walls", scene, water.moment());
 }
 
