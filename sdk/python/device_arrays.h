@@ -19,7 +19,7 @@ struct PyDeviceArray {
 
 /// Makes the class DeviceArray, and adds device_arrays() to World.
 void bind_device_arrays(nb::module_& module, nb::class_<PyWorld>& world);
-/// Makes the class SubstepView, and adds set_hook() to World.
+/// Makes the class SubstepView, and adds add_hook() and remove_hook() to World.
 void bind_hooks(nb::module_& module, nb::class_<PyWorld>& world);
 
 }  // namespace meniscus::python

@@ -23,7 +23,7 @@ Hook hook_named(const std::string& name) {
     if (name == hook_names[k]) return static_cast<Hook>(k);
     allowed += (k ? ", '" : "'") + std::string(hook_names[k]) + "'";
   }
-  throw nb::value_error(("set_hook(): hook must be one of " + allowed + ", not '" + name + "'").c_str());
+  throw nb::value_error(("add_hook(): hook must be one of " + allowed + ", not '" + name + "'").c_str());
 }
 
 /// The class SubstepView of Python. Its arrays hold the token, so that one that outlives the call is seen.
@@ -81,9 +81,8 @@ void bind_array(nb::class_<PySubstepView>& type, const char* name, T* SubstepVie
 void bind_view(nb::module_& module) {
   nb::class_<PySubstepView> type(
       module, "SubstepView",
-      "The particles of a substep, and the vertices of cloth and ropes behind them, as set_hook() shows "
-      "them. Arrays "
-      "are NumPy's on the CPU and DeviceArray on a GPU, in the memory of the solver. They must not be kept.");
+      "The particles of a substep, and the vertices of cloth and ropes behind them, as add_hook() shows "
+      "them. Arrays are NumPy's on the CPU and DeviceArray on a GPU, in the memory of the solver. They must not be kept.");
   type.def_prop_ro(
       "hook", [](const PySubstepView& s) { return hook_names[uint32_t(s.view.hook)]; },
       "The name of the hook.");
@@ -131,29 +130,33 @@ void call_with(nb::handle function, const SubstepView& view) {
 void bind_hooks(nb::module_& module, nb::class_<PyWorld>& world) {
   bind_view(module);
   world.def(
-      "set_hook",
+      "add_hook",
       [](const PyWorld& self, const std::string& name, nb::object function) {
         const Hook hook = hook_named(name);
-        SubstepCall call;
-        Callable kept;
-        if (!function.is_none()) {
-          if (!PyCallable_Check(function.ptr()))
-            throw nb::type_error("set_hook(): function must be callable or None");
-          kept = Callable(std::move(function));
-          call = [kept](const SubstepView& view) { kept([&](nb::handle f) { call_with(f, view); }); };
-        }
-        self.state->change([&](World& w) { w.set_hook(hook, std::move(call)); });
-        self.state->hooks[uint32_t(hook)] = std::move(kept);
+        if (!PyCallable_Check(function.ptr())) throw nb::type_error("add_hook(): function must be callable");
+        const Callable kept(std::move(function));
+        SubstepCall call = [kept](const SubstepView& view) {
+          kept([&](nb::handle f) { call_with(f, view); });
+        };
+        const HookId id = self.state->change([&](World& w) { return w.add_hook(hook, std::move(call)); });
+        self.state->hooks.emplace_back(id, kept);
+        return static_cast<uint64_t>(id);
       },
-      nb::arg("hook"), nb::arg("function").none(),
+      nb::arg("hook"), nb::arg("function"),
       nb::sig(
-          "def set_hook(self, hook: typing.Literal['predicted', 'contacts_found', 'iterated', 'solved', "
-          "'velocities_known'], function: collections.abc.Callable[[SubstepView], object] | None) -> None"),
-      "Calls function(view) at this point of each substep, from the next step on. It replaces the one "
-      "before; None "
-      "removes it. On a GPU it puts its work on the stream and must not wait. What it raises ends the step, "
-      "and the "
+          "def add_hook(self, hook: typing.Literal['predicted', 'contacts_found', 'iterated', 'solved', "
+          "'velocities_known'], function: collections.abc.Callable[[SubstepView], object]) -> int"),
+      "Calls function(view) at this point of each substep, from the next step on, after those that were added "
+      "before. Returns a number for remove_hook(). On a GPU it puts its work on the stream and must not wait. What it raises ends the step, and the "
       "world is as before. Snapshots do not contain it.");
+  world.def(
+      "remove_hook",
+      [](const PyWorld& self, uint64_t number) {
+        const auto id = static_cast<HookId>(number);
+        self.state->change([&](World& w) { w.remove_hook(id); });
+        std::erase_if(self.state->hooks, [&](const auto& hook) { return hook.first == id; });
+      },
+      nb::arg("hook"), "Calls the function of this hook no more.");
 }
 
 }  // namespace meniscus::python

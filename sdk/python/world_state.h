@@ -138,7 +138,7 @@ class WorldState : public Things {
   int frames = 250;              ///< of the scene
   std::optional<SceneCamera> camera;
   nb::object on_progress;                  ///< a function of what and fraction, or none
-  std::array<Callable, hook_count> hooks;  ///< that the world calls, for the garbage collector
+  std::vector<std::pair<HookId, Callable>> hooks;  ///< that the world calls, for the garbage collector
 
  private:
   /// The right to call the world. A thread waits for it without the GIL.

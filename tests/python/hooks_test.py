@@ -44,14 +44,13 @@ class Hooks(unittest.TestCase):
             seen.append((view.hook, view.iteration if view.hook == "iterated" else None, view.is_last))
 
         world_count = world.particle_count
-        for name in NAMES:
-            world.set_hook(name, look)
+        hooks = [world.add_hook(name, look) for name in NAMES]
         world.step(0.01)
         one = [("predicted", None), ("contacts_found", None), *(("iterated", k) for k in range(3)), ("solved", None),
                ("velocities_known", None)]
         self.assertEqual(seen, [(*item, last) for last in (False, True) for item in one])
-        for name in NAMES:
-            world.set_hook(name, None)
+        for hook in hooks:
+            world.remove_hook(hook)
         world.step(0.01)
         self.assertEqual(len(seen), 2 * len(one))
 
@@ -61,7 +60,7 @@ class Hooks(unittest.TestCase):
         def push(view):
             view.velocities[:view.particles, 0] += 3 * view.dt
 
-        pushed.set_hook("velocities_known", push)
+        pushed.add_hook("velocities_known", push)
         for world in (pushed, plain):
             for _ in range(5):
                 world.step(0.01)
@@ -76,11 +75,11 @@ class Hooks(unittest.TestCase):
             if view.is_last:
                 raise RuntimeError("no more")
 
-        world.set_hook("solved", fail)
+        hook = world.add_hook("solved", fail)
         with self.assertRaisesRegex(RuntimeError, "no more"):
             world.step(0.01)
         self.assertEqual((world.state_hash(), world.time), (before, times))
-        world.set_hook("solved", None)
+        world.remove_hook(hook)
         world.step(0.01)
         other = drop()
         other.step(0.01)
@@ -89,12 +88,12 @@ class Hooks(unittest.TestCase):
     def test_an_array_must_not_be_kept(self):
         for keep in (lambda view: view.positions, lambda view: view.slots[:5]):
             world, kept = drop(), []
-            world.set_hook("solved", lambda view: kept.append(keep(view)))
+            world.add_hook("solved", lambda view: kept.append(keep(view)))
             with self.assertRaisesRegex(ValueError, "solved.*keeps an array"):
                 world.step(0.01)
             kept.clear()
-        views = []
-        world.set_hook("solved", views.append)
+        views, world = [], drop()
+        world.add_hook("solved", views.append)
         world.step(0.01)
         with self.assertRaises(AttributeError):
             views[0].positions
@@ -108,16 +107,22 @@ class Hooks(unittest.TestCase):
             except ValueError as error:
                 refused.append(str(error))
 
-        world.set_hook("predicted", ask)
+        world.add_hook("predicted", ask)
         world.step(0.01)
         self.assertEqual(len(refused), 2)
 
     def test_refused(self):
         world = drop()
         with self.assertRaisesRegex(ValueError, "'predicted', .* not 'never'"):
-            world.set_hook("never", print)
+            world.add_hook("never", print)
         with self.assertRaises(TypeError):
-            world.set_hook("solved", 3)
+            world.add_hook("solved", 3)
+        with self.assertRaises(TypeError):
+            world.add_hook("solved", None)
+        hook = world.add_hook("solved", print)
+        world.remove_hook(hook)
+        with self.assertRaises(KeyError):
+            world.remove_hook(hook)
 
     def test_the_function_is_let_go(self):
         class Function:
@@ -126,16 +131,16 @@ class Hooks(unittest.TestCase):
 
         world, function = drop(), Function()
         gone = weakref.ref(function)
-        world.set_hook("solved", function)
+        hook = world.add_hook("solved", function)
         del function
         self.assertIsNotNone(gone())
         world.step(0.01)
-        world.set_hook("solved", None)
+        world.remove_hook(hook)
         self.assertIsNone(gone())
         function = Function()
         gone = weakref.ref(function)
         function.world = world  # a cycle
-        world.set_hook("solved", function)
+        world.add_hook("solved", function)
         del function, world
         gc.collect()
         self.assertIsNone(gone())

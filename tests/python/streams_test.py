@@ -145,14 +145,14 @@ class Streams(unittest.TestCase):
             with torch.cuda.stream(torch.cuda.ExternalStream(view.stream)):
                 torch.from_dlpack(view.velocities)[: view.particles, 0] += 3 * view.dt
 
-        world.set_hook("velocities_known", push)
+        world.add_hook("velocities_known", push)
         for w in (world, plain):
             for _ in range(10):
                 w.step(0.001)
         moved = world.velocities.mean(axis=0, dtype=float) - plain.velocities.mean(axis=0, dtype=float)
         self.assertGreater(moved[0], 0.015)
         kept = []
-        world.set_hook("solved", lambda view: kept.append(torch.from_dlpack(view.positions)))
+        world.add_hook("solved", lambda view: kept.append(torch.from_dlpack(view.positions)))
         with self.assertRaisesRegex(ValueError, "keeps an array"):
             world.step(0.001)
 
