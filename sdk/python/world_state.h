@@ -137,7 +137,7 @@ class WorldState : public Things {
   float frame_time = 1.0f / 60;  ///< s
   int frames = 250;              ///< of the scene
   std::optional<SceneCamera> camera;
-  nb::object on_progress;                  ///< a function of what and fraction, or none
+  nb::object on_progress;                          ///< a function of what and fraction, or none
   std::vector<std::pair<HookId, Callable>> hooks;  ///< that the world calls, for the garbage collector
 
  private:

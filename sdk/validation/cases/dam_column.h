@@ -16,10 +16,10 @@ struct DamColumn {
   float end_time = 2;  ///< s, for a width of 1 m
 };
 
-/// The world of a column that is `across` spacings wide. A frame has a substep for each five of them, and at least
-/// the usual four: the front then moves by half a spacing or less in a substep. In longer ones columns of more than
-/// 80 layers throw up water along the wall. At full resolution, with hundreds of layers, the density is solved on the
-/// pressure grid first.
+/// The world of a column that is `across` spacings wide. A frame has a substep for each five of them, and at
+/// least the usual four: the front then moves by half a spacing or less in a substep. In longer ones columns
+/// of more than 80 layers throw up water along the wall. At full resolution, with hundreds of layers, the
+/// density is solved on the pressure grid first.
 WorldDef column_world(const Settings& settings, float width, int across);
 
 /// Over T = t √(2g/a), until the front has reached `until` widths or the end time.
