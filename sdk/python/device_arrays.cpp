@@ -12,7 +12,7 @@
 
 #include "pbd/device/stream_order.h"
 #include "sdk/python/results.h"
-#include "sdk/world/dlpack.h"
+#include "sdk/world/host/dlpack.h"
 
 namespace meniscus::python {
 

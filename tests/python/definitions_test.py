@@ -12,7 +12,7 @@ import unittest
 import meniscus
 
 # Keys of files alone: names of alternatives, what stands for infinity, and files of hulls.
-FILE_KEYS = {"type", "held", "angular_held", "unyielding", "copies"}
+FILE_KEYS = {"type", "held", "angular_held", "unyielding", "copies", "motion_file"}
 CALLS = {"fluids": "add_fluid", "granulars": "add_granular", "shapes": "add_shape", "bodies": "add_body",
          "cloths": "add_cloth", "ropes": "add_rope", "attachments": "add_attachment", "volumes": "add_volume",
          "emitters": "add_emitter", "sinks": "add_sink", "probes": "add_probe", "joints": "add_joint",

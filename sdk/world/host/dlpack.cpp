@@ -7,7 +7,7 @@
 
 #include <new>
 
-#include "sdk/world/dlpack.h"
+#include "sdk/world/host/dlpack.h"
 
 namespace meniscus {
 
