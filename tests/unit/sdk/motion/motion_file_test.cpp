@@ -184,6 +184,30 @@ TEST(MotionFile, ReadsLinesOfPoses) {
   refused("no pose", "# nothing\n");
 }
 
+// The first frame of Blender is 1, and docs/manual/animated_colliders.md has this start.
+TEST(MotionFile, BeginsAtZeroWhereTheStartHasFewDigits) {
+  const std::string moves = R"(def Xform "A" {
+    double3 xformOp:translate.timeSamples = { 1: (0, 0, 0), 25: (1, 0, 0) }
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+  })";
+  const auto begin = [&](float start, const std::string& rate) {
+    return read_keyframes({.file = "a.usda", .start = start},
+                          only("#usda 1.0\n( timeCodesPerSecond = " + rate + " )\n" + moves))[0]
+        .time;
+  };
+  EXPECT_EQ(begin(-0.0416667f, "24"), 0);
+  EXPECT_EQ(begin(-0.0166667f, "60"), 0);
+  EXPECT_LT(begin(-0.0417f, "24"), 0) << "a thousandth away is no rounding";
+  EXPECT_LT(begin(-1, "24"), 0);
+  const std::string scene = R"({"name": "arm", "bodies": [{"name": "arm", "motion": "kinematic",
+    "geometry": {"type": "sphere"}, "motion_file": {"file": "a.usda", "start": -0.0416667}}]})";
+  const Scene read = read_scene_text(
+      scene, "folder", "scene", [&](const std::string&) { return std::optional("#usda 1.0\n" + moves); });
+  World world(WorldDef{.device = DeviceChoice::cpu});
+  const BodyId body = world.create_body(read.bodies[0].def);
+  EXPECT_EQ(world.body_state(body).pose.position.x, 0);
+}
+
 TEST(MotionFile, ASceneTakesItsKeyframesFromIt) {
   const std::string scene = R"({"name": "arm", "bodies": [{"name": "arm", "motion": "kinematic",
     "geometry": {"type": "sphere"}, "motion_file": {"file": "arm.usda", "prim": "/World/Arm"}}]})";
