@@ -22,7 +22,7 @@ namespace meniscus {
 
 namespace {
 
-constexpr uint64_t most_bytes = uint64_t{1} << 28;
+constexpr uint64_t most_bytes = uint64_t{1} << 26;
 
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -56,6 +56,17 @@ void place(std::vector<Keyframe>& keyframes, const MotionFile& motion) {
   if (first < 0 && first > -motion::tuning::start_tolerance * std::fabs(motion.start)) first = 0;
 }
 
+void expect_finite(const std::vector<Keyframe>& keyframes) {
+  for (size_t k = 0; k < keyframes.size(); ++k) {
+    const Vec3 x = keyframes[k].pose.position;
+    const Quat q = keyframes[k].pose.rotation;
+    for (const float number : {keyframes[k].time, x.x, x.y, x.z, q.x, q.y, q.z, q.w})
+      if (!std::isfinite(number))
+        throw collision::FileDefect("has its pose " + std::to_string(k) +
+                                    " at a time or place beyond all floats");
+  }
+}
+
 void expect_later_and_later(const std::vector<Keyframe>& keyframes) {
   for (size_t k = 1; k < keyframes.size(); ++k) {
     if (keyframes[k].time > keyframes[k - 1].time) continue;
@@ -72,6 +83,7 @@ std::vector<Keyframe> read_keyframes(const MotionFile& motion, const FileReader&
     try {
       std::vector<Keyframe> keyframes = read(motion, read_file);
       place(keyframes, motion);
+      expect_finite(keyframes);
       expect_later_and_later(keyframes);
       return keyframes;
     } catch (const collision::FileDefect& defect) {
