@@ -48,6 +48,17 @@ TEST_F(ProgramTest, ARecordedRunIsReplayed) {
               "does not begin with MENISREC");
 }
 
+TEST_F(ProgramTest, ARecordingThatCannotBeWrittenLeavesTheFolderAsItWas) {
+  fs::create_directories(out() + "/frames");
+  write("out/summary.json", "of the run before");
+  write("out/frames/frame_00002.ply", "likewise");
+  const std::string nowhere = (folder_ / "nowhere/drop.menisrec").string();
+  EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--record", nowhere, "--quiet", "--out", out()}),
+              testing::ExitedWithCode(bad_input), "nowhere/drop.menisrec");
+  EXPECT_EQ(bytes(out() + "/summary.json"), "of the run before");
+  EXPECT_EQ(bytes(out() + "/frames/frame_00002.ply"), "likewise");
+}
+
 TEST_F(ProgramTest, ASnapshotOfAnotherSceneIsRefused) {
   printed({"run", "drop", "--device", "cpu", "--save-every", "2", "--quiet", "--out", out()});
   const std::string saved = (folder_ / "out/snapshot_00002.menisnap").string();
