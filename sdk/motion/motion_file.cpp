@@ -6,6 +6,7 @@
 #include <meniscus/motion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "collision/mesh/file/bytes.h"
@@ -13,6 +14,7 @@
 #include "pbd/host_memory.h"
 #include "sdk/fields/fields.h"
 #include "sdk/motion/pose_lines.h"
+#include "sdk/motion/tuning.h"
 #include "sdk/motion/usda_transform.h"
 #include "sdk/world/check/check.h"
 
@@ -20,7 +22,7 @@ namespace meniscus {
 
 namespace {
 
-constexpr uint64_t most_bytes = uint64_t{1} << 28;
+constexpr uint64_t most_bytes = uint64_t{1} << 26;
 
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -43,6 +45,36 @@ std::vector<Keyframe> read(const MotionFile& motion, const FileReader& read_file
   return is_usda ? motion::poses_of(motion::read_usda(text), motion.prim) : motion::read_pose_lines(text);
 }
 
+/// Takes the poses of a file into the world.
+void place(std::vector<Keyframe>& keyframes, const MotionFile& motion) {
+  for (Keyframe& k : keyframes) {
+    k.time += motion.start;
+    k.pose = motion.pose * Pose{motion.scale * k.pose.position, k.pose.rotation};
+  }
+  // A start that takes the first time away has few digits.
+  float& first = keyframes.front().time;
+  if (first < 0 && first > -motion::tuning::start_tolerance * std::fabs(motion.start)) first = 0;
+}
+
+void expect_finite(const std::vector<Keyframe>& keyframes) {
+  for (size_t k = 0; k < keyframes.size(); ++k) {
+    const Vec3 x = keyframes[k].pose.position;
+    const Quat q = keyframes[k].pose.rotation;
+    for (const float number : {keyframes[k].time, x.x, x.y, x.z, q.x, q.y, q.z, q.w})
+      if (!std::isfinite(number))
+        throw collision::FileDefect("has its pose " + std::to_string(k) +
+                                    " at a time or place beyond all floats");
+  }
+}
+
+void expect_later_and_later(const std::vector<Keyframe>& keyframes) {
+  for (size_t k = 1; k < keyframes.size(); ++k) {
+    if (keyframes[k].time > keyframes[k - 1].time) continue;
+    throw collision::FileDefect("has its pose " + std::to_string(k) + " at " +
+                                std::to_string(keyframes[k].time) + " s, no later than the one before");
+  }
+}
+
 }  // namespace
 
 std::vector<Keyframe> read_keyframes(const MotionFile& motion, const FileReader& read_file) {
@@ -50,15 +82,9 @@ std::vector<Keyframe> read_keyframes(const MotionFile& motion, const FileReader&
     check::def(motion);
     try {
       std::vector<Keyframe> keyframes = read(motion, read_file);
-      for (Keyframe& k : keyframes) {
-        k.time += motion.start;
-        k.pose = motion.pose * Pose{motion.scale * k.pose.position, k.pose.rotation};
-      }
-      for (size_t k = 1; k < keyframes.size(); ++k) {
-        if (keyframes[k].time > keyframes[k - 1].time) continue;
-        throw collision::FileDefect("has its pose " + std::to_string(k) + " at " +
-                                    std::to_string(keyframes[k].time) + " s, no later than the one before");
-      }
+      place(keyframes, motion);
+      expect_finite(keyframes);
+      expect_later_and_later(keyframes);
       return keyframes;
     } catch (const collision::FileDefect& defect) {
       throw Error(ErrorCode::parse, "motion file '" + motion.file + "' " + defect.what());

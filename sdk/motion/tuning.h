@@ -15,4 +15,8 @@ inline constexpr double most_turn = 5;
 /// Test: MotionFile.RefusesWhatItCannotFollow.
 inline constexpr double scale_tolerance = 1e-4;
 
+/// Of MotionFile::start: a first time that is below 0 by less is 0. Text with six digits rounds by so much.
+/// Test: MotionFile.BeginsAtZeroWhereTheStartHasFewDigits.
+inline constexpr float start_tolerance = 5e-6f;
+
 }  // namespace meniscus::motion::tuning

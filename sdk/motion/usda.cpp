@@ -25,7 +25,7 @@ struct Value {
 
 class Parser {
  public:
-  explicit Parser(std::string_view text) : tokens_(usda_tokens(text)) {}
+  explicit Parser(std::string_view text) : tokens_(text) {}
 
   UsdaLayer layer() {
     if (next().is('(')) read_metadata();
@@ -34,12 +34,8 @@ class Parser {
   }
 
  private:
-  const UsdaToken& next() const { return tokens_[at_]; }
-  UsdaToken take() {
-    const UsdaToken token = tokens_[at_];
-    if (token.kind != Kind::end) ++at_;
-    return token;
-  }
+  const UsdaToken& next() const { return tokens_.next(); }
+  UsdaToken take() { return tokens_.take(); }
   [[noreturn]] static void refuse(const UsdaToken& token) {
     throw FileDefect("is not understood at line " + std::to_string(token.line) + ": " +
                      (token.kind == Kind::end ? "it ends too early" : collision::in_quotes(token.text)));
@@ -95,7 +91,7 @@ class Parser {
   /// A prim, an attribute, or something to skip. Depth is that of the file's brackets.
   void read_item(int parent) {
     if (take_if(';')) return;
-    const UsdaToken& word = next();
+    const UsdaToken word = next();
     if (word.kind != Kind::word) refuse(word);
     if (word.text == "def" || word.text == "over" || word.text == "class") return read_prim(parent);
     if (word.text == "variantSet") {
@@ -114,8 +110,7 @@ class Parser {
     expect('{');
     if (++depth_ > deepest) throw FileDefect("has prims more than 256 deep");
     const auto number = static_cast<int>(layer_.prims.size());
-    const std::string above = parent < 0 ? "" : layer_.prims[static_cast<size_t>(parent)].path;
-    layer_.prims.push_back({above + "/" + std::string(name.text), parent});
+    layer_.prims.push_back({std::string(name.text), parent});
     while (!next().is('}')) read_item(number);
     take();
     --depth_;
@@ -179,8 +174,7 @@ class Parser {
     return value;
   }
 
-  std::vector<UsdaToken> tokens_;
-  size_t at_ = 0;
+  UsdaTokens tokens_;
   int depth_ = 0;
   UsdaLayer layer_;
 };
@@ -188,10 +182,19 @@ class Parser {
 }  // namespace
 
 bool UsdaPrim::moves() const {
-  return std::ranges::any_of(order, [&](const std::string& name) {
-    const auto op = ops.find(name);
+  return std::ranges::any_of(order, [&](const std::string& entry) {
+    const auto op = ops.find(entry);
     return op != ops.end() && !op->second.samples.empty();
   });
+}
+
+std::string UsdaLayer::path_of(int prim) const {
+  std::vector<const std::string*> names;
+  for (; prim >= 0; prim = prims[static_cast<size_t>(prim)].parent)
+    names.push_back(&prims[static_cast<size_t>(prim)].name);
+  std::string path;
+  for (auto name = names.rbegin(); name != names.rend(); ++name) path.append("/").append(**name);
+  return path;
 }
 
 UsdaLayer read_usda(std::string_view text) {

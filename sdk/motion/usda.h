@@ -20,8 +20,8 @@ struct UsdaOp {
 };
 
 struct UsdaPrim {
-  std::string path;  ///< as /World/Arm
-  int parent = -1;   ///< its number; -1: none
+  std::string name;
+  int parent = -1;  ///< its number; -1: none
   std::map<std::string, UsdaOp> ops{};
   std::vector<std::string> order{};  ///< xformOpOrder: the outermost operation first
 
@@ -32,10 +32,12 @@ struct UsdaLayer {
   double time_codes_per_second = 24;  ///< the fallbacks of OpenUSD
   double metres_per_unit = 0.01;
   std::vector<UsdaPrim> prims{};  ///< parents before children
+
+  std::string path_of(int prim) const;  ///< as /World/Arm
 };
 
-/// Reads the prims of a layer, their transforms, and its units. All else is skipped. Throws FileDefect, with
-/// the line, for text that is not understood.
+/// Reads the prims of a layer, their transforms, and its units. All else is skipped, and takes no memory.
+/// Throws FileDefect, with the line, for text that is not understood, and for prims more than 256 deep.
 UsdaLayer read_usda(std::string_view text);
 
 }  // namespace meniscus::motion

@@ -4,9 +4,8 @@
 // Cuts an OpenUSD file in text form into words, numbers, texts and marks.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <string_view>
-#include <vector>
 
 namespace meniscus::motion {
 
@@ -21,8 +20,30 @@ struct UsdaToken {
   bool is_word(std::string_view word) const { return kind == Kind::word && text == word; }
 };
 
-/// Ends with a token of the kind `end`. The tokens refer to `text`. Throws FileDefect for a text without an
-/// end, and for a character that no token begins with.
-std::vector<UsdaToken> usda_tokens(std::string_view text);
+/// The tokens of a text, one after another. They refer to it. A step throws FileDefect for a text in quotes
+/// without an end, and for a character that no token begins with.
+class UsdaTokens {
+ public:
+  explicit UsdaTokens(std::string_view text) : text_(text) { step(); }
+
+  /// The next one; at the end of the text, one of the kind `end`.
+  const UsdaToken& next() const { return next_; }
+  /// Takes it, and steps to the one after it.
+  UsdaToken take();
+
+ private:
+  void step();
+  bool skip_space();
+  void cut();
+  void set(UsdaToken::Kind kind, size_t length);
+  void cut_number();
+  void cut_text(char quote);
+  void cut_until(std::string_view mark, size_t opening);
+
+  std::string_view text_;
+  size_t at_ = 0;
+  int line_ = 1;
+  UsdaToken next_{};
+};
 
 }  // namespace meniscus::motion

@@ -24,7 +24,9 @@ World::~World() {
 }
 World::World(World&&) noexcept = default;
 World& World::operator=(World&& other) noexcept {
-  if (this != &other) const World gone(std::exchange(impl_, std::move(other.impl_)));
+  if (this == &other) return *this;
+  World gone(std::move(other));
+  impl_.swap(gone.impl_);  // it is never null, as a signal may cancel() meanwhile
   return *this;
 }
 

@@ -4,6 +4,7 @@
 // Implements `meniscus replay`: repeats a recording and compares the hash of each step.
 #include "sdk/cli/commands/replay.h"
 
+#include <meniscus/error.h>
 #include <meniscus/recording.h>
 #include <meniscus/version.h>
 #include <meniscus/world.h>
@@ -47,9 +48,21 @@ LoadDef load_def_of(const ReplayOptions& options) {
   return def;
 }
 
-nlohmann::ordered_json json_of(const Comparison& all, const Replay& replay, const std::string& device) {
-  nlohmann::ordered_json first;
+/// The next step; none at the end, and where a signal cancels it.
+std::optional<ReplayStep> next_step(Replay& replay, World& world) {
+  try {
+    return replay.next(world);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::cancelled) throw;
+    return std::nullopt;
+  }
+}
+
+nlohmann::ordered_json json_of(const Comparison& all, const Replay& replay, const std::string& device,
+                               bool is_interrupted) {
+  nlohmann::ordered_json first, complete;
   if (all.first_difference) first = *all.first_difference;
+  if (!is_interrupted) complete = replay.is_complete();  // else its end was not reached
   return {{"recorded_by", replay.program()},
           {"recorded_on", replay.device()},
           {"device", device},
@@ -57,17 +70,22 @@ nlohmann::ordered_json json_of(const Comparison& all, const Replay& replay, cons
           {"equal", all.equal},
           {"first_difference", first},
           {"simulated_s", without_noise(all.time)},
-          {"complete", replay.is_complete()}};
+          {"interrupted", is_interrupted},
+          {"complete", complete}};
 }
 
-std::string text_of(const Comparison& all, const Replay& replay, const std::string& device) {
+std::string text_of(const Comparison& all, const Replay& replay, const std::string& device,
+                    bool is_interrupted) {
   std::string text = fmt::format("{} steps, to {} s; {} of them have the recorded hash\n", all.steps,
                                  without_noise(all.time), all.equal);
   if (all.first_difference) text += fmt::format("step {} is the first that differs\n", *all.first_difference);
   if (device != replay.device())
     text += fmt::format("it was recorded on {} and ran on {}, which round differently\n", replay.device(),
                         device);
-  if (!replay.is_complete()) text += "the recording has no end: its program ended before\n";
+  if (is_interrupted)
+    text += "a signal ended the replay: the recording may have more steps\n";
+  else if (!replay.is_complete())
+    text += "the recording has no end: its program ended before\n";
   return text;
 }
 
@@ -81,16 +99,17 @@ int replay_recording(const ReplayOptions& options) {
   const Interrupt interrupt(world);
   Comparison all;
   while (!interrupt.raised()) {
-    const std::optional<ReplayStep> step = replay.next(world);
+    const std::optional<ReplayStep> step = next_step(replay, world);
     if (!step) break;
     all.add(*step);
   }
   const std::string device = world.device().kind;
+  const bool is_interrupted = interrupt.raised() && !replay.is_complete();
   if (options.json)
-    print_json(json_of(all, replay, device));
+    print_json(json_of(all, replay, device, is_interrupted));
   else
-    fmt::print("{}", text_of(all, replay, device));
-  if (interrupt.raised()) return interrupted;
+    fmt::print("{}", text_of(all, replay, device, is_interrupted));
+  if (is_interrupted) return interrupted;
   return all.first_difference && device == replay.device() ? check_broken : success;
 }
 

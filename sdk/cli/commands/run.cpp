@@ -52,8 +52,11 @@ const std::filesystem::path& made(const std::filesystem::path& folder) {
   return folder;
 }
 
-const std::filesystem::path& cleared(const std::filesystem::path& folder, const RunOptions& options) {
+/// Makes the folder ready, and starts the recording of the world.
+const std::filesystem::path& cleared(const std::filesystem::path& folder, const RunOptions& options,
+                                     World& world) {
   if (!options.formats.empty()) make_frames_folder(folder);
+  if (!options.record.empty()) world.start_recording(options.record);
   remove_old_results(folder);  // after everything that may fail: a run that cannot start changes nothing
   return folder;
 }
@@ -79,12 +82,12 @@ class Run {
         built_(built_of(options, scene_)),
         reached_(frame_of(built_.world, scene_)),
         save_every_(options.save_every),
-        recording_(options.record),
+        records_(!options.record.empty()),
         rope_mass_(mass_of_ropes()),
         first_(sample(reached_, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
         lock_(made(folder_)),
-        exporter_(cleared(folder_, options), options.formats, options.surface, scene_),
+        exporter_(cleared(folder_, options, built_.world), options.formats, options.surface, scene_),
         recorder_(folder_, scene_) {
     warn_of_oddities(built_);
   }
@@ -95,7 +98,6 @@ class Run {
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
     note_error([&] {
-      if (!recording_.empty()) built_.world.start_recording(recording_);
       write(first_);
       for (int frame = reached_ + 1; frame <= scene_.frames && !interrupt.raised(); ++frame) {
         FrameSample now = sample(frame, built_.world.step(scene_.frame_time));
@@ -108,7 +110,9 @@ class Run {
             frame, now.step.ms,
             scene_.fluids.empty() ? std::nullopt : std::optional(now.diagnostics.density_error_mean));
       }
-      if (!recording_.empty()) built_.world.stop_recording();
+    });
+    note_error([&] {
+      if (records_) built_.world.stop_recording();
     });
     note_error([&] { exporter_.finish(); });
     end_.interrupted = interrupt.raised();
@@ -236,7 +240,7 @@ class Run {
   BuiltScene built_;
   int reached_;  // the frame from which it starts; 0 without a snapshot
   std::optional<int> save_every_;
-  std::string recording_;
+  bool records_;  // whether the world is recorded
   double rope_mass_;
   FrameSample first_;       // the state before the first frame
   FramePictures pictures_;  // made before the folder: a run that cannot start leaves it as it was

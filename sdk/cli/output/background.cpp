@@ -4,6 +4,7 @@
 // The thread that does tasks beside the run.
 #include "sdk/cli/output/background.h"
 
+#include <system_error>
 #include <utility>
 
 namespace meniscus::cli {
@@ -18,12 +19,31 @@ Background::~Background() {
 }
 
 void Background::add(std::function<void()> task) {
+  if (!has_thread()) return do_here(task);
   {
     const std::lock_guard lock(mutex_);
     tasks_.push_back(std::move(task));
   }
-  if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
   changed_.notify_all();
+}
+
+bool Background::has_thread() {
+  if (thread_.joinable()) return true;
+  try {
+    thread_ = std::thread([this] { work(); });
+  } catch (const std::system_error&) {
+    return false;
+  }
+  return true;
+}
+
+void Background::do_here(const std::function<void()>& task) {
+  if (failure_) return;
+  try {
+    task();
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
 }
 
 void Background::wait_until_fewer_than(std::size_t tasks) {

@@ -16,7 +16,8 @@ namespace meniscus::cli {
 
 /// Does tasks one after another on a thread of its own. At most `room` are unfinished: a caller waits, and no
 /// task is left out. What a task throws is thrown to the caller at its next call, and the tasks after it are
-/// not done. All calls are from one thread.
+/// not done. All calls are from one thread. Where the system has no thread to give, add() does the task
+/// itself.
 class Background {
  public:
   explicit Background(std::size_t room) : room_(room) {}
@@ -34,6 +35,9 @@ class Background {
 
  private:
   void wait_until_fewer_than(std::size_t tasks);
+  /// Starts the thread if there is none. Returns whether there is one.
+  bool has_thread();
+  void do_here(const std::function<void()>& task);
   void work();
 
   std::size_t room_;

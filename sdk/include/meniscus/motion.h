@@ -20,7 +20,7 @@ namespace meniscus {
 struct MotionFile {
   std::string file{};  ///< its path
   std::string prim{};  ///< path of the prim in a .usda, as /World/Arm; empty: the only prim with time samples
-  float start = 0;     ///< s, added to the times of the file
+  float start = 0;     ///< s, added to the file's times; a first one below 0 by rounding alone is then 0
   float scale = 1;     ///< metres a unit; in a .usda a factor to metersPerUnit
   Pose pose{};         ///< of the file's frame in the world
 };
@@ -28,8 +28,8 @@ struct MotionFile {
 /// The keyframes for BodyDef::keyframes, in the order of their times. Transforms that scale are an error, as
 /// a body is rigid. `read_file` takes the place of the file system, as WorldDef::read_file. Throws Error(io)
 /// if the file cannot be read, and Error(invalid_argument) for another extension. Throws Error(parse), with
-/// the line, if it is not understood. Also throws it if there is no such prim, if times do not increase, or
-/// if a value is not finite.
+/// the line, if it is not understood. Also throws it if there is no such prim, if times do not increase, if
+/// a value is not finite, and above 64 MiB, 1,000,000 keyframes of a prim or 1,024 operations.
 std::vector<Keyframe> read_keyframes(const MotionFile& motion, const FileReader& read_file = {});
 
 }  // namespace meniscus

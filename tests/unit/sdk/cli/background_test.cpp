@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/no_threads.h"
+
 namespace meniscus::cli {
 namespace {
 
@@ -75,6 +77,29 @@ TEST(Background, WhatATaskThrowsReachesTheCallerAndEndsTheWork) {
             }),
             "the disk is full");
   EXPECT_EQ(after, 0);
+}
+
+TEST(Background, TheCallerDoesTheTasksWhenNoThreadCanStart) {
+  std::vector<int> done;
+  Background background(2);
+  {
+    const tests::NoThreads none;
+    for (int i = 0; i < 4; ++i) {
+      background.wait_for_room();
+      background.add([&done, i] { done.push_back(i); });
+      EXPECT_EQ(done.size(), static_cast<std::size_t>(i) + 1);
+    }
+    background.finish();
+  }
+  background.add([&done] { done.push_back(4); });  // by now there is a thread
+  background.finish();
+  EXPECT_EQ(done, (std::vector{0, 1, 2, 3, 4}));
+  const tests::NoThreads none;
+  Background another(2);
+  another.add([] { throw std::runtime_error("the disk is full"); });
+  another.add([&done] { done.push_back(5); });
+  EXPECT_THROW(another.finish(), std::runtime_error);
+  EXPECT_EQ(done.size(), 5u) << "nothing is done after a failure";
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ TEST_F(ProgramTest, ARunWhoseThreadCannotStartEndsWithAnError) {
   write("coupled.json", coupled);
   const auto run_without_threads = [this] {
     const tests::NoThreads none;
-    run({"run", "coupled", "--device", "cpu", "--out", out(), "--quiet"});
+    run({"run", "coupled", "--device", "cpu", "--out", out(), "--export", "ply", "--quiet"});
   };
   EXPECT_EXIT(run_without_threads(), testing::ExitedWithCode(run_failed),
               "^meniscus: the side thread of a step could not be started: [^\n]*\n$");
+  EXPECT_TRUE(fs::exists(out() + "/frames/frame_00000.ply")) << "written by the thread of the run";
 }
 
 constexpr const char* hostile = R"({

@@ -4,6 +4,12 @@
 // A run that continues from a snapshot ends as the whole run does.
 #include <nlohmann/json.hpp>
 
+#include <sys/time.h>
+
+#include <csignal>
+#include <cstdio>
+#include <tuple>
+
 #include "tests/unit/sdk/cli/program_fixture.h"
 
 namespace meniscus::cli {
@@ -46,6 +52,56 @@ TEST_F(ProgramTest, ARecordedRunIsReplayed) {
   EXPECT_NE(printed({"replay", file}).find("has no end"), std::string::npos);
   EXPECT_EXIT(run({"replay", (folder_ / "drop.json").string()}), testing::ExitedWithCode(bad_input),
               "does not begin with MENISREC");
+}
+
+/// Steps of it last so long that a signal comes within one.
+constexpr const char* slow = R"({
+  "name": "slow", "frame_time": 0.01, "frames": 1000,
+  "world": { "particle_spacing": 0.1, "substeps": 250, "iterations": 4, "threads": 1 },
+  "fluids": [{ "name": "water" }],
+  "shapes": [{ "name": "floor", "geometry": { "type": "plane" } }],
+  "volumes": [{ "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.6, 0.6, 0.6] } }]
+})";
+
+/// Once the process has used so much time of processors.
+void interrupt_after(int milliseconds) {
+  std::signal(SIGPROF, [](int) { std::raise(SIGINT); });
+  const itimerval once{{0, 0}, {0, 1000 * milliseconds}};
+  setitimer(ITIMER_PROF, &once, nullptr);
+}
+
+TEST_F(ProgramTest, AnInterruptedRunEndsItsRecordingAndAnInterruptedReplayTellsWhatItHas) {
+  write("slow.json", slow);
+  const std::string file = (folder_ / "slow.menisrec").string(), said = (folder_ / "said").string();
+  const auto interrupted_run = [&] {
+    interrupt_after(900);
+    run({"run", "slow", "--device", "cpu", "--record", file, "--quiet", "--out", out()});
+  };
+  EXPECT_EXIT(interrupted_run(), testing::ExitedWithCode(interrupted), "");
+  const auto interrupted_replay = [&] {
+    interrupt_after(300);
+    std::ignore = std::freopen(said.c_str(), "w", stdout);
+    run({"replay", file, "--json"});
+  };
+  EXPECT_EXIT(interrupted_replay(), testing::ExitedWithCode(interrupted), "");
+  const auto figures = nlohmann::json::parse(bytes(said));
+  EXPECT_EQ(figures["interrupted"], true);
+  EXPECT_TRUE(figures["complete"].is_null());
+  EXPECT_EQ(figures["steps"], figures["equal"]);
+  const auto recorded = nlohmann::json::parse(printed({"replay", file, "--json"}));
+  EXPECT_EQ(recorded["complete"], true) << "the signal came within a step";
+  EXPECT_EQ(recorded["interrupted"], false);
+}
+
+TEST_F(ProgramTest, ARecordingThatCannotBeWrittenLeavesTheFolderAsItWas) {
+  fs::create_directories(out() + "/frames");
+  write("out/summary.json", "of the run before");
+  write("out/frames/frame_00002.ply", "likewise");
+  const std::string nowhere = (folder_ / "nowhere/drop.menisrec").string();
+  EXPECT_EXIT(run({"run", "drop", "--device", "cpu", "--record", nowhere, "--quiet", "--out", out()}),
+              testing::ExitedWithCode(bad_input), "nowhere/drop.menisrec");
+  EXPECT_EQ(bytes(out() + "/summary.json"), "of the run before");
+  EXPECT_EQ(bytes(out() + "/frames/frame_00002.ply"), "likewise");
 }
 
 TEST_F(ProgramTest, ASnapshotOfAnotherSceneIsRefused) {

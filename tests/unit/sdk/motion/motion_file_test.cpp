@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <meniscus/meniscus.h>
 #include <meniscus/scene.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <numbers>
@@ -157,11 +158,61 @@ TEST(MotionFile, RefusesWhatItCannotFollow) {
   refused(
       "not finite",
       with("float3 xformOp:scale = (1, 1, 1)\ndouble3 xformOp:translate.timeSamples = { 0: (nan, 0, 0) }"));
+  refused("a of /A has no value", R"(def "A" { uniform token[] xformOpOrder = ["a"] })", "/A");
   refused("line 3", "def Xform \"A\" {\n = }");
   refused("ends too early", "def Xform \"A\" {");
   expect_error(ErrorCode::parse, "#usda", [] { read_keyframes({.file = "a.usda"}, only("PXR-USDC")); });
   expect_error(ErrorCode::invalid_argument, "usdcat", [] { read_keyframes({.file = "a.usdc"}, only("")); });
   expect_error(ErrorCode::io, "not there", [] { read_keyframes({.file = "/nowhere/a.usda"}); });
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int k = 0; k < times; ++k) all += text;
+  return all;
+}
+
+/// Kilobytes, the most so far.
+long memory() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return used.ru_maxrss;
+}
+
+TEST(MotionFile, ASmallFileTakesLittleMemory) {
+  const std::string moves = R"(float xformOp:rotateZ.timeSamples = { 0: 0, 24: 90 }
+    uniform token[] xformOpOrder = ["xformOp:rotateZ"])";
+  const std::string parent = std::string(100'000, 'p'), skipped(2'000'000, '(');
+  const std::string text = "def \"" + parent + "\" { custom int[] a = " + skipped +
+                           std::string(skipped.size(), ')') + repeated("def \"c\" {}\n", 5000) +
+                           "def \"last\" {\n" + moves + "\n} }";
+  const std::string file = "#usda 1.0\n" + text;
+  const long before = memory();
+  EXPECT_EQ(read_keyframes({.file = "arm.usda", .prim = "/" + parent + "/last"}, only(file)).back().time, 1);
+  EXPECT_LT(memory() - before, 100'000);
+}
+
+TEST(MotionFile, HasBounds) {
+  const auto refused = [](const std::string& named, const std::string& text) {
+    expect_error(ErrorCode::parse, named, [&] { read_usda(text); });
+  };
+  refused("more than 256 deep", repeated("def \"a\" {", 100'000));
+  refused("ends too early", "int a = " + std::string(1'000'000, '('));
+  const auto turning = [](const std::string& samples, const std::string& more = {}) {
+    return "def \"Wheel\" { float xformOp:rotateZ.timeSamples = { " + samples +
+           "}\nuniform token[] xformOpOrder = [" + more + "\"xformOp:rotateZ\"] }";
+  };
+  EXPECT_EQ(read_usda(turning("0: 0, 24: 1080000")).size(), 216'001u) << "3,000 turns, in steps of 5 degrees";
+  refused("more than 1000000 keyframes", turning("0: 0, 1: 999999, 2: 0, 3: 999999, 4: 0, 5: 999999, 6: 0"));
+  refused("more than 1000000 keyframes", turning("0: 0, 1: 1e300"));
+  refused("more than 1024 operations", turning("0: 0, 1: 1", repeated("\"xformOp:rotateZ\", ", 1024)));
+  refused("pose 0 at a time or place beyond all floats",
+          "( timeCodesPerSecond = 1e-300 )\n" + turning("1: 0, 2: 1"));
+  std::string moving;
+  for (int k = 0; k < 100; ++k) moving += turning("0: 0, 1: 1");
+  refused("and 92 more", moving);
+  expect_error(ErrorCode::parse, "67108864 bytes",
+               [] { read_keyframes({.file = "a.csv"}, only(std::string((size_t{1} << 26) + 1, ' '))); });
 }
 
 TEST(MotionFile, ReadsLinesOfPoses) {
@@ -182,6 +233,30 @@ TEST(MotionFile, ReadsLinesOfPoses) {
   refused("length", "0 0 0 0 0 0 0 2");
   refused("pose 1", "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1");
   refused("no pose", "# nothing\n");
+}
+
+// The first frame of Blender is 1, and docs/manual/animated_colliders.md has this start.
+TEST(MotionFile, BeginsAtZeroWhereTheStartHasFewDigits) {
+  const std::string moves = R"(def Xform "A" {
+    double3 xformOp:translate.timeSamples = { 1: (0, 0, 0), 25: (1, 0, 0) }
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+  })";
+  const auto begin = [&](float start, const std::string& rate) {
+    return read_keyframes({.file = "a.usda", .start = start},
+                          only("#usda 1.0\n( timeCodesPerSecond = " + rate + " )\n" + moves))[0]
+        .time;
+  };
+  EXPECT_EQ(begin(-0.0416667f, "24"), 0);
+  EXPECT_EQ(begin(-0.0166667f, "60"), 0);
+  EXPECT_LT(begin(-0.0417f, "24"), 0) << "a thousandth away is no rounding";
+  EXPECT_LT(begin(-1, "24"), 0);
+  const std::string scene = R"({"name": "arm", "bodies": [{"name": "arm", "motion": "kinematic",
+    "geometry": {"type": "sphere"}, "motion_file": {"file": "a.usda", "start": -0.0416667}}]})";
+  const Scene read = read_scene_text(
+      scene, "folder", "scene", [&](const std::string&) { return std::optional("#usda 1.0\n" + moves); });
+  World world(WorldDef{.device = DeviceChoice::cpu});
+  const BodyId body = world.create_body(read.bodies[0].def);
+  EXPECT_EQ(world.body_state(body).pose.position.x, 0);
 }
 
 TEST(MotionFile, ASceneTakesItsKeyframesFromIt) {
