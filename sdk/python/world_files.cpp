@@ -135,14 +135,16 @@ Things things_of(const World& w, Things all) {
 }
 
 PyWorld load(const std::string& path, const LoadOptions& options) {
-  ChunkFileHeader header;
+  std::string definitions;
   std::optional<World> world;
   {
     const nb::gil_scoped_release released;
+    definitions = read_chunk_file_header(path).definitions;
     world = World::load(path, options.def);
-    read_chunk_file(path, header);
+    if (read_chunk_file_header(path).definitions != definitions)
+      throw Error(ErrorCode::io, path + " was written anew while it was read");
   }
-  Things things = things_of(*world, read_definitions(header.definitions, 0));
+  Things things = things_of(*world, read_definitions(definitions, 0));
   return {std::make_shared<WorldState>(std::move(*world), std::move(things), options.stream)};
 }
 

@@ -9,6 +9,8 @@ import unittest
 import meniscus
 import numpy as np
 
+COUNTS = pathlib.Path("/proc/self/io")
+
 
 def empty(**members):
     return meniscus.World(device="cpu", threads=1, particle_spacing=0.1, **members)
@@ -98,6 +100,23 @@ class Files(unittest.TestCase):
         self.assertEqual(loaded.threads, 2)
         with self.assertRaises(meniscus.NotFoundError):
             world.add_joint(a=clone.body("crate"))
+
+    @unittest.skipUnless(COUNTS.exists(), "Linux counts the bytes that a process reads")
+    def test_a_file_is_read_once(self):
+        def bytes_read():
+            return int(COUNTS.read_text().split("rchar: ")[1].split()[0])
+
+        world = empty()
+        world.add_volume(fluid=world.add_fluid(), region=meniscus.BoxRegion(lower=(0, 0, 0), upper=(2, 2, 2)))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "state.meniscus"
+            world.save(path)
+            before = bytes_read()
+            loaded = meniscus.World.load(path)
+            taken = bytes_read() - before
+            self.assertGreater(path.stat().st_size, 200_000)
+            self.assertLess(taken, 1.2 * path.stat().st_size)
+            self.assertEqual(loaded.state_hash(), world.state_hash())
 
 
 if __name__ == "__main__":
