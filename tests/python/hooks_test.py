@@ -2,10 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Functions of Python within a substep, and files that Python reads for a world."""
 
-import gc
 import traceback
 import unittest
-import weakref
 
 import meniscus
 import numpy as np
@@ -184,27 +182,6 @@ class Hooks(unittest.TestCase):
         world.remove_hook(hook)
         with self.assertRaises(KeyError):
             world.remove_hook(hook)
-
-    def test_the_function_is_let_go(self):
-        class Function:
-            def __call__(self, view):
-                pass
-
-        world, function = drop(), Function()
-        gone = weakref.ref(function)
-        hook = world.add_hook("solved", function)
-        del function
-        self.assertIsNotNone(gone())
-        world.step(0.01)
-        world.remove_hook(hook)
-        self.assertIsNone(gone())
-        function = Function()
-        gone = weakref.ref(function)
-        function.world = world  # a cycle
-        world.add_hook("solved", function)
-        del function, world
-        gc.collect()
-        self.assertIsNone(gone())
 
 
 class Readers(unittest.TestCase):
