@@ -21,14 +21,18 @@ class Callable {
   explicit Callable(nb::object function)
       : function_(new PyObject*(function.release().ptr()), [](PyObject** at) { drop(at); }) {}
 
-  /// Calls use(function) under the GIL.
+  /// Another of the same function, with a reference of its own.
+  Callable again() const { return get() ? Callable(nb::borrow(get())) : Callable(); }
+
+  /// Calls use(function) under the GIL. The function is not valid once it was cleared.
   template <class Use>
   auto operator()(const Use& use) const {
     const nb::gil_scoped_acquire acquired;
-    return use(nb::borrow(*function_));
+    return use(nb::borrow(get()));
   }
-  /// For the garbage collector.
+  /// For the garbage collector. nullptr if there is none.
   PyObject* get() const { return function_ ? *function_ : nullptr; }
+  /// Of all copies.
   void clear() {
     if (function_) Py_CLEAR(*function_);
   }

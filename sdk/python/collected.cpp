@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Shows the garbage collector what a World calls. Handles share its state, but only the World itself makes
-// calls that call back. So the functions belong to it alone.
+// Shows the garbage collector the functions that a World calls, which belong to it alone.
 #include "sdk/python/collected.h"
 
 #include "sdk/python/handle.h"
@@ -21,14 +20,12 @@ int traverse(PyObject* self, visitproc visit, void* arg) {
   if (!state) return 0;
   Py_VISIT(state->on_progress.ptr());
   for (const auto& [id, hook] : state->hooks) Py_VISIT(hook.get());
+  Py_VISIT(state->read_file.get());
   return 0;
 }
 
 int clear(PyObject* self) {
-  WorldState* const state = state_of(self);
-  if (!state) return 0;
-  state->on_progress.reset();
-  for (auto& [id, hook] : state->hooks) hook.clear();
+  if (WorldState* const state = state_of(self)) state->forget_functions();
   return 0;
 }
 

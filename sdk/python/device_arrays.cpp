@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The class DeviceArray: DLPack (the array API standard 2023.12), __cuda_array_interface__ (version 3), and
-// NumPy's
-// __array_interface__ on the CPU.
+// The class DeviceArray: DLPack 1.0 (the array API standard 2023.12), __cuda_array_interface__ (version 3),
+// and NumPy's __array_interface__ on the CPU.
 #include "sdk/python/device_arrays.h"
 
 #include <nanobind/stl/optional.h>
@@ -18,7 +17,10 @@ namespace meniscus::python {
 
 namespace {
 
+template <class Tensor>
 constexpr const char* tensor_name = "dltensor";
+template <>
+constexpr const char* tensor_name<DLManagedTensorVersioned> = "dltensor_versioned";
 constexpr int legacy_stream = 1;  // of CUDA; 2 is the per-thread one, and others are handles
 constexpr int no_order = -1;
 
@@ -51,10 +53,19 @@ std::tuple<int, int> dlpack_device(const PyDeviceArray& self) {
 }
 
 /// A capsule that nobody took has its name still.
+template <class Tensor>
 void drop_tensor(PyObject* capsule) {
-  if (!PyCapsule_IsValid(capsule, tensor_name)) return;
-  auto* const tensor = static_cast<DLManagedTensor*>(PyCapsule_GetPointer(capsule, tensor_name));
+  if (!PyCapsule_IsValid(capsule, tensor_name<Tensor>)) return;
+  auto* const tensor = static_cast<Tensor*>(PyCapsule_GetPointer(capsule, tensor_name<Tensor>));
   tensor->deleter(tensor);
+}
+
+template <class Tensor>
+nb::object capsule_of(Tensor* tensor) {
+  PyObject* const capsule = PyCapsule_New(tensor, tensor_name<Tensor>, drop_tensor<Tensor>);
+  if (!capsule) tensor->deleter(tensor);
+  if (!capsule) throw nb::python_error();
+  return nb::steal(capsule);
 }
 
 [[noreturn]] void refuse_buffer(const char* why) {
@@ -62,19 +73,22 @@ void drop_tensor(PyObject* capsule) {
   throw nb::python_error();
 }
 
-nb::object dlpack(const PyDeviceArray& self, std::optional<int64_t> stream, nb::handle /*max_version*/,
+nb::object dlpack(const PyDeviceArray& self, std::optional<int64_t> stream,
+                  std::optional<std::tuple<int, int>> max_version,
                   std::optional<std::tuple<int, int>> dl_device, std::optional<bool> copy) {
   if (copy.value_or(false))
     refuse_buffer("__dlpack__(): copy=True is not possible; copy the array that takes it");
   if (dl_device && *dl_device != dlpack_device(self))
     refuse_buffer("__dlpack__(): dl_device must be the device of the array");
+  const bool is_versioned = max_version && std::get<0>(*max_version) >= 1;
+  if (self.read_only && !is_versioned)
+    refuse_buffer(
+        "__dlpack__(): the array is read-only, which DLPack tells from version 1.0 on; max_version must be "
+        "(1, 0) or later");
   const int64_t consumer = checked_stream(self.array, stream);
   if (consumer != no_order) order(self.array, consumer);
-  DLManagedTensor* const tensor = to_dlpack(self.array);
-  PyObject* const capsule = PyCapsule_New(tensor, tensor_name, drop_tensor);
-  if (!capsule) tensor->deleter(tensor);
-  if (!capsule) throw nb::python_error();
-  return nb::steal(capsule);
+  return is_versioned ? capsule_of(to_dlpack_versioned(self.array, self.read_only))
+                      : capsule_of(to_dlpack(self.array));
 }
 
 nb::tuple shape_of(const DeviceArray& array) {
@@ -162,8 +176,8 @@ void bind_device_arrays(nb::module_& module, nb::class_<PyWorld>& world) {
           "def __dlpack__(self, *, stream: int | None = None, max_version: tuple[int, int] | None = None, "
           "dl_device: tuple[int, int] | None = None, copy: bool | None = None) -> typing.Any"),
       "A capsule of DLPack. Work that the stream gets later sees the complete array: None and 1 are the "
-      "legacy "
-      "default stream, 2 the per-thread one, -1 asks for no order.");
+      "legacy default stream, 2 the per-thread one, -1 asks for no order. A read-only array raises "
+      "BufferError where max_version is below 1.0.");
   type.def_prop_ro("__cuda_array_interface__", cuda_interface,
                    nb::for_getter(nb::sig("def __cuda_array_interface__(self) -> dict[str, typing.Any]")),
                    "Of an array on a GPU. The legacy default stream sees the complete array as well.");

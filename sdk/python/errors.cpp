@@ -4,16 +4,13 @@
 // Chooses the exception of Python for an Error.
 #include "sdk/python/errors.h"
 
-#include <meniscus/error.h>
-#include <nanobind/nanobind.h>
-
 namespace meniscus::python {
 
 namespace nb = nanobind;
 
 namespace {
 
-const char* class_of(ErrorCode code) {
+const char* name_of(ErrorCode code) {
   switch (code) {
     case ErrorCode::invalid_argument:
       return "InvalidArgumentError";
@@ -41,12 +38,19 @@ const char* class_of(ErrorCode code) {
   return "Error";
 }
 
+}  // namespace
+
+nb::object error_class(ErrorCode code) {
+  return nb::module_::import_("meniscus.errors").attr(name_of(code));
+}
+
+namespace {
+
 void translate(const std::exception_ptr& thrown, void*) {
   try {
     std::rethrow_exception(thrown);
   } catch (const Error& error) {
-    const nb::object type = nb::module_::import_("meniscus.errors").attr(class_of(error.code()));
-    PyErr_SetString(type.ptr(), error.what());
+    PyErr_SetString(error_class(error.code()).ptr(), error.what());
   }
 }
 

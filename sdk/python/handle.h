@@ -19,8 +19,16 @@ struct Handle {
   friend bool operator==(const Handle& a, const Handle& b) { return a.state == b.state && a.id == b.id; }
 };
 
-/// The class World of Python.
+/// The class World of Python. Handles share its state, but it alone makes the calls that call functions of
+/// Python. So these functions go with it, or else one that refers to a handle would keep the state for ever.
 struct PyWorld {
+  PyWorld(std::shared_ptr<WorldState> its_state) : state(std::move(its_state)) {}
+  PyWorld(PyWorld&&) noexcept = default;
+  PyWorld& operator=(PyWorld&&) = delete;
+  ~PyWorld() {
+    if (state) state->forget_functions();
+  }
+
   std::shared_ptr<WorldState> state;
 };
 

@@ -8,6 +8,7 @@
 
 #include "sdk/python/callable.h"
 #include "sdk/python/device_arrays.h"
+#include "sdk/python/errors.h"
 
 namespace meniscus::python {
 
@@ -111,19 +112,52 @@ void bind_view(nb::module_& module) {
              "Of particles the place in World.ids, of vertices 2³¹ and the number.");
 }
 
-/// Calls the function. It must have dropped the arrays when it returns, since the solver goes on with the
-/// memory.
-void call_with(nb::handle function, const SubstepView& view) {
-  const auto token = std::make_shared<const char>();
-  {
-    const nb::object seen = nb::cast(PySubstepView{view, token});
-    function(seen);
-    nb::cast<PySubstepView&>(seen) = {};
+/// A view that shows nothing once this has gone, however the call of the function ends.
+class Shown {
+ public:
+  Shown(const SubstepView& view, const std::shared_ptr<const void>& token)
+      : seen_(nb::cast(PySubstepView{view, token})) {}
+  ~Shown() { nb::cast<PySubstepView&>(seen_) = {}; }
+  Shown(const Shown&) = delete;
+  Shown& operator=(const Shown&) = delete;
+
+  nb::handle get() const { return seen_; }
+
+ private:
+  nb::object seen_;
+};
+
+/// Drops the local variables of the functions that an exception has left, and of those that the exceptions
+/// before it have left.
+void clear_frames(nb::handle exception) {
+  const nb::object clear = nb::module_::import_("traceback").attr("clear_frames");
+  nb::list all;
+  all.append(exception);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    clear(all[i].attr("__traceback__"));
+    for (const char* earlier : {"__cause__", "__context__"}) {
+      const nb::object other = all[i].attr(earlier);
+      if (!other.is_none() && PySequence_Contains(all.ptr(), other.ptr()) == 0) all.append(other);
+    }
   }
-  if (token.use_count() == 1) return;
-  throw Error(ErrorCode::invalid_argument, "the function of the hook '" +
-                                               std::string(hook_names[uint32_t(view.hook)]) +
-                                               "' keeps an array of the view; it must keep a copy instead");
+}
+
+/// Calls the function. The solver goes on with the memory, so no array may be left afterwards. What is raised
+/// keeps the function's variables alive: they are dropped if an array is among them.
+void call_with(nb::handle function, const SubstepView& view) {
+  if (!function.is_valid()) throw Error(ErrorCode::invalid_argument, "the hook has gone with its World");
+  const auto token = std::make_shared<const char>();
+  const auto is_kept = [&] { return token.use_count() > 1; };
+  const std::string why = "the function of the hook '" + std::string(hook_names[uint32_t(view.hook)]) +
+                          "' keeps an array of the view; it must keep a copy instead";
+  try {
+    function(Shown(view, token).get());
+  } catch (nb::python_error& raised) {
+    if (is_kept()) clear_frames(raised.value());
+    if (is_kept()) nb::raise_from(raised, error_class(ErrorCode::invalid_argument), "%s", why.c_str());
+    throw;
+  }
+  if (is_kept()) throw Error(ErrorCode::invalid_argument, why);
 }
 
 }  // namespace

@@ -27,8 +27,10 @@ void bind_construction(nb::class_<PyWorld>& world) {
         WorldDef def;
         read_members(def, given, "World");
         def.cuda_stream = lent.cuda_stream;
-        def.read_file = std::move(lent.read_file);
-        new (self) PyWorld{std::make_shared<WorldState>(def, std::move(lent.stream))};
+        def.read_file = reader_of(lent.read_file);
+        auto state = std::make_shared<WorldState>(def, std::move(lent.stream));
+        state->read_file = std::move(lent.read_file);
+        new (self) PyWorld(std::move(state));
       },
       nb::sig(text.signature.c_str()), text.doc.c_str());
   bind_world_members(world);

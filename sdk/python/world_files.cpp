@@ -15,19 +15,10 @@ namespace meniscus::python {
 
 namespace {
 
-/// The function gets a name and returns bytes, or None if there is no such file.
-FileReader reader_of(nb::handle given, const std::string& owner) {
+Callable function_of(nb::handle given, const std::string& owner) {
   if (given.is_none()) return {};
   if (!PyCallable_Check(given.ptr())) refuse({owner, "read_file"}, "a function or None", given);
-  return [function = Callable(nb::borrow(given))](const std::string& name) {
-    return function([&](nb::handle call) -> std::optional<std::string> {
-      const nb::object contents = call(name);
-      if (contents.is_none()) return {};
-      if (!PyBytes_Check(contents.ptr())) refuse({"read_file", "result"}, "bytes or None", contents);
-      const nb::bytes bytes = nb::borrow<nb::bytes>(contents);
-      return std::string(bytes.c_str(), bytes.size());
-    });
-  };
+  return Callable(nb::borrow(given));
 }
 
 /// A cudaStream_t: its number, or an object of PyTorch, CuPy or CUDA Python.
@@ -54,15 +45,20 @@ nb::object taken(nb::dict& given, const char* key) {
 struct LoadOptions {
   LoadDef def;
   nb::object stream;
+  Callable read_file;
 
   LoadOptions(nb::handle device, nb::handle threads, nb::handle cuda_device, nb::handle cuda_stream,
-              nb::handle read_file, const char* call)
+              nb::handle read_file_or_none, const char* call)
       : stream(nb::borrow(cuda_stream)) {
     read(device, {call, "device"}, def.device);
     read(threads, {call, "threads"}, def.threads);
     read(cuda_device, {call, "cuda_device"}, def.cuda_device);
     def.cuda_stream = stream_of(cuda_stream, call);
-    def.read_file = reader_of(read_file, call);
+    take_files_by(function_of(read_file_or_none, call));
+  }
+  void take_files_by(Callable function) {
+    def.read_file = reader_of(function);
+    read_file = std::move(function);
   }
 };
 
@@ -135,22 +131,28 @@ Things things_of(const World& w, Things all) {
 }
 
 PyWorld load(const std::string& path, const LoadOptions& options) {
-  ChunkFileHeader header;
+  std::string definitions;
   std::optional<World> world;
   {
     const nb::gil_scoped_release released;
+    definitions = read_chunk_file_header(path).definitions;
     world = World::load(path, options.def);
-    read_chunk_file(path, header);
+    if (read_chunk_file_header(path).definitions != definitions)
+      throw Error(ErrorCode::io, path + " was written anew while it was read");
   }
-  Things things = things_of(*world, read_definitions(header.definitions, 0));
-  return {std::make_shared<WorldState>(std::move(*world), std::move(things), options.stream)};
+  Things things = things_of(*world, read_definitions(definitions, 0));
+  const auto state = std::make_shared<WorldState>(std::move(*world), std::move(things), options.stream);
+  state->read_file = options.read_file;
+  return {state};
 }
 
-PyWorld clone(const PyWorld& self, const LoadOptions& options) {
+PyWorld clone(const PyWorld& self, LoadOptions options) {
+  if (!options.read_file.get()) options.take_files_by(self.state->read_file.again());
   Things things = *self.state;
   World world = self.state->measure([&](World& w) { return w.clone(options.def); });
   things = things_of(world, std::move(things));
   const auto state = std::make_shared<WorldState>(std::move(world), std::move(things), options.stream);
+  state->read_file = options.read_file;
   state->name = self.state->name;
   state->frame_time = self.state->frame_time;
   state->frames = self.state->frames;
@@ -166,9 +168,23 @@ constexpr const char* option_signature =
 
 }  // namespace
 
+FileReader reader_of(const Callable& function) {
+  if (!function.get()) return {};
+  return [function](const std::string& name) {
+    return function([&](nb::handle call) -> std::optional<std::string> {
+      if (!call.is_valid()) throw Error(ErrorCode::invalid_argument, "read_file has gone with its World");
+      const nb::object contents = call(name);
+      if (contents.is_none()) return {};
+      if (!PyBytes_Check(contents.ptr())) refuse({"read_file", "result"}, "bytes or None", contents);
+      const nb::bytes bytes = nb::borrow<nb::bytes>(contents);
+      return std::string(bytes.c_str(), bytes.size());
+    });
+  };
+}
+
 Lent lent_members(nb::dict& given, const std::string& owner) {
   const nb::object stream = taken(given, "cuda_stream");
-  return {stream_of(stream, owner), reader_of(taken(given, "read_file"), owner), stream};
+  return {stream_of(stream, owner), function_of(taken(given, "read_file"), owner), stream};
 }
 
 Description with_lent_members(Description text) {

@@ -12,10 +12,12 @@ namespace meniscus::python {
 /// What Python lends to a world.
 struct Lent {
   void* cuda_stream = nullptr;
-  FileReader read_file{};
+  Callable read_file{};
   nb::object stream{};  ///< the object of cuda_stream
 };
 
+/// Calls the function with a name. It returns bytes, or None if there is no such file.
+FileReader reader_of(const Callable& function);
 /// Takes cuda_stream and read_file out of keyword arguments.
 Lent lent_members(nb::dict& given, const std::string& owner);
 /// Adds them to the description of a call.

@@ -76,7 +76,8 @@ void WorldState::report(const Progress& progress) noexcept {
   const nb::gil_scoped_acquire acquired;
   try {
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    if (on_progress.is_valid() && !on_progress.is_none()) on_progress(progress.what, progress.fraction);
+    const nb::object function = on_progress;  // it may set another one
+    if (function.is_valid() && !function.is_none()) function(progress.what, progress.fraction);
   } catch (const nb::python_error& error) {
     raised_ = std::make_unique<nb::python_error>(error);
     world_.cancel();
@@ -87,6 +88,14 @@ void WorldState::report(const Progress& progress) noexcept {
 
 void WorldState::raise_if_asked() {
   if (const auto raised = std::move(raised_)) throw nb::python_error(*raised);
+}
+
+void WorldState::forget_functions() {
+  // Moved out first: a function that goes may run code of Python's.
+  const nb::object progress = std::exchange(on_progress, nb::object());
+  auto calls = std::exchange(hooks, {});
+  for (auto& [id, call] : calls) call.clear();
+  std::exchange(read_file, {}).clear();
 }
 
 void WorldState::forget_arrays() {

@@ -132,13 +132,16 @@ class WorldState : public Things {
   }
   /// Ends the long call that runs. Any thread may call it.
   void cancel() { world_.cancel(); }
+  /// Drops on_progress, the hooks and read_file.
+  void forget_functions();
 
   std::string name;
   float frame_time = 1.0f / 60;  ///< s
   int frames = 250;              ///< of the scene
   std::optional<SceneCamera> camera;
   nb::object on_progress;                          ///< a function of what and fraction, or none
-  std::vector<std::pair<HookId, Callable>> hooks;  ///< that the world calls, for the garbage collector
+  std::vector<std::pair<HookId, Callable>> hooks;  ///< that the world calls
+  Callable read_file;                              ///< that the world calls, or none
 
  private:
   /// The right to call the world. A thread waits for it without the GIL.

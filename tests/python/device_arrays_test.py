@@ -59,9 +59,12 @@ class DeviceArrays(unittest.TestCase):
     def test_dlpack_protocol(self):
         positions = pool().device_arrays().positions
         self.assertEqual(positions.__dlpack_device__(), (1, 0))
-        for good in ({}, {"stream": None}, {"stream": -1}, {"max_version": (1, 0)}, {"dl_device": (1, 0)},
+        for good in ({}, {"stream": None}, {"stream": -1}, {"max_version": (0, 8)}, {"dl_device": (1, 0)},
                      {"copy": False}):
-            self.assertIn("dltensor", repr(positions.__dlpack__(**good)))
+            self.assertIn('"dltensor"', repr(positions.__dlpack__(**good)))
+        for later in ((1, 0), (1, 1), (2, 0)):
+            self.assertIn('"dltensor_versioned"', repr(positions.__dlpack__(max_version=later)))
+        self.assertTrue(np.from_dlpack(positions).flags.writeable)
         for bad in ({"copy": True}, {"dl_device": (2, 0)}):
             with self.assertRaises(BufferError):
                 positions.__dlpack__(**bad)

@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Functions of Python within a substep, and files that Python reads for a world."""
 
-import gc
+import traceback
 import unittest
-import weakref
 
 import meniscus
 import numpy as np
@@ -98,6 +97,66 @@ class Hooks(unittest.TestCase):
         with self.assertRaises(AttributeError):
             views[0].positions
 
+    def test_a_traceback_keeps_no_array(self):
+        def inner(view):
+            positions = view.positions
+            return positions.reshape(-1, 1)[0]["no field"]
+
+        def fail(view):
+            velocities, views[:] = view.velocities, [view]
+            try:
+                inner(view)
+            except IndexError:
+                raise RuntimeError(f"{len(velocities)} rows")
+
+        world, views = drop(), []
+        before = world.state_hash()
+        world.add_hook("solved", fail)
+        try:
+            world.step(0.01)
+        except RuntimeError as error:
+            raised = error
+        self.assertEqual(str(raised), f"{world.particle_count} rows")
+        with self.assertRaises(AttributeError):
+            views[0].positions
+        seen = []
+        for exception in (raised, raised.__context__):
+            for frame, _ in traceback.walk_tb(exception.__traceback__):
+                seen.append(frame.f_code.co_name)
+                self.assertFalse({"positions", "velocities"} & set(frame.f_locals), seen)
+        self.assertLessEqual({"fail", "inner"}, set(seen))
+        self.assertEqual(world.state_hash(), before)
+
+    def test_a_traceback_keeps_what_is_no_array(self):
+        def fail(view):
+            wanted = view.dt
+            raise RuntimeError(wanted)
+
+        world = drop()
+        world.add_hook("solved", fail)
+        try:
+            world.step(0.01)
+        except RuntimeError as error:
+            last = list(traceback.walk_tb(error.__traceback__))[-1][0].f_locals
+        self.assertAlmostEqual(last["wanted"], 0.005, places=6)
+        with self.assertRaises(AttributeError):
+            last["view"].positions
+
+    def test_an_array_must_not_be_kept_by_who_raises(self):
+        def fail(view):
+            kept.append(view.positions)
+            raise RuntimeError("no more")
+
+        world, kept = drop(), []
+        before = world.state_hash()
+        world.add_hook("solved", fail)
+        with self.assertRaisesRegex(ValueError, "solved.*keeps an array") as caught:
+            world.step(0.01)
+        self.assertIsInstance(caught.exception, meniscus.InvalidArgumentError)
+        self.assertEqual(repr(caught.exception.__cause__), "RuntimeError('no more')")
+        kept.clear()
+        self.assertEqual(world.state_hash(), before)
+
     def test_no_call_of_the_world(self):
         world, refused = drop(), []
 
@@ -123,27 +182,6 @@ class Hooks(unittest.TestCase):
         world.remove_hook(hook)
         with self.assertRaises(KeyError):
             world.remove_hook(hook)
-
-    def test_the_function_is_let_go(self):
-        class Function:
-            def __call__(self, view):
-                pass
-
-        world, function = drop(), Function()
-        gone = weakref.ref(function)
-        hook = world.add_hook("solved", function)
-        del function
-        self.assertIsNotNone(gone())
-        world.step(0.01)
-        world.remove_hook(hook)
-        self.assertIsNone(gone())
-        function = Function()
-        gone = weakref.ref(function)
-        function.world = world  # a cycle
-        world.add_hook("solved", function)
-        del function, world
-        gc.collect()
-        self.assertIsNone(gone())
 
 
 class Readers(unittest.TestCase):

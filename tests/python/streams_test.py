@@ -151,6 +151,22 @@ class Streams(unittest.TestCase):
                 w.step(0.001)
         moved = world.velocities.mean(axis=0, dtype=float) - plain.velocities.mean(axis=0, dtype=float)
         self.assertGreater(moved[0], 0.015)
+
+    def test_arrays_of_hooks(self):
+        def look(view):
+            for name in ("phases", "slots"):
+                array = getattr(view, name)
+                self.assertTrue(array.read_only and array.__cuda_array_interface__["data"][1])
+                self.assertIn('"dltensor_versioned"', repr(array.__dlpack__(max_version=(1, 0))))
+                for version in (None, (0, 8)):
+                    with self.assertRaisesRegex(BufferError, "read-only"):
+                        array.__dlpack__(max_version=version)
+            seen.append(view.velocities.read_only)
+
+        world, seen = dam(), []
+        world.add_hook("solved", look)
+        world.step(0.001)
+        self.assertEqual(seen, [False, False])
         kept = []
         world.add_hook("solved", lambda view: kept.append(torch.from_dlpack(view.positions)))
         with self.assertRaisesRegex(ValueError, "keeps an array"):

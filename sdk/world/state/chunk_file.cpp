@@ -53,19 +53,8 @@ pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::istre
   return item;
 }
 
-}  // namespace
-
-pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header) {
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code no_size;
-  uint64_t bytes_left = std::filesystem::file_size(path, no_size);
-  if (!stream || no_size) io::throw_io_error("read", path);
-  return read_chunks(stream, bytes_left, path, header);
-}
-
-pbd::SavedState read_chunks(std::istream& stream, uint64_t bytes_left, const std::string& path,
-                            ChunkFileHeader& header) {
+/// The JSON of a file's header. The stream is then behind it.
+Json read_header(const std::string& path, std::istream& stream, uint64_t& bytes_left) {
   Prefix prefix{};
   if (bytes_left < sizeof prefix) refuse(path, "it ends within its first bytes");
   stream.read(reinterpret_cast<char*>(&prefix), sizeof prefix);
@@ -81,16 +70,60 @@ pbd::SavedState read_chunks(std::istream& stream, uint64_t bytes_left, const std
   if (!stream) io::throw_io_error("read", path);
   bytes_left -= text.size();
   if (XXH3_64bits(text.data(), text.size()) != prefix.header_hash) refuse(path, "its header is damaged");
-  const Json json = parsed_header(path, text);
-  pbd::SavedState chunks;
+  return parsed_header(path, text);
+}
+
+/// Calls use(), which takes members of the header.
+template <class Use>
+auto with_members(const std::string& path, const Use& use) {
   try {
-    header = {json.at("program").get<std::string>(), json.at("device").get<std::string>(),
-              json.at("time").get<double>(), json.at("definitions").get<std::string>()};
-    for (const Json& chunk : json.at("chunks"))
-      chunks.add(chunk.at("name").get<std::string>(), read_chunk(path, chunk, stream, bytes_left));
+    return use();
   } catch (const Json::exception& wrong) {
     refuse(path, std::string("its header is not as it should be: ") + wrong.what());
   }
+}
+
+ChunkFileHeader header_of(const std::string& path, const Json& json) {
+  return with_members(path, [&]() -> ChunkFileHeader {
+    return {json.at("program").get<std::string>(), json.at("device").get<std::string>(),
+            json.at("time").get<double>(), json.at("definitions").get<std::string>()};
+  });
+}
+
+struct OpenFile {
+  std::ifstream stream;
+  uint64_t bytes = 0;
+
+  explicit OpenFile(const std::string& path) {
+    errno = 0;
+    stream.open(path, std::ios::binary);
+    std::error_code no_size;
+    bytes = std::filesystem::file_size(path, no_size);
+    if (!stream || no_size) io::throw_io_error("read", path);
+  }
+};
+
+}  // namespace
+
+pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header) {
+  OpenFile file(path);
+  return read_chunks(file.stream, file.bytes, path, header);
+}
+
+ChunkFileHeader read_chunk_file_header(const std::string& path) {
+  OpenFile file(path);
+  return header_of(path, read_header(path, file.stream, file.bytes));
+}
+
+pbd::SavedState read_chunks(std::istream& stream, uint64_t bytes_left, const std::string& path,
+                            ChunkFileHeader& header) {
+  const Json json = read_header(path, stream, bytes_left);
+  header = header_of(path, json);
+  pbd::SavedState chunks;
+  with_members(path, [&] {
+    for (const Json& chunk : json.at("chunks"))
+      chunks.add(chunk.at("name").get<std::string>(), read_chunk(path, chunk, stream, bytes_left));
+  });
   if (bytes_left > 0) refuse(path, "it goes on for " + std::to_string(bytes_left) + " bytes after its end");
   return chunks;
 }

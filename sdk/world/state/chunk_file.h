@@ -38,6 +38,8 @@ void write_chunk_file(const std::string& path, const ChunkFileHeader& header, pb
 
 /// All chunks, on the host. Throws Error(io) that names what is wrong, if a byte is not as it was written.
 pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header);
+/// The header alone, whatever the chunks are. Throws Error(io).
+ChunkFileHeader read_chunk_file_header(const std::string& path);
 /// The same of a stream of so many bytes; `path` names it in errors.
 pbd::SavedState read_chunks(std::istream& stream, uint64_t bytes, const std::string& path,
                             ChunkFileHeader& header);

@@ -4,9 +4,11 @@
 // Arrays on the device, DLPack, and a caller's GPU and stream.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <optional>
 #include <thread>
 
+#include "sdk/world/dlpack.h"
 #include "tests/expect_error.h"
 #include "tests/unit/sdk/world/extension/device_memory.h"
 #include "tests/worlds.h"
@@ -109,6 +111,27 @@ TEST_P(DeviceArraysTest, BecomeTensorsOfDlpack) {
   world.reset();
   EXPECT_EQ(on_host<Vec3>(seen), positions) << "the tensor holds the memory";
   tensor->deleter(tensor);
+}
+
+TEST_P(DeviceArraysTest, SayInDlpackThatTheyAreReadOnly) {
+  const World world = dam_break(GetParam(), 0.1f);
+  DeviceArray array = world.device_arrays().positions;
+  // As dlpack.h has it.
+  static_assert(offsetof(DLManagedTensorVersioned, manager) == 8);
+  static_assert(offsetof(DLManagedTensorVersioned, flags) == 24);
+  static_assert(offsetof(DLManagedTensorVersioned, tensor) == 32);
+  const long holders = array.memory.use_count();
+  for (const bool read_only : {false, true}) {
+    DLManagedTensorVersioned* const tensor = to_dlpack_versioned(array, read_only);
+    EXPECT_EQ(tensor->version.of_layout, 1u);
+    EXPECT_EQ(tensor->version.of_features, 0u);
+    EXPECT_EQ(tensor->flags, read_only ? 1u : 0u);
+    EXPECT_EQ(tensor->tensor.data, array.data);
+    EXPECT_EQ(tensor->tensor.shape[1], 3);
+    EXPECT_EQ(array.memory.use_count(), holders + 1);
+    tensor->deleter(tensor);
+    EXPECT_EQ(array.memory.use_count(), holders);
+  }
 }
 
 TEST(DeviceArrays, NameTheirTypesAsNumpyDoes) {
