@@ -25,7 +25,7 @@ extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napole
               "gallery", "repository_links"]
 root_doc = "docs/manual/index"
 source_suffix = {".md": "markdown"}
-include_patterns = ["README.md", "docs/*.md", "docs/methods/*.md", "docs/manual/**.md", "samples/README.md",
+include_patterns = ["README.md", "docs/*.md", "docs/methods/*.md", "docs/rivals/*/*.md", "docs/manual/**.md", "samples/README.md",
                     "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"]
 exclude_patterns = ["build*", "out", ".git"]
 nitpicky = True
