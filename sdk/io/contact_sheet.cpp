@@ -47,7 +47,8 @@ double difference(const Image& a, const Image& b) {
 /// From the first image to each, 0 to 1.
 std::vector<double> ways_to(const std::vector<Image>& images) {
   std::vector<double> ways(images.size());
-  for (std::size_t i = 1; i < images.size(); ++i) ways[i] = ways[i - 1] + difference(images[i], images[i - 1]);
+  for (std::size_t i = 1; i < images.size(); ++i)
+    ways[i] = ways[i - 1] + difference(images[i], images[i - 1]);
   const double all = ways.back(), last = static_cast<double>(images.size() - 1);
   for (std::size_t i = 0; i < images.size(); ++i) {
     const double even = static_cast<double>(i) / last;

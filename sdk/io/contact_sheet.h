@@ -10,8 +10,8 @@
 
 namespace meniscus::io {
 
-/// Twelve frames of a run, scaled down, in rows of four from the top left. They are chosen from twice as many,
-/// so that about as much moves from each to the next.
+/// Twelve frames of a run, scaled down, in rows of four from the top left. They are chosen from twice as
+/// many, so that about as much moves from each to the next.
 class ContactSheet {
  public:
   /// For a run of this many frames, 1 or more.
