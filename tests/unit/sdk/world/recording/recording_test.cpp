@@ -188,3 +188,46 @@ MENISCUS_ON_EACH_DEVICE(RecordingTest);
 
 }  // namespace
 }  // namespace meniscus::tests
+/// The hashes are right: only the contents are not.
+TEST_P(RecordingTest, RefusesACallThatIsNone) {
+  World world = dam_break(GetParam(), 0.2f);
+  world.start_recording(path());
+  world.stop_recording();
+  const std::optional<Record> state = RecordReader(path()).next();
+  ASSERT_TRUE(state);
+  using Bytes = std::vector<uint8_t>;
+  using call_text::Json;
+  Bytes trailing = Json::to_cbor(Json{"relax", 1});
+  trailing.push_back(0);
+  const std::vector<std::pair<const char*, Bytes>> calls{
+      {"nested lists", Bytes(1'000'000, 0x81)},
+      {"nested objects", Bytes(1'000'000, 0xa1)},
+      {"nested texts", Bytes(1'000'000, 0x7f)},
+      {"nested bytes", Bytes(1'000'000, 0x5f)},
+      {"nested tags", Bytes(1'000'000, 0xc1)},
+      {"lists of any length", Bytes(1'000'000, 0x9f)},
+      {"a list of 2⁶⁴ − 1", Bytes(9, 0xff)},
+      {"a list beyond the end", {0x9b, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff}},
+      {"an object beyond the end", {0xbb, 0x80, 0, 0, 0, 0, 0, 0, 1}},
+      {"a text beyond the end", {0x7b, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff}},
+      {"nothing", {}},
+      {"half a number", {0x81, 0x19, 0x01}},
+      {"a simple value", {0x81, 0xf8, 0x20}},
+      {"a key that is no text", {0xa1, 0x01, 0x01}},
+      {"more than one", trailing},
+      {"a text", Json::to_cbor(Json("step"))},
+      {"other arguments of step", Json::to_cbor(Json{"step", "x", nullptr, 1})},
+      {"no arguments", Json::to_cbor(Json::array({"create_cloth"}))},
+      {"other arguments", Json::to_cbor(Json{"create_cloth", {1, 2}})},
+      {"a list for bytes", Json::to_cbor(Json{"remove_particles", 5})}};
+  for (const auto& [what, bytes] : calls) {
+    SCOPED_TRACE(what);
+    RecordWriter writer(path(), {"", world.device().kind});
+    writer.write(RecordKind::state, state->bytes);
+    writer.write(RecordKind::call, bytes);
+    Replay replay(path());
+    World again = replay.start();
+    expect_error(ErrorCode::io, "", [&] { replay.next(again); });
+  }
+}
+
