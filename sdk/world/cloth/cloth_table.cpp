@@ -10,11 +10,11 @@
 #include <cmath>
 
 #include "cloth/build/tethers.h"
-#include "cloth/build/weld.h"
 #include "collision/mesh/sequence.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/cloth/cloth_shapes.h"
 #include "sdk/world/cloth/cloth_water.h"
+#include "sdk/world/cloth/cloth_texture.h"
 #include "sdk/world/cloth/tuning.h"
 
 namespace meniscus {
@@ -24,13 +24,14 @@ namespace {
 struct MakeMesh {
   const FileReader& files;
 
+  TexturedCloth& file;  ///< gets what a file has
   cloth::ClothMesh operator()(const SheetGeometry& g) const {
     return cloth::make_sheet(g.width, g.depth, static_cast<uint32_t>(g.columns),
                              static_cast<uint32_t>(g.rows));
   }
   cloth::ClothMesh operator()(const ClothFile& g) const {
-    const collision::TriangleMesh mesh = collision::load_mesh(collision::MeshSource::of(g, files));
-    return {mesh.vertices, mesh.triangles, {}};
+    file = read_cloth(g, files);
+    return file.mesh;
   }
   cloth::ClothMesh operator()(const ClothTriangles& g) const {
     cloth::ClothMesh mesh{g.vertices, {}, {}};
@@ -94,13 +95,6 @@ VertexTrackPtr make_track(const ClothDef& def, const FileReader& files, cloth::C
     track = track_of(*numbered, files, mesh);
   for (Vec3& x : track.positions) x = placed(def, x);
   return std::make_shared<const VertexTrack>(std::move(track));
-}
-
-/// Merges vertices of a file that are too near to one another. Other geometry keeps its numbers.
-uint32_t weld_file(const ClothGeometry& geometry, cloth::ClothMesh& mesh) {
-  const auto* file = std::get_if<ClothFile>(&geometry);
-  if (!file || mesh.triangles.empty()) return 0;
-  return cloth::weld(mesh, double{file->weld} * mean_edge(mesh));
 }
 
 cloth::FabricParameters parameters(const FabricDef& f) {
@@ -196,12 +190,13 @@ ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time)
   check::def(def);
   ClothEntry entry;
   entry.def = def;
-  entry.mesh = std::visit(MakeMesh{files}, def.geometry);
+  TexturedCloth file;
+  entry.mesh = std::visit(MakeMesh{files, file}, def.geometry);
   if (is_driven(def.geometry)) {
     check_driven(def);
     entry.track = make_track(def, files, entry.mesh);
   }
-  entry.welded = weld_file(def.geometry, entry.mesh);
+  entry.welded = file.welded;
   cloth::check_mesh(entry.mesh);
   cloth::orient_triangles(entry.mesh);
   entry.closed = cloth::is_closed(entry.mesh);
@@ -229,6 +224,7 @@ RopeEntry make_rope(const RopeDef& def) {
   check::def(def);
   RopeEntry entry;
   entry.def = def;
+  if (std::holds_alternative<ClothFile>(def.geometry)) entry.texture = texture_on(entry.mesh, file);
   std::vector<Vec3> points = def.segments > 0 ? divided(def.points, def.segments, def.closed) : def.points;
   for (Vec3& p : points) p = to_world(def.pose, p);
   cloth::RodParameters p;

@@ -65,7 +65,8 @@ struct ClothEntry {
   std::vector<Vec3> outward;           ///< positions in the user's frame
   std::vector<Vec3> normals;           ///< of the latest state, computed on request
   std::vector<float> strains;          ///< as for the normals
-  std::vector<TexturePoint> texture;   ///< by corner, computed on request; tearing keeps it
+  /// By corner, or none: that of a file from the creation on, else computed on request. Tearing keeps it.
+  std::optional<std::vector<TexturePoint>> texture;
   // Of absorbent cloth, by vertex:
   std::vector<double> water;           ///< kg
   std::optional<FluidId> soaked_with;  ///< one fluid at a time

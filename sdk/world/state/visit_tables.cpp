@@ -108,11 +108,19 @@ void visit_attachment(StateVisitor& v, AttachmentEntry& a) {
   v.list("seam", a.seams);
   v.list("clamped", a.clamped);
   v.value("force", a.force);
+/// That of a file, which need not be there when a snapshot is loaded.
+void visit_texture(StateVisitor& v, std::optional<std::vector<TexturePoint>>& texture) {
+  if (v.restores() ? v.lacks("texture") : !texture) return;  // a file of 0.2: it is read when it is asked for
+  if (v.restores()) texture.emplace();
+  v.list("texture", *texture);
+}
+
 }
 
 void visit_emitter(StateVisitor& v, EmitterEntry& e) {
   v.list("site", e.sites.places);
   v.value("area", e.sites.area);
+  if (std::holds_alternative<ClothFile>(cloth.def.geometry)) visit_texture(v, cloth.texture);
   v.value("layer", e.sites.layer);
   v.part("clock", e.clock);
   v.value("emitted", e.count);
