@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cloth/build/tethers.h"
 #include "collision/mesh/sequence.h"
@@ -168,6 +169,17 @@ void attach_to_held(ClothEntry& entry, const std::vector<uint32_t>& held) {
   if (entry.held != held || entry.tethers.empty())
     entry.tethers = cloth::build_tethers(entry.mesh, held, parameters(entry.def.fabric));
   entry.held = held;
+}
+
+void check_driven_room(const IdTable<ClothId, ClothEntry>& cloths, size_t added) {
+  size_t all = added;
+  cloths.for_each([&](uint32_t, const ClothEntry& entry) {
+    if (entry.track) all += entry.track->positions.size();
+  });
+  if (all <= std::numeric_limits<uint32_t>::max()) return;
+  throw Error(ErrorCode::capacity,
+              "driven surfaces have at most 2³² − 1 positions, vertices times keyframes; " +
+                  std::to_string(all) + " were asked for");
 }
 
 std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths) {

@@ -105,6 +105,9 @@ RopeEntry make_rope(const RopeDef& def);
 
 /// What the engine moves: the driven surfaces of a world, at their places since the last upload.
 std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths);
+/// Throws Error(capacity) if the driven surfaces have more positions than 32 bits count, together with
+/// `added` more.
+void check_driven_room(const IdTable<ClothId, ClothEntry>& cloths, size_t added = 0);
 
 /// Builds the constraints anew after the mesh has changed.
 void build_constraints(ClothEntry& entry);
