@@ -14,8 +14,8 @@
 #include "collision/mesh/sequence.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/cloth/cloth_shapes.h"
-#include "sdk/world/cloth/cloth_water.h"
 #include "sdk/world/cloth/cloth_texture.h"
+#include "sdk/world/cloth/cloth_water.h"
 #include "sdk/world/cloth/tuning.h"
 
 namespace meniscus {
@@ -24,8 +24,8 @@ namespace {
 
 struct MakeMesh {
   const FileReader& files;
-
   TexturedCloth& file;  ///< gets what a file has
+
   cloth::ClothMesh operator()(const SheetGeometry& g) const {
     return cloth::make_sheet(g.width, g.depth, static_cast<uint32_t>(g.columns),
                              static_cast<uint32_t>(g.rows));
@@ -198,6 +198,10 @@ float mean_edge(const cloth::ClothMesh& mesh) {
   return static_cast<float>(sum / (3.0 * static_cast<double>(mesh.triangles.size())));
 }
 
+void drop_keyframes(ClothDef& def) {
+  if (auto* driven = std::get_if<DrivenTriangles>(&def.geometry)) driven->keyframes = {};
+}
+
 ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time) {
   check::def(def);
   ClothEntry entry;
@@ -207,6 +211,7 @@ ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time)
   if (is_driven(def.geometry)) {
     check_driven(def);
     entry.track = make_track(def, files, entry.mesh);
+    drop_keyframes(entry.def);
   }
   entry.welded = file.welded;
   cloth::check_mesh(entry.mesh);
@@ -219,6 +224,7 @@ ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time)
     throw Error(ErrorCode::mesh,
                 "ClothDef::inflation needs a closed mesh; \"" + def.name + "\" has a border");
   }
+  if (std::holds_alternative<ClothFile>(def.geometry)) entry.texture = texture_on(entry.mesh, file);
   build_constraints(entry);
   if (def.fabric.absorbency > 0) entry.water.resize(entry.range.masses.size());
   entry.thickness = def.fabric.thickness > 0 ? def.fabric.thickness
@@ -236,7 +242,6 @@ RopeEntry make_rope(const RopeDef& def) {
   check::def(def);
   RopeEntry entry;
   entry.def = def;
-  if (std::holds_alternative<ClothFile>(def.geometry)) entry.texture = texture_on(entry.mesh, file);
   std::vector<Vec3> points = def.segments > 0 ? divided(def.points, def.segments, def.closed) : def.points;
   for (Vec3& p : points) p = to_world(def.pose, p);
   cloth::RodParameters p;

@@ -51,7 +51,7 @@ struct VertexGraph {
 };
 
 struct ClothEntry {
-  ClothDef def;
+  ClothDef def;  ///< without keyframes, which the track has
   VertexRange range;
   VertexTrackPtr track;   ///< of a driven surface; else null
   cloth::ClothMesh mesh;  ///< at rest
@@ -99,15 +99,17 @@ bool is_driven(const ClothGeometry& geometry);
 
 /// Mean edge length at rest, m.
 float mean_edge(const cloth::ClothMesh& mesh);
+/// Drops the keyframes of DrivenTriangles, which a track has.
+void drop_keyframes(ClothDef& def);
 /// A driven surface is where it is at `time`, World::time.
 ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time);
 RopeEntry make_rope(const RopeDef& def);
 
-/// What the engine moves: the driven surfaces of a world, at their places since the last upload.
-std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths);
 /// Throws Error(capacity) if the driven surfaces have more positions than 32 bits count, together with
 /// `added` more.
 void check_driven_room(const IdTable<ClothId, ClothEntry>& cloths, size_t added = 0);
+/// What the engine moves: the driven surfaces of a world, at their places since the last upload.
+std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths);
 
 /// Builds the constraints anew after the mesh has changed.
 void build_constraints(ClothEntry& entry);
