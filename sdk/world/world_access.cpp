@@ -75,7 +75,7 @@ HookId World::Calls::add_hook(Hook hook, SubstepCall call) {
   if (!call) throw Error(ErrorCode::invalid_argument, "add_hook got an empty call");
   std::vector<HookEntry> all = impl_->hooks;
   const auto id = static_cast<HookId>(impl_->next_hook);
-  all.push_back({id, hook, std::move(call)});
+  all.push_back({id, hook, std::move(call), impl_->world_number});
   impl_->set_hooks(std::move(all));
   ++impl_->next_hook;
   if (impl_->recorder) impl_->log.warn("the world is being recorded, and hooks are in no recording");

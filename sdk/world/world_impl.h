@@ -46,9 +46,10 @@ struct CachedReadout {
 };
 
 struct HookEntry {
-  HookId id;
+  HookId id;  ///< its upper half is the first generation of the world that made it
   Hook hook;
   SubstepCall call;
+  std::shared_ptr<const WorldNumber> maker;  ///< of that world: no other gets its number while this is here
 };
 
 struct World::Impl : WorldTables {
@@ -209,7 +210,8 @@ struct World::Impl : WorldTables {
   double begin_ms = 0;       // that step_begin() took
   std::chrono::steady_clock::time_point step_start{};
   std::vector<HookEntry> hooks;  // in the order in which they were added
-  uint64_t next_hook = 1;
+  uint64_t next_hook = (uint64_t{first_generation} << 32) + 1;
+  std::function<void(const Progress&)> progress;  // what set_progress() got
   Log log;
   StepBudget budget;
   std::unique_ptr<Recorder> recorder;  // while the world is being recorded
