@@ -71,6 +71,7 @@ struct World::Impl : WorldTables {
   auto recorded_removal(const RecordedAs& as, const Call& call, const Args&... args);
   void note_step(float dt, const StepReport& report);
   void note_state();
+  void warn_of_hooks() const;
   void settle();  // carries removals out; if it throws, all are still to be carried out
   pbd::CallMonitor& monitor() { return engine->device().monitor(); }
 
@@ -166,6 +167,7 @@ struct World::Impl : WorldTables {
   void log_before_steps();
   void log_step(const StepReport& report);
   void set_hooks(std::vector<HookEntry> all);
+  void take_callbacks(const Impl& other);  // hooks with their ids, and the progress call
   void tear_cloth();
   void note_cloth_step(float dt);
   struct WetPiece;

@@ -116,6 +116,50 @@ TEST_P(RecordingTest, FollowsAWorldThatGoesBack) {
   EXPECT_EQ(again.time(), world.time());
 }
 
+TEST_P(RecordingTest, TakesHooksAndProgressToTheWorldThatWentBack) {
+  World world = dam_break(GetParam(), 0.1f);
+  const Snapshot start = world.snapshot();
+  world.start_recording(path());
+  for (int k = 0; k < 2; ++k) {
+    world.restore(start);
+    world.step(0.01f);
+  }
+  world.stop_recording();
+  Replay replay(path());
+  World again = replay.start();
+  int calls = 0, reports = 0;
+  const HookId hook = again.add_hook(Hook::solved, [&](const SubstepView&) { ++calls; });
+  again.set_progress([&](const Progress&) { ++reports; });
+  ASSERT_TRUE(replay.next(again));
+  EXPECT_GT(calls, 0);
+  EXPECT_GT(reports, 0);
+  std::vector<World> others;
+  for (int k = 0; k < 3; ++k) {
+    others.push_back(dam_break(GetParam(), 0.2f));
+    EXPECT_NE(others.back().add_hook(Hook::solved, [](const SubstepView&) {}), hook);
+  }
+  again.remove_hook(hook);
+  calls = 0;
+  ASSERT_TRUE(replay.next(again));
+  EXPECT_EQ(calls, 0);
+}
+
+TEST_P(RecordingTest, WarnsOfHooks) {
+  WorldDef def = world_def(GetParam(), 0.2f);
+  std::string warnings;
+  def.log = [&](LogLevel level, const std::string& text) {
+    if (level == LogLevel::warning) warnings += text;
+  };
+  World world = dam_break(def);
+  world.add_hook(Hook::solved, [](const SubstepView&) {});
+  EXPECT_EQ(warnings, "");
+  world.start_recording(path());
+  EXPECT_NE(warnings.find("hooks are in no recording"), std::string::npos);
+  warnings.clear();
+  world.add_hook(Hook::solved, [](const SubstepView&) {});
+  EXPECT_NE(warnings.find("hooks are in no recording"), std::string::npos);
+}
+
 TEST_P(RecordingTest, LeavesOutCallsThatFail) {
   World world = dam_break(GetParam(), 0.1f);
   world.start_recording(path());
@@ -170,24 +214,6 @@ TEST_P(RecordingTest, RefusesAByteThatDiffers) {
   }
 }
 
-TEST_P(RecordingTest, RefusesWhatCannotBe) {
-  WorldDef def = world_def(GetParam(), 0.2f);
-  int warnings = 0;
-  def.log = [&](LogLevel level, const std::string&) { warnings += level == LogLevel::warning; };
-  World world = dam_break(def);
-  expect_error(ErrorCode::io, "no/such", [&] { world.start_recording("/no/such/folder/file"); });
-  world.start_recording(path());
-  expect_error(ErrorCode::invalid_argument, "is recorded", [&] { world.start_recording(path()); });
-  world.step(0.01f);
-  world.stop_recording();
-  expect_error(ErrorCode::invalid_argument, "nothing is being recorded", [&] { world.stop_recording(); });
-  EXPECT_EQ(warnings, 0);
-}
-
-MENISCUS_ON_EACH_DEVICE(RecordingTest);
-
-}  // namespace
-}  // namespace meniscus::tests
 /// The hashes are right: only the contents are not.
 TEST_P(RecordingTest, RefusesACallThatIsNone) {
   World world = dam_break(GetParam(), 0.2f);
@@ -231,3 +257,21 @@ TEST_P(RecordingTest, RefusesACallThatIsNone) {
   }
 }
 
+TEST_P(RecordingTest, RefusesWhatCannotBe) {
+  WorldDef def = world_def(GetParam(), 0.2f);
+  int warnings = 0;
+  def.log = [&](LogLevel level, const std::string&) { warnings += level == LogLevel::warning; };
+  World world = dam_break(def);
+  expect_error(ErrorCode::io, "no/such", [&] { world.start_recording("/no/such/folder/file"); });
+  world.start_recording(path());
+  expect_error(ErrorCode::invalid_argument, "is recorded", [&] { world.start_recording(path()); });
+  world.step(0.01f);
+  world.stop_recording();
+  expect_error(ErrorCode::invalid_argument, "nothing is being recorded", [&] { world.stop_recording(); });
+  EXPECT_EQ(warnings, 0);
+}
+
+MENISCUS_ON_EACH_DEVICE(RecordingTest);
+
+}  // namespace
+}  // namespace meniscus::tests
