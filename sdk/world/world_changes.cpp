@@ -49,7 +49,8 @@ void expect_same(const char* name, const T& now, const T& wanted) {
 
 }  // namespace
 
-void World::Calls::set_def(const WorldDef& given) {
+void World::Calls::set_def(const WorldDef& asked) {
+  const WorldDef given = asked;  // a copy, as it may be the world's own
   check::def(given);
   expect_same("origin", impl_->given.origin, given.origin);
   WorldDef def = impl_->origin.inward(given);
