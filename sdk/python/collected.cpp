@@ -20,6 +20,7 @@ int traverse(PyObject* self, visitproc visit, void* arg) {
   WorldState* const state = state_of(self);
   if (!state) return 0;
   Py_VISIT(state->on_progress.ptr());
+  Py_VISIT(state->log.get());
   for (const auto& [id, hook] : state->hooks) Py_VISIT(hook.get());
   return 0;
 }
@@ -28,6 +29,7 @@ int clear(PyObject* self) {
   WorldState* const state = state_of(self);
   if (!state) return 0;
   state->on_progress.reset();
+  state->log.clear();
   for (auto& [id, hook] : state->hooks) hook.clear();
   return 0;
 }

@@ -82,7 +82,8 @@ void bind_view(nb::module_& module) {
   nb::class_<PySubstepView> type(
       module, "SubstepView",
       "The particles of a substep, and the vertices of cloth and ropes behind them, as add_hook() shows "
-      "them. Arrays are NumPy's on the CPU and DeviceArray on a GPU, in the memory of the solver. They must not be kept.");
+      "them. Arrays are NumPy's on the CPU and DeviceArray on a GPU, in the memory of the solver. They must "
+      "not be kept.");
   type.def_prop_ro(
       "hook", [](const PySubstepView& s) { return hook_names[uint32_t(s.view.hook)]; },
       "The name of the hook.");
@@ -143,11 +144,12 @@ void bind_hooks(nb::module_& module, nb::class_<PyWorld>& world) {
         return static_cast<uint64_t>(id);
       },
       nb::arg("hook"), nb::arg("function"),
-      nb::sig(
-          "def add_hook(self, hook: typing.Literal['predicted', 'contacts_found', 'iterated', 'solved', "
-          "'velocities_known'], function: collections.abc.Callable[[SubstepView], object]) -> int"),
-      "Calls function(view) at this point of each substep, from the next step on, after those that were added "
-      "before. Returns a number for remove_hook(). On a GPU it puts its work on the stream and must not wait. What it raises ends the step, and the "
+      nb::sig("def add_hook(self, hook: typing.Literal['predicted', 'contacts_found', 'iterated', 'solved', "
+              "'velocities_known'], function: collections.abc.Callable[[SubstepView], object]) -> int"),
+      "Calls function(view) at this point of each substep, from the next step on, after those that were "
+      "added "
+      "before. Returns a number for remove_hook(). On a GPU it puts its work on the stream and must not "
+      "wait. What it raises ends the step, and the "
       "world is as before. Snapshots do not contain it.");
   world.def(
       "remove_hook",

@@ -67,7 +67,6 @@ WorldState::Turn::~Turn() {
   state_.mutex_.unlock();
 }
 
-/// Long calls report at most ten times a second. Signals of Python are looked for there.
 void WorldState::listen() {
   world_.set_progress([this](const Progress& progress) { report(progress); });
 }

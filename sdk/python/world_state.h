@@ -132,12 +132,16 @@ class WorldState : public Things {
   }
   /// Ends the long call that runs. Any thread may call it.
   void cancel() { world_.cancel(); }
+  /// Lets the world report to this. Long calls report at most ten times a second, and signals of Python are
+  /// looked for there.
+  void listen();
 
   std::string name;
   float frame_time = 1.0f / 60;  ///< s
   int frames = 250;              ///< of the scene
   std::optional<SceneCamera> camera;
-  nb::object on_progress;                  ///< a function of what and fraction, or none
+  nb::object on_progress;                          ///< a function of what and fraction, or none
+  Callable log;                                    ///< that the world calls, for the garbage collector
   std::vector<std::pair<HookId, Callable>> hooks;  ///< that the world calls, for the garbage collector
 
  private:
@@ -176,7 +180,6 @@ class WorldState : public Things {
   }
   /// Throws what a signal or on_progress has raised while the call ran.
   void raise_if_asked();
-  void listen();
   void report(const Progress& progress) noexcept;
   void forget_arrays();
 
