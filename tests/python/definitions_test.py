@@ -12,7 +12,7 @@ import unittest
 import meniscus
 
 # Keys of files alone: names of alternatives, what stands for infinity, and files of hulls.
-FILE_KEYS = {"type", "held", "angular_held", "unyielding", "copies"}
+FILE_KEYS = {"type", "held", "angular_held", "unyielding", "copies", "motion_file"}
 CALLS = {"fluids": "add_fluid", "granulars": "add_granular", "shapes": "add_shape", "bodies": "add_body",
          "cloths": "add_cloth", "ropes": "add_rope", "attachments": "add_attachment", "volumes": "add_volume",
          "emitters": "add_emitter", "sinks": "add_sink", "probes": "add_probe", "joints": "add_joint",
@@ -46,7 +46,7 @@ class Definitions(unittest.TestCase):
                 checked += len(wanted)
         self.assertGreater(checked, 150)
         self.assertEqual(set(schema()["world"]["properties"]),
-                         parameters(meniscus.World.__init__) - {"cuda_stream", "read_file"})  # no plain values
+                         parameters(meniscus.World.__init__) - {"cuda_stream", "read_file", "log"})  # no plain values
         self.assertEqual(set(schema()["wind"]["properties"]), parameters(meniscus.World.set_wind))
 
     def test_no_alternative_is_forgotten(self):

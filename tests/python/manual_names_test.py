@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: MIT
-"""Names of the interface that the manual's pages mention exist: in the public headers, in Python or in scene files."""
+"""Names of the interface that the manual's pages mention exist: in the public headers, in Python, in scene files or as samples."""
 
 import os
 import pathlib
@@ -20,7 +20,8 @@ def known_words():
     headers = (ROOT / "sdk/include/meniscus").rglob("*.h")
     package = pathlib.Path(meniscus.__file__).parent
     sources = [*headers, package / "_core.pyi", *package.glob("*.py"), ROOT / "samples/scene.schema.json"]
-    return set(re.findall(r"\w+", "\n".join(path.read_text(encoding="utf-8") for path in sources)))
+    samples = {path.stem for path in (ROOT / "samples/scenes").glob("*.json")}
+    return samples | set(re.findall(r"\w+", "\n".join(path.read_text(encoding="utf-8") for path in sources)))
 
 
 def names_of(path):
