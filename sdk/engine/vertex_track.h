@@ -21,7 +21,7 @@ struct VertexTrack {
   bool loop = false;            ///< the first frame follows the last
 
   uint32_t frames() const { return static_cast<uint32_t>(times.size()); }
-  uint32_t vertices() const { return static_cast<uint32_t>(positions.size()) / frames(); }
+  uint32_t vertices() const { return static_cast<uint32_t>(positions.size() / times.size()); }
 };
 using VertexTrackPtr = std::shared_ptr<const VertexTrack>;
 

@@ -75,8 +75,8 @@ std::span<const uint32_t> World::Calls::cloth_triangles(ClothId id) const {
 
 std::span<const TexturePoint> World::Calls::cloth_texture(ClothId id) const {
   ClothEntry& entry = impl_->cloths.edit(id);
-  if (entry.texture.empty()) entry.texture = texture_of(entry, impl_->def.read_file);
-  return entry.texture;
+  if (!entry.texture) entry.texture = texture_of(entry, impl_->def.read_file);
+  return *entry.texture;
 }
 
 uint32_t World::Calls::cloth_welded_vertices(ClothId id) const {

@@ -67,6 +67,14 @@ void World::Impl::set_hooks(std::vector<HookEntry> all) {
   hooks = std::move(all);
 }
 
+void World::Impl::take_callbacks(const Impl& other) {
+  run([&](auto) {
+    set_hooks(other.hooks);
+    progress = other.progress;
+    monitor().set_progress(progress);
+  });
+}
+
 HookId World::Calls::add_hook(Hook hook, SubstepCall call) {
   const auto number = static_cast<uint32_t>(hook);
   if (number >= hook_count)
@@ -75,10 +83,10 @@ HookId World::Calls::add_hook(Hook hook, SubstepCall call) {
   if (!call) throw Error(ErrorCode::invalid_argument, "add_hook got an empty call");
   std::vector<HookEntry> all = impl_->hooks;
   const auto id = static_cast<HookId>(impl_->next_hook);
-  all.push_back({id, hook, std::move(call)});
+  all.push_back({id, hook, std::move(call), impl_->world_number});
   impl_->set_hooks(std::move(all));
   ++impl_->next_hook;
-  if (impl_->recorder) impl_->log.warn("the world is being recorded, and hooks are in no recording");
+  if (impl_->recorder) impl_->warn_of_hooks();
   return id;
 }
 

@@ -35,7 +35,8 @@ void World::cancel() noexcept {
 }
 
 void World::set_progress(std::function<void(const Progress&)> report) {
-  impl_->engine->device().monitor().set_progress(std::move(report));
+  impl_->engine->device().monitor().set_progress(report);
+  impl_->progress = std::move(report);
 }
 
 const WorldDef& World::def() const {

@@ -89,6 +89,7 @@ ClothId World::Calls::create_cloth(const ClothDef& def) {
   impl_->check_solver_allows("cloth");
   impl_->check_pieces();
   ClothEntry entry = make_cloth(def, impl_->def.read_file, impl_->time);
+  if (entry.track) check_driven_room(impl_->cloths, entry.track->positions.size());
   impl_->cloths.prepare();
   impl_->cloth_changed();
   return impl_->cloths.insert(std::move(entry));

@@ -167,6 +167,7 @@ void World::Impl::fill_from(const std::string& definitions, const pbd::SavedStat
   fill(cloths, "cloth", defs.cloths, [](const ClothDef& d) {
     ClothEntry entry;
     entry.def = d;
+    drop_keyframes(entry.def);  // an earlier version wrote them
     return entry;
   });
   fill(ropes, "rope", defs.ropes, [](const RopeDef& d) { return make_rope(d); });

@@ -46,9 +46,10 @@ struct CachedReadout {
 };
 
 struct HookEntry {
-  HookId id;
+  HookId id;  ///< its upper half is the first generation of the world that made it
   Hook hook;
   SubstepCall call;
+  std::shared_ptr<const WorldNumber> maker;  ///< of that world: no other gets its number while this is here
 };
 
 struct World::Impl : WorldTables {
@@ -70,6 +71,7 @@ struct World::Impl : WorldTables {
   auto recorded_removal(const RecordedAs& as, const Call& call, const Args&... args);
   void note_step(float dt, const StepReport& report);
   void note_state();
+  void warn_of_hooks() const;
   void settle();  // carries removals out; if it throws, all are still to be carried out
   pbd::CallMonitor& monitor() { return engine->device().monitor(); }
 
@@ -165,6 +167,7 @@ struct World::Impl : WorldTables {
   void log_before_steps();
   void log_step(const StepReport& report);
   void set_hooks(std::vector<HookEntry> all);
+  void take_callbacks(const Impl& other);  // hooks with their ids, and the progress call
   void tear_cloth();
   void note_cloth_step(float dt);
   struct WetPiece;
@@ -209,7 +212,8 @@ struct World::Impl : WorldTables {
   double begin_ms = 0;       // that step_begin() took
   std::chrono::steady_clock::time_point step_start{};
   std::vector<HookEntry> hooks;  // in the order in which they were added
-  uint64_t next_hook = 1;
+  uint64_t next_hook = (uint64_t{first_generation} << 32) + 1;
+  std::function<void(const Progress&)> progress;  // what set_progress() got
   Log log;
   StepBudget budget;
   std::unique_ptr<Recorder> recorder;  // while the world is being recorded

@@ -33,12 +33,26 @@ Snapshot World::Calls::snapshot() const {
   return Snapshot(std::move(data));
 }
 
+namespace {
+
+/// What belongs to the running program, and to no state.
+void keep_host(WorldDef& restored, const WorldDef& running) {
+  restored.log = running.log;
+  restored.parallel_for = running.parallel_for;
+  restored.read_file = running.read_file;
+  restored.cuda_stream = running.cuda_stream;
+}
+
+}  // namespace
+
 void World::Calls::restore(const Snapshot& snapshot) {
   const std::shared_ptr<Snapshot::Data>& data = snapshot.data_;
   if (!data) throw Error(ErrorCode::invalid_argument, "restore got a snapshot of no world");
   if (!impl_->snapshots.has(data))
     throw Error(ErrorCode::invalid_argument, "restore got a snapshot of another world");
   WorldTables tables = data->tables;
+  keep_host(tables.def, impl_->def);
+  keep_host(tables.given, impl_->given);
   if (tables.solids_revision == impl_->solids_revision) {
     impl_->monitor().commit();
     impl_->restore(std::move(tables), *data);

@@ -66,8 +66,13 @@ class ConstraintsOf {
     sort_by_colour(constraints);
     begin_ = world.add_hook(Hook::contacts_found,
                             [shared = shared_](const SubstepView& view) { shared->begin(view); });
-    project_ = world.add_hook(Hook::iterated,
-                              [shared = shared_](const SubstepView& view) { shared->project(view); });
+    try {
+      project_ = world.add_hook(Hook::iterated,
+                                [shared = shared_](const SubstepView& view) { shared->project(view); });
+    } catch (...) {
+      world.remove_hook(begin_);
+      throw;
+    }
   }
   /// Removes them from the world, which must still be there.
   void remove() {

@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cloth/build/tethers.h"
-#include "cloth/build/weld.h"
 #include "collision/mesh/sequence.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/cloth/cloth_shapes.h"
+#include "sdk/world/cloth/cloth_texture.h"
 #include "sdk/world/cloth/cloth_water.h"
 #include "sdk/world/cloth/tuning.h"
 
@@ -23,14 +24,15 @@ namespace {
 
 struct MakeMesh {
   const FileReader& files;
+  TexturedCloth& file;  ///< gets what a file has
 
   cloth::ClothMesh operator()(const SheetGeometry& g) const {
     return cloth::make_sheet(g.width, g.depth, static_cast<uint32_t>(g.columns),
                              static_cast<uint32_t>(g.rows));
   }
   cloth::ClothMesh operator()(const ClothFile& g) const {
-    const collision::TriangleMesh mesh = collision::load_mesh(collision::MeshSource::of(g, files));
-    return {mesh.vertices, mesh.triangles, {}};
+    file = read_cloth(g, files);
+    return file.mesh;
   }
   cloth::ClothMesh operator()(const ClothTriangles& g) const {
     cloth::ClothMesh mesh{g.vertices, {}, {}};
@@ -94,13 +96,6 @@ VertexTrackPtr make_track(const ClothDef& def, const FileReader& files, cloth::C
     track = track_of(*numbered, files, mesh);
   for (Vec3& x : track.positions) x = placed(def, x);
   return std::make_shared<const VertexTrack>(std::move(track));
-}
-
-/// Merges vertices of a file that are too near to one another. Other geometry keeps its numbers.
-uint32_t weld_file(const ClothGeometry& geometry, cloth::ClothMesh& mesh) {
-  const auto* file = std::get_if<ClothFile>(&geometry);
-  if (!file || mesh.triangles.empty()) return 0;
-  return cloth::weld(mesh, double{file->weld} * mean_edge(mesh));
 }
 
 cloth::FabricParameters parameters(const FabricDef& f) {
@@ -176,6 +171,17 @@ void attach_to_held(ClothEntry& entry, const std::vector<uint32_t>& held) {
   entry.held = held;
 }
 
+void check_driven_room(const IdTable<ClothId, ClothEntry>& cloths, size_t added) {
+  size_t all = added;
+  cloths.for_each([&](uint32_t, const ClothEntry& entry) {
+    if (entry.track) all += entry.track->positions.size();
+  });
+  if (all <= std::numeric_limits<uint32_t>::max()) return;
+  throw Error(ErrorCode::capacity,
+              "driven surfaces have at most 2³² − 1 positions, vertices times keyframes; " +
+                  std::to_string(all) + " were asked for");
+}
+
 std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths) {
   std::vector<DrivenPiece> pieces;
   cloths.for_each([&](uint32_t, const ClothEntry& entry) {
@@ -192,16 +198,22 @@ float mean_edge(const cloth::ClothMesh& mesh) {
   return static_cast<float>(sum / (3.0 * static_cast<double>(mesh.triangles.size())));
 }
 
+void drop_keyframes(ClothDef& def) {
+  if (auto* driven = std::get_if<DrivenTriangles>(&def.geometry)) driven->keyframes = {};
+}
+
 ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time) {
   check::def(def);
   ClothEntry entry;
   entry.def = def;
-  entry.mesh = std::visit(MakeMesh{files}, def.geometry);
+  TexturedCloth file;
+  entry.mesh = std::visit(MakeMesh{files, file}, def.geometry);
   if (is_driven(def.geometry)) {
     check_driven(def);
     entry.track = make_track(def, files, entry.mesh);
+    drop_keyframes(entry.def);
   }
-  entry.welded = weld_file(def.geometry, entry.mesh);
+  entry.welded = file.welded;
   cloth::check_mesh(entry.mesh);
   cloth::orient_triangles(entry.mesh);
   entry.closed = cloth::is_closed(entry.mesh);
@@ -212,6 +224,7 @@ ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time)
     throw Error(ErrorCode::mesh,
                 "ClothDef::inflation needs a closed mesh; \"" + def.name + "\" has a border");
   }
+  if (std::holds_alternative<ClothFile>(def.geometry)) entry.texture = texture_on(entry.mesh, file);
   build_constraints(entry);
   if (def.fabric.absorbency > 0) entry.water.resize(entry.range.masses.size());
   entry.thickness = def.fabric.thickness > 0 ? def.fabric.thickness

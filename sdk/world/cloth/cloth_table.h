@@ -51,7 +51,7 @@ struct VertexGraph {
 };
 
 struct ClothEntry {
-  ClothDef def;
+  ClothDef def;  ///< without keyframes, which the track has
   VertexRange range;
   VertexTrackPtr track;   ///< of a driven surface; else null
   cloth::ClothMesh mesh;  ///< at rest
@@ -65,7 +65,8 @@ struct ClothEntry {
   std::vector<Vec3> outward;           ///< positions in the user's frame
   std::vector<Vec3> normals;           ///< of the latest state, computed on request
   std::vector<float> strains;          ///< as for the normals
-  std::vector<TexturePoint> texture;   ///< by corner, computed on request; tearing keeps it
+  /// By corner, or none: that of a file from the creation on, else computed on request. Tearing keeps it.
+  std::optional<std::vector<TexturePoint>> texture;
   // Of absorbent cloth, by vertex:
   std::vector<double> water;           ///< kg
   std::optional<FluidId> soaked_with;  ///< one fluid at a time
@@ -98,10 +99,15 @@ bool is_driven(const ClothGeometry& geometry);
 
 /// Mean edge length at rest, m.
 float mean_edge(const cloth::ClothMesh& mesh);
+/// Drops the keyframes of DrivenTriangles, which a track has.
+void drop_keyframes(ClothDef& def);
 /// A driven surface is where it is at `time`, World::time.
 ClothEntry make_cloth(const ClothDef& def, const FileReader& files, double time);
 RopeEntry make_rope(const RopeDef& def);
 
+/// Throws Error(capacity) if the driven surfaces have more positions than 32 bits count, together with
+/// `added` more.
+void check_driven_room(const IdTable<ClothId, ClothEntry>& cloths, size_t added = 0);
 /// What the engine moves: the driven surfaces of a world, at their places since the last upload.
 std::vector<DrivenPiece> driven_pieces(const IdTable<ClothId, ClothEntry>& cloths);
 

@@ -64,25 +64,14 @@ Corners sphere_corners(const ClothSphere& sphere, const std::array<Vec3, 3>& at)
   return corners;
 }
 
-/// The file's triangles as they were when the cloth was made of them, with their texture.
-struct TexturedCloth {
-  cloth::ClothMesh mesh;
-  std::vector<collision::CornerTexture> texture;
-};
-
-TexturedCloth read_texture(const ClothFile& file, const FileReader& files) {
-  collision::PaintedMesh painted = collision::load_painted_mesh(collision::MeshSource::of(file, files));
-  TexturedCloth result{{std::move(painted.mesh.vertices), std::move(painted.mesh.triangles), {}}, {}};
-  std::vector<uint32_t> dropped;
-  cloth::weld(result.mesh, double{file.weld} * mean_edge(result.mesh), &dropped);
-  auto next = dropped.begin();
-  for (uint32_t t = 0; t < painted.texture.size(); ++t) {
-    if (next != dropped.end() && *next == t)
-      ++next;
-    else
-      result.texture.push_back(painted.texture[t]);
+/// The corner of a triangle of the file at a place; 3 if there is none.
+std::size_t corner_at(const TexturedCloth& file, std::size_t triangle, Vec3 place) {
+  if (triangle >= file.texture.size()) return 3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 p = file.mesh.vertices[file.mesh.triangles[triangle][k]];
+    if (p.x == place.x && p.y == place.y && p.z == place.z) return k;
   }
-  return result;
+  return 3;
 }
 
 class MakeTexture {
@@ -106,19 +95,7 @@ class MakeTexture {
   std::vector<TexturePoint> operator()(const DrivenTriangles&) const { return {}; }
   std::vector<TexturePoint> operator()(const DrivenFiles&) const { return {}; }
   std::vector<TexturePoint> operator()(const ClothFile& g) const {
-    const TexturedCloth file = read_texture(g, files_);
-    std::vector<TexturePoint> points;
-    if (file.texture.empty()) return points;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      for (const uint32_t v : mesh_.triangles[t]) {
-        const std::size_t corner = corner_at(file, t, mesh_.vertices[v]);
-        if (corner == 3)
-          throw Error(ErrorCode::mesh,
-                      "mesh file '" + g.file + "' has changed since the cloth was made of it");
-        points.push_back({file.texture[t][corner][0], file.texture[t][corner][1]});
-      }
-    }
-    return points;
+    return texture_on(mesh_, read_cloth(g, files_));
   }
 
  private:
@@ -132,21 +109,43 @@ class MakeTexture {
     return points;
   }
 
-  /// The corner of a triangle of the file at a place; 3 if there is none.
-  static std::size_t corner_at(const TexturedCloth& file, std::size_t triangle, Vec3 place) {
-    if (triangle >= file.texture.size()) return 3;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 p = file.mesh.vertices[file.mesh.triangles[triangle][k]];
-      if (p.x == place.x && p.y == place.y && p.z == place.z) return k;
-    }
-    return 3;
-  }
-
   const cloth::ClothMesh& mesh_;
   const FileReader& files_;
 };
 
 }  // namespace
+
+TexturedCloth read_cloth(const ClothFile& file, const FileReader& files) {
+  collision::PaintedMesh painted = collision::load_painted_mesh(collision::MeshSource::of(file, files));
+  TexturedCloth result{
+      file.file, {std::move(painted.mesh.vertices), std::move(painted.mesh.triangles), {}}, {}};
+  if (result.mesh.triangles.empty()) return result;
+  std::vector<uint32_t> dropped;
+  result.welded = cloth::weld(result.mesh, double{file.weld} * mean_edge(result.mesh), &dropped);
+  auto next = dropped.begin();
+  for (uint32_t t = 0; t < painted.texture.size(); ++t) {
+    if (next != dropped.end() && *next == t)
+      ++next;
+    else
+      result.texture.push_back(painted.texture[t]);
+  }
+  return result;
+}
+
+std::vector<TexturePoint> texture_on(const cloth::ClothMesh& cloth, const TexturedCloth& file) {
+  std::vector<TexturePoint> points;
+  if (file.texture.empty()) return points;
+  for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+    for (const uint32_t v : cloth.triangles[t]) {
+      const std::size_t corner = corner_at(file, t, cloth.vertices[v]);
+      if (corner == 3)
+        throw Error(ErrorCode::mesh,
+                    "mesh file '" + file.name + "' has changed since the cloth was made of it");
+      points.push_back({file.texture[t][corner][0], file.texture[t][corner][1]});
+    }
+  }
+  return points;
+}
 
 std::vector<TexturePoint> texture_of(const ClothEntry& cloth, const FileReader& files) {
   return std::visit(MakeTexture(cloth, files), cloth.def.geometry);

@@ -14,6 +14,7 @@
 
 #include "pbd/host_memory.h"
 #include "sdk/world/recording/call_text.h"
+#include "sdk/world/recording/check_cbor.h"
 #include "sdk/world/recording/record_file.h"
 #include "sdk/world/recording/replayed_calls.h"
 #include "sdk/world/state/chunk_file.h"
@@ -41,6 +42,7 @@ struct Replay::Reader {
     return World::made_from(header.definitions, saved, def);
   }
   Json call_of(const Record& record) const {
+    call_text::check_cbor(record.bytes);
     Json call = Json::from_cbor(record.bytes, true, false);
     if (!call.is_array() || call.empty() || !call[0].is_string()) refuse("a call of it is not valid");
     return call;
@@ -62,6 +64,15 @@ struct Replay::Reader {
     const auto found = replayed_calls().find(name);
     if (found == replayed_calls().end()) refuse("it has the call \"" + name + "\", which is not known");
     found->second(world, call, Ids{world.impl_->first_generation});
+  }
+  /// Makes a call. Returns what a step has made.
+  std::optional<ReplayStep> repeat(World& world, const Record& record) const try {
+    const Json call = call_of(record);
+    if (call[0] == "step") return step(world, call);
+    make(world, call);
+    return std::nullopt;
+  } catch (const Json::exception& wrong) {
+    refuse(std::string("a call of it is not valid: ") + wrong.what());
   }
 };
 
@@ -92,12 +103,12 @@ std::optional<ReplayStep> Replay::next(World& world) {
         return std::nullopt;
       }
       if (record->kind == RecordKind::state) {
-        world = reader_->world_of(*record);
+        World restored = reader_->world_of(*record);
+        restored.impl_->take_callbacks(*world.impl_);
+        world = std::move(restored);
         continue;
       }
-      const Json call = reader_->call_of(*record);
-      if (call[0] == "step") return reader_->step(world, call);
-      reader_->make(world, call);
+      if (std::optional<ReplayStep> step = reader_->repeat(world, *record)) return step;
     }
     return std::nullopt;
   });

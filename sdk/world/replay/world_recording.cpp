@@ -63,12 +63,17 @@ void World::Impl::note_step(float dt, const StepReport& report) {
   });
 }
 
+void World::Impl::warn_of_hooks() const {
+  log.warn("the world is being recorded, and hooks are in no recording");
+}
+
 void World::Calls::start_recording(const std::string& path) {
   if (impl_->recorder)
     throw Error(ErrorCode::invalid_argument,
                 "start_recording was called while the world is recorded to " + impl_->recorder->path());
   const RecordingHeader header{MENISCUS_VERSION_STRING, impl_->device.kind};
   impl_->recorder = std::make_unique<Recorder>(path, header, impl_->log);
+  if (!impl_->hooks.empty()) impl_->warn_of_hooks();
 }
 
 void World::Calls::stop_recording() {

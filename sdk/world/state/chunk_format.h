@@ -4,9 +4,13 @@
 // The first bytes of a snapshot file (chunk_file.h), and its versions.
 #pragma once
 
+#include <meniscus/error.h>
+
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -26,5 +30,12 @@ struct Prefix {
   uint64_t header_hash;
 };
 static_assert(sizeof(Prefix) == 24);
+
+/// The length of a header as the prefix has it. Throws Error(capacity) if it has no room there.
+inline uint32_t header_length(std::size_t bytes) {
+  if (bytes <= std::numeric_limits<uint32_t>::max()) return static_cast<uint32_t>(bytes);
+  throw Error(ErrorCode::capacity, "the definitions of the world take " + std::to_string(bytes) +
+                                       " bytes in a file; there is room for at most 4294967295");
+}
 
 }  // namespace meniscus::chunk_format

@@ -117,8 +117,7 @@ std::string header_text(const ChunkFileHeader& header, const std::vector<Chunk>&
 }
 
 void write_header(io::OutputFile& file, const std::string& text) {
-  Prefix prefix{
-      {}, format_version, static_cast<uint32_t>(text.size()), XXH3_64bits(text.data(), text.size())};
+  Prefix prefix{{}, format_version, header_length(text.size()), XXH3_64bits(text.data(), text.size())};
   std::memcpy(prefix.magic, magic, sizeof magic);
   file.write(std::span<const Prefix>(&prefix, 1));
   file.write(text);
@@ -131,6 +130,7 @@ void write_chunk_file(const std::string& path, const ChunkFileHeader& header, pb
   ChunkList list;
   visit(list);
   const std::size_t room = header_text(header, list.chunks).size();
+  header_length(room);  // before anything is written
   io::OutputFile file(path);
   write_header(file, std::string(room, ' '));
   ChunkWriter writer(device, file, list.chunks);

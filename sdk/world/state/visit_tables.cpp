@@ -4,6 +4,11 @@
 // The items of a world's tables, besides the definitions.
 #include "sdk/world/state/visit_tables.h"
 
+#include <meniscus/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 
 namespace meniscus {
@@ -77,6 +82,22 @@ void visit_range(StateVisitor& v, VertexRange& range) {
   v.value("contact_radius", range.contact_radius);
 }
 
+/// What files may have, and the calls that make tracks refuse.
+void check_track(const VertexTrack& track, size_t vertices) {
+  const auto refuse = [](const std::string& why) {
+    throw Error(ErrorCode::io, "the snapshot is not usable: the track of a driven surface " + why);
+  };
+  const auto is_no_time = [](double time) { return !std::isfinite(time); };
+  if (track.times.empty()) refuse("has no times");
+  if (std::ranges::any_of(track.times, is_no_time)) refuse("has a time that is not finite");
+  if (!std::ranges::is_sorted(track.times, std::ranges::less_equal()))
+    refuse("has times that do not increase");
+  if (vertices == 0 || track.positions.size() % vertices != 0 ||
+      track.positions.size() / vertices != track.times.size())
+    refuse("has " + std::to_string(track.positions.size()) + " positions for " +
+           std::to_string(track.times.size()) + " times and " + std::to_string(vertices) + " vertices");
+}
+
 /// Where a driven surface is over time. Its files need not be there when a snapshot is loaded.
 void visit_track(StateVisitor& v, VertexTrackPtr& track) {
   VertexTrack visited;
@@ -87,16 +108,25 @@ void visit_track(StateVisitor& v, VertexTrackPtr& track) {
   if (v.restores()) track = std::make_shared<const VertexTrack>(std::move(visited));
 }
 
+/// That of a file, which need not be there when a snapshot is loaded.
+void visit_texture(StateVisitor& v, std::optional<std::vector<TexturePoint>>& texture) {
+  if (v.restores() ? v.lacks("texture") : !texture) return;  // a file of 0.2: it is read when it is asked for
+  if (v.restores()) texture.emplace();
+  v.list("texture", *texture);
+}
+
 void visit_cloth(StateVisitor& v, const IdVisit& ids, ClothEntry& cloth) {
   if (is_driven(cloth.def.geometry)) visit_track(v, cloth.track);
   v.list("rest_position", cloth.mesh.vertices);
   v.list("triangle", cloth.mesh.triangles);
   v.list("material", cloth.mesh.material);
+  if (std::holds_alternative<ClothFile>(cloth.def.geometry)) visit_texture(v, cloth.texture);
   v.value("thickness", cloth.thickness);
   v.value("rest_volume", cloth.rest_volume);
   v.value("welded", cloth.welded);
   if (v.restores()) build_constraints(cloth);  // its masses are dry, unlike those that follow
   visit_range(v, cloth.range);
+  if (v.restores() && cloth.track) check_track(*cloth.track, cloth.range.count());
   v.list("water", cloth.water);
   ids.optional("soaked_with", cloth.soaked_with);
 }
@@ -187,6 +217,7 @@ void visit_tables(StateVisitor& v, WorldTables& t) {
   visit_each(v, "emitter", t.emitters, [&](EmitterEntry& e) { visit_emitter(v, e); });
   visit_each(v, "sink", t.sinks, [&](SinkEntry& s) { v.value("taken", s.count); });
   visit_each(v, "cloth", t.cloths, [&](ClothEntry& c) { visit_cloth(v, ids, c); });
+  if (v.restores()) check_driven_room(t.cloths);
   visit_each(v, "rope", t.ropes, [&](RopeEntry& r) {
     visit_range(v, r.range);
     v.list("segment", r.segments);

@@ -44,8 +44,8 @@ struct Picture {
   vec4 across;  // (away D0 × E)², likewise; w: one more than the vessel whose walls it reaches, or 0
 };
 
-shared Picture pictures[round_size];
-shared uint picture_count;
+shared Picture pictures[round_size];  // those that walls may cut from the end on
+shared uint picture_count, cut_count;
 shared uint nearest[size * size];
 shared float begins[size * size];  // what has its centre nearer belongs to the front layer
 shared uint farthest[blocks * blocks];  // no pixel of the block shows anything further away
@@ -116,15 +116,17 @@ void look_at(uint i, ivec2 corner) {
   // A drop on its own is to keep its shape.
   uint share = uint(mix(0.2, 1.0, smoothstep(0.65, 0.95, wide)) * float(share_bits) + 0.5);
   uint rectangle = uint(pixels.x) | uint(pixels.y) << 8 | uint(pixels.z) << 16 | uint(pixels.w) << 24;
-  pictures[atomicAdd(picture_count, 1u)] =
+  uint vessel = clipping_vessel(p.centre, reach);
+  uint place_ = vessel == 0u ? atomicAdd(picture_count, 1u) : round_size - 1u - atomicAdd(cut_count, 1u);
+  pictures[place_] =
       Picture(vec4(place, away, dot(to_middle, to_middle)),
               vec4(dot(to_middle, x), dot(to_middle, y), uintBitsToFloat(least), uintBitsToFloat(share)),
               vec4(form(x, y), uintBitsToFloat(rectangle)),
-              vec4(form(away * cross(to_middle, x), away * cross(to_middle, y)), uintBitsToFloat(clipping_vessel(p.centre, reach))));
+              vec4(form(away * cross(to_middle, x), away * cross(to_middle, y)), uintBitsToFloat(vessel)));
 }
 
-// A row's threads side by side.
-void draw(Picture p, ivec2 corner, int thread) {
+// A row's threads side by side. `is_cut`: walls may cut it.
+void draw(Picture p, bool is_cut, ivec2 corner, int thread) {
   ivec4 pixels = ivec4(uvec4(floatBitsToUint(p.square.w)) >> uvec4(0, 8, 16, 24) & 255u);
   uint least = floatBitsToUint(p.slope.z), share = floatBitsToUint(p.slope.w), vessel = floatBitsToUint(p.across.w);
   for (int y = pixels.y + thread / 8; y <= pixels.w; y += 4) {
@@ -136,7 +138,7 @@ void draw(Picture p, ivec2 corner, int thread) {
       float inside = square - dot(p.across.xyz, products);
       if (inside < 0.0) continue;
       float root = sqrt(inside), distance = (p.place.z * along - root) / square;
-      if (vessel > 0u && !clip_at_walls(vessel - 1u, world_ray(vec2(corner + ivec2(x, y))), distance,
+      if (is_cut && !clip_at_walls(vessel - 1u, world_ray(vec2(corner + ivec2(x, y))), distance,
                                         (p.place.z * along + root) / square))
         continue;
       atomicMin(nearest[y * size + x], (floatBitsToUint(distance) & ~share_bits) | share);
@@ -146,7 +148,7 @@ void draw(Picture p, ivec2 corner, int thread) {
 
 void find_farthest() {
   for (uint k = gl_LocalInvocationID.x; k < uint(blocks * blocks); k += group_size) farthest[k] = 0u;
-  if (gl_LocalInvocationID.x == 0u) picture_count = 0u;
+  if (gl_LocalInvocationID.x == 0u) picture_count = cut_count = 0u;
   barrier();
   // Of four pixels a thread.
   int x = int(gl_LocalInvocationID.x) % size, y = int(gl_LocalInvocationID.x) / size * 4;
@@ -169,10 +171,13 @@ void draw_list(int list, ivec2 corner) {
   for (; begin < end; begin += round_size) {
     if (self < min(round_size, end - begin)) look_at(tile_entries[begin + self], corner);
     barrier();
-    uint count = picture_count;
-    for (uint k = self / row; k < count; k += group_size / row) draw(pictures[k], corner, int(self % row));
+    uint count = picture_count, cut = round_size - cut_count;
+    // Apart, since Mesa's rasteriser skips loops but no branches.
+    for (uint k = self / row; k < count; k += group_size / row) draw(pictures[k], false, corner, int(self % row));
+    for (uint k = cut + self / row; k < round_size; k += group_size / row)
+      draw(pictures[k], true, corner, int(self % row));
     barrier();
-    if (count > 0u) find_farthest();
+    if (count > 0u || cut < round_size) find_farthest();
   }
 }
 

@@ -76,10 +76,12 @@ uvec4 slices_of(vec4 u, float distance, vec4 start) {
   return met * uvec4(greaterThan(square, vec4(0.0)));
 }
 
+vec4 amount_at(vec4 u) {
+  return units * floor_.z * floor_.z * 3.0 / (3.14159265 * radius * radius) * u * u;
+}
+
 // `x` and `y` in the block; `behind`: the distance of what hides fluid.
 void add_discs(inout Sums own, int finds, vec4 x, vec4 y, vec4 behind, vec4 start) {
-  float amount = units * floor_.z * floor_.z * 3.0 / (3.14159265 * radius * radius);
-  bool is_one_fluid = lowest_fluid == highest_fluid;
   for (uint k = gl_LocalInvocationID.x / quads; k < disc_count; k += parts) {
     vec4 disc = discs[k], right = x * disc.x + disc.z, up_ = y * disc.y + disc.w;
     float distance = distances[k];
@@ -91,10 +93,17 @@ void add_discs(inout Sums own, int finds, vec4 x, vec4 y, vec4 behind, vec4 star
       vec4 depth = distance + radius * (1.0 - sqrt(u));
       own.nearest = min(own.nearest, mix(vec4(no_gap), depth, greaterThan(u, vec4(0.0))));
     }
-    if ((finds & amounts) == 0) continue;
-    vec4 part = mix(amount * u * u, vec4(0.0), is_hidden);
-    own.metres += ivec4(part + 0.5);
-    if (is_one_fluid) continue;
+    if ((finds & amounts) != 0) own.metres += ivec4(mix(amount_at(u), vec4(0.0), is_hidden) + 0.5);
+  }
+}
+
+// Likewise, what several fluids differ in. Apart, since Mesa's rasteriser skips loops but no branches.
+void add_dyes(inout Sums own, vec4 x, vec4 y, vec4 behind) {
+  uint count = lowest_fluid == highest_fluid ? 0u : disc_count;
+  for (uint k = gl_LocalInvocationID.x / quads; k < count; k += parts) {
+    vec4 disc = discs[k], right = x * disc.x + disc.z, up_ = y * disc.y + disc.w;
+    vec4 u = max(1.0 - right * right - up_ * up_, 0.0);
+    vec4 part = mix(amount_at(u), vec4(0.0), lessThan(behind, vec4(distances[k])));
     own.red += ivec4(part * absorbances[k].r + 0.5);
     own.green += ivec4(part * absorbances[k].g + 0.5);
     own.blue += ivec4(part * absorbances[k].b + 0.5);
@@ -119,6 +128,7 @@ void add_list(int list, int finds, ivec2 corner, ivec2 all, ivec2 place, vec4 be
     if (begin + self < end) look_at(tile_entries[begin + self], corner, all);
     barrier();
     add_discs(own, finds, x, y, behind, start);
+    if ((finds & amounts) != 0) add_dyes(own, x, y, behind);
     barrier();
     if (self == 0u) disc_count = 0u;
     barrier();
@@ -231,7 +241,11 @@ void main() {
   note_fluids(list);
   note_fluids(shared_list);
   barrier();
-  find(amounts + (hides == 1 ? depth_slices : first_depths), place, behind);
+  // What is found stands in the call: the compiler leaves out the rest.
+  if (hides == 1)
+    find(amounts + depth_slices, place, behind);
+  else
+    find(amounts + first_depths, place, behind);
   vec4 total = self < pixels ? summed(self) : vec4(0.0), front = total;
   if (hides == 0) {
     if (self < pixels) start_at(self, uintBitsToFloat(nearest[self]));

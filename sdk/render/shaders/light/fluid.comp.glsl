@@ -5,7 +5,6 @@
 // (Beer and Lambert), and what its depths send back. The rest is drawn first, over the scene, and then the front layer,
 // over that.
 #include "shared/frame.glsl"
-#include "shared/pixels.glsl"
 #include "light/sky.glsl"
 #include "light/shadow.glsl"
 #include "light/material.glsl"
@@ -13,12 +12,16 @@
 #include "light/ground_color.glsl"
 #include "fluid/surface.glsl"
 #include "fluid/front_and_rest.glsl"
+layout(local_size_x = 64) in;  // of 16 × 16 pixels; see Program::start_over
 layout(binding = 2) uniform sampler2D scene_color;
 layout(binding = 3) uniform sampler2D scene_distance;
 layout(location = 0) uniform int layer;  // 0: the front; 1: the rest
 layout(binding = 0, rgba16f) writeonly restrict uniform image2D lit_color;
 
 const float index = 1.333, f0 = 0.02;
+const int side = 16, group_size = 64;
+shared int shown[side * side];  // pixels that show the layer
+shared int shown_count;
 
 // At so many metres from the eye.
 vec3 mirrored(vec3 world, vec3 direction, float away) {
@@ -64,10 +67,9 @@ float highlight(float facing, float bend) {
   return (wider / power) * (wider / power) * pow(facing, wider);
 }
 
+// Of a pixel that shows the layer.
 vec3 color_at(ivec2 pixel) {
   float z = fluid_depth(pixel);
-  if (!shows_layer(pixel)) return texelFetch(scene_color, pixel, 0).rgb;
-
   vec2 place = (vec2(pixel) + 0.5) * viewport.zw;
   vec3 here = surface_point(pixel, z), view_normal = surface_normal(pixel, z);
   vec3 world = (camera_to_world * vec4(here, 1.0)).xyz;
@@ -88,7 +90,27 @@ vec3 color_at(ivec2 pixel) {
   return mix(through, mirrored(world, reflect(-to_eye, n), length(here)), fresnel) + 3.5 * shine * sun;
 }
 
+void put(ivec2 pixel, vec3 color) {
+  imageStore(lit_color, pixel, vec4(color, 1.0));
+}
+
+// First the pixels are found that show the layer. Mesa's rasteriser skips loops but no branches.
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (!is_outside(pixel)) imageStore(lit_color, pixel, vec4(color_at(pixel), 1.0));
+  int self = int(gl_LocalInvocationID.x);
+  ivec2 corner = ivec2(gl_WorkGroupID.xy) * side;
+  if (self == 0) shown_count = 0;
+  barrier();
+  for (int k = self; k < side * side; k += group_size) {
+    ivec2 pixel = corner + ivec2(k % side, k / side);
+    if (any(greaterThanEqual(pixel, ivec2(viewport.xy)))) continue;
+    if (shows_layer(pixel))
+      shown[atomicAdd(shown_count, 1)] = k;
+    else
+      put(pixel, texelFetch(scene_color, pixel, 0).rgb);
+  }
+  barrier();
+  for (int k = self; k < shown_count; k += group_size) {
+    ivec2 pixel = corner + ivec2(shown[k] % side, shown[k] / side);
+    put(pixel, color_at(pixel));
+  }
 }

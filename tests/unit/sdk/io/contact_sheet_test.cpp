@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace meniscus::io {
 namespace {
 
@@ -17,8 +19,8 @@ uint8_t red(const Image& image, int x, int y) {
   return image.rgb[3 * (std::size_t{1} * y * image.width + x)];
 }
 
-TEST(ContactSheet, TakesTwelveFramesAtEqualDistancesAndTheLast) {
-  for (const int frames : {12, 13, 24, 250, 100'000'000}) {
+TEST(ContactSheet, WantsTwiceAsManyFramesAtEqualDistancesAndTheLast) {
+  for (const int frames : {24, 25, 48, 250, 100'000'000}) {
     const ContactSheet sheet(frames);
     std::vector<int> taken;
     for (int frame = 1; frame <= std::min(frames, 1000); ++frame) {
@@ -26,9 +28,39 @@ TEST(ContactSheet, TakesTwelveFramesAtEqualDistancesAndTheLast) {
     }
     EXPECT_TRUE(sheet.wants(frames));
     if (frames > 1000) continue;
-    ASSERT_EQ(taken.size(), 12u) << frames;
-    for (std::size_t i = 1; i < 12; ++i) EXPECT_NEAR(taken[i] - taken[i - 1], frames / 12.0, 1) << frames;
+    ASSERT_EQ(taken.size(), 24u) << frames;
+    for (std::size_t i = 1; i < 24; ++i) EXPECT_NEAR(taken[i] - taken[i - 1], frames / 24.0, 1) << frames;
   }
+}
+
+/// The shots of 24 images with these values.
+std::vector<int> shots_of(const std::vector<int>& values) {
+  ContactSheet sheet(static_cast<int>(values.size()));
+  for (const int value : values) sheet.add(flat(8, 4, static_cast<uint8_t>(value)));
+  const Image image = sheet.image();
+  std::vector<int> shots;
+  for (int k = 0; k < 12; ++k) shots.push_back(red(image, k % 4 * 12, k / 4 * 8));
+  return shots;
+}
+
+TEST(ContactSheet, ChoosesShotsWhereSomethingMoves) {
+  // At rest, then in motion for eleven images, then at rest again.
+  std::vector<int> values;
+  for (int i = 0; i < 24; ++i) values.push_back(10 * std::clamp(i - 6, 0, 11));
+  const std::vector<int> shots = shots_of(values);
+  EXPECT_EQ(shots.front(), 0);
+  EXPECT_EQ(shots.back(), 110);
+  EXPECT_LE(std::count(shots.begin(), shots.end(), 0), 2);
+  EXPECT_LE(std::count(shots.begin(), shots.end(), 110), 2);
+  EXPECT_TRUE(std::is_sorted(shots.begin(), shots.end()));
+}
+
+TEST(ContactSheet, ChoosesEvenlyWhereMotionIsEvenOrThereIsNone) {
+  std::vector<int> values;
+  for (int i = 0; i < 24; ++i) values.push_back(10 * i);
+  const std::vector<int> shots = shots_of(values);
+  for (std::size_t k = 1; k < 12; ++k) EXPECT_NEAR(shots[k] - shots[k - 1], 230.0 / 11, 10);
+  EXPECT_EQ(shots_of(std::vector<int>(24, 7)), std::vector<int>(12, 7));
 }
 
 TEST(ContactSheet, TakesAllOfAShortRun) {

@@ -119,13 +119,33 @@ TEST_P(ClothTextureTest, TrianglesInMemoryAndPlainFilesHaveNone) {
   EXPECT_TRUE(world_.cloth_texture(create(ClothFile{folder.write("plain.obj", plain), 1})).empty());
 }
 
-TEST_P(ClothTextureTest, AFileThatChangesIsAnError) {
+TEST_P(ClothTextureTest, AFileIsReadAtTheCreationAlone) {
+  const char* textured = "v 0 0 0\nv 1 0 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\n";
+  for (const std::string text : {textured, "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n"}) {
+    int reads = 0;
+    WorldDef def = weightless(GetParam());
+    def.read_file = [&](const std::string&) {
+      ++reads;
+      return text;
+    };
+    world_ = World(def);
+    const ClothId id = create(ClothFile{"flag.obj", 1});
+    const int at_creation = reads;
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(world_.cloth_texture(id).size(), text == textured ? 3u : 0u);
+    const World clone = world_.clone();
+    EXPECT_EQ(clone.cloth_texture(clone.cloth_ids().at(0)).size(), text == textured ? 3u : 0u);
+    EXPECT_EQ(reads, at_creation);
+  }
+}
+
+TEST_P(ClothTextureTest, AFileMayChangeOrGo) {
   const TemporaryFolder folder;
   const char* before = "v 0 0 0\nv 1 0 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\n";
   const char* after = "v 0 0 0\nv 2 0 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\n";
   const ClothId id = create(ClothFile{folder.write("flag.obj", before), 1});
   folder.write("flag.obj", after);
-  expect_error(ErrorCode::mesh, "has changed since", [&] { world_.cloth_texture(id); });
+  ASSERT_EQ(world_.cloth_texture(id).size(), 3u);
+  EXPECT_EQ(world_.cloth_texture(id)[1].v, 1);
 }
 
 TEST_P(ClothTextureTest, TearsAndSnapshotsKeepIt) {

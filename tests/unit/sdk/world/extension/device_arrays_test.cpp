@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "sdk/world/dlpack.h"
+#include "sdk/world/host/dlpack.h"
 #include "tests/expect_error.h"
 #include "tests/unit/sdk/world/extension/device_memory.h"
 #include "tests/worlds.h"

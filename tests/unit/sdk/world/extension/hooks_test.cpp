@@ -98,6 +98,17 @@ TEST_P(HooksTest, AreCalledInTheOrderOfTheirAdditionAndCanBeRemoved) {
   expect_error(ErrorCode::invalid_argument, "empty", [&] { world.add_hook(Hook::solved, {}); });
 }
 
+TEST_P(HooksTest, HaveIdsThatNoOtherLivingWorldHas) {
+  World a = dam_break(GetParam(), 0.2f), b = dam_break(GetParam(), 0.2f);
+  int calls = 0;
+  const HookId of_a = a.add_hook(Hook::solved, [](const SubstepView&) {});
+  b.add_hook(Hook::solved, [&](const SubstepView&) { ++calls; });
+  expect_error(ErrorCode::not_found, "no hook", [&] { b.remove_hook(of_a); });
+  b.step(0.01f);
+  EXPECT_GT(calls, 0);
+  a.remove_hook(of_a);
+}
+
 TEST_P(HooksTest, AnExceptionLeavesTheStateBeforeTheStep) {
   World world = dam_break(GetParam(), 0.1f);
   run(world, 2, 0.01f);

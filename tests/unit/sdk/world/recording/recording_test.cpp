@@ -157,6 +157,50 @@ TEST_P(RecordingTest, FollowsAWorldThatGoesBack) {
   EXPECT_EQ(again.time(), world.time());
 }
 
+TEST_P(RecordingTest, TakesHooksAndProgressToTheWorldThatWentBack) {
+  World world = dam_break(GetParam(), 0.1f);
+  const Snapshot start = world.snapshot();
+  world.start_recording(path());
+  for (int k = 0; k < 2; ++k) {
+    world.restore(start);
+    world.step(0.01f);
+  }
+  world.stop_recording();
+  Replay replay(path());
+  World again = replay.start();
+  int calls = 0, reports = 0;
+  const HookId hook = again.add_hook(Hook::solved, [&](const SubstepView&) { ++calls; });
+  again.set_progress([&](const Progress&) { ++reports; });
+  ASSERT_TRUE(replay.next(again));
+  EXPECT_GT(calls, 0);
+  EXPECT_GT(reports, 0);
+  std::vector<World> others;
+  for (int k = 0; k < 3; ++k) {
+    others.push_back(dam_break(GetParam(), 0.2f));
+    EXPECT_NE(others.back().add_hook(Hook::solved, [](const SubstepView&) {}), hook);
+  }
+  again.remove_hook(hook);
+  calls = 0;
+  ASSERT_TRUE(replay.next(again));
+  EXPECT_EQ(calls, 0);
+}
+
+TEST_P(RecordingTest, WarnsOfHooks) {
+  WorldDef def = world_def(GetParam(), 0.2f);
+  std::string warnings;
+  def.log = [&](LogLevel level, const std::string& text) {
+    if (level == LogLevel::warning) warnings += text;
+  };
+  World world = dam_break(def);
+  world.add_hook(Hook::solved, [](const SubstepView&) {});
+  EXPECT_EQ(warnings, "");
+  world.start_recording(path());
+  EXPECT_NE(warnings.find("hooks are in no recording"), std::string::npos);
+  warnings.clear();
+  world.add_hook(Hook::solved, [](const SubstepView&) {});
+  EXPECT_NE(warnings.find("hooks are in no recording"), std::string::npos);
+}
+
 TEST_P(RecordingTest, LeavesOutCallsThatFail) {
   World world = dam_break(GetParam(), 0.1f);
   world.start_recording(path());
@@ -208,6 +252,49 @@ TEST_P(RecordingTest, RefusesAByteThatDiffers) {
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::io) << "byte " << at;
     }
+  }
+}
+
+/// The hashes are right: only the contents are not.
+TEST_P(RecordingTest, RefusesACallThatIsNone) {
+  World world = dam_break(GetParam(), 0.2f);
+  world.start_recording(path());
+  world.stop_recording();
+  const std::optional<Record> state = RecordReader(path()).next();
+  ASSERT_TRUE(state);
+  using Bytes = std::vector<uint8_t>;
+  using call_text::Json;
+  Bytes trailing = Json::to_cbor(Json{"relax", 1});
+  trailing.push_back(0);
+  const std::vector<std::pair<const char*, Bytes>> calls{
+      {"nested lists", Bytes(1'000'000, 0x81)},
+      {"nested objects", Bytes(1'000'000, 0xa1)},
+      {"nested texts", Bytes(1'000'000, 0x7f)},
+      {"nested bytes", Bytes(1'000'000, 0x5f)},
+      {"nested tags", Bytes(1'000'000, 0xc1)},
+      {"lists of any length", Bytes(1'000'000, 0x9f)},
+      {"a list of 2⁶⁴ − 1", {0x9b, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff}},
+      {"a list beyond the end", {0x9b, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff}},
+      {"an object beyond the end", {0xbb, 0x80, 0, 0, 0, 0, 0, 0, 1}},
+      {"a text beyond the end", {0x7b, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff}},
+      {"nothing", {}},
+      {"half a number", {0x81, 0x19, 0x01}},
+      {"a simple value", {0x81, 0xf8, 0x20}},
+      {"a key that is no text", {0xa1, 0x01, 0x01}},
+      {"more than one", trailing},
+      {"a text", Json::to_cbor(Json("step"))},
+      {"other arguments of step", Json::to_cbor(Json{"step", "x", nullptr, 1})},
+      {"no arguments", Json::to_cbor(Json::array({"create_cloth"}))},
+      {"other arguments", Json::to_cbor(Json{"create_cloth", {1, 2}})},
+      {"a list for bytes", Json::to_cbor(Json{"remove_particles", 5})}};
+  for (const auto& [what, bytes] : calls) {
+    SCOPED_TRACE(what);
+    RecordWriter writer(path(), {"", world.device().kind});
+    writer.write(RecordKind::state, state->bytes);
+    writer.write(RecordKind::call, bytes);
+    Replay replay(path());
+    World again = replay.start();
+    expect_error(ErrorCode::io, "", [&] { replay.next(again); });
   }
 }
 

@@ -117,6 +117,25 @@ TEST_P(SnapshotTest, OutlivesItsWorld) {
   expect_error(ErrorCode::invalid_argument, "of another world", [&] { another.restore(snapshot); });
 }
 
+/// The sinks and callbacks of the snapshot's time may be gone.
+TEST_P(SnapshotTest, ARestoreKeepsWhatBelongsToTheProgram) {
+  int before = 0, now = 0;
+  WorldDef def = world_def(GetParam());
+  def.log = [&](LogLevel, const std::string&) { ++before; };
+  World world = dam_break(def);
+  const Snapshot snapshot = world.snapshot();
+  def.log = [&](LogLevel, const std::string&) { ++now; };
+  def.read_file = [](const std::string&) { return std::nullopt; };
+  world.set_def(def);
+  before = now = 0;
+  world.restore(snapshot);
+  ASSERT_TRUE(world.def().read_file);
+  world.set_def(world.def());
+  const World clone = world.clone();
+  EXPECT_EQ(before, 0);
+  EXPECT_GT(now, 0) << "the clone tells its device";
+}
+
 TEST_P(SnapshotTest, FindsByName) {
   World world = dam_break(GetParam());
   EXPECT_EQ(world.find_shape("tank"), world.shape_ids().at(0));
