@@ -68,16 +68,14 @@ PyWorld start(PyReplay& self, const LoadOptions& options) {
 struct Followed {
   std::optional<ReplayStep> step;
   std::optional<Things> things;
-  bool is_new_world = false;
 };
 
-Followed follow(PyReplay& self, WorldState& state, World& world) {
+Followed follow(PyReplay& self, World& world) {
   const Ahead ahead = self.look_ahead();
   // Another thread may cancel() the world, but not while it becomes a new one.
   std::optional<nb::gil_scoped_acquire> acquired;
   if (ahead.replaces) acquired.emplace();
-  Followed result{self.replay.next(world), {}, ahead.replaces};
-  state.listen();
+  Followed result{self.replay.next(world), {}};
   if (ahead.replaces || ahead.defines) result.things = saved_things(world);
   return result;
 }
@@ -88,13 +86,12 @@ nb::object next(PyReplay& self, const PyWorld& world) {
   WorldState& state = *world.state;
   Followed followed;
   try {
-    followed = state.change([&](World& w) { return follow(self, state, w); });
+    followed = state.change([&](World& w) { return follow(self, w); });
   } catch (...) {
     self.has_failed = true;
     throw;
   }
   if (followed.things) static_cast<Things&>(state) = std::move(*followed.things);
-  const auto gone = followed.is_new_world ? std::exchange(state.hooks, {}) : decltype(state.hooks)();
   if (!followed.step) return nb::none();
   const ReplayStep& step = *followed.step;
   return make_result("ReplayStep", step.report, step.time, step.hash, step.recorded_hash);
@@ -125,12 +122,11 @@ void bind_replay(nb::module_& module) {
       "The world at the beginning of the recording, once. What is left out is as in the recorded world. "
       "Hooks "
       "are in no recording: add them before the first next().");
-  type.def(
-      "next", next, nb::arg("world"),
-      nb::sig("def next(self, world: World) -> meniscus.results.ReplayStep | None"),
-      "Repeats calls on the world of start(), to the end of the next step. None at the end of the "
-      "recording. Where the recorded world went back to a snapshot, the world has new things and no hooks: "
-      "find the things again. Raises FileError for a damaged file, and what a call raises.");
+  type.def("next", next, nb::arg("world"),
+           nb::sig("def next(self, world: World) -> meniscus.results.ReplayStep | None"),
+           "Repeats calls on the world of start(), to the end of the next step. None at the end of the "
+           "recording. Where the recorded world went back to a snapshot, the world has new things: find them "
+           "again. It keeps its hooks. Raises FileError for a damaged file, and what a call raises.");
   type.def_prop_ro(
       "is_complete", [](const PyReplay& self) { return self.replay.is_complete(); },
       "Whether next() has found the end that stop_recording() wrote. Without it the recording is good up to "

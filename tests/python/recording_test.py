@@ -87,12 +87,12 @@ class Recordings(unittest.TestCase):
         again = replay.start()
         calls, progress = [], []
         again.on_progress = lambda what, fraction: progress.append(what)
-        again.add_hook("solved", lambda view: calls.append(view.dt))
+        hook = again.add_hook("solved", lambda view: calls.append(view.dt))
         old = again.shape("tank")
         self.assertEqual([replay.next(again).report.iterations for _ in range(2)], [3, 4])
         self.assertEqual((len(calls), len(again.bodies)), (4, 1))
         self.assertEqual(len(self.replayed(replay, again)), 1)
-        self.assertEqual((len(calls), again.bodies), (4, []))  # the new world has no hooks
+        self.assertEqual((len(calls), again.bodies), (6, []))  # the new world keeps the hooks
         self.assertAlmostEqual(again.time, 0.02, places=6)
         with self.assertRaises(meniscus.NotFoundError):
             old.pose = (0, 0, 0)
@@ -100,6 +100,10 @@ class Recordings(unittest.TestCase):
         before = len(progress)
         again.relax(2000)
         self.assertGreater(len(progress), before)  # it still reports
+        again.remove_hook(hook)
+        before = len(calls)
+        again.step(0.01)
+        self.assertEqual(len(calls), before)
 
     def test_misuse(self):
         world = pool()

@@ -134,9 +134,6 @@ class WorldState : public Things {
   void cancel() { world_.cancel(); }
   /// Drops on_progress, the hooks, read_file and log.
   void forget_functions();
-  /// Lets the world report to this. Long calls report at most ten times a second, and signals of Python are
-  /// looked for there.
-  void listen();
 
   std::string name;
   float frame_time = 1.0f / 60;  ///< s
@@ -183,6 +180,9 @@ class WorldState : public Things {
   }
   /// Throws what a signal or on_progress has raised while the call ran.
   void raise_if_asked();
+  /// Lets the world report to this. Long calls report at most ten times a second, and signals of Python are
+  /// looked for there.
+  void listen();
   void report(const Progress& progress) noexcept;
   void forget_arrays();
 
