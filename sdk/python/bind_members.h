@@ -7,8 +7,8 @@
 #include <string>
 #include <type_traits>
 
-#include "sdk/python/describe.h"
-#include "sdk/python/from_python.h"
+#include "sdk/python/values/describe.h"
+#include "sdk/python/values/from_python.h"
 
 namespace meniscus::python {
 

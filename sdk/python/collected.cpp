@@ -4,7 +4,7 @@
 // Shows the garbage collector the functions that a World calls, which belong to it alone.
 #include "sdk/python/collected.h"
 
-#include "sdk/python/handle.h"
+#include "sdk/python/state/handle.h"
 
 namespace meniscus::python {
 
@@ -19,6 +19,7 @@ int traverse(PyObject* self, visitproc visit, void* arg) {
   WorldState* const state = state_of(self);
   if (!state) return 0;
   Py_VISIT(state->on_progress.ptr());
+  Py_VISIT(state->log.get());
   for (const auto& [id, hook] : state->hooks) Py_VISIT(hook.get());
   Py_VISIT(state->read_file.get());
   return 0;

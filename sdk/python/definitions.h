@@ -4,7 +4,7 @@
 // Definitions in Python: classes for their parts, and properties of what has members that can change.
 #pragma once
 
-#include "sdk/python/handle.h"
+#include "sdk/python/state/handle.h"
 
 namespace meniscus::python {
 

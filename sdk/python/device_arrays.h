@@ -6,7 +6,7 @@
 
 #include <meniscus/device_arrays.h>
 
-#include "sdk/python/handle.h"
+#include "sdk/python/state/handle.h"
 
 namespace meniscus::python {
 

@@ -6,9 +6,9 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
 
-#include "sdk/python/callable.h"
 #include "sdk/python/device_arrays.h"
 #include "sdk/python/errors.h"
+#include "sdk/python/state/callable.h"
 
 namespace meniscus::python {
 

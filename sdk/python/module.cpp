@@ -11,6 +11,8 @@
 #include "sdk/python/definitions.h"
 #include "sdk/python/device_arrays.h"
 #include "sdk/python/errors.h"
+#include "sdk/python/motion.h"
+#include "sdk/python/replay.h"
 #include "sdk/python/results.h"
 #include "sdk/python/snapshots.h"
 #include "sdk/python/things.h"
@@ -32,10 +34,13 @@ NB_MODULE(_core, module) {
   bind_cloth(module, world);
   bind_world(world);
   bind_particles(world);
+  bind_events(world);
   bind_queries(world);
   bind_scenes(module, world);
   bind_snapshots(module, world);
   bind_world_files(world);
+  bind_replay(module);
+  bind_motion(module);
   bind_device_arrays(module, world);
   bind_hooks(module, world);
   module.def("list_devices", list_devices, "The devices, and which of them are usable.");

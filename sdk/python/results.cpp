@@ -6,7 +6,7 @@
 
 #include <nanobind/stl/string.h>
 
-#include "sdk/python/to_python.h"
+#include "sdk/python/values/to_python.h"
 
 namespace meniscus::python {
 
@@ -26,6 +26,7 @@ const char* type_of(const T&) {
   if constexpr (std::is_floating_point_v<T>) return "float";
   if constexpr (std::is_same_v<T, std::string>) return "str";
   if constexpr (std::is_same_v<T, Vec3>) return "tuple[float, float, float]";
+  if constexpr (std::is_same_v<T, MemoryUse>) return "MemoryUse";
   return "Overflows";
 }
 
@@ -126,11 +127,23 @@ void bind_diagnostics(nb::module_& module) {
       .has("closed", &ClothState::closed, "Whether it has no border.");
 }
 
+void bind_memory(nb::module_& module) {
+  Result<MemoryUse>(module, "MemoryUse", "Memory from one allocator.")
+      .has("bytes", &MemoryUse::bytes, "Held now.")
+      .has("peak_bytes", &MemoryUse::peak_bytes, "The most that was ever held.")
+      .has("allocations", &MemoryUse::allocations, "So far; constant over a step that needs no more room.");
+  Result<MemoryStats>(module, "MemoryStats", "What a world has taken from its allocators.")
+      .has("device", &MemoryStats::device,
+           "Arrays on the device, with those of snapshots; on the CPU they are host memory.")
+      .has("shared", &MemoryStats::shared, "Host memory that the device reads and writes as well.");
+}
+
 }  // namespace
 
 void bind_results(nb::module_& module) {
   bind_step_report(module);
   bind_diagnostics(module);
+  bind_memory(module);
   Result<DeviceInfo>(module, "DeviceInfo", "A device as `meniscus devices` lists it.")
       .has("kind", &DeviceInfo::kind, "\"cpu\" or \"cuda\".")
       .has("name", &DeviceInfo::name, "Of the processor.")

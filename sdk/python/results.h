@@ -4,16 +4,33 @@
 // Results of calls as objects of Python. meniscus/results.py has their classes.
 #pragma once
 
-#include "sdk/python/handle.h"
+#include <vector>
+
+#include "sdk/python/state/handle.h"
 
 namespace meniscus::python {
 
-/// Makes the classes StepReport, Overflows, Diagnostics, ClothState, DeviceInfo and MeshRepair.
+/// Makes the classes StepReport, Overflows, Diagnostics, ClothState, DeviceInfo, MeshRepair and MemoryStats.
 void bind_results(nb::module_& module);
-/// Adds contacts, events, rays and overlaps to World.
+/// Adds contacts and events to World.
+void bind_events(nb::class_<PyWorld>& world);
+/// Adds rays, overlaps, distances and samples to World.
 void bind_queries(nb::class_<PyWorld>& world);
 /// Adds the arrays of particles to World.
 void bind_particles(nb::class_<PyWorld>& world);
+
+/// The thing with this id, or None.
+template <class Id>
+nb::object thing(const PyWorld& self, Id id) {
+  if (id == Id{}) return nb::none();
+  return nb::cast(Handle<Id>{self.state, id});
+}
+template <class Id>
+nb::list things(const PyWorld& self, const std::vector<Id>& ids) {
+  nb::list list;
+  for (const Id id : ids) list.append(thing(self, id));
+  return list;
+}
 
 /// An object of a class in meniscus/results.py.
 template <class... Values>

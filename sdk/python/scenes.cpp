@@ -8,18 +8,23 @@
 #include <nanobind/stl/vector.h>
 
 #include "sdk/io/preview/preview.h"
-#include "sdk/python/arrays.h"
-#include "sdk/python/from_python.h"
+#include "sdk/python/lent.h"
+#include "sdk/python/values/arrays.h"
+#include "sdk/python/values/from_python.h"
 #include "sdk/python/world.h"
 
 namespace meniscus::python {
 
 namespace {
 
-PyWorld read_world(const std::string& path, const std::vector<std::string>& overrides) {
+PyWorld read_world(const std::string& path, const std::vector<std::string>& overrides, nb::handle given) {
+  const Callable log = function_of(given, {"load_scene", "log"});
   const nb::gil_scoped_release released;
-  const Scene scene = read_scene(path, overrides);
-  return {std::make_shared<WorldState>(build_scene(scene), scene)};
+  Scene scene = read_scene(path, overrides);
+  scene.world.log = sink_of(log);
+  const auto state = std::make_shared<WorldState>(build_scene(scene), scene);
+  state->log = log;
+  return {state};
 }
 
 /// What the preview draws around the particles.
@@ -78,8 +83,12 @@ nb::object draw(const PyWorld& self, int width, int height, nb::handle position,
 }  // namespace
 
 void bind_scenes(nb::module_& module, nb::class_<PyWorld>& world) {
-  module.def("read_world", read_world, nb::arg("path"), nb::arg("overrides"),
-             "A world from a scene file. Overrides are texts such as \"world.substeps=8\".");
+  module.def(
+      "read_world", read_world, nb::arg("path"), nb::arg("overrides"), nb::arg("log") = nb::none(),
+      nb::sig("def read_world(path: str, overrides: collections.abc.Sequence[str], log: "
+              "collections.abc.Callable[[typing.Literal['note', 'warning'], str], object] | None = None) "
+              "-> World"),
+      "A world from a scene file. Overrides are texts such as \"world.substeps=8\".");
   module.def("scene_schema", scene_schema, "The JSON Schema of scene files.");
   world.def(
       "draw", draw, nb::arg("width") = 960, nb::arg("height") = 540, nb::arg("position") = nb::none(),

@@ -4,7 +4,7 @@
 // The class Snapshot of Python, and the calls of World that take one and go back to it.
 #pragma once
 
-#include "sdk/python/handle.h"
+#include "sdk/python/state/handle.h"
 
 namespace meniscus::python {
 

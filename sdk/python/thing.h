@@ -6,9 +6,9 @@
 
 #include <string>
 
-#include "sdk/python/describe.h"
-#include "sdk/python/from_python.h"
-#include "sdk/python/to_python.h"
+#include "sdk/python/values/describe.h"
+#include "sdk/python/values/from_python.h"
+#include "sdk/python/values/to_python.h"
 
 namespace meniscus::python {
 

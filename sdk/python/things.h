@@ -4,7 +4,7 @@
 // Classes of the things in a world, such as Body, and the calls of World that create and list them.
 #pragma once
 
-#include "sdk/python/handle.h"
+#include "sdk/python/state/handle.h"
 
 namespace meniscus::python {
 

@@ -9,9 +9,9 @@
 #include <nanobind/stl/vector.h>
 
 #include "sdk/python/definitions.h"
-#include "sdk/python/describe.h"
-#include "sdk/python/from_python.h"
-#include "sdk/python/world_files.h"
+#include "sdk/python/lent.h"
+#include "sdk/python/values/describe.h"
+#include "sdk/python/values/from_python.h"
 
 namespace meniscus::python {
 
@@ -28,8 +28,10 @@ void bind_construction(nb::class_<PyWorld>& world) {
         read_members(def, given, "World");
         def.cuda_stream = lent.cuda_stream;
         def.read_file = reader_of(lent.read_file);
+        def.log = sink_of(lent.log);
         auto state = std::make_shared<WorldState>(def, std::move(lent.stream));
         state->read_file = std::move(lent.read_file);
+        state->log = std::move(lent.log);
         new (self) PyWorld(std::move(state));
       },
       nb::sig(text.signature.c_str()), text.doc.c_str());
@@ -49,20 +51,24 @@ void bind_construction(nb::class_<PyWorld>& world) {
 void bind_steps(nb::class_<PyWorld>& world) {
   world.def(
       "step",
-      [](const PyWorld& self, std::optional<float> dt) {
+      [](const PyWorld& self, std::optional<float> dt, std::optional<int> iterations) {
         const float length = dt.value_or(self.state->frame_time);
-        return self.state->change([&](World& w) { return w.step(length); });
+        return self.state->change([&](World& w) { return w.step(length, iterations); });
       },
-      nb::arg("dt") = nb::none(), nb::sig("def step(self, dt: float | None = None) -> StepReport"),
-      "Advances by dt seconds, by default by frame_time. Other threads run meanwhile. Ctrl-C ends it within "
-      "about a second, and the world is as before.");
+      nb::arg("dt") = nb::none(), nb::arg("iterations") = nb::none(),
+      nb::sig("def step(self, dt: float | None = None, iterations: int | None = None) -> StepReport"),
+      "Advances by dt seconds, by default by frame_time. `iterations`, 1 to 1000, replace those of the world "
+      "and the choice of step_budget_ms in this step. Other threads run meanwhile. Ctrl-C ends it within "
+      "about "
+      "a second, and the world is as before.");
   world.def(
       "step_begin",
-      [](const PyWorld& self, std::optional<float> dt) {
+      [](const PyWorld& self, std::optional<float> dt, std::optional<int> iterations) {
         const float length = dt.value_or(self.state->frame_time);
-        self.state->change([&](World& w) { w.step_begin(length); });
+        self.state->change([&](World& w) { w.step_begin(length, iterations); });
       },
-      nb::arg("dt") = nb::none(), nb::sig("def step_begin(self, dt: float | None = None) -> None"),
+      nb::arg("dt") = nb::none(), nb::arg("iterations") = nb::none(),
+      nb::sig("def step_begin(self, dt: float | None = None, iterations: int | None = None) -> None"),
       "The first half of step(): a GPU then works while the caller does something else. Until step_end() "
       "only "
       "cancel() is allowed. On the CPU all substeps are done here.");
@@ -157,6 +163,10 @@ void bind_measurements(nb::class_<PyWorld>& world) {
         return shares;
       },
       nb::sig("def memory(self) -> dict[str, int]"), "Bytes on the device by purpose, the largest first.");
+  world.def(
+      "memory_stats",
+      [](const PyWorld& self) { return self.state->look([](World& w) { return w.memory_stats(); }); },
+      "What the world has taken from its allocators, and how often, without an upload.");
   world.def("__repr__", [](const PyWorld& self) {
     const auto [particles, time] =
         self.state->look([](World& w) { return std::pair(w.particle_count(), w.time()); });

@@ -4,7 +4,7 @@
 // The class World of Python.
 #pragma once
 
-#include "sdk/python/handle.h"
+#include "sdk/python/state/handle.h"
 
 namespace meniscus::python {
 

@@ -19,8 +19,6 @@ RENAMED = {"def": "gravity", "set_def": "gravity", "device": "device_info", "set
            "body_ids": "bodies",
            "create_fluid": "add_fluid", "add_fluid": "add_volume", "set_progress": "on_progress",
            "memory_shares": "memory", "write_particles": None, "hold": None, "World": None,
-           "sleep_events": None, "flow_events": None, "nearest": None, "sample_fluid": None, "memory_stats": None,
-           "start_recording": None, "stop_recording": None,
            "set_force_field": ("ForceField", "force"),
            "destroy_force_field": ("ForceField", "destroy"),
            "emitter_count": ("Emitter", "total"), "emitter_pressure": ("Emitter", "pressure"),

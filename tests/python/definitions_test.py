@@ -46,7 +46,7 @@ class Definitions(unittest.TestCase):
                 checked += len(wanted)
         self.assertGreater(checked, 150)
         self.assertEqual(set(schema()["world"]["properties"]),
-                         parameters(meniscus.World.__init__) - {"cuda_stream", "read_file"})  # no plain values
+                         parameters(meniscus.World.__init__) - {"cuda_stream", "read_file", "log"})  # no plain values
         self.assertEqual(set(schema()["wind"]["properties"]), parameters(meniscus.World.set_wind))
 
     def test_no_alternative_is_forgotten(self):

@@ -3,6 +3,8 @@
 """How long worlds live, and the functions that they call."""
 
 import gc
+import pathlib
+import tempfile
 import unittest
 import weakref
 
@@ -21,7 +23,7 @@ class Function:
 
 def world_with(function, kind):
     """A world that calls a function, as this kind."""
-    members = {"read_file": function} if kind == "read_file" else {}
+    members = {kind: function} if kind in ("read_file", "log") else {}
     world = meniscus.World(particle_spacing=0.1, substeps=1, iterations=2, device="cpu", threads=1, **members)
     if kind == "hook":
         world.add_hook("solved", function)
@@ -30,7 +32,7 @@ def world_with(function, kind):
     return world
 
 
-KINDS = ("hook", "on_progress", "read_file")
+KINDS = ("hook", "on_progress", "read_file", "log")
 
 
 class Lifetimes(unittest.TestCase):
@@ -83,18 +85,45 @@ class Lifetimes(unittest.TestCase):
         cloth.positions = before + 1
         np.testing.assert_array_equal(cloth.positions, before + 1)
 
-    def test_a_clone_keeps_the_reader(self):
+    def check_clone_keeps(self, kind, use):
+        """A clone has the function once its world has gone, and frees it with itself."""
         function = Function()
-        gone, world = weakref.ref(function), world_with(function, "read_file")
+        gone, world = weakref.ref(function), world_with(function, kind)
         clone = world.clone()
         del function, world
         gc.collect()
-        self.assertIsNotNone(gone())
-        clone.add_shape(geometry=meniscus.MeshGeometry(file="any.obj"))
+        self.assertIsNotNone(gone(), kind)
+        use(clone)
         gone().clone = clone
         del clone
         gc.collect()
-        self.assertIsNone(gone())
+        self.assertIsNone(gone(), kind)
+
+    def test_a_clone_keeps_the_reader(self):
+        self.check_clone_keeps("read_file", lambda clone: clone.add_shape(geometry=meniscus.MeshGeometry(file="any.obj")))
+
+    def test_a_clone_keeps_the_log(self):
+        self.check_clone_keeps("log", lambda clone: clone.step(0.01))
+
+    def test_worlds_from_files_and_recordings(self):
+        with tempfile.TemporaryDirectory() as folder:
+            saved, recorded = pathlib.Path(folder) / "world.menis", pathlib.Path(folder) / "run.menisrec"
+            world = world_with(None, None)
+            world.save(saved)
+            world.start_recording(recorded)
+            world.step(0.01)
+            world.stop_recording()
+            sources = [("file", lambda **given: meniscus.World.load(saved, **given)),
+                       ("recording", lambda **given: meniscus.Replay(recorded).start(**given))]
+            for source, make in sources:
+                for kind in ("read_file", "log"):
+                    function = Function()
+                    function.held, gone = make(**{kind: function}), weakref.ref(function)
+                    gc.collect()
+                    self.assertIsNotNone(gone(), (source, kind))
+                    del function
+                    gc.collect()
+                    self.assertIsNone(gone(), (source, kind))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: MIT
-"""Names of the interface that the manual's pages mention exist: in the public headers, in Python or in scene files."""
+"""Names of the interface that the manual's pages mention exist: in the public headers, in Python, in scene files or as samples."""
 
 import os
 import pathlib

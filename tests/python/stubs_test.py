@@ -24,6 +24,16 @@ report: meniscus.StepReport = world.step()
 hit = world.cast_ray((0, 0, 0), (1, 0, 0))
 if hit is not None and hit.body is not None:
     hit.body.apply_force((1, 0, 0))
+if hit is not None and hit.cloth is not None:
+    print(hit.cloth.positions, hit.element)
+place = world.nearest((0, 0, 0), reach=1, particles=False)
+total += float(world.sample_fluid([(0, 0, 0)]).densities.sum())
+events: list[meniscus.results.SleepEvent] = world.sleep_events()
+frames: list[meniscus.Keyframe] = meniscus.read_keyframes(file="arm.tum")
+replay = meniscus.Replay("run.menisrec")
+again: meniscus.World = replay.start(threads=1, log=lambda level, text: print(level, text))
+while (step := replay.next(again)) is not None:
+    print(step.report.iterations, step.hash == step.recorded_hash)
 try:
     meniscus.load_scene("dam_break")
 except meniscus.FileError as error:
@@ -31,7 +41,8 @@ except meniscus.FileError as error:
 """
 BAD = ("meniscus.World(device='gpu')", "meniscus.World(spacing=1)", "meniscus.World().add_body()",
        "meniscus.World().time = 3", "meniscus.BoxGeometry().half_extents = (1, 1, 1)",
-       "meniscus.World().step(dt='long')")
+       "meniscus.World().step(dt='long')", "meniscus.World(log=lambda text: None)",
+       "meniscus.World().nearest((0, 0, 0), 1, True)")
 
 
 def mypy(*arguments):

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from ._core import Body, Cloth, DeviceArray, Shape
+    from ._core import Body, Cloth, DeviceArray, Rope, Shape, StepReport
 
 Vector = tuple[float, float, float]
 
@@ -58,8 +58,23 @@ class TearEvent(NamedTuple):
     original: int  # the number of the vertex that tore
 
 
+class SleepEvent(NamedTuple):
+    """A body that fell asleep or woke since the end of the step before. A call that wakes a body counts."""
+
+    body: Body  # which
+    awake: bool  # whether it woke; else it fell asleep
+
+
+class FlowEvents(NamedTuple):
+    """Particles that emitters made and sinks removed in the last step, one element a particle."""
+
+    emitters: NDArray[np.int64]  # places in World.emitters, or -1; of imposed ones, once it has passed the opening
+    sinks: NDArray[np.int64]  # places in World.sinks, or -1
+    particles: NDArray[np.uint64]  # ids, which are gone where a sink removed them
+
+
 class RayHit(NamedTuple):
-    """The first hit of a ray: a body, a shape or a particle."""
+    """The first hit of a ray: a body, a shape, a particle, cloth or a rope."""
 
     body: Body | None  # if it is a body
     shape: Shape | None  # if it is a fixed shape
@@ -67,6 +82,23 @@ class RayHit(NamedTuple):
     point: Vector  # m
     normal: Vector  # unit, against the ray
     distance: float  # m along the ray
+    cloth: Cloth | None  # if it is cloth
+    rope: Rope | None  # if it is a rope or rod
+    element: int | None  # of cloth the triangle, of a rope the segment; by number
+
+
+class NearestPoint(NamedTuple):
+    """The nearest place on a surface: of a body, a shape, a particle, cloth or a rope."""
+
+    body: Body | None  # if it is a body
+    shape: Shape | None  # if it is a fixed shape
+    particle: int | None  # its id, if it is a particle
+    point: Vector  # m, on the surface
+    normal: Vector  # unit, out of the surface; of cloth towards the given point
+    distance: float  # m, from the given point; negative inside
+    cloth: Cloth | None  # if it is cloth
+    rope: Rope | None  # if it is a rope or rod
+    element: int | None  # of cloth the triangle, of a rope the segment; by number
 
 
 class Overlaps(NamedTuple):
@@ -75,6 +107,25 @@ class Overlaps(NamedTuple):
     bodies: list[Body]  # that overlap it
     shapes: list[Shape]  # fixed shapes that overlap it
     particles: NDArray[np.uint64]  # ids of those with their centres inside
+    cloths: list[Cloth]  # pieces of which a triangle overlaps it
+    ropes: list[Rope]  # of which a segment overlaps it, with its radius
+
+
+class FluidSamples(NamedTuple):
+    """The fluid at points, as weighted means over the particles within a support radius; one element a point."""
+
+    densities: NDArray[np.float32]  # kg/m³; less beside walls and the surface; 0 without particles
+    velocities: NDArray[np.float32]  # m/s; 0 without particles
+    particles: NDArray[np.uint32]  # within the support radius
+
+
+class ReplayStep(NamedTuple):
+    """A step that a replay has made again."""
+
+    report: StepReport  # of the step that was made now
+    time: float  # s, of the world after it
+    hash: int  # World.state_hash after it
+    recorded_hash: int  # the same in the run that was recorded
 
 
 class Ellipsoids(NamedTuple):

@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import os
 import pathlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from typing import Literal
 
 from ._core import World, read_world
 from .errors import FileError
@@ -35,14 +36,15 @@ def scene_path(scene: str | os.PathLike[str]) -> str:
 
 
 def load_scene(scene: str | os.PathLike[str], *, device: str | None = None, threads: int | None = None,
-               overrides: Iterable[str] = ()) -> World:
+               overrides: Iterable[str] = (),
+               log: Callable[[Literal["note", "warning"], str], object] | None = None) -> World:
     """A world from a scene file or a sample, before its first frame.
 
-    Overrides are texts such as "world.substeps=8", as --set takes them. Raises FileError, SceneError and what World
-    raises."""
+    Overrides are texts such as "world.substeps=8", as --set takes them. A log is that of World. Raises
+    FileError, SceneError and what World raises."""
     changes = list(overrides)
     if device is not None:
         changes.append(f"world.device={device}")
     if threads is not None:
         changes.append(f"world.threads={threads}")
-    return read_world(scene_path(scene), changes)
+    return read_world(scene_path(scene), changes, log)

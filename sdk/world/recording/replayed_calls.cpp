@@ -48,6 +48,13 @@ void set_def(World& world, const Json& call, const Ids& ids) {
   world.set_def(def);
 }
 
+/// The name of its call; empty if it is none.
+std::string name_of(const Record& record) {
+  if (record.kind != RecordKind::call) return {};
+  const Json call = Json::from_cbor(record.bytes, true, false);
+  return call.is_array() && !call.empty() && call[0].is_string() ? call[0].get<std::string>() : std::string();
+}
+
 using Vectors = std::span<const Vec3>;
 using ParticleIds = std::span<const ParticleId>;
 using Numbers = std::span<const uint32_t>;
@@ -126,6 +133,17 @@ const std::map<std::string, ReplayedCall>& replayed_calls() {
       {"set_body_surface", Make<static_cast<Setter<BodyId, const SurfaceDef&>>(&World::set_surface)>::call},
   };
   return calls;
+}
+
+bool is_step(const Record& record) {
+  return name_of(record) == "step";
+}
+
+bool changes_definitions(const Record& record) {
+  const std::string name = name_of(record);
+  return name.starts_with("create_") || name.starts_with("destroy_") || name.ends_with("_filter") ||
+         name.ends_with("_surface") || name == "set_fluid" || name == "set_force_field" ||
+         name == "set_shape_pose";
 }
 
 }  // namespace meniscus

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "sdk/world/recording/call_text.h"
+#include "sdk/world/recording/record_file.h"
 
 namespace meniscus {
 
@@ -19,5 +20,9 @@ using ReplayedCall = void (*)(World& world, const call_text::Json& call, const c
 
 /// All but step.
 const std::map<std::string, ReplayedCall>& replayed_calls();
+
+bool is_step(const Record& record);
+/// Whether it may create, destroy or define something in a world. A state and a step do not.
+bool changes_definitions(const Record& record);
 
 }  // namespace meniscus

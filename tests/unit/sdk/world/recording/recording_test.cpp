@@ -10,6 +10,7 @@
 
 #include "sdk/world/recording/record_file.h"
 #include "sdk/world/recording/replayed_calls.h"
+#include "sdk/world/state/chunk_file.h"
 #include "tests/cloth_worlds.h"
 #include "tests/expect_error.h"
 #include "tests/many_threads.h"
@@ -30,6 +31,16 @@ class RecordingTest : public OnDevice {
   std::string read() const {
     std::ifstream file(path(), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
+  }
+  /// Of all that is in a world, but not of the world itself.
+  std::string definitions_of(const World& world) const {
+    const std::string file = (folder_ / "state.menisnap").string();
+    world.save(file);
+    ChunkFileHeader header;
+    read_chunk_file(file, header);
+    call_text::Json all = call_text::Json::parse(header.definitions);
+    all.erase("world");
+    return all.dump();
   }
   void write(const std::string& bytes) const { std::ofstream(path(), std::ios::binary) << bytes; }
 
@@ -84,6 +95,36 @@ TEST_P(RecordingTest, RepeatsEachCall) {
   World again = replay.start();
   EXPECT_GT(replayed(replay, again), 5);
   EXPECT_TRUE(replay.is_complete());
+  EXPECT_EQ(state_of(again), state_of(world));
+}
+
+TEST_P(RecordingTest, TellsWhichCallsChangeDefinitions) {
+  World world = make_for_all_calls(world_def(GetParam(), 0.1f));
+  world.start_recording(path());
+  make_all_calls(world);
+  world.stop_recording();
+  World again = Replay(path()).start();
+  const call_text::Ids ids{again.fluid_ids().front().generation};
+  std::string before = definitions_of(again);
+  RecordReader reader(path());
+  int changes = 0;
+  while (const std::optional<Record> record = reader.next()) {
+    if (record->kind != RecordKind::call) {
+      EXPECT_FALSE(changes_definitions(*record));
+      continue;
+    }
+    const call_text::Json call = call_text::Json::from_cbor(record->bytes, true, false);
+    const auto name = call[0].get<std::string>();
+    if (is_step(*record))
+      again.step(call_text::decode<float>(call[1], ids), call_text::decode<int>(call[2], ids));
+    else
+      replayed_calls().at(name)(again, call, ids);
+    const std::string after = definitions_of(again);
+    EXPECT_TRUE(changes_definitions(*record) || after == before) << name;
+    changes += after != before;
+    before = after;
+  }
+  EXPECT_GT(changes, 10);
   EXPECT_EQ(state_of(again), state_of(world));
 }
 

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "sdk/python/members.h"
+#include "sdk/python/values/members.h"
 
 namespace meniscus::python {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads plain values and arrays from Python objects.
-#include "sdk/python/from_python.h"
+#include "sdk/python/values/from_python.h"
 
 #include <nanobind/ndarray.h>
 

@@ -20,7 +20,7 @@
 #include <variant>
 #include <vector>
 
-#include "sdk/python/callable.h"
+#include "sdk/python/state/callable.h"
 
 namespace meniscus::python {
 
@@ -132,7 +132,7 @@ class WorldState : public Things {
   }
   /// Ends the long call that runs. Any thread may call it.
   void cancel() { world_.cancel(); }
-  /// Drops on_progress, the hooks and read_file.
+  /// Drops on_progress, the hooks, read_file and log.
   void forget_functions();
 
   std::string name;
@@ -142,6 +142,7 @@ class WorldState : public Things {
   nb::object on_progress;                          ///< a function of what and fraction, or none
   std::vector<std::pair<HookId, Callable>> hooks;  ///< that the world calls
   Callable read_file;                              ///< that the world calls, or none
+  Callable log;                                    ///< that the world calls, or none
 
  private:
   /// The right to call the world. A thread waits for it without the GIL.
@@ -179,6 +180,8 @@ class WorldState : public Things {
   }
   /// Throws what a signal or on_progress has raised while the call ran.
   void raise_if_asked();
+  /// Lets the world report to this. Long calls report at most ten times a second, and signals of Python are
+  /// looked for there.
   void listen();
   void report(const Progress& progress) noexcept;
   void forget_arrays();

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "sdk/python/world_state.h"
+#include "sdk/python/state/world_state.h"
 
 namespace meniscus::python {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "sdk/python/to_python.h"
+#include "sdk/python/values/to_python.h"
 
 namespace meniscus::python {
 
@@ -119,6 +119,8 @@ std::string member_doc(const char* key, T& value, const FieldRule& rule, const c
                        const char* meaning) {
   std::string text =
       meaning == mesh_file_text ? "path of an OBJ, PLY, STL, glTF, FBX, DAE or 3DS file" : meaning;
+  if (const auto at = text.find("from the scene's folder: "); at != std::string::npos)
+    text.replace(at, std::string("from the scene's folder").size(), "path");
   if (const auto at = text.find("name of "); at != std::string::npos && !std::is_same_v<T, std::string>)
     text.erase(at, std::string("name of ").size());
   const std::string shown_unit = rule.in_degrees ? "rad" : unit;

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "sdk/python/handle.h"
-#include "sdk/python/members.h"
+#include "sdk/python/state/handle.h"
+#include "sdk/python/values/members.h"
 
 namespace meniscus::python {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Turns of threads, signals while a call runs, and what a scene brings into a world.
-#include "sdk/python/world_state.h"
+#include "sdk/python/state/world_state.h"
 
 namespace meniscus::python {
 
@@ -67,7 +67,6 @@ WorldState::Turn::~Turn() {
   state_.mutex_.unlock();
 }
 
-/// Long calls report at most ten times a second. Signals of Python are looked for there.
 void WorldState::listen() {
   world_.set_progress([this](const Progress& progress) { report(progress); });
 }
@@ -96,6 +95,7 @@ void WorldState::forget_functions() {
   auto calls = std::exchange(hooks, {});
   for (auto& [id, call] : calls) call.clear();
   std::exchange(read_file, {}).clear();
+  std::exchange(log, {}).clear();
 }
 
 void WorldState::forget_arrays() {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pbd/math/vec.h"
-#include "sdk/python/world_state.h"
+#include "sdk/python/state/world_state.h"
 
 namespace meniscus::python {
 
