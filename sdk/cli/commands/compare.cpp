@@ -70,23 +70,38 @@ json figures_of(const std::string& solver, const StableStep& s) {
           {"broke_s", s.broke}, {"reason", s.reason}, {"runs", s.runs}};
 }
 
+/// The results of one solver side by side, and the smallest error first.
+std::vector<Rival> by_solver(std::vector<Rival> rivals) {
+  const auto place = [](const Rival& r) {
+    const auto solvers = names_of(DensitySolver{});
+    const auto found = std::find_if(solvers.begin(), solvers.end(),
+                                    [&](const auto& solver) { return r.solver == solver.name; });
+    return std::pair(found - solvers.begin(), r.target);
+  };
+  std::sort(rivals.begin(), rivals.end(),
+            [&](const Rival& a, const Rival& b) { return place(a) < place(b); });
+  return rivals;
+}
+
 /// Errors that were not run are gaps.
 std::string chart_of(const std::string& title, const std::vector<double>& errors,
                      const std::vector<Rival>& rivals) {
   constexpr std::array colors{"#888888", "#1f77b4", "#17becf", "#d62728", "#ff7f0e", "#2ca02c"};
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   io::LineChart chart{title, "mean density error asked for, %", errors, {{"ms for a second", {}}}};
   std::vector<io::ChartSeries>& series = chart.panels.front().series;
-  for (const Rival& rival : rivals) {
+  for (const Rival& rival : by_solver(rivals)) {
     if (series.empty() || series.back().name != rival.solver)
-      series.push_back({rival.solver, colors[series.size() % colors.size()], {}});
-    series.back().y.push_back(rival.ms);
+      series.push_back(
+          {rival.solver, colors[series.size() % colors.size()], std::vector<double>(errors.size(), gap)});
+    const auto at = std::find(errors.begin(), errors.end(), rival.target) - errors.begin();
+    series.back().y[static_cast<std::size_t>(at)] = rival.ms;
   }
-  for (io::ChartSeries& s : series) s.y.resize(errors.size(), std::numeric_limits<double>::quiet_NaN());
   return io::to_svg(chart);
 }
 
-/// The page so far, in the folder and on the standard output. Each row is written at once, so that a command
-/// that is killed leaves what it measured.
+/// The page so far, in the folder, and its rows on the standard output as they come. Each is written at once,
+/// so that a command that is killed leaves what it measured.
 class Comparison {
  public:
   Comparison(const CompareOptions& options, const Scene& scene, std::filesystem::path folder)
@@ -99,7 +114,8 @@ class Comparison {
     const DeviceInfo device = build_scene(rival_scene(scene_, DensitySolver::chebyshev, 0)).world.device();
     figures_ = {{"scene", scene_.name}, {"seconds", options_.seconds}, {"results", json::array()}};
     figures_["device"] = {{"kind", device.kind}, {"name", device.name}};
-    add(fmt::format("# {} for {:.4g} s on {}\n\n", scene_.name, options_.seconds, device.name));
+    title_ = fmt::format("# {} for {:.4g} s on {}\n\n", scene_.name, options_.seconds, device.name);
+    print(title_);
   }
 
   void run() {
@@ -118,13 +134,13 @@ class Comparison {
   bool interrupted() const { return budget_.interrupted(); }
 
  private:
+  /// The largest error first: it costs least, so that a limit of time leaves something of each solver.
   void compare_times() {
-    add(io::table_head(rival_columns));
-    for (const auto& solver : names_of(DensitySolver{})) {
-      for (const double error : errors_) {
-        rivals_.push_back(rival_at(scene_, solver, error, options_.seconds, options_.substeps, budget_));
-        figures_["results"].push_back(figures_of(rivals_.back()));
-        add(io::table_row(row(rivals_.back())));
+    print(io::table_head(rival_columns));
+    for (auto error = errors_.rbegin(); error != errors_.rend(); ++error) {
+      for (const auto& solver : names_of(DensitySolver{})) {
+        rivals_.push_back(rival_at(scene_, solver, *error, options_.seconds, options_.substeps, budget_));
+        print(io::table_row(row(rivals_.back())));
         write();
       }
     }
@@ -144,14 +160,25 @@ class Comparison {
     }
   }
 
-  void add(const std::string& text) {
-    page_ += text;
+  void print(const std::string& text) const {
     if (!options_.json) fmt::print("{}", text);
     std::fflush(stdout);
   }
 
-  void write() const {
-    io::write_text(folder_ / "compare.md", page_);
+  /// Adds to what follows the table of times.
+  void add(const std::string& text) {
+    after_times_ += text;
+    print(text);
+  }
+
+  void write() {
+    std::string page = title_ + io::table_head(rival_columns);
+    figures_["results"] = json::array();
+    for (const Rival& rival : by_solver(rivals_)) {
+      page += io::table_row(row(rival));
+      figures_["results"].push_back(figures_of(rival));
+    }
+    io::write_text(folder_ / "compare.md", page + after_times_);
     io::write_text(folder_ / "compare.json", json_text(figures_));
     io::write_text(folder_ / "compare.svg", chart_of(scene_.name, errors_, rivals_));
   }
@@ -162,7 +189,7 @@ class Comparison {
   std::vector<double> errors_;
   RunBudget budget_;
   json figures_;
-  std::string page_;
+  std::string title_, after_times_;
   std::vector<Rival> rivals_;
 };
 

@@ -15,6 +15,7 @@
 
 #include "sdk/files/output_file.h"
 #include "sdk/world/state/chunk_format.h"
+#include "sdk/world/state/whole_number.h"
 
 namespace meniscus {
 
@@ -32,15 +33,22 @@ Json parsed_header(const std::string& path, const std::string& text) {
   return json;
 }
 
+template <class T>
+T whole_member(const std::string& path, const Json& chunk, const char* name) {
+  if (const auto value = whole_number<T>(chunk.at(name))) return *value;
+  refuse(path, std::string("its header is not as it should be: \"") + name +
+                   "\" of a chunk is no whole number in range");
+}
+
 /// Reads one chunk, which is in the file to its end.
 pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::istream& stream,
                           uint64_t& bytes_left) {
   const auto name = chunk.at("name").get<std::string>();
-  if (chunk.at("version").get<uint32_t>() > chunk_version)
+  if (whole_member<uint32_t>(path, chunk, "version") > chunk_version)
     refuse(path, "its chunk \"" + name + "\" is of a later version");
   pbd::StateItem item{.form = chunk.at("form").get<std::string>(),
-                      .element_bytes = chunk.at("element_bytes").get<uint32_t>(),
-                      .count = chunk.at("count").get<std::size_t>(),
+                      .element_bytes = whole_member<uint32_t>(path, chunk, "element_bytes"),
+                      .count = whole_member<std::size_t>(path, chunk, "count"),
                       .required = chunk.at("required").get<bool>()};
   if (item.element_bytes == 0 || item.count > bytes_left / item.element_bytes)
     refuse(path, "it ends within the chunk \"" + name + "\"");
@@ -48,7 +56,7 @@ pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::istre
   item.host.resize(item.bytes());
   stream.read(reinterpret_cast<char*>(item.host.data()), static_cast<std::streamsize>(item.bytes()));
   if (!stream) io::throw_io_error("read", path);
-  if (XXH3_64bits(item.host.data(), item.host.size()) != chunk.at("xxh3").get<uint64_t>())
+  if (XXH3_64bits(item.host.data(), item.host.size()) != whole_member<uint64_t>(path, chunk, "xxh3"))
     refuse(path, "its chunk \"" + name + "\" is damaged");
   return item;
 }

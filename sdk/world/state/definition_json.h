@@ -13,6 +13,7 @@
 #include <type_traits>
 
 #include "sdk/fields/fields.h"
+#include "sdk/world/state/whole_number.h"
 
 namespace meniscus::definition_json {
 
@@ -177,8 +178,10 @@ void from_json(const Json& json, const std::string& key, T& value, const Ids& id
     value.assign(json.size(), {});
     for (std::size_t k = 0; k < json.size(); ++k) from_json(json[k], key, value[k], ids);
   } else if constexpr (is_id<T>) {
-    if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number()) refuse(key);
-    value = {json[0].get<uint32_t>(), json[1].get<uint32_t>() + ids.first_generation};
+    if (!json.is_array() || json.size() != 2) refuse(key);
+    const auto index = whole_number<uint32_t>(json[0]), generation = whole_number<uint32_t>(json[1]);
+    if (!index || !generation) refuse(key);
+    value = {*index, *generation + ids.first_generation};
   } else if constexpr (HasNames<T>) {
     value = value_of<T>(json, key);
   } else if constexpr (HasChoices<T>) {
@@ -196,7 +199,11 @@ void from_json(const Json& json, const std::string& key, T& value, const Ids& id
   } else if constexpr (std::is_same_v<T, bool>) {
     if (!json.is_boolean()) refuse(key);
     value = json.get<bool>();
-  } else if constexpr (std::is_arithmetic_v<T>) {
+  } else if constexpr (std::is_integral_v<T>) {
+    const auto whole = whole_number<T>(json);
+    if (!whole) refuse(key);
+    value = *whole;
+  } else if constexpr (std::is_floating_point_v<T>) {
     if (!json.is_number()) refuse(key);
     value = json.get<T>();
   } else if constexpr (std::is_same_v<T, std::string>) {

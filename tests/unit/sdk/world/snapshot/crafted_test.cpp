@@ -112,6 +112,20 @@ TEST_P(CraftedSnapshotTest, TracksMustFitTheirSurface) {
   expect_refused<Vec3>("has 0 positions", "track_position", [](Places& x) { x.clear(); });
 }
 
+TEST_P(CraftedSnapshotTest, CountsMustBeWholeNumbers) {
+  const std::string file = path();
+  driven().save(file);
+  const Parts parts(file);
+  for (const char* member : {"version", "element_bytes", "count", "xxh3"}) {
+    for (const Json& wrong : {Json(3.2e20), Json(-1), Json(0.5), Json("1")}) {
+      Parts edited = parts;
+      edited.header["chunks"][0][member] = wrong;
+      edited.write(file);
+      expect_error(ErrorCode::io, member, [&] { World::load(file); });
+    }
+  }
+}
+
 TEST_P(CraftedSnapshotTest, KeyframesAreInTheFileOnce) {
   const std::string file = path();
   World world = driven();
