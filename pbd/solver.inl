@@ -247,9 +247,9 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   if (p.sorted()) {
     using Wrapped = seam_kernels::Wrapped<solver_kernels::Prediction>;
     search_.fit({summary().lower, summary().upper}, p.sorted());
-    const View<const uint32_t> slot = p.source().slot.first(p.sorted());
-    order =
-        has_seams ? search_.sort(Wrapped{prediction, ghosts_.axes()}, slot) : search_.sort(prediction, slot);
+    const View<const uint32_t> number = p.source().number.first(p.sorted());
+    order = has_seams ? search_.sort(Wrapped{prediction, ghosts_.axes()}, number)
+                      : search_.sort(prediction, number);
   }
   const ParticleView from = p.source();
   device_.parallel_for(
@@ -360,11 +360,12 @@ MotionView Solver<D>::motion_of(const Substep<D>& s) {
 
 /// Whether a substep is long relative to the speeds. The solve may then move a particle through a surface
 /// that was out of its reach when contacts were found. New particles may overlap, and be separated at high
-/// speed.
+/// speed. With fixed sums every substep counts as long, as a particle must not depend on the speed of others.
 template <class D>
 bool Solver<D>::is_fast(float dt) const {
-  return fresh_ || step_speed_ * dt > contact_tuning::fast_motion *
-                                          (parameters_.support_radius - parameters_.contact_radius);
+  return device_.fixes_sums() || fresh_ ||
+         step_speed_ * dt >
+             contact_tuning::fast_motion * (parameters_.support_radius - parameters_.contact_radius);
 }
 
 template <class D>
@@ -391,6 +392,7 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       contacts_(device),
       ghosts_(device, parameters.periodic, parameters.support_radius),
       timer_(device) {
+  device_.fix_sums(parameters.fixed_sums);
   readout_buffer_.resize_discard(1);
   readout_buffer_.fill(0);
 }
