@@ -18,7 +18,7 @@ namespace meniscus::pbd {
 namespace neighbour_kernels {
 
 // The sort is a counting sort by cell. Particles of a cell are first placed in the order of arrival, then in
-// the order of their slots. So the result depends on nothing else.
+// the order of their numbers. So the result depends on nothing else.
 
 /// Records each particle's cell, and counts the particles of each cell.
 template <class Points>
@@ -31,7 +31,8 @@ struct CountInCells {
     const Vec3 p = points(i).xyz();
     // Particles that are not finite have no neighbours. They are spread over the cells, because a single cell
     // would take very long.
-    const uint32_t cell = is_finite(p) ? grid.key(grid.coordinates(p)) : i & (grid.cell_count() - 1);
+    const uint32_t cell =
+        grid.first_cell(i) + (is_finite(p) ? grid.key(grid.coordinates(p)) : i & (grid.cell_count() - 1));
     key[i] = cell;
     arrival[i] = atomic_add(counts[cell], 1);
   }
@@ -39,14 +40,14 @@ struct CountInCells {
 
 /// Also resets the counts to 0, for the next sort.
 struct PlaceByArrival {
-  View<const uint32_t> key, arrival, start, slot;
-  View<uint32_t> placed, placed_slot, counts;
+  View<const uint32_t> key, arrival, start, number;
+  View<uint32_t> placed, placed_number, counts;
   uint32_t particles, cells;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t place = start[key[i]] + arrival[i];
     placed[place] = i;
-    placed_slot[place] = slot[i];
+    placed_number[place] = number[i];
     for (uint32_t cell = i; cell < cells; cell += particles) counts[cell] = 0;
   }
 };
@@ -71,7 +72,7 @@ struct ListNeighbours {
       if (is_finite(self)) list_by_team(i, self, writer);
       note(i, writer.finish(lists.sentinel), false, D::leads());
     } else if constexpr (D::interleaves_lists) {
-      const RunsAround runs(grid, self);
+      const RunsAround runs(grid, self, grid.first_cell(i));
       if (lists.row_capacity <= NarrowWriter::most && runs.are_within(NeighbourView::narrow_reach, i)) {
         NarrowWriter writer(lists, i);
         list_alone<D>(i, self, runs, writer);
@@ -83,7 +84,7 @@ struct ListNeighbours {
       }
     } else {
       RowWriter writer(lists, i);
-      if (is_finite(self)) list<D>(i, self, RunsAround(grid, self), writer);
+      if (is_finite(self)) list<D>(i, self, RunsAround(grid, self, grid.first_cell(i)), writer);
       note(i, writer.finish(lists.sentinel), false, true);
     }
   }
@@ -152,7 +153,7 @@ struct ListNeighbours {
   /// Each thread looks up some of the bounds. Then the team scans one run after another, so that the list has
   /// the order of the runs.
   MENISCUS_HD void list_by_team(uint32_t i, Vec3 self, TeamWriter& writer) const {
-    const Surroundings around(grid, self);
+    const Surroundings around(grid, self, grid.first_cell(i));
     const uint32_t rank = CudaTeam::rank(), runs = around.runs();
     for (uint32_t first = 0; first < runs; first += CudaTeam::lane_count) {
       const Run own = first + rank < runs ? around.run(first + rank) : Run{0, 0};
@@ -212,8 +213,9 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
-  uint32_t cells = 4096;
-  while (cells < GridView::slices * capacity) cells *= 2;
+  uint32_t cells = worlds_ == 1 ? 4096 : 1u << 8;
+  while (cells < GridView::slices * (capacity / worlds_)) cells *= 2;
+  cells *= worlds_;
   cell_counts_.resize_discard(cells);
   cell_counts_.fill(0);
   cell_start_.resize_discard(cells + 1);
@@ -225,42 +227,42 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   const Vec3 reaches = grid_.inverse_reach * (extent.upper - extent.lower) + Vec3{2, 2, 2};
   uint32_t bits[3] = {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
                       bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
-  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cell_counts_.size())) - 1;
+  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cell_counts_.size() / worlds_)) - 1;
   if constexpr (D::interleaves_lists) {
     // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.
     const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
-    is_coarse_ = count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
+    is_coarse_ = !device_.fixes_sums() && count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
                  Surroundings::slack_at(far) < search_tuning::most_coarse_slack;
   }
   while (bits[0] + bits[1] + bits[2] > most_bits) --*std::max_element(bits, bits + 3);
   grid_.bits_x = bits[0];
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];
-  grid_.strip_bits = std::min(strip_bits_for(reaches, count), bits[1]);
-  grid_.start = cell_start_.view().first(grid_.cell_count() + 1);
+  grid_.strip_bits = std::min(strip_bits_for(reaches, count / worlds_), bits[1]);
+  grid_.start = cell_start_.view().first(worlds_ * grid_.cell_count() + 1);
 }
 
 template <class D>
 template <class Points>
-CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> slot) {
+CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> number) {
   using namespace neighbour_kernels;
-  const uint32_t count = slot.count, cells = grid_.cell_count();
+  const uint32_t count = number.count, cells = worlds_ * grid_.cell_count();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},
-      placed_slot{placed.data + count, count};
+      placed_number{placed.data + count, count};
   try {
     device_.parallel_for("neighbours/cells", count,
                          CountInCells<Points>{points, grid_, keys, arrival, counts});
     device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
     device_.parallel_for(
         "neighbours/place", count,
-        PlaceByArrival{keys, arrival, grid_.start, slot, placed, placed_slot, counts, count, cells});
+        PlaceByArrival{keys, arrival, grid_.start, number, placed, placed_number, counts, count, cells});
   } catch (...) {
     cell_counts_.fill(0);
     throw;
   }
-  return {keys, grid_.start, placed, placed_slot, order_.view()};
+  return {keys, grid_.start, placed, placed_number, order_.view()};
 }
 
 template <class D>

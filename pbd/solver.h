@@ -32,6 +32,7 @@ struct SolverParameters {
   float cfl_number = 0;  ///< when > 0, it determines the number of substeps, within the limits
   int min_substeps = 1, max_substeps = 16;
   PeriodicAxes periodic{};  ///< for worlds with fluid particles alone
+  bool fixed_sums = false;  ///< see WorldDef::sums
 };
 
 /// A reduction over the particles, for the host.
@@ -67,7 +68,7 @@ class Solver {
  public:
   Solver(D& device, Particles& particles, const SolverParameters& parameters);
 
-  /// Applies from the next step on; the radii and the periodic axes do not change.
+  /// Applies from the next step on; the radii, the periodic axes and fixed_sums do not change.
   void set_parameters(const SolverParameters& parameters) { parameters_ = parameters; }
   /// Added parts must outlive the solver. They run in the order in which they were added.
   void add(ContactSource<D>& source) { contacts_.add(source); }
@@ -86,6 +87,18 @@ class Solver {
   void reserve(uint32_t fluid, uint32_t vertices = 0);
   /// The particles [first, first + count) are new, or all were changed from outside.
   void particles_changed(uint32_t first, uint32_t count);
+  // A batch of worlds (worlds.h). It starts as one world, which is reset into all.
+  /// Makes `worlds` of the present particles. There must be no vertices and no periodic axes. From then on a
+  /// step with particles that are not finite is not undone: undo_worlds() does that, for their worlds alone.
+  void make_worlds(uint32_t worlds);
+  uint32_t worlds() const { return worlds_; }
+  /// m/s², by world; empty: all have that of the parameters.
+  void set_gravities(View<const Vec4> gravities) { gravities_ = gravities; }
+  /// The kept state, with its multipliers.
+  void reset_worlds(View<const uint32_t> chosen);
+  /// The state before the last step.
+  void undo_worlds(View<const uint32_t> chosen);
+
   /// The arrays of all sets follow a removal of particles: see ParticleState.
   void reorder(View<const uint32_t> order, uint32_t count) {
     for (ConstraintSet<D>* set : sets_) set->reorder(order, count);
@@ -134,6 +147,8 @@ class Solver {
   Substep<D> relax_once(float dt);
   void run(float dt);
   StepResult finish();
+  template <class Change>
+  void change_worlds(View<const uint32_t> chosen, const Change& change);
   View<const Vec4> velocity_changes(const ParticleView& start, float dt);
   void call_hook(Hook hook, const Substep<D>& s, int iteration = 0) {
     if (hooks_ & (1u << static_cast<uint32_t>(hook))) hook_call_(hook, particles_.view(), s, iteration);
@@ -169,6 +184,7 @@ class Solver {
   NeighbourSearch<D> search_;
   ContactArrays<D> contacts_;
   SeamGhosts<D> ghosts_;
+  KeptWorld<D> kept_world_;
   std::vector<ConstraintSet<D>*> sets_;
   size_t started_ = 0;  // sets whose start_step() was called in this step
   std::vector<VelocityPass<D>*> passes_;
@@ -181,6 +197,8 @@ class Solver {
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
   Room room_;
+  uint32_t worlds_ = 1;
+  View<const Vec4> gravities_{};
   bool has_found_ = false;  // neighbours and contacts are of the end of the last step, and of all particles
   bool fresh_ = true;       // particles were added or changed from outside since the last step
   float step_dt_ = 0;       // s, of the step that was begun

@@ -11,6 +11,7 @@
 #include "pbd/grid.h"
 #include "pbd/neighbours.h"
 #include "pbd/particles.h"
+#include "pbd/worlds.h"
 
 namespace meniscus::pbd {
 
@@ -55,6 +56,13 @@ class ParticleState {
   virtual void reorder(View<const uint32_t> /*order*/, uint32_t /*count*/) {}
   virtual void save() {}
   virtual void restore() {}
+
+  // For batches of worlds, see worlds.h.
+  /// Keeps the present state of the first `each` particles, to which worlds can be reset.
+  virtual void keep_world(uint32_t /*each*/) {}
+  virtual void reset_worlds(const ChosenWorlds& /*worlds*/) {}
+  /// Back to what was saved.
+  virtual void undo_worlds(const ChosenWorlds& /*worlds*/) {}
 };
 
 /// One kind of constraint, for all particles that it affects. Sets project in the order in which they were
