@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Functions of RigidContactSet: its parts, and what it keeps from step to step.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <unordered_map>
+
+#include "collision/rigid_contact/rigid_contact_set.h"
+
+namespace meniscus::collision {
+
+/// Makes room for `count` elements, with a half more so that it seldom grows.
+template <class T>
+void make_room(pbd::Buffer<T>& buffer, uint32_t count) {
+  if (buffer.size() < count) buffer.resize_discard(count + count / 2 + 64);
+}
+
+/// The size of cells: small parts are those of up to twice the median radius.
+inline float largest_small_radius(std::span<const ContactPart> parts) {
+  std::vector<float> radii;
+  for (const ContactPart& p : parts)
+    if (p.shape.kind != ConvexKind::plane) radii.push_back(bounding_radius(p.shape));
+  if (radii.empty()) return 1;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::ranges::nth_element(radii, middle);
+  const float most = rigid_contact_tuning::large * *middle;
+  float largest = 0;
+  for (const float r : radii)
+    if (r <= most) largest = std::max(largest, r);
+  return largest;
+}
+
+template <class D>
+void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
+  const std::vector<SavedContact> kept = save();
+  host_parts_.assign(parts.begin(), parts.end());
+  const uint32_t count = part_count();
+  const float small = largest_small_radius(parts);
+  std::vector<uint32_t> is_large(count), large;
+  any_bounces_ = false;
+  for (uint32_t i = 0; i < count; ++i) {
+    const Convex& shape = parts[i].shape;
+    is_large[i] = shape.kind == ConvexKind::plane || bounding_radius(shape) > small;
+    if (is_large[i]) large.push_back(i);
+    any_bounces_ |= parts[i].restitution > 0;
+  }
+  // Boxes of two small parts overlap only if their centres are in cells beside each other.
+  grid_ = {2 * (1 + rigid_contact_tuning::most_reach) * small, std::bit_width(std::max(2 * count, 8u))};
+  device_.wait();
+  parts_.resize_discard(count);
+  parts_.write(host_parts_);
+  is_large_.resize_discard(count);
+  is_large_.write(is_large);
+  large_.resize_discard(large.size());
+  large_.write(large);
+  placed_.resize_discard(count);
+  for (auto* buffer : {&bucket_, &sorted_bucket_, &number_, &sorted_, &partners_})
+    buffer->resize_discard(count);
+  bucket_starts_.resize_discard((size_t{1} << grid_.bits) + 2);
+  pair_starts_.resize_discard(count + 1);
+  starts_.resize_discard(rigid_contact_kernels::colour_count + 1);
+  contact_count_ = 0;
+  restore(kept);
+}
+
+template <class D>
+std::vector<SavedContact> RigidContactSet<D>::save() {
+  std::vector<SavedContact> saved;
+  if (memory_count_ == 0) return saved;
+  device_.wait();
+  const auto memory = memory_.read(memory_count_);
+  const std::vector<uint32_t> start = memory_start_.read(host_parts_.size() + 1);
+  for (uint32_t a = 0; a < part_count(); ++a) {
+    for (uint32_t m = start[a]; m < start[a + 1]; ++m) {
+      for (uint32_t k = 0; k < memory[m].count; ++k)
+        saved.push_back({host_parts_[a].key, host_parts_[memory[m].b].key, memory[m].feature[k],
+                         memory[m].pressure[k], memory[m].friction[k]});
+    }
+  }
+  return saved;
+}
+
+/// Points of parts that are gone are left out.
+template <class D>
+void RigidContactSet<D>::restore(std::span<const SavedContact> saved) {
+  using rigid_contact_kernels::ContactMemory;
+  std::unordered_map<uint64_t, uint32_t> place;
+  for (uint32_t i = 0; i < part_count(); ++i) place.emplace(host_parts_[i].key, i);
+  std::vector<std::vector<ContactMemory>> of_part(host_parts_.size());
+  for (const SavedContact& s : saved) {
+    const auto a = place.find(s.key_a), b = place.find(s.key_b);
+    if (a == place.end() || b == place.end()) continue;
+    std::vector<ContactMemory>& all = of_part[a->second];
+    if (all.empty() || all.back().b != b->second) all.push_back({b->second, 0, {}, {}, {}});
+    ContactMemory& m = all.back();
+    if (m.count == most_manifold_points) continue;
+    m.feature[m.count] = s.feature;
+    m.pressure[m.count] = s.pressure;
+    m.friction[m.count++] = s.friction;
+  }
+  std::vector<ContactMemory> memory;
+  std::vector<uint32_t> start{0};
+  for (const auto& all : of_part) {
+    memory.insert(memory.end(), all.begin(), all.end());
+    start.push_back(static_cast<uint32_t>(memory.size()));
+  }
+  memory_count_ = static_cast<uint32_t>(memory.size());
+  device_.wait();
+  memory_start_.resize_discard(start.size());
+  memory_start_.write(start);
+  make_room(memory_, memory_count_);
+  memory_.write(memory);
+  contact_count_ = 0;
+}
+
+template <class D>
+std::vector<SolvedContact> RigidContactSet<D>::solved() {
+  std::vector<SolvedContact> all;
+  if (contact_count_ == 0) return all;
+  device_.wait();
+  const auto contacts = solver_.read(contact_count_);
+  for (const auto& c : contacts) {
+    const Vec3 centre = c.bodies.a == pbd::no_index ? Vec3{0, 0, 0} : start_.host()[c.bodies.a].pose.position;
+    for (uint32_t k = 0; k < c.count; ++k) {
+      const auto& p = c.points[k];
+      all.push_back(
+          {host_parts_[c.a].key, host_parts_[c.b].key, centre + p.arm_a, c.normal, p.distance, p.total});
+    }
+  }
+  return all;
+}
+
+}  // namespace meniscus::collision

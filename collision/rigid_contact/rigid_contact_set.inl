@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Functions of RigidContactSet: a step. What it keeps is in rigid_contact_memory.inl.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "collision/rigid_contact/rigid_contact_memory.inl"
+#include "collision/rigid_contact/rigid_contact_set.h"
+
+namespace meniscus::collision {
+
+template <class D>
+void RigidContactSet<D>::step(std::span<const ContactBody> bodies, const ContactStep& step,
+                              std::span<ContactMotion> out) {
+  load(bodies, step.dt);
+  place_parts(step.dt);
+  find_pairs();
+  find_contacts();
+  colour();
+  const float h = step.dt / static_cast<float>(step.small_steps);
+  prepare(h);
+  solve(step);
+  keep_memory(h);
+  device_.parallel_for("solids/store", bodies_count_,
+                       rigid_contact_kernels::StoreMotions{start_.view(), bodies_.view().first(bodies_count_),
+                                                           turn_.view(), motion_.view()});
+  device_.wait();
+  std::ranges::copy(motion_.host(), out.begin());
+}
+
+template <class D>
+void RigidContactSet<D>::load(std::span<const ContactBody> bodies, float dt) {
+  bodies_count_ = static_cast<uint32_t>(bodies.size());
+  device_.wait();
+  start_.resize_discard(bodies_count_);
+  motion_.resize_discard(bodies_count_);
+  std::ranges::copy(bodies, start_.host().begin());
+  bodies_.resize_discard(bodies_count_);
+  turn_.resize_discard(bodies_count_);
+  device_.parallel_for("solids/start", bodies_count_,
+                       rigid_contact_kernels::StartBodies{start_.view(), bodies_.view(), turn_.view(), dt});
+}
+
+template <class D>
+void RigidContactSet<D>::place_parts(float dt) {
+  using namespace rigid_contact_kernels;
+  const uint32_t count = part_count();
+  device_.parallel_for("solids/place", count,
+                       PlaceParts{parts_.view(), start_.view(), is_large_.view(), placed_.view(),
+                                  bucket_.view(), number_.view(), grid_, dt});
+  device_.sort_pairs("solids/cells", bucket_.view(), sorted_bucket_.view(), number_.view(), sorted_.view(),
+                     grid_.bits + 1);
+  device_.parallel_for("solids/buckets", count + 1,
+                       FindBuckets{sorted_bucket_.view(), bucket_starts_.view()});
+}
+
+template <class D>
+rigid_contact_kernels::PairSearch RigidContactSet<D>::search() const {
+  return {parts_.view(),  placed_.view(), is_large_.view(), large_.view(), bucket_starts_.view(),
+          sorted_.view(), grid_};
+}
+
+template <class D>
+void RigidContactSet<D>::find_pairs() {
+  using namespace rigid_contact_kernels;
+  const uint32_t count = part_count();
+  device_.parallel_for("solids/count pairs", count, CountPairs{search(), partners_.view()});
+  device_.exclusive_scan("solids/pair starts", partners_.view(), pair_starts_.view());
+  pair_starts_.read(std::span(&pair_count_, 1), count);
+  make_room(pairs_, pair_count_);
+  make_room(found_, pair_count_);
+  if (touches_.size() < pair_count_) {
+    make_room(touches_, pair_count_);
+    place_.resize_discard(touches_.size() + 1);
+  }
+  device_.parallel_for("solids/list pairs", count, ListPairs{search(), pair_starts_.view(), pairs_.view()});
+}
+
+template <class D>
+void RigidContactSet<D>::find_contacts() {
+  using namespace rigid_contact_kernels;
+  contact_count_ = 0;
+  if (pair_count_ == 0) {
+    memory_start_.fill(0);
+    memory_count_ = 0;
+    return;
+  }
+  device_.parallel_for("solids/touch", pair_count_,
+                       TouchPairs{search(), pairs_.view(), memory_.view(), memory_start_.view(),
+                                  found_.view(), touches_.view()});
+  device_.exclusive_scan("solids/contact places", touches_.view().first(pair_count_),
+                         place_.view().first(pair_count_ + 1));
+  place_.read(std::span(&contact_count_, 1), pair_count_);
+  make_room(contacts_, contact_count_);
+  device_.parallel_for("solids/list contacts", pair_count_,
+                       ListContacts{touches_.view(), place_.view(), contacts_.view()});
+  device_.parallel_for("solids/contact starts", part_count() + 1,
+                       FindContactStarts{pair_starts_.view(), place_.view(), memory_start_.view()});
+}
+
+template <class D>
+void RigidContactSet<D>::colour() {
+  using namespace rigid_contact_kernels;
+  const uint32_t count = contact_count_;
+  if (colour_.size() != count) {
+    for (auto* buffer : {&colour_, &sorted_colour_, &contact_number_, &order_}) buffer->resize_discard(count);
+    two_bodies_.resize_discard(count);
+  }
+  if (used_.size() != bodies_count_) {
+    used_.resize_discard(bodies_count_);
+    claims_.resize_discard(bodies_count_);
+    next_claims_.resize_discard(bodies_count_);
+  }
+  if (count == 0) return;
+  used_.fill(0);
+  claims_.fill(0xff);
+  device_.parallel_for("solids/uncoloured", count,
+                       StartColouring{contacts_.view(), found_.view(), parts_.view(), placed_.view(),
+                                      two_bodies_.view(), colour_.view(), contact_number_.view()});
+  for (uint32_t round = 0; round < rigid_contact_tuning::colour_rounds; ++round) {
+    device_.parallel_for(
+        "solids/claim", std::max(count, bodies_count_),
+        ClaimBodies{two_bodies_.view(), colour_.view(), claims_.view(), next_claims_.view()});
+    device_.parallel_for("solids/colour", count,
+                         TakeColours{two_bodies_.view(), claims_.view(), used_.view(), colour_.view()});
+    claims_.swap(next_claims_);
+  }
+  device_.parallel_for("solids/coloured", count, CloseColouring{colour_.view()});
+}
+
+template <class D>
+void RigidContactSet<D>::prepare(float h) {
+  using namespace rigid_contact_kernels;
+  const uint32_t count = contact_count_;
+  colour_starts_.assign(colour_count + 1, 0);
+  if (count == 0) return;
+  device_.sort_pairs("solids/by colour", colour_.view(), sorted_colour_.view(), contact_number_.view(),
+                     order_.view(), std::bit_width(colour_count));
+  device_.parallel_for("solids/colours", count + 1, FindBuckets{sorted_colour_.view(), starts_.view()});
+  make_room(solver_, count);
+  device_.parallel_for("solids/prepare", count,
+                       Prepare{order_.view(), contacts_.view(), found_.view(), parts_.view(), start_.view(),
+                               bodies_.view(), solver_.view(), h});
+  starts_.read(std::span(colour_starts_));
+}
+
+template <class D>
+template <class Solve>
+void RigidContactSet<D>::solve_once(const char* name, const Solve& solve) {
+  using namespace rigid_contact_kernels;
+  for (uint32_t colour = 0; colour < colour_count; ++colour) {
+    const uint32_t first = colour_starts_[colour], count = colour_starts_[colour + 1] - first;
+    const OfColour<Solve> all{solver_.view(), bodies_.view(), first, solve};
+    if (count == 0) continue;
+    if (colour == serial_colour)
+      device_.parallel_for(name, 1, OneByOne<Solve>{all, count});
+    else
+      device_.parallel_for(name, count, all);
+  }
+}
+
+template <class D>
+void RigidContactSet<D>::solve(const ContactStep& step) {
+  using namespace rigid_contact_kernels;
+  const float h = step.dt / static_cast<float>(step.small_steps);
+  constexpr float turn = 2 * 3.14159265f * rigid_contact_tuning::frequency;  // ω h of a soft contact
+  constexpr float a1 = 2 * rigid_contact_tuning::damping + turn, a2 = turn * a1;
+  const SmallStep small{h, turn / (a1 * h), a2 / (1 + a2), 1 / (1 + a2)};
+  solve_once("solids/warm start", WarmStart{});
+  for (int i = 0; i < step.small_steps; ++i) {
+    device_.parallel_for("solids/accelerate", bodies_count_, Accelerate{start_.view(), bodies_.view(), h});
+    solve_once("solids/solve", SolveContact{small, true});
+    device_.parallel_for("solids/move", bodies_count_, Move{bodies_.view(), turn_.view(), h});
+    solve_once("solids/relax", SolveContact{small, false});
+  }
+  if (any_bounces_) solve_once("solids/bounce", Bounce{step.least_bounce});
+}
+
+template <class D>
+void RigidContactSet<D>::keep_memory(float h) {
+  make_room(memory_, contact_count_);
+  memory_count_ = contact_count_;
+  device_.parallel_for("solids/keep", contact_count_,
+                       rigid_contact_kernels::KeepMemory{solver_.view(), memory_.view(), h});
+}
+
+}  // namespace meniscus::collision

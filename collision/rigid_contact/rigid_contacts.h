@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Contacts among solids that a device solves, as the rigid world sees them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/rigid_contact/manifold.h"
+#include "pbd/contacts.h"
+
+namespace meniscus::collision {
+
+/// A convex part of a solid. Parts of bodies come first, by body. Each key is unique.
+struct ContactPart {
+  Convex shape;
+  Pose pose;                            ///< in the body's frame; of a fixed part in the world
+  uint32_t body = pbd::no_index;        ///< no_index: fixed
+  float friction = 0, restitution = 0;  ///< square roots: two solids have the products
+  uint32_t groups = 0, mask = 0;
+  uint64_t key = 0;  ///< the same as long as the solid lives
+};
+
+/// A body at the start of a step.
+struct ContactBody {
+  Pose pose;  ///< of the principal frame
+  Vec3 velocity, angular;
+  float inverse_mass;        ///< 1/kg; 0: contacts do not move it
+  Vec3 inverse_inertia;      ///< 1/(kg m²), principal
+  Vec3 acceleration;         ///< m/s², by gravity and forces
+  Vec3 torque;               ///< N·m, of the world
+  float kept, angular_kept;  ///< fraction of its velocities that damping leaves in a small step
+};
+
+struct ContactMotion {
+  Pose pose;
+  Vec3 velocity, angular;
+};
+
+struct ContactStep {
+  float dt;            ///< s
+  int small_steps;     ///< that it is made of
+  float least_bounce;  ///< m/s: slower contacts do not bounce
+};
+
+/// What a point starts from in the next step.
+struct SavedContact {
+  uint64_t key_a, key_b;  ///< of the two parts
+  uint32_t feature;
+  float pressure;  ///< N, along the normal
+  Vec3 friction;   ///< N
+};
+
+/// A point of a contact in the last step.
+struct SolvedContact {
+  uint64_t key_a, key_b;
+  Vec3 position;   ///< m, between both surfaces, when it was found
+  Vec3 normal;     ///< from b to a
+  float distance;  ///< m
+  float impulse;   ///< N·s
+};
+
+class RigidContacts {
+ public:
+  virtual ~RigidContacts() = default;
+
+  /// Replaces all parts. Contacts of parts that stay keep what they start from.
+  virtual void set_parts(std::span<const ContactPart> parts) = 0;
+  /// Advances the bodies.
+  virtual void step(std::span<const ContactBody> bodies, const ContactStep& step,
+                    std::span<ContactMotion> out) = 0;
+
+  virtual std::vector<SavedContact> save() = 0;
+  virtual void restore(std::span<const SavedContact> saved) = 0;
+  virtual std::vector<SolvedContact> solved() = 0;
+};
+
+}  // namespace meniscus::collision

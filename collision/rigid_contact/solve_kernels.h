@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Kernels that solve contacts in small steps, with soft contacts (Catto 2024).
+#pragma once
+
+#include "collision/rigid_contact/contact_kernels.h"
+#include "pbd/math/tangents.h"
+
+namespace meniscus::collision::rigid_contact_kernels {
+
+/// A symmetric matrix.
+struct Symmetric {
+  float xx, yy, zz, xy, yz, zx;
+
+  MENISCUS_HD Vec3 operator*(Vec3 v) const {
+    return {xx * v.x + xy * v.y + zx * v.z, xy * v.x + yy * v.y + yz * v.z, zx * v.x + yz * v.y + zz * v.z};
+  }
+};
+
+/// A body while contacts are solved.
+struct MovingBody {
+  Vec3 velocity;
+  float inverse_mass;
+  Vec3 angular;
+  Symmetric inverse_inertia;  ///< in world axes, at the start of the step
+  Vec3 moved, turned;         ///< since then: m, rad
+  Vec3 held, held_angular;    ///< sums of what its contacts exert in a small step: N·s, N·m·s
+};
+
+struct SolverPoint {
+  Vec3 arm_a, arm_b;                    ///< m, from the centres of mass, at the start of the step
+  float distance;                       ///< m, then
+  float speed;                          ///< m/s along the normal, then
+  float mass, mass_along, mass_across;  ///< kg, effective
+  float pressure, along, across;        ///< N·s in a small step
+  float total;                          ///< N·s, of the pressure in the step so far
+  uint32_t feature;
+};
+
+struct SolverContact {
+  uint32_t contact;  ///< its place in the order of pairs
+  uint32_t a, b;     ///< parts
+  TwoBodies bodies;  ///< all bodies, also those that contacts do not move; no_index: fixed
+  Vec3 normal;       ///< from b to a
+  float friction, restitution;
+  float push_speed;  ///< m/s, the most with which an overlap is removed
+  uint32_t count;
+  SolverPoint points[most_manifold_points];
+};
+
+struct SmallStep {
+  float h;                          ///< s
+  float bias;                       ///< 1/s: rate at which overlaps are removed
+  float mass_scale, impulse_scale;  ///< of a soft contact
+};
+
+MENISCUS_HD inline MovingBody fixed_body() {
+  return {{0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+}
+
+/// The matrix with these eigenvalues along the axes of a frame.
+MENISCUS_HD inline Symmetric world_inertia(Quat turn, Vec3 diagonal) {
+  Symmetric sum{0, 0, 0, 0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 v = rotate(turn, unit_axis(axis)), w = component(diagonal, axis) * v;
+    sum = {sum.xx + w.x * v.x, sum.yy + w.y * v.y, sum.zz + w.z * v.z,
+           sum.xy + w.x * v.y, sum.yz + w.y * v.z, sum.zx + w.z * v.x};
+  }
+  return sum;
+}
+
+/// The solution of (a b c) x = d, of three columns.
+MENISCUS_HD inline Vec3 solve_columns(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const Vec3 bc = cross(b, c);
+  const float determinant = dot(a, bc);
+  return Vec3{dot(d, bc), dot(a, cross(d, c)), dot(a, cross(b, d))} / determinant;
+}
+
+MENISCUS_HD constexpr Vec3 scaled(Vec3 a, Vec3 b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+/// The angular velocity of a free body after dt, in its own axes. See tumbled() of collision/rigid.
+MENISCUS_HD inline Vec3 tumbled(Vec3 before, Vec3 inverse_inertia, float dt) {
+  const Vec3 inertia{1 / inverse_inertia.x, 1 / inverse_inertia.y, 1 / inverse_inertia.z};
+  const float speed = length(before);
+  const float turning = pbd::min(dt, rigid_contact_tuning::most_turn / pbd::max(speed, 1e-30f));
+  Vec3 after = before;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 w = 0.5f * (before + after), l = scaled(inertia, w);
+    const Vec3 error = after - before + turning * scaled(inverse_inertia, cross(w, l));
+    if (length(error) <= 1.2e-7f * speed) break;
+    // Columns of the derivative of the error: of w × I w along each axis.
+    const auto column = [&](Vec3 axis) {
+      const Vec3 d = cross(axis, l) + cross(w, scaled(inertia, axis));
+      return axis + 0.5f * turning * scaled(inverse_inertia, d);
+    };
+    after -= solve_columns(column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1}), error);
+  }
+  return after;
+}
+
+struct StartBodies {
+  View<const ContactBody> from;
+  View<MovingBody> bodies;
+  View<Quat> turn;
+  float dt;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const ContactBody body = from[i];
+    MovingBody b = fixed_body();
+    b.velocity = body.velocity;
+    b.angular = body.angular;
+    b.inverse_mass = body.inverse_mass;
+    if (body.inverse_mass > 0) {
+      b.inverse_inertia = world_inertia(body.pose.rotation, body.inverse_inertia);
+      const Vec3 own = rotate(conjugate(body.pose.rotation), body.angular);
+      b.angular = rotate(body.pose.rotation, tumbled(own, body.inverse_inertia, dt));
+    }
+    bodies[i] = b;
+    turn[i] = body.pose.rotation;
+  }
+};
+
+/// Makes what a contact needs to be solved, at its place in the order of colours.
+struct Prepare {
+  View<const uint32_t> order, contacts;
+  View<const FoundContact> found;
+  View<const ContactPart> parts;
+  View<const ContactBody> start;
+  View<const MovingBody> bodies;
+  View<SolverContact> out;
+  float h;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const FoundContact& c = found[contacts[order[k]]];
+    const ContactPart &a = parts[c.a], &b = parts[c.b];
+    SolverContact s;
+    s.contact = order[k];
+    s.a = c.a;
+    s.b = c.b;
+    s.bodies = {a.body, b.body};
+    s.normal = c.manifold.normal;
+    s.friction = a.friction * b.friction;
+    s.restitution = a.restitution * b.restitution;
+    s.push_speed = rigid_contact_tuning::push_rate * least_radius(a, b);
+    s.count = c.manifold.count;
+    const MovingBody body_a = body(a.body), body_b = body(b.body);
+    const Tangents t(s.normal);
+    for (uint32_t p = 0; p < s.count; ++p) {
+      const ManifoldPoint& point = c.manifold.points[p];
+      SolverPoint& to = s.points[p];
+      to.arm_a = arm(a.body, point.position);
+      to.arm_b = arm(b.body, point.position);
+      to.distance = point.distance;
+      to.speed = dot(speed(body_a, to.arm_a) - speed(body_b, to.arm_b), s.normal);
+      to.mass = mass(body_a, body_b, to, s.normal);
+      to.mass_along = mass(body_a, body_b, to, t.u);
+      to.mass_across = mass(body_a, body_b, to, t.v);
+      to.pressure = h * c.pressure[p];
+      to.along = h * dot(c.friction[p], t.u);
+      to.across = h * dot(c.friction[p], t.v);
+      to.total = 0;
+      to.feature = point.feature;
+    }
+    out[k] = s;
+  }
+
+  MENISCUS_HD MovingBody body(uint32_t i) const { return i == pbd::no_index ? fixed_body() : bodies[i]; }
+  MENISCUS_HD Vec3 arm(uint32_t i, Vec3 p) const {
+    return i == pbd::no_index ? Vec3{0, 0, 0} : p - start[i].pose.position;
+  }
+  MENISCUS_HD static Vec3 speed(const MovingBody& b, Vec3 arm) { return b.velocity + cross(b.angular, arm); }
+  MENISCUS_HD static float mass(const MovingBody& a, const MovingBody& b, const SolverPoint& p, Vec3 d) {
+    const Vec3 of_a = cross(p.arm_a, d), of_b = cross(p.arm_b, d);
+    return 1 / (a.inverse_mass + b.inverse_mass + dot(of_a, a.inverse_inertia * of_a) +
+                dot(of_b, b.inverse_inertia * of_b));
+  }
+  MENISCUS_HD static float least_radius(const ContactPart& a, const ContactPart& b) {
+    if (a.shape.kind == ConvexKind::plane) return bounding_radius(b.shape);
+    if (b.shape.kind == ConvexKind::plane) return bounding_radius(a.shape);
+    return pbd::min(bounding_radius(a.shape), bounding_radius(b.shape));
+  }
+};
+
+/// Runs `Solve` for the contacts of one colour.
+template <class Solve>
+struct OfColour {
+  View<SolverContact> contacts;
+  View<MovingBody> bodies;
+  uint32_t first;
+  Solve solve;
+
+  MENISCUS_HD void operator()(uint32_t k) const { visit(contacts[first + k]); }
+
+  MENISCUS_HD void visit(SolverContact& c) const {
+    const bool has_a = c.bodies.a != pbd::no_index, has_b = c.bodies.b != pbd::no_index;
+    MovingBody a = has_a ? bodies[c.bodies.a] : fixed_body();
+    MovingBody b = has_b ? bodies[c.bodies.b] : fixed_body();
+    solve(c, a, b);
+    if (a.inverse_mass > 0) put(bodies[c.bodies.a], a);
+    if (b.inverse_mass > 0) put(bodies[c.bodies.b], b);
+  }
+  MENISCUS_HD static void put(MovingBody& to, const MovingBody& from) {
+    to.velocity = from.velocity;
+    to.angular = from.angular;
+    to.held = from.held;
+    to.held_angular = from.held_angular;
+  }
+};
+
+/// The same, one contact after the other.
+template <class Solve>
+struct OneByOne {
+  OfColour<Solve> of_colour;
+  uint32_t count;
+
+  MENISCUS_HD void operator()(uint32_t) const {
+    for (uint32_t k = 0; k < count; ++k) of_colour(k);
+  }
+};
+
+/// Gives an impulse to both bodies.
+MENISCUS_HD inline void push(MovingBody& a, MovingBody& b, const SolverPoint& p, Vec3 impulse) {
+  a.velocity += a.inverse_mass * impulse;
+  a.angular += a.inverse_inertia * cross(p.arm_a, impulse);
+  b.velocity -= b.inverse_mass * impulse;
+  b.angular -= b.inverse_inertia * cross(p.arm_b, impulse);
+}
+/// The same impulse in each small step from now on.
+MENISCUS_HD inline void hold(MovingBody& a, MovingBody& b, const SolverPoint& p, Vec3 impulse) {
+  a.held += impulse;
+  a.held_angular += cross(p.arm_a, impulse);
+  b.held -= impulse;
+  b.held_angular -= cross(p.arm_b, impulse);
+}
+MENISCUS_HD inline Vec3 slip_of(const MovingBody& a, const MovingBody& b, const SolverPoint& p) {
+  return Prepare::speed(a, p.arm_a) - Prepare::speed(b, p.arm_b);
+}
+/// m: how far apart the surfaces are now.
+MENISCUS_HD inline float distance_of(const MovingBody& a, const MovingBody& b, const SolverPoint& p, Vec3 n) {
+  const Vec3 way = a.moved + cross(a.turned, p.arm_a) - b.moved - cross(b.turned, p.arm_b);
+  return p.distance + dot(way, n);
+}
+
+/// Lets bodies hold what their contacts start from.
+struct WarmStart {
+  MENISCUS_HD void operator()(SolverContact& c, MovingBody& a, MovingBody& b) const {
+    const Tangents t(c.normal);
+    for (uint32_t k = 0; k < c.count; ++k) {
+      const SolverPoint& p = c.points[k];
+      hold(a, b, p, p.pressure * c.normal + p.along * t.u + p.across * t.v);
+    }
+  }
+};
+
+/// Solves a contact once. With `removes` overlaps become a speed apart; without, that speed goes again.
+struct SolveContact {
+  SmallStep step;
+  bool removes;
+
+  MENISCUS_HD void operator()(SolverContact& c, MovingBody& a, MovingBody& b) const {
+    const Tangents t(c.normal);
+    for (uint32_t k = 0; k < c.count; ++k) {
+      SolverPoint& p = c.points[k];
+      press(c, p, a, b);
+      rub(c, p, t, a, b);
+      if (!removes) p.total += p.pressure;
+    }
+  }
+
+  MENISCUS_HD void press(const SolverContact& c, SolverPoint& p, MovingBody& a, MovingBody& b) const {
+    const float distance = distance_of(a, b, p, c.normal);
+    float bias = 0, mass_scale = 1, impulse_scale = 0;
+    if (distance > 0) {
+      bias = distance / step.h;
+    } else if (removes) {
+      bias = pbd::max(step.bias * distance, -c.push_speed);
+      mass_scale = step.mass_scale;
+      impulse_scale = step.impulse_scale;
+    }
+    const float speed = dot(slip_of(a, b, p), c.normal);
+    const float wanted = p.pressure - mass_scale * p.mass * (speed + bias) - impulse_scale * p.pressure;
+    const float pressure = pbd::max(wanted, 0);
+    const Vec3 impulse = (pressure - p.pressure) * c.normal;
+    push(a, b, p, impulse);
+    hold(a, b, p, impulse);
+    p.pressure = pressure;
+  }
+
+  MENISCUS_HD static void rub(const SolverContact& c, SolverPoint& p, const Tangents& t, MovingBody& a,
+                              MovingBody& b) {
+    const Vec3 slip = slip_of(a, b, p);
+    float along = p.along - p.mass_along * dot(slip, t.u);
+    float across = p.across - p.mass_across * dot(slip, t.v);
+    const float size = sqrtf(along * along + across * across), most = c.friction * p.pressure;
+    if (size > most) {
+      along *= most / size;
+      across *= most / size;
+    }
+    const Vec3 impulse = (along - p.along) * t.u + (across - p.across) * t.v;
+    push(a, b, p, impulse);
+    hold(a, b, p, impulse);
+    p.along = along;
+    p.across = across;
+  }
+};
+
+/// Contacts that have closed bounce, once a step.
+struct Bounce {
+  float least_speed;  ///< m/s
+
+  MENISCUS_HD void operator()(SolverContact& c, MovingBody& a, MovingBody& b) const {
+    if (c.restitution == 0) return;
+    for (uint32_t k = 0; k < c.count; ++k) {
+      SolverPoint& p = c.points[k];
+      if (p.speed > -least_speed || p.total == 0) continue;
+      const float speed = dot(slip_of(a, b, p), c.normal);
+      const float change = pbd::max(-p.mass * (speed + c.restitution * p.speed), -p.total);
+      push(a, b, p, change * c.normal);
+      p.total += change;
+    }
+  }
+};
+
+/// Forces and held impulses change velocities.
+struct Accelerate {
+  View<const ContactBody> start;
+  View<MovingBody> bodies;
+  float h;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    MovingBody& b = bodies[i];
+    if (b.inverse_mass == 0) return;
+    const ContactBody& from = start[i];
+    b.velocity = from.kept * b.velocity + h * from.acceleration + b.inverse_mass * b.held;
+    b.angular = from.angular_kept * b.angular + b.inverse_inertia * (h * from.torque + b.held_angular);
+  }
+};
+
+struct Move {
+  View<MovingBody> bodies;
+  View<Quat> turn;
+  float h;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    MovingBody& b = bodies[i];
+    b.moved += h * b.velocity;
+    b.turned += h * b.angular;
+    turn[i] = normalized(rotation_by(h * b.angular) * turn[i]);
+  }
+};
+
+struct StoreMotions {
+  View<const ContactBody> start;
+  View<const MovingBody> bodies;
+  View<const Quat> turn;
+  View<ContactMotion> out;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    out[i] = {{start[i].pose.position + bodies[i].moved, turn[i]}, bodies[i].velocity, bodies[i].angular};
+  }
+};
+
+/// Keeps what contacts start from in the next step, in the order of pairs.
+struct KeepMemory {
+  View<const SolverContact> contacts;
+  View<ContactMemory> memory;
+  float h;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const SolverContact& c = contacts[k];
+    const Tangents t(c.normal);
+    ContactMemory m{c.b, c.count, {}, {}, {}};
+    for (uint32_t p = 0; p < c.count; ++p) {
+      m.feature[p] = c.points[p].feature;
+      m.pressure[p] = c.points[p].pressure / h;
+      m.friction[p] = (c.points[p].along / h) * t.u + (c.points[p].across / h) * t.v;
+    }
+    memory[c.contact] = m;
+  }
+};
+
+}  // namespace meniscus::collision::rigid_contact_kernels

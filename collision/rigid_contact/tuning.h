@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The tuned constants of contacts among solids on the device: symbol or name, unit, why this value, and the
+// test that notices.
+#pragma once
+
+namespace meniscus::collision::rigid_contact_tuning {
+
+/// Sine of the angle below which two edges count as parallel. Their common normal is lost in rounding.
+/// Test: RigidManifold.TurnedBoxesHaveTheirDistance.
+inline constexpr float parallel = 1e-3f;
+
+/// Of the least half extent: a face is kept until another face, or a pair of edges, is so much further apart.
+/// Boxes that lie flat then keep the features that carry their warm start.
+/// Test: RigidManifold.FlatBoxesTouchAtFourCorners.
+inline constexpr float face_preference = 0.02f;
+
+/// Of the radius: how far apart resting parts still have a contact. It keeps what they start from.
+/// Test: none.
+inline constexpr float margin = 0.02f;
+
+/// Of the radius: the most by which fast small parts reach for one another. Cells of the grid are wider by
+/// it. Test: none.
+inline constexpr float most_reach = 0.25f;
+
+/// Of the rate of small steps: the frequency of a contact's spring. At a quarter, pyramids tremble. At a
+/// sixteenth, a stack of 10 sinks by 0.7 %.
+/// Test: RigidDevice.AStackOf10Stands.
+inline constexpr float frequency = 0.125f;
+
+/// Of critical damping, of that spring.
+/// Test: RigidDevice.AStackOf10Stands.
+inline constexpr float damping = 3;
+
+/// 1/s, times the radius of the smaller part: the fastest removal of overlaps.
+/// Test: none.
+inline constexpr float push_rate = 30;
+
+/// rad: the most by which a body tumbles in a step, a quarter of half a turn, as in Bullet.
+/// Test: none.
+inline constexpr float most_turn = 0.7853982f;
+
+/// Rounds of colouring. A jumble needs about ten. What has no colour then is solved one by one.
+/// Test: none.
+inline constexpr unsigned colour_rounds = 24;
+
+/// Of the median radius: parts above are large, and no cell holds them.
+/// Test: none.
+inline constexpr float large = 2;
+
+}  // namespace meniscus::collision::rigid_contact_tuning
