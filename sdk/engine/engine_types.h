@@ -59,6 +59,9 @@ struct ParticleMaterial {
   collision::GrainMaterial grain;
   CollisionFilter filter;  ///< which solids they collide with
   std::string name{};
+  // As given, for pictures and readers of files. Files of 0.2 have neither.
+  std::optional<Vec3> color{};
+  std::optional<float> slope{};  ///< GranularDef::friction
 };
 
 /// All solids in the solver's form: fixed shapes first. Shapes of bodies are placed by `carried`.

@@ -172,6 +172,20 @@ void bind_fluid_members(nb::class_<Handle<FluidId>>& type) {
         self.state->change([&](World& w) { w.set_fluid(self.id, def); });
         def_of(self) = def;
       });
+  const auto of_grains = [&](const char* name, float GranularDef::*member, const char* doc) {
+    type.def_prop_ro(
+        name,
+        [member](Fluid& self) {
+          const auto* material = self.state->fluids.find(self.id);
+          if (const auto* def = material ? std::get_if<GranularDef>(material) : nullptr) return def->*member;
+          throw nb::attribute_error("only a granular material has it");
+        },
+        nb::for_getter(nb::sig(("def " + std::string(name) + "(self) -> float").c_str())), doc);
+  };
+  of_grains("density", &GranularDef::density,
+            "kg/m³, of a granular material: a grain's mass over a spacing cubed.");
+  of_grains("friction", &GranularDef::friction,
+            "Of a granular material: tangent of the angle at which a heap stands.");
 }
 
 void bind_force_field_members(nb::class_<Handle<ForceFieldId>>& type) {

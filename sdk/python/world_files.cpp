@@ -74,8 +74,7 @@ void bind_world_files(nb::class_<PyWorld>& world) {
       nb::sig((std::string("def load(path: str | os.PathLike[str], *, ") + option_signature + " -> World")
                   .c_str()),
       "A new world with the state of a file. On the same kind of device it continues bit for bit. What is "
-      "left out is "
-      "as in the saved world. Colours of materials and the scene's name are in no file. Raises FileError.");
+      "left out is as in the saved world. The scene's name is in no file. Raises FileError.");
   world.def(
       "clone",
       [](const PyWorld& self, const nb::kwargs& options) {

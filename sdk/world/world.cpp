@@ -48,8 +48,12 @@ FluidId World::Calls::create_granular(const GranularDef& def) {
   impl_->check_solver_allows("granular materials");
   fluid::Material displaces;
   displaces.rest_density = def.density;
-  return impl_->create_material(
-      {displaces, {true, collision::contact_friction(def.friction)}, def.filter, def.name});
+  return impl_->create_material({displaces,
+                                 {true, collision::contact_friction(def.friction)},
+                                 def.filter,
+                                 def.name,
+                                 def.color,
+                                 def.friction});
 }
 
 ShapeId World::Calls::create_shape(const ShapeDef& def) {

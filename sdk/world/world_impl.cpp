@@ -79,7 +79,8 @@ ParticleMaterial material_of(const FluidDef& def) {
            def.surface_tension},
           {},
           def.filter,
-          def.name};
+          def.name,
+          def.color};
 }
 
 void check_room(size_t present, double added, std::string_view emitter) {

@@ -44,6 +44,12 @@ class Snapshots(unittest.TestCase):
             empty().restore(snapshot)
 
 
+def looks(world):
+    """What a snapshot did not have once."""
+    sand = world.fluid("sand")
+    return tuple(world.fluid("syrup").color), sand.friction, sand.density
+
+
 class Files(unittest.TestCase):
     def full(self):
         """A world with a thing of each kind."""
@@ -100,6 +106,30 @@ class Files(unittest.TestCase):
         self.assertEqual(loaded.threads, 2)
         with self.assertRaises(meniscus.NotFoundError):
             world.add_joint(a=clone.body("crate"))
+
+    def test_colours(self):
+        world = empty()
+        red, grey = (0.75, 0.125, 0.0), (0.5, 0.5, 0.25)
+        world.add_shape(geometry=meniscus.PlaneGeometry())
+        syrup = world.add_fluid(name="syrup", color=red)
+        world.add_volume(fluid=syrup, region=meniscus.BoxRegion(lower=(0, 0, 0), upper=(0.3, 0.3, 0.3)))
+        sand = world.add_granular(name="sand", color=grey, friction=0.1)
+        world.add_particles(sand, [(0.5, 0.1, 0.1)])
+        world.add_cloth(name="sheet", geometry=meniscus.SheetGeometry(columns=4, rows=4), pose=(0, 1, 0), color=grey)
+        world.add_rope(name="rope", points=[(0, 0.5, 0), (1, 0.5, 0)], segments=3, color=red)
+        syrup.color = red[::-1]
+        expected = looks(world)
+        self.assertEqual(expected[0], red[::-1])
+        self.assertAlmostEqual(expected[1], 0.1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "state.menisnap"
+            world.save(path)
+            loaded = meniscus.World.load(path)
+            loaded.save(path)
+            again = meniscus.World.load(path)
+        for other in (world.clone(), loaded, again):
+            self.assertEqual(looks(other), expected)
+            np.testing.assert_array_equal(other.draw(64, 36), world.draw(64, 36))
 
     @unittest.skipUnless(COUNTS.exists(), "Linux counts the bytes that a process reads")
     def test_a_file_is_read_once(self):

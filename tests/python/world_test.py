@@ -99,6 +99,19 @@ class Worlds(unittest.TestCase):
         self.assertEqual(sum(world.memory().values()), world.device_bytes)
         self.assertEqual(world.warnings(), [])
 
+    def test_falls_back_with_the_reason(self):
+        gpu = next(device for device in meniscus.list_devices() if device.kind == "cuda")
+        info = meniscus.World(particle_spacing=0.1).device_info
+        self.assertEqual((info.kind, info.usable), ("cuda" if gpu.usable else "cpu", True))
+        self.assertIn(gpu.reason, info.reason)
+        if gpu.usable:
+            self.assertEqual(info.reason, "")
+            return
+        self.assertNotEqual(gpu.reason, "")
+        with self.assertRaises(meniscus.DeviceError) as caught:
+            meniscus.World(device="cuda", particle_spacing=0.1)
+        self.assertIn(gpu.reason, str(caught.exception))
+
 
 if __name__ == "__main__":
     unittest.main()

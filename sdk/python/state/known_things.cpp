@@ -21,13 +21,15 @@ void take(Registry<Id, Def>& registry, const std::vector<Id>& ids,
   for (const Id id : ids) registry.add(id, defs.at(id.index).value());
 }
 
-/// Colours of materials are in no file.
+/// A file of 0.2 has neither colours nor the friction that was given.
 std::variant<FluidDef, GranularDef> def_of(const ParticleMaterial& m) {
   if (m.grain.is_grain) {
     GranularDef def;
     def.name = m.name;
     def.density = m.fluid.rest_density;
+    def.friction = m.slope.value_or(def.friction);
     def.filter = m.filter;
+    def.color = m.color.value_or(def.color);
     return def;
   }
   FluidDef def;
@@ -39,6 +41,7 @@ std::variant<FluidDef, GranularDef> def_of(const ParticleMaterial& m) {
   def.cohesion = m.fluid.cohesion;
   def.surface_tension = m.fluid.surface_tension;
   def.filter = m.filter;
+  def.color = m.color.value_or(def.color);
   return def;
 }
 

@@ -67,6 +67,7 @@ class ChunkWriter final : public pbd::StateVisitor {
   }
   void visit_device(const std::string& path, const pbd::ElementForm& form, void* data, std::size_t,
                     std::size_t count) override {
+    if (device_.kind() == pbd::DeviceKind::cpu) return visit_host(path, form, data, count);
     write(path, form.bytes * count, [&](std::size_t at, std::size_t bytes) {
       device_.copy_out(piece_.data(), static_cast<const std::byte*>(data) + at, bytes);
       return piece_.data();

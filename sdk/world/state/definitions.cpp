@@ -20,6 +20,8 @@ void fields(V& v, ParticleMaterial& m) {
   v("is_grain", m.grain.is_grain, any_value, "", "");
   v("friction", m.grain.friction, any_value, "", "of contacts among grains");
   v("filter", m.filter, any_value, "", "");
+  v("color", m.color, any_value, "", "");
+  v("slope", m.slope, any_value, "", "of a heap, as given");
 }
 
 namespace {
