@@ -46,6 +46,12 @@ void Renderer::set_camera(const SceneCamera& camera) {
   parts_->look();
 }
 
+void Renderer::set_media(std::vector<std::optional<io::Medium>> media) {
+  parts_->scene.media = std::move(media);
+  parts_->write_media();
+  parts_->forget_fluid_shadows();
+}
+
 void Renderer::set_size(int width, int height, float share) {
   check_size(width, height);
   parts_->share = share;

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "sdk/render/frame/moment.h"
 #include "sdk/render/gl/pass_timer.h"
@@ -34,6 +36,8 @@ class Renderer {
   const SceneCamera& camera() const;
   /// Sets the camera for later pictures; the light stays the same.
   void set_camera(const SceneCamera& camera);
+  /// Sets what the fluids do to light in later pictures, as PreviewScene::media.
+  void set_media(std::vector<std::optional<io::Medium>> media);
   /// Sets the size of later pictures, which will be shown at 1/share of it. Switching between two sizes costs
   /// nothing. Throws as the constructor does.
   void set_size(int width, int height, float share = 1);

@@ -42,7 +42,14 @@ Renderer::Parts::Parts(const io::PreviewScene& s, const Moment& first, const Ren
   if (scene.first_granular < scene.fluid_colors.size()) grains.emplace();
   const FluidUniforms fluids = fluid_uniforms_of(scene);
   fluid_buffer.write(std::span<const FluidUniforms>(&fluids, 1));
+  write_media();
   look();
+}
+
+void Renderer::Parts::write_media() {
+  const MediaUniforms media = media_uniforms_of(scene, stage);
+  extinction_buffer.write(std::span<const Float4>(media.extinctions));
+  glow_buffer.write(std::span<const Float4>(media.glows));
 }
 
 void Renderer::Parts::look() {
@@ -72,6 +79,10 @@ void Renderer::Parts::load(const Moment& moment) {
                          : shown.diffuse);
   load_view(view);
   if (moves) has_solid_shadows = false;
+  forget_fluid_shadows();
+}
+
+void Renderer::Parts::forget_fluid_shadows() {
   for (Pictures* pictures : {to.get(), before.get()}) {
     if (pictures) pictures->has_fluid_shadows = false;
   }
@@ -108,6 +119,8 @@ void Renderer::Parts::load_view(const ViewData& view) {
 void Renderer::Parts::bind() const {
   bind_uniforms(frame_binding, frame_buffer);
   bind_uniforms(fluids_binding, fluid_buffer);
+  bind_uniforms(extinctions_binding, extinction_buffer);
+  bind_uniforms(glows_binding, glow_buffer);
   shadow.bind(unit::shadow);
   to->thickness.sun().bind(unit::fluid_shadow);
   to->thickness.sun_rest().bind(unit::rest_shadow);

@@ -26,7 +26,10 @@ struct Renderer::Parts {
   Parts(const io::PreviewScene& s, const Moment& first, const RenderSettings& set);
   /// Sets up the view of the stage at the present size.
   void look();
+  /// Writes what the fluids do to light.
+  void write_media();
   void load(const Moment& moment);
+  void forget_fluid_shadows();
   void check_particles(const Moment& moment) const;
   void load_particles(const Moment& moment, bool shows_fluid);
   void load_view(const ViewData& view);
@@ -55,7 +58,7 @@ struct Renderer::Parts {
   Bounds bounds;
   Stage stage;
   FrameUniforms frame;
-  DataBuffer frame_buffer, fluid_buffer;
+  DataBuffer frame_buffer, fluid_buffer, extinction_buffer, glow_buffer;
   Screen screen;
   float share = 1;  // fraction of the pixels at which the picture will be shown, along a side
   Particles particles;

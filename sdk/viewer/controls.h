@@ -17,6 +17,7 @@ struct Controls {
   // Values that hold until they change.
   Parameters parameters;
   render::ViewChoice view;
+  std::optional<Liquid> liquid;  ///< how all fluids look; none: as the scene says
   double pace = 1;     ///< factor of real time; 0: as fast as possible
   bool panels = true;  ///< whether the panels are shown
 

@@ -114,6 +114,7 @@ class Viewer {
     if (controls_.frame_all) canvas_.see_all();
     if (controls_.screenshot) attempt([&] { take_screenshot(); });
     choose_view();
+    canvas_.set_liquid(controls_.liquid);
     if (pace_ != controls_.pace) simulation_.set_pace(pace_ = controls_.pace);
     controls_.clear_requests();
   }

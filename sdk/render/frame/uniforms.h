@@ -40,7 +40,14 @@ struct FluidUniforms {
   std::array<Float4, most_fluids> looks;  ///< linear RGB; w: 1 for grains
 };
 
-inline constexpr unsigned fluids_binding = 1;
+/// How fluids take in light: the blocks Extinctions and Glows of shaders/particles/fluids.glsl. Two blocks: one
+/// has no more room on some drivers.
+struct MediaUniforms {
+  std::array<Float4, most_fluids> extinctions;  ///< RGB, on the path that colours are given for
+  std::array<Float4, most_fluids> glows;        ///< RGB that returns from deep fluid in white light, 0 to 1
+};
+
+inline constexpr unsigned fluids_binding = 1, extinctions_binding = 2, glows_binding = 3;
 
 /// Texture units.
 namespace unit {
