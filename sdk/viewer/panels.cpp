@@ -144,9 +144,10 @@ void draw_panels(Controls& controls, const Shown& shown) {
   draw_scene_list(controls, shown);
   draw_time(controls, shown);
   draw_messages(shown);
-  if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
+  if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) {
     draw_view_panel(controls.view, shown.snapshot.view);
     draw_liquid_choice(controls.liquid);
+  }
   if (ImGui::CollapsingHeader("Timing", ImGuiTreeNodeFlags_DefaultOpen)) {
     draw_stage_graph(shown.history);
     draw_counts(shown);
