@@ -20,6 +20,7 @@ struct RenderSettings {
   bool anisotropic = true;    ///< false: fluid is balls with a radius of one spacing, at Moment::positions
   float filter_reach = 1.3f;  ///< spacings, one standard deviation
   float filter_threshold = 3.0f;  ///< spacings: surfaces further apart in depth stay separate
+  bool caustics = false;          ///< whether fluid gathers the light of the sun on what lies beneath it
 };
 
 class Renderer {
@@ -34,6 +35,7 @@ class Renderer {
   /// A box around the objects at the first moment.
   Aabb box() const;
   const SceneCamera& camera() const;
+  Vec3 up() const;  ///< unit, against gravity
   /// Sets the camera for later pictures; the light stays the same.
   void set_camera(const SceneCamera& camera);
   /// Sets what the fluids do to light in later pictures, as PreviewScene::media.
@@ -49,6 +51,9 @@ class Renderer {
   void load(const Moment& moment);
   /// Draws the loaded moment.
   void paint();
+  /// The same, as one of `count` pictures whose mean is wanted, in order from 0. After the last, image() is
+  /// the mean.
+  void add_sample(int sample, int count);
   /// The last picture. Throws Error(device) if OpenGL failed, as the next function does.
   io::Image image() const;
   /// Copies it to the window's own framebuffer, which has this size in pixels.
