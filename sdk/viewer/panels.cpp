@@ -66,6 +66,7 @@ void draw_time(Controls& controls, const Shown& shown) {
   if (controls.parameters.need_reset() && ImGui::IsItemHovered())
     ImGui::SetTooltip("Some of the parameters that were changed take effect at a reset");
   draw_pace(controls);
+  ImGui::Checkbox("record a video", &controls.movie);
   ImGui::Text("%.3f s after %llu steps", now.time, static_cast<unsigned long long>(now.steps));
 }
 
@@ -120,6 +121,7 @@ void draw_help() {
       {"F", "see all"},
       {"V", "next view of particles"},
       {"P", "screenshot"},
+      {"M", "begin or end a video"},
       {"Tab", "hide panels"},
       {"Esc", "close"},
   };
