@@ -10,8 +10,8 @@
 
 namespace meniscus::io {
 
-/// Coefficients of red, green and blue light, 1/m. The scattering is the reduced one, (1 − g) s of a medium with
-/// the mean cosine g.
+/// Coefficients of red, green and blue light, 1/m. The scattering is the reduced one, (1 − g) s of a medium
+/// with the mean cosine g.
 struct Medium {
   Vec3 absorption, scattering;
 };
