@@ -76,6 +76,20 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
       ->delimiter(',')
       ->allow_extra_args(false);
   run.add_option("--camera", options.picture.camera, "One of the scene's named cameras")->type_name("NAME");
+  run.add_option("--samples", options.picture.samples,
+                 "Pictures whose mean is taken, for the two below; by default 1")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096).description(""));
+  run.add_option("--aperture", options.picture.aperture,
+                 "Diameter of the camera's lens, in m: what is not as far away as its target is blurred")
+      ->type_name("METRES")
+      ->check(CLI::NonNegativeNumber.description(""));
+  run.add_option("--shutter", options.picture.shutter,
+                 "How long the shutter is open, in s: what moves is blurred")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber.description(""));
+  run.add_flag("--caustics", options.picture.caustics,
+               "Have water gather the light of the sun on what lies beneath it");
   run.add_option("--save-every", options.save_every,
                  "Save the whole state after every N frames, as snapshot_NUMBER.menisnap in the folder")
       ->type_name("N")
@@ -92,7 +106,7 @@ void add_view(CLI::App& app, ViewOptions& options, Command& command) {
   CLI::App& view =
       *app.add_subcommand("view", "Open a scene in a window, to watch it and to take hold of it");
   add_scene(view, options.scene);
-  view.add_option("--out", options.out, "The folder for screenshots; by default out/<scene name>")
+  view.add_option("--out", options.out, "The folder for screenshots and videos; by default out/<scene name>")
       ->type_name("DIR");
   view.add_option("--size", options.size, "Pixels of the window; by default 1280x720")
       ->type_name("WIDTHxHEIGHT");

@@ -37,6 +37,10 @@ const SceneCamera& Renderer::camera() const {
   return parts_->stage.camera;
 }
 
+Vec3 Renderer::up() const {
+  return parts_->stage.up;
+}
+
 void Renderer::set_camera(const SceneCamera& camera) {
   const SceneCamera& now = parts_->stage.camera;
   if (camera.position == now.position && camera.target == now.target &&
@@ -44,6 +48,12 @@ void Renderer::set_camera(const SceneCamera& camera) {
     return;
   parts_->stage.camera = camera;
   parts_->look();
+}
+
+void Renderer::set_media(std::vector<std::optional<io::Medium>> media) {
+  parts_->scene.media = std::move(media);
+  parts_->write_media();
+  parts_->forget_fluid_shadows();
 }
 
 void Renderer::set_size(int width, int height, float share) {
@@ -61,17 +71,13 @@ void Renderer::load(const Moment& moment) {
 }
 
 void Renderer::paint() {
-  parts_->bind();
-  parts_->timer.start();
-  if (!parts_->has_solid_shadows) parts_->draw_solid_shadows();
-  parts_->draw_solids();
-  parts_->find_distances();
-  parts_->list_particles();
-  parts_->gather_fluid();
-  parts_->light_scene();
-  parts_->draw_fluid();
-  parts_->draw_over();
+  parts_->paint_light();
   parts_->draw_picture();
+}
+
+void Renderer::add_sample(int sample, int count) {
+  parts_->paint_light();
+  parts_->add_picture(sample, count);
 }
 
 io::Image Renderer::image() const {

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "sdk/render/frame/moment.h"
 #include "sdk/render/gl/pass_timer.h"
@@ -18,6 +20,7 @@ struct RenderSettings {
   bool anisotropic = true;    ///< false: fluid is balls with a radius of one spacing, at Moment::positions
   float filter_reach = 1.3f;  ///< spacings, one standard deviation
   float filter_threshold = 3.0f;  ///< spacings: surfaces further apart in depth stay separate
+  bool caustics = false;          ///< whether fluid gathers the light of the sun on what lies beneath it
 };
 
 class Renderer {
@@ -32,8 +35,11 @@ class Renderer {
   /// A box around the objects at the first moment.
   Aabb box() const;
   const SceneCamera& camera() const;
+  Vec3 up() const;  ///< unit, against gravity
   /// Sets the camera for later pictures; the light stays the same.
   void set_camera(const SceneCamera& camera);
+  /// Sets what the fluids do to light in later pictures, as PreviewScene::media.
+  void set_media(std::vector<std::optional<io::Medium>> media);
   /// Sets the size of later pictures, which will be shown at 1/share of it. Switching between two sizes costs
   /// nothing. Throws as the constructor does.
   void set_size(int width, int height, float share = 1);
@@ -45,6 +51,9 @@ class Renderer {
   void load(const Moment& moment);
   /// Draws the loaded moment.
   void paint();
+  /// The same, as one of `count` pictures whose mean is wanted, in order from 0. After the last, image() is
+  /// the mean.
+  void add_sample(int sample, int count);
   /// The last picture. Throws Error(device) if OpenGL failed, as the next function does.
   io::Image image() const;
   /// Copies it to the window's own framebuffer, which has this size in pixels.

@@ -40,9 +40,17 @@ Renderer::Parts::Parts(const io::PreviewScene& s, const Moment& first, const Ren
       stage(stage_of(s, bounds)) {
   shadow.compare_depths();
   if (scene.first_granular < scene.fluid_colors.size()) grains.emplace();
+  if (settings.caustics) caustics.emplace();
   const FluidUniforms fluids = fluid_uniforms_of(scene);
   fluid_buffer.write(std::span<const FluidUniforms>(&fluids, 1));
+  write_media();
   look();
+}
+
+void Renderer::Parts::write_media() {
+  const MediaUniforms media = media_uniforms_of(scene, stage);
+  extinction_buffer.write(std::span<const Float4>(media.extinctions));
+  glow_buffer.write(std::span<const Float4>(media.glows));
 }
 
 void Renderer::Parts::look() {
@@ -50,6 +58,7 @@ void Renderer::Parts::look() {
   // Three pixels wide: thinner bars would look dotted.
   const float pixel = 2 * frame.lens[1] * length(stage.centre - stage.camera.position) * frame.viewport[3];
   frame.eye[3] = 1.3f * pixel * std::max(share, 0.6f);
+  frame.up[3] = settings.caustics ? 1.0f : 0.0f;
   frame_buffer.write(std::span<const FrameUniforms>(&frame, 1));
 }
 
@@ -72,6 +81,10 @@ void Renderer::Parts::load(const Moment& moment) {
                          : shown.diffuse);
   load_view(view);
   if (moves) has_solid_shadows = false;
+  forget_fluid_shadows();
+}
+
+void Renderer::Parts::forget_fluid_shadows() {
   for (Pictures* pictures : {to.get(), before.get()}) {
     if (pictures) pictures->has_fluid_shadows = false;
   }
@@ -108,9 +121,15 @@ void Renderer::Parts::load_view(const ViewData& view) {
 void Renderer::Parts::bind() const {
   bind_uniforms(frame_binding, frame_buffer);
   bind_uniforms(fluids_binding, fluid_buffer);
+  bind_uniforms(extinctions_binding, extinction_buffer);
+  bind_uniforms(glows_binding, glow_buffer);
   shadow.bind(unit::shadow);
+  shadow.bind(unit::shadow_depths);
+  glBindSampler(unit::shadow_depths, plain_sampler);
+  shadow_spans.bind(unit::shadow_spans);
   to->thickness.sun().bind(unit::fluid_shadow);
   to->thickness.sun_rest().bind(unit::rest_shadow);
+  if (caustics) caustics->bind();
   vessels.bind();
 }
 
@@ -124,6 +143,8 @@ void Renderer::Parts::draw_solid_shadows() {
   if (grains) grains->draw_shadows(particles);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_TEST);
+  find_spans.use();
+  find_spans.run_over(shadow_spans);
   has_solid_shadows = true;
   timer.mark("shadow map");
 }
@@ -163,7 +184,8 @@ void Renderer::Parts::gather_fluid() {
   // towards its end.
   to->surface.draw_front(camera_lists, particles, to->scene_distance);
   timer.mark("ellipsoids");
-  if (!to->has_fluid_shadows) to->thickness.draw_for_sun(sun_lists, frame);
+  const bool draws_sun = !to->has_fluid_shadows;
+  if (draws_sun) to->thickness.draw_for_sun(sun_lists, frame);
   to->has_fluid_shadows = true;
   Program::show_writes();
   timer.mark("thickness for the sun");
@@ -175,6 +197,7 @@ void Renderer::Parts::gather_fluid() {
   to->surface.draw_rest(camera_lists, particles, to->scene_distance);
   Program::show_writes();
   timer.mark("ellipsoids behind");
+  if (caustics && draws_sun) caustics->draw(to->thickness.sun());
 }
 
 void Renderer::Parts::light_scene() {
@@ -228,6 +251,33 @@ void Renderer::Parts::draw_over() {
   timer.mark("over");
 }
 
+void Renderer::Parts::paint_light() {
+  bind();
+  timer.start();
+  if (!has_solid_shadows) draw_solid_shadows();
+  draw_solids();
+  find_distances();
+  list_particles();
+  gather_fluid();
+  light_scene();
+  draw_fluid();
+  draw_over();
+}
+
+void Renderer::Parts::add_picture(int sample, int count) {
+  if (!sums || sums->width() != to->width || sums->height() != to->height)
+    sums.emplace(GL_RGBA32F, to->width, to->height);
+  to->lit.bind(unit::color);
+  to->scene_distance.bind(unit::depth);
+  sums->bind_image(1, GL_READ_WRITE);
+  add.use();
+  glUniform1i(0, sample);
+  glUniform1f(1, 1 / static_cast<float>(count));
+  add.run_over(to->toned);
+  timer.mark("tone");
+  if (sample + 1 == count) smooth_edges();
+}
+
 void Renderer::Parts::draw_picture() {
   to->lit.bind(unit::color);
   to->scene_distance.bind(unit::depth);
@@ -240,6 +290,10 @@ void Renderer::Parts::draw_picture() {
     tone.run_over(to->toned);
   }
   timer.mark("tone");
+  smooth_edges();
+}
+
+void Renderer::Parts::smooth_edges() {
   to->toned.bind(unit::color);
   smooth.use();
   smooth.run_over(to->picture);

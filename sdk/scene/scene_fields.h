@@ -9,6 +9,7 @@
 #include <meniscus/scene.h>
 #include "pbd/math/vec.h"
 #include "sdk/fields/fields.h"
+#include "sdk/scene/liquids.h"
 #include "sdk/scene/scene_fields_checks.h"
 
 namespace meniscus {
@@ -148,6 +149,15 @@ void fields(V& v, SceneNamedCamera& d) {
 }
 
 template <class V>
+void fields(V& v, SceneLook& d) {
+  v("fluid", d.fluid, required(not_empty), "", "name of the fluid");
+  v("liquid", d.liquid, any_value, "", "whose absorption and scattering it has");
+  v("absorption", d.absorption, between(0, 1e6), "1/m",
+    "of red, green and blue light; left out, that of the liquid");
+  v("scattering", d.scattering, between(0, 1e6), "1/m", "likewise");
+}
+
+template <class V>
 void fields(V& v, Scene& d) {
   std::string schema;
   v("$schema", schema, any_value, "", "address of this schema, for editors; not read");
@@ -174,6 +184,7 @@ void fields(V& v, Scene& d) {
   v("probes", d.probes, any_value, "", "measurements");
   v("force_fields", d.force_fields, any_value, "", "forces beside gravity");
   v("checks", d.checks, any_value, "", "what must hold while the scene runs: else the run fails");
+  v("looks", d.looks, any_value, "", "how pictures show fluids, in place of their color");
   v("camera", d.camera, any_value, "",
     "where pictures are taken from; left out, a view that holds everything");
   v("cameras", d.cameras, any_value, "", "more views, to be chosen by name");

@@ -109,6 +109,20 @@ void check_flow(const Scene& scene, const std::vector<std::string>& fluids, cons
   }
 }
 
+void check_looks(const Scene& scene, const ScenePlace& place) {
+  std::vector<std::string> fluids;
+  for (const FluidDef& fluid : scene.fluids) fluids.push_back(fluid.name);
+  for (std::size_t i = 0; i < scene.looks.size(); ++i) {
+    const ScenePlace own = place.item(i).key("fluid");
+    const std::string& name = scene.looks[i].fluid;
+    check_reference(name, fluids, own, "fluid");
+    for (std::size_t k = 0; k < i; ++k) {
+      if (scene.looks[k].fluid == name)
+        own.fail("\"" + name + "\" has the look looks[" + std::to_string(k) + "] already");
+    }
+  }
+}
+
 /// What checks look at.
 void check_checks(const Scene& scene, const std::vector<std::string>& cloths,
                   const std::vector<std::string>& probes, const ScenePlace& place) {
@@ -146,6 +160,7 @@ void check_names(const Scene& scene, const std::string& source) {
   check_joints(scene, root.key("joints"));
   check_attachments(scene, cloths, ropes, root.key("attachments"));
   check_flow(scene, fluids, root);
+  check_looks(scene, root.key("looks"));
   check_checks(scene, cloths, probes, root.key("checks"));
   for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
     check_reference(scene.volumes[i].fluid, fluids, root.key("volumes").item(i).key("fluid"), "fluid");

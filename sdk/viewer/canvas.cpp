@@ -6,6 +6,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace meniscus::viewer {
@@ -18,6 +19,8 @@ void Canvas::show(const Snapshot& snapshot) {
     renderer_ = std::make_unique<render::Renderer>(scene, snapshot.moment());
     width_ = scene.width;
     height_ = scene.height;
+    scene_ = snapshot.scene;
+    if (liquid_) apply_liquid();
     picker_.emplace(*snapshot.scene);
     build_ = snapshot.build;
     home_ = renderer_->camera();
@@ -25,6 +28,19 @@ void Canvas::show(const Snapshot& snapshot) {
     if (!orbit_) orbit_.emplace(home_, up_);
   }
   renderer_->load(snapshot.moment());
+  is_painted_ = false;
+}
+
+void Canvas::set_liquid(std::optional<Liquid> liquid) {
+  if (liquid == liquid_) return;
+  liquid_ = liquid;
+  if (renderer_) apply_liquid();
+}
+
+void Canvas::apply_liquid() {
+  auto media = io::preview_of(*scene_).media;
+  if (liquid_) std::fill(media.begin(), media.end(), io::medium_of(*liquid_));
+  renderer_->set_media(std::move(media));
   is_painted_ = false;
 }
 

@@ -17,6 +17,8 @@ class Canvas {
  public:
   /// Shows a world that has been built. Throws what render::Renderer throws.
   void show(const Snapshot& snapshot);
+  /// Shows all fluids as this liquid; none: as the scene says.
+  void set_liquid(std::optional<Liquid> liquid);
   /// Draws into the window of this size in pixels. It is coarser while things are `moving`, if it would take
   /// too long.
   void draw(int width, int height, bool moving);
@@ -39,8 +41,11 @@ class Canvas {
 
  private:
   void paint(float share);
+  void apply_liquid();
 
   std::unique_ptr<render::Renderer> renderer_;
+  std::shared_ptr<const Scene> scene_;
+  std::optional<Liquid> liquid_;
   std::optional<Orbit> orbit_;
   std::optional<Picker> picker_;
   SceneCamera home_;

@@ -17,8 +17,10 @@ struct Controls {
   // Values that hold until they change.
   Parameters parameters;
   render::ViewChoice view;
-  double pace = 1;     ///< factor of real time; 0: as fast as possible
-  bool panels = true;  ///< whether the panels are shown
+  std::optional<Liquid> liquid;  ///< how all fluids look; none: as the scene says
+  double pace = 1;               ///< factor of real time; 0: as fast as possible
+  bool panels = true;            ///< whether the panels are shown
+  bool movie = false;            ///< whether steps go to a video
 
   // Requests that are executed once.
   std::optional<std::string> open;  ///< a scene, by name

@@ -37,6 +37,9 @@ void press(int key, Controls& controls, Window& window, bool is_playing) {
     case GLFW_KEY_P:
       controls.screenshot = true;
       break;
+    case GLFW_KEY_M:
+      controls.movie = !controls.movie;
+      break;
     case GLFW_KEY_TAB:
       controls.panels = !controls.panels;
       break;

@@ -66,6 +66,7 @@ void draw_time(Controls& controls, const Shown& shown) {
   if (controls.parameters.need_reset() && ImGui::IsItemHovered())
     ImGui::SetTooltip("Some of the parameters that were changed take effect at a reset");
   draw_pace(controls);
+  ImGui::Checkbox("record a video", &controls.movie);
   ImGui::Text("%.3f s after %llu steps", now.time, static_cast<unsigned long long>(now.steps));
 }
 
@@ -120,6 +121,7 @@ void draw_help() {
       {"F", "see all"},
       {"V", "next view of particles"},
       {"P", "screenshot"},
+      {"M", "begin or end a video"},
       {"Tab", "hide panels"},
       {"Esc", "close"},
   };
@@ -144,8 +146,10 @@ void draw_panels(Controls& controls, const Shown& shown) {
   draw_scene_list(controls, shown);
   draw_time(controls, shown);
   draw_messages(shown);
-  if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen))
+  if (ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) {
     draw_view_panel(controls.view, shown.snapshot.view);
+    draw_liquid_choice(controls.liquid);
+  }
   if (ImGui::CollapsingHeader("Timing", ImGuiTreeNodeFlags_DefaultOpen)) {
     draw_stage_graph(shown.history);
     draw_counts(shown);

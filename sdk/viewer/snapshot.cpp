@@ -27,6 +27,7 @@ Snapshot snapshot_of(const BuiltScene& built, const Scene& scene) {
   s.diffuse = copy_of(world.diffuse());
   for (const BodyId body : built.bodies) s.bodies.push_back(world.body_state(body));
   s.cloth = io::cloth_frame_of(world, built.cloths, scene.cloths);
+  io::add_texture(s.cloth, world, built.cloths);
   s.ropes = io::rope_frame_of(world, built.ropes, scene.ropes);
   return s;
 }

@@ -7,8 +7,10 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <string>
 
 #include "sdk/render/legend.h"
+#include "sdk/scene/liquids.h"
 
 namespace meniscus::viewer {
 namespace {
@@ -44,6 +46,20 @@ void draw_scale(const char* what, const render::Scale& scale) {
 }
 
 }  // namespace
+
+void draw_liquid_choice(std::optional<Liquid>& liquid) {
+  constexpr const char* own = "liquid: by the scene";
+  constexpr auto liquids = names_of(Liquid{});
+  const std::string shown =
+      liquid ? std::string("liquid: ") + liquids[static_cast<std::size_t>(*liquid)].name : own;
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##liquid", shown.c_str())) return;
+  if (ImGui::Selectable(own, !liquid)) liquid.reset();
+  for (const auto& [name, value] : liquids) {
+    if (ImGui::Selectable(name, liquid == value)) liquid = value;
+  }
+  ImGui::EndCombo();
+}
 
 void draw_view_panel(render::ViewChoice& choice, const render::ViewData& shown) {
   ImGui::SetNextItemWidth(-1);

@@ -8,6 +8,9 @@
 
 namespace meniscus::viewer {
 
+/// Draws the choice of how all fluids look; none: as the scene says.
+void draw_liquid_choice(std::optional<Liquid>& liquid);
+
 /// Draws the choice of the view, and the colour scales of `shown`.
 void draw_view_panel(render::ViewChoice& choice, const render::ViewData& shown);
 

@@ -13,6 +13,7 @@
 #include "sdk/viewer/canvas.h"
 #include "sdk/viewer/keys.h"
 #include "sdk/viewer/mouse.h"
+#include "sdk/viewer/movie.h"
 #include "sdk/viewer/panels.h"
 #include "sdk/viewer/simulation.h"
 #include "sdk/viewer/window.h"
@@ -44,10 +45,12 @@ class Viewer {
   }
 
   ViewerEnd end() {
+    attempt([&] { end_movie(); });
     if (const auto last = simulation_.latest(); last && last->build) shown_ = last;
     return {.steps = shown_ ? shown_->steps : 0,
             .time = shown_ ? shown_->time : 0,
             .screenshots = screenshots_,
+            .videos = videos_,
             .grabs = mouse_.grabs(),
             .mistakes = window_.mistakes()};
   }
@@ -93,6 +96,7 @@ class Viewer {
     }
     const Window::Size size = window_.size();
     canvas_.draw(size.width, size.height, is_moving());
+    attempt_movie();
     window_.draw_panels();
     window_.end();
   }
@@ -114,6 +118,7 @@ class Viewer {
     if (controls_.frame_all) canvas_.see_all();
     if (controls_.screenshot) attempt([&] { take_screenshot(); });
     choose_view();
+    canvas_.set_liquid(controls_.liquid);
     if (pace_ != controls_.pace) simulation_.set_pace(pace_ = controls_.pace);
     controls_.clear_requests();
   }
@@ -144,6 +149,45 @@ class Viewer {
     build();
   }
 
+  /// Starts, continues or ends the video that the controls ask for. An error ends it.
+  void attempt_movie() {
+    if (!shown_ || !shown_->build || !controls_.movie) return attempt([&] { end_movie(); });
+    try {
+      if (!movie_) start_movie();
+      // A reset, or another scene.
+      if (shown_->build != movie_build_ || shown_->steps < movie_steps_)
+        throw Error(ErrorCode::invalid_argument, "the scene starts anew, which ends the video");
+      if (shown_->steps > movie_steps_) movie_->add(canvas_.image(), movie_steps_ = shown_->steps);
+    } catch (const std::exception& error) {
+      controls_.movie = false;
+      attempt([&] { end_movie(); });
+      notice_ = error.what();
+    }
+  }
+
+  void start_movie() {
+    std::filesystem::create_directories(options_.folder);
+    const auto file = options_.folder / fmt::format("view_{:05}.mp4", videos_ + 1);
+    movie_build_ = shown_->build;
+    movie_steps_ = shown_->steps;
+    movie_.emplace(file, canvas_.image(), double{shown_->scene->frame_time}, movie_steps_);
+    notice_ = "Recording " + file.string();
+  }
+
+  void end_movie() {
+    if (!movie_) return;
+    const std::string file = movie_->path().string();
+    try {
+      movie_->end();
+    } catch (...) {
+      movie_.reset();
+      throw;
+    }
+    movie_.reset();
+    ++videos_;
+    notice_ = "Wrote " + file;
+  }
+
   void take_screenshot() {
     std::filesystem::create_directories(options_.folder);
     const auto file = options_.folder / fmt::format("view_{:05}.png", screenshots_ + 1);
@@ -167,7 +211,10 @@ class Viewer {
   Canvas canvas_;
   Mouse mouse_;
   std::chrono::steady_clock::time_point last_motion_{};
-  int screenshots_ = 0;
+  int screenshots_ = 0, videos_ = 0;
+  std::optional<Movie> movie_;
+  BuildNumber movie_build_ = 0;  // of what it shows
+  uint64_t movie_steps_ = 0;     // that it has
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ struct ViewerOptions {
   std::vector<std::string> scenes;  ///< names of the scenes in the list
   /// Reads one of these. It may throw; the window then shows the error.
   std::function<SceneSource(const std::string&)> load;
-  std::filesystem::path folder;  ///< of screenshots; it is made with the first one
+  std::filesystem::path folder;  ///< of screenshots and videos; it is made with the first one
   int width = 1280, height = 720;
   bool check_opengl = false;  ///< see ViewerEnd::mistakes
 };
@@ -33,7 +33,7 @@ struct ViewerOptions {
 struct ViewerEnd {
   uint64_t steps = 0;
   double time = 0;  ///< s, of the world at the end
-  int screenshots = 0;
+  int screenshots = 0, videos = 0;
   int grabs = 0;     ///< number of grabs by the mouse
   int mistakes = 0;  ///< errors that OpenGL's debug output reported
 };

@@ -139,6 +139,42 @@ TEST_F(FluidPictures, Absorption) {
   expect_drawn("absorption", scene, on_floor([](float x) { return 0.35f + 0.35f * x; }).moment());
 }
 
+/// Blocks of the liquids on the ground, 4 m wide: clear, sea and pool behind, and milk, honey and oil before
+/// them.
+TEST_F(FluidPictures, Liquids) {
+  constexpr float coarse = 0.5f;
+  io::PreviewScene scene = on_ground({0, 13, 21}, {0, 0.5f, 0.5f});
+  scene.particle_spacing = coarse;
+  std::vector<Vec3> points;
+  for (int k = 0; k < 6; ++k) {
+    scene.media.push_back(io::medium_of(static_cast<Liquid>(k)));
+    const Vec3 corner{5.5f * static_cast<float>(k % 3) - 7.5f, 0, k < 3 ? -4.5f : 1};
+    const std::vector<Vec3> block = lattice(8, 5, 8, coarse, corner);
+    points.insert(points.end(), block.begin(), block.end());
+  }
+  const Water blocks(points, coarse);
+  render::Moment moment = blocks.moment();
+  std::vector<uint32_t> fluids;
+  for (const Ellipsoid& e : moment.ellipsoids)
+    fluids.push_back((e.centre.x > -2.75f) + (e.centre.x > 2.75f) + (e.centre.z > 0.25f ? 3u : 0u));
+  moment.fluids = fluids;
+  expect_drawn("liquids", scene, moment);
+}
+
+/// Waves gather the light of the sun on the ground beneath them.
+TEST_F(FluidPictures, Caustics) {
+  constexpr float fine = 0.03f;
+  io::PreviewScene scene = on_ground({0, 2.3f, 1.6f}, {0, 0, 0.05f}, 35);
+  scene.particle_spacing = fine;
+  scene.fluid_colors = {{0.75f, 0.9f, 0.95f}};
+  const Water waves(
+      points_where(fine, {0.9f, 0.6f, 0.6f},
+                   [](Vec3 p) { return p.y > 0 && p.y < 0.4f + 0.03f * std::sin(14 * p.x + 5 * p.z); }),
+      fine);
+  const render::Moment moment = waves.moment();
+  expect_picture("caustics", render::Renderer(scene, moment, {.caustics = true}).draw(moment));
+}
+
 /// Black fluid shows nothing but what it mirrors: sky, ground and sun.
 TEST_F(FluidPictures, Reflection) {
   io::PreviewScene scene = on_ground({0.9f, 0.75f, 1.9f}, {-0.05f, 0.3f, 0});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sdk/render/still.h"
 #include "tests/pictures/golden.h"
 
 namespace meniscus::tests {
@@ -85,6 +86,80 @@ TEST_F(SolidPictures, ClothFromBothSides) {
   scene.cloth_colors = {{0.65f, 0.08f, 0.06f}};
   const io::ClothFrame sheet = bent_sheet(0.7f, 0.8f, 24, 300);
   expect_drawn("cloth", scene, {.cloth = sheet});
+}
+
+/// From close by, so that a thread has seven pixels.
+TEST_F(SolidPictures, Weave) {
+  io::PreviewScene scene = on_ground({0.05f, 0.22f, 0.5f}, {0, 0.2f, 0.3f}, 20);
+  scene.cloth_colors = {{0.55f, 0.42f, 0.25f}};
+  io::ClothFrame sheet = bent_sheet(0.3f, 0.4f, 12, 90);
+  for (const auto& triangle : sheet.triangles) {
+    for (const uint32_t v : triangle)
+      sheet.texture.push_back({static_cast<float>(v / 2) / 12, static_cast<float>(v % 2)});
+  }
+  expect_drawn("weave", scene, {.cloth = sheet});
+}
+
+/// The upper border of a sheet, which is as thick as cloth from its side as well.
+TEST_F(SolidPictures, Hem) {
+  io::PreviewScene scene = on_ground({0.1f, 0.52f, 0.5f}, {0, 0.4f, 0.28f}, 20);
+  scene.cloth_colors = {{0.2f, 0.3f, 0.6f}};
+  expect_drawn("hem", scene, {.cloth = bent_sheet(0.3f, 0.4f, 12, 90)});
+}
+
+/// The shadow of a bar on posts is softer than that of a bar that lies on the ground.
+TEST_F(SolidPictures, SoftShadows) {
+  io::PreviewScene scene = on_ground({0.3f, 1, 0.5f}, {0.3f, 0, 0.15f}, 30);
+  scene.shapes.push_back(shape(BoxGeometry{{0.05f, 0.05f, 0.6f}}, {0, 0.05f, 0}));
+  scene.shapes.push_back(shape(BoxGeometry{{0.05f, 0.05f, 0.6f}}, {0, 0.8f, 0}));
+  expect_drawn("soft_shadows", scene);
+}
+
+/// Of three boxes the one in the middle is at the camera's target.
+TEST_F(SolidPictures, DepthOfField) {
+  io::PreviewScene scene = on_ground({0.9f, 0.5f, 2}, {0, 0.25f, 0});
+  for (const float z : {-1.6f, 0.0f, 0.9f})
+    scene.shapes.push_back(shape(BoxGeometry{{0.12f, 0.25f, 0.12f}}, {0.3f * z, 0.25f, z}));
+  render::Renderer renderer(scene, {});
+  expect_picture("depth_of_field", render::draw_still(renderer, {}, {.samples = 12, .aperture = 0.15f}));
+  EXPECT_EQ(renderer.camera().position, scene.camera->position);
+}
+
+/// One ball flies to the right, a box turns, and one ball is at rest.
+TEST_F(SolidPictures, MotionBlur) {
+  io::PreviewScene scene = on_ground({0, 1, 3}, {0, 0.5f, 0});
+  scene.bodies.resize(3);
+  scene.bodies[0].geometry = scene.bodies[2].geometry = SphereGeometry{0.2f};
+  scene.bodies[1].geometry = BoxGeometry{{0.3f, 0.05f, 0.05f}};
+  std::vector<BodyState> states(3);
+  for (std::size_t i = 0; i < 3; ++i)
+    states[i].pose.position = states[i].centre_of_mass = {0.75f * (static_cast<float>(i) - 1), 0.5f, 0};
+  states[0].velocity = {4, 0, 0};
+  states[1].angular_velocity = {0, 0, 12};
+  const render::Moment moment{.bodies = states};
+  render::Renderer renderer(scene, moment);
+  expect_picture("motion_blur", render::draw_still(renderer, moment, {.samples = 12, .shutter = 0.08f}));
+}
+
+/// The mean of equal pictures is that picture, but for its rounding.
+TEST_F(SolidPictures, SamplesOfOnePicture) {
+  io::PreviewScene scene = on_ground({0.9f, 0.5f, 2}, {0, 0.25f, 0});
+  scene.shapes.push_back(
+      shape(ContainerGeometry{{0.6f, 0.4f, 0.4f}, {{Face::y_high, std::nullopt}}}, {0, 0.42f, 0}));
+  render::Renderer renderer(scene, {});
+  const io::Image one = renderer.draw({}), mean = render::draw_still(renderer, {}, {.samples = 3});
+  int most = 0;
+  for (std::size_t i = 0; i < one.rgb.size(); ++i) most = std::max(most, std::abs(one.rgb[i] - mean.rgb[i]));
+  EXPECT_LE(most, 1);
+}
+
+TEST_F(SolidPictures, SettingsOfStillsAreChecked) {
+  render::Renderer renderer(on_ground({0, 1, 3}, {0, 0, 0}), {});
+  for (const render::StillSettings& wrong : {render::StillSettings{.samples = 0},
+                                             {.samples = 5000},
+                                             {.samples = 2, .aperture = -1},
+                                             {.samples = 2, .shutter = NAN}})
+    EXPECT_THROW(render::draw_still(renderer, {}, wrong), Error);
 }
 
 TEST_F(SolidPictures, Ropes) {

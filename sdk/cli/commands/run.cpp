@@ -77,7 +77,7 @@ class Run {
       : scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
         liquid_(options.surface || exports_vdb(options)),
-        exports_(!options.formats.empty()),
+        has_texture_(!options.formats.empty() || options.picture.any()),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_)),
         reached_(frame_of(built_.world, scene_)),
@@ -148,7 +148,6 @@ class Run {
   /// The geometry of a frame; that of frame 0 is the state before the first step.
   void write(FrameSample& now) {
     if (liquid_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
-    if (exports_) io::add_texture(now.cloth, built_.world, built_.cloths);
     exporter_.write(now);
   }
 
@@ -173,6 +172,7 @@ class Run {
                     .bending = {},
                     .tears = tears(),
                     .attachment_forces = {}};
+    if (has_texture_) io::add_texture(now.cloth, world, built_.cloths);
     std::vector<std::size_t> counts(built_.fluids.size());
     for (const uint32_t fluid : now.particles.fluids) ++counts.at(fluid);
     for (const FluidId fluid : built_.fluids) {
@@ -234,8 +234,8 @@ class Run {
 
   Scene scene_;
   io::PreviewScene picture_;
-  bool liquid_;   // whether surfaces of fluids are exported, as meshes or as volumes
-  bool exports_;  // whether anything is
+  bool liquid_;       // whether surfaces of fluids are exported, as meshes or as volumes
+  bool has_texture_;  // whether samples have the texture of cloth
   std::filesystem::path folder_;
   BuiltScene built_;
   int reached_;  // the frame from which it starts; 0 without a snapshot

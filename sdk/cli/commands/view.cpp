@@ -54,8 +54,8 @@ int view_scene(const ViewOptions& options) {
       .height = picture.height,
       .check_opengl = options.check_opengl,
   });
-  fmt::print("{} steps, {:.3f} s simulated, {} grabs, {} screenshots\n", end.steps, end.time, end.grabs,
-             end.screenshots);
+  fmt::print("{} steps, {:.3f} s simulated, {} grabs, {} screenshots, {} videos\n", end.steps, end.time,
+             end.grabs, end.screenshots, end.videos);
   if (end.mistakes == 0) return success;
   spdlog::error("OpenGL found {} mistakes", end.mistakes);
   return run_failed;

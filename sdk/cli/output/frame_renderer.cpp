@@ -6,7 +6,7 @@
 
 #include "sdk/render/egl_context.h"
 #include "sdk/render/legend.h"
-#include "sdk/render/renderer.h"
+#include "sdk/render/still.h"
 
 namespace meniscus::cli {
 namespace {
@@ -18,6 +18,7 @@ render::Moment moment_of(const World& world, const FrameSample& sample) {
 render::RenderSettings settings_of(const PictureOptions& options) {
   render::RenderSettings settings;
   settings.anisotropic = options.anisotropic;
+  settings.caustics = options.caustics;
   if (options.filter == "bilateral") settings.filter = render::SurfaceFilter::bilateral;
   if (options.filter == "curvature-flow") settings.filter = render::SurfaceFilter::curvature_flow;
   if (options.filter == "none") settings.filter = render::SurfaceFilter::none;
@@ -28,19 +29,22 @@ render::RenderSettings settings_of(const PictureOptions& options) {
 
 struct FrameRenderer::Parts {
   render::ViewChoice choice;
+  render::StillSettings still;
   render::EglContext context;
   render::Renderer renderer;
   render::ViewMeter meter;
 
   Parts(const io::PreviewScene& scene, const PictureOptions& options, const render::Moment& first)
-      : choice(render::view_choice(options.views)), renderer(scene, first, settings_of(options)) {}
+      : choice(render::view_choice(options.views)),
+        still{options.samples, options.aperture, options.shutter},
+        renderer(scene, first, settings_of(options)) {}
 
   io::Image draw(const World& world, render::Moment moment) {
     const SceneCamera& camera = renderer.camera();
     const render::ViewData view =
         meter.measure(world, choice, moment.cloth.strains, renderer.box(), camera.target - camera.position);
     moment.view = &view;
-    io::Image image = renderer.draw(moment);
+    io::Image image = render::draw_still(renderer, moment, still);
     draw_legend(image, view);
     return image;
   }

@@ -46,10 +46,19 @@ SceneCamera camera_named(const std::string& name, const Scene& scene) {
 }
 
 io::PreviewScene picture_scene(const Scene& scene, const PictureOptions& options) {
-  if (!options.any() && !(options.filter.empty() && options.anisotropic && options.views.empty())) {
+  const bool is_still =
+      options.samples > 1 || options.aperture > 0 || options.shutter > 0 || options.caustics;
+  if (!options.any() &&
+      (!options.filter.empty() || !options.anisotropic || !options.views.empty() || is_still)) {
     throw Error(
         ErrorCode::invalid_argument,
-        "--filter, --no-anisotropy and --view are for what OpenGL draws: they need --render or --video");
+        "--filter, --no-anisotropy, --view, --samples, --aperture, --shutter and --caustics are for what "
+        "OpenGL draws: they need --render or --video");
+  }
+  if (options.samples == 1 && (options.aperture > 0 || options.shutter > 0)) {
+    throw Error(
+        ErrorCode::invalid_argument,
+        "--aperture and --shutter blur by the mean of several pictures: they need --samples, such as 32");
   }
   io::PreviewScene picture = io::preview_of(scene);
   if (!options.size.empty()) set_size(picture, options.size);

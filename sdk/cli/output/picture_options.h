@@ -23,6 +23,11 @@ struct PictureOptions {
   bool anisotropic = true;
   std::vector<std::string> views;  ///< measured quantities to show; see render::view_names
 
+  int samples = 1;     ///< see render::StillSettings, as the two below
+  float aperture = 0;  ///< m
+  float shutter = 0;   ///< s
+  bool caustics = false;
+
   bool any() const { return !render.empty() || !video.empty(); }
 };
 

@@ -84,6 +84,24 @@ struct SceneNamedCamera {
   SceneCamera view;  ///< where it looks from and to
 };
 
+/// Liquids whose absorption and scattering are known; see docs/methods/rendering.md.
+enum class Liquid {
+  clear,  ///< pure water
+  sea,    ///< water of the open sea
+  pool,   ///< water with fine matter in it
+  milk,   ///< whole milk
+  honey,  ///< clear honey
+  oil,    ///< olive oil
+};
+
+/// How pictures show a fluid, in place of FluidDef::color.
+struct SceneLook {
+  std::string fluid;               ///< FluidDef::name
+  Liquid liquid = Liquid::clear;   ///< whose absorption and scattering it has
+  std::optional<Vec3> absorption;  ///< 1/m, of red, green and blue light; none: that of the liquid
+  std::optional<Vec3> scattering;  ///< 1/m, likewise
+};
+
 /// What a check looks at after each frame.
 enum class CheckKind {
   outside,         ///< particles beyond the wall of a container, or inside a solid
@@ -141,6 +159,7 @@ struct Scene {
   std::vector<SceneProbe> probes;            ///< measurements
   std::vector<ForceFieldDef> force_fields;   ///< accelerations and forces at places
   std::vector<SceneCheck> checks;            ///< what must hold during a run
+  std::vector<SceneLook> looks;              ///< at most one a fluid; others are shown by their colour
   std::optional<SceneCamera> camera;         ///< none: a view that holds everything
   std::vector<SceneNamedCamera> cameras;     ///< further views
 };

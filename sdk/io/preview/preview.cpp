@@ -186,6 +186,12 @@ PreviewScene preview_of(const Scene& scene) {
   preview.particle_spacing = scene.world.particle_spacing;
   preview.camera = scene.camera;
   for (const FluidDef& fluid : scene.fluids) preview.fluid_colors.push_back(fluid.color);
+  preview.media.resize(scene.fluids.size());
+  for (const SceneLook& look : scene.looks) {
+    for (std::size_t i = 0; i < scene.fluids.size(); ++i) {
+      if (scene.fluids[i].name == look.fluid) preview.media[i] = medium_of(look);
+    }
+  }
   preview.first_granular = scene.fluids.size();
   for (const GranularDef& granular : scene.granulars) preview.fluid_colors.push_back(granular.color);
   for (const ClothDef& cloth : scene.cloths) preview.cloth_colors.push_back(cloth.color);

@@ -8,6 +8,7 @@
 #include "sdk/io/cloth_frame.h"
 #include "sdk/io/particle_frame.h"
 #include "sdk/io/png.h"
+#include "sdk/io/preview/media.h"
 
 namespace meniscus::io {
 
@@ -15,6 +16,8 @@ namespace meniscus::io {
 struct PreviewScene {
   /// Linear RGB, by ParticleFrame::fluids. A fluid beyond the end is water blue.
   std::vector<Vec3> fluid_colors;
+  /// Of the same fluids, for the renderer; a fluid without one, or beyond the end, is shown by its colour.
+  std::vector<std::optional<Medium>> media;
   std::size_t first_granular = ~std::size_t{0};  ///< index among these from which they are grains
   std::vector<Vec3> cloth_colors, rope_colors;   ///< linear RGB, in the order of the scene
   std::vector<ShapeDef> shapes;

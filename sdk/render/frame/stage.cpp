@@ -55,6 +55,21 @@ float lowest(const Bounds& b, Vec3 up) {
   return low;
 }
 
+/// The colour is what the path of that name leaves; all black would take in all at once.
+void set_by_color(Float4& extinction, Float4& glow, Vec3 color) {
+  const auto left = [](float value) { return std::clamp(value, 0.02f, 0.98f); };
+  glow = {left(color.x), left(color.y), left(color.z), 0};
+  for (int k = 0; k < 3; ++k) extinction[k] = -std::log(glow[k]);
+}
+
+/// More than 4 a spacing is as dark, and would not fit the sums of shaders/fluid/thickness.comp.glsl.
+void set_by_medium(Float4& extinction, Float4& glow, const io::Medium& medium, const Stage& stage) {
+  const Vec3 per_metre = medium.absorption + medium.scattering;
+  const auto on_path = [&](float value) { return stage.dye_length * std::min(value, 4 / stage.spacing); };
+  extinction = {on_path(per_metre.x), on_path(per_metre.y), on_path(per_metre.z), 0};
+  glow = float4(io::reflectance_of(medium));
+}
+
 }  // namespace
 
 Stage stage_of(const io::PreviewScene& scene, const Bounds& known) {
@@ -119,6 +134,18 @@ FluidUniforms fluid_uniforms_of(const io::PreviewScene& scene) {
   for (std::size_t i = 0; i < most_fluids; ++i) {
     const bool known = i < colors.size();
     u.looks[i] = float4(known ? colors[i] : FluidDef{}.color, known && i >= scene.first_granular);
+  }
+  return u;
+}
+
+MediaUniforms media_uniforms_of(const io::PreviewScene& scene, const Stage& stage) {
+  MediaUniforms u;
+  for (std::size_t i = 0; i < most_fluids; ++i) {
+    const Vec3 color = i < scene.fluid_colors.size() ? scene.fluid_colors[i] : FluidDef{}.color;
+    if (i < scene.media.size() && scene.media[i])
+      set_by_medium(u.extinctions[i], u.glows[i], *scene.media[i], stage);
+    else
+      set_by_color(u.extinctions[i], u.glows[i], color);
   }
   return u;
 }

@@ -45,5 +45,6 @@ FrameUniforms uniforms_of(const Stage& stage, int width, int height);
 
 /// Throws Error(invalid_argument) if there are more than most_fluids.
 FluidUniforms fluid_uniforms_of(const io::PreviewScene& scene);
+MediaUniforms media_uniforms_of(const io::PreviewScene& scene, const Stage& stage);
 
 }  // namespace meniscus::render

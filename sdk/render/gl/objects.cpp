@@ -26,6 +26,9 @@ void delete_vertex_array(GLuint name) {
 void delete_program(GLuint name) {
   glDeleteProgram(name);
 }
+void delete_sampler(GLuint name) {
+  glDeleteSamplers(1, &name);
+}
 
 DataBuffer::DataBuffer() {
   GLuint name = 0;
@@ -98,6 +101,16 @@ void Target::clear_color(int index, float r, float g, float b, float a) const {
 void Target::clear_depth() const {
   const float far = 1;
   glClearNamedFramebufferfv(handle_, GL_DEPTH, 0, &far);
+}
+
+SamplerHandle make_plain_sampler() {
+  GLuint name = 0;
+  glCreateSamplers(1, &name);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glSamplerParameteri(name, filter, GL_NEAREST);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glSamplerParameteri(name, wrap, GL_CLAMP_TO_EDGE);
+  return SamplerHandle(name);
 }
 
 VertexArrayHandle make_vertex_array() {

@@ -38,12 +38,14 @@ void delete_texture(GLuint name);
 void delete_framebuffer(GLuint name);
 void delete_vertex_array(GLuint name);
 void delete_program(GLuint name);
+void delete_sampler(GLuint name);
 
 using BufferHandle = Handle<delete_buffer>;
 using TextureHandle = Handle<delete_texture>;
 using FramebufferHandle = Handle<delete_framebuffer>;
 using VertexArrayHandle = Handle<delete_vertex_array>;
 using ProgramHandle = Handle<delete_program>;
+using SamplerHandle = Handle<delete_sampler>;
 
 /// An array in GPU memory, which is always rewritten as a whole.
 class DataBuffer {
@@ -78,9 +80,9 @@ class Texture {
   int width() const { return width_; }
   int height() const { return height_; }
   void bind(GLuint unit) const { glBindTextureUnit(unit, handle_); }
-  /// Binds it for compute shaders to write to.
-  void bind_image(unsigned unit) const {
-    glBindImageTexture(unit, handle_, 0, GL_FALSE, 0, GL_WRITE_ONLY, format_);
+  /// Binds it for compute shaders to write to, or for GL_READ_WRITE.
+  void bind_image(unsigned unit, GLenum access = GL_WRITE_ONLY) const {
+    glBindImageTexture(unit, handle_, 0, GL_FALSE, 0, access, format_);
   }
   /// For depth textures: sampling compares depths, and returns the fraction that is nearer.
   void compare_depths();
@@ -109,5 +111,7 @@ class Target {
 
 /// An empty vertex array, for shaders that make their own vertices.
 VertexArrayHandle make_vertex_array();
+/// Reads texels as they are, also those of depth textures that compare depths otherwise.
+SamplerHandle make_plain_sampler();
 
 }  // namespace meniscus::render

@@ -9,6 +9,7 @@
 #include "sdk/io/cloth_frame.h"
 #include "sdk/render/frame/uniforms.h"
 #include "sdk/render/gl/objects.h"
+#include "sdk/render/meshes/cloth_detail.h"
 
 namespace meniscus::render {
 
@@ -18,7 +19,7 @@ enum class Look { glossy, cloth, rope };
 struct Vertex {
   Vec3 position, normal;
   Float4 color;  ///< linear RGB; w: the look
-  /// Of ropes: the angle around the line, and the way along it in radii.
+  /// Of ropes: the angle around the line, and the way along it in radii. Of cloth: threads along u and v.
   std::array<float, 2> place{};
 };
 
@@ -31,8 +32,10 @@ Triangles solid_surface(const Geometry& geometry, const Pose& pose, Vec3 up, Vec
 /// Whether a face of a container faces up at this pose; `inwards`: its normal in the container's frame.
 bool is_floor(Vec3 inwards, const Pose& pose, Vec3 up);
 
-/// Cloth in the colours of the triangles if there are any, otherwise in those of the pieces.
+/// Cloth in the colours of the triangles if there are any, otherwise in those of the pieces. The triangles
+/// have no weave then. Each border is rolled.
 Triangles cloth_surface(const io::ClothFrame& frame, const std::vector<Vec3>& colors,
+                        std::span<const ClothDetail> details, std::span<const BorderEdge> borders,
                         std::span<const Vec3> triangle_colors = {});
 Triangles rope_surface(const io::RopeFrame& frame, const std::vector<Vec3>& colors);
 

@@ -9,7 +9,7 @@ namespace meniscus::render {
 FluidThickness::FluidThickness(int width, int height)
     : front_(GL_RGBA32F, (width + 1) / 2, (height + 1) / 2),
       rest_(GL_RGBA32F, (width + 1) / 2, (height + 1) / 2),
-      slices_(GL_RG32UI, (width + 1) / 2, (height + 1) / 2),
+      slices_(GL_RGBA32UI, (width + 1) / 2, (height + 1) / 2),
       sun_(GL_RGBA32F, sun_size, sun_size),
       sun_rest_(GL_RGBA32F, sun_size, sun_size) {}
 

@@ -37,6 +37,13 @@ void Solids::add(const Geometry& geometry, const Pose& pose, Vec3 color) {
   item.surface.set(solid_surface(geometry, pose, up_, color));
 }
 
+void Solids::measure(const io::ClothFrame& cloth) {
+  if (details_.size() != piece_count(cloth)) details_ = cloth_details(cloth);
+  if (triangles_ == cloth.triangles) return;
+  triangles_ = cloth.triangles;
+  borders_ = border_edges(triangles_);
+}
+
 bool Solids::place(std::span<const BodyState> states, const io::ClothFrame& cloth, const io::RopeFrame& ropes,
                    std::span<const Vec3> cloth_triangle_colors) {
   if (!states.empty() && states.size() != scene_.bodies.size()) {
@@ -45,7 +52,8 @@ bool Solids::place(std::span<const BodyState> states, const io::ClothFrame& clot
                                                  std::to_string(scene_.bodies.size()) + " bodies");
   }
   for (std::size_t i = 0; i < states.size(); ++i) items_[scene_.shapes.size() + i].pose = states[i].pose;
-  cloth_.set(cloth_surface(cloth, scene_.cloth_colors, cloth_triangle_colors));
+  measure(cloth);
+  cloth_.set(cloth_surface(cloth, scene_.cloth_colors, details_, borders_, cloth_triangle_colors));
   ropes_.set(rope_surface(ropes, scene_.rope_colors));
   const bool moves = !states.empty() || !cloth.vertices.empty() || !ropes.vertices.empty();
   return std::exchange(moves_, moves) || moves;

@@ -40,12 +40,16 @@ class Solids {
   };
   void add(const Geometry& geometry, const Pose& pose, Vec3 color);
   void draw(const Program& program, bool with_vessels) const;
+  void measure(const io::ClothFrame& cloth);
 
   const io::PreviewScene scene_;
   Vec3 up_;
   Bounds bounds_;
   std::vector<Item> items_;  // shapes, then bodies
   Mesh cloth_, ropes_;
+  std::vector<ClothDetail> details_;                // of the first frame with cloth: threads stay as many
+  std::vector<std::array<uint32_t, 3>> triangles_;  // of the cloth that has these borders
+  std::vector<BorderEdge> borders_;
   bool moves_ = false;  // something moved at the last placement
   Program shadow_{"solids/shadow.vert.glsl", "solids/nothing.frag.glsl"};
   Program solid_{"solids/solid.vert.glsl", "solids/solid.frag.glsl"};

@@ -17,6 +17,16 @@ float slice_begin(int slice) {
   return slice_scale() * (uintBitsToFloat(first_slice + (uint(slice) << slice_shift)) - 1.0);
 }
 
+// Light that a layer's depths send back, 0 to 1, as a square root of ten bits a colour.
+uint packed_glow(vec3 glow) {
+  uvec3 bits = uvec3(1023.0 * sqrt(clamp(glow, 0.0, 1.0)) + 0.5);
+  return bits.x | bits.y << 10 | bits.z << 20;
+}
+vec3 unpacked_glow(uint bits) {
+  vec3 root = vec3(uvec3(bits) >> uvec3(0, 10, 20) & 1023u) / 1023.0;
+  return root * root;
+}
+
 // All bits from `first` to `last`.
 uvec4 slices_between(uvec4 first, uvec4 last) {
   return (~uvec4(0u) << first) & (~uvec4(0u) >> (31u - last));

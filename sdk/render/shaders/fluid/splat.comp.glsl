@@ -5,6 +5,7 @@
 // one is to get. Threads first take a particle each and write down the pictures of those that are not hidden; then a
 // row of threads draws one picture at a time.
 #include "shared/frame.glsl"
+#include "shared/exposure.glsl"
 #include "particles/fluids.glsl"
 #include "particles/quadric.glsl"
 #include "particles/particles.glsl"
@@ -28,7 +29,6 @@ const uint round_size = 64u;  // particles, between two looks at what is hidden
 const int size = 32;
 
 const float drop_size = 0.6;      // of the radius of a ball with a particle's volume
-const float exposure = 0.008;     // s
 const float most_stretch = 2.5;  // stays within the disc by which particles are listed
 
 const int block = 8;                   // pixels

@@ -18,7 +18,7 @@ layout(binding = 3) uniform sampler2D scene_distance;  // of the camera alone
 layout(binding = 0, rgba32f) writeonly restrict uniform image2D sums;  // of the front layer: absorbance; metres for
                                                                        // the camera, the least depth for the sun
 layout(binding = 1, rgba32f) writeonly restrict uniform image2D rest;  // likewise, of what is behind it
-layout(binding = 2, rg32ui) writeonly restrict uniform uimage2D layer_slices;  // see fluid/front_and_rest.glsl
+layout(binding = 2, rgba32ui) writeonly restrict uniform uimage2D layer_slices;  // see fluid/front_and_rest.glsl
 layout(location = 0) uniform ivec2 tiles;
 layout(location = 1) uniform mat4 to_clip;    // of the world
 layout(location = 2) uniform vec2 per_metre;  // clip space at distance 1
@@ -29,23 +29,18 @@ const uint group_size = 128u;
 const int size = 8;  // of a block, pixels
 const uint pixels = uint(size * size), quads = pixels / 4u, parts = group_size / quads;  // of the discs
 const float units = 65536.0;  // of a spacing's length
-const float most = 4.0;       // absorbance, along the path that colours are given for
+const float most = 4.0;       // absorbance, along the path that colours are given for; media have more
 
 shared vec4 discs[group_size];  // from pixels of the block to the disc's radii: scale, and what to add
 shared float distances[group_size];  // along −z, m
-shared vec3 absorbances[group_size];
+shared vec3 absorbances[group_size], returns[group_size];  // of several fluids
 shared uint disc_count;
-shared int metres[pixels], red[pixels], green[pixels], blue[pixels];
+shared int metres[pixels], dyes[6][pixels];  // absorbance, and glow, of red, green and blue
 shared uint nearest[pixels];  // distance, m; of the sun's
 shared uint slices[pixels];
 shared float starts[pixels];  // distance of the first surface, m
 shared uint lowest_fluid, highest_fluid;
 shared bool has_layers;
-
-// On the path that the colour is given for the colour is left of the light; all black would take in all at once.
-vec3 absorbance_of(uint fluid) {
-  return -log(clamp(look_of(fluid).rgb, 0.02, 0.98));
-}
 
 void look_at(uint i, ivec2 corner, ivec2 all) {
   vec4 clip = to_clip * vec4(centre_of(i), 1.0);
@@ -56,16 +51,19 @@ void look_at(uint i, ivec2 corner, ivec2 all) {
   vec2 scale = 2.0 * clip.w / (reach * vec2(all)), middle = (0.5 * clip.xy / clip.w + 0.5) * vec2(all) - 0.5;
   discs[place] = vec4(scale, (vec2(corner) - middle) * scale);
   distances[place] = hides == 1 ? clip.w : (clip.z / clip.w + 1.0) * to_sun.w;
-  if (lowest_fluid < highest_fluid) absorbances[place] = absorbance_of(fluid_indices[i]) / most;
+  if (lowest_fluid == highest_fluid) return;
+  absorbances[place] = extinction_of(fluid_indices[i]) / most;
+  returns[place] = glow_of(fluid_indices[i]);
 }
 
 // Of four pixels, two by two.
 struct Sums {
-  ivec4 metres, red, green, blue;
+  ivec4 metres, dyes[6];
   vec4 nearest;
   uvec4 slices;
 };
-const Sums no_sums = Sums(ivec4(0), ivec4(0), ivec4(0), ivec4(0), vec4(no_gap), uvec4(0u));
+const ivec4 no_dyes[6] = ivec4[](ivec4(0), ivec4(0), ivec4(0), ivec4(0), ivec4(0), ivec4(0));
+const Sums no_sums = Sums(ivec4(0), no_dyes, vec4(no_gap), uvec4(0u));
 const int amounts = 1, first_depths = 2, depth_slices = 4;  // what a pass over the discs finds; may be added up
 
 // A ball of one spacing, within the disc of `radius`: balls of neighbours leave no gap between them.
@@ -104,9 +102,10 @@ void add_dyes(inout Sums own, vec4 x, vec4 y, vec4 behind) {
     vec4 disc = discs[k], right = x * disc.x + disc.z, up_ = y * disc.y + disc.w;
     vec4 u = max(1.0 - right * right - up_ * up_, 0.0);
     vec4 part = mix(amount_at(u), vec4(0.0), lessThan(behind, vec4(distances[k])));
-    own.red += ivec4(part * absorbances[k].r + 0.5);
-    own.green += ivec4(part * absorbances[k].g + 0.5);
-    own.blue += ivec4(part * absorbances[k].b + 0.5);
+    for (int c = 0; c < 3; ++c) {
+      own.dyes[c] += ivec4(part * absorbances[k][c] + 0.5);
+      own.dyes[3 + c] += ivec4(part * returns[k][c] + 0.5);
+    }
   }
 }
 
@@ -143,9 +142,7 @@ void add_up(ivec2 place, Sums own) {
     if (own.metres[i] == 0) continue;
     atomicAdd(metres[k], own.metres[i]);
     if (lowest_fluid == highest_fluid) continue;
-    atomicAdd(red[k], own.red[i]);
-    atomicAdd(green[k], own.green[i]);
-    atomicAdd(blue[k], own.blue[i]);
+    for (int c = 0; c < 6; ++c) atomicAdd(dyes[c][k], own.dyes[c][i]);
   }
 }
 
@@ -175,12 +172,27 @@ float first_surface(ivec2 pixel) {
   return nearest;
 }
 
-// Absorbance; metres.
-vec4 summed(uint k) {
-  float length = float(metres[k]) * (floor_.z / units);
-  vec3 dyed = vec3(red[k], green[k], blue[k]) * (floor_.z / units * most);
-  if (lowest_fluid == highest_fluid) dyed = length * absorbance_of(lowest_fluid);
-  return vec4(dyed / centre.w, length);
+// What adds up along a line of sight.
+struct Amounts {
+  vec4 passed;  // absorbance; metres
+  vec3 glow;    // times metres
+};
+
+const Amounts no_amounts = Amounts(vec4(0.0), vec3(0.0));
+
+Amounts summed(uint k) {
+  float metre = floor_.z / units, length = float(metres[k]) * metre;
+  vec3 dyed = vec3(dyes[0][k], dyes[1][k], dyes[2][k]) * (metre * most);
+  vec3 glow = vec3(dyes[3][k], dyes[4][k], dyes[5][k]) * metre;
+  if (lowest_fluid == highest_fluid) {
+    dyed = length * extinction_of(lowest_fluid);
+    glow = length * glow_of(lowest_fluid);
+  }
+  return Amounts(vec4(dyed / centre.w, length), glow);
+}
+
+uint packed_glow(Amounts amounts) {
+  return packed_glow(amounts.glow / max(amounts.passed.a, 1e-9));
 }
 
 // Distance at which the front layer has ended and the rest not begun, m.
@@ -191,7 +203,8 @@ float gap_at(ivec2 place) {
 }
 
 void clear(uint k) {
-  metres[k] = red[k] = green[k] = blue[k] = 0;
+  metres[k] = 0;
+  for (int c = 0; c < 6; ++c) dyes[c][k] = 0;
 }
 
 // Once the surface is known.
@@ -204,16 +217,16 @@ float sun_depth(float distance) {
   return min(0.5 * distance / to_sun.w, 1.0);
 }
 
-void put(ivec2 pixel, uint k, vec4 front, vec4 total) {
-  vec4 others = total - front;
+void put(ivec2 pixel, uint k, Amounts front, Amounts total) {
+  Amounts others = Amounts(total.passed - front.passed, total.glow - front.glow);
   if (hides == 0) {
-    front.a = sun_depth(starts[k]);
-    others.a = sun_depth(starts[k] + gap_behind(slices[k]).y);
+    front.passed.a = sun_depth(starts[k]);
+    others.passed.a = sun_depth(starts[k] + gap_behind(slices[k]).y);
   } else {
-    imageStore(layer_slices, pixel, uvec4(floatBitsToUint(starts[k]), slices[k], 0u, 0u));
+    imageStore(layer_slices, pixel, uvec4(floatBitsToUint(starts[k]), slices[k], packed_glow(front), packed_glow(others)));
   }
-  imageStore(sums, pixel, front);
-  imageStore(rest, pixel, others);
+  imageStore(sums, pixel, front.passed);
+  imageStore(rest, pixel, others.passed);
 }
 
 void main() {
@@ -226,7 +239,7 @@ void main() {
     start_at(self, hides == 1 ? first_surface(pixel) : no_gap);
   }
   if (list_count(list) + list_count(shared_list) == 0u) {
-    if (self < pixels) put(pixel, self, vec4(0.0), vec4(0.0));
+    if (self < pixels) put(pixel, self, no_amounts, no_amounts);
     return;
   }
   lowest_fluid = ~0u;
@@ -246,7 +259,9 @@ void main() {
     find(amounts + depth_slices, place, behind);
   else
     find(amounts + first_depths, place, behind);
-  vec4 total = self < pixels ? summed(self) : vec4(0.0), front = total;
+  Amounts total = no_amounts;
+  if (self < pixels) total = summed(self);
+  Amounts front = total;
   if (hides == 0) {
     if (self < pixels) start_at(self, uintBitsToFloat(nearest[self]));
     barrier();

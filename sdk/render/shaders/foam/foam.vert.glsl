@@ -4,6 +4,7 @@
 // A square around a piece of spray, foam or a bubble. Its opacity is spread over a wider kernel, of which foam is the
 // sum. Spray is stretched along its motion.
 #include "shared/frame.glsl"
+#include "shared/exposure.glsl"
 layout(location = 0) in vec3 centre_;
 layout(location = 1) in float life;  // s
 layout(location = 2) in uint kind;   // 0 spray, 1 foam, 2 bubble
@@ -18,7 +19,6 @@ flat out float opacity;
 // Of a kind: the spacings that a piece is wide, those over which it is spread, and how much it hides in its middle.
 const float radii[3] = float[](0.08, 0.12, 0.08), kernels[3] = float[](0.22, 0.45, 0.45);
 const float opacities[3] = float[](0.40, 0.345, 0.22);
-const float exposure = 0.008;  // s, half of the time that a picture of film takes in
 
 void main() {
   offset = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);

@@ -59,7 +59,8 @@ void main() {
   vec3 world = (camera_to_world * vec4(z * view_ray(place), 1.0)).xyz;
   vec3 white = 0.9 * (ambient_light(up.xyz) + 0.32 * sun_light * (surface > 0.0 ? sun_on(world, up.xyz) : vec3(1.0)));
 
-  vec4 depths = layer_at(pixel, z, layer == 1);
+  vec3 glow;
+  vec4 depths = layer_at(pixel, z, layer == 1, glow);
   vec3 absorption = depths.rgb / max(depths.a, 1e-6);
   vec3 dyed = white * exp(-2.0 * absorption * (sums.b / max(sums.g, 1e-6) + floor_.z));
   float front = 1.0 - exp(-sums.r), back = 0.55 * (1.0 - exp(-sums.g)) * (1.0 - front);

@@ -74,13 +74,12 @@ vec3 color_at(ivec2 pixel) {
   vec3 here = surface_point(pixel, z), view_normal = surface_normal(pixel, z);
   vec3 world = (camera_to_world * vec4(here, 1.0)).xyz;
   vec3 n = mat3(camera_to_world) * view_normal, to_eye = normalize(eye.xyz - world);
-  vec4 depths = layer_at(pixel, z, layer == 1);
+  vec3 scatter;
+  vec4 depths = layer_at(pixel, z, layer == 1, scatter);
   depths *= max(depths.a, floor_.z) / max(depths.a, 1e-6);  // no surface without a particle behind it
   vec3 passed = exp(-depths.rgb);
   vec3 sun = sun_light * sun_on(world, n);
 
-  // What a path of the length that colours are given for lets through: the colour itself.
-  vec3 scatter = exp(-centre.w * depths.rgb / max(depths.a, 1e-6));
   vec3 glow = scatter * (0.35 * ambient_light(n) + 0.12 * sun * (0.5 + 0.5 * dot(n, to_sun.xyz)));
   vec3 through = behind(here, view_normal, depths.a, place, front_end(texel_of(pixel))) * passed + glow * (1.0 - passed);
 

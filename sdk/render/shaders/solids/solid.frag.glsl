@@ -5,6 +5,7 @@
 #include "light/ground.glsl"
 #include "shared/surfaces.glsl"
 #include "solids/strands.glsl"
+#include "solids/weave.glsl"
 in vec3 world, world_normal;
 in vec2 place;
 flat in vec4 paint;
@@ -20,6 +21,7 @@ void main() {
     n = -n;
     if (is_cloth) albedo *= 0.6;
   }
+  if (is_cloth) weave(place, dFdx(place), dFdy(place), along_x, along_y, n, albedo);
   if (is_rope) twist(place, dFdx(place), dFdy(place), along_x, along_y, n, albedo);
   if (is_under_ground(world, 1e-5 * floor_.y)) discard;
   put(albedo, paint.a < 0.5 ? 0.35 : 0.05, n, is_cloth ? 1.0 : is_rope ? 0.5 : 0.0);

@@ -9,7 +9,7 @@ layout(location = 3) in vec2 place_;
 layout(location = 0) uniform mat4 model;
 
 out vec3 world, world_normal;
-out vec2 place;  // of ropes: the angle around the line, and the way along it in radii
+out vec2 place;  // of ropes: the angle around the line, and the way along it in radii; of cloth: threads along u, v
 flat out vec4 paint;
 
 void main() {

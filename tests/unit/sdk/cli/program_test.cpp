@@ -116,7 +116,8 @@ TEST_F(ProgramTest, BadPictureOptionsAreNamed) {
   EXPECT_EXIT(run({"run", "drop", "--render", "--filter=blur"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --filter: blur");
   EXPECT_EXIT(run({"run", "drop", "--view", "speed"}), testing::ExitedWithCode(bad_input),
-              "^meniscus: --filter, --no-anisotropy and --view are for what OpenGL draws");
+              "^meniscus: --filter, --no-anisotropy, --view, --samples, --aperture, --shutter and --caustics "
+              "are for what OpenGL draws");
   EXPECT_EXIT(run({"run", "drop", "--render=all"}), testing::ExitedWithCode(bad_input),
               "^meniscus: --render: all");
 }
