@@ -66,8 +66,8 @@ void fountain(SoakScene& scene) {
 }
 
 void tearing(SoakScene& scene) {
-  constexpr float give = 0.1f * soak_spacing;
-  scene.room_of_cloth = {tank_lower - Vec3{give, give, give}, tank_upper + Vec3{give, give, give}};
+  constexpr float edge = 0.04f, give = 0.25f * edge;  // the distance that two of its layers keep
+  scene.tank_of_cloth = SoftTank{{tank_lower, tank_upper}, give};
   World& world = scene.world;
   const FluidId water = pool(world, 0);
   world.create_emitter(jet_down(water, {0, 1.4f, 0}, 0.12f, 3));
@@ -75,7 +75,7 @@ void tearing(SoakScene& scene) {
   scene.act = [cloth = std::optional<ClothId>{}](World& w, int step) mutable {
     if (step % (20 * second) != 0) return;
     if (cloth) w.destroy_cloth(*cloth);
-    ClothDef def = sheet(0.8f, 0.8f, 21, 21, {0, 0.9f, 0});
+    ClothDef def = sheet(20 * edge, 20 * edge, 21, 21, {0, 0.9f, 0});
     def.fabric.tear_strain = 0.3f;
     def.fabric.warp_stiffness = def.fabric.weft_stiffness = 600;
     cloth = w.create_cloth(def);

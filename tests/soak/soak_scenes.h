@@ -14,15 +14,21 @@ namespace meniscus::tests {
 
 inline constexpr float soak_spacing = 0.05f, soak_dt = 1.0f / 60;
 
+/// A tank into whose walls cloth may reach.
+struct SoftTank {
+  Aabb box;
+  float give;  ///< m
+};
+
 /// A world that runs, and what its user does to it before a step.
 struct SoakScene {
   World world;
   std::function<void(World&, int step)> act;
   /// Particles that the user added, less those that he removed, since the last step.
   int64_t added_by_hand = 0;
-  /// Where vertices of cloth must be: a heap presses those at its bottom into the wall, by a fraction of a
-  /// spacing. Without it none may be outside of the tank at all.
-  std::optional<Aabb> room_of_cloth{};
+  /// A heap presses the vertices at its bottom into the wall, by less than the distance that two layers keep.
+  /// Without it none may be outside of the tank at all.
+  std::optional<SoftTank> tank_of_cloth{};
 };
 
 /// Fills the scene's world. `act` may refer to the scene, which stays where it is.
