@@ -92,6 +92,12 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
   void save() override;
   void restore() override;
+  void add_carried(std::vector<pbd::WordArray>& arrays) override {
+    arrays.push_back({reinterpret_cast<uint32_t*>(multiplier_.current.view().data),
+                      sizeof(density_kernels::Multiplier) / sizeof(uint32_t)});
+  }
+  /// Whether particles were placed above the rest density, and have not been parted.
+  bool has_crowd() const;
 
   void visit_state(pbd::StateVisitor& v);
 

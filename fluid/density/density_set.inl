@@ -75,6 +75,11 @@ void DensitySet<D>::note_placed(uint32_t first, uint32_t count) {
 }
 
 template <class D>
+bool DensitySet<D>::has_crowd() const {
+  return crowd_->is_watched();
+}
+
+template <class D>
 void DensitySet<D>::start_step() {
   crowd_->start_step();
   if (stop_) stop_->start_step();
@@ -118,7 +123,7 @@ template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   if (by_baseline_) return baseline_->project(substep, multiplier_.current.view(), iteration);
-  if (substep.particles.sorted == 0 || !any_fluid_) return;
+  if (!substep.particles.has_fluid() || !any_fluid_) return;
   if (pressure_grid_ && iteration == 0) {
     pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view(), allowed_);
   }

@@ -379,6 +379,7 @@ class World {
 
  private:
   friend class Replay;
+  friend class SharedWorld;
   struct Impl;
   struct Calls;
   static std::unique_ptr<Impl> make(const WorldDef& def);
