@@ -9,6 +9,7 @@ set(MENISCUS_MPI AUTO CACHE STRING "Run on several ranks with MPI: AUTO, ON or O
 set_property(CACHE MENISCUS_MPI PROPERTY STRINGS AUTO ON OFF)
 set(MENISCUS_NO_MPI_REASON "that was switched off when Meniscus was built")
 if(MENISCUS_MPI)
+  set(MPI_CXX_SKIP_MPICXX TRUE)  # the bindings of MPI 2 for C++
   find_package(MPI QUIET COMPONENTS CXX)
   if(MPI_CXX_FOUND)
     set(MENISCUS_MPI ON)

@@ -35,7 +35,7 @@ void step_through(World& world, int steps) {
   std::printf("particles %zu\n", world.positions().size());
 }
 
-void run(int steps, const pbd::CutPolicy& policy, const Fault& fault) {
+void share_and_step(int steps, const pbd::CutPolicy& policy, const Fault& fault) {
   const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
   World world = broken_dam(0.3f);
   if (!ranks) return step_through(world, steps);
@@ -60,7 +60,7 @@ int main(int argc, char** argv) try {
     if (word == "--move-cuts") policy = {.every = 1, .most_imbalance = 0, .shift = 2};
     if (word == "--at" && k + 3 < argc) fault = {std::atoi(argv[k + 1]), std::atoi(argv[k + 2]), argv[k + 3]};
   }
-  meniscus::tests::run(argc > 1 ? std::atoi(argv[1]) : 0, policy, fault);
+  meniscus::tests::share_and_step(argc > 1 ? std::atoi(argv[1]) : 0, policy, fault);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());
