@@ -15,13 +15,13 @@
 
 namespace meniscus::pbd {
 
-/// Points sorted by cell, and within each cell by slot: the canonical order. It depends neither on the
+/// Points sorted by cell, and within each cell by number: the canonical order. It depends neither on the
 /// previous order of the points nor on the table's shape. Within a cell, `placed` is in the order of arrival.
 struct CellOrder {
-  View<const uint32_t> key;     ///< by point: its cell
-  View<const uint32_t> start;   ///< by cell
-  View<const uint32_t> placed;  ///< by place: a point of the cell
-  View<const uint32_t> slots;   ///< by place: that point's slot
+  View<const uint32_t> key;      ///< by point: its cell
+  View<const uint32_t> start;    ///< by cell
+  View<const uint32_t> placed;   ///< by place: a point of the cell
+  View<const uint32_t> numbers;  ///< by place: that point's number
   View<uint32_t> order;
 
   /// The point that belongs at place i; records it in `order`.
@@ -31,33 +31,33 @@ struct CellOrder {
   }
 
  private:
-  /// The place in [begin, end) whose slot has n smaller ones.
+  /// The place in [begin, end) whose number has n smaller ones.
   MENISCUS_HD uint32_t nth(uint32_t begin, uint32_t end, uint32_t n) const {
     constexpr uint32_t few = 16;
     if (end - begin > few) return nth_of_many(begin, end, n);
     uint32_t k = begin;
-    while (below(load(slots, k), begin, end) != n) ++k;
+    while (below(load(numbers, k), begin, end) != n) ++k;
     return k;
   }
-  /// By bisection of the slot's value, because a quadratic search could take very long.
+  /// By bisection of the number's value, because a quadratic search could take very long.
   MENISCUS_HD uint32_t nth_of_many(uint32_t begin, uint32_t end, uint32_t n) const {
-    uint32_t slot = 0;
+    uint32_t number = 0;
     for (uint32_t bit = 1u << 31; bit > 0; bit /= 2) {
-      if (below(slot + bit, begin, end) <= n) slot += bit;
+      if (below(number + bit, begin, end) <= n) number += bit;
     }
     uint32_t k = begin;
-    while (load(slots, k) != slot) ++k;
+    while (load(numbers, k) != number) ++k;
     return k;
   }
-  MENISCUS_HD uint32_t below(uint32_t slot, uint32_t begin, uint32_t end) const {
+  MENISCUS_HD uint32_t below(uint32_t number, uint32_t begin, uint32_t end) const {
     uint32_t count = 0;
-    for (uint32_t k = begin; k < end; ++k) count += load(slots, k) < slot;
+    for (uint32_t k = begin; k < end; ++k) count += load(numbers, k) < number;
     return count;
   }
 };
 
 /// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep. A GPU
-/// uses coarse positions if there are many particles.
+/// uses coarse positions if there are many particles, unless sums are fixed.
 template <class D>
 class NeighbourSearch {
  public:
@@ -77,9 +77,9 @@ class NeighbourSearch {
   void fit(const Aabb& extent, uint32_t count);
 
   /// The canonical order of the points, valid until the lists are built. points(i) is point i, a Vec4; each
-  /// point has a unique slot.
+  /// point has a unique number.
   template <class Points>
-  CellOrder sort(const Points& points, View<const uint32_t> slot);
+  CellOrder sort(const Points& points, View<const uint32_t> number);
   /// The point of each place, after CellOrder::find was called for it.
   View<const uint32_t> order() const { return order_.view(); }
 

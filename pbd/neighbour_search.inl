@@ -18,7 +18,7 @@ namespace meniscus::pbd {
 namespace neighbour_kernels {
 
 // The sort is a counting sort by cell. Particles of a cell are first placed in the order of arrival, then in
-// the order of their slots. So the result depends on nothing else.
+// the order of their numbers. So the result depends on nothing else.
 
 /// Records each particle's cell, and counts the particles of each cell.
 template <class Points>
@@ -42,14 +42,14 @@ struct CountInCells {
 
 /// Also resets the counts to 0, for the next sort.
 struct PlaceByArrival {
-  View<const uint32_t> key, arrival, start, slot;
-  View<uint32_t> placed, placed_slot, counts;
+  View<const uint32_t> key, arrival, start, number;
+  View<uint32_t> placed, placed_number, counts;
   uint32_t particles, cells;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t place = start[key[i]] + arrival[i];
     placed[place] = i;
-    placed_slot[place] = slot[i];
+    placed_number[place] = number[i];
     for (uint32_t cell = i; cell < cells; cell += particles) counts[cell] = 0;
   }
 };
@@ -251,7 +251,7 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   if constexpr (D::interleaves_lists) {
     // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.
     const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
-    is_coarse_ = count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
+    is_coarse_ = !device_.fixes_sums() && count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
                  Surroundings::slack_at(far) < search_tuning::most_coarse_slack;
   }
   while (bits[0] + bits[1] + bits[2] > most_bits) --*std::max_element(bits, bits + 3);
@@ -264,25 +264,25 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
 
 template <class D>
 template <class Points>
-CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> slot) {
+CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> number) {
   using namespace neighbour_kernels;
-  const uint32_t count = slot.count, cells = grid_.all_cells();
+  const uint32_t count = number.count, cells = grid_.all_cells();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},
-      placed_slot{placed.data + count, count};
+      placed_number{placed.data + count, count};
   try {
     device_.parallel_for("neighbours/cells", count,
                          CountInCells<Points>{points, grid_, keys, arrival, counts});
     device_.exclusive_scan("neighbours/starts", View<const uint32_t>(counts), cell_start_.view());
     device_.parallel_for(
         "neighbours/place", count,
-        PlaceByArrival{keys, arrival, grid_.start, slot, placed, placed_slot, counts, count, cells});
+        PlaceByArrival{keys, arrival, grid_.start, number, placed, placed_number, counts, count, cells});
   } catch (...) {
     cell_counts_.fill(0);
     throw;
   }
-  return {keys, grid_.start, placed, placed_slot, order_.view()};
+  return {keys, grid_.start, placed, placed_number, order_.view()};
 }
 
 template <class D>

@@ -34,6 +34,7 @@ struct SolverParameters {
   float cfl_number = 0;  ///< when > 0, it determines the number of substeps, within the limits
   int min_substeps = 1, max_substeps = 16;
   PeriodicAxes periodic{};  ///< for worlds with fluid particles alone
+  bool fixed_sums = false;  ///< see WorldDef::sums
 };
 
 /// A reduction over the particles, for the host.
@@ -69,7 +70,7 @@ class Solver {
  public:
   Solver(D& device, Particles& particles, const SolverParameters& parameters);
 
-  /// Applies from the next step on; the radii and the periodic axes do not change.
+  /// Applies from the next step on; the radii, the periodic axes and fixed_sums do not change.
   void set_parameters(const SolverParameters& parameters) { parameters_ = parameters; }
   /// Added parts must outlive the solver. They run in the order in which they were added.
   void add(ContactSource<D>& source) { contacts_.add(source); }

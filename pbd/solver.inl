@@ -254,9 +254,9 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   } else if (p.sorted()) {
     using Wrapped = seam_kernels::Wrapped<solver_kernels::Prediction>;
     search_.fit({summary().lower, summary().upper}, p.sorted());
-    const View<const uint32_t> slot = p.source().slot.first(p.sorted());
-    order =
-        has_seams ? search_.sort(Wrapped{prediction, ghosts_.axes()}, slot) : search_.sort(prediction, slot);
+    const View<const uint32_t> number = p.source().number.first(p.sorted());
+    order = has_seams ? search_.sort(Wrapped{prediction, ghosts_.axes()}, number)
+                      : search_.sort(prediction, number);
   }
   const ParticleView from = p.source();
   device_.parallel_for(
@@ -291,7 +291,7 @@ CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& predict
     for (ConstraintSet<D>* set : sets_) set->add_carried(arrays);
     count = exchange_->send(prediction, search_.grid(), count, arrays);
   }
-  const CellOrder order = search_.sort(prediction, p.source().slot.first(count));
+  const CellOrder order = search_.sort(prediction, p.source().number.first(count));
   const auto [owned, ghosts] = search_.count_slab();
   rank_ghosts_ = ghosts;
   p.set_sorted(owned + ghosts);
@@ -433,11 +433,12 @@ MotionView Solver<D>::motion_of(const Substep<D>& s) {
 
 /// Whether a substep is long relative to the speeds. The solve may then move a particle through a surface
 /// that was out of its reach when contacts were found. New particles may overlap, and be separated at high
-/// speed.
+/// speed. With fixed sums every substep counts as long, as a particle must not depend on the speed of others.
 template <class D>
 bool Solver<D>::is_fast(float dt) const {
-  return fresh_ || step_speed_ * dt > contact_tuning::fast_motion *
-                                          (parameters_.support_radius - parameters_.contact_radius);
+  return device_.fixes_sums() || fresh_ ||
+         step_speed_ * dt >
+             contact_tuning::fast_motion * (parameters_.support_radius - parameters_.contact_radius);
 }
 
 template <class D>
@@ -464,6 +465,7 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       contacts_(device),
       ghosts_(device, parameters.periodic, parameters.support_radius),
       timer_(device) {
+  device_.fix_sums(parameters.fixed_sums);
   readout_buffer_.resize_discard(1);
   readout_buffer_.fill(0);
 }

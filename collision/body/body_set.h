@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "collision/body/body_kernels.h"
+#include "collision/body/fixed_sums.h"
 #include "collision/contact/shape_contacts.h"
 #include "collision/rigid/rigid_world.h"
 #include "pbd/device/shared_buffer.h"
@@ -127,6 +128,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::View<Shape> shapes_;
   pbd::View<const RigidImpulse> loads_;
   pbd::Buffer<body_kernels::ContactSum> partial_{device_, "body sums"};
+  pbd::Buffer<body_kernels::IntegerSum> integer_sums_{device_, "body sums"};  // of fixed sums alone
   pbd::Buffer<body_kernels::ContactSum> zone_impulses_{device_, "impulses of body zones"};
   pbd::DoubleBuffer<body_kernels::ContactMotion> contact_motion_{device_, "body displacements"};
   pbd::Buffer<uint32_t> key_{device_, "contact bodies"};

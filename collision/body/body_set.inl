@@ -40,6 +40,7 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
   carried_.resize_discard(carried.size());
   carried_.write(carried);
   partial_.resize_discard(bodies_ * lanes());
+  integer_sums_.resize_discard(device_.fixes_sums() ? bodies_ * lanes() : 0);
   zone_impulses_.resize_discard(bodies_);
   contact_motion_.reserve(bodies_, 0);
   place();
@@ -141,9 +142,19 @@ void BodySet<D>::begin(pbd::Substep<D>& substep) {
 
 template <class D>
 void BodySet<D>::sum_contacts(pbd::Substep<D>& substep) {
-  device_.parallel_for("bodies/sum", bodies_ * lanes(),
-                       body_kernels::SumLanes{grouped_.view(), proxies_.view(), substep.contacts.contacts,
-                                              partial_.view(), lanes()});
+  using namespace body_kernels;
+  if (device_.fixes_sums()) {
+    device_.parallel_for("bodies/sum", bodies_ * lanes(),
+                         SumLanesInIntegers{grouped_.view(), proxies_.view(), reaches_.view(),
+                                            substep.contacts.contacts, integer_sums_.view(), lanes()});
+    device_.parallel_for(
+        "bodies/fold", bodies_,
+        FoldLanes{proxies_.view(), reaches_.view(), integer_sums_.view(), partial_.view(), lanes()});
+    return;
+  }
+  device_.parallel_for(
+      "bodies/sum", bodies_ * lanes(),
+      SumLanes{grouped_.view(), proxies_.view(), substep.contacts.contacts, partial_.view(), lanes()});
 }
 
 template <class D>

@@ -37,7 +37,8 @@ class DensityStop {
   void test_convergence(const pbd::Substep<D>& substep, pbd::View<density_kernels::Multiplier> multiplier,
                         float tolerance, bool may_end) {
     using namespace density_kernels;
-    end_.test(substep.particles.sorted, MeanError{multiplier, substep.particles.phase, end_.progress()},
+    end_.test(substep.particles.sorted,
+              MeanError{multiplier, substep.particles.phase, end_.progress(), device_.fixes_sums()},
               AddErrors{}, tolerance, may_end);
   }
 

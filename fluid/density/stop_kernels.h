@@ -55,14 +55,18 @@ struct AddErrors {
   }
 };
 
+/// `fixed`: errors are multiples of 2⁻²⁴, at most 16, whose sum over 2²⁵ particles is exact in any order.
 struct MeanError {
   View<const Multiplier> multiplier;
   View<const pbd::Phase> phase;
   View<const Progress> progress;
+  bool fixed;
 
   MENISCUS_HD ErrorSum operator()(uint32_t i) const {
     if (progress[0].ended || pbd::is_grain(phase[i])) return {};
-    return {double{pbd::max(multiplier[i].relieved, 0.0f)}, 1};
+    const float error = pbd::max(multiplier[i].relieved, 0.0f);
+    if (!fixed) return {double{error}, 1};
+    return {double{rintf(pbd::min(error, 16.0f) * 0x1p24f)} * 0x1p-24, 1};
   }
 };
 

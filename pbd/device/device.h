@@ -33,6 +33,10 @@ class Device {
   const MemoryUse& shared_memory() const { return shared_memory_; }  ///< of allocate_shared
   /// Of the call that runs. One thread at a time makes calls.
   CallMonitor& monitor() { return monitor_; }
+  /// Whether a sum over neighbours runs in the same order for any number of items, as the CPU's always do. A
+  /// GPU otherwise lets several threads share one item's sum where items are few.
+  bool fixes_sums() const { return fixes_sums_; }
+  void fix_sums(bool fixed) { fixes_sums_ = fixed; }
   /// Bytes held now, by purpose.
   const std::map<std::string, size_t, std::less<>>& held() const { return held_; }
 
@@ -67,6 +71,7 @@ class Device {
   virtual void do_release_shared(void* memory) noexcept = 0;
 
   CallMonitor monitor_;
+  bool fixes_sums_ = false;
   MemoryUse memory_, shared_memory_;
   std::map<std::string, size_t, std::less<>> held_;
 };

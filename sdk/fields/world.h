@@ -28,6 +28,10 @@ constexpr auto names_of(SmoothingKernel) {
                     Named{"cubic_spline", SmoothingKernel::cubic_spline}};
 }
 
+constexpr auto names_of(Sums) {
+  return std::array{Named{"auto", Sums::automatic}, Named{"fixed", Sums::fixed}};
+}
+
 template <class V>
 void fields(V& v, ArtificialPressureDef& d) {
   v("strength", d.strength, between(0, 1e6), "",
@@ -160,6 +164,8 @@ void fields(V& v, WorldDef& d) {
   v("step_budget_ms", d.step_budget_ms, not_negative, "ms",
     "time that a step may take: iterations are left out to keep it, so results depend on the machine; 0: "
     "none");
+  v("sums", d.sums, any_value, "",
+    "fixed: the bits of a motion do not depend on the rest of the world; auto is faster for few particles");
   check_periodic(v, d);
   v.check(!d.parallel_for || d.threads == 0, "threads must be 0 with parallel_for, which has its own",
           "threads", d.threads);

@@ -64,6 +64,7 @@ void World::Calls::set_def(const WorldDef& asked) {
   expect_same("support_ratio", now.support_ratio, def.support_ratio);
   expect_same("contact_radius", now.contact_radius, def.contact_radius);
   expect_same("kernel", now.kernel, def.kernel);
+  expect_same("sums", now.sums, def.sums);
   expect_same("diffuse", now.diffuse, def.diffuse);
   expect_same("periodic", now.periodic, def.periodic);
   check_baseline_kernel(def);

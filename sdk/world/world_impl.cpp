@@ -48,6 +48,7 @@ EngineDef World::Impl::engine_def() {
   e.solver.min_substeps = def.min_substeps;
   e.solver.max_substeps = def.max_substeps;
   e.solver.periodic = periodic_axes(def.periodic);
+  e.solver.fixed_sums = def.sums == Sums::fixed;
   const DensitySolverDef& d = def.density;
   e.density.chebyshev = d.solver != DensitySolver::jacobi;
   e.density.pressure_grid = d.solver == DensitySolver::grid;

@@ -251,7 +251,7 @@ class CudaDevice final : public Device {
   using Real = float;
   static constexpr uint32_t lane_count = 1;
   static constexpr bool interleaves_lists = true, runs_at_once = true;
-  /// Up to this many items parallel_for_long uses a team for each.
+  /// Up to this many items parallel_for_long uses a team for each, unless sums are fixed.
   static constexpr uint32_t most_teams = cuda_kernels::most_teams;
   using Lister = CudaLister<4>;
   MENISCUS_HD static bool leads() { return true; }
@@ -300,7 +300,8 @@ class CudaDevice final : public Device {
   template <class Kernel>
   void parallel_for_neighbours(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
-    if (count > most_half_teams) return parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
+    if (fixes_sums() || count > most_half_teams)
+      return parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
     run_teams<CudaHalfTeam>(name, count, kernel);
   }
 
@@ -325,7 +326,8 @@ class CudaDevice final : public Device {
   template <class Kernel>
   void parallel_for_long(const char* name, uint32_t count, const Kernel& kernel) {
     using namespace cuda_kernels;
-    if (count > most_teams) return parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
+    if (fixes_sums() || count > most_teams)
+      return parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
     run_teams<CudaTeam>(name, count, kernel);
   }
 
@@ -333,7 +335,8 @@ class CudaDevice final : public Device {
   void parallel_for_both(const char* name, uint32_t count, const Kernel& kernel, uint32_t long_count,
                          const LongKernel& long_kernel) {
     using namespace cuda_kernels;
-    if (overlaps_launches_ && count > most_for_one_launch && long_count > 0) {
+    const bool by_threads = fixes_sums() || count > most_for_one_launch;
+    if (overlaps_launches_ && by_threads && long_count > 0) {
       // In one launch the first kernel would be limited to the second one's registers. Beside it, one thread
       // for each item is the least work, however few items there are.
       launch(name, blocks_beside(count, long_count), block_size,
@@ -344,7 +347,10 @@ class CudaDevice final : public Device {
              next_turn(blocks), count, RunLong<CudaDevice, Kernel>{kernel});
       return;
     }
-    if (count <= most_warps) {
+    if (fixes_sums()) {
+      parallel_for(name, count, RunLong<CudaDevice, Kernel>{kernel});
+      parallel_for(name, long_count, RunLong<CudaDevice, LongKernel>{long_kernel});
+    } else if (count <= most_warps) {
       run_both<CudaWarp, CudaTeam>(name, count, kernel, long_count, long_kernel);
     } else if (count <= most_teams) {
       run_both<CudaTeam, CudaDevice>(name, count, kernel, long_count, long_kernel);

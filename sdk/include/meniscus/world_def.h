@@ -45,6 +45,13 @@ enum class SmoothingKernel {
   cubic_spline,  ///< the cubic B-spline for both (Monaghan 1992)
 };
 
+/// What the order of sums over neighbours and contacts, and choices like it, may depend on
+/// (docs/methods/sums.md).
+enum class Sums {
+  automatic,  ///< on the number of particles and on the extent of all, for speed
+  fixed,  ///< on what a particle meets alone: the bits of its motion do not depend on the rest of the world
+};
+
 /// Repulsion against tensile instability (Macklin & Müller 2013, eq. 13). Its pressure is
 /// strength · ρ₀ · |g| · h.
 struct ArtificialPressureDef {
@@ -192,6 +199,9 @@ struct WorldDef {
   /// iterations, as the times of the step before suggest; the first one makes all. StepReport::iterations has
   /// the choice, and World::step repeats it. Results then depend on how fast the machine is.
   float step_budget_ms = 0.0f;
+  /// `fixed`: fluid moves with the same bits whatever else is in the world, in a world of another extent, and
+  /// in a batch. cfl_number, density.tolerance, viscosity and the pressure grid still look at all fluid.
+  Sums sums = Sums::automatic;
 };
 
 }  // namespace meniscus

@@ -20,8 +20,8 @@ View<T> view(std::vector<T>& values) {
   return {values.data(), static_cast<uint32_t>(values.size())};
 }
 
-// Cells with so many points each, placed in a random order, have their points in the order of their slots,
-// which are random as well.
+// Cells with so many points each, placed in a random order, have their points in the order of their
+// numbers, which are random as well.
 void expect_order(const std::vector<uint32_t>& sizes) {
   std::mt19937 random(7);
   std::vector<uint32_t> key, start{0};
@@ -30,24 +30,24 @@ void expect_order(const std::vector<uint32_t>& sizes) {
     start.push_back(start.back() + sizes[cell]);
   }
   std::shuffle(key.begin(), key.end(), random);
-  std::vector<uint32_t> slot(key.size()), expected(key.size()), order(key.size());
-  std::iota(slot.begin(), slot.end(), 0u);
-  std::shuffle(slot.begin(), slot.end(), random);
+  std::vector<uint32_t> number(key.size()), expected(key.size()), order(key.size());
+  std::iota(number.begin(), number.end(), 0u);
+  std::shuffle(number.begin(), number.end(), random);
   std::iota(expected.begin(), expected.end(), 0u);
   std::sort(expected.begin(), expected.end(),
-            [&](uint32_t a, uint32_t b) { return std::pair(key[a], slot[a]) < std::pair(key[b], slot[b]); });
+            [&](uint32_t a, uint32_t b) { return std::pair(key[a], number[a]) < std::pair(key[b], number[b]); });
   std::vector<uint32_t> placed = expected;
   for (uint32_t cell = 0; cell < sizes.size(); ++cell)
     std::shuffle(placed.begin() + start[cell], placed.begin() + start[cell + 1], random);
 
-  std::vector<uint32_t> placed_slot(placed.size());
-  std::transform(placed.begin(), placed.end(), placed_slot.begin(), [&](uint32_t i) { return slot[i]; });
-  const CellOrder cells{view(key), view(start), view(placed), view(placed_slot), view(order)};
+  std::vector<uint32_t> placed_number(placed.size());
+  std::transform(placed.begin(), placed.end(), placed_number.begin(), [&](uint32_t i) { return number[i]; });
+  const CellOrder cells{view(key), view(start), view(placed), view(placed_number), view(order)};
   for (uint32_t i = 0; i < key.size(); ++i) EXPECT_EQ(cells.find(i), expected[i]) << "place " << i;
   EXPECT_EQ(order, expected);
 }
 
-TEST(CellOrder, IsThatOfSlots) {
+TEST(CellOrder, IsThatOfNumbers) {
   expect_order({1, 2, 0, 3, 16, 0, 5});
 }
 
