@@ -5,6 +5,8 @@
 // Along y and z cells are as wide as the reach. Along x they are thinner, and adjacent in memory, so a
 // particle scans little more of a row than its sphere covers. Two cells that share an entry are at least four
 // reaches apart, so no pair is found twice. The distance test rejects particles that wrapped around.
+//
+// In a batch of worlds each world has a table of its own, one after the other.
 #pragma once
 
 #include "pbd/device/scalar.h"
@@ -29,7 +31,8 @@ struct GridView {
   uint32_t bits_x = least_bits_x, bits_y = least_bits,
            bits_z = least_bits;  ///< the table is 2^bits cells wide
   uint32_t strip_bits =
-      0;  ///< rows form strips of 2^strip_bits along y; the layers of a strip follow one another
+      0;              ///< rows form strips of 2^strip_bits along y; the layers of a strip follow one another
+  uint32_t each = 0;  ///< particles of a world, where there are several; 0: one world
   View<const uint32_t>
       start;  ///< of each cell's sorted particles, which end where those of the next cell start
 
@@ -40,8 +43,10 @@ struct GridView {
   uint32_t first_layer = 0, last_layer = ~0u;  ///< last − first, which may wrap around
 
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
-  /// Of the slab.
+  /// Of a world, or of a slab.
   MENISCUS_HD uint32_t cell_count() const { return 1u << key_bits(); }
+  /// The first cell of particle i's world.
+  MENISCUS_HD uint32_t first_cell(uint32_t i) const { return each ? i / each << key_bits() : 0; }
   MENISCUS_HD bool is_slab() const { return last_layer != ~0u; }
   /// With those of ghosts.
   MENISCUS_HD uint32_t all_cells() const { return is_slab() ? 2 * cell_count() + 1 : cell_count(); }
@@ -75,7 +80,9 @@ struct GridView {
 /// The part of the grid's rows that is within reach of a point. All lengths are in reaches.
 class Surroundings {
  public:
-  MENISCUS_HD Surroundings(const GridView& grid, Vec3 p) : grid_(grid) {
+  /// `first_cell`: of the world.
+  MENISCUS_HD Surroundings(const GridView& grid, Vec3 p, uint32_t first_cell = 0)
+      : grid_(grid), first_cell_(first_cell) {
     const CellCoordinates cell = grid.coordinates(p);
     const Vec3 q = grid.inverse_reach * p;
     slack_ = slack_at(q);
@@ -119,7 +126,7 @@ class Surroundings {
     const float z2 = dz == 1 ? 0.0f : dz == 0 ? below_z2_ : above_z2_;
     const Cells cells = cut(y2 + z2);
     const uint32_t end = cells.first + cells.count, wrapped = end > width() ? end - width() : 0;
-    const uint32_t base = grid_.row(y_ + dy, z_ + dz);
+    const uint32_t base = first_cell_ + grid_.row(y_ + dy, z_ + dz);
     return {load(grid_.start, base + (second ? 0 : cells.first)),
             load(grid_.start, base + (second ? wrapped : end - wrapped))};
   }
@@ -146,6 +153,7 @@ class Surroundings {
   }
 
   const GridView& grid_;
+  uint32_t first_cell_;
   float slack_, x_, below_y2_, above_y2_, below_z2_, above_z2_;
   uint32_t first_, y_, z_;
   bool wraps_;  // the table wraps around within reach
@@ -155,8 +163,8 @@ class Surroundings {
 class RunsAround {
  public:
   // All bounds are loaded at once. In a loop, a GPU's compiler would recompute their common terms for each.
-  MENISCUS_HD RunsAround(const GridView& grid, Vec3 p) {
-    const Surroundings around(grid, p);
+  MENISCUS_HD RunsAround(const GridView& grid, Vec3 p, uint32_t first_cell = 0) {
+    const Surroundings around(grid, p, first_cell);
     count_ = around.runs();
     if (count_ > Surroundings::rows) {
       for (uint32_t n = 0; n < Surroundings::most_runs; ++n) runs_[n] = around.run(n);

@@ -64,6 +64,12 @@ class NeighbourSearch {
   /// `row_capacity`: entries of a list at first. A sort alone needs 4.
   NeighbourSearch(D& device, float support_radius, uint32_t row_capacity = usual_row);
 
+  /// From the next reserve() on, there are so many worlds of `each` particles. Particles of a world follow
+  /// one another, and stay so.
+  void set_worlds(uint32_t worlds, uint32_t each) {
+    worlds_ = worlds;
+    grid_.each = each;
+  }
   /// Allocates for `capacity` particles.
   void reserve(uint32_t capacity);
 
@@ -105,8 +111,8 @@ class NeighbourSearch {
   D& device_;
   float support_radius_;
   GridView grid_;
-  uint32_t capacity_ = 0;
-  uint32_t cells_ = 0;  // room for a table of so many
+  uint32_t capacity_ = 0, worlds_ = 1;
+  uint32_t cells_ = 0;  // room for a table of so many, for each world
   uint32_t row_capacity_;
   bool is_coarse_ = false;  // lists are built from coarse positions
 

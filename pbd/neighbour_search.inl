@@ -32,9 +32,10 @@ struct CountInCells {
     // Particles that are not finite have no neighbours. They are spread over the cells, because a single cell
     // would take very long.
     const CellCoordinates at = grid.coordinates(p);
-    const uint32_t cell = !is_finite(p)    ? i & (grid.cell_count() - 1)
-                          : grid.holds(at) ? grid.key(at)
-                                           : grid.all_cells() - 1;
+    const uint32_t in_world = !is_finite(p)    ? i & (grid.cell_count() - 1)
+                              : grid.holds(at) ? grid.key(at)
+                                               : grid.all_cells() - 1;
+    const uint32_t cell = grid.first_cell(i) + in_world;
     key[i] = cell;
     arrival[i] = atomic_add(counts[cell], 1);
   }
@@ -74,7 +75,7 @@ struct ListNeighbours {
       if (is_finite(self)) list_by_team(i, self, writer);
       note(i, writer.finish(lists.sentinel), false, D::leads());
     } else if constexpr (D::interleaves_lists) {
-      const RunsAround runs(grid, self);
+      const RunsAround runs(grid, self, grid.first_cell(i));
       if (lists.row_capacity <= NarrowWriter::most && runs.are_within(NeighbourView::narrow_reach, i)) {
         NarrowWriter writer(lists, i);
         list_alone<D>(i, self, runs, writer);
@@ -86,7 +87,7 @@ struct ListNeighbours {
       }
     } else {
       RowWriter writer(lists, i);
-      if (is_finite(self)) list<D>(i, self, RunsAround(grid, self), writer);
+      if (is_finite(self)) list<D>(i, self, RunsAround(grid, self, grid.first_cell(i)), writer);
       note(i, writer.finish(lists.sentinel), false, true);
     }
   }
@@ -155,7 +156,7 @@ struct ListNeighbours {
   /// Each thread looks up some of the bounds. Then the team scans one run after another, so that the list has
   /// the order of the runs.
   MENISCUS_HD void list_by_team(uint32_t i, Vec3 self, TeamWriter& writer) const {
-    const Surroundings around(grid, self);
+    const Surroundings around(grid, self, grid.first_cell(i));
     const uint32_t rank = CudaTeam::rank(), runs = around.runs();
     for (uint32_t first = 0; first < runs; first += CudaTeam::lane_count) {
       const Run own = first + rank < runs ? around.run(first + rank) : Run{0, 0};
@@ -215,9 +216,9 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
-  cells_ = 4096;
-  while (cells_ < GridView::slices * capacity) cells_ *= 2;
-  const uint32_t cells = grid_.is_slab() ? 2 * cells_ + 1 : cells_;
+  cells_ = worlds_ == 1 ? 4096 : 1u << 8;
+  while (cells_ < GridView::slices * (capacity / worlds_)) cells_ *= 2;
+  const uint32_t cells = grid_.is_slab() ? 2 * cells_ + 1 : worlds_ * cells_;
   cell_counts_.resize_discard(cells);
   cell_counts_.fill(0);
   cell_start_.resize_discard(cells + 1);
@@ -258,15 +259,15 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   grid_.bits_x = bits[0];
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];
-  grid_.strip_bits = std::min(strip_bits_for(reaches, count), bits[1]);
-  grid_.start = cell_start_.view().first(grid_.all_cells() + 1);
+  grid_.strip_bits = std::min(strip_bits_for(reaches, count / worlds_), bits[1]);
+  grid_.start = cell_start_.view().first(worlds_ * grid_.all_cells() + 1);
 }
 
 template <class D>
 template <class Points>
 CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> number) {
   using namespace neighbour_kernels;
-  const uint32_t count = number.count, cells = grid_.all_cells();
+  const uint32_t count = number.count, cells = worlds_ * grid_.all_cells();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},

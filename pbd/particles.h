@@ -198,8 +198,9 @@ class Particles {
     from_saved_ = false;
   }
   /// The state to predict from, which is then sorted into target().
-  ParticleView source() {
-    if (!from_saved_) return view();
+  ParticleView source() { return from_saved_ ? saved() : view(); }
+  /// The state at the last save(), also after the steps from it.
+  ParticleView saved() {
     return {saved_position_.view(),
             previous.view(),
             accumulated_delta.view(),

@@ -89,6 +89,18 @@ class Solver {
   void reserve(uint32_t fluid, uint32_t vertices = 0);
   /// The particles [first, first + count) are new, or all were changed from outside.
   void particles_changed(uint32_t first, uint32_t count);
+  // A batch of worlds (worlds.h). It starts as one world, which is reset into all.
+  /// Makes `worlds` of the present particles. There must be no vertices and no periodic axes. From then on a
+  /// step with particles that are not finite is not undone: undo_worlds() does that, for their worlds alone.
+  void make_worlds(uint32_t worlds);
+  uint32_t worlds() const { return worlds_; }
+  /// m/s², by world; empty: all have that of the parameters.
+  void set_gravities(View<const Vec4> gravities) { gravities_ = gravities; }
+  /// The kept state, with its multipliers.
+  void reset_worlds(View<const uint32_t> chosen);
+  /// The state before the last step.
+  void undo_worlds(View<const uint32_t> chosen);
+
   /// The arrays of all sets follow a removal of particles: see ParticleState.
   void reorder(View<const uint32_t> order, uint32_t count) {
     for (ConstraintSet<D>* set : sets_) set->reorder(order, count);
@@ -146,6 +158,8 @@ class Solver {
   Substep<D> relax_once(float dt);
   void run(float dt);
   StepResult finish();
+  template <class Change>
+  void change_worlds(View<const uint32_t> chosen, const Change& change);
   View<const Vec4> velocity_changes(const ParticleView& start, float dt);
   void call_hook(Hook hook, const Substep<D>& s, int iteration = 0) {
     if (hooks_ & (1u << static_cast<uint32_t>(hook))) hook_call_(hook, particles_.view(), s, iteration);
@@ -184,6 +198,7 @@ class Solver {
   std::optional<RankExchange<D>> exchange_;  // of a shared world
   bool has_all_particles_ = false;           // of all ranks: nothing needs to be sent
   uint32_t rank_ghosts_ = 0;
+  KeptWorld<D> kept_world_;
   std::vector<ConstraintSet<D>*> sets_;
   size_t started_ = 0;  // sets whose start_step() was called in this step
   std::vector<VelocityPass<D>*> passes_;
@@ -196,6 +211,8 @@ class Solver {
   Buffer<StepReadout> readout_buffer_{device_, "step read-out"};
   StepReadout readout_{};
   Room room_;
+  uint32_t worlds_ = 1;
+  View<const Vec4> gravities_{};
   bool has_found_ = false;  // neighbours and contacts are of the end of the last step, and of all particles
   bool fresh_ = true;       // particles were added or changed from outside since the last step
   float step_dt_ = 0;       // s, of the step that was begun

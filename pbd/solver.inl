@@ -81,7 +81,7 @@ StepResult Solver<D>::end_step() {
   for (;;) {
     StepResult result = finish();
     const bool done = had_room();
-    if (!done || result.summary.non_finite) {
+    if (!done || (result.summary.non_finite && worlds_ == 1)) {
       undo_or_lose([&] { undo_step(); });
     } else {
       fresh_ = false;
@@ -227,6 +227,7 @@ solver_kernels::Prediction Solver<D>::predict(float dt, Vec3 gravity) {
   const ParticleView from = particles_.source();
   solver_kernels::Prediction prediction{from.position, from.velocity, gravity, dt};
   if (dt > 0) prediction.changes = velocity_changes(from, dt);
+  if (dt > 0 && gravities_.count) prediction.gravities = {gravities_, particles_.sorted() / worlds_};
   if (dt == 0 || !contacts_.limits_motion()) return prediction;
   const View<Vec4> predicted = particles_.predicted.view();
   device_.parallel_for("predict", from.owned, solver_kernels::Predict{prediction, predicted});
@@ -464,6 +465,7 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       search_(device, parameters.support_radius),
       contacts_(device),
       ghosts_(device, parameters.periodic, parameters.support_radius),
+      kept_world_(device, particles),
       timer_(device) {
   device_.fix_sums(parameters.fixed_sums);
   readout_buffer_.resize_discard(1);
@@ -571,6 +573,44 @@ void Solver<D>::visit_state(StateVisitor& v) {
   if (!v.restores()) return;
   summary_state_ = SummaryState::unknown;
   has_found_ = false;
+}
+
+// ---- batches of worlds ----
+
+template <class D>
+void Solver<D>::make_worlds(uint32_t worlds) {
+  const uint32_t each = particles_.sorted();
+  kept_world_.keep(each);
+  for (ConstraintSet<D>* set : sets_) set->keep_world(each);
+  search_.set_worlds(worlds, each);
+  Room room = room_;
+  room.fluid = std::max(room.fluid, worlds * each);
+  reserve_or_stay(room);
+  particles_.set_sorted(worlds * each);
+  worlds_ = worlds;
+  reset_worlds({});
+}
+
+/// Calls change(part, worlds) for all that has arrays of particles.
+template <class D>
+template <class Change>
+void Solver<D>::change_worlds(View<const uint32_t> chosen, const Change& change) {
+  const uint32_t count = particles_.sorted();
+  const ChosenWorlds worlds{chosen, count / worlds_, count};
+  change(kept_world_, worlds);
+  for (ConstraintSet<D>* set : sets_) change(*set, worlds);
+  summary_state_ = SummaryState::unknown;
+  has_found_ = false;
+}
+
+template <class D>
+void Solver<D>::reset_worlds(View<const uint32_t> chosen) {
+  change_worlds(chosen, [](auto& part, const ChosenWorlds& worlds) { part.reset_worlds(worlds); });
+}
+
+template <class D>
+void Solver<D>::undo_worlds(View<const uint32_t> chosen) {
+  change_worlds(chosen, [](auto& part, const ChosenWorlds& worlds) { part.undo_worlds(worlds); });
 }
 
 template <class D>

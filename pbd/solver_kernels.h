@@ -34,9 +34,10 @@ struct Prediction {
   float dt;
   View<const Vec4> limited{};  ///< the same, with the motions that were limited
   View<const Vec4> changes{};  ///< Δv of external forces, if there are any
+  WorldGravities gravities{};  ///< in place of `gravity`, where worlds have their own
 
   MENISCUS_HD Vec3 velocity_of(uint32_t i, const Vec4& x, const Vec4& v) const {
-    const Vec3 fallen = drawn(x, v, gravity, dt);
+    const Vec3 fallen = drawn(x, v, gravities.of(i, gravity), dt);
     return changes.count ? fallen + load(changes, i).xyz() : fallen;
   }
   MENISCUS_HD Vec4 unlimited(uint32_t i) const {

@@ -13,6 +13,7 @@
 #include "pbd/grid.h"
 #include "pbd/neighbours.h"
 #include "pbd/particles.h"
+#include "pbd/worlds.h"
 
 namespace meniscus::pbd {
 
@@ -60,6 +61,13 @@ class ParticleState {
   /// Adds the arrays that a particle takes along to another rank. They have room for as many as reserve()
   /// said. What arrives is written behind the present elements, before reorder().
   virtual void add_carried(std::vector<WordArray>& /*arrays*/) {}
+
+  // For batches of worlds, see worlds.h.
+  /// Keeps the present state of the first `each` particles, to which worlds can be reset.
+  virtual void keep_world(uint32_t /*each*/) {}
+  virtual void reset_worlds(const ChosenWorlds& /*worlds*/) {}
+  /// Back to what was saved.
+  virtual void undo_worlds(const ChosenWorlds& /*worlds*/) {}
 };
 
 /// One kind of constraint, for all particles that it affects. Sets project in the order in which they were

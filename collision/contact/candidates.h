@@ -115,6 +115,12 @@ struct BoundClusters {
   pbd::View<Aabb> bounds;
   uint32_t particles, clusters;
 
+  /// Of a motion that is not finite: it leaves the box of its cluster, which others share, as it is.
+  MENISCUS_HD static Aabb nowhere() {
+    constexpr Vec3 far{pbd::most_finite, pbd::most_finite, pbd::most_finite};
+    return {far, -far};
+  }
+
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
     constexpr uint32_t each = cluster_size / Scratch::parts;
@@ -122,7 +128,7 @@ struct BoundClusters {
     group.for_each(cluster_size * Scratch::clusters, [&](uint32_t k) {
       const uint32_t i = begin + k < particles ? begin + k : particles - 1;
       const Vec3 a = pbd::load(from, i).xyz(), b = pbd::load(to, i).xyz();
-      scratch.motions[k] = {min(a, b), max(a, b)};
+      scratch.motions[k] = is_finite(a) && is_finite(b) ? Aabb{min(a, b), max(a, b)} : nowhere();
     });
     group.for_each(Scratch::parts * Scratch::clusters,
                    [&](uint32_t k) { scratch.joined[k] = joined(scratch.motions + each * k, each); });

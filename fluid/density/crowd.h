@@ -78,6 +78,8 @@ class Crowd {
     if (v.restores()) make_room();
     v.array("member", member_.current.view(), member_.current.size());
   }
+  /// Whether there may be one in the next step.
+  bool any() const { return placed_ || (watching_ && left_.host()[0] > 0); }
   void start_step() {
     if (!std::exchange(is_restored_, false) && !placed_) watching_ = watching_ && left_.host()[0] > 0;
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "fluid/kernel/density_kernels.h"
 #include "pbd/chebyshev.h"
@@ -99,7 +100,18 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   /// Whether particles were placed above the rest density, and have not been parted.
   bool has_crowd() const;
 
+  void keep_world(uint32_t each) override;
+  void reset_worlds(const pbd::ChosenWorlds& worlds) override;
+  void undo_worlds(const pbd::ChosenWorlds& worlds) override;
+
   void visit_state(pbd::StateVisitor& v);
+
+  /// Whether particles that were placed too dense have not parted yet.
+  bool any_crowd() const;
+  /// s, of the last substep: its multipliers are those of `multipliers()`.
+  float last_substep() const { return last_dt_; }
+  /// Takes over the multipliers of the first particles, from a substep of this length.
+  void set_multipliers(std::span<const density_kernels::Multiplier> multipliers, float last_substep);
 
   void start_step() override;
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;
@@ -158,6 +170,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   pbd::DoubleBuffer<density_kernels::Multiplier> multiplier_{device_, "density multipliers"};
   pbd::Buffer<float> increment_{device_, "density increments"};
   pbd::Buffer<pbd::Vec4> staged_{device_, "staged corrections"};
+  pbd::Buffer<density_kernels::Multiplier> kept_multiplier_{device_, "kept multipliers"};
   pbd::Buffer<density_kernels::Multiplier> saved_multiplier_{device_, "saved multipliers"};
 };
 

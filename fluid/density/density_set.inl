@@ -299,6 +299,39 @@ void DensitySet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
 }
 
 template <class D>
+void DensitySet<D>::keep_world(uint32_t each) {
+  kept_multiplier_.resize_discard(each);
+  device_.copy(kept_multiplier_.view().data, multiplier_.current.view().data,
+               each * sizeof(density_kernels::Multiplier));
+}
+
+template <class D>
+void DensitySet<D>::reset_worlds(const pbd::ChosenWorlds& worlds) {
+  pbd::write_worlds(device_, "density/reset", worlds,
+                    pbd::View<const density_kernels::Multiplier>(kept_multiplier_.view()),
+                    multiplier_.current.view(), pbd::WorldsFrom::one);
+}
+
+template <class D>
+void DensitySet<D>::undo_worlds(const pbd::ChosenWorlds& worlds) {
+  pbd::write_worlds(device_, "density/undo", worlds,
+                    pbd::View<const density_kernels::Multiplier>(saved_multiplier_.view()),
+                    multiplier_.current.view(), pbd::WorldsFrom::all);
+}
+
+template <class D>
+bool DensitySet<D>::any_crowd() const {
+  return crowd_->any();
+}
+
+template <class D>
+void DensitySet<D>::set_multipliers(std::span<const density_kernels::Multiplier> multipliers,
+                                    float last_substep) {
+  multiplier_.current.write(multipliers);
+  last_dt_ = last_substep;
+}
+
+template <class D>
 void DensitySet<D>::visit_state(pbd::StateVisitor& v) {
   v.value("last_dt", last_dt_);
   v.array("multiplier", multiplier_.current.view(), multiplier_.current.size());

@@ -164,6 +164,17 @@ class DeviceEngine final : public Engine {
     solver_.relax_from(slot, dt, iterations);
   }
 
+  void make_worlds(uint32_t worlds) override;
+  void set_gravities(std::span<const Vec3> gravities) override;
+  void reset_worlds(std::span<const uint32_t> chosen) override;
+  void undo_worlds(std::span<const uint32_t> chosen) override;
+  void count_non_finite(std::span<uint32_t> counts) override;
+  void hash_worlds(std::span<uint64_t> hashes) override;
+  EngineWorld read_world(uint32_t world) override;
+  void write_world(const EngineWorld& world) override;
+  bool any_crowd() const override { return density_.any_crowd(); }
+  void write_vectors(Vec3* positions, Vec3* velocities) override;
+
   void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) override;
   void place_particles(std::span<const uint32_t> slots, std::span<const Vec3> positions) override;
   void set_particle_velocities(std::span<const uint32_t> slots, std::span<const Vec3> velocities) override;
@@ -291,6 +302,11 @@ class DeviceEngine final : public Engine {
   pbd::Buffer<Ellipsoid> ellipsoid_out_{device_, "read-out"};
   pbd::Buffer<uint64_t> count_out_{device_, "totals"};
   pbd::Buffer<engine_kernels::StateSum> state_sum_{device_, "state sum"};
+
+  // Of a batch, by world.
+  pbd::Buffer<uint32_t> chosen_worlds_{device_, "chosen worlds"}, bad_worlds_{device_, "failed worlds"};
+  pbd::Buffer<int64_t> world_hashes_{device_, "world hashes"};
+  pbd::Buffer<pbd::Vec4> world_gravities_{device_, "world gravities"};
 };
 
 }  // namespace meniscus
@@ -304,3 +320,4 @@ class DeviceEngine final : public Engine {
 #include "sdk/engine/engine_setters.inl"
 #include "sdk/engine/engine_shapes.inl"
 #include "sdk/engine/engine_state.inl"
+#include "sdk/engine/engine_worlds.inl"

@@ -185,7 +185,7 @@ template <class D>
 EngineStep DeviceEngine<D>::end_step() {
   EngineStep done;
   done.result = guarded(ranks_, [&] { return solver_.end_step(); });
-  if (done.result.summary.non_finite) return done;
+  if (done.result.summary.non_finite && solver_.worlds() == 1) return done;
   last_substep_ = begun_step_ / static_cast<float>(done.result.substeps);
   contacts_fetched_ = false;
   sorted_in_step_ = particles_.sorted();

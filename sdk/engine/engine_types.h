@@ -181,6 +181,16 @@ struct EngineArrays {
 
 using HookCalls = std::array<SubstepCall, hook_count>;
 
+/// The particles of one world of a batch, in their order on the device, and what they start a step from.
+struct EngineWorld {
+  std::vector<pbd::Vec4> position, velocity;
+  std::vector<pbd::Phase> phase;
+  std::vector<uint32_t> slot, number;
+  std::vector<fluid::density_kernels::Multiplier> multiplier;
+  float last_density_substep = 0;  ///< s
+  float last_substep = 0;          ///< s
+};
+
 struct EngineStep {
   pbd::StepResult result;
   std::array<double, stage_count> stage_ms{};

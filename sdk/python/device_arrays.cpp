@@ -92,8 +92,10 @@ nb::object dlpack(const PyDeviceArray& self, std::optional<int64_t> stream,
 }
 
 nb::tuple shape_of(const DeviceArray& array) {
-  return array.dimensions == 1 ? nb::make_tuple(array.shape[0])
-                               : nb::make_tuple(array.shape[0], array.shape[1]);
+  const auto& [a, b, c] = array.shape;
+  return array.dimensions == 1   ? nb::make_tuple(a)
+         : array.dimensions == 2 ? nb::make_tuple(a, b)
+                                 : nb::make_tuple(a, b, c);
 }
 
 /// What both interfaces have.
@@ -128,9 +130,10 @@ nb::dict array_interface(const PyDeviceArray& self) {
 
 std::string repr(const PyDeviceArray& self) {
   const DeviceArray& a = self.array;
-  return "<DeviceArray " + std::to_string(a.shape[0]) +
-         (a.dimensions == 2 ? " x " + std::to_string(a.shape[1]) : std::string()) + ", " +
-         type_string(a.type) + (a.on_cuda ? ", cuda:" + std::to_string(a.device) : ", cpu") + ">";
+  std::string size = std::to_string(a.shape[0]);
+  for (int k = 1; k < a.dimensions; ++k) size += " x " + std::to_string(a.shape[size_t(k)]);
+  return "<DeviceArray " + size + ", " + type_string(a.type) +
+         (a.on_cuda ? ", cuda:" + std::to_string(a.device) : ", cpu") + ">";
 }
 
 const char* dtype_of(ElementType type) {

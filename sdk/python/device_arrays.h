@@ -14,7 +14,7 @@ namespace meniscus::python {
 struct PyDeviceArray {
   DeviceArray array;
   bool read_only = false;
-  std::shared_ptr<WorldState> world{};  ///< keeps the stream alive; none within a hook
+  std::shared_ptr<void> owner{};  ///< keeps the stream alive; none within a hook
 };
 
 /// Makes the class DeviceArray, and adds device_arrays() to World.

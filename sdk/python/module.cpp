@@ -7,6 +7,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "sdk/python/batch.h"
 #include "sdk/python/collected.h"
 #include "sdk/python/definitions.h"
 #include "sdk/python/device_arrays.h"
@@ -43,5 +44,6 @@ NB_MODULE(_core, module) {
   bind_motion(module);
   bind_device_arrays(module, world);
   bind_hooks(module, world);
+  bind_batch(module);
   module.def("list_devices", list_devices, "The devices, and which of them are usable.");
 }

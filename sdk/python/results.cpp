@@ -4,6 +4,7 @@
 // The classes of reports and measurements.
 #include "sdk/python/results.h"
 
+#include <meniscus/batch.h>
 #include <nanobind/stl/string.h>
 
 #include "sdk/python/values/to_python.h"
@@ -138,12 +139,28 @@ void bind_memory(nb::module_& module) {
       .has("shared", &MemoryStats::shared, "Host memory that the device reads and writes as well.");
 }
 
+void bind_batches(nb::module_& module) {
+  Result<WorldStatus>(module, "WorldStatus", "The state of one world of a batch.")
+      .has("active", &WorldStatus::active, "Whether steps advance it.")
+      .has("failed", &WorldStatus::failed,
+           "Its last step was not finite: it has the state before, and waits for its reset.")
+      .has("time", &WorldStatus::time, "s.");
+  Result<BatchReport>(module, "BatchReport", "The results of a step of a batch.")
+      .has("ms", &BatchReport::ms, "Wall clock time.")
+      .has("substeps", &BatchReport::substeps, "Their number.")
+      .has("stepped", &BatchReport::stepped, "Worlds that have advanced.")
+      .has("failed", &BatchReport::failed, "Worlds that failed in this step.")
+      .has("contacts", &BatchReport::contacts, "Of the last substep, in all worlds.")
+      .has("max_neighbours", &BatchReport::max_neighbours, "Of a particle.");
+}
+
 }  // namespace
 
 void bind_results(nb::module_& module) {
   bind_step_report(module);
   bind_diagnostics(module);
   bind_memory(module);
+  bind_batches(module);
   Result<DeviceInfo>(module, "DeviceInfo", "A device as `meniscus devices` lists it.")
       .has("kind", &DeviceInfo::kind, "\"cpu\" or \"cuda\".")
       .has("name", &DeviceInfo::name, "Of the processor.")

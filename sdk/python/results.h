@@ -10,7 +10,8 @@
 
 namespace meniscus::python {
 
-/// Makes the classes StepReport, Overflows, Diagnostics, ClothState, DeviceInfo, MeshRepair and MemoryStats.
+/// Makes the classes StepReport, Overflows, Diagnostics, ClothState, DeviceInfo, MeshRepair, MemoryStats,
+/// WorldStatus and BatchReport.
 void bind_results(nb::module_& module);
 /// Adds contacts and events to World.
 void bind_events(nb::class_<PyWorld>& world);

@@ -22,8 +22,8 @@ void make_room(DeviceArray& array, Engine& engine, ElementType type, size_t coun
   array.data = array.memory.get();
   array.type = type;
   array.dimensions = columns > 1 ? 2 : 1;
-  array.shape = {static_cast<int64_t>(count), columns};
-  array.strides = {columns, 1};
+  array.shape = {static_cast<int64_t>(count), columns, 1};
+  array.strides = {columns, 1, 1};
   array.on_cuda = engine.device().kind() == pbd::DeviceKind::cuda;
   array.device = engine.ordinal();
 }

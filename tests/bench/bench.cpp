@@ -10,11 +10,13 @@
 //   bench drape --n 250,500
 //   bench sheet --fabric-density 0.2,40 --substeps 4 --iterations 2
 //   bench surface --particles 1000000
+//   bench batch --device cuda --worlds 256,1024,4096 --particles 1000 --reset 0.01
 //   bench render --device cuda --particles 100000,1000000
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
 
+#include "tests/bench/batch.h"
 #include "tests/bench/cloth.h"
 #include "tests/bench/dam.h"
 #include "tests/bench/pool.h"
@@ -32,6 +34,7 @@ int main(int argc, char** argv) {
   ClothOptions hanging, drape;
   SheetOptions sheet;
   SurfaceOptions surface;
+  BatchOptions batch;
   CLI::App app("Times steps, and says what they were worth");
   app.fallthrough();
   app.require_subcommand(1);
@@ -46,6 +49,7 @@ int main(int argc, char** argv) {
   const CLI::App* drape_case = add_drape(app, drape);
   const CLI::App* sheet_case = add_sheet(app, sheet);
   const CLI::App* surface_case = add_surface(app, surface);
+  const CLI::App* batch_case = add_batch(app, batch);
 #ifdef MENISCUS_WITH_RENDERER
   RenderOptions render;
   const CLI::App* render_case = add_render(app, render);
@@ -59,6 +63,7 @@ int main(int argc, char** argv) {
     if (drape_case->parsed()) run_drape(common, drape, results);
     if (sheet_case->parsed()) run_sheet(common, sheet, results);
     if (surface_case->parsed()) run_surface(common, surface, results);
+    if (batch_case->parsed()) run_batch(common, batch, results);
 #ifdef MENISCUS_WITH_RENDERER
     if (render_case->parsed()) run_render(common, render, results);
 #endif

@@ -17,6 +17,7 @@ WorldDef dam_def(const CommonOptions& common, const DamOptions& o, int iteration
   d.iterations = iterations;
   d.density.solver = solver_named(o.solver);
   d.density.tolerance = o.tolerance;
+  if (o.fixed_sums) d.sums = Sums::fixed;
   if (o.diffuse) d.diffuse.emplace();
   return d;
 }
@@ -51,6 +52,7 @@ Json run_case(const CommonOptions& common, const DamOptions& o, int particles, i
           {"iterations", iterations},
           {"solver", o.solver},
           {"tolerance", o.tolerance},
+          {"fixed_sums", o.fixed_sums},
           {"density_iterations", times.density_iterations()},
           {"dt_ms", 1e3 * dam.dt},
           {"h_moved_per_substep", d.max_speed * dam.dt / float(o.substeps) / dam.world.support_radius()},
@@ -101,6 +103,7 @@ CLI::App* add_dam(CLI::App& app, DamOptions& o) {
   dam->add_option("--substeps", o.substeps, "a step");
   dam->add_option("--boxes", o.boxes, "rigid bodies in the water's way");
   dam->add_flag("--diffuse", o.diffuse, "with spray, foam and bubbles");
+  dam->add_flag("--fixed-sums", o.fixed_sums, "with WorldDef::sums fixed");
   dam->add_option("--warm", o.warm_steps, "steps before the clock starts");
   dam->add_option("--steps", o.timed_steps, "steps that are timed")->check(CLI::PositiveNumber);
   dam->add_option("--step-in-h", o.step_in_h,

@@ -17,6 +17,7 @@ struct DamOptions {
   int substeps = 1;
   int boxes = 0;
   bool diffuse = false;
+  bool fixed_sums = false;
   int warm_steps = 200;
   int timed_steps = 200;
   float step_in_h =

@@ -4,6 +4,7 @@
 // The whole public interface.
 #pragma once
 
+#include <meniscus/batch.h>
 #include <meniscus/bodies.h>
 #include <meniscus/cloth.h>
 #include <meniscus/defs.h>

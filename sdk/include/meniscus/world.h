@@ -380,6 +380,7 @@ class World {
  private:
   friend class Replay;
   friend class SharedWorld;
+  friend class WorldBatch;
   struct Impl;
   struct Calls;
   static std::unique_ptr<Impl> make(const WorldDef& def);

@@ -161,3 +161,10 @@ class DeviceArrays(NamedTuple):
     positions: DeviceArray  # float32, m
     velocities: DeviceArray  # float32, m/s
     phases: DeviceArray  # uint32: Fluid.index
+
+
+class BatchArrays(NamedTuple):
+    """The particles of a WorldBatch in the memory of its device, worlds × particles × 3."""
+
+    positions: DeviceArray  # float32, m, local to each world
+    velocities: DeviceArray  # float32, m/s

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// DeviceEngine's calls for batches of worlds.
+#pragma once
+
+#include "sdk/engine/engine.inl"
+
+namespace meniscus {
+
+namespace engine_kernels {
+
+/// Counts by the criterion of pbd::solver_kernels::Summarize.
+struct CountNonFinite {
+  View<const pbd::Vec4> position, velocity;
+  uint32_t each;
+  View<uint32_t> counts;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 v = velocity[i].xyz();
+    if (!is_finite(position[i].xyz()) || !(dot(v, v) <= pbd::most_finite))
+      pbd::atomic_add(counts[i / each], 1);
+  }
+};
+
+struct HashByWorld {
+  HashParticle hash;
+  uint32_t each;
+  View<int64_t> sums;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    pbd::atomic_add(sums[i / each], static_cast<int64_t>(hash(i)));
+  }
+};
+
+}  // namespace engine_kernels
+
+/// Overlaps with solids are noted first, as the first step of a world notes them.
+template <class D>
+void DeviceEngine<D>::make_worlds(uint32_t worlds) {
+  const uint32_t each = particles_.sorted();
+  fetch_contacts();
+  note_overlapping();
+  for (pbd::Buffer<uint32_t>* b : {&chosen_worlds_, &bad_worlds_}) b->resize_discard(worlds);
+  world_hashes_.resize_discard(worlds);
+  world_gravities_.resize_discard(worlds);
+  device_.monitor().commit();
+  solver_.make_worlds(worlds);
+  reserve(worlds * each, vertex_capacity_);
+}
+
+template <class D>
+void DeviceEngine<D>::set_gravities(std::span<const Vec3> gravities) {
+  std::vector<pbd::Vec4> padded;
+  for (const Vec3 g : gravities) padded.push_back(pbd::with_w(g, 0));
+  world_gravities_.write(padded);
+  solver_.set_gravities(world_gravities_.view());
+}
+
+template <class D>
+void DeviceEngine<D>::reset_worlds(std::span<const uint32_t> chosen) {
+  chosen_worlds_.write(chosen);
+  solver_.reset_worlds(chosen_worlds_.view());
+}
+
+template <class D>
+void DeviceEngine<D>::undo_worlds(std::span<const uint32_t> chosen) {
+  chosen_worlds_.write(chosen);
+  solver_.undo_worlds(chosen_worlds_.view());
+}
+
+template <class D>
+void DeviceEngine<D>::count_non_finite(std::span<uint32_t> counts) {
+  const pbd::ParticleView p = particles_.view();
+  bad_worlds_.fill(0);
+  device_.parallel_for("worlds/finite", p.sorted,
+                       engine_kernels::CountNonFinite{p.position, p.velocity, p.sorted / solver_.worlds(),
+                                                      bad_worlds_.view()});
+  bad_worlds_.read(counts);
+}
+
+template <class D>
+void DeviceEngine<D>::hash_worlds(std::span<uint64_t> hashes) {
+  const pbd::ParticleView p = particles_.view();
+  world_hashes_.fill(0);
+  device_.parallel_for(
+      "worlds/hash", p.sorted,
+      engine_kernels::HashByWorld{
+          {p.position, p.velocity, p.number}, p.sorted / solver_.worlds(), world_hashes_.view()});
+  device_.copy_out(hashes.data(), world_hashes_.view().data, hashes.size_bytes());
+}
+
+template <class D>
+EngineWorld DeviceEngine<D>::read_world(uint32_t world) {
+  const uint32_t each = particles_.sorted() / solver_.worlds(), first = world * each;
+  EngineWorld state;
+  const auto read = [&]<class T>(std::vector<T>& to, pbd::View<const T> from) {
+    to.resize(each);
+    device_.copy_out(to.data(), from.data + first, each * sizeof(T));
+  };
+  const pbd::ParticleView p = particles_.view();
+  read(state.position, pbd::View<const pbd::Vec4>(p.position));
+  read(state.velocity, pbd::View<const pbd::Vec4>(p.velocity));
+  read(state.phase, p.phase);
+  read(state.slot, p.slot);
+  read(state.number, p.number);
+  read(state.multiplier, density_.multipliers());
+  for (uint32_t& slot : state.slot) slot -= first;
+  state.last_density_substep = density_.last_substep();
+  state.last_substep = last_substep_;
+  return state;
+}
+
+template <class D>
+void DeviceEngine<D>::write_world(const EngineWorld& world) {
+  particles_.position.current.write(world.position);
+  particles_.velocity.current.write(world.velocity);
+  particles_.phase.current.write(world.phase);
+  particles_.slot.current.write(world.slot);
+  particles_.number.current.write(world.number);
+  solver_.particles_changed(0, 0);
+  density_.set_multipliers(world.multiplier, world.last_density_substep);
+  last_substep_ = world.last_substep;
+  any_overlapping_ = false;
+}
+
+template <class D>
+void DeviceEngine<D>::write_vectors(Vec3* positions, Vec3* velocities) {
+  const uint32_t count = particles_.sorted();
+  const pbd::ParticleView p = particles_.view();
+  device_.parallel_for("arrays/positions", count,
+                       engine_kernels::ReadVector{p.position, p.slot, {positions, count}});
+  device_.parallel_for("arrays/velocities", count,
+                       engine_kernels::ReadVector{p.velocity, p.slot, {velocities, count}});
+  if (def_.origin != Vec3{0, 0, 0})
+    device_.parallel_for("arrays/origin", count,
+                         engine_kernels::ShiftVectors{{positions, count}, def_.origin});
+  device_.send_off();
+}
+
+}  // namespace meniscus

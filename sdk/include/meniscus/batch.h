@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// WorldBatch: many copies of one world, stepped in the same launches.
+#pragma once
+
+#include <meniscus/device_arrays.h>
+#include <meniscus/outputs.h>
+#include <meniscus/types.h>
+#include <meniscus/world_def.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace meniscus {
+
+class World;
+
+/// A batch of worlds.
+struct BatchDef {
+  uint32_t worlds = 1;  ///< 1 to 65,536
+};
+
+/// The state of one world of a batch.
+struct WorldStatus {
+  bool active = true;   ///< whether steps advance it; see WorldBatch::set_active
+  bool failed = false;  ///< its last step was not finite: it has the state before, and waits for its reset
+  double time = 0;      ///< s
+};
+
+/// The results of a step of a batch.
+struct BatchReport {
+  double ms = 0;                ///< wall clock time
+  int substeps = 0;             ///< number
+  uint32_t stepped = 0;         ///< worlds that have advanced
+  uint32_t failed = 0;          ///< worlds that failed in this step
+  uint32_t contacts = 0;        ///< of the last substep, in all worlds
+  uint32_t max_neighbours = 0;  ///< of a particle
+};
+
+/// Arrays in the memory of the device, world after world; see World::device_arrays.
+struct BatchArrays {
+  DeviceArray positions;   ///< float32, worlds × particles × 3, m
+  DeviceArray velocities;  ///< float32, worlds × particles × 3, m/s
+};
+
+/// Many copies of one world, the archetype, stepped in the same launches. Each has the bits of the archetype
+/// alone, whatever its place in the batch and whatever happens in the others (docs/batch.md). Positions are
+/// local to each world, and ids name the same thing in each.
+///
+/// The archetype has WorldDef::sums `fixed`. It has fluids and fixed shapes. Bodies, joints, cloth, ropes,
+/// granular materials, emitters, sinks, probes, force fields, hooks, viscosity, diffuse particles and
+/// periodic axes are refused by name, as are cfl_number, step_budget_ms, density.tolerance and all solvers
+/// but `jacobi` and `chebyshev`.
+///
+/// Only one thread may use a batch at a time. Every call may throw Error and has then changed nothing.
+class WorldBatch {
+ public:
+  /// Copies of the archetype in its present state, on its device. The archetype does not change, and may go.
+  /// Throws Error(invalid_argument) that names what a batch does not take, and Error(capacity) if all worlds
+  /// together have more particles than a world may have.
+  explicit WorldBatch(const World& archetype, const BatchDef& def = {});
+  ~WorldBatch();
+  WorldBatch(WorldBatch&&) noexcept;             ///< takes another batch, which is then of no use
+  WorldBatch& operator=(WorldBatch&&) noexcept;  ///< likewise
+
+  uint32_t worlds() const;             ///< number
+  std::size_t particle_count() const;  ///< of each world
+  const WorldDef& def() const;         ///< of the archetype
+  DeviceInfo device() const;           ///< see World::device
+
+  /// Advances the active worlds by dt seconds, which must be that of the steps before: a world's pressures
+  /// start from those of its last substep. A world with a result that is not finite keeps the state before,
+  /// and fails; the others do not notice. Throws Error(invalid_argument) for another dt.
+  BatchReport step(float dt);
+  /// Gives the archetype's state to the worlds with mask ≠ 0, with its time and pressures. Their gravity and
+  /// whether they are active stay. Empty: all worlds.
+  void reset(std::span<const uint8_t> mask = {});
+  /// Worlds with mask = 0 stay as they are until a mask names them again.
+  void set_active(std::span<const uint8_t> mask);
+  /// m/s², of one world, from the next step on.
+  void set_gravity(uint32_t world, Vec3 gravity);
+  /// m/s², by world.
+  void set_gravities(std::span<const Vec3> gravities);
+
+  std::span<const WorldStatus> status() const;  ///< by world
+  std::span<const Vec3> positions() const;      ///< m, worlds × particles, in the order of World::positions
+  std::span<const Vec3> velocities() const;     ///< m/s, likewise
+  std::span<const uint64_t> state_hashes() const;  ///< by world: World::state_hash of it alone
+  /// Positions and velocities on the device. Does not wait for the device.
+  BatchArrays device_arrays() const;
+  /// A world of its own that continues with the same bits. It has the gravity of the world.
+  World extract(uint32_t world) const;
+
+  /// Bytes and allocations of the batch's device; see World::memory_stats.
+  MemoryStats memory_stats() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace meniscus

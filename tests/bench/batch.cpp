@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The benchmark of a batch: many small dam breaks in the same launches, with different gravities.
+#include "tests/bench/batch.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace meniscus::bench {
+
+namespace {
+
+/// A box with a column of water in its left half.
+World small_dam(const CommonOptions& common, const BatchOptions& o) {
+  WorldDef def = world_def(common);
+  def.sums = Sums::fixed;
+  def.substeps = o.substeps;
+  def.iterations = o.iterations;
+  World world(def);
+  const float side = def.particle_spacing * std::round(std::cbrt(static_cast<float>(o.particles)));
+  ShapeDef tank;
+  tank.geometry = ContainerGeometry{{side, side, 0.5f * side}, {}};
+  tank.pose.position = {side, side, 0.5f * side};
+  world.create_shape(tank);
+  FluidVolumeDef column;
+  column.fluid = world.create_fluid({});
+  column.region = BoxRegion{{0, 0, 0}, {side, side, side}};
+  world.add_fluid(column);
+  return world;
+}
+
+/// A step's reset: each `share`-th world, another one each time.
+std::vector<uint8_t> some_worlds(uint32_t worlds, double share, int step) {
+  std::vector<uint8_t> mask(worlds, 0);
+  const double count = share * worlds;
+  for (int k = 0; k < static_cast<int>(count); ++k)
+    mask[(static_cast<uint32_t>(step) * 7919u + static_cast<uint32_t>(k / share)) % worlds] = 1;
+  return mask;
+}
+
+Json run_case(const CommonOptions& common, const BatchOptions& o, int worlds) {
+  using Clock = std::chrono::steady_clock;
+  const auto count = static_cast<uint32_t>(worlds);
+  WorldBatch batch(small_dam(common, o), {count});
+  std::vector<Vec3> gravities(count);
+  for (uint32_t w = 0; w < count; ++w) gravities[w] = {0.01f * static_cast<float>(w % 100), -9.81f, 0};
+  batch.set_gravities(gravities);
+  for (int k = 0; k < o.steps; ++k) batch.step(o.frame);
+  const uint64_t allocations = batch.memory_stats().device.allocations;
+  std::vector<double> ms;
+  uint32_t failed = 0, neighbours = 0;
+  for (int k = 0; k < o.steps; ++k) {
+    const auto start = Clock::now();
+    if (o.reset > 0) batch.reset(some_worlds(count, o.reset, k));
+    const BatchReport report = batch.step(o.frame);
+    ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    failed += report.failed;
+    neighbours = report.max_neighbours;
+  }
+  const double median = quantile(ms, 0.5), all = double(worlds) * double(batch.particle_count());
+  const MemoryUse memory = batch.memory_stats().device;
+  return {{"worlds", worlds},
+          {"particles_each", batch.particle_count()},
+          {"substeps", o.substeps},
+          {"iterations", o.iterations},
+          {"reset", o.reset},
+          {"ms_per_step", median},
+          {"ms_per_substep", median / o.substeps},
+          {"p99_ms", quantile(ms, 0.99)},
+          {"world_steps_per_second", 1e3 * double(worlds) / median},
+          {"us_per_world", 1e3 * median / worlds},
+          {"failed", failed},
+          {"max_neighbours", neighbours},
+          {"allocations", memory.allocations - allocations},
+          {"bytes_per_particle", double(memory.bytes) / all}};
+}
+
+}  // namespace
+
+CLI::App* add_batch(CLI::App& app, BatchOptions& o) {
+  CLI::App* batch = app.add_subcommand("batch", "many small dam breaks in the same launches");
+  batch->add_option("--worlds", o.worlds, "how many, one case each")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 65536));
+  batch->add_option("--particles", o.particles, "of each world, about")->check(CLI::Range(8, 1000000));
+  batch->add_option("--substeps", o.substeps, "a step");
+  batch->add_option("--iterations", o.iterations, "a substep");
+  batch->add_option("--steps", o.steps, "that are timed, after as many")->check(CLI::Range(1, 100000));
+  batch->add_option("--reset", o.reset, "share of the worlds that each step resets")
+      ->check(CLI::Range(0.0, 1.0));
+  return batch;
+}
+
+void run_batch(const CommonOptions& common, const BatchOptions& options, Results& results) {
+  for (int worlds : options.worlds) results.add(run_case(common, options, worlds));
+}
+
+}  // namespace meniscus::bench

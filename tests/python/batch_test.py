@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: MIT
+"""WorldBatch: copies of a world that move as it does alone."""
+
+import unittest
+
+import meniscus
+import numpy as np
+
+DT = 0.01
+
+
+def archetype(**given):
+    world = meniscus.World(device="cpu", particle_spacing=0.1, iterations=3, **{"sums": "fixed", **given})
+    world.add_shape(geometry=meniscus.ContainerGeometry(half_extents=(0.5, 0.5, 0.25)))
+    world.add_volume(fluid=world.add_fluid(), region=meniscus.BoxRegion(lower=(-0.5, -0.5, -0.25), upper=(0, 0, 0.25)))
+    return world
+
+
+class BatchTest(unittest.TestCase):
+    def test_a_world_moves_as_alone(self):
+        world = archetype()
+        batch = meniscus.WorldBatch(world, worlds=3)
+        for _ in range(10):
+            report = batch.step(DT)
+            world.step(DT)
+        self.assertEqual(report.stepped, 3)
+        self.assertEqual(set(batch.state_hashes.tolist()), {world.state_hash()})
+        self.assertEqual(batch.positions.shape, (3, batch.particle_count, 3))
+        np.testing.assert_array_equal(batch.positions[1], world.positions)
+
+    def test_worlds_have_their_own_gravity_and_resets(self):
+        batch = meniscus.WorldBatch(archetype(), worlds=2)
+        start = batch.state_hashes.copy()
+        batch.set_gravities(np.array([[0, -9.81, 0], [3, -9.81, 0]], dtype=np.float32))
+        batch.step(DT)
+        self.assertNotEqual(*batch.state_hashes)
+        batch.reset(np.array([False, True]))
+        self.assertEqual(batch.state_hashes[1], start[1])
+        self.assertEqual([s.time for s in batch.status], [np.float32(DT), 0])
+        batch.set_active(np.array([False, True]))
+        self.assertEqual(batch.step(DT).stepped, 1)
+
+    def test_an_extracted_world_goes_on(self):
+        batch = meniscus.WorldBatch(archetype(), worlds=2)
+        batch.step(DT)
+        world = batch.extract(1)
+        batch.step(DT)
+        world.step(DT)
+        self.assertEqual(world.state_hash(), batch.state_hashes[1])
+
+    def test_arrays_are_on_the_device(self):
+        batch = meniscus.WorldBatch(archetype(), worlds=2)
+        arrays = batch.device_arrays()
+        self.assertEqual(arrays.positions.shape, (2, batch.particle_count, 3))
+        np.testing.assert_array_equal(np.asarray(arrays.positions), batch.positions)
+
+    def test_what_a_batch_does_not_take_is_named(self):
+        with self.assertRaisesRegex(meniscus.Error, "sums"):
+            meniscus.WorldBatch(archetype(sums="auto"), worlds=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
