@@ -40,9 +40,6 @@ class Crowd {
     device_.parallel_for("crowd/placed", count, crowd_kernels::MarkPlaced{first, member_.current.view()});
   }
 
-  /// Whether there may be a crowd.
-  bool is_watched() const { return watching_; }
-
   // As in ParticleState.
   void reserve(uint32_t size, uint32_t kept) {
     size_ = size;

@@ -97,8 +97,6 @@ class DensitySet final : public pbd::ConstraintSet<D> {
     arrays.push_back({reinterpret_cast<uint32_t*>(multiplier_.current.view().data),
                       sizeof(density_kernels::Multiplier) / sizeof(uint32_t)});
   }
-  /// Whether particles were placed above the rest density, and have not been parted.
-  bool has_crowd() const;
 
   void keep_world(uint32_t each) override;
   void reset_worlds(const pbd::ChosenWorlds& worlds) override;

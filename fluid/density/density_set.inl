@@ -75,11 +75,6 @@ void DensitySet<D>::note_placed(uint32_t first, uint32_t count) {
 }
 
 template <class D>
-bool DensitySet<D>::has_crowd() const {
-  return crowd_->is_watched();
-}
-
-template <class D>
 void DensitySet<D>::start_step() {
   crowd_->start_step();
   if (stop_) stop_->start_step();

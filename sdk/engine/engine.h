@@ -189,8 +189,6 @@ class Engine {
   /// Does what rank 0 asks for, until it calls end_following().
   virtual void follow() = 0;
   virtual void end_following() = 0;
-  /// Whether particles were placed above the rest density, and have not been parted.
-  virtual bool has_crowd() const = 0;
 };
 
 /// On threads of its own, or in a loop of the user's if there is one.

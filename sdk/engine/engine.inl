@@ -202,7 +202,6 @@ class DeviceEngine final : public Engine {
   void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) override;
   void follow() override;
   void end_following() override;
-  bool has_crowd() const override;
 
  private:
   /// Registers all phases with the solver; throws std::logic_error if a phase is missing or registered twice.

@@ -27,11 +27,6 @@ void DeviceEngine<D>::share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) {
 }
 
 template <class D>
-bool DeviceEngine<D>::has_crowd() const {
-  return density_.has_crowd();
-}
-
-template <class D>
 void DeviceEngine<D>::end_following() {
   guarded(ranks_, [&] { announce({RankCall::end}); });
 }

@@ -51,7 +51,7 @@ void SharedWorld::check(const World& world) {
   check_contents(impl);
   if (!impl.hooks.empty()) refuse("hooks");
   if (impl.recorder) refuse("recording");
-  if (impl.engine->has_crowd())
+  if (impl.engine->any_crowd())
     refuse("particles of add_particles before the first step, since they may be too near to each other");
 }
 
