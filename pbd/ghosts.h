@@ -14,10 +14,21 @@ namespace meniscus::pbd {
 /// at an offset from it. No loop runs over ghosts. They appear in the neighbour lists of owned particles.
 ///
 /// Whoever writes an array that neighbours read refreshes its ghosts before they are read.
+///
+/// The ghosts of a shared world are owned by other ranks, which send their values. They stand where their
+/// owners have them.
+class GhostExchange {
+ public:
+  virtual ~GhostExchange() = default;
+  /// Fetches the values of all ghosts, of so many 32-bit words each.
+  virtual void refresh(void* values, uint32_t words) = 0;
+};
+
 struct GhostView {
   View<const uint32_t> source;  ///< as many as there is room for; no_index where there is no ghost
   View<const Vec4> offset;      ///< m, from the source
   uint32_t first = 0;
+  GhostExchange* exchange = nullptr;  ///< of a shared world, whose ghosts have no source here
 };
 
 namespace ghost_kernels {
@@ -49,6 +60,8 @@ struct CopyPositions {
 /// Copies the values of owned particles to their ghosts. Without ghosts nothing is launched.
 template <class D, class T>
 void refresh_ghosts(D& device, const GhostView& ghosts, View<T> values) {
+  static_assert(sizeof(T) % sizeof(uint32_t) == 0);
+  if (ghosts.exchange) return ghosts.exchange->refresh(values.data, sizeof(T) / sizeof(uint32_t));
   if (ghosts.source.count == 0) return;
   device.parallel_for("ghosts/values", ghosts.source.count, ghost_kernels::Copy<T>{ghosts, values});
 }
@@ -56,6 +69,7 @@ void refresh_ghosts(D& device, const GhostView& ghosts, View<T> values) {
 /// The same for positions, m, with anything in w.
 template <class D>
 void refresh_ghost_positions(D& device, const GhostView& ghosts, View<Vec4> positions) {
+  if (ghosts.exchange) return refresh_ghosts(device, ghosts, positions);
   if (ghosts.source.count == 0) return;
   device.parallel_for("ghosts/positions", ghosts.source.count,
                       ghost_kernels::CopyPositions{ghosts, positions});

@@ -36,11 +36,25 @@ struct GridView {
   View<const uint32_t>
       start;  ///< of each cell's sorted particles, which end where those of the next cell start
 
+  // The slab of a rank, in layers of cells along z, or along y. Its cells come first. The same cells follow
+  // for the ghosts outside of the slab, and then one cell for particles that are neither. So owned particles
+  // come first, then ghosts. Without ranks all layers are in the slab.
+  bool layers_along_y = false;
+  uint32_t first_layer = 0, last_layer = ~0u;  ///< last − first, which may wrap around
+
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
-  /// Cells of a world.
+  /// Of a world, or of a slab.
   MENISCUS_HD uint32_t cell_count() const { return 1u << key_bits(); }
   /// The first cell of particle i's world.
   MENISCUS_HD uint32_t first_cell(uint32_t i) const { return each ? i / each << key_bits() : 0; }
+  MENISCUS_HD bool is_slab() const { return last_layer != ~0u; }
+  /// With those of ghosts.
+  MENISCUS_HD uint32_t all_cells() const { return is_slab() ? 2 * cell_count() + 1 : cell_count(); }
+  MENISCUS_HD int32_t layer(CellCoordinates c) const { return layers_along_y ? c.y : c.z; }
+  /// Whether the slab or a layer next to it contains a cell.
+  MENISCUS_HD bool holds(CellCoordinates c) const {
+    return !is_slab() || static_cast<uint32_t>(layer(c)) - first_layer + 1 <= last_layer + 2;
+  }
 
   MENISCUS_HD CellCoordinates coordinates(Vec3 p) const {
     // The clamp keeps the conversion defined for any float, NaN included.
@@ -57,8 +71,9 @@ struct GridView {
   /// The key of a row's first cell.
   MENISCUS_HD uint32_t row(uint32_t y, uint32_t z) const {
     const uint32_t strip = (y & ((1u << bits_y) - 1)) >> strip_bits, in_strip = y & ((1u << strip_bits) - 1);
-    const uint32_t layer = (strip << bits_z) + (z & ((1u << bits_z) - 1));
-    return ((layer << strip_bits) + in_strip) << bits_x;
+    const uint32_t row_layer = (strip << bits_z) + (z & ((1u << bits_z) - 1));
+    const uint32_t in_slab = ((row_layer << strip_bits) + in_strip) << bits_x;
+    return (layers_along_y ? y : z) - first_layer > last_layer ? in_slab + cell_count() : in_slab;
   }
 };
 

@@ -6,6 +6,8 @@
 
 #include <meniscus/types.h>
 
+#include <utility>
+
 #include "pbd/coarse_positions.h"
 #include "pbd/grid.h"
 #include "pbd/neighbours.h"
@@ -71,6 +73,11 @@ class NeighbourSearch {
   /// Allocates for `capacity` particles.
   void reserve(uint32_t capacity);
 
+  /// From the next fit on, only the layers [first, end) have owned particles.
+  void set_slab(bool along_y, int32_t first, int32_t end);
+  /// After a sort of a slab: the numbers of owned particles and of ghosts.
+  std::pair<uint32_t, uint32_t> count_slab() const;
+
   /// Chooses the table's shape for this number of particles inside `extent`. Particles outside are found as
   /// well, but more slowly.
   void fit(const Aabb& extent, uint32_t count);
@@ -105,6 +112,7 @@ class NeighbourSearch {
   float support_radius_;
   GridView grid_;
   uint32_t capacity_ = 0, worlds_ = 1;
+  uint32_t cells_ = 0;  // room for a table of so many, for each world
   uint32_t row_capacity_;
   bool is_coarse_ = false;  // lists are built from coarse positions
 

@@ -31,8 +31,11 @@ struct CountInCells {
     const Vec3 p = points(i).xyz();
     // Particles that are not finite have no neighbours. They are spread over the cells, because a single cell
     // would take very long.
-    const uint32_t cell =
-        grid.first_cell(i) + (is_finite(p) ? grid.key(grid.coordinates(p)) : i & (grid.cell_count() - 1));
+    const CellCoordinates at = grid.coordinates(p);
+    const uint32_t in_world = !is_finite(p)    ? i & (grid.cell_count() - 1)
+                              : grid.holds(at) ? grid.key(at)
+                                               : grid.all_cells() - 1;
+    const uint32_t cell = grid.first_cell(i) + in_world;
     key[i] = cell;
     arrival[i] = atomic_add(counts[cell], 1);
   }
@@ -213,12 +216,30 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
-  uint32_t cells = worlds_ == 1 ? 4096 : 1u << 8;
-  while (cells < GridView::slices * (capacity / worlds_)) cells *= 2;
-  cells *= worlds_;
+  cells_ = worlds_ == 1 ? 4096 : 1u << 8;
+  while (cells_ < GridView::slices * (capacity / worlds_)) cells_ *= 2;
+  const uint32_t cells = grid_.is_slab() ? 2 * cells_ + 1 : worlds_ * cells_;
   cell_counts_.resize_discard(cells);
   cell_counts_.fill(0);
   cell_start_.resize_discard(cells + 1);
+}
+
+template <class D>
+void NeighbourSearch<D>::set_slab(bool along_y, int32_t first, int32_t end) {
+  const bool was_slab = grid_.is_slab();
+  grid_.layers_along_y = along_y;
+  grid_.first_layer = static_cast<uint32_t>(first);
+  grid_.last_layer = static_cast<uint32_t>(end) - static_cast<uint32_t>(first) - 1;
+  if (!was_slab) reserve(capacity_);
+}
+
+template <class D>
+std::pair<uint32_t, uint32_t> NeighbourSearch<D>::count_slab() const {
+  const uint32_t cells = grid_.cell_count();
+  uint32_t owned = 0, both = 0;
+  device_.copy_out(&owned, grid_.start.data + cells, sizeof owned);
+  device_.copy_out(&both, grid_.start.data + 2 * cells, sizeof both);
+  return {owned, both - owned};
 }
 
 template <class D>
@@ -227,7 +248,7 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   const Vec3 reaches = grid_.inverse_reach * (extent.upper - extent.lower) + Vec3{2, 2, 2};
   uint32_t bits[3] = {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
                       bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
-  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cell_counts_.size() / worlds_)) - 1;
+  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cells_)) - 1;
   if constexpr (D::interleaves_lists) {
     // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.
     const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
@@ -239,14 +260,14 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];
   grid_.strip_bits = std::min(strip_bits_for(reaches, count / worlds_), bits[1]);
-  grid_.start = cell_start_.view().first(worlds_ * grid_.cell_count() + 1);
+  grid_.start = cell_start_.view().first(worlds_ * grid_.all_cells() + 1);
 }
 
 template <class D>
 template <class Points>
 CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> number) {
   using namespace neighbour_kernels;
-  const uint32_t count = number.count, cells = worlds_ * grid_.cell_count();
+  const uint32_t count = number.count, cells = worlds_ * grid_.all_cells();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},

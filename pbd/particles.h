@@ -75,6 +75,15 @@ struct ParticleView {
   uint32_t ghosts = 0;
   uint32_t sorted =
       0;  ///< the number of fluid particles, which come first; vertex v is the particle sorted + v
+
+  /// A rank without fluid of its own may still take part in exchanges.
+  MENISCUS_HD bool has_fluid() const { return sorted + ghosts > 0; }
+};
+
+/// Elements of 32-bit words, of an array whose type does not matter.
+struct WordArray {
+  uint32_t* data;
+  uint32_t words;  ///< of an element
 };
 
 /// What the accumulated delta of a particle of inverse mass w gets of a positional impulse: w of it, or all
@@ -202,6 +211,16 @@ class Particles {
             count_,
             0,
             sorted_};
+  }
+  /// The arrays of source(), but for what a substep makes anew.
+  std::vector<WordArray> source_arrays() {
+    const auto words = [](auto& of_present, auto& saved, bool is_saved) {
+      auto view = (is_saved ? saved : of_present.current).view();
+      return WordArray{reinterpret_cast<uint32_t*>(view.data), sizeof(*view.data) / sizeof(uint32_t)};
+    };
+    return {words(position, saved_position_, from_saved_), words(velocity, saved_velocity_, from_saved_),
+            words(phase, saved_phase_, from_saved_), words(slot, saved_slot_, from_saved_),
+            words(number, saved_number_, from_saved_)};
   }
   /// Call it before velocity.flip() if only the fluids' next velocities were written.
   void keep_vertex_velocities() {

@@ -7,12 +7,14 @@
 #include <meniscus/hooks.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "pbd/contact_arrays.h"
 #include "pbd/external_forces.h"
 #include "pbd/neighbour_search.h"
 #include "pbd/periodic_axes.h"
+#include "pbd/ranks/rank_exchange.h"
 #include "pbd/seam_ghosts.h"
 #include "pbd/stage_timer.h"
 #include "pbd/substep.h"
@@ -128,6 +130,12 @@ class Solver {
   /// belong to the present particles.
   bool read_last_substep(const std::function<void(Substep<D>&)>& read);
 
+  /// From now on the world is shared with other ranks, which have made the same calls so far. Keeps the
+  /// particles in this rank's slab. Throws Error(capacity) if there are too few layers for the ranks. There
+  /// must be no vertices.
+  void share(Ranks& ranks, const CutPolicy& policy);
+  bool is_shared() const { return exchange_.has_value(); }
+
   /// The state of the particles. Makes the room that they had. The sets have visits of their own.
   void visit_state(StateVisitor& v);
 
@@ -140,6 +148,9 @@ class Solver {
   void substep(float dt, bool is_first, bool is_last);
   solver_kernels::Prediction predict(float dt, Vec3 gravity);
   void sort(const solver_kernels::Prediction& prediction);
+  CellOrder order_among_ranks(const solver_kernels::Prediction& prediction);
+  void merge_over_ranks();
+  void add_results_of_ranks(StepResult& result);
   void find(Substep<D>& s, bool prepares);
   Substep<D> find_at_rest(float dt);
   template <class Finish>
@@ -184,6 +195,9 @@ class Solver {
   NeighbourSearch<D> search_;
   ContactArrays<D> contacts_;
   SeamGhosts<D> ghosts_;
+  std::optional<RankExchange<D>> exchange_;  // of a shared world
+  bool has_all_particles_ = false;           // of all ranks: nothing needs to be sent
+  uint32_t rank_ghosts_ = 0;
   KeptWorld<D> kept_world_;
   std::vector<ConstraintSet<D>*> sets_;
   size_t started_ = 0;  // sets whose start_step() was called in this step

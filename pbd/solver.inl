@@ -17,6 +17,7 @@
 
 #include "pbd/contact_arrays.inl"
 #include "pbd/neighbour_search.inl"
+#include "pbd/ranks/rank_exchange.inl"
 #include "pbd/seam_ghosts.inl"
 #include "pbd/solver.h"
 #include "pbd/solver_kernels.h"
@@ -101,6 +102,8 @@ void Solver<D>::run(float dt) {
   try {
     const CallMonitor::Cancellable undone_below(device_.monitor());
     start_sets();
+    if (exchange_)
+      exchange_->balance(particles_.source(), search_.grid(), {summary().lower, summary().upper});
     for (Observer<D>* observer : observers_) observer->start_step();
     for (ExternalForces<D>* forces : forces_) forces->start_step();
     int substeps = choose_substeps(dt);
@@ -127,7 +130,9 @@ StepResult Solver<D>::finish() {
     const CallMonitor::Cancellable undone_below(device_.monitor());
     for (ConstraintSet<D>* set : sets_) set->end_step();
     const ParticleSummary& after = summary();
-    return {step_substeps_, readout_.found.contacts.last, readout_.found.longest_list, after};
+    StepResult result{step_substeps_, readout_.found.contacts.last, readout_.found.longest_list, after};
+    if (exchange_) add_results_of_ranks(result);
+    return result;
   } catch (...) {
     undo_or_lose([&] { undo_step(); });
     throw;
@@ -245,7 +250,9 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   Particles& p = particles_;
   CellOrder order{};
   const bool has_seams = ghosts_.any() && p.sorted();
-  if (p.sorted()) {
+  if (exchange_) {
+    order = order_among_ranks(prediction);
+  } else if (p.sorted()) {
     using Wrapped = seam_kernels::Wrapped<solver_kernels::Prediction>;
     search_.fit({summary().lower, summary().upper}, p.sorted());
     const View<const uint32_t> number = p.source().number.first(p.sorted());
@@ -260,9 +267,70 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
                               p.target(p.phase), p.target(p.slot), p.target(p.number), search_.coarse(),
                               search_.grid()});
   p.accept_sorted();
+  if (exchange_) {
+    p.set_sorted(p.sorted() - rank_ghosts_);
+    exchange_->note_sorted(p.view().position, search_.grid(), p.sorted(), rank_ghosts_);
+  }
   if (!has_seams) return;
   ghosts_.wrap(p, search_.coarse(), search_.grid());
   ghosts_.make(p, {summary().lower, summary().upper}, {&readout_buffer_.view().data->found.ghosts, 1});
+}
+
+/// Sends particles to the ranks that own their predicted positions, or have them as ghosts. The particles
+/// that this rank then needs count as sorted: its own, and behind them the ghosts.
+template <class D>
+CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& prediction) {
+  Particles& p = particles_;
+  search_.set_slab(exchange_->layers_along_y(), exchange_->first_layer(), exchange_->end_layer());
+  search_.fit({summary().lower, summary().upper}, room_.fluid);  // the same shape on all ranks
+  uint32_t count = p.sorted();
+  if (!has_all_particles_) {
+    std::vector<WordArray> arrays = p.source_arrays();
+    if (prediction.limited.count)
+      arrays.push_back(
+          {reinterpret_cast<uint32_t*>(p.predicted.view().data), sizeof(Vec4) / sizeof(uint32_t)});
+    for (ConstraintSet<D>* set : sets_) set->add_carried(arrays);
+    count = exchange_->send(prediction, search_.grid(), count, arrays);
+  }
+  const CellOrder order = search_.sort(prediction, p.source().number.first(count));
+  const auto [owned, ghosts] = search_.count_slab();
+  rank_ghosts_ = ghosts;
+  p.set_sorted(owned + ghosts);
+  return order;
+}
+
+template <class D>
+void Solver<D>::share(Ranks& ranks, const CutPolicy& policy) {
+  const bool along_y = std::fabs(parameters_.gravity.z) > std::fabs(parameters_.gravity.y);
+  exchange_.emplace(device_, ranks, along_y);
+  exchange_->set_policy(policy);
+  exchange_->reserve(particles_.capacity());
+  has_all_particles_ = true;
+  exchange_->cut_all(particles_.view(), search_.grid(), {summary().lower, summary().upper});
+  sort(predict(0, {}));
+  reorder(search_.order(), particles_.sorted());
+  has_all_particles_ = false;
+  has_found_ = false;
+  summary_state_ = SummaryState::unknown;
+}
+
+/// The summary of all ranks. Each merges them in the same order.
+template <class D>
+void Solver<D>::merge_over_ranks() {
+  ParticleSummary merged = solver_kernels::empty_summary();
+  for (const ParticleSummary& of_rank : values_of_all(exchange_->ranks(), readout_.summary))
+    merged = solver_kernels::MergeSummaries{}(merged, of_rank);
+  readout_.summary = merged;
+}
+
+template <class D>
+void Solver<D>::add_results_of_ranks(StepResult& result) {
+  const std::vector<StepResult> all = values_of_all(exchange_->ranks(), result);
+  result.contacts = 0;
+  for (const StepResult& of_rank : all) {
+    result.contacts += of_rank.contacts;
+    result.max_neighbours = std::max(result.max_neighbours, of_rank.max_neighbours);
+  }
 }
 
 /// Contacts are found while neighbours are listed and sets prepare.
@@ -299,7 +367,9 @@ Substep<D> Solver<D>::find_at_rest(float dt) {
     sort(predict(0, {}));
     Substep<D> s = make_substep(dt);
     find(s, false);
+    const ParticleSummary of_all_ranks = readout_.summary;
     readout_buffer_.read(std::span(&readout_, 1));
+    if (exchange_) readout_.summary = of_all_ranks;
     if (had_room()) return s;
     has_ghost_room() ? make_room() : make_room_for_ghosts();
   }
@@ -322,9 +392,12 @@ void Solver<D>::make_room_for_ghosts() {
 template <class D>
 bool Solver<D>::had_room() {
   const Found& found = readout_.found;
-  return has_ghost_room() && found.longest_list <= search_.row_capacity() &&
-         found.contacts.most < contacts_.capacity() &&
-         std::all_of(sets_.begin(), sets_.end(), [](ConstraintSet<D>* set) { return set->had_room(); });
+  const bool had = has_ghost_room() && found.longest_list <= search_.row_capacity() &&
+                   found.contacts.most < contacts_.capacity() &&
+                   std::all_of(sets_.begin(), sets_.end(), [](auto* set) { return set->had_room(); });
+  if (!exchange_) return had;
+  return std::ranges::all_of(values_of_all(exchange_->ranks(), uint32_t{had}),
+                             [](uint32_t all) { return all; });
 }
 
 /// Without room for all ghosts or contacts the rest of the step works with an arbitrary part of them. So what
@@ -433,6 +506,7 @@ void Solver<D>::reserve_all(const Room& room) {
   search_.reserve(room.fluid);
   contacts_.reserve(owned);
   if (ghosts_.any()) ghosts_.reserve(room.fluid, room.ghosts);
+  if (exchange_) exchange_->reserve(capacity);
 }
 
 /// Makes room for the particles that sets add in a substep. The state must be in place, not saved.
@@ -457,7 +531,10 @@ void Solver<D>::particles_changed(uint32_t first, uint32_t count) {
 template <class D>
 const ParticleSummary& Solver<D>::summary() {
   if (summary_state_ == SummaryState::unknown) summarize();
-  if (summary_state_ == SummaryState::on_device) readout_buffer_.read(std::span(&readout_, 1));
+  if (summary_state_ == SummaryState::on_device) {
+    readout_buffer_.read(std::span(&readout_, 1));
+    if (exchange_ && !has_all_particles_) merge_over_ranks();
+  }
   summary_state_ = SummaryState::known;
   return readout_.summary;
 }
@@ -476,6 +553,9 @@ Substep<D> Solver<D>::make_substep(float dt) {
   Substep<D> s{device_, particles_.view(), {}, {}, dt, parameters_.iterations};
   if (ghosts_.any() && s.particles.sorted) s.ghosts = ghosts_.view();
   s.particles.ghosts = s.ghosts.source.count;
+  if (!exchange_) return s;
+  s.ghosts.exchange = &*exchange_;
+  s.particles.ghosts = rank_ghosts_;
   return s;
 }
 

@@ -6,6 +6,8 @@
 
 #include <meniscus/types.h>
 
+#include <vector>
+
 #include "pbd/contacts.h"
 #include "pbd/ghosts.h"
 #include "pbd/grid.h"
@@ -56,6 +58,9 @@ class ParticleState {
   virtual void reorder(View<const uint32_t> /*order*/, uint32_t /*count*/) {}
   virtual void save() {}
   virtual void restore() {}
+  /// Adds the arrays that a particle takes along to another rank. They have room for as many as reserve()
+  /// said. What arrives is written behind the present elements, before reorder().
+  virtual void add_carried(std::vector<WordArray>& /*arrays*/) {}
 
   // For batches of worlds, see worlds.h.
   /// Keeps the present state of the first `each` particles, to which worlds can be reset.

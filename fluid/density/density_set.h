@@ -93,6 +93,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
   void save() override;
   void restore() override;
+  void add_carried(std::vector<pbd::WordArray>& arrays) override {
+    arrays.push_back({reinterpret_cast<uint32_t*>(multiplier_.current.view().data),
+                      sizeof(density_kernels::Multiplier) / sizeof(uint32_t)});
+  }
 
   void keep_world(uint32_t each) override;
   void reset_worlds(const pbd::ChosenWorlds& worlds) override;

@@ -118,7 +118,7 @@ template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   if (by_baseline_) return baseline_->project(substep, multiplier_.current.view(), iteration);
-  if (substep.particles.sorted == 0 || !any_fluid_) return;
+  if (!substep.particles.has_fluid() || !any_fluid_) return;
   if (pressure_grid_ && iteration == 0) {
     pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view(), allowed_);
   }

@@ -116,7 +116,7 @@ void SmoothingPass<D>::set_materials(std::span<const Material> materials) {
 
 template <class D>
 void SmoothingPass<D>::apply(pbd::Substep<D>& substep, pbd::Particles& particles) {
-  if (substep.particles.sorted == 0 || (!smooths_ && !confines_)) return;
+  if (!substep.particles.has_fluid() || (!smooths_ && !confines_)) return;
   if (table_dt_ != substep.dt) {
     host_table_.clear();
     for (const Material& m : materials_)

@@ -137,7 +137,7 @@ void SurfaceTensionSet<D>::set_materials(std::span<const Material> materials) {
 template <class D>
 void SurfaceTensionSet<D>::accelerate(pbd::Substep<D>& substep) {
   using namespace surface_tension_kernels;
-  if (!pulls_ || substep.particles.sorted == 0) return;
+  if (!pulls_ || !substep.particles.has_fluid()) return;
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("tension/affinities", p.sorted,
                        Spread{p.phase, table_.view(), cohesion_.view(), curvature_.view()});

@@ -180,6 +180,15 @@ class Engine {
   virtual void read_diffuse(std::span<DiffuseParticle> out) = 0;
   /// Measures all diagnostics that need no neighbours.
   virtual Diagnostics measure(Vec3 gravity) = 0;
+
+  // A shared world (sdk/world/shared_world.h).
+
+  /// Keeps this rank's particles. All ranks have made the same calls so far. From now on only steps and
+  /// read-outs of particles may be called: by rank 0, while the others follow.
+  virtual void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) = 0;
+  /// Does what rank 0 asks for, until it calls end_following().
+  virtual void follow() = 0;
+  virtual void end_following() = 0;
 };
 
 /// On threads of its own, or in a loop of the user's if there is one.

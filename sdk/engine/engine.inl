@@ -39,6 +39,7 @@
 #include "sdk/engine/jets.h"
 #include "sdk/engine/phases.h"
 #include "sdk/engine/pistons.h"
+#include "sdk/engine/rank_calls.h"
 #include "sdk/engine/sinks.h"
 
 namespace meniscus {
@@ -98,7 +99,7 @@ class DeviceEngine final : public Engine {
   int ordinal() const override { return pbd::DeviceAccess<D>::ordinal(device_); }
   void* stream() override { return pbd::DeviceAccess<D>::stream(device_); }
   std::shared_ptr<void> allocate_lasting(size_t bytes) override;
-  uint32_t particle_count() const override { return particles_.sorted(); }
+  uint32_t particle_count() const override { return ranks_ ? all_particles_ : particles_.sorted(); }
 
   void set_solvers(const EngineDef& def) override;
   void set_materials(std::span<const ParticleMaterial> materials) override;
@@ -179,8 +180,12 @@ class DeviceEngine final : public Engine {
   void set_particle_velocities(std::span<const uint32_t> slots, std::span<const Vec3> velocities) override;
   void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) override;
 
-  void read_positions(std::span<Vec3> out) override { read_vector(particles_.position.current.view(), out); }
-  void read_velocities(std::span<Vec3> out) override { read_vector(particles_.velocity.current.view(), out); }
+  void read_positions(std::span<Vec3> out) override {
+    together({RankCall::positions}, [&] { read_vector(particles_.position.current.view(), out); });
+  }
+  void read_velocities(std::span<Vec3> out) override {
+    together({RankCall::velocities}, [&] { read_vector(particles_.velocity.current.view(), out); });
+  }
   void read_fluids(std::span<uint32_t> out) override;
   uint64_t hash_particles() override;
   void read_pressures(std::span<float> out, float dt) override;
@@ -194,6 +199,10 @@ class DeviceEngine final : public Engine {
   void read_diffuse(std::span<DiffuseParticle> out) override { diffuse_->read(out); }
   Diagnostics measure(Vec3 gravity) override;
 
+  void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) override;
+  void follow() override;
+  void end_following() override;
+
  private:
   /// Registers all phases with the solver; throws std::logic_error if a phase is missing or registered twice.
   void assemble();
@@ -204,10 +213,22 @@ class DeviceEngine final : public Engine {
   template <class Kernel>
   void push(uint32_t count, std::span<const uint32_t> who, std::span<const Vec3> impulses);
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
+  EngineMeasure measure_density(std::span<float> error, std::span<float> full);
+  engine_kernels::StateSum sum_states(Vec3 gravity);
   std::vector<uint32_t> remove_marked(uint32_t kept);
   void fetch_contacts();
   void keep_contacts(std::span<const uint32_t> stays, std::span<uint32_t> place);
   Overflows overflows() const;  // of the last step
+  void follow(const RankCommand& command);
+  void announce(const RankCommand& command);
+  template <class Work>
+  decltype(auto) guarded(pbd::Ranks* ranks, const Work& work);
+  template <class Work>
+  decltype(auto) together(const RankCommand& command, const Work& work);
+  pbd::View<const uint32_t> readout_places();
+  std::vector<uint32_t> slots_by_place();
+  template <class T>
+  void deliver(const pbd::Buffer<T>& values, const std::vector<uint32_t>& slots, std::span<T> out);
 
   template <class T>
   static void replace(pbd::Buffer<T>& buffer, std::span<const T> values) {
@@ -251,6 +272,9 @@ class DeviceEngine final : public Engine {
   Pistons<D> pistons_;
   FreeRoom<D> free_room_;
 
+  pbd::Ranks* ranks_ = nullptr;  // of a shared world
+  uint32_t all_particles_ = 0;   // of all ranks, in a shared world
+
   float last_substep_ = 0;  // s
   float begun_step_ = 0;    // s, of the step that was begun
   int begun_iterations_ = 0;
@@ -269,6 +293,7 @@ class DeviceEngine final : public Engine {
   pbd::Buffer<collision::SdfView> sdfs_{device_, "distance fields"};
   pbd::Buffer<collision::HeightFieldView> height_fields_{device_, "height fields"};
 
+  pbd::Buffer<uint32_t> places_{device_, "places"};  // of a shared world: 0, 1, 2, …
   pbd::Buffer<Vec3> vector_out_{device_, "read-out"};
   pbd::Buffer<float> scalar_out_{device_, "read-out"};
   pbd::Buffer<float> full_out_{device_, "read-out"};
@@ -289,6 +314,7 @@ class DeviceEngine final : public Engine {
 #include "sdk/engine/engine_assembly.inl"
 #include "sdk/engine/engine_cloth.inl"
 #include "sdk/engine/engine_particles.inl"
+#include "sdk/engine/engine_ranks.inl"
 #include "sdk/engine/engine_readout.inl"
 #include "sdk/engine/engine_setters.inl"
 #include "sdk/engine/engine_shapes.inl"

@@ -178,13 +178,13 @@ void DeviceEngine<D>::begin_step(float dt, int iterations) {
   note_overlapping();
   begun_step_ = dt;
   begun_iterations_ = iterations;
-  solver_.begin_step(dt, iterations);
+  together({RankCall::step, iterations, dt}, [&] { solver_.begin_step(dt, iterations); });
 }
 
 template <class D>
 EngineStep DeviceEngine<D>::end_step() {
   EngineStep done;
-  done.result = solver_.end_step();
+  done.result = guarded(ranks_, [&] { return solver_.end_step(); });
   if (done.result.summary.non_finite && solver_.worlds() == 1) return done;
   last_substep_ = begun_step_ / static_cast<float>(done.result.substeps);
   contacts_fetched_ = false;

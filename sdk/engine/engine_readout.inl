@@ -11,37 +11,44 @@ namespace meniscus {
 template <class D>
 void DeviceEngine<D>::read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out) {
   device_.parallel_for("read-out/vectors", particles_.sorted(),
-                       engine_kernels::ReadVector{from, particles_.slot.current.view(), vector_out_.view()});
-  vector_out_.read(out);
+                       engine_kernels::ReadVector{from, readout_places(), vector_out_.view()});
+  deliver(vector_out_, slots_by_place(), out);
 }
 
 template <class D>
 void DeviceEngine<D>::read_fluids(std::span<uint32_t> out) {
-  device_.parallel_for("read-out/fluids", particles_.sorted(),
-                       engine_kernels::ReadGroup{particles_.phase.current.view(),
-                                                 particles_.slot.current.view(), index_out_.view()});
-  index_out_.read(out);
+  together({RankCall::fluids}, [&] {
+    device_.parallel_for(
+        "read-out/fluids", particles_.sorted(),
+        engine_kernels::ReadGroup{particles_.phase.current.view(), readout_places(), index_out_.view()});
+    deliver(index_out_, slots_by_place(), out);
+  });
 }
 
 template <class D>
 uint64_t DeviceEngine<D>::hash_particles() {
-  if (particles_.sorted() == 0) return 0;
-  const pbd::ParticleView p = particles_.view();
-  device_.reduce("read-out/hash", p.sorted, uint64_t{0},
-                 engine_kernels::HashParticle{p.position, p.velocity, p.number}, engine_kernels::AddCounts{},
-                 count_out_.view().first(1));
-  uint64_t sum = 0;
-  count_out_.read(std::span(&sum, 1));
-  return sum;
+  if (particles_.sorted() == 0 && !ranks_) return 0;
+  return together({RankCall::hash}, [&] {
+    const pbd::ParticleView p = particles_.view();
+    device_.reduce("read-out/hash", p.sorted, uint64_t{0},
+                   engine_kernels::HashParticle{p.position, p.velocity, p.number},
+                   engine_kernels::AddCounts{}, count_out_.view().first(1));
+    uint64_t sum = 0;
+    count_out_.read(std::span(&sum, 1));
+    if (ranks_) ranks_->add_up(std::span(&sum, 1));
+    return sum;
+  });
 }
 
 template <class D>
 void DeviceEngine<D>::read_pressures(std::span<float> out, float dt) {
   const float scale = dt > 0 ? 1 / (def_.kernel.particle_volume * dt * dt) : 0;
-  device_.parallel_for("read-out/pressures", particles_.sorted(),
-                       engine_kernels::ReadMultipliers{density_.multipliers(), particles_.slot.current.view(),
-                                                       scalar_out_.view(), scale});
-  scalar_out_.read(out);
+  together({RankCall::pressures, 0, dt}, [&] {
+    device_.parallel_for(
+        "read-out/pressures", particles_.sorted(),
+        engine_kernels::ReadMultipliers{density_.multipliers(), readout_places(), scalar_out_.view(), scale});
+    deliver(scalar_out_, slots_by_place(), out);
+  });
 }
 
 template <class D>
@@ -70,13 +77,23 @@ void DeviceEngine<D>::read_probes(std::span<fluid::ProbeSum> means) {
 
 template <class D>
 EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::span<float> full) {
+  return together({RankCall::density_errors}, [&] { return measure_density(error, full); });
+}
+
+template <class D>
+EngineMeasure DeviceEngine<D>::measure_density(std::span<float> error, std::span<float> full) {
   using namespace engine_kernels;
   fetch_contacts();
-  uint32_t contacts = 0;
+  std::array<uint64_t, 4> counts{};  // neighbours, walls, contacts, particles
+  std::vector<uint32_t> slots;
   solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found& found) {
-    contacts = found.contacts.last;
+    counts[2] = found.contacts.last;
+    counts[3] = particles_.sorted();
+    slots = slots_by_place();
     pistons_.open_walls(substep);
-    density_.measure(substep, scalar_out_.view(), full_out_.view());
+    pbd::Substep<D> read = substep;
+    read.particles.slot = readout_places();
+    density_.measure(read, scalar_out_.view(), full_out_.view());
     device_.reduce("measure/neighbours", particles_.sorted(), uint64_t{0},
                    CountNeighbours{substep.neighbours}, AddCounts{}, count_out_.view().first(1));
     device_.reduce("measure/walls", particles_.sorted(), uint64_t{0},
@@ -84,23 +101,30 @@ EngineMeasure DeviceEngine<D>::read_density_errors(std::span<float> error, std::
                                        def_.kernel.h},
                    AddCounts{}, count_out_.view().from(1));
   });
-  scalar_out_.read(error);
-  full_out_.read(full);
-  std::array<uint64_t, 2> counts{};
-  count_out_.read(std::span(counts));
-  return {static_cast<double>(counts[0]) / std::max(1u, particles_.sorted()), contacts, counts[1]};
+  deliver(scalar_out_, slots, error);
+  deliver(full_out_, slots, full);
+  count_out_.read(std::span(counts).first(2));
+  if (ranks_) ranks_->add_up(counts);
+  return {static_cast<double>(counts[0]) / static_cast<double>(std::max(uint64_t{1}, counts[3])),
+          static_cast<uint32_t>(counts[2]), counts[1]};
 }
 
 template <class D>
 void DeviceEngine<D>::read_ellipsoids(std::span<Ellipsoid> out) {
-  fetch_contacts();
-  ellipsoid_out_.resize_discard(particles_.sorted());
-  const fluid::Anisotropy<D> anisotropy(
-      device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
-  solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
-    anisotropy.measure(substep, ellipsoid_out_.view());
+  together({RankCall::ellipsoids}, [&] {
+    fetch_contacts();
+    // A measurement of a shared world may give this rank other particles.
+    ellipsoid_out_.resize_discard(ranks_ ? fluid_capacity_ : particles_.sorted());
+    const fluid::Anisotropy<D> anisotropy(
+        device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
+    std::vector<uint32_t> slots;
+    solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
+      slots = slots_by_place();
+      ranks_ ? anisotropy.measure_sorted(substep, ellipsoid_out_.view())
+             : anisotropy.measure(substep, ellipsoid_out_.view());
+    });
+    deliver(ellipsoid_out_, slots, out);
   });
-  ellipsoid_out_.read(out);
 }
 
 template <class D>
@@ -189,6 +213,21 @@ void DeviceEngine<D>::forget_contacts(uint32_t solid, TouchedKind kind) {
 template <class D>
 Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
   using namespace engine_kernels;
+  const StateSum sum = together({RankCall::diagnostics}, [&] { return sum_states(gravity); });
+  Diagnostics d;
+  d.particles = ranks_ ? all_particles_ : particles_.sorted();
+  d.kinetic_energy = sum.kinetic;
+  d.potential_energy = sum.potential;
+  d.max_speed = std::sqrt(sum.max_speed2);
+  d.non_finite = sum.non_finite;
+  d.outside = sum.outside;
+  return d;
+}
+
+/// Of all ranks; their sums are added in the order of the ranks.
+template <class D>
+engine_kernels::StateSum DeviceEngine<D>::sum_states(Vec3 gravity) {
+  using namespace engine_kernels;
   device_.reduce("measure/state", particles_.count(), StateSum{},
                  SumState{particles_.position.current.view(), particles_.velocity.current.view(), shape_set_,
                           contacts_.find_near(particles_.position.current.view(), particles_.count(), 0),
@@ -197,14 +236,10 @@ Diagnostics DeviceEngine<D>::measure(Vec3 gravity) {
                  AddStates{}, state_sum_.view());
   StateSum sum{};
   state_sum_.read(std::span(&sum, 1));
-  Diagnostics d;
-  d.particles = particles_.sorted();
-  d.kinetic_energy = sum.kinetic;
-  d.potential_energy = sum.potential;
-  d.max_speed = std::sqrt(sum.max_speed2);
-  d.non_finite = sum.non_finite;
-  d.outside = sum.outside;
-  return d;
+  if (!ranks_) return sum;
+  StateSum all{};
+  for (const StateSum& of_rank : pbd::values_of_all(*ranks_, sum)) all = AddStates{}(all, of_rank);
+  return all;
 }
 
 }  // namespace meniscus

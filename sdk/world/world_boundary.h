@@ -12,6 +12,7 @@
 
 #include "pbd/device/choose.h"
 #include "pbd/host_memory.h"
+#include "sdk/world/check/shared.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -55,6 +56,7 @@ decltype(auto) World::Impl::run_end_of_step(const Call& call) {
 template <class Call>
 decltype(auto) World::Impl::run_removal(const Call& call, const char* name) {
   if (lost) throw Error(world_errors::lost_before);
+  if (shared_by) check::allowed_when_shared(name, shared_by);
   if (is_stepping)
     throw Error(ErrorCode::invalid_argument,
                 std::string(name) +

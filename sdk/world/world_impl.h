@@ -241,6 +241,7 @@ struct World::Impl : WorldTables {
   CachedReadout<Ellipsoid> outward_ellipsoids;
   CachedReadout<DiffuseParticle> outward_diffuse;
   std::optional<fluid::SurfaceField> surface;  // created on request
+  uint32_t shared_by = 0;                      // ranks, of a shared world
 };
 
 ParticleMaterial material_of(const FluidDef& def);

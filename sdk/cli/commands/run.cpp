@@ -27,6 +27,8 @@
 #include "sdk/fields/probes.h"
 #include "sdk/io/plain_text.h"
 #include "sdk/io/vdb.h"
+#include "sdk/ranks/mpi_ranks.h"
+#include "sdk/world/shared_world.h"
 
 namespace meniscus::cli {
 namespace {
@@ -61,8 +63,13 @@ const std::filesystem::path& cleared(const std::filesystem::path& folder, const 
   return folder;
 }
 
-BuiltScene built_of(const RunOptions& options, const Scene& scene) {
-  if (options.from.empty()) return build_scene(scene);
+BuiltScene built_of(const RunOptions& options, const Scene& scene, bool is_shared) {
+  if (options.from.empty()) {
+    BuiltScene built = build_scene(scene);
+    if (is_shared) SharedWorld::check(built.world);
+    return built;
+  }
+  if (is_shared) throw Error(ErrorCode::invalid_argument, "several ranks cannot continue from a snapshot");
   BuiltScene built = resume_scene(scene, options.from);
   const int reached = frame_of(built.world, scene);
   if (reached < scene.frames) return built;
@@ -73,13 +80,15 @@ BuiltScene built_of(const RunOptions& options, const Scene& scene) {
 
 class Run {
  public:
-  explicit Run(const RunOptions& options)
-      : scene_(scene_of(options)),
+  /// `ranks`: those that share the world, of which this is the first; none where it is alone.
+  Run(const RunOptions& options, pbd::Ranks* ranks)
+      : ranks_(ranks),
+        scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
         liquid_(options.surface || exports_vdb(options)),
         has_texture_(!options.formats.empty() || options.picture.any()),
         folder_(folder_of(options, scene_)),
-        built_(built_of(options, scene_)),
+        built_(built_of(options, scene_, ranks != nullptr)),
         reached_(frame_of(built_.world, scene_)),
         save_every_(options.save_every),
         records_(!options.record.empty()),
@@ -94,6 +103,7 @@ class Run {
 
   /// From here on an error ends the run but not the program: the results so far are still written.
   void step_through(bool quiet) {
+    if (ranks_) shared_.emplace(built_.world, *ranks_);
     const Interrupt interrupt(built_.world);
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
@@ -232,6 +242,7 @@ class Run {
     return masses;
   }
 
+  pbd::Ranks* ranks_;
   Scene scene_;
   io::PreviewScene picture_;
   bool liquid_;       // whether surfaces of fluids are exported, as meshes or as volumes
@@ -248,7 +259,15 @@ class Run {
   FrameExporter exporter_;  // first removes the files of the run before
   RunRecorder recorder_;
   RunEnd end_;
+  std::optional<SharedWorld> shared_;  // while it steps
 };
+
+/// What a rank does that is not the first.
+int follow(const RunOptions& options, pbd::Ranks& ranks) {
+  BuiltScene built = built_of(options, scene_of(options), true);
+  SharedWorld(built.world, ranks).follow();
+  return success;
+}
 
 void print_results(const nlohmann::ordered_json& figures, const Run& run, const RunOptions& options) {
   if (options.json) {
@@ -277,7 +296,9 @@ bool report_broken(const nlohmann::ordered_json& figures) {
 
 int run_scene(const RunOptions& options) {
   if (options.quiet) spdlog::set_level(spdlog::level::err);
-  Run run(options);
+  const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
+  if (ranks && ranks->rank() > 0) return follow(options, *ranks);
+  Run run(options, ranks.get());
   run.step_through(options.quiet);
   if (!run.end().error.empty())
     spdlog::error("{}", run.end().error);  // first, as it may cause the failures below

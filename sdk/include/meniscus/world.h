@@ -379,6 +379,7 @@ class World {
 
  private:
   friend class Replay;
+  friend class SharedWorld;
   friend class WorldBatch;
   struct Impl;
   struct Calls;

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// How a rank of a shared world exchanges particles and ghosts with the others.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pbd/ghosts.h"
+#include "pbd/grid.h"
+#include "pbd/particles.h"
+#include "pbd/ranks/ranks.h"
+#include "pbd/ranks/slabs.h"
+
+namespace meniscus::pbd {
+
+/// When the cuts between ranks move.
+struct CutPolicy {
+  int every = 16;                ///< steps between two looks
+  double most_imbalance = 1.05;  ///< see Slabs::imbalance
+  int32_t shift = 0;             ///< layers by which the cuts move to and fro with each look
+};
+
+/// A particle and what is to be done with it: see RankExchange::select.
+struct Selected {
+  uint32_t index, tag;
+};
+
+/// Each particle has one owner: the rank in whose slab its predicted position is. Before each sort, a rank
+/// sends away the particles that others own from now on, and copies of those that are ghosts there. The sort
+/// puts owned particles first and ghosts behind them, both in the canonical order. The grids of all ranks
+/// have the same shape. So a rank has its ghosts in the order in which their owner has them, and later
+/// messages carry values alone.
+template <class D>
+class RankExchange final : public GhostExchange {
+ public:
+  RankExchange(D& device, Ranks& ranks, bool layers_along_y);
+
+  Ranks& ranks() { return ranks_; }
+  bool layers_along_y() const { return layers_along_y_; }
+  void set_policy(const CutPolicy& policy) { policy_ = policy; }
+
+  void reserve(uint32_t capacity);
+
+  /// The first cuts, where every rank has all particles.
+  void cut_all(const ParticleView& particles, const GridView& grid, const Aabb& extent);
+  /// Moves the cuts if the policy asks for it. `extent`: of the particles of all ranks.
+  void balance(const ParticleView& particles, const GridView& grid, const Aabb& extent);
+  int32_t first_layer() const { return slabs_.first(ranks_.rank()); }
+  int32_t end_layer() const { return slabs_.end(ranks_.rank()); }
+
+  /// Sends the first `count` particles to where points(i) is, and writes those that arrive behind them.
+  /// Returns how many there are then.
+  template <class Points>
+  uint32_t send(const Points& points, const GridView& grid, uint32_t count,
+                const std::vector<WordArray>& arrays);
+
+  /// Notes which sorted particles are ghosts, or have ghosts on other ranks.
+  void note_sorted(View<const Vec4> position, const GridView& grid, uint32_t owned, uint32_t ghosts);
+  void refresh(void* values, uint32_t words) override;
+
+ private:
+  struct Layers {
+    int32_t first;
+    std::vector<uint64_t> counts;
+  };
+  /// The tags that tags.for_each(i, visit) gives to each i below count, in order.
+  template <class Tags>
+  std::vector<Selected> select(uint32_t count, const Tags& tags);
+  Layers count_layers(const ParticleView& particles, const GridView& grid, const Aabb& extent);
+  void pack(const WordArray& from, View<const uint32_t> list, uint32_t* to);
+
+  D& device_;
+  Ranks& ranks_;
+  bool layers_along_y_;
+  CutPolicy policy_;
+  Slabs slabs_, even_slabs_;
+  int looks_ = 0, steps_ = 0;
+
+  /// Particles that the rank below and the rank above need, and ghosts that they own.
+  struct Side {
+    int rank;
+    std::vector<uint32_t> needed, ghosts;
+    uint32_t first_needed = 0, first_ghost = 0;  // in lists_
+  };
+  std::vector<Side> sides_;
+
+  Buffer<uint32_t> counts_{device_, "exchange counts"};
+  Buffer<uint32_t> start_{device_, "exchange offsets"};
+  Buffer<Selected> selected_{device_, "exchanged particles"};
+  Buffer<uint32_t> lists_{device_, "exchange lists"};
+  Buffer<uint32_t> out_{device_, "messages"}, in_{device_, "messages"};
+  Buffer<int32_t> cuts_{device_, "cuts between ranks"};
+  Buffer<uint32_t> histogram_{device_, "particles by layer"};
+};
+
+}  // namespace meniscus::pbd

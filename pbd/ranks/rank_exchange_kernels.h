@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels of RankExchange: which particles go where, and how their values are packed.
+#pragma once
+
+#include "pbd/device/base/atomics.h"
+#include "pbd/ranks/rank_exchange.h"
+
+namespace meniscus::pbd::rank_kernels {
+
+/// The ranks that need particle i, other than the one that has it: its owner, and the ranks beside its layer.
+/// Particles that are not finite stay where they are.
+template <class Points>
+struct Destinations {
+  Points points;
+  GridView grid;
+  View<const int32_t> cuts;
+  uint32_t self;
+
+  /// Calls visit(rank) for each.
+  template <class Visit>
+  MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
+    const Vec3 p = points(i).xyz();
+    if (!is_finite(p)) return;
+    const int32_t layer = grid.layer(grid.coordinates(p));
+    uint32_t last = self;
+    for (int32_t offset = -1; offset <= 1; ++offset) {
+      uint32_t rank = 0;
+      while (rank < cuts.count && layer + offset >= cuts[rank]) ++rank;
+      if (rank == self || rank == last) continue;
+      visit(rank);
+      last = rank;
+    }
+  }
+};
+
+/// What the owner and the ghosts of the layers beside a cut have to do with the rank beyond it.
+enum Boundary : uint32_t { needed_below, needed_above, ghost_below, ghost_above };
+
+struct Boundaries {
+  View<const Vec4> position;
+  GridView grid;
+  uint32_t owned;
+  int32_t first, end;
+  bool has_below, has_above;
+
+  template <class Visit>
+  MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
+    const Vec3 p = position[i].xyz();
+    if (!is_finite(p)) return;
+    const int32_t layer = grid.layer(grid.coordinates(p));
+    if (i >= owned) return visit(layer < first ? ghost_below : ghost_above);
+    if (has_below && layer == first) visit(needed_below);
+    if (has_above && layer == end - 1) visit(needed_above);
+  }
+};
+
+template <class Tags>
+struct CountTags {
+  Tags tags;
+  View<uint32_t> counts;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    uint32_t count = 0;
+    tags.for_each(i, [&](uint32_t) { ++count; });
+    counts[i] = count;
+  }
+};
+
+template <class Tags>
+struct PlaceTags {
+  Tags tags;
+  View<const uint32_t> start;
+  View<Selected> selected;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    uint32_t place = start[i];
+    tags.for_each(i, [&](uint32_t tag) { selected[place++] = {i, tag}; });
+  }
+};
+
+struct Pack {
+  WordArray from;
+  View<const uint32_t> list;
+  uint32_t* to;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const uint32_t* source = from.data + static_cast<size_t>(list[k]) * from.words;
+    for (uint32_t w = 0; w < from.words; ++w) to[static_cast<size_t>(k) * from.words + w] = source[w];
+  }
+};
+
+struct Unpack {
+  const uint32_t* from;
+  View<const uint32_t> list;
+  WordArray to;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    uint32_t* target = to.data + static_cast<size_t>(list[k]) * to.words;
+    for (uint32_t w = 0; w < to.words; ++w) target[w] = from[static_cast<size_t>(k) * to.words + w];
+  }
+};
+
+/// Layers beyond those of the histogram count for its ends.
+struct CountLayers {
+  View<const Vec4> position;
+  GridView grid;
+  int32_t first;
+  View<uint32_t> counts;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 p = position[i].xyz();
+    if (!is_finite(p)) return;
+    const int32_t k = grid.layer(grid.coordinates(p)) - first;
+    const int32_t last = static_cast<int32_t>(counts.count) - 1;
+    atomic_add(counts[static_cast<uint32_t>(k < 0 ? 0 : k > last ? last : k)], 1);
+  }
+};
+
+}  // namespace meniscus::pbd::rank_kernels

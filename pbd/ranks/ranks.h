@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What the ranks of a shared world say to each other. A rank is one process with one device.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meniscus::pbd {
+
+/// Bytes for another rank. The memory is that of the device, or of the host where the device is the CPU.
+struct Sent {
+  int to;
+  const void* data;
+  size_t bytes;
+};
+/// Room for the bytes of another rank, exactly as many as it sends.
+struct Received {
+  int from;
+  void* data;
+  size_t bytes;
+};
+
+/// Joins the ranks of one world. Each call returns when its own messages are done. Ranks make the same calls
+/// in the same order, except that exchange() only concerns ranks with messages. Messages without bytes are
+/// left out. A call throws Error(lost) if another rank has failed.
+class Ranks {
+ public:
+  virtual ~Ranks() = default;
+
+  virtual int rank() const = 0;
+  virtual int count() const = 0;
+  /// Between two ranks, messages arrive in the order in which they were sent.
+  virtual void exchange(std::span<const Sent> sent, std::span<const Received> received) = 0;
+  /// `all` gets the bytes of each rank, in the order of the ranks.
+  virtual void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all);
+  /// Element r of `out` goes to rank r. Element r of `in` is from rank r.
+  virtual void transpose(std::span<const uint32_t> out, std::span<uint32_t> in);
+  /// Element by element, over all ranks.
+  virtual void add_up(std::span<uint64_t> values);
+  /// Ends the calls of all ranks, because this one cannot go on. Over MPI it ends all processes.
+  virtual void fail(const std::string& why) = 0;
+};
+
+/// The values of all ranks, in their order.
+template <class T>
+std::vector<T> values_of_all(Ranks& ranks, const T& own) {
+  std::vector<T> all(static_cast<size_t>(ranks.count()));
+  ranks.gather_everywhere(std::as_bytes(std::span(&own, 1)), std::as_writable_bytes(std::span(all)));
+  return all;
+}
+
+}  // namespace meniscus::pbd

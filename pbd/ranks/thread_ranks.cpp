@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Messages between threads: a queue for each ordered pair of ranks.
+#include "pbd/ranks/thread_ranks.h"
+
+#include <meniscus/error.h>
+
+#include <condition_variable>
+#include <cstring>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace meniscus::pbd {
+
+namespace {
+
+class PostOffice {
+ public:
+  void post(int from, int to, const void* data, size_t bytes) {
+    const auto* first = static_cast<const std::byte*>(data);
+    const std::lock_guard lock(mutex_);
+    queues_[{from, to}].emplace_back(first, first + bytes);
+    changed_.notify_all();
+  }
+  std::vector<std::byte> take(int from, int to) {
+    std::unique_lock lock(mutex_);
+    auto& queue = queues_[{from, to}];
+    changed_.wait(lock, [&] { return !queue.empty() || !failure_.empty(); });
+    if (!failure_.empty()) throw Error(ErrorCode::lost, failure_);
+    std::vector<std::byte> message = std::move(queue.front());
+    queue.pop_front();
+    return message;
+  }
+  void fail(int rank, const std::string& why) {
+    const std::lock_guard lock(mutex_);
+    if (failure_.empty()) failure_ = "rank " + std::to_string(rank) + " failed: " + why;
+    changed_.notify_all();
+  }
+  void expect_no_failure() {
+    const std::lock_guard lock(mutex_);
+    if (!failure_.empty()) throw Error(ErrorCode::lost, failure_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::map<std::pair<int, int>, std::deque<std::vector<std::byte>>> queues_;
+  std::string failure_;
+};
+
+class ThreadRank final : public Ranks {
+ public:
+  ThreadRank(std::shared_ptr<PostOffice> office, int rank, int count)
+      : office_(std::move(office)), rank_(rank), count_(count) {}
+
+  int rank() const override { return rank_; }
+  int count() const override { return count_; }
+  void exchange(std::span<const Sent> sent, std::span<const Received> received) override {
+    office_->expect_no_failure();
+    for (const Sent& s : sent) {
+      if (s.bytes) office_->post(rank_, s.to, s.data, s.bytes);
+    }
+    for (const Received& r : received) {
+      if (r.bytes == 0) continue;
+      const std::vector<std::byte> message = office_->take(r.from, rank_);
+      if (message.size() != r.bytes)
+        throw Error(ErrorCode::lost, "rank " + std::to_string(rank_) + " got " +
+                                         std::to_string(message.size()) + " bytes from rank " +
+                                         std::to_string(r.from) + ", and expected " +
+                                         std::to_string(r.bytes));
+      std::memcpy(r.data, message.data(), r.bytes);
+    }
+  }
+  void fail(const std::string& why) override { office_->fail(rank_, why); }
+
+ private:
+  std::shared_ptr<PostOffice> office_;
+  int rank_, count_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Ranks>> make_thread_ranks(int count) {
+  const auto office = std::make_shared<PostOffice>();
+  std::vector<std::unique_ptr<Ranks>> ranks;
+  for (int r = 0; r < count; ++r) ranks.push_back(std::make_unique<ThreadRank>(office, r, count));
+  return ranks;
+}
+
+}  // namespace meniscus::pbd

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// DeviceEngine's part in a shared world. Rank 0 leads: it announces each call that needs all ranks. The
+// others follow. Read-outs go to rank 0.
+#pragma once
+
+#include <cstring>
+#include <numeric>
+
+#include "sdk/engine/engine.inl"
+
+namespace meniscus {
+
+template <class D>
+void DeviceEngine<D>::share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) {
+  guarded(&ranks, [&] {
+    std::vector<uint32_t> places(fluid_capacity_);
+    std::iota(places.begin(), places.end(), 0u);
+    replace(places_, std::span<const uint32_t>(places));
+    all_particles_ = particles_.sorted();
+    device_.monitor().commit();
+    fetch_contacts();
+    solver_.share(ranks, policy);
+  });
+  ranks_ = &ranks;
+}
+
+template <class D>
+void DeviceEngine<D>::end_following() {
+  guarded(ranks_, [&] { announce({RankCall::end}); });
+}
+
+template <class D>
+void DeviceEngine<D>::follow() {
+  guarded(ranks_, [&] {
+    for (;;) {
+      RankCommand command{};
+      const pbd::Received received{0, &command, sizeof command};
+      ranks_->exchange({}, {&received, 1});
+      if (command.call == RankCall::end) return;
+      follow(command);
+    }
+  });
+}
+
+template <class D>
+void DeviceEngine<D>::follow(const RankCommand& command) {
+  switch (command.call) {
+    case RankCall::step:
+      begin_step(command.dt, command.iterations);
+      end_step();
+      return;
+    case RankCall::positions:
+      return read_positions({});
+    case RankCall::velocities:
+      return read_velocities({});
+    case RankCall::fluids:
+      return read_fluids({});
+    case RankCall::pressures:
+      return read_pressures({}, command.dt);
+    case RankCall::density_errors:
+      read_density_errors({}, {});
+      return;
+    case RankCall::ellipsoids:
+      return read_ellipsoids({});
+    case RankCall::hash:
+      hash_particles();
+      return;
+    case RankCall::diagnostics:
+      measure(def_.solver.gravity);
+      return;
+    case RankCall::end:
+      return;
+  }
+}
+
+template <class D>
+void DeviceEngine<D>::announce(const RankCommand& command) {
+  if (ranks_->rank() != 0) return;
+  std::vector<pbd::Sent> sent;
+  for (int r = 1; r < ranks_->count(); ++r) sent.push_back({r, &command, sizeof command});
+  ranks_->exchange(sent, {});
+}
+
+/// Runs work, in which all ranks take part. If it fails here, the others cannot go on.
+template <class D>
+template <class Work>
+decltype(auto) DeviceEngine<D>::guarded(pbd::Ranks* ranks, const Work& work) {
+  if (!ranks) return work();
+  try {
+    return work();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::lost) ranks->fail(error.what());
+    throw;
+  } catch (const std::exception& error) {
+    ranks->fail(error.what());
+    throw;
+  }
+}
+
+template <class D>
+template <class Work>
+decltype(auto) DeviceEngine<D>::together(const RankCommand& command, const Work& work) {
+  return guarded(ranks_, [&]() -> decltype(auto) {
+    if (ranks_) announce(command);
+    return work();
+  });
+}
+
+/// Where kernels write the values of particles for a read-out: by slot, or in a shared world by place.
+template <class D>
+pbd::View<const uint32_t> DeviceEngine<D>::readout_places() {
+  return ranks_ ? pbd::View<const uint32_t>(places_.view()) : particles_.slot.current.view();
+}
+
+/// The slots of this rank's particles by place; none in a world that is not shared.
+template <class D>
+std::vector<uint32_t> DeviceEngine<D>::slots_by_place() {
+  return ranks_ ? particles_.slot.current.read(particles_.sorted()) : std::vector<uint32_t>();
+}
+
+/// Reads what kernels have written. In a shared world rank 0 gets the values of all ranks.
+template <class D>
+template <class T>
+void DeviceEngine<D>::deliver(const pbd::Buffer<T>& values, const std::vector<uint32_t>& slots,
+                              std::span<T> out) {
+  if (!ranks_) return values.read(out);
+  const std::vector<T> own = values.read(slots.size());
+  const auto counts = pbd::values_of_all(*ranks_, static_cast<uint32_t>(slots.size()));
+  if (ranks_->rank() != 0) {
+    const pbd::Sent sent[] = {{0, slots.data(), slots.size() * sizeof(uint32_t)},
+                              {0, own.data(), own.size() * sizeof(T)}};
+    return ranks_->exchange(sent, {});
+  }
+  for (size_t k = 0; k < slots.size(); ++k) out[slots[k]] = own[k];
+  for (int r = 1; r < ranks_->count(); ++r) {
+    std::vector<uint32_t> its_slots(counts[static_cast<size_t>(r)]);
+    std::vector<T> its_values(its_slots.size());
+    const pbd::Received received[] = {{r, its_slots.data(), its_slots.size() * sizeof(uint32_t)},
+                                      {r, its_values.data(), its_values.size() * sizeof(T)}};
+    ranks_->exchange({}, received);
+    for (size_t k = 0; k < its_slots.size(); ++k) out[its_slots[k]] = its_values[k];
+  }
+}
+
+}  // namespace meniscus

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// What rank 0 of a shared world asks the others to do along with it.
+#pragma once
+
+#include <cstdint>
+
+namespace meniscus {
+
+enum class RankCall : uint32_t {
+  end,  ///< nothing more
+  step,
+  positions,
+  velocities,
+  fluids,
+  pressures,
+  density_errors,
+  ellipsoids,
+  hash,
+  diagnostics
+};
+
+struct RankCommand {
+  RankCall call;
+  int32_t iterations = 0;  ///< of a step
+  float dt = 0;            ///< s, of a step or its substeps
+};
+
+}  // namespace meniscus

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Messages over MPI.
+#include "sdk/ranks/mpi_ranks.h"
+
+#include <meniscus/error.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "sdk/ranks/launcher.h"
+
+namespace meniscus {
+
+namespace {
+
+/// Bytes of one message at most: MPI counts with an int.
+constexpr size_t most_bytes = size_t{1} << 30;
+
+/// Calls visit(offset, bytes) for each part of a message.
+template <class Visit>
+void for_each_part(size_t bytes, const Visit& visit) {
+  for (size_t at = 0; at < bytes; at += most_bytes)
+    visit(at, static_cast<int>(std::min(most_bytes, bytes - at)));
+}
+
+class MpiRanks final : public pbd::Ranks {
+ public:
+  MpiRanks() : exceptions_(std::uncaught_exceptions()) {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &count_);
+  }
+  ~MpiRanks() override {
+    if (std::uncaught_exceptions() > exceptions_) fail("it ended early");
+    MPI_Finalize();
+  }
+  MpiRanks(const MpiRanks&) = delete;
+  MpiRanks& operator=(const MpiRanks&) = delete;
+
+  int rank() const override { return rank_; }
+  int count() const override { return count_; }
+
+  void exchange(std::span<const pbd::Sent> sent, std::span<const pbd::Received> received) override {
+    requests_.clear();
+    for (const pbd::Received& r : received) {
+      for_each_part(r.bytes, [&](size_t at, int bytes) {
+        requests_.emplace_back();
+        MPI_Irecv(static_cast<std::byte*>(r.data) + at, bytes, MPI_BYTE, r.from, 0, MPI_COMM_WORLD,
+                  &requests_.back());
+      });
+    }
+    for (const pbd::Sent& s : sent) {
+      for_each_part(s.bytes, [&](size_t at, int bytes) {
+        requests_.emplace_back();
+        MPI_Isend(static_cast<const std::byte*>(s.data) + at, bytes, MPI_BYTE, s.to, 0, MPI_COMM_WORLD,
+                  &requests_.back());
+      });
+    }
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  }
+  void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) override {
+    const auto bytes = static_cast<int>(own.size());
+    MPI_Allgather(own.data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, MPI_COMM_WORLD);
+  }
+  void transpose(std::span<const uint32_t> out, std::span<uint32_t> in) override {
+    MPI_Alltoall(out.data(), 1, MPI_UINT32_T, in.data(), 1, MPI_UINT32_T, MPI_COMM_WORLD);
+  }
+  void add_up(std::span<uint64_t> values) override {
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_UINT64_T, MPI_SUM,
+                  MPI_COMM_WORLD);
+  }
+  void fail(const std::string& why) override {
+    std::fprintf(stderr, "meniscus: rank %d of %d failed: %s; all ranks end\n", rank_, count_, why.c_str());
+    std::fflush(stderr);
+    MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+
+ private:
+  int exceptions_;
+  int rank_ = 0, count_ = 1;
+  std::vector<MPI_Request> requests_;
+};
+
+}  // namespace
+
+std::unique_ptr<pbd::Ranks> join_mpi() {
+  if (launched_processes() <= 1) return nullptr;
+  return std::make_unique<MpiRanks>();
+}
+
+}  // namespace meniscus

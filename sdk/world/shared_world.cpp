@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Shares a world among ranks, and says what a shared world cannot have.
+#include "sdk/world/shared_world.h"
+
+#include <meniscus/error.h>
+
+#include <exception>
+#include <string>
+
+#include "sdk/world/world_boundary.h"
+
+namespace meniscus {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(ErrorCode::invalid_argument,
+              "a world that several ranks share has no " + what + "; it has fluids and fixed shapes");
+}
+
+void check_solver(const WorldDef& def) {
+  if (def.periodic.x || def.periodic.y || def.periodic.z) refuse("periodic axes");
+  if (def.diffuse) refuse("diffuse particles");
+  if (def.density.tolerance > 0) refuse("DensitySolverDef::tolerance");
+  if (def.density.solver == DensitySolver::grid) refuse("pressure grid");
+  if (is_baseline(def.density.solver)) refuse("solvers pcisph, wcsph and dfsph");
+}
+
+void check_contents(const WorldTables& world) {
+  world.fluids.for_each([](uint32_t, const ParticleMaterial& m) {
+    if (m.grain.is_grain) refuse("granular materials");
+    if (m.fluid.dynamic_viscosity > 0) refuse("fluids with FluidDef::dynamic_viscosity");
+  });
+  if (world.bodies.size()) refuse("bodies");
+  if (world.cloths.size()) refuse("cloth");
+  if (world.ropes.size()) refuse("ropes");
+  if (world.emitters.size()) refuse("emitters");
+  if (world.sinks.size()) refuse("sinks");
+  if (world.probes.size()) refuse("probes");
+  if (world.force_fields.size()) refuse("force fields");
+}
+
+}  // namespace
+
+void SharedWorld::check(const World& world) {
+  World::Impl& impl = *world.impl_;
+  if (impl.device.kind != "cpu") refuse("CUDA device");
+  check_solver(impl.def);
+  check_contents(impl);
+  if (!impl.hooks.empty()) refuse("hooks");
+  if (impl.recorder) refuse("recording");
+  if (impl.engine->any_crowd())
+    refuse("particles of add_particles before the first step, since they may be too near to each other");
+}
+
+SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& policy)
+    : world_(*world.impl_), ranks_(ranks) {
+  world_.run(
+      [&](auto) {
+        check(world);
+        world_.with_all().share(ranks, policy);
+        world_.shared_by = static_cast<uint32_t>(ranks.count());
+        world_.state_changed();
+      },
+      "SharedWorld");
+}
+
+SharedWorld::~SharedWorld() {
+  if (!leads() || world_.lost) return;
+  try {
+    world_.engine->end_following();
+  } catch (const std::exception&) {
+    // The others know of a failure.
+  }
+}
+
+void SharedWorld::follow() {
+  world_.run([&](auto) { world_.engine->follow(); }, "follow");
+}
+
+}  // namespace meniscus

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// One world over many ranks, each a process with a device.
+#pragma once
+
+#include <meniscus/world.h>
+
+#include "pbd/ranks/rank_exchange.h"
+#include "pbd/ranks/ranks.h"
+
+namespace meniscus {
+
+/// Shares a world. All ranks first build the same world by the same calls. Then each makes this object, which
+/// keeps the particles in the slab of its rank. Rank 0 leads: it calls steps and read-outs of its world,
+/// which are those of all ranks. The others follow(). Calls that would change the world in another way throw
+/// Error(invalid_argument) and name themselves.
+///
+/// A shared world has fluids without viscosity and fixed shapes. It has the same state, bit for bit, whatever
+/// the number of ranks.
+class SharedWorld {
+ public:
+  /// Throws Error(invalid_argument) and names what the world has and a shared one cannot have.
+  static void check(const World& world);
+
+  /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank.
+  /// `world` may be moved meanwhile. It and `ranks` must outlive this.
+  SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& policy = {});
+  /// On rank 0: ends the others' follow().
+  ~SharedWorld();
+  SharedWorld(const SharedWorld&) = delete;
+  SharedWorld& operator=(const SharedWorld&) = delete;
+
+  bool leads() const { return ranks_.rank() == 0; }
+  /// On all ranks but 0: does what rank 0 asks for, until it destroys its SharedWorld.
+  void follow();
+
+ private:
+  World::Impl& world_;
+  pbd::Ranks& ranks_;
+};
+
+}  // namespace meniscus

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Ranks of which one does something at one of its calls.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "pbd/ranks/ranks.h"
+
+namespace meniscus::tests {
+
+/// Passes all calls on to others. Before call number `at` of this rank, from 1 on, it calls act().
+class FailingRanks final : public pbd::Ranks {
+ public:
+  FailingRanks(pbd::Ranks& ranks, int at, std::function<void()> act)
+      : ranks_(ranks), left_(at), act_(std::move(act)) {}
+
+  int rank() const override { return ranks_.rank(); }
+  int count() const override { return ranks_.count(); }
+  void exchange(std::span<const pbd::Sent> sent, std::span<const pbd::Received> received) override {
+    note_call();
+    ranks_.exchange(sent, received);
+  }
+  void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) override {
+    note_call();
+    ranks_.gather_everywhere(own, all);
+  }
+  void transpose(std::span<const uint32_t> out, std::span<uint32_t> in) override {
+    note_call();
+    ranks_.transpose(out, in);
+  }
+  void add_up(std::span<uint64_t> values) override {
+    note_call();
+    ranks_.add_up(values);
+  }
+  void fail(const std::string& why) override { ranks_.fail(why); }
+
+ private:
+  void note_call() {
+    if (--left_ == 0) act_();
+  }
+
+  pbd::Ranks& ranks_;
+  int left_;
+  std::function<void()> act_;
+};
+
+}  // namespace meniscus::tests

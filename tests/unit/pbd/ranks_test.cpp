@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Ranks that are threads: messages, failures, and how layers are divided among ranks.
+#include <gtest/gtest.h>
+#include <meniscus/error.h>
+
+#include <functional>
+#include <numeric>
+#include <thread>
+
+#include "pbd/ranks/slabs.h"
+#include "pbd/ranks/thread_ranks.h"
+
+namespace meniscus::pbd {
+namespace {
+
+void on_ranks(int count, const std::function<void(Ranks&)>& run) {
+  const auto ranks = make_thread_ranks(count);
+  std::vector<std::jthread> threads;
+  for (const auto& rank : ranks) threads.emplace_back([&run, &rank] { run(*rank); });
+}
+
+TEST(Ranks, ExchangeKeepsTheOrderOfMessagesAndSkipsEmptyOnes) {
+  on_ranks(2, [](Ranks& ranks) {
+    const int other = 1 - ranks.rank();
+    const int32_t first = 10 + ranks.rank(), second = 20 + ranks.rank();
+    int32_t got[2] = {};
+    const Sent sent[] = {{other, &first, 4}, {other, nullptr, 0}, {other, &second, 4}};
+    const Received received[] = {{other, nullptr, 0}, {other, &got[0], 4}, {other, &got[1], 4}};
+    ranks.exchange(sent, received);
+    EXPECT_EQ(got[0], 10 + other);
+    EXPECT_EQ(got[1], 20 + other);
+  });
+}
+
+TEST(Ranks, CallsOfAllRanksAgree) {
+  on_ranks(3, [](Ranks& ranks) {
+    const auto r = static_cast<uint32_t>(ranks.rank());
+    EXPECT_EQ(values_of_all(ranks, r + 5), (std::vector<uint32_t>{5, 6, 7}));
+    const uint32_t out[] = {10 * r, 10 * r + 1, 10 * r + 2};
+    uint32_t in[3] = {};
+    ranks.transpose(out, in);
+    for (uint32_t k = 0; k < 3; ++k) EXPECT_EQ(in[k], 10 * k + r);
+    uint64_t sums[] = {r, uint64_t{1} << 40};
+    ranks.add_up(sums);
+    EXPECT_EQ(sums[0], 3u);
+    EXPECT_EQ(sums[1], uint64_t{3} << 40);
+  });
+}
+
+TEST(Ranks, AFailureEndsTheCallsOfTheOthersAndNamesTheRank) {
+  on_ranks(3, [](Ranks& ranks) {
+    if (ranks.rank() == 2) return ranks.fail("out of paper");
+    try {
+      values_of_all(ranks, 0);
+      ADD_FAILURE() << "the call has not ended";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::lost);
+      EXPECT_STREQ(error.what(), "rank 2 failed: out of paper");
+    }
+  });
+}
+
+std::vector<uint64_t> of_slabs(const Slabs& slabs, int32_t first, std::span<const uint64_t> counts) {
+  std::vector<uint64_t> sums(static_cast<size_t>(slabs.ranks()));
+  for (size_t k = 0; k < counts.size(); ++k)
+    sums[static_cast<size_t>(slabs.owner(first + static_cast<int32_t>(k)))] += counts[k];
+  return sums;
+}
+
+TEST(Slabs, EvenLayersGiveEvenCounts) {
+  const std::vector<uint64_t> counts(40, 100);
+  const Slabs slabs(-7, counts, 4);
+  EXPECT_EQ(of_slabs(slabs, -7, counts), std::vector<uint64_t>(4, 1000));
+  EXPECT_DOUBLE_EQ(slabs.imbalance(-7, counts), 1);
+}
+
+TEST(Slabs, EachLayerHasOneOwnerAndTheOuterSlabsHaveNoEnd) {
+  const std::vector<uint64_t> counts(12, 1);
+  const Slabs slabs(0, counts, 3);
+  EXPECT_EQ(slabs.owner(-1'000'000'000), 0);
+  EXPECT_EQ(slabs.owner(1'000'000'000), 2);
+  for (int32_t layer = -20; layer < 40; ++layer) {
+    const int owner = slabs.owner(layer);
+    EXPECT_GE(layer, slabs.first(owner));
+    EXPECT_LT(layer, slabs.end(owner));
+  }
+}
+
+TEST(Slabs, ACrowdedEndStillLeavesEachRankThreeLayers) {
+  for (const bool at_end : {false, true}) {
+    std::vector<uint64_t> counts(13, 1);
+    (at_end ? counts.back() : counts.front()) = 100'000;
+    const Slabs slabs(5, counts, 4);
+    int32_t last = 5;
+    for (const int32_t cut : slabs.cuts()) {
+      EXPECT_GE(cut - last, Slabs::least_layers);
+      last = cut;
+    }
+    EXPECT_GE(5 + 13 - last, Slabs::least_layers);
+  }
+}
+
+TEST(Slabs, TooFewLayersAreRefused) {
+  const std::vector<uint64_t> counts(8, 1);
+  try {
+    Slabs(0, counts, 3);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::capacity);
+    EXPECT_NE(std::string(error.what()).find("8 layers"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace meniscus::pbd

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// One world on several ranks, which are threads here: the same bits as on one, whatever the number of ranks
+// and wherever the cuts are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <thread>
+#include <tuple>
+
+#include "pbd/ranks/thread_ranks.h"
+#include "sdk/world/shared_world.h"
+#include "tests/expect_error.h"
+#include "tests/ranks/broken_dam.h"
+#include "tests/ranks/failing_ranks.h"
+
+namespace meniscus::tests {
+namespace {
+
+constexpr float frame = 0.008f;               // s
+constexpr float wide = 0.3f, narrow = 0.15f;  // m
+
+/// Makes the same world on each rank. Calls lead(world) on rank 0, and returns the errors of the ranks.
+std::vector<std::string> share(int count, const pbd::CutPolicy& policy, const std::function<World()>& make,
+                               const std::function<void(World&)>& lead) {
+  const auto ranks = pbd::make_thread_ranks(count);
+  std::vector<std::string> errors(static_cast<size_t>(count));
+  const auto run = [&](int r) {
+    try {
+      World world = make();
+      SharedWorld shared(world, *ranks[static_cast<size_t>(r)], policy);
+      shared.leads() ? lead(world) : shared.follow();
+    } catch (const std::exception& error) {
+      errors[static_cast<size_t>(r)] = error.what();
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int r = 1; r < count; ++r) others.emplace_back(run, r);
+  run(0);
+  others.clear();
+  return errors;
+}
+
+struct Result {
+  std::vector<uint64_t> hashes;
+  std::vector<Vec3> positions;
+  std::vector<float> pressures, errors;
+  Diagnostics diagnostics;
+};
+
+Result result_of(World& world, int steps) {
+  Result result;
+  for (int k = 0; k < steps; ++k) {
+    world.step(frame);
+    if (k % 10 == 9) result.hashes.push_back(world.state_hash());
+  }
+  const auto copy = [](const auto& from, auto& to) { to.assign(from.begin(), from.end()); };
+  copy(world.positions(), result.positions);
+  copy(world.pressures(), result.pressures);
+  copy(world.density_errors(), result.errors);
+  result.diagnostics = world.diagnostics();
+  return result;
+}
+
+Result alone(int steps) {
+  World world = broken_dam(wide);
+  return result_of(world, steps);
+}
+
+Result together(int count, int steps, const pbd::CutPolicy& policy = {}) {
+  Result result;
+  const auto errors = share(
+      count, policy, [] { return broken_dam(wide); },
+      [&](World& world) { result = result_of(world, steps); });
+  for (const std::string& error : errors) EXPECT_EQ(error, "");
+  return result;
+}
+
+void expect_equal(const Result& a, const Result& b) {
+  EXPECT_EQ(a.hashes, b.hashes);
+  EXPECT_TRUE(std::ranges::equal(a.positions, b.positions));
+  EXPECT_EQ(a.pressures, b.pressures);
+  EXPECT_EQ(a.errors, b.errors);
+  EXPECT_EQ(a.diagnostics.particles, b.diagnostics.particles);
+  EXPECT_EQ(a.diagnostics.contacts, b.diagnostics.contacts);
+  EXPECT_EQ(a.diagnostics.neighbours_mean, b.diagnostics.neighbours_mean);
+  EXPECT_NEAR(a.diagnostics.kinetic_energy, b.diagnostics.kinetic_energy,
+              1e-12 * a.diagnostics.kinetic_energy);
+}
+
+TEST(SharedWorld, HasTheSameBitsOnOneTwoAndThreeRanks) {
+  const Result expected = alone(30);
+  for (const int ranks : {1, 2, 3}) {
+    SCOPED_TRACE(ranks);
+    expect_equal(together(ranks, 30), expected);
+  }
+}
+
+TEST(SharedWorld, HasTheSameBitsWhereCutsMoveWithEveryStep) {
+  expect_equal(together(3, 30, {.every = 1, .most_imbalance = 0, .shift = 2}), alone(30));
+}
+
+TEST(SharedWorld, KeepsEachParticleOnce) {
+  std::vector<ParticleId> ids;
+  const auto errors = share(
+      3, {.every = 1, .most_imbalance = 0, .shift = 2}, [] { return broken_dam(narrow); },
+      [&](World& world) {
+        const std::size_t count = world.particle_count();
+        for (int k = 0; k < 100; ++k) world.step(frame);
+        ids.assign(world.ids().begin(), world.ids().end());
+        EXPECT_EQ(world.diagnostics().particles, count);
+        std::vector<Vec3> places(world.positions().begin(), world.positions().end());
+        EXPECT_EQ(places.size(), count);
+        const auto less = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+        std::ranges::sort(places, less);
+        EXPECT_EQ(std::ranges::adjacent_find(places), places.end());  // none was delivered twice
+      });
+  for (const std::string& error : errors) EXPECT_EQ(error, "");
+}
+
+TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
+  const auto refuses = [](const std::string& named, const std::function<void(World&)>& change) {
+    World world = broken_dam(narrow);
+    change(world);
+    const auto ranks = pbd::make_thread_ranks(1);
+    expect_error(ErrorCode::invalid_argument, named, [&] { SharedWorld(world, *ranks[0]); });
+    EXPECT_NO_THROW(world.step(frame));
+  };
+  refuses("no bodies", [](World& world) {
+    BodyDef body;
+    body.pose.position = {0.3f, 2, 0.3f};
+    world.create_body(body);
+  });
+  refuses("no emitters", [](World& world) {
+    EmitterDef emitter;
+    emitter.fluid = world.fluid_ids()[0];
+    emitter.pose.position = {0.3f, 2, 0.3f};
+    world.create_emitter(emitter);
+  });
+  refuses("no fluids with FluidDef::dynamic_viscosity", [](World& world) {
+    FluidDef oil;
+    oil.dynamic_viscosity = 1;
+    world.create_fluid(oil);
+  });
+  refuses("no hooks", [](World& world) { world.add_hook(Hook::solved, [](const SubstepView&) {}); });
+}
+
+TEST(SharedWorld, RefusesOtherCallsByName) {
+  const auto errors = share(
+      2, {}, [] { return broken_dam(narrow); },
+      [](World& world) {
+        expect_error(ErrorCode::invalid_argument, "create_fluid", [&] { world.create_fluid({}); });
+        expect_error(ErrorCode::invalid_argument, "relax", [&] { world.relax(1); });
+        expect_error(ErrorCode::invalid_argument, "snapshot", [&] { world.snapshot(); });
+        EXPECT_NO_THROW(world.step(frame));
+      });
+  for (const std::string& error : errors) EXPECT_EQ(error, "");
+}
+
+TEST(SharedWorld, NeedsThreeLayersARank) {
+  const auto errors = share(
+      8, {}, [] { return broken_dam(narrow); }, [](World&) {});
+  for (const std::string& error : errors)
+    EXPECT_NE(error.find("8 ranks need 3 each"), std::string::npos) << error;
+}
+
+/// A rank fails at call after call of its transport. All ranks end, and all errors name it or are its own.
+TEST(SharedWorld, AFailureOfOneRankEndsAll) {
+  for (int call = 1; call < 40; call += 3) {
+    SCOPED_TRACE(call);
+    const auto ranks = pbd::make_thread_ranks(3);
+    std::vector<std::string> errors(3);
+    const auto run = [&](int r) {
+      FailingRanks failing(*ranks[static_cast<size_t>(r)], r == 1 ? call : 0,
+                           [] { throw Error(ErrorCode::device, "the test has cut the line"); });
+      try {
+        World world = broken_dam(narrow);
+        SharedWorld shared(world, failing);
+        shared.leads() ? tests::run(world, 5, frame) : shared.follow();
+      } catch (const std::exception& error) {
+        errors[static_cast<size_t>(r)] = error.what();
+      }
+    };
+    {
+      std::jthread first(run, 1), second(run, 2);
+      run(0);
+    }
+    EXPECT_NE(errors[0].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[0];
+    EXPECT_NE(errors[1].find("the test has cut the line"), std::string::npos) << errors[1];
+    EXPECT_NE(errors[2].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[2];
+  }
+}
+
+}  // namespace
+}  // namespace meniscus::tests
