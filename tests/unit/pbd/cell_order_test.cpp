@@ -34,8 +34,9 @@ void expect_order(const std::vector<uint32_t>& sizes) {
   std::iota(number.begin(), number.end(), 0u);
   std::shuffle(number.begin(), number.end(), random);
   std::iota(expected.begin(), expected.end(), 0u);
-  std::sort(expected.begin(), expected.end(),
-            [&](uint32_t a, uint32_t b) { return std::pair(key[a], number[a]) < std::pair(key[b], number[b]); });
+  std::sort(expected.begin(), expected.end(), [&](uint32_t a, uint32_t b) {
+    return std::pair(key[a], number[a]) < std::pair(key[b], number[b]);
+  });
   std::vector<uint32_t> placed = expected;
   for (uint32_t cell = 0; cell < sizes.size(); ++cell)
     std::shuffle(placed.begin() + start[cell], placed.begin() + start[cell + 1], random);
