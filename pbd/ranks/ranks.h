@@ -37,11 +37,11 @@ class Ranks {
   /// Between two ranks, messages arrive in the order in which they were sent.
   virtual void exchange(std::span<const Sent> sent, std::span<const Received> received) = 0;
   /// `all` gets the bytes of each rank, in the order of the ranks.
-  virtual void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all);
+  virtual void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) = 0;
   /// Element r of `out` goes to rank r. Element r of `in` is from rank r.
-  virtual void transpose(std::span<const uint32_t> out, std::span<uint32_t> in);
+  virtual void transpose(std::span<const uint32_t> out, std::span<uint32_t> in) = 0;
   /// Element by element, over all ranks.
-  virtual void add_up(std::span<uint64_t> values);
+  virtual void add_up(std::span<uint64_t> values) = 0;
   /// Ends the calls of all ranks, because this one cannot go on. Over MPI it ends all processes.
   virtual void fail(const std::string& why) = 0;
 };

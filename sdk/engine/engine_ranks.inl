@@ -5,9 +5,10 @@
 // others follow. Read-outs go to rank 0.
 #pragma once
 
-#include <cstring>
+#include <new>
 #include <numeric>
 
+#include "pbd/host_memory.h"
 #include "sdk/engine/engine.inl"
 
 namespace meniscus {
@@ -92,6 +93,9 @@ decltype(auto) DeviceEngine<D>::guarded(pbd::Ranks* ranks, const Work& work) {
     return work();
   } catch (const Error& error) {
     if (error.code() != ErrorCode::lost) ranks->fail(error.what());
+    throw;
+  } catch (const std::bad_alloc&) {
+    ranks->fail(pbd::no_host_memory.what());
     throw;
   } catch (const std::exception& error) {
     ranks->fail(error.what());

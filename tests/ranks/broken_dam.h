@@ -22,10 +22,10 @@ inline World broken_dam(float width) {
   second.rest_density = 500;
   const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
   world.create_shape(tank({0, 0, 0}, {width, 1, 2}));
-  world.create_shape(shape(SphereGeometry{0.15f}, {width / 2, 0.1f, 1.4f}));
-  world.create_shape(shape(BoxGeometry{{0.1f, 0.2f, 0.05f}}, {0.1f, 0.2f, 1.1f}));
-  world.add_fluid(block(a, {0, 0, 0}, {width, 0.5f, 1}));
-  world.add_fluid(block(b, {0, 0.5f, 0}, {width, 0.8f, 1}));
+  world.create_shape(shape(SphereGeometry{0.15f}, {width / 2, 0.1f, 1.7f}));
+  world.create_shape(shape(BoxGeometry{{0.1f, 0.2f, 0.05f}}, {0.1f, 0.2f, 1.4f}));
+  world.add_fluid(block(a, {0, 0, 0}, {width, 0.5f, 1.3f}));
+  world.add_fluid(block(b, {0, 0.5f, 0}, {width, 0.8f, 1.3f}));
   return world;
 }
 

@@ -10,13 +10,13 @@
 #include <thread>
 
 #include "pbd/ranks/slabs.h"
-#include "pbd/ranks/thread_ranks.h"
+#include "tests/ranks/thread_ranks.h"
 
 namespace meniscus::pbd {
 namespace {
 
 void on_ranks(int count, const std::function<void(Ranks&)>& run) {
-  const auto ranks = make_thread_ranks(count);
+  const auto ranks = tests::make_thread_ranks(count);
   std::vector<std::jthread> threads;
   for (const auto& rank : ranks) threads.emplace_back([&run, &rank] { run(*rank); });
 }

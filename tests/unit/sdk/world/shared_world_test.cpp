@@ -10,11 +10,11 @@
 #include <thread>
 #include <tuple>
 
-#include "pbd/ranks/thread_ranks.h"
 #include "sdk/world/shared_world.h"
 #include "tests/expect_error.h"
 #include "tests/ranks/broken_dam.h"
 #include "tests/ranks/failing_ranks.h"
+#include "tests/ranks/thread_ranks.h"
 
 namespace meniscus::tests {
 namespace {
@@ -25,7 +25,7 @@ constexpr float wide = 0.3f, narrow = 0.15f;  // m
 /// Makes the same world on each rank. Calls lead(world) on rank 0, and returns the errors of the ranks.
 std::vector<std::string> share(int count, const pbd::CutPolicy& policy, const std::function<World()>& make,
                                const std::function<void(World&)>& lead) {
-  const auto ranks = pbd::make_thread_ranks(count);
+  const auto ranks = make_thread_ranks(count);
   std::vector<std::string> errors(static_cast<size_t>(count));
   const auto run = [&](int r) {
     try {
@@ -124,7 +124,7 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
   const auto refuses = [](const std::string& named, const std::function<void(World&)>& change) {
     World world = broken_dam(narrow);
     change(world);
-    const auto ranks = pbd::make_thread_ranks(1);
+    const auto ranks = make_thread_ranks(1);
     expect_error(ErrorCode::invalid_argument, named, [&] { SharedWorld(world, *ranks[0]); });
     EXPECT_NO_THROW(world.step(frame));
   };
@@ -170,7 +170,7 @@ TEST(SharedWorld, NeedsThreeLayersARank) {
 TEST(SharedWorld, AFailureOfOneRankEndsAll) {
   for (int call = 1; call < 40; call += 3) {
     SCOPED_TRACE(call);
-    const auto ranks = pbd::make_thread_ranks(3);
+    const auto ranks = make_thread_ranks(3);
     std::vector<std::string> errors(3);
     const auto run = [&](int r) {
       FailingRanks failing(*ranks[static_cast<size_t>(r)], r == 1 ? call : 0,

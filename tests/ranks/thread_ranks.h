@@ -9,9 +9,9 @@
 
 #include "pbd/ranks/ranks.h"
 
-namespace meniscus::pbd {
+namespace meniscus::tests {
 
 /// Makes `count` ranks of one world, each for a thread of its own. They may be destroyed in any order.
-std::vector<std::unique_ptr<Ranks>> make_thread_ranks(int count);
+std::vector<std::unique_ptr<pbd::Ranks>> make_thread_ranks(int count);
 
-}  // namespace meniscus::pbd
+}  // namespace meniscus::tests
