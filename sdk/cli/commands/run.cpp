@@ -25,7 +25,7 @@
 #include "sdk/cli/record/scene_checks.h"
 #include "sdk/cli/stop/interrupt.h"
 #include "sdk/fields/probes.h"
-#include "sdk/io/abc.h"
+#include "sdk/io/abc/abc_recording.h"
 #include "sdk/io/plain_text.h"
 #include "sdk/io/vdb.h"
 

@@ -13,7 +13,7 @@
 #include <meniscus/scene.h>
 #include "sdk/cli/output/background.h"
 #include "sdk/cli/record/frame_sample.h"
-#include "sdk/io/abc.h"
+#include "sdk/io/abc/abc_recording.h"
 #include "sdk/io/pvd.h"
 #include "sdk/io/scene_frame.h"
 #include "sdk/io/surface_frame.h"

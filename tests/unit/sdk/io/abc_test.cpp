@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tests of the export to Alembic: the files are read back by Alembic.
-#include "sdk/io/abc.h"
+#include "sdk/io/abc/abc_recording.h"
 
 #include <Alembic/AbcCoreOgawa/All.h>
 #include <Alembic/AbcGeom/All.h>

@@ -4,7 +4,7 @@
 // Stands for the writer of Alembic files where Alembic was not found.
 #include <meniscus/error.h>
 
-#include "sdk/io/abc.h"
+#include "sdk/io/abc/abc_recording.h"
 
 namespace meniscus::io {
 

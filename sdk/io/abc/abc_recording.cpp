@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes Alembic archives.
-#include "sdk/io/abc.h"
+#include "sdk/io/abc/abc_recording.h"
 
 #include <Alembic/AbcCoreOgawa/All.h>
 #include <meniscus/error.h>
@@ -14,7 +14,7 @@
 #include <streambuf>
 
 #include "sdk/files/output_file.h"
-#include "sdk/io/abc_samples.h"
+#include "sdk/io/abc/abc_samples.h"
 #include "sdk/io/usd/usd_text.h"
 
 namespace meniscus::io {
