@@ -45,12 +45,12 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
   CLI::Option* formats =
       run.add_option(
              "--export", options.formats,
-             "Write every frame's particles, bodies, cloth and ropes, and the shapes, as ply, vtp, obj "
-             "and/or usd; fluids as volumes, as vdb")
-          ->type_name("ply,vtp,obj,usd,vdb")
+             "Write every frame's particles, bodies, cloth and ropes, and the shapes, as ply, vtp, obj, "
+             "usd and/or abc; fluids as volumes, as vdb")
+          ->type_name("ply,vtp,obj,usd,abc,vdb")
           ->delimiter(',')
           ->allow_extra_args(false)
-          ->check(CLI::IsMember({"ply", "vtp", "obj", "usd", "vdb"}).description(""));
+          ->check(CLI::IsMember({"ply", "vtp", "obj", "usd", "abc", "vdb"}).description(""));
   run.add_flag("--surface", options.surface, "With --export: the fluids' surfaces as meshes, too")
       ->needs(formats);
   run.add_flag(

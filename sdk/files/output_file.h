@@ -29,6 +29,9 @@ class OutputFile {
     write_bytes(values.data(), values.size_bytes());
   }
 
+  /// For libraries that write to a stream. commit() reports what failed there.
+  std::ostream& stream() { return stream_; }
+
   /// What is written next replaces the first bytes.
   void back_to_start();
 

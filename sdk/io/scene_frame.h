@@ -46,4 +46,11 @@ struct SceneFrame {
   DiffuseFrame diffuse_frame() const { return {time, diffuse}; }
 };
 
+/// What a file of a whole scene has besides bodies, shapes, cloth and ropes.
+struct ExportContents {
+  bool particles = true;
+  bool surface = false;  ///< of fluids
+  bool diffuse = false;
+};
+
 }  // namespace meniscus::io

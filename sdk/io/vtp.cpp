@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sdk/files/output_file.h"
+#include "sdk/io/point_sets.h"
 
 namespace meniscus::io {
 namespace {
@@ -120,23 +121,15 @@ void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
 
 void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame) {
   const std::size_t count = frame.particles.size();
-  std::vector<Vec3> positions, velocities;
-  std::vector<float> lives;
-  std::vector<uint32_t> kinds;
-  for (const DiffuseParticle& p : frame.particles) {
-    positions.push_back(p.position);
-    velocities.push_back(p.velocity);
-    lives.push_back(p.life);
-    kinds.push_back(static_cast<uint32_t>(p.kind));
-  }
+  const DiffusePoints diffuse = diffuse_points(frame.particles);
   const std::vector<int64_t> corners = counting(count, 0, 1), ends = counting(count, 1, 1);
   AppendedArrays arrays;
   std::string piece = fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\">\n", count);
   piece += "<PointData Scalars=\"kind\" Vectors=\"velocity\">\n";
-  piece += arrays.add("Float32", "velocity", 3, std::span<const Vec3>(velocities));
-  piece += arrays.add("Float32", "life", 1, std::span<const float>(lives));
-  piece += arrays.add("UInt32", "kind", 1, std::span<const uint32_t>(kinds));
-  piece += "</PointData>\n" + points(arrays, positions);
+  piece += arrays.add("Float32", "velocity", 3, std::span<const Vec3>(diffuse.velocities));
+  piece += arrays.add("Float32", "life", 1, std::span<const float>(diffuse.lives));
+  piece += arrays.add("UInt32", "kind", 1, std::span<const uint32_t>(diffuse.kinds));
+  piece += "</PointData>\n" + points(arrays, diffuse.positions);
   piece += "<Verts>\n" + cells(arrays, corners, ends) + "</Verts>\n</Piece>\n";
   write_polydata(path, frame.time, piece, arrays);
 }

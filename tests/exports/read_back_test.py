@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 #
 # read_back_test.py PROGRAM: exports a scene in all formats and reads each file back, with readers of our own and with
-# programs of others: usd-core, pyvista, trimesh and meshio. Counts and values must be equal to 1e-6. A program of others
+# programs of others: usd-core, pyvista, trimesh, meshio and alembic3d. Counts and values must be equal to 1e-6. A program of others
 # that is not installed is skipped with a reason; tests/exports/install_readers installs all of them.
 
 import importlib
@@ -286,6 +286,30 @@ class Exports(unittest.TestCase):
             self.compare_bodies(None, stage, frame)
         place = [value("/scene/bodies/crate__red.xformOp:translate", t)[1] for t in (1, 1.5, 2)]
         self.assertAlmostEqual(place[1], (place[0] + place[2]) / 2, 6, "bodies move between the frames")
+
+    # ---- Alembic against PLY ----
+
+    def test_alembic(self):
+        reader(self, "alembic3d")
+        from abc_archive import AbcArchive
+
+        out = pathlib.Path(self.holder.name) / "abc"
+        run = subprocess.run(run_of(out, "--frames", str(FRAMES), "--export", "abc"), capture_output=True, text=True)
+        if "Alembic files cannot be written" in run.stderr:
+            self.skipTest(run.stderr.strip())
+        self.assertEqual(run.returncode, 0, run.stderr)
+        archive = AbcArchive(out / "scene.abc", 24)
+        self.assert_same(archive.times("/scene/particles/water"), [f / 24 for f in range(FRAMES + 1)], "times")
+        for frame in range(FRAMES + 1):
+            self.compare_usd(archive.value, frame)
+            found = []
+            for body in ("crate__red", "crate__red_2"):
+                place = archive.transform(f"/scene/bodies/{body}", frame)
+                found += [tuple(place(p)) for p in archive.value(f"/scene/bodies/{body}/mesh.points", 0)]
+            wanted = vectors(self.ply("bodies", frame)["vertex"], *POSITION)
+            self.assertEqual(len(found), len(wanted))
+            for a, b in zip(flat(found), flat(wanted)):
+                self.assertLessEqual(abs(a - b), 2e-6, "bodies")  # the transform rounds as well
 
 
 if __name__ == "__main__":

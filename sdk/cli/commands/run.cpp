@@ -25,6 +25,7 @@
 #include "sdk/cli/record/scene_checks.h"
 #include "sdk/cli/stop/interrupt.h"
 #include "sdk/fields/probes.h"
+#include "sdk/io/abc/abc_recording.h"
 #include "sdk/io/plain_text.h"
 #include "sdk/io/vdb.h"
 #include "sdk/ranks/mpi_ranks.h"
@@ -33,12 +34,13 @@
 namespace meniscus::cli {
 namespace {
 
-bool exports_vdb(const RunOptions& options) {
-  return std::count(options.formats.begin(), options.formats.end(), "vdb") > 0;
+bool exports(const RunOptions& options, const char* format) {
+  return std::count(options.formats.begin(), options.formats.end(), format) > 0;
 }
 
 Scene scene_of(const RunOptions& options) {
-  if (exports_vdb(options)) io::require_vdb();
+  if (exports(options, "vdb")) io::require_vdb();
+  if (exports(options, "abc")) io::require_abc();
   Scene scene = chosen_scene(options.scene);
   if (options.frames) scene.frames = *options.frames;
   expect_floor(scene);
@@ -85,7 +87,7 @@ class Run {
       : ranks_(ranks),
         scene_(scene_of(options)),
         picture_(picture_scene(scene_, options.picture)),
-        liquid_(options.surface || exports_vdb(options)),
+        liquid_(options.surface || exports(options, "vdb")),
         has_texture_(!options.formats.empty() || options.picture.any()),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_, ranks != nullptr)),

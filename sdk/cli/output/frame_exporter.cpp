@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Writes the frames of a run as PLY, VTP, OBJ, USD and OpenVDB files.
+// Writes the frames of a run as PLY, VTP, OBJ, USD, Alembic and OpenVDB files.
 #include "sdk/cli/output/frame_exporter.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -31,6 +31,7 @@ FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std
       vtp_(has(formats, "vtp")),
       obj_(has(formats, "obj")),
       usd_(has(formats, "usd")),
+      abc_(has(formats, "abc")),
       vdb_(has(formats, "vdb") && !scene.fluids.empty()),
       any_(!formats.empty()),
       particles_(!scene.fluids.empty() || !scene.granulars.empty() ||
@@ -71,7 +72,10 @@ void FrameExporter::write(FrameSample& sample) {
 void FrameExporter::finish() {
   if (!any_) return;
   background_.finish();
-  if (usd_recording_) pbd::with_host_memory([&] { usd_recording_->finish(); });
+  pbd::with_host_memory([&] {
+    if (usd_recording_) usd_recording_->finish();
+    if (abc_recording_) abc_recording_->finish();
+  });
 }
 
 void FrameExporter::write_all(const io::SceneFrame& frame) {
@@ -85,6 +89,7 @@ void FrameExporter::write_all(const io::SceneFrame& frame) {
   if (ropes_) write_files("ropes", number, frame.ropes, rope_collection_);
   if (surface_) write_files("surface", number, frame.liquid, surface_collection_);
   if (usd_) write_usd(frame);
+  if (abc_) write_abc(frame);
   if (vdb_)
     io::write_vdb(folder_ / fmt::format("frames/liquid_{:05}.vdb", number), frame.liquid, frame.particles(),
                   scene_.world.particle_spacing);
@@ -102,12 +107,16 @@ void FrameExporter::write_shapes() const {
 
 void FrameExporter::write_usd(const io::SceneFrame& frame) {
   if (!usd_scene_) {
-    usd_scene_.emplace(scene_,
-                       io::UsdContents{.particles = particles_, .surface = surface_, .diffuse = diffuse_},
-                       bodies_ ? &*bodies_ : nullptr, frame);
+    usd_scene_.emplace(scene_, contents(), bodies_ ? &*bodies_ : nullptr, frame);
     usd_recording_.emplace(folder_, usd_scene_->stage());
   }
   usd_recording_->add(frame.number, usd_scene_->values(frame));
+}
+
+void FrameExporter::write_abc(const io::SceneFrame& frame) {
+  if (!abc_recording_)
+    abc_recording_.emplace(folder_ / "scene.abc", scene_, contents(), bodies_ ? &*bodies_ : nullptr, frame);
+  abc_recording_->add(frame);
 }
 
 template <class Frame>

@@ -13,6 +13,7 @@
 #include <meniscus/scene.h>
 #include "sdk/cli/output/background.h"
 #include "sdk/cli/record/frame_sample.h"
+#include "sdk/io/abc/abc_recording.h"
 #include "sdk/io/pvd.h"
 #include "sdk/io/scene_frame.h"
 #include "sdk/io/surface_frame.h"
@@ -27,14 +28,15 @@ namespace meniscus::cli {
 /// as ropes_00001. A scene with cloth or ropes but no fluid has no particles to write. On request, the
 /// surface of its fluids is surface_00001. Fixed shapes are FOLDER/frames/shapes.ply, .vtp or .obj. With vtp,
 /// FOLDER/particles.pvd, diffuse.pvd, bodies.pvd, cloth.pvd, ropes.pvd and surface.pvd list the frames. With
-/// usd, FOLDER/scene.usda has all of it. With vdb, liquids are liquid_00001.vdb.
+/// usd, FOLDER/scene.usda has all of it, and with abc FOLDER/scene.abc. With vdb, liquids are
+/// liquid_00001.vdb.
 ///
 /// Files are written on a thread of their own, in the order of the frames. At most three frames wait or are
 /// being written; then the run waits.
 class FrameExporter {
  public:
-  /// `formats`: "ply", "vtp", "obj", "usd" and "vdb"; empty writes nothing. Throws Error(io), and what
-  /// BodySurfaces throws.
+  /// `formats`: "ply", "vtp", "obj", "usd", "abc" and "vdb"; empty writes nothing. Throws Error(io), and
+  /// what BodySurfaces throws.
   FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats, bool surface,
                 const Scene& scene);
 
@@ -50,6 +52,10 @@ class FrameExporter {
   void write_all(const io::SceneFrame& frame);
   void write_shapes() const;
   void write_usd(const io::SceneFrame& frame);
+  void write_abc(const io::SceneFrame& frame);
+  io::ExportContents contents() const {
+    return {.particles = particles_, .surface = surface_, .diffuse = diffuse_};
+  }
   /// Writes one kind of frame in all formats of meshes and points.
   template <class Frame>
   void write_files(const char* prefix, int frame, const Frame& contents,
@@ -57,7 +63,7 @@ class FrameExporter {
 
   std::filesystem::path folder_;
   Scene scene_;
-  bool ply_, vtp_, obj_, usd_, vdb_;
+  bool ply_, vtp_, obj_, usd_, abc_, vdb_;
   bool any_;                                            // whether there is any format
   bool particles_, diffuse_, cloth_, ropes_, surface_;  // whether there are any
   bool shapes_written_ = false;
@@ -66,6 +72,7 @@ class FrameExporter {
       surface_collection_, diffuse_collection_;
   std::optional<io::UsdScene> usd_scene_;
   std::optional<io::UsdRecording> usd_recording_;
+  std::optional<io::AbcRecording> abc_recording_;
   std::array<io::SceneFrame, most_waiting> frames_;  // used in turn
   std::size_t next_ = 0;
   Background background_{most_waiting};  // last: its thread uses all of the above

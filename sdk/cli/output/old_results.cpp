@@ -30,7 +30,7 @@ void remove_old_results(const fs::path& folder) {
   // A run that was killed leaves parts of files (see io::make_part).
   static const std::regex figures(
       "((frames|bodies|cloths|attachments)\\.csv|summary\\.json|density\\.svg|(preview|contact_sheet)\\.png|"
-      "(particles|diffuse|bodies|cloth|ropes|surface)\\.pvd|scene\\.usda)(\\.[0-9a-f]{8}\\.part)?");
+      "(particles|diffuse|bodies|cloth|ropes|surface)\\.pvd|scene\\.(usda|abc))(\\.[0-9a-f]{8}\\.part)?");
   static const std::regex frames(
       "((frame|diffuse|bodies|cloth|ropes|surface)_[0-9]{5,}\\.(ply|vtp|obj)|shapes\\.(ply|vtp|obj)|liquid_["
       "0-9]{5,}\\.vdb|"

@@ -145,7 +145,7 @@ std::string file_list(const std::vector<std::string>& formats, const json& figur
   add_for("attachments", "attachments.csv");
   for (const std::string& picture : pictures) text += ", " + picture;
   for (const std::string& format : formats) {
-    text += format == "usd" ? ", scene.usda" : ", frames/*." + format;
+    text += format == "usd" ? ", scene.usda" : format == "abc" ? ", scene.abc" : ", frames/*." + format;
     if (format != "vtp") continue;
     const bool cloth_alone = !figures.at("cloths").empty() || !figures.at("ropes").empty();
     if (count(figures, "particles") > 0 || !cloth_alone) text += ", particles.pvd";

@@ -6,27 +6,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <cmath>
-
 #include "pbd/math/vec.h"
 #include "sdk/io/mesh_parts.h"
 #include "sdk/io/preview/palette.h"
+#include "sdk/io/scene_units.h"
 #include "sdk/io/usd/usd_materials.h"
 #include "sdk/io/usd/usd_text.h"
 
 namespace meniscus::io {
 namespace {
-
-/// USD has two up axes. Another gravity than along −z leaves y.
-char up_axis(Vec3 gravity) {
-  return -gravity.z > std::abs(gravity.x) && -gravity.z > std::abs(gravity.y) ? 'Z' : 'Y';
-}
-
-/// Frames a second. A frame time in a file has few digits, so what is a whole number but for these is one.
-double rate_of(float frame_time) {
-  const double rate = 1 / double{frame_time}, whole = std::round(rate);
-  return std::abs(rate - whole) < 2e-6 * rate ? whole : rate;
-}
 
 std::string original_name(const std::string& name) {
   return "customData = { string name = " + usd_text(name) + " }";
@@ -56,7 +44,7 @@ const char* transform_order = "uniform token[] xformOpOrder = [\"xformOp:transla
 
 }  // namespace
 
-UsdScene::UsdScene(const Scene& scene, const UsdContents& contents, const BodySurfaces* bodies,
+UsdScene::UsdScene(const Scene& scene, const ExportContents& contents, const BodySurfaces* bodies,
                    const SceneFrame& first)
     : stage_{{"Xform", "scene", {"kind = \"component\""}, {}, {}, {}},
              {},

@@ -18,19 +18,13 @@
 
 namespace meniscus::io {
 
-/// What a stage has, by kind. Each is a child of /scene, with a child for each object in the order of the
-/// scene: particles, surface, bodies, shapes, cloth, ropes. /scene/diffuse is one set of points. Materials
-/// are in /scene/materials.
-struct UsdContents {
-  bool particles = true;
-  bool surface = false;
-  bool diffuse = false;
-};
-
+/// Each kind of thing is a child of /scene, with a child for each object in the order of the scene:
+/// particles, surface, bodies, shapes, cloth, ropes. /scene/diffuse is one set of points. Materials are in
+/// /scene/materials.
 class UsdScene {
  public:
   /// `first` is the first frame: meshes that keep their topology have it from there.
-  UsdScene(const Scene& scene, const UsdContents& contents, const BodySurfaces* bodies,
+  UsdScene(const Scene& scene, const ExportContents& contents, const BodySurfaces* bodies,
            const SceneFrame& first);
 
   const UsdStage& stage() const { return stage_; }

@@ -6,6 +6,7 @@
 
 #include "pbd/math/vec.h"
 #include "sdk/io/mesh_parts.h"
+#include "sdk/io/point_sets.h"
 #include "sdk/io/usd/usd_scene.h"
 #include "sdk/io/usd/usd_text.h"
 
@@ -31,41 +32,23 @@ std::vector<std::string> UsdScene::values(const SceneFrame& frame) const {
 }
 
 void UsdScene::set_particles(const SceneFrame& frame, Values& values) const {
-  struct Fluid {
-    std::vector<Vec3> points, velocities;
-    std::vector<uint64_t> ids;
-  };
-  std::vector<Fluid> fluids(particles_.size());
-  for (std::size_t i = 0; !fluids.empty() && i < frame.positions.size(); ++i) {
-    Fluid& fluid = fluids.at(frame.fluids[i]);
-    fluid.points.push_back(frame.positions[i]);
-    fluid.velocities.push_back(frame.velocities[i]);
-    fluid.ids.push_back(frame.ids[i]);
-  }
+  const std::vector<FluidPoints> fluids = points_by_fluid(frame, particles_.size());
   for (std::size_t f = 0; f < fluids.size(); ++f) {
     const PointNumbers& at = particles_[f];
-    values[at.points] = array_of(fluids[f].points);
+    values[at.points] = array_of(fluids[f].positions);
     values[at.velocities] = array_of(fluids[f].velocities);
     values[at.ids] = array_of(fluids[f].ids);
-    values[at.extent] = usd_extent(fluids[f].points, 0.5f * spacing_);
+    values[at.extent] = usd_extent(fluids[f].positions, 0.5f * spacing_);
   }
 }
 
 void UsdScene::set_diffuse(const SceneFrame& frame, Values& values) const {
-  std::vector<Vec3> points, velocities;
-  std::vector<float> life;
-  std::vector<uint32_t> kinds;
-  for (const DiffuseParticle& p : frame.diffuse) {
-    points.push_back(p.position);
-    velocities.push_back(p.velocity);
-    life.push_back(p.life);
-    kinds.push_back(static_cast<uint32_t>(p.kind));
-  }
-  values[diffuse_->points] = array_of(points);
-  values[diffuse_->velocities] = array_of(velocities);
-  values[diffuse_->life] = array_of(life);
-  values[diffuse_->kind] = array_of(kinds);
-  values[diffuse_->extent] = usd_extent(points, 0.125f * spacing_);
+  const DiffusePoints points = diffuse_points(frame.diffuse);
+  values[diffuse_->points] = array_of(points.positions);
+  values[diffuse_->velocities] = array_of(points.velocities);
+  values[diffuse_->life] = array_of(points.lives);
+  values[diffuse_->kind] = array_of(points.kinds);
+  values[diffuse_->extent] = usd_extent(points.positions, 0.125f * spacing_);
 }
 
 void UsdScene::set_bodies(const SceneFrame& frame, Values& values) const {
@@ -102,14 +85,10 @@ void UsdScene::set_mesh(const MeshNumbers& at, const MeshPart& part, const Frame
 
 void UsdScene::set_ropes(const RopeFrame& frame, Values& values) const {
   for (std::size_t i = 0; i < ropes_.size(); ++i) {
-    std::vector<Vec3> points, velocities;
-    for (const uint32_t v : frame.lines.at(i)) {
-      points.push_back(frame.vertices[v]);
-      velocities.push_back(frame.velocities[v]);
-    }
-    values[ropes_[i].points] = array_of(points);
-    values[ropes_[i].velocities] = array_of(velocities);
-    values[ropes_[i].extent] = usd_extent(points, rope_radii_[i]);
+    const RopePoints points = points_of_rope(frame, i);
+    values[ropes_[i].points] = array_of(points.positions);
+    values[ropes_[i].velocities] = array_of(points.velocities);
+    values[ropes_[i].extent] = usd_extent(points.positions, rope_radii_[i]);
   }
 }
 

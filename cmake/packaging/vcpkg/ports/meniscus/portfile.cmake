@@ -13,7 +13,8 @@ vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS
 vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS ${FEATURE_OPTIONS} -DMENISCUS_BUILD_TESTS=OFF -DMENISCUS_RENDER=OFF -DMENISCUS_VIEWER=OFF
-    -DMENISCUS_OPENVDB=OFF)
+    -DMENISCUS_OPENVDB=OFF
+    -DMENISCUS_ALEMBIC=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(PACKAGE_NAME Meniscus CONFIG_PATH lib/cmake/Meniscus)
 vcpkg_fixup_pkgconfig()
