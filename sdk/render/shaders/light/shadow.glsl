@@ -44,7 +44,7 @@ float solid_light(vec3 at, vec2 slope) {
   vec2 size = vec2(textureSize(shadow_map, 0)), span = depth_span(at.xy);
   float rise = dot(abs(slope), 0.5 * most_soft / size);
   if (span.x >= min(at.z + rise, last_depth)) return 1.0;
-  if (span.y < at.z - rise) return 0.0;
+  if (span.y < min(at.z - rise, last_depth)) return 0.0;
   vec2 found = nearer_depth(at, slope, size);
   if (found.x == 0.0 || found.x == 100.0) return found.x == 0.0 ? 1.0 : 0.0;
   // The map is as deep as it is wide.
