@@ -75,7 +75,7 @@ vec3 fluid_light(vec3 at) {
     vec3 absorbed = passed_share(at.z - front.a) * front.rgb + passed_share(at.z - rest.a) * rest.rgb;
     float weight = ((k & 1) == 1 ? part.x : 1.0 - part.x) * (k > 1 ? part.y : 1.0 - part.y);
     light += weight * exp(-absorbed);
-    below += weight * passed_share(at.z - front.a);
+    if (front.a < 1.0) below += weight * passed_share(at.z - front.a);  // 1: no fluid
   }
   return up.w > 0.5 && below > 0.0 ? light * mix(1.0, gathered_light(at.xy), below) : light;
 }
