@@ -53,7 +53,8 @@ inline constexpr unsigned fluids_binding = 1, extinctions_binding = 2, glows_bin
 namespace unit {
 inline constexpr unsigned shadow = 0, fluid_shadow = 1, color = 2, depth = 3, foam = 4, front_layer = 5,
                           values = 6, distances = 7, normals = 8, rest_layer = 9, layer_slices = 10,
-                          rest_foam = 11, rest_shadow = 12, shadow_depths = 13, caustics = 14, shadow_spans = 15;
+                          rest_foam = 11, rest_shadow = 12, shadow_depths = 13, caustics = 14,
+                          shadow_spans = 15;
 }
 
 }  // namespace meniscus::render
