@@ -115,6 +115,13 @@ TEST_F(SolidPictures, SoftShadows) {
   expect_drawn("soft_shadows", scene);
 }
 
+/// The ground is far behind what the map of the shadows holds.
+TEST_F(SolidPictures, FarShadow) {
+  io::PreviewScene scene = on_ground({2, 3, 3}, {1.2f, 0, -0.3f}, 40);
+  scene.shapes.push_back(shape(BoxGeometry{{0.25f, 0.1f, 0.25f}}, {0, 2, 0}));
+  expect_drawn("far_shadow", scene);
+}
+
 /// Of three boxes the one in the middle is at the camera's target.
 TEST_F(SolidPictures, DepthOfField) {
   io::PreviewScene scene = on_ground({0.9f, 0.5f, 2}, {0, 0.25f, 0});

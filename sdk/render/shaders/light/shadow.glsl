@@ -44,7 +44,7 @@ float solid_light(vec3 at, vec2 slope) {
   vec2 size = vec2(textureSize(shadow_map, 0)), span = depth_span(at.xy);
   float rise = dot(abs(slope), 0.5 * most_soft / size);
   if (span.x >= min(at.z + rise, last_depth)) return 1.0;
-  if (span.y < at.z - rise) return 0.0;
+  if (span.y < min(at.z - rise, last_depth)) return 0.0;
   vec2 found = nearer_depth(at, slope, size);
   if (found.x == 0.0 || found.x == 100.0) return found.x == 0.0 ? 1.0 : 0.0;
   // The map is as deep as it is wide.
@@ -75,7 +75,7 @@ vec3 fluid_light(vec3 at) {
     vec3 absorbed = passed_share(at.z - front.a) * front.rgb + passed_share(at.z - rest.a) * rest.rgb;
     float weight = ((k & 1) == 1 ? part.x : 1.0 - part.x) * (k > 1 ? part.y : 1.0 - part.y);
     light += weight * exp(-absorbed);
-    below += weight * passed_share(at.z - front.a);
+    if (front.a < 1.0) below += weight * passed_share(at.z - front.a);  // 1: no fluid
   }
   return up.w > 0.5 && below > 0.0 ? light * mix(1.0, gathered_light(at.xy), below) : light;
 }
