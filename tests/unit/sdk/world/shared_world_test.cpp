@@ -91,15 +91,15 @@ void expect_equal(const Result& a, const Result& b) {
 }
 
 TEST(SharedWorld, HasTheSameBitsOnOneTwoAndThreeRanks) {
-  const Result expected = alone(30);
+  const Result expected = alone(20);
   for (const int ranks : {1, 2, 3}) {
     SCOPED_TRACE(ranks);
-    expect_equal(together(ranks, 30), expected);
+    expect_equal(together(ranks, 20), expected);
   }
 }
 
 TEST(SharedWorld, HasTheSameBitsWhereCutsMoveWithEveryStep) {
-  expect_equal(together(3, 30, {.every = 1, .most_imbalance = 0, .shift = 2}), alone(30));
+  expect_equal(together(3, 20, {.every = 1, .most_imbalance = 0, .shift = 2}), alone(20));
 }
 
 TEST(SharedWorld, KeepsEachParticleOnce) {
@@ -108,7 +108,7 @@ TEST(SharedWorld, KeepsEachParticleOnce) {
       3, {.every = 1, .most_imbalance = 0, .shift = 2}, [] { return broken_dam(narrow); },
       [&](World& world) {
         const std::size_t count = world.particle_count();
-        for (int k = 0; k < 100; ++k) world.step(frame);
+        for (int k = 0; k < 60; ++k) world.step(frame);
         ids.assign(world.ids().begin(), world.ids().end());
         EXPECT_EQ(world.diagnostics().particles, count);
         std::vector<Vec3> places(world.positions().begin(), world.positions().end());
