@@ -46,7 +46,8 @@ void DeviceEngine<D>::make_worlds(uint32_t worlds) {
   world_gravities_.resize_discard(worlds);
   device_.monitor().commit();
   solver_.make_worlds(worlds);
-  reserve(worlds * each, vertex_capacity_);
+  fluid_capacity_ = worlds * each;
+  vector_out_.resize_or_stay(fluid_capacity_);  // the only read-out of a batch
 }
 
 template <class D>

@@ -48,7 +48,7 @@ struct BatchArrays {
 
 /// Many copies of one world, the archetype, stepped in the same launches. Each has the bits of the archetype
 /// alone, whatever its place in the batch and whatever happens in the others (docs/batch.md). Positions are
-/// local to each world, and ids name the same thing in each.
+/// local to each world.
 ///
 /// The archetype has WorldDef::sums `fixed`. It has fluids and fixed shapes. Bodies, joints, cloth, ropes,
 /// granular materials, emitters, sinks, probes, force fields, hooks, viscosity, diffuse particles and

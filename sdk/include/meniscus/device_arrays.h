@@ -27,12 +27,11 @@ struct DeviceArray {
   ElementType type = ElementType::float32;  ///< of an element
   int dimensions = 1;                       ///< 1 to 3
   std::array<int64_t, 3> shape{0, 1, 1};    ///< 1 beyond the dimensions
-  std::array<int64_t, 3> strides{1, 1,
-                                 1};  ///< elements; times the size of one it is what NumPy and Numba want
-  bool on_cuda = false;               ///< whether the memory is that of a GPU
-  int device = 0;                     ///< CUDA ordinal; 0 on the CPU
-  void* stream = nullptr;             ///< cudaStream_t; null on the CPU
-  std::shared_ptr<void> memory{};     ///< keeps the memory alive
+  std::array<int64_t, 3> strides{1, 1, 1};  ///< elements; NumPy and Numba want bytes
+  bool on_cuda = false;                     ///< whether the memory is that of a GPU
+  int device = 0;                           ///< CUDA ordinal; 0 on the CPU
+  void* stream = nullptr;                   ///< cudaStream_t; null on the CPU
+  std::shared_ptr<void> memory{};           ///< keeps the memory alive
 };
 
 /// The particles of fluids and grains, one element each, in the order of the ids: see World::device_arrays.

@@ -85,6 +85,7 @@ const Edges folders{
     {"sdk/world",
      {"sdk/engine", "sdk/fields", "sdk/world/check", "sdk/world/cloth", "sdk/world/flow", "sdk/world/host",
       "sdk/world/recording", "sdk/world/solids", "sdk/world/state"}},
+    {"sdk/world/batch", {"sdk/world", "sdk/world/check"}},
     {"sdk/world/queries", {"sdk/engine", "sdk/world", "sdk/world/check"}},
     {"sdk/world/replay", {"sdk/files", "sdk/world", "sdk/world/recording", "sdk/world/state"}},
     {"sdk/scene", {"sdk/fields", "sdk/world/check"}},
