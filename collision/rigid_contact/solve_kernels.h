@@ -313,14 +313,17 @@ struct Bounce {
 
   MENISCUS_HD void operator()(SolverContact& c, MovingBody& a, MovingBody& b) const {
     if (c.restitution == 0) return;
-    for (uint32_t k = 0; k < c.count; ++k) {
-      SolverPoint& p = c.points[k];
-      if (p.speed > -least_speed || p.total == 0) continue;
-      const float speed = dot(slip_of(a, b, p), c.normal);
-      const float change = pbd::max(-p.mass * (speed + c.restitution * p.speed), -p.total);
-      push(a, b, p, change * c.normal);
-      p.total += change;
-    }
+    // The points of a face share one bounce, and a single round would turn the body.
+    for (int round = 0; round < rigid_contact_tuning::bounce_rounds; ++round)
+      for (uint32_t k = 0; k < c.count; ++k) bounce(c, c.points[k], a, b);
+  }
+
+  MENISCUS_HD void bounce(const SolverContact& c, SolverPoint& p, MovingBody& a, MovingBody& b) const {
+    if (p.speed > -least_speed || p.total == 0) return;
+    const float speed = dot(slip_of(a, b, p), c.normal);
+    const float change = pbd::max(-p.mass * (speed + c.restitution * p.speed), -p.total);
+    push(a, b, p, change * c.normal);
+    p.total += change;
   }
 };
 
