@@ -161,7 +161,7 @@ void RigidContactSet<D>::solve_once(const char* name, const Solve& solve) {
     if (colour == serial_colour)
       device_.parallel_for(name, 1, OneByOne<Solve>{all, count});
     else
-      device_.parallel_for(name, count, all);
+      device_.parallel_for_groups(name, InGroups<Solve>::groups(count), InGroups<Solve>{all, count});
   }
 }
 

@@ -210,6 +210,25 @@ struct OfColour {
   }
 };
 
+/// The same by groups, as a colour has few contacts and each takes long.
+template <class Solve>
+struct InGroups {
+  static constexpr uint32_t group_threads = 32;
+  struct Scratch {};
+
+  OfColour<Solve> of_colour;
+  uint32_t count;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t n) const {
+    const uint32_t first = group_threads * n, rest = count - first;
+    OfColour<Solve> own = of_colour;
+    own.first += first;
+    group.for_each(rest < group_threads ? rest : group_threads, own);
+  }
+  static uint32_t groups(uint32_t count) { return (count + group_threads - 1) / group_threads; }
+};
+
 /// The same, one contact after the other.
 template <class Solve>
 struct OneByOne {
