@@ -11,6 +11,7 @@
 #include "collision/body/fixed_sums.h"
 #include "collision/contact/shape_contacts.h"
 #include "collision/rigid/rigid_world.h"
+#include "collision/rigid_contact/rigid_contact_set.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/device/side_thread.h"
 #include "pbd/substep.h"
@@ -34,7 +35,18 @@ template <class D>
 class BodySet final : public pbd::ConstraintSet<D> {
  public:
   BodySet(D& device, RigidWorld& world, ShapeContacts<D>& contacts)
-      : device_(device), world_(world), contacts_(contacts), snapshot_(RigidWorld::make_snapshot()) {}
+      : device_(device),
+        world_(world),
+        contacts_(contacts),
+        snapshot_(RigidWorld::make_snapshot()),
+        solid_contacts_(device) {
+    if (world.is_on_device()) world.set_contacts(&solid_contacts_);
+  }
+  ~BodySet() override {
+    if (world_.is_on_device()) world_.set_contacts(nullptr);
+  }
+  BodySet(const BodySet&) = delete;
+  BodySet& operator=(const BodySet&) = delete;
 
   /// Must be called when the bodies of the world change, or the shapes that they carry. The view must stay
   /// valid until the next call.
@@ -116,6 +128,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   double start_time_ = 0;               // s, of the world
   bool begun_ = false, ended_ = false;  // in the present step
   RigidWorld::SnapshotPtr snapshot_;
+  RigidContactSet<D> solid_contacts_;
 
   pbd::SharedBuffer<RigidMotion> motion_{device_, "body motions"};
   pbd::SharedBuffer<RigidMotion> arrived_{device_, "body poses"};

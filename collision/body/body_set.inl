@@ -193,7 +193,7 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
     sums_[b].angular += impulse.angular;
   }
   time_rigid([&] { world_.finish_step(substep.dt, impulses); });
-  if (substep.is_last) side_.run([this] { world_.touches(); });
+  if (substep.is_last && !world_.is_on_device()) side_.run([this] { world_.touches(); });
   world_.predict(0, arrived_.host());
   world_.check_finite();
   place_bodies("bodies/arrive", body_kernels::Arrive{arrived_.view(), proxies_.view()});
@@ -251,6 +251,7 @@ void BodySet<D>::start_step() {
   start_time_ = world_.time();
   begun_ = ended_ = false;
   if (bodies_ == 0) return;
+  if (world_.is_on_device()) return world_.save(*snapshot_);  // this thread alone uses the device
   side_.run([this] { world_.save_contacts(*snapshot_); });
   world_.save_bodies(*snapshot_);
 }

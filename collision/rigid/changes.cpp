@@ -27,6 +27,7 @@ void RigidWorld::Impl::wake_near(btRigidBody& changed) {
   }
   if (!changed.isStaticObject()) wake_up(changed);
   knows_touches = false;
+  parts_changed = true;
 }
 
 void RigidWorld::set_fixed_pose(uint32_t number, const Pose& pose) {
@@ -74,6 +75,8 @@ void RigidWorld::set_surface(const RigidRef& solid, float friction, float restit
 void RigidWorld::swap(RigidWorld& other) noexcept {
   std::swap(reserve_, other.reserve_);
   std::swap(impl_, other.impl_);
+  std::swap(impl_->contacts, other.impl_->contacts);  // stays
+  impl_->parts_changed = other.impl_->parts_changed = true;
 }
 
 }  // namespace meniscus::collision

@@ -144,6 +144,7 @@ uint32_t RigidWorld::Impl::make_joint(const RigidJointDef& joint, uint32_t numbe
 }
 
 uint32_t RigidWorld::add_joint(const RigidJointDef& def) {
+  if (impl_->def.on_device) refuse_joint();
   const InBullet bullet(*reserve_, impl_->size());
   return impl_->make_joint(def, pbd::no_index);
 }

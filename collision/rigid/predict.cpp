@@ -207,6 +207,8 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
       const Pose target = impl_->kinematic_pose(body, impl_->time + dt) * body.shape.frame;
       const KinematicVelocity v = velocity_to(start, target, dt);
       out[n] = {start, v.linear, v.angular};
+    } else if (impl_->def.on_device) {
+      out[n] = impl_->flight_on_device(body, dt);
     } else if (body.bullet->isActive()) {
       out[n] = free_flight(*body.bullet, body.memory, dt, impl_->def.substeps);
     } else {

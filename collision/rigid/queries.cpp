@@ -196,7 +196,7 @@ bool is_within(const btCollisionShape& shape, const btVector3& local) {
 
 std::vector<RigidContact> RigidWorld::contacts() const {
   const InBullet bullet(*reserve_, impl_->size());
-  std::vector<RigidContact> found;
+  std::vector<RigidContact> found = impl_->contacts_on_device();
   impl_->dynamics.for_each_touching([&](const btPersistentManifold& manifold) {
     const RigidRef a = impl_->solid_of(manifold.getBody0()), b = impl_->solid_of(manifold.getBody1());
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
@@ -220,6 +220,9 @@ const std::vector<RigidTouch>& RigidWorld::touches() {
   impl_->dispatcher.for_each_touching([&](const btPersistentManifold& manifold, uint64_t pair) {
     note(manifold, impl_->solids[pair >> 32], impl_->solids[pair & 0xffffffff]);
   });
+  for (const RigidContact& c : impl_->contacts_on_device()) {
+    if (c.distance <= 0 || c.impulse > 0) keys.push_back(key_of(rank(c.a), rank(c.b)));
+  }
   const auto& predictive = impl_->dynamics.predictive();
   for (int i = 0; i < predictive.size(); ++i)
     note(*predictive[i], impl_->solid_of(predictive[i]->getBody0()),
@@ -236,6 +239,7 @@ const std::vector<RigidTouch>& RigidWorld::touches() {
 
 std::vector<RigidOverlap> RigidWorld::deep_overlaps(float fraction) const {
   const InBullet bullet(*reserve_, impl_->size());
+  impl_->update_boxes();
   std::vector<RigidOverlap> found;
   impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
     if (body.kinematic) return;
@@ -254,6 +258,7 @@ std::vector<RigidOverlap> RigidWorld::deep_overlaps(float fraction) const {
 
 bool RigidWorld::cast_ray(Vec3 from, Vec3 to, RigidRayHit& hit) const {
   const InBullet bullet(*reserve_, impl_->size());
+  impl_->update_boxes();
   NearestHit nearest(to_bullet(from), to_bullet(to));
   const btVector3 none(0, 0, 0);
   impl_->broadphase.rayTest(to_bullet(from), to_bullet(to), nearest, none, none);
@@ -266,6 +271,7 @@ bool RigidWorld::cast_ray(Vec3 from, Vec3 to, RigidRayHit& hit) const {
 
 std::vector<RigidRef> RigidWorld::overlaps(const Pose& pose, Vec3 half_extents, bool ball) const {
   const InBullet bullet(*reserve_, impl_->size());
+  impl_->update_boxes();
   btSphereShape sphere(half_extents.x);
   btBoxShape box(to_bullet(half_extents));
   btCollisionObject probe;

@@ -17,6 +17,7 @@
 #include "collision/rigid/rigid_shapes.h"
 #include "collision/rigid/rigid_solver.h"
 #include "collision/rigid/rigid_world.h"
+#include "collision/rigid_contact/rigid_contacts.h"
 
 namespace meniscus::collision {
 
@@ -46,11 +47,14 @@ struct RigidBodyRecord {
   RigidMemory memory;
   Pose from, to;                             ///< kinematic bodies: poses at both ends of the present step
   Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the present step, if sprung
+                                             ///< or on a device
+  std::vector<ContactPart> contact_parts;    ///< on a device, in the geometry's frame
 };
 
 struct RigidFixedRecord {
   RigidShape shape;
   std::unique_ptr<btRigidBody> bullet;
+  std::vector<ContactPart> contact_parts;  ///< on a device, in the geometry's frame
 };
 
 struct RigidJointRecord {
@@ -117,6 +121,11 @@ struct RigidWorld::Impl {
   std::vector<uint64_t> touching_keys;
   std::vector<RigidTouch> touches;
   bool knows_touches = false;
+  RigidContacts* contacts = nullptr;  ///< on a device
+  bool parts_changed = true;          ///< since `contacts` got them
+  bool boxes_changed = false;         ///< since Bullet's broad phase got them
+  std::vector<ContactBody> contact_bodies;
+  std::vector<ContactMotion> contact_motions;
 
   /// How many solids and joints there are, as the reserve counts them.
   size_t size() const { return bodies.slots.size() + fixed.slots.size() + joints.slots.size(); }
@@ -158,6 +167,15 @@ struct RigidWorld::Impl {
   void apply_forces(float dt);
   void limit_motors(float dt);
 
+  void update_parts();
+  void update_boxes();
+  int small_steps() const;
+  ContactBody contact_body(const RigidBodyRecord& body, float h) const;
+  void arrive(RigidBodyRecord& body, const ContactMotion& motion);
+  void step_on_device(float dt);
+  RigidMotion flight_on_device(const RigidBodyRecord& body, float dt) const;
+  std::vector<RigidContact> contacts_on_device() const;
+
   RigidRef solid_of(const btCollisionObject* object) const;
   /// By its code, as in RigidLayout; nullptr if there is none.
   btRigidBody* object(uint32_t code) const;
@@ -174,6 +192,11 @@ KinematicVelocity velocity_to(const Pose& start, const Pose& target, float dt);
 
 /// The angular velocity of a free body after dt.
 btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt);
+
+/// For a device, in the geometry's frame. Throws Error(invalid_argument) for parts that it has no contacts
+/// of.
+std::vector<ContactPart> contact_parts(const RigidSolid& solid);
+[[noreturn]] void refuse_joint();
 
 void wake_up(btRigidBody& body);
 void set_speed(btRigidBody& body, Vec3 linear, Vec3 angular);

@@ -41,6 +41,7 @@ struct RigidWorld::Snapshot {
   std::vector<SavedPrediction> predictions;
   std::vector<btManifoldPoint> predicted_points;
   RigidBroadphase::State broadphase;
+  std::vector<SavedContact> on_device;
   double time = 0;
 };
 

@@ -104,6 +104,7 @@ float RigidWorld::Impl::acceleration_scale() const {
 }
 
 void RigidWorld::Impl::add(btRigidBody& body, const CollisionFilter& meets, const RigidPlace& place) {
+  parts_changed = true;
   if (place.proxy != pbd::no_index) broadphase.give_next(place.proxy);
   dynamics.addRigidBody(&body, static_cast<int>(meets.groups), static_cast<int>(meets.mask));
   const auto proxy = static_cast<size_t>(body.getBroadphaseHandle()->m_uniqueId);
@@ -182,6 +183,7 @@ uint32_t RigidWorld::add_fixed(const RigidSolid& solid, const RigidPlace& place)
   impl_->prepare();
   auto made = std::make_unique<RigidFixedRecord>();
   made->shape = make_rigid_shape(solid.parts, nullptr);
+  if (impl_->def.on_device) made->contact_parts = contact_parts(solid);
   made->bullet = std::make_unique<btRigidBody>(info_of(solid, made->shape, 0));
   btRigidBody& body = *made->bullet;
   const uint32_t number = impl_->fixed.add_at(place.number, std::move(made));
@@ -197,6 +199,7 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def, const RigidPlace& place) 
   made->name = def.name;
   made->kinematic = def.motion == BodyMotion::kinematic;
   made->shape = make_rigid_shape(def.solid.parts, made->kinematic ? nullptr : &def.mass);
+  if (impl_->def.on_device) made->contact_parts = contact_parts(def.solid);
   const float mass = made->kinematic ? 0 : static_cast<float>(def.mass.mass);
   btRigidBody::btRigidBodyConstructionInfo info = info_of(def.solid, made->shape, mass);
   info.m_linearDamping = def.linear_damping;
@@ -258,6 +261,7 @@ void RigidWorld::Impl::remove(std::span<btRigidBody* const> gone,
   dynamics.remove_all(gone);
   dispatcher.note_disorder();
   knows_touches = false;
+  parts_changed = true;
 }
 
 const std::vector<uint32_t>& RigidWorld::joints_of(uint32_t body) const {

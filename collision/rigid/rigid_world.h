@@ -21,6 +21,7 @@
 namespace meniscus::collision {
 
 class BulletReserve;
+class RigidContacts;
 
 /// One part of a solid, as Bullet represents it.
 struct RigidPart {
@@ -64,8 +65,9 @@ struct RigidJointDef {
 
 struct RigidWorldDef {
   Vec3 gravity{0, -9.81f, 0};
-  int substeps = 1;     ///< of Bullet, in one call of step()
-  int iterations = 10;  ///< of Bullet's solver
+  int substeps = 1;        ///< of Bullet, in one call of step()
+  int iterations = 10;     ///< of Bullet's solver; on a device, how often each contact is visited
+  bool on_device = false;  ///< contacts are solved by set_contacts(), not by Bullet
 };
 
 /// Refers to a solid of this world: a body by its number, or a fixed solid.
@@ -103,6 +105,11 @@ class RigidWorld {
   ~RigidWorld();
 
   void swap(RigidWorld& other) noexcept;
+
+  /// Solves the contacts of a world with `on_device`. It must live until it is replaced, by nullptr at last.
+  /// swap() leaves it with this world.
+  void set_contacts(RigidContacts* contacts);
+  bool is_on_device() const;
 
   /// Whether memory ran out inside Bullet. Then nothing else may be called, and its memory is never freed.
   bool is_broken() const;

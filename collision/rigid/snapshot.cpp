@@ -89,6 +89,11 @@ void RigidWorld::save_contacts(Snapshot& to) const {
     to.predicted_points.insert(to.predicted_points.end(), first, first + m.getNumContacts());
   }
   impl_->broadphase.save(to.broadphase);
+  to.on_device.clear();
+  if (impl_->contacts) {
+    impl_->update_parts();
+    to.on_device = impl_->contacts->save();
+  }
 }
 
 namespace {
@@ -155,6 +160,11 @@ void RigidWorld::restore(const Snapshot& from) {
   saved_body = from.bodies.begin();
   for (const auto& body : impl_->bodies.slots) {
     if (body) put_back(*body, *saved_body++);
+  }
+  impl_->boxes_changed = impl_->def.on_device;
+  if (impl_->contacts) {
+    impl_->update_parts();
+    impl_->contacts->restore(from.on_device);
   }
   impl_->time = from.time;
   impl_->knows_touches = false;

@@ -117,6 +117,17 @@ struct PredictionFields {
   }
 };
 
+struct ContactFields {
+  template <class V>
+  void operator()(const V& v, SavedContact& c) const {
+    v("key_a", c.key_a);
+    v("key_b", c.key_b);
+    v("feature", c.feature);
+    v("pressure", c.pressure);
+    v("friction", c.friction);
+  }
+};
+
 template <class Record, class Fields>
 struct Columns {
   std::vector<Record>& records;
@@ -171,6 +182,7 @@ void RigidWorld::visit_snapshot(Snapshot& s, pbd::StateVisitor& v) const {
   visit(v, "prediction", s.predictions, PredictionFields{});
   visit(v, "predicted_point", s.predicted_points, PointFields{});
   visit(v, "bounds", s.broadphase.bounds, BoundsFields{});
+  if (impl_->def.on_device) visit(v, "device_contact", s.on_device, ContactFields{});
   static constexpr const char* axes[] = {"edge_x", "edge_y", "edge_z"};
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<RigidBroadphase::PlainEdge> edges = RigidBroadphase::plain(s.broadphase.edges[axis]);

@@ -24,7 +24,8 @@ bool is_sprung(btRigidBody& body) {
 }
 
 /// Applies the push of particles, unless the body sleeps through it.
-void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, float gravity) {
+void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, float gravity,
+                  bool on_device) {
   RigidMemory& memory = body.memory;
   const Vec3 force = impulse.linear / dt, torque = impulse.angular / dt;
   const float weight = gravity * mass_unit / body.bullet->getInvMass();
@@ -38,7 +39,8 @@ void take_impulse(RigidBodyRecord& body, const RigidImpulse& impulse, float dt, 
   const float fraction = dt / (rigid_tuning::smoothing_time + dt);
   memory.usual_force += fraction * (force - memory.usual_force);
   memory.usual_torque += fraction * (torque - memory.usual_torque);
-  if (is_sprung(*body.bullet)) {
+  if (on_device || is_sprung(*body.bullet)) {
+    // On a device contacts meet it in small steps, and a light body that carries a heavy one is not thrown.
     // As motion before the joint solve, the push would be resisted by a damper for ever.
     body.push = force;
     body.push_torque = torque;
@@ -78,7 +80,8 @@ void RigidWorld::Impl::take_impulses(float dt, std::span<const RigidImpulse> imp
   for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
     if (!bodies.has(n) || bodies.slots[n]->kinematic) continue;
     bodies.slots[n]->push = bodies.slots[n]->push_torque = {0, 0, 0};
-    if (!impulses.empty()) take_impulse(*bodies.slots[n], impulses[n], dt, acceleration_scale());
+    if (!impulses.empty())
+      take_impulse(*bodies.slots[n], impulses[n], dt, acceleration_scale(), def.on_device);
   }
 }
 
@@ -143,6 +146,7 @@ void RigidWorld::begin_step(float dt) {
   impl_->knows_touches = false;
   impl_->drive_kinematics(dt);
   impl_->wake_driven();
+  if (impl_->def.on_device) return;  // which needs the impulses first
   impl_->dynamics.detect(dt / static_cast<float>(impl_->def.substeps));
 }
 
@@ -157,10 +161,14 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
   world.dynamics.getSolverInfo().m_restitutionVelocityThreshold =
       rigid_tuning::resting_steps * h * length(world.def.gravity);
   for (int i = 1; i <= substeps; ++i) {
-    if (i > 1) world.dynamics.detect(h);
-    world.keep_motors_awake();
-    world.apply_forces(h);
-    world.dynamics.advance(h);
+    if (world.def.on_device) {
+      world.step_on_device(h);
+    } else {
+      if (i > 1) world.dynamics.detect(h);
+      world.keep_motors_awake();
+      world.apply_forces(h);
+      world.dynamics.advance(h);
+    }
     world.advance_kinematics(i < substeps ? static_cast<float>(i) / static_cast<float>(substeps) : 1);
   }
   world.time += dt;

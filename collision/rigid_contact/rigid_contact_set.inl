@@ -106,10 +106,8 @@ template <class D>
 void RigidContactSet<D>::colour() {
   using namespace rigid_contact_kernels;
   const uint32_t count = contact_count_;
-  if (colour_.size() != count) {
-    for (auto* buffer : {&colour_, &sorted_colour_, &contact_number_, &order_}) buffer->resize_discard(count);
-    two_bodies_.resize_discard(count);
-  }
+  for (auto* buffer : {&colour_, &sorted_colour_, &contact_number_, &order_}) make_room(*buffer, count);
+  make_room(two_bodies_, count);
   if (used_.size() != bodies_count_) {
     used_.resize_discard(bodies_count_);
     claims_.resize_discard(bodies_count_);
@@ -120,16 +118,18 @@ void RigidContactSet<D>::colour() {
   claims_.fill(0xff);
   device_.parallel_for("solids/uncoloured", count,
                        StartColouring{contacts_.view(), found_.view(), parts_.view(), placed_.view(),
-                                      two_bodies_.view(), colour_.view(), contact_number_.view()});
+                                      two_bodies_.view().first(count), colour_.view().first(count),
+                                      contact_number_.view().first(count)});
   for (uint32_t round = 0; round < rigid_contact_tuning::colour_rounds; ++round) {
-    device_.parallel_for(
-        "solids/claim", std::max(count, bodies_count_),
-        ClaimBodies{two_bodies_.view(), colour_.view(), claims_.view(), next_claims_.view()});
+    device_.parallel_for("solids/claim", std::max(count, bodies_count_),
+                         ClaimBodies{two_bodies_.view().first(count), colour_.view().first(count),
+                                     claims_.view(), next_claims_.view()});
     device_.parallel_for("solids/colour", count,
-                         TakeColours{two_bodies_.view(), claims_.view(), used_.view(), colour_.view()});
+                         TakeColours{two_bodies_.view().first(count), claims_.view(), used_.view(),
+                                     colour_.view().first(count)});
     claims_.swap(next_claims_);
   }
-  device_.parallel_for("solids/coloured", count, CloseColouring{colour_.view()});
+  device_.parallel_for("solids/coloured", count, CloseColouring{colour_.view().first(count)});
 }
 
 template <class D>
@@ -138,13 +138,15 @@ void RigidContactSet<D>::prepare(float h) {
   const uint32_t count = contact_count_;
   colour_starts_.assign(colour_count + 1, 0);
   if (count == 0) return;
-  device_.sort_pairs("solids/by colour", colour_.view(), sorted_colour_.view(), contact_number_.view(),
-                     order_.view(), std::bit_width(colour_count));
-  device_.parallel_for("solids/colours", count + 1, FindBuckets{sorted_colour_.view(), starts_.view()});
+  device_.sort_pairs("solids/by colour", colour_.view().first(count), sorted_colour_.view().first(count),
+                     contact_number_.view().first(count), order_.view().first(count),
+                     std::bit_width(colour_count));
+  device_.parallel_for("solids/colours", count + 1,
+                       FindBuckets{sorted_colour_.view().first(count), starts_.view()});
   make_room(solver_, count);
   device_.parallel_for("solids/prepare", count,
-                       Prepare{order_.view(), contacts_.view(), found_.view(), parts_.view(), start_.view(),
-                               bodies_.view(), solver_.view(), h});
+                       Prepare{order_.view().first(count), contacts_.view(), found_.view(), parts_.view(),
+                               start_.view(), bodies_.view(), solver_.view(), h});
   starts_.read(std::span(colour_starts_));
 }
 
@@ -159,7 +161,7 @@ void RigidContactSet<D>::solve_once(const char* name, const Solve& solve) {
     if (colour == serial_colour)
       device_.parallel_for(name, 1, OneByOne<Solve>{all, count});
     else
-      device_.parallel_for(name, count, all);
+      device_.parallel_for_groups(name, InGroups<Solve>::groups(count), InGroups<Solve>{all, count});
   }
 }
 

@@ -45,6 +45,10 @@ inline constexpr float most_turn = 0.7853982f;
 /// Test: none.
 inline constexpr unsigned colour_rounds = 24;
 
+/// Rounds over the points of a contact that bounces.
+/// Test: RigidDevice.BouncesTheSameFromAnyHeight.
+inline constexpr int bounce_rounds = 8;
+
 /// Of the median radius: parts above are large, and no cell holds them.
 /// Test: none.
 inline constexpr float large = 2;

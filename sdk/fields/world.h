@@ -22,6 +22,9 @@ constexpr auto names_of(DensitySolver) {
                     Named{"grid", DensitySolver::grid},     Named{"pcisph", DensitySolver::pcisph},
                     Named{"wcsph", DensitySolver::wcsph},   Named{"dfsph", DensitySolver::dfsph}};
 }
+constexpr auto names_of(RigidSolver) {
+  return std::array{Named{"bullet", RigidSolver::bullet}, Named{"device", RigidSolver::device}};
+}
 constexpr auto names_of(SmoothingKernel) {
   return std::array{Named{"poly6_spiky", SmoothingKernel::poly6_spiky},
                     Named{"wendland_c2", SmoothingKernel::wendland_c2},
@@ -65,6 +68,8 @@ void fields(V& v, DensitySolverDef& d) {
 
 template <class V>
 void fields(V& v, RigidSolverDef& d) {
+  v("solver", d.solver, any_value, "",
+    "what solves contacts among solids: Bullet on one core, or the device, without joints, meshes and sleep");
   v("substeps", d.substeps, between(1, 1000), "", "steps of the bodies in a substep");
   v("iterations", d.iterations, between(1, 10000), "", "solver iterations of each");
 }

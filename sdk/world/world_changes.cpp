@@ -65,6 +65,7 @@ void World::Calls::set_def(const WorldDef& asked) {
   expect_same("contact_radius", now.contact_radius, def.contact_radius);
   expect_same("kernel", now.kernel, def.kernel);
   expect_same("sums", now.sums, def.sums);
+  expect_same("rigid.solver", now.rigid.solver, def.rigid.solver);
   expect_same("diffuse", now.diffuse, def.diffuse);
   expect_same("periodic", now.periodic, def.periodic);
   check_baseline_kernel(def);
@@ -85,7 +86,7 @@ void World::Calls::set_def(const WorldDef& asked) {
     impl_->monitor().restored();
     throw;
   }
-  impl_->rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});
+  impl_->rigid.set_def(rigid_world_def(def));
   impl_->log.set_sink(def.log);
 }
 

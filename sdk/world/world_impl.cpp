@@ -101,9 +101,13 @@ void check_baseline_kernel(const WorldDef& def) {
                 "poly6_spiky with the solvers pcisph, wcsph and dfsph");
 }
 
+collision::RigidWorldDef rigid_world_def(const WorldDef& def) {
+  return {def.gravity, def.rigid.substeps, def.rigid.iterations, def.rigid.solver == RigidSolver::device};
+}
+
 World::Impl::Impl(const WorldDef& world_def)
     : WorldTables((check::def(world_def), check_baseline_kernel(world_def), world_def)),
-      rigid({def.gravity, def.rigid.substeps, def.rigid.iterations}),
+      rigid(rigid_world_def(def)),
       kernel(fluid::calibrate(def.particle_spacing, double(def.support_ratio) * def.particle_spacing,
                               def.kernel)),
       log(def.log) {

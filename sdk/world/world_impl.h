@@ -245,6 +245,7 @@ struct World::Impl : WorldTables {
 };
 
 ParticleMaterial material_of(const FluidDef& def);
+collision::RigidWorldDef rigid_world_def(const WorldDef& def);
 collision::RigidJointDef rigid_joint(const JointDef& def);
 collision::RigidBodyDef rigid_body(const BodyEntry& body);
 /// Throws Error(invalid_argument) if a baseline is to have another kernel than the one that it is made for.

@@ -57,7 +57,7 @@ void World::Calls::restore(const Snapshot& snapshot) {
     impl_->monitor().commit();
     impl_->restore(std::move(tables), *data);
   } else {
-    collision::RigidWorld made({tables.def.gravity, tables.def.rigid.substeps, tables.def.rigid.iterations});
+    collision::RigidWorld made(rigid_world_def(tables.def));
     Impl::make_rigid(made, tables, data->layout);
     impl_->monitor().commit();
     impl_->rigid.swap(made);
@@ -108,7 +108,7 @@ void World::Impl::restore_engine(const collision::RigidWorld::Snapshot& rigid_st
   engine->set_solvers(engine_def());
   set_materials();
   if (sets_cloth) set_engine_cloth();
-  rigid.set_def({def.gravity, def.rigid.substeps, def.rigid.iterations});
+  rigid.set_def(rigid_world_def(def));
   rigid.restore(rigid_state);
   engine->place_bodies();
   probes_changed();

@@ -81,12 +81,22 @@ struct DensitySolverDef {
   ArtificialPressureDef artificial_pressure{};  ///< of fluids
 };
 
-/// How Bullet solves contacts and joints among solids. Stacks with mass ratios up to 1000 need Bullet steps
-/// of at most 1 ms and 50 iterations. If a light floating body carries a heavy one, the world's own substeps
-/// must be as short. Particles see a body with its own mass, without the bodies that rest on it.
+/// What solves contacts among solids.
+enum class RigidSolver {
+  bullet,  ///< Bullet, on one core of the host
+  device,  ///< the device of the world, in small steps. It has boxes, spheres, capsules and planes, also
+           ///< fixed and kinematic ones, but no joints and no sleep: docs/methods/rigid-contacts.md
+};
+
+/// How contacts and joints among solids are solved. With `bullet`, stacks with mass ratios up to 1000 need
+/// steps of at most 1 ms and 50 iterations. If a light floating body carries a heavy one, the world's own
+/// substeps must be as short. Particles see a body with its own mass, without the bodies that rest on it.
 struct RigidSolverDef {
-  int substeps = 1;     ///< Bullet steps in a substep, 1 to 1000
-  int iterations = 10;  ///< of each, 1 to 10,000
+  RigidSolver solver = RigidSolver::bullet;  ///< the method; a world keeps it
+  int substeps = 1;                          ///< steps of the bodies in a substep, 1 to 1000
+  /// 1 to 10,000: iterations of each. With `device`, how often a step visits each contact, twice in each of
+  /// its small steps.
+  int iterations = 10;
 };
 
 /// How cloth is solved. Short substeps help it more than iterations.

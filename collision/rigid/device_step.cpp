@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Steps of a rigid world whose contacts a device solves (collision/rigid_contact/). Bullet keeps the bodies
+// and answers rays.
+#include <meniscus/error.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "collision/rigid/rigid_impl.h"
+#include "collision/rigid/tuning.h"
+
+namespace meniscus::collision {
+
+namespace {
+
+[[noreturn]] void refuse_part(const char* what) {
+  throw Error(ErrorCode::invalid_argument, std::string("RigidSolverDef::solver is device, which has no ") +
+                                               what +
+                                               " among solids, only boxes, spheres, capsules and planes; "
+                                               "bullet has all");
+}
+
+/// The shortest rotation that takes the y axis to a unit normal.
+Quat turn_up_to(Vec3 normal) {
+  if (normal.y < -0.9999f) return {1, 0, 0, 0};
+  return normalized(Quat{normal.z, 0, -normal.x, 1 + normal.y});
+}
+
+/// A part in the geometry's frame.
+ContactPart contact_part(const RigidPart& part) {
+  ContactPart made;
+  made.pose = part.pose;
+  switch (part.kind) {
+    case RigidPart::Kind::box:
+      made.shape = {ConvexKind::box, part.size};
+      return made;
+    case RigidPart::Kind::sphere:
+      made.shape = {ConvexKind::sphere, {part.size.x, 0, 0}};
+      return made;
+    case RigidPart::Kind::capsule:
+      made.shape = {ConvexKind::capsule, {part.size.x, part.size.y, 0}};
+      return made;
+    case RigidPart::Kind::plane:
+      made.shape = {ConvexKind::plane, {0, 0, 0}};
+      made.pose = part.pose * Pose{part.offset * part.size, turn_up_to(part.size)};
+      return made;
+    case RigidPart::Kind::cylinder:
+      refuse_part("cylinders");
+    case RigidPart::Kind::height_field:
+      refuse_part("height fields");
+    case RigidPart::Kind::hull:
+    case RigidPart::Kind::mesh:
+      break;
+  }
+  refuse_part("meshes");
+}
+
+/// Of one solid, with its surface, filter and pose of today.
+void add_parts(const std::vector<ContactPart>& own, const btRigidBody& bullet, const Pose& frame,
+               uint64_t solid, std::vector<ContactPart>& all) {
+  for (size_t k = 0; k < own.size(); ++k) {
+    ContactPart part = own[k];
+    part.pose = frame * part.pose;
+    part.friction = bullet.getFriction();
+    part.restitution = bullet.getRestitution();
+    part.groups = static_cast<uint32_t>(bullet.getBroadphaseHandle()->m_collisionFilterGroup);
+    part.mask = static_cast<uint32_t>(bullet.getBroadphaseHandle()->m_collisionFilterMask);
+    part.key = solid << 16 | k;
+    all.push_back(part);
+  }
+}
+
+constexpr uint64_t fixed_key = uint64_t{1} << 32;  // of fixed solids, whose keys come after those of bodies
+
+RigidRef solid_of_key(uint64_t key) {
+  return {(key >> 16 & fixed_key) == 0, static_cast<uint32_t>(key >> 16)};
+}
+
+}  // namespace
+
+std::vector<ContactPart> contact_parts(const RigidSolid& solid) {
+  if (solid.parts.size() > 1u << 16) refuse_part("solids of more than 65536 parts");
+  std::vector<ContactPart> parts;
+  for (const RigidPart& part : solid.parts) parts.push_back(contact_part(part));
+  return parts;
+}
+
+void refuse_joint() {
+  throw Error(ErrorCode::invalid_argument,
+              "RigidSolverDef::solver is device, which has no joints; bullet has them");
+}
+
+void RigidWorld::Impl::update_parts() {
+  assert(contacts);
+  if (!parts_changed) return;
+  std::vector<ContactPart> all;
+  for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
+    if (!bodies.has(n)) continue;
+    const RigidBodyRecord& body = *bodies.slots[n];
+    const size_t first = all.size();
+    add_parts(body.contact_parts, *body.bullet, inverse(body.shape.frame), n, all);
+    for (size_t k = first; k < all.size(); ++k) all[k].body = n;
+  }
+  for (uint32_t n = 0; n < fixed.slots.size(); ++n) {
+    if (!fixed.has(n)) continue;
+    const RigidFixedRecord& solid = *fixed.slots[n];
+    const Pose pose = from_bullet(solid.bullet->getWorldTransform()) * inverse(solid.shape.frame);
+    add_parts(solid.contact_parts, *solid.bullet, pose, fixed_key | n, all);
+  }
+  contacts->set_parts(all);
+  parts_changed = false;
+}
+
+/// Small steps in one of `substeps` steps. Each visits all contacts twice.
+int RigidWorld::Impl::small_steps() const {
+  return (def.iterations + 1) / 2;
+}
+
+ContactBody RigidWorld::Impl::contact_body(const RigidBodyRecord& body, float h) const {
+  const btRigidBody& b = *body.bullet;
+  ContactBody to{from_bullet(b.getWorldTransform()),
+                 from_bullet(b.getLinearVelocity()),
+                 from_bullet(b.getAngularVelocity()),
+                 0,
+                 {0, 0, 0},
+                 {0, 0, 0},
+                 {0, 0, 0},
+                 1,
+                 1};
+  if (body.kinematic) return to;
+  to.inverse_mass = b.getInvMass() / mass_unit;
+  to.inverse_inertia = from_bullet(b.getInvInertiaDiagLocal()) / mass_unit;
+  to.acceleration = from_bullet(b.getGravity()) + to.inverse_mass * (body.memory.force + body.push);
+  to.torque = body.memory.torque + body.push_torque;
+  to.kept = std::pow(1 - b.getLinearDamping(), h);
+  to.angular_kept = std::pow(1 - b.getAngularDamping(), h);
+  return to;
+}
+
+void RigidWorld::Impl::arrive(RigidBodyRecord& body, const ContactMotion& motion) {
+  if (body.kinematic) return;
+  btRigidBody& b = *body.bullet;
+  b.setWorldTransform(to_bullet(motion.pose));
+  b.setInterpolationWorldTransform(b.getWorldTransform());
+  b.updateInertiaTensor();
+  set_speed(b, motion.velocity, motion.angular);
+}
+
+/// One of `substeps` steps.
+void RigidWorld::Impl::step_on_device(float dt) {
+  update_parts();
+  const int steps = small_steps();
+  contact_bodies.assign(bodies.slots.size(),
+                        ContactBody{{}, {0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1});
+  contact_motions.resize(bodies.slots.size());
+  for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
+    contact_bodies[n] = contact_body(body, dt / static_cast<float>(steps));
+  });
+  contacts->step(contact_bodies, {dt, steps, rigid_tuning::resting_steps * dt * length(def.gravity)},
+                 contact_motions);
+  for (uint32_t n = 0; n < bodies.slots.size(); ++n)
+    if (bodies.has(n)) arrive(*bodies.slots[n], contact_motions[n]);
+  boxes_changed = true;
+}
+
+/// Forces act in all small steps alike, so a body that falls gets further by half of the last one.
+RigidMotion RigidWorld::Impl::flight_on_device(const RigidBodyRecord& body, float dt) const {
+  const btRigidBody& b = *body.bullet;
+  const ContactBody from = contact_body(body, 0.5f * dt);
+  const float steps = static_cast<float>(small_steps() * def.substeps), mean = 0.5f * (1 + 1 / steps);
+  const Vec3 spin = from_bullet(b.getInvInertiaTensorWorld() * in_mass_units(from.torque));
+  const Vec3 free = from_bullet(tumbled(b, b.getAngularVelocity(), dt));
+  return {from.pose, from.kept * from.velocity + mean * dt * from.acceleration,
+          from.angular_kept * free + mean * dt * spin};
+}
+
+/// Bullet's boxes around solids, which rays need.
+void RigidWorld::Impl::update_boxes() {
+  if (!boxes_changed) return;
+  dynamics.updateAabbs();
+  boxes_changed = false;
+}
+
+std::vector<RigidContact> RigidWorld::Impl::contacts_on_device() const {
+  std::vector<RigidContact> all;
+  if (!contacts) return all;
+  for (const SolvedContact& c : contacts->solved()) {
+    const float half = 0.5f * c.distance;
+    all.push_back({solid_of_key(c.key_a), solid_of_key(c.key_b), c.position - half * c.normal, c.normal,
+                   c.distance, c.impulse});
+  }
+  return all;
+}
+
+void RigidWorld::set_contacts(RigidContacts* contacts) {
+  impl_->contacts = contacts;
+  impl_->parts_changed = true;
+}
+
+bool RigidWorld::is_on_device() const {
+  return impl_->def.on_device;
+}
+
+}  // namespace meniscus::collision
