@@ -18,6 +18,7 @@ WorldDef dam_def(const CommonOptions& common, const DamOptions& o, int iteration
   d.density.solver = solver_named(o.solver);
   d.density.tolerance = o.tolerance;
   if (o.fixed_sums) d.sums = Sums::fixed;
+  if (o.device_contacts) d.rigid.solver = RigidSolver::device;
   if (o.diffuse) d.diffuse.emplace();
   return d;
 }
@@ -61,6 +62,7 @@ Json run_case(const CommonOptions& common, const DamOptions& o, int particles, i
           {"ms_per_step", times.median_ms()},
           {"ms_per_step_mean_wall", wall},
           {"boxes", o.boxes},
+          {"device_contacts", o.device_contacts},
           {"rigid_ms", times.rigid_ms()},
           {"diffuse", dam.world.diffuse().size()},
           {"contacts", d.contacts},
@@ -102,6 +104,7 @@ CLI::App* add_dam(CLI::App& app, DamOptions& o) {
   dam->add_option("--iterations", o.iterations, "a substep, one case each")->delimiter(',');
   dam->add_option("--substeps", o.substeps, "a step");
   dam->add_option("--boxes", o.boxes, "rigid bodies in the water's way");
+  dam->add_flag("--device-contacts", o.device_contacts, "with RigidSolver::device");
   dam->add_flag("--diffuse", o.diffuse, "with spray, foam and bubbles");
   dam->add_flag("--fixed-sums", o.fixed_sums, "with WorldDef::sums fixed");
   dam->add_option("--warm", o.warm_steps, "steps before the clock starts");

@@ -16,6 +16,7 @@ struct DamOptions {
   std::vector<int> iterations{4};
   int substeps = 1;
   int boxes = 0;
+  bool device_contacts = false;
   bool diffuse = false;
   bool fixed_sums = false;
   int warm_steps = 200;
