@@ -5,8 +5,8 @@
 #pragma once
 
 #include "pbd/ghosts.h"
+#include "pbd/math/periodic_axes.h"
 #include "pbd/neighbour_search.h"
-#include "pbd/periodic_axes.h"
 
 namespace meniscus::pbd {
 

@@ -12,9 +12,9 @@
 
 #include "pbd/contact_arrays.h"
 #include "pbd/external_forces.h"
+#include "pbd/math/periodic_axes.h"
 #include "pbd/neighbour_search.h"
-#include "pbd/periodic_axes.h"
-#include "pbd/ranks/rank_exchange.h"
+#include "pbd/rank_exchange.h"
 #include "pbd/seam_ghosts.h"
 #include "pbd/stage_timer.h"
 #include "pbd/substep.h"

@@ -17,7 +17,7 @@
 
 #include "pbd/contact_arrays.inl"
 #include "pbd/neighbour_search.inl"
-#include "pbd/ranks/rank_exchange.inl"
+#include "pbd/rank_exchange.inl"
 #include "pbd/seam_ghosts.inl"
 #include "pbd/solver.h"
 #include "pbd/solver_kernels.h"

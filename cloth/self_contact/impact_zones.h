@@ -7,8 +7,8 @@
 #include "cloth/self_contact/own_motion.h"
 #include "cloth/self_contact/solve.h"
 #include "cloth/self_contact/tuning.h"
+#include "pbd/math/union_find.h"
 #include "pbd/math/units.h"
-#include "pbd/union_find.h"
 
 namespace meniscus::cloth::self_contact_kernels {
 

@@ -9,7 +9,7 @@
 #include "collision/body/face_points_kernels.h"
 #include "collision/body/tuning.h"
 #include "pbd/device/base/atomics.h"
-#include "pbd/union_find.h"
+#include "pbd/math/union_find.h"
 
 namespace meniscus::collision::zone_kernels {
 

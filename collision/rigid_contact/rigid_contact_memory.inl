@@ -48,7 +48,8 @@ void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
     any_bounces_ |= parts[i].restitution > 0;
   }
   // Boxes of two small parts overlap only if their centres are in cells beside each other.
-  grid_ = {2 * (1 + rigid_contact_tuning::most_reach) * small, std::bit_width(std::max(2 * count, 8u))};
+  grid_ = {2 * (1 + rigid_contact_tuning::most_reach) * small,
+           static_cast<uint32_t>(std::bit_width(std::max(2 * count, 8u)))};
   device_.wait();
   parts_.resize_discard(count);
   parts_.write(host_parts_);

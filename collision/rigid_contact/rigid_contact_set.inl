@@ -140,7 +140,7 @@ void RigidContactSet<D>::prepare(float h) {
   if (count == 0) return;
   device_.sort_pairs("solids/by colour", colour_.view().first(count), sorted_colour_.view().first(count),
                      contact_number_.view().first(count), order_.view().first(count),
-                     std::bit_width(colour_count));
+                     static_cast<uint32_t>(std::bit_width(colour_count)));
   device_.parallel_for("solids/colours", count + 1,
                        FindBuckets{sorted_colour_.view().first(count), starts_.view()});
   make_room(solver_, count);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fluid/density/density_set.h"
-#include "pbd/periodic_axes.h"
+#include "pbd/math/periodic_axes.h"
 #include "pbd/substep.h"
 
 namespace meniscus::fluid {

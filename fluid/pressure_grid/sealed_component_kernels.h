@@ -9,7 +9,7 @@
 
 #include "fluid/pressure_grid/faces_kernels.h"
 #include "fluid/pressure_grid/tuning.h"
-#include "pbd/union_find.h"
+#include "pbd/math/union_find.h"
 
 namespace meniscus::fluid::grid_kernels {
 

@@ -181,7 +181,7 @@ class Engine {
   /// Measures all diagnostics that need no neighbours.
   virtual Diagnostics measure(Vec3 gravity) = 0;
 
-  // A shared world (sdk/world/shared_world.h).
+  // A shared world (sdk/world/shared/shared_world.h).
 
   /// Keeps this rank's particles. All ranks have made the same calls so far. From now on only steps and
   /// read-outs of particles may be called: by rank 0, while the others follow.

@@ -68,10 +68,10 @@ void fields(V& v, DensitySolverDef& d) {
 
 template <class V>
 void fields(V& v, RigidSolverDef& d) {
-  v("solver", d.solver, any_value, "",
-    "what solves contacts among solids: Bullet on one core, or the device, without joints, meshes and sleep");
   v("substeps", d.substeps, between(1, 1000), "", "steps of the bodies in a substep");
   v("iterations", d.iterations, between(1, 10000), "", "solver iterations of each");
+  v("solver", d.solver, any_value, "",
+    "what solves contacts among solids: Bullet on one core, or the device, without joints, meshes and sleep");
 }
 
 template <class V>

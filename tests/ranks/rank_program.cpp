@@ -14,7 +14,7 @@
 #include <string>
 
 #include "sdk/ranks/mpi_ranks.h"
-#include "sdk/world/shared_world.h"
+#include "sdk/world/shared/shared_world.h"
 #include "tests/faults/failing_memory.h"
 #include "tests/ranks/broken_dam.h"
 #include "tests/ranks/failing_ranks.h"

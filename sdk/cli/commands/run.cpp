@@ -29,7 +29,7 @@
 #include "sdk/io/plain_text.h"
 #include "sdk/io/vdb.h"
 #include "sdk/ranks/mpi_ranks.h"
-#include "sdk/world/shared_world.h"
+#include "sdk/world/shared/shared_world.h"
 
 namespace meniscus::cli {
 namespace {

@@ -92,11 +92,11 @@ enum class RigidSolver {
 /// steps of at most 1 ms and 50 iterations. If a light floating body carries a heavy one, the world's own
 /// substeps must be as short. Particles see a body with its own mass, without the bodies that rest on it.
 struct RigidSolverDef {
-  RigidSolver solver = RigidSolver::bullet;  ///< the method; a world keeps it
-  int substeps = 1;                          ///< steps of the bodies in a substep, 1 to 1000
+  int substeps = 1;  ///< steps of the bodies in a substep, 1 to 1000
   /// 1 to 10,000: iterations of each. With `device`, how often a step visits each contact, twice in each of
   /// its small steps.
   int iterations = 10;
+  RigidSolver solver = RigidSolver::bullet;  ///< the method; a world keeps it
 };
 
 /// How cloth is solved. Short substeps help it more than iterations.

@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "pbd/periodic_axes.h"
+#include "pbd/math/periodic_axes.h"
 
 namespace meniscus {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "collision/contact/shape.h"
-#include "pbd/periodic_axes.h"
+#include "pbd/math/periodic_axes.h"
 
 namespace meniscus {
 

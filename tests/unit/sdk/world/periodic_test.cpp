@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "pbd/periodic_axes.h"
+#include "pbd/math/periodic_axes.h"
 #include "tests/expect_error.h"
 #include "tests/many_threads.h"
 #include "tests/worlds.h"

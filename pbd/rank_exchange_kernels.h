@@ -5,7 +5,7 @@
 #pragma once
 
 #include "pbd/device/base/atomics.h"
-#include "pbd/ranks/rank_exchange.h"
+#include "pbd/rank_exchange.h"
 
 namespace meniscus::pbd::rank_kernels {
 

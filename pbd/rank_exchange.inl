@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "pbd/ranks/rank_exchange.h"
-#include "pbd/ranks/rank_exchange_kernels.h"
+#include "pbd/rank_exchange.h"
+#include "pbd/rank_exchange_kernels.h"
 
 namespace meniscus::pbd {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <tuple>
 
-#include "sdk/world/shared_world.h"
+#include "sdk/world/shared/shared_world.h"
 #include "tests/expect_error.h"
 #include "tests/ranks/broken_dam.h"
 #include "tests/ranks/failing_ranks.h"

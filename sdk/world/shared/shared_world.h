@@ -6,7 +6,7 @@
 
 #include <meniscus/world.h>
 
-#include "pbd/ranks/rank_exchange.h"
+#include "pbd/rank_exchange.h"
 #include "pbd/ranks/ranks.h"
 
 namespace meniscus {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Shares a world among ranks, and says what a shared world cannot have.
-#include "sdk/world/shared_world.h"
+#include "sdk/world/shared/shared_world.h"
 
 #include <meniscus/error.h>
 
