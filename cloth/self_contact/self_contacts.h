@@ -62,6 +62,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   void restore() override;
   /// Lists of pairs are no state: each step begins with a search.
   void visit_state(pbd::StateVisitor& v) {
+    learn();
     v.value("rounds", rounds_);
     v.value("lasts_one_substep", lasts_one_substep_);
     v.value("one_frame", one_frame_);
@@ -103,6 +104,9 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   }
   uint32_t used_rounds() const;
   bool ran_short() const { return used_rounds() == rounds_; }
+  bool lists_had_room() const;
+  void learn();
+  void forget_found();
   uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
   static bool any_meet(std::span<const ContactPiece> pieces);
   bool idle() const { return tree_.places() == 0; }
@@ -130,13 +134,12 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   CcdFailsafe ccd_failsafe_;
   pbd::View<const Vec3> rest_;
   uint32_t vertices_ = 0, groups_ = 0, rounds_ = self_contact_tuning::first_rounds;
-  float least_distance_ = 0;  // m: see FindCrossings
-  float unit_ = 0;            // kg·m, of the integers that sum up pushes
-  bool anew_ = true;          // search for pairs in any case
-  /// Whether most lists of the last step were made for one substep only, and whether those of the step before
-  /// were.
-  bool lasts_one_substep_ = false, lasted_one_substep_ = false;
-  bool one_frame_ = false;  // for all pieces, as long as some that move differently are near
+  float least_distance_ = 0;        // m: see FindCrossings
+  float unit_ = 0;                  // kg·m, of the integers that sum up pushes
+  bool anew_ = true;                // search for pairs in any case
+  bool learned_ = true;             // from what is found: nothing is left to learn
+  bool lasts_one_substep_ = false;  // whether most lists of the last step were made for one substep only
+  bool one_frame_ = false;          // for all pieces, as long as some that move differently are near
 
   pbd::Buffer<self_contact_kernels::PieceProperties> pieces_{device_, "cloth contact pieces"};
   pbd::Buffer<uint16_t> features_{device_, "cloth features"};

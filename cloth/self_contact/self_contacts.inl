@@ -186,7 +186,22 @@ uint32_t SelfContacts<D>::used_rounds() const {
 
 template <class D>
 void SelfContacts<D>::start_step() {
+  forget_found();
+  learned_ = false;
+}
+
+template <class D>
+void SelfContacts<D>::forget_found() {
+  std::fill(found_.host().begin(), found_.host().end(), 0u);
+  anew_ = true;
+}
+
+/// Takes over what the last step has shown. An attempt that is repeated shows nothing: which pairs had room
+/// in its lists depends on the order of threads.
+template <class D>
+void SelfContacts<D>::learn() {
   using namespace self_contact_kernels;
+  if (std::exchange(learned_, true)) return;
   // Rounds that the last step did not use are dropped one by one. A superfluous round costs little. A
   // repeated step costs as much as the step itself.
   if (!idle())
@@ -194,27 +209,31 @@ void SelfContacts<D>::start_step() {
         std::min(most_rounds, std::max({self_contact_tuning::first_rounds,
                                         used_rounds() + self_contact_tuning::spare_rounds, rounds_ - 1}));
   if (found(frames_meet) == 0 && found(cells_meet) == 0) one_frame_ = false;
-  std::fill(found_.host().begin(), found_.host().end(), 0u);
-  anew_ = true;
+  lasts_one_substep_ = 2 * one_substep_listings() > listings();
+}
+
+template <class D>
+bool SelfContacts<D>::lists_had_room() const {
+  using namespace self_contact_kernels;
+  return found(group_pairs) <= group_pairs_.size() && found(candidates) <= candidates_.size() &&
+         found(contacts) <= corners_.size();
 }
 
 template <class D>
 bool SelfContacts<D>::had_room() {
   using namespace self_contact_kernels;
-  lasts_one_substep_ =
-      2 * one_substep_listings() > listings();  // known only now; where there was no room, restore() follows
-  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(frames_meet) == 0 &&
-                    found(group_pairs) <= group_pairs_.size() && found(candidates) <= candidates_.size() &&
-                    found(contacts) <= corners_.size());
+  return idle() || ((!ran_short() || rounds_ == most_rounds) && found(frames_meet) == 0 && lists_had_room());
 }
 
 template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
+  const bool is_complete = lists_had_room();
   const auto more = [](uint32_t found) { return found + found / 8; };
   if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
   if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
   if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
+  if (!is_complete) return;  // what the pairs showed depends on which of them had room
   if (ran_short()) rounds_ = more_rounds();
   if (found(frames_meet) > 0) one_frame_ = true;
 }
@@ -234,6 +253,7 @@ template <class D>
 void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
                                   pbd::View<const Vec3> device_rest, std::span<const ContactPiece> pieces,
                                   float heaviest) {
+  learn();
   if (!any_meet(pieces)) triangles = {};
   tree_.set_surface(triangles, rest);
   const SelfContactTables tables = build_tables(tree_.triangles(), rest, pieces.size());
@@ -278,7 +298,7 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
     std::fill(found_.host().begin(), found_.host().end(),
               0u);  // a step starts by reading those of the last step
   }
-  start_step();
+  forget_found();
   strayed_.fill(0);
   if (group_pairs_.size() < 2 * size_t{groups_}) group_pairs_.resize_discard(2 * size_t{groups_});
   const uint32_t least_candidates = std::max(256u, vertices_ / 4);
@@ -333,13 +353,13 @@ void SelfContacts<D>::set_frames(size_t pieces) {
 
 template <class D>
 void SelfContacts<D>::save() {
-  lasted_one_substep_ = lasts_one_substep_;
+  learn();
   if (!idle()) device_.copy(saved_strayed_.view().data, strayed_.view().data, vertices_ * sizeof(float));
 }
 
 template <class D>
 void SelfContacts<D>::restore() {
-  lasts_one_substep_ = lasted_one_substep_;
+  learned_ = true;
   if (idle()) return;
   device_.copy(strayed_.view().data, saved_strayed_.view().data, vertices_ * sizeof(float));
   push_sums_.fill(0);  // a step that was cancelled has left pushes that nobody took
