@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Worlds whose device solves contacts among solids. Its laws are in
-// tests/unit/collision/rigid_device_test.cpp.
+// tests/unit/collision/rigid/device_test.cpp.
 #include <gtest/gtest.h>
 
 #include "tests/many_threads.h"

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "tests/unit/collision/rigid_scene.h"
+#include "tests/unit/collision/rigid/scene.h"
 
 namespace meniscus::collision {
 

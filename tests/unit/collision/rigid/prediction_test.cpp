@@ -4,7 +4,7 @@
 // The prediction of bodies that joints hold. Without contacts it is what the step then does.
 #include <gtest/gtest.h>
 
-#include "tests/unit/collision/rigid_scene.h"
+#include "tests/unit/collision/rigid/scene.h"
 
 namespace meniscus::collision {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/unit/collision/rigid_device_scene.h"
+#include "tests/unit/collision/rigid/device_scene.h"
 
 namespace meniscus::collision {
 

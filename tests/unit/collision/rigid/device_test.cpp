@@ -8,7 +8,7 @@
 
 #include "pbd/device/cpu/cpu_device.h"
 #include "tests/expect_error.h"
-#include "tests/unit/collision/rigid_device_scene.h"
+#include "tests/unit/collision/rigid/device_scene.h"
 
 namespace meniscus::collision {
 

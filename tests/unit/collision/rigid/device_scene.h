@@ -7,7 +7,7 @@
 #include "collision/rigid_contact/rigid_contact_set.h"
 #include "pbd/device/cpu/cpu_device.h"
 #include "tests/many_threads.h"
-#include "tests/unit/collision/rigid_scene.h"
+#include "tests/unit/collision/rigid/scene.h"
 
 namespace meniscus::collision {
 

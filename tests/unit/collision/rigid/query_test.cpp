@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/expect_error.h"
-#include "tests/unit/collision/rigid_scene.h"
+#include "tests/unit/collision/rigid/scene.h"
 
 namespace meniscus::collision {
 

@@ -4,7 +4,7 @@
 // The motion of bodies, and its prediction.
 #include <gtest/gtest.h>
 
-#include "tests/unit/collision/rigid_scene.h"
+#include "tests/unit/collision/rigid/scene.h"
 
 namespace meniscus::collision {
 

@@ -4,7 +4,7 @@
 // Tests of when rigid bodies fall asleep and wake.
 #include <gtest/gtest.h>
 
-#include "tests/unit/collision/rigid_scene.h"
+#include "tests/unit/collision/rigid/scene.h"
 
 namespace meniscus::collision {
 

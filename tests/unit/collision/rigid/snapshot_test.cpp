@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/unit/collision/rigid_scene.h"
+#include "tests/unit/collision/rigid/scene.h"
 
 namespace meniscus::collision {
 
