@@ -231,7 +231,8 @@ INSTANTIATE_TEST_SUITE_P(
                 R"(looks[0].fluid: there is no fluid named "watr"; did you mean "water"?)"},
         Mistake{"NoSuchLiquid",
                 R"({"name": "x", "fluids": [{}], "looks": [{"fluid": "water", "liquid": "beer"}]})",
-                R"(looks[0].liquid: "beer" is not allowed)"},
+                R"(looks[0].liquid: "beer" is not known; allowed: )"
+                R"("clear", "sea", "pool", "milk", "honey", "oil")"},
         Mistake{"NoFluids", R"({"name": "x", "volumes": [{"fluid": "water", "region": {"type": "box"}}]})",
                 R"(volumes[0].fluid: there is no fluid named "water"; allowed: none)"},
         Mistake{"NoSuchShape", R"({"name": "x", "shapes": [{"name": "floor", "geometry": {"type": "plane"}}],
