@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// One world over many ranks: what a solver does differently there. See pbd/rank_exchange.h.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pbd/solver.h"
+#include "pbd/solver_kernels.h"
+
+namespace meniscus::pbd {
+
+/// Sends particles to the ranks that own their predicted positions, or have them as ghosts. The particles
+/// that this rank then needs count as sorted: its own, and behind them the ghosts.
+template <class D>
+CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& prediction) {
+  Particles& p = particles_;
+  search_.set_slab(exchange_->layers_along_y(), exchange_->first_layer(), exchange_->end_layer());
+  search_.fit({summary().lower, summary().upper}, room_.fluid);  // the same shape on all ranks
+  uint32_t count = p.sorted();
+  if (!has_all_particles_) {
+    std::vector<WordArray> arrays = p.source_arrays();
+    if (prediction.limited.count)
+      arrays.push_back(
+          {reinterpret_cast<uint32_t*>(p.predicted.view().data), sizeof(Vec4) / sizeof(uint32_t)});
+    for (ConstraintSet<D>* set : sets_) set->add_carried(arrays);
+    count = exchange_->send(prediction, search_.grid(), count, arrays);
+  }
+  const CellOrder order = search_.sort(prediction, p.source().number.first(count));
+  const auto [owned, ghosts] = search_.count_slab();
+  rank_ghosts_ = ghosts;
+  p.set_sorted(owned + ghosts);
+  return order;
+}
+
+template <class D>
+void Solver<D>::share(Ranks& ranks, const CutPolicy& policy) {
+  const bool along_y = std::fabs(parameters_.gravity.z) > std::fabs(parameters_.gravity.y);
+  exchange_.emplace(device_, ranks, along_y);
+  exchange_->set_policy(policy);
+  exchange_->reserve(particles_.capacity());
+  has_all_particles_ = true;
+  exchange_->cut_all(particles_.view(), search_.grid(), {summary().lower, summary().upper});
+  sort(predict(0, {}));
+  reorder(search_.order(), particles_.sorted());
+  has_all_particles_ = false;
+  has_found_ = false;
+  summary_state_ = SummaryState::unknown;
+}
+
+/// The summary of all ranks. Each merges them in the same order.
+template <class D>
+void Solver<D>::merge_over_ranks() {
+  ParticleSummary merged = solver_kernels::empty_summary();
+  for (const ParticleSummary& of_rank : values_of_all(exchange_->ranks(), readout_.summary))
+    merged = solver_kernels::MergeSummaries{}(merged, of_rank);
+  readout_.summary = merged;
+}
+
+template <class D>
+void Solver<D>::add_results_of_ranks(StepResult& result) {
+  const std::vector<StepResult> all = values_of_all(exchange_->ranks(), result);
+  result.contacts = 0;
+  for (const StepResult& of_rank : all) {
+    result.contacts += of_rank.contacts;
+    result.max_neighbours = std::max(result.max_neighbours, of_rank.max_neighbours);
+  }
+}
+
+}  // namespace meniscus::pbd
