@@ -46,11 +46,12 @@ MeniscusStatus meniscus_ellipsoids(const MeniscusWorld* world, const MeniscusEll
 }
 
 MeniscusStatus meniscus_write_particles(const MeniscusWorld* world, MeniscusEllipsoid* ellipsoids,
-                                        uint32_t* fluids) {
+                                        uint32_t* fluids, MeniscusVec3* velocities) {
   return guarded([&] {
-    static_assert(sizeof(MeniscusEllipsoid) == sizeof(Ellipsoid));
+    static_assert(sizeof(MeniscusEllipsoid) == sizeof(Ellipsoid) && sizeof(MeniscusVec3) == sizeof(Vec3));
     world_of(world).write_particles(
-        ParticleArrays{reinterpret_cast<Ellipsoid*>(&required(ellipsoids, "ellipsoids")), fluids});
+        ParticleArrays{reinterpret_cast<Ellipsoid*>(&required(ellipsoids, "ellipsoids")), fluids,
+                       reinterpret_cast<Vec3*>(velocities)});
   });
 }
 
@@ -86,12 +87,13 @@ MeniscusStatus meniscus_surface_mesh(MeniscusWorld* world, const MeniscusDef* de
   });
 }
 
-MeniscusStatus meniscus_gl_particles_create(uint32_t ellipsoids, uint32_t fluids,
+MeniscusStatus meniscus_gl_particles_create(uint32_t ellipsoids, uint32_t fluids, uint32_t velocities,
                                             MeniscusGlParticles** buffers) {
   return guarded([&] {
     MeniscusGlParticles*& out = required(buffers, "buffers");
-    out =
-        std::make_unique<MeniscusGlParticles>(MeniscusGlParticles{GlParticles(ellipsoids, fluids)}).release();
+    out = std::make_unique<MeniscusGlParticles>(
+              MeniscusGlParticles{GlParticles(ellipsoids, fluids, velocities)})
+              .release();
   });
 }
 

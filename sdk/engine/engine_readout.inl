@@ -140,6 +140,10 @@ void DeviceEngine<D>::write_particles(const ParticleArrays& arrays) {
     device_.parallel_for(
         "read-out/fluids", count,
         engine_kernels::ReadGroup{substep.particles.phase, substep.particles.slot, {arrays.fluids, count}});
+    if (!arrays.velocities) return;
+    device_.parallel_for("read-out/velocities", count,
+                         engine_kernels::ReadVector{
+                             substep.particles.velocity, substep.particles.slot, {arrays.velocities, count}});
   };
   if (solver_.read_last_substep(write)) return;
   fetch_contacts();

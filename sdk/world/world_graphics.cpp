@@ -5,6 +5,9 @@
 #include <meniscus/graphics.h>
 #include <meniscus/world.h>
 
+#include <algorithm>
+#include <span>
+
 #include "sdk/world/check/check.h"
 #include "sdk/world/world_calls.h"
 
@@ -14,9 +17,9 @@ struct GlParticles::Impl {
   std::unique_ptr<pbd::GlBuffers> buffers;
 };
 
-GlParticles::GlParticles(uint32_t ellipsoids, uint32_t fluids) {
-  const uint32_t names[] = {ellipsoids, fluids};
-  impl_ = std::make_unique<Impl>(Impl{pbd::share_gl_buffers(names)});
+GlParticles::GlParticles(uint32_t ellipsoids, uint32_t fluids, uint32_t velocities) {
+  const uint32_t names[] = {ellipsoids, fluids, velocities};
+  impl_ = std::make_unique<Impl>(Impl{pbd::share_gl_buffers(std::span(names).first(velocities ? 3 : 2))});
 }
 
 GlParticles::~GlParticles() = default;
@@ -39,13 +42,16 @@ void World::Calls::write_particles(GlParticles& particles) const {
   const std::vector<pbd::LentMemory> lent = buffers.lend(device);
   const auto give_back = [&](pbd::GlBuffers* lender) { lender->give_back(device); };
   const std::unique_ptr<pbd::GlBuffers, decltype(give_back)> in_the_end(&buffers, give_back);
-  const size_t room = std::min(lent[0].bytes / sizeof(Ellipsoid), lent[1].bytes / sizeof(uint32_t));
+  const bool with_velocities = lent.size() > 2;
+  size_t room = std::min(lent[0].bytes / sizeof(Ellipsoid), lent[1].bytes / sizeof(uint32_t));
+  if (with_velocities) room = std::min(room, lent[2].bytes / sizeof(Vec3));
   if (room < particle_count()) {
     check::refuse("GlParticles", "buffers for " + std::to_string(room) + " particles",
                   "room for all " + std::to_string(particle_count()));
   }
-  impl_->with_all().write_particles(
-      {static_cast<Ellipsoid*>(lent[0].data), static_cast<uint32_t*>(lent[1].data)});
+  impl_->with_all().write_particles({static_cast<Ellipsoid*>(lent[0].data),
+                                     static_cast<uint32_t*>(lent[1].data),
+                                     with_velocities ? static_cast<Vec3*>(lent[2].data) : nullptr});
   device.send_off();  // reports failures here, not when the buffers are released
 }
 

@@ -47,11 +47,16 @@ TEST_F(SharedPictures, FollowTheWorld) {
 
 TEST_F(SharedPictures, NeedBuffersWithRoom) {
   const World world = falling();
-  render::DataBuffer ellipsoids, fluids;
-  ellipsoids.resize(sizeof(Ellipsoid) * world.particle_count());
-  fluids.resize(sizeof(uint32_t) * (world.particle_count() - 1));
-  GlParticles particles(ellipsoids.name(), fluids.name());
-  expect_error(ErrorCode::invalid_argument, "GlParticles", [&] { world.write_particles(particles); });
+  const std::size_t count = world.particle_count();
+  render::DataBuffer ellipsoids, fluids, few_fluids, few_velocities;
+  ellipsoids.resize(sizeof(Ellipsoid) * count);
+  fluids.resize(sizeof(uint32_t) * count);
+  few_fluids.resize(sizeof(uint32_t) * (count - 1));
+  few_velocities.resize(sizeof(Vec3) * (count - 1));
+  GlParticles particles(ellipsoids.name(), few_fluids.name()),
+      moving(ellipsoids.name(), fluids.name(), few_velocities.name());
+  for (GlParticles* buffers : {&particles, &moving})
+    expect_error(ErrorCode::invalid_argument, "GlParticles", [&] { world.write_particles(*buffers); });
   const World other(world_def(pbd::DeviceKind::cpu, 0.05f));
   expect_error(ErrorCode::invalid_argument, "World::device", [&] { other.write_particles(particles); });
 }

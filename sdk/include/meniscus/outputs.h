@@ -26,6 +26,7 @@ struct Ellipsoid {
 struct ParticleArrays {
   Ellipsoid* ellipsoids = nullptr;  ///< the surface of each particle
   uint32_t* fluids = nullptr;       ///< FluidId::index
+  Vec3* velocities = nullptr;       ///< m/s; null: they are not written
 };
 
 /// A mesh file whose surface was rebuilt: see MeshGeometry::repair.

@@ -318,10 +318,10 @@ class World {
   /// Error(not_found) if no such read-out begins there. The result may outlive the world, and any thread may
   /// release it.
   std::shared_ptr<const void> hold(const void* first) const;
-  /// Writes ellipsoids and fluids to arrays on the world's own device, for a renderer there. The arrays are
-  /// complete when the call returns. Right after a step, ellipsoids use the neighbours of the last substep,
-  /// which cost no search. At the surface they differ from ellipsoids() by particles that have come within
-  /// the support radius since. Throws Error(invalid_argument) if an array is null.
+  /// Writes ellipsoids, fluids and velocities to arrays on the world's own device, for a renderer there. The
+  /// arrays are complete when the call returns. Right after a step, ellipsoids use the neighbours of the last
+  /// substep, which cost no search. At the surface they differ from ellipsoids() by particles that have come
+  /// within the support radius since. Throws Error(invalid_argument) if ellipsoids or fluids are null.
   void write_particles(const ParticleArrays& arrays) const;
   /// Writes the same to OpenGL buffers. OpenGL commands keep their order relative to this call. The driver
   /// may make the host wait for earlier commands. Right after a step the host does not wait for the world's

@@ -33,10 +33,6 @@ void Particles::set(std::span<const Ellipsoid> ellipsoids, std::span<const uint3
   ellipsoids_.write(ellipsoids);
   fluids_.write(fluids);
   count_ = static_cast<GLsizei>(ellipsoids.size());
-  set_motion(velocities);
-}
-
-void Particles::set_motion(std::span<const Vec3> velocities) {
   has_velocities_ = !velocities.empty();
   velocities_.write(velocities);
 }
@@ -45,7 +41,7 @@ void Particles::set(const World& world) {
   if (!share(world)) return set(world.ellipsoids(), world.fluids(), world.velocities());
   world.write_particles(*shared_);
   count_ = static_cast<GLsizei>(world.particle_count());
-  set_motion(world.velocities());
+  has_velocities_ = true;
 }
 
 void Particles::check_room(std::size_t count) {
@@ -68,8 +64,9 @@ bool Particles::share(const World& world) {
   room_ = count + count / 4;
   ellipsoids_.resize(room_ * sizeof(Ellipsoid));
   fluids_.resize(room_ * sizeof(uint32_t));
+  velocities_.resize(room_ * sizeof(Vec3));
   try {
-    shared_.emplace(ellipsoids_.name(), fluids_.name());
+    shared_.emplace(ellipsoids_.name(), fluids_.name(), velocities_.name());
   } catch (const Error&) {
     can_share_ = false;  // OpenGL draws on another device
   }

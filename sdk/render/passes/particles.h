@@ -40,8 +40,6 @@ class Particles {
  private:
   bool share(const World& world);
 
-  void set_motion(std::span<const Vec3> velocities);
-
   DataBuffer ellipsoids_, fluids_, velocities_;
   bool has_velocities_ = false;
   std::optional<GlParticles> shared_;  // these buffers, while they are large enough

@@ -50,9 +50,11 @@ MENISCUS_C_API MeniscusStatus meniscus_pressures(const MeniscusWorld* world, con
 /// Ellipsoids whose outsides form the surface of the fluid: World::ellipsoids.
 MENISCUS_C_API MeniscusStatus meniscus_ellipsoids(const MeniscusWorld* world,
                                                   const MeniscusEllipsoid** ellipsoids, size_t* count);
-/// Writes ellipsoids and fluids to arrays in the memory of the world's device: World::write_particles.
+/// Writes ellipsoids, fluids and velocities, m/s, to arrays in the memory of the world's device:
+/// World::write_particles. Velocities may be null.
 MENISCUS_C_API MeniscusStatus meniscus_write_particles(const MeniscusWorld* world,
-                                                       MeniscusEllipsoid* ellipsoids, uint32_t* fluids);
+                                                       MeniscusEllipsoid* ellipsoids, uint32_t* fluids,
+                                                       MeniscusVec3* velocities);
 /// An array of World::device_arrays.
 typedef enum MeniscusDeviceArray {
   MENISCUS_DEVICE_IDS = 0,         ///< uint64
@@ -84,16 +86,17 @@ typedef struct MeniscusSurfaceMesh {
 MENISCUS_C_API MeniscusStatus meniscus_surface_mesh(MeniscusWorld* world, const MeniscusDef* def,
                                                     MeniscusSurfaceMesh* mesh);
 
-/// Two OpenGL buffers that worlds on CUDA write to: meniscus::GlParticles.
+/// OpenGL buffers that worlds on CUDA write to: meniscus::GlParticles.
 typedef struct MeniscusGlParticles MeniscusGlParticles;
 
-/// Takes the names of two buffers: 40 bytes a particle for ellipsoids, and 4 bytes a particle for fluids. The
-/// context of the buffers must be current.
+/// Takes the names of buffers: 40 bytes a particle for ellipsoids, 4 for fluids, and 12 for velocities, or 0
+/// for no such buffer. The context of the buffers must be current.
 MENISCUS_C_API MeniscusStatus meniscus_gl_particles_create(uint32_t ellipsoids, uint32_t fluids,
+                                                           uint32_t velocities,
                                                            MeniscusGlParticles** buffers);
 /// Releases the buffers. Null is allowed.
 MENISCUS_C_API void meniscus_gl_particles_destroy(MeniscusGlParticles* buffers);
-/// Writes ellipsoids and fluids to the buffers.
+/// Writes what the buffers are for.
 MENISCUS_C_API MeniscusStatus meniscus_write_gl_particles(const MeniscusWorld* world,
                                                           MeniscusGlParticles* buffers);
 

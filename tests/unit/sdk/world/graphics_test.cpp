@@ -17,9 +17,13 @@ constexpr float s = 0.05f;
 struct Written {
   std::vector<Ellipsoid> ellipsoids;
   std::vector<uint32_t> fluids;
+  std::vector<Vec3> velocities;
 
-  explicit Written(const World& world) : ellipsoids(world.particle_count()), fluids(world.particle_count()) {
-    world.write_particles({ellipsoids.data(), fluids.data()});
+  explicit Written(const World& world)
+      : ellipsoids(world.particle_count()),
+        fluids(world.particle_count()),
+        velocities(world.particle_count()) {
+    world.write_particles({ellipsoids.data(), fluids.data(), velocities.data()});
   }
 };
 
@@ -36,6 +40,8 @@ void expect_as_read(const World& world) {
   const Written written(world);
   const std::span<const Ellipsoid> read = world.ellipsoids();
   EXPECT_EQ(std::memcmp(written.ellipsoids.data(), read.data(), read.size_bytes()), 0);
+  const std::span<const Vec3> velocities = world.velocities();
+  EXPECT_EQ(std::memcmp(written.velocities.data(), velocities.data(), velocities.size_bytes()), 0);
 }
 
 TEST(WorldGraphics, WritesWhatIsRead) {
@@ -43,6 +49,19 @@ TEST(WorldGraphics, WritesWhatIsRead) {
   expect_as_read(world);
   const std::span<const uint32_t> fluids = world.fluids();
   EXPECT_EQ(Written(world).fluids, std::vector<uint32_t>(fluids.begin(), fluids.end()));
+}
+
+TEST(WorldGraphics, WritesVelocitiesOnlyWhereThereIsAnArray) {
+  World world = falling();
+  for (int k = 0; k < 5; ++k) world.step(0.01f);
+  std::vector<Ellipsoid> ellipsoids(world.particle_count());
+  std::vector<uint32_t> fluids(world.particle_count());
+  world.write_particles({ellipsoids.data(), fluids.data()});
+  const Written with(world);
+  EXPECT_EQ(std::memcmp(with.ellipsoids.data(), ellipsoids.data(), sizeof(Ellipsoid) * ellipsoids.size()), 0);
+  const std::span<const Vec3> read = world.velocities();
+  EXPECT_EQ(with.velocities, std::vector<Vec3>(read.begin(), read.end()));
+  EXPECT_LT(with.velocities.back().y, -0.1f);
 }
 
 TEST(WorldGraphics, GoesByTheLastSubstepsNeighbours) {
