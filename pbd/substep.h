@@ -113,9 +113,9 @@ class ConstraintSet : public ParticleState {
   virtual void end_step() {}
   virtual void undo_step() {}
 
-  /// Called when the device has finished the step: whether everything found had room. If not, make_room() is
-  /// called, and the step is repeated.
-  virtual bool had_room() { return true; }
+  /// When the device has finished the step: whether everything found had room. If not, make_room() is called,
+  /// and the step is repeated.
+  virtual bool had_room() const { return true; }
   virtual void make_room() {}
 };
 

@@ -56,7 +56,7 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
 
   void start_step() override;
   void clear(uint32_t /*first*/, uint32_t /*count*/) override { anew_ = true; }
-  bool had_room() override;
+  bool had_room() const override;
   void make_room() override;
   void save() override;
   void restore() override;

@@ -220,7 +220,7 @@ bool SelfContacts<D>::lists_had_room() const {
 }
 
 template <class D>
-bool SelfContacts<D>::had_room() {
+bool SelfContacts<D>::had_room() const {
   using namespace self_contact_kernels;
   return idle() || ((!ran_short() || rounds_ == most_rounds) && found(frames_meet) == 0 && lists_had_room());
 }

@@ -48,7 +48,7 @@ class BodyZones final : public pbd::ConstraintSet<D> {
   void arrange(pbd::Substep<D>&) override { moves_ = true; }
   void project(pbd::Substep<D>&, int) override {}
   void settle(pbd::Substep<D>& substep) override;
-  bool had_room() override { return active_ || found_.host()[0] == 0; }
+  bool had_room() const override { return active_ || found_.host()[0] == 0; }
   void make_room() override { active_ = true; }
 
  private:

@@ -55,7 +55,7 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   void project(pbd::Substep<D>& substep, int iteration) override;
   void settle(pbd::Substep<D>& substep) override;
   void end(pbd::Substep<D>& substep) override;
-  bool had_room() override { return wanted() <= (active_ ? room_ : 0); }
+  bool had_room() const override { return wanted() <= (active_ ? room_ : 0); }
   void make_room() override;
 
  private:

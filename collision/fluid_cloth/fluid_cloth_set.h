@@ -54,7 +54,7 @@ class FluidClothSet final : public pbd::ConstraintSet<D>, public pbd::VertexMean
   uint32_t vertices() const override { return contacts_.any() ? contacts_.vertices() : 0; }
   void to_contacts(pbd::View<const pbd::Vec4> values, pbd::View<pbd::Vec4> means) override;
   void to_vertices(pbd::View<const pbd::Vec4> values, pbd::View<pbd::Vec4> sums, float unit) override;
-  bool had_room() override { return contacts_.had_room(); }
+  bool had_room() const override { return contacts_.had_room(); }
   void make_room() override { contacts_.make_room(); }
 
  private:

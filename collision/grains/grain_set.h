@@ -66,7 +66,7 @@ class GrainSet final : public pbd::ConstraintSet<D> {
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
 
-  bool had_room() override { return longest_row() <= row_capacity_; }
+  bool had_room() const override { return longest_row() <= row_capacity_; }
   void make_room() override;
 
  private:

@@ -89,7 +89,7 @@ bool Solver<D>::had_room() {
   const Found& found = readout_.found;
   const bool had = has_ghost_room() && found.longest_list <= search_.row_capacity() &&
                    found.contacts.most < contacts_.capacity() &&
-                   std::all_of(sets_.begin(), sets_.end(), [](auto* set) { return set->had_room(); });
+                   std::all_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->had_room(); });
   if (!exchange_) return had;
   return std::ranges::all_of(values_of_all(exchange_->ranks(), uint32_t{had}),
                              [](uint32_t all) { return all; });

@@ -41,7 +41,7 @@ class WildFirstPass : public ConstraintSet<CpuDevice> {
                                   to[i] = {0, 0, 0, 1};
                                 });
   }
-  bool had_room() override { return passes > 1; }
+  bool had_room() const override { return passes > 1; }
   void make_room() override { ++growths; }
 
   int passes = 0, growths = 0;
