@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "pbd/ghosts.h"
@@ -69,6 +70,7 @@ class RankExchange final : public GhostExchange {
   template <class Tags>
   std::vector<Selected> select(uint32_t count, const Tags& tags);
   Layers count_layers(const ParticleView& particles, const GridView& grid, const Aabb& extent);
+  void exchange(std::span<const Sent> sent, std::span<const Received> received);
   void pack(const WordArray& from, View<const uint32_t> list, uint32_t* to);
 
   D& device_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "pbd/device/access.h"
 #include "pbd/rank_exchange.h"
 #include "pbd/rank_exchange_kernels.h"
 
@@ -132,7 +133,7 @@ uint32_t RankExchange<D>::send(const Points& points, const GridView& grid, uint3
     next += to[r];
     in += received_words;
   }
-  ranks_.exchange(sent, received);
+  exchange(sent, received);
   uint32_t place = count;
   const uint32_t* arrived = in_.view().data;
   for (const uint32_t n : from) {
@@ -144,6 +145,13 @@ uint32_t RankExchange<D>::send(const Points& points, const GridView& grid, uint3
     place += n;
   }
   return place;
+}
+
+/// Of messages in the device's memory, in the order of its launches.
+template <class D>
+void RankExchange<D>::exchange(std::span<const Sent> sent, std::span<const Received> received) {
+  void* const stream = DeviceAccess<D>::stream(device_);
+  stream ? ranks_.exchange_on_gpu(sent, received, stream) : ranks_.exchange(sent, received);
 }
 
 template <class D>
@@ -203,7 +211,7 @@ void RankExchange<D>::refresh(void* values, uint32_t words) {
     out += sent_words;
     in += received_words;
   }
-  ranks_.exchange(sent, received);
+  exchange(sent, received);
   in = in_.view().data;
   for (const Side& side : sides_) {
     const View<const uint32_t> list{lists + side.first_ghost, static_cast<uint32_t>(side.ghosts.size())};

@@ -4,6 +4,8 @@
 // What the ranks of a shared world say to each other. A rank is one process with one device.
 #pragma once
 
+#include <meniscus/error.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,7 +14,7 @@
 
 namespace meniscus::pbd {
 
-/// Bytes for another rank. The memory is that of the device, or of the host where the device is the CPU.
+/// Bytes for another rank.
 struct Sent {
   int to;
   const void* data;
@@ -34,8 +36,17 @@ class Ranks {
 
   virtual int rank() const = 0;
   virtual int count() const = 0;
-  /// Between two ranks, messages arrive in the order in which they were sent.
+  /// In memory of the host. Between two ranks, messages arrive in the order in which they were sent.
   virtual void exchange(std::span<const Sent> sent, std::span<const Received> received) = 0;
+  /// The same in memory of a GPU, after use_gpu(). The messages follow what is on `stream`, a cudaStream_t,
+  /// and later work there follows them. The host does not wait.
+  virtual void exchange_on_gpu(std::span<const Sent> /*sent*/, std::span<const Received> /*received*/,
+                               void* /*stream*/) {
+    refuse_gpus();
+  }
+  /// Readies the ranks for exchange_on_gpu(). All call it together, each with the CUDA ordinal of its GPU.
+  /// Throws Error(device) if these ranks exchange no memory of GPUs.
+  virtual void use_gpu(int /*ordinal*/) { refuse_gpus(); }
   /// `all` gets the bytes of each rank, in the order of the ranks.
   virtual void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) = 0;
   /// Element r of `out` goes to rank r. Element r of `in` is from rank r.
@@ -44,6 +55,11 @@ class Ranks {
   virtual void add_up(std::span<uint64_t> values) = 0;
   /// Ends the calls of all ranks, because this one cannot go on. Over MPI it ends all processes.
   virtual void fail(const std::string& why) = 0;
+
+ private:
+  [[noreturn]] static void refuse_gpus() {
+    throw Error(ErrorCode::device, "these ranks exchange no memory of GPUs");
+  }
 };
 
 /// The values of all ranks, in their order.

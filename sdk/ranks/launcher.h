@@ -16,4 +16,12 @@ inline int launched_processes() {
   return 1;
 }
 
+/// The number of this process among those that a launcher has started on this host; 0 without one.
+inline int process_of_host() {
+  for (const char* name : {"OMPI_COMM_WORLD_LOCAL_RANK", "MPI_LOCALRANKID", "MV2_COMM_WORLD_LOCAL_RANK"}) {
+    if (const char* number = std::getenv(name)) return std::atoi(number);
+  }
+  return 0;
+}
+
 }  // namespace meniscus

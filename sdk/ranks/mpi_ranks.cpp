@@ -12,6 +12,7 @@
 #include <exception>
 
 #include "sdk/ranks/launcher.h"
+#include "sdk/ranks/nccl_messages.h"
 
 namespace meniscus {
 
@@ -37,6 +38,7 @@ class MpiRanks final : public pbd::Ranks {
   }
   ~MpiRanks() override {
     if (std::uncaught_exceptions() > exceptions_) fail("it ended early");
+    between_gpus_.reset();
     MPI_Finalize();
   }
   MpiRanks(const MpiRanks&) = delete;
@@ -63,6 +65,11 @@ class MpiRanks final : public pbd::Ranks {
     }
     MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
   }
+  void exchange_on_gpu(std::span<const pbd::Sent> sent, std::span<const pbd::Received> received,
+                       void* stream) override {
+    between_gpus_->exchange(sent, received, stream);
+  }
+  void use_gpu(int ordinal) override { between_gpus_ = join_nccl(*this, ordinal); }
   void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) override {
     const auto bytes = static_cast<int>(own.size());
     MPI_Allgather(own.data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, MPI_COMM_WORLD);
@@ -84,6 +91,7 @@ class MpiRanks final : public pbd::Ranks {
   int exceptions_;
   int rank_ = 0, count_ = 1;
   std::vector<MPI_Request> requests_;
+  std::unique_ptr<NcclMessages> between_gpus_;
 };
 
 }  // namespace

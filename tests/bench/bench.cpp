@@ -5,6 +5,7 @@
 //   bench dam --device cuda --particles 100000,1000000 --iterations 4 --out FILE
 //   bench dam --device cuda --particles 100000 --iterations 4 --boxes 1000 --out FILE
 //   bench dam --device cpu --particles 100000 --substeps 4 --iterations 30 --tolerance 0.0005
+//   mpirun -n 2 bench dam --device cuda --particles 16000000 --fixed-sums
 //   bench pool --device cuda --particles 1000000 --layers 100 --solver grid --out FILE
 //   bench hanging --n 250 --substeps 20 --iterations 1 --no-tethers --seconds 10
 //   bench drape --n 250,500
@@ -15,7 +16,10 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <memory>
+#include <stdexcept>
 
+#include "sdk/ranks/mpi_ranks.h"
 #include "tests/bench/batch.h"
 #include "tests/bench/cloth.h"
 #include "tests/bench/dam.h"
@@ -56,6 +60,9 @@ int main(int argc, char** argv) {
 #endif
   CLI11_PARSE(app, argc, argv);
   try {
+    const std::unique_ptr<meniscus::pbd::Ranks> ranks = meniscus::join_mpi();
+    common.ranks = ranks.get();
+    if (ranks && !dam_case->parsed()) throw std::invalid_argument("dam is the case of several ranks");
     Results results(common, argc, argv);
     if (dam_case->parsed()) run_dam(common, dam, results);
     if (pool_case->parsed()) run_pool(common, pool, results);

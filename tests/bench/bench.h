@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "pbd/ranks/ranks.h"
+
 namespace meniscus::bench {
 
 using Json = nlohmann::ordered_json;
@@ -20,6 +22,9 @@ struct CommonOptions {
   std::string device = "auto";
   int threads = 0;
   std::string commit, date, out;
+  pbd::Ranks* ranks = nullptr;  ///< that share each world; null: one process alone
+
+  bool leads() const { return !ranks || ranks->rank() == 0; }
 };
 
 /// A world's definition on the device that was asked for.
@@ -47,7 +52,7 @@ class StepTimes {
   std::array<std::vector<double>, stage_count> stages_;
 };
 
-/// Prints results as they come, and writes them all to a file.
+/// Prints results as they come, and writes them all to a file. Of several ranks the first does.
 class Results {
  public:
   /// The command is noted as well, but for where the file goes, which says nothing about what is in it.
@@ -57,6 +62,7 @@ class Results {
 
  private:
   std::string out_;
+  bool leads_;
   Json all_;
 };
 

@@ -6,6 +6,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
+
+#include "sdk/world/shared/shared_world.h"
 
 namespace meniscus::bench {
 
@@ -39,6 +42,12 @@ void add_boxes(World& world, int count, Vec3 block) {
 
 Json run_case(const CommonOptions& common, const DamOptions& o, int particles, int iterations) {
   Dam dam(common, o, particles, iterations);
+  std::optional<SharedWorld> shared;
+  if (common.ranks) shared.emplace(dam.world, *common.ranks);
+  if (!common.leads()) {
+    shared->follow();
+    return {};
+  }
   for (int k = 0; k < o.warm_steps; ++k) dam.world.step(dam.dt);
   const double warm_speed = dam.world.diagnostics().max_speed;
   StepTimes times;
@@ -54,6 +63,7 @@ Json run_case(const CommonOptions& common, const DamOptions& o, int particles, i
           {"solver", o.solver},
           {"tolerance", o.tolerance},
           {"fixed_sums", o.fixed_sums},
+          {"ranks", common.ranks ? common.ranks->count() : 1},
           {"density_iterations", times.density_iterations()},
           {"dt_ms", 1e3 * dam.dt},
           {"h_moved_per_substep", d.max_speed * dam.dt / float(o.substeps) / dam.world.support_radius()},
@@ -64,7 +74,7 @@ Json run_case(const CommonOptions& common, const DamOptions& o, int particles, i
           {"boxes", o.boxes},
           {"device_contacts", o.device_contacts},
           {"rigid_ms", times.rigid_ms()},
-          {"diffuse", dam.world.diffuse().size()},
+          {"diffuse", o.diffuse ? dam.world.diffuse().size() : 0},
           {"contacts", d.contacts},
           {"density_error_mean_percent", 100 * d.density_error_mean},
           {"density_error_max_percent", 100 * d.density_error_max},

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "sdk/fields/world.h"
+#include "sdk/ranks/launcher.h"
 #include "tests/bench/bench.h"
 
 namespace meniscus::bench {
@@ -17,6 +18,7 @@ WorldDef world_def(const CommonOptions& options) {
   if (options.device == "cpu") def.device = DeviceChoice::cpu;
   if (options.device == "cuda") def.device = DeviceChoice::cuda;
   def.threads = options.threads;
+  if (options.ranks && options.device != "cpu") def.cuda_device = process_of_host();
   return def;
 }
 
@@ -54,7 +56,8 @@ Json StepTimes::stage_ms() const {
   return medians;
 }
 
-Results::Results(const CommonOptions& options, int argc, char** argv) : out_(options.out) {
+Results::Results(const CommonOptions& options, int argc, char** argv)
+    : out_(options.out), leads_(options.leads()) {
   std::string command = "bench";
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
@@ -71,12 +74,13 @@ Results::Results(const CommonOptions& options, int argc, char** argv) : out_(opt
 }
 
 void Results::add(const Json& result) {
+  if (!leads_) return;
   all_["results"].push_back(result);
   std::cout << result.dump() << std::endl;
 }
 
 void Results::write() const {
-  if (!out_.empty()) std::ofstream(out_) << all_.dump(2) << "\n";
+  if (leads_ && !out_.empty()) std::ofstream(out_) << all_.dump(2) << "\n";
 }
 
 }  // namespace meniscus::bench

@@ -4,15 +4,21 @@
 // A world for tests of several ranks.
 #pragma once
 
+#include <optional>
+
 #include "tests/worlds.h"
 
 namespace meniscus::tests {
 
 /// A dam of this width (m) that breaks along the axis of the slabs, in two fluids, onto a ball and a box. On
-/// one thread.
-inline World broken_dam(float width) {
-  WorldDef def = world_def(pbd::DeviceKind::cpu, 0.05f);
-  def.threads = 1;
+/// one thread, or on a GPU of that ordinal.
+inline World broken_dam(float width, std::optional<int> gpu = {}) {
+  WorldDef def = world_def(gpu ? pbd::DeviceKind::cuda : pbd::DeviceKind::cpu, 0.05f);
+  def.cuda_device = gpu;
+  if (gpu)
+    def.sums = Sums::fixed;
+  else
+    def.threads = 1;
   def.density.artificial_pressure.strength = 0.05f;
   World world(def);
   FluidDef first, second;

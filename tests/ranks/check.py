@@ -4,9 +4,11 @@
 """tests/ranks/check.py MPIRUN PROGRAM CHECK [ARGUMENT...]: checks of processes that share a world.
 
 hashes STEPS RANKS...   rank_program has the same hashes alone and on so many ranks, also where cuts move every step
+gpu_hashes STEPS        the same on as many GPUs as there are, one a rank
 faults RANKS            a rank that throws, has no memory or is killed ends all: soon, with a message and exit code
 scene FILE RANKS        meniscus run has the same hash alone and on so many ranks"""
 
+import glob
 import json
 import os
 import re
@@ -35,13 +37,20 @@ def output_of(mpirun, ranks, words):
     return done.stdout
 
 
-def check_hashes(mpirun, program, steps, *ranks):
-    alone = output_of(mpirun, 1, [program, steps])
+def check_hashes(mpirun, program, steps, *ranks, on=()):
+    alone = output_of(mpirun, 1, [program, steps, *on])
     assert alone.count("\n") == int(steps) // 10 + 1, alone
     for count in map(int, ranks):
         for options in [], ["--move-cuts"]:
-            shared = output_of(mpirun, count, [program, steps, *options])
+            shared = output_of(mpirun, count, [program, steps, *on, *options])
             assert shared == alone, f"{count} ranks {options}:\n{shared}\nalone:\n{alone}"
+
+
+def check_gpu_hashes(mpirun, program, steps):
+    gpus = len(glob.glob("/dev/nvidia[0-9]*"))
+    if gpus < 2:
+        sys.exit(77)
+    check_hashes(mpirun, program, steps, *range(2, gpus + 1), on=["--cuda"])
 
 
 def check_faults(mpirun, program, ranks):
@@ -69,4 +78,4 @@ def check_scene(mpirun, program, scene, ranks):
 
 if __name__ == "__main__":
     mpirun, program, check, *arguments = sys.argv[1:]
-    {"hashes": check_hashes, "faults": check_faults, "scene": check_scene}[check](mpirun, program, *arguments)
+    {"hashes": check_hashes, "gpu_hashes": check_gpu_hashes, "faults": check_faults, "scene": check_scene}[check](mpirun, program, *arguments)

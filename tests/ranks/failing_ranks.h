@@ -23,6 +23,12 @@ class FailingRanks final : public pbd::Ranks {
     note_call();
     ranks_.exchange(sent, received);
   }
+  void exchange_on_gpu(std::span<const pbd::Sent> sent, std::span<const pbd::Received> received,
+                       void* stream) override {
+    note_call();
+    ranks_.exchange_on_gpu(sent, received, stream);
+  }
+  void use_gpu(int ordinal) override { ranks_.use_gpu(ordinal); }
   void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) override {
     note_call();
     ranks_.gather_everywhere(own, all);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// rank_program STEPS [--move-cuts] [--at RANK CALL throw|exhaust|kill]: steps a broken dam on the ranks of
-// mpirun, or alone, and prints its hash every ten steps. At that call of its transport, that rank throws, has
-// no more memory, or is killed.
+// rank_program STEPS [--cuda] [--move-cuts] [--at RANK CALL throw|exhaust|kill]: steps a broken dam on the
+// ranks of mpirun, or alone, and prints its hash every ten steps. At that call of its transport, that rank
+// throws, has no more memory, or is killed. With --cuda each rank has a GPU.
 #include <meniscus/error.h>
 
 #include <csignal>
@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "sdk/ranks/launcher.h"
 #include "sdk/ranks/mpi_ranks.h"
 #include "sdk/world/shared/shared_world.h"
 #include "tests/faults/failing_memory.h"
@@ -35,9 +36,9 @@ void step_through(World& world, int steps) {
   std::printf("particles %zu\n", world.positions().size());
 }
 
-void share_and_step(int steps, const pbd::CutPolicy& policy, const Fault& fault) {
+void share_and_step(int steps, bool on_gpus, const pbd::CutPolicy& policy, const Fault& fault) {
   const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
-  World world = broken_dam(0.3f);
+  World world = broken_dam(0.3f, on_gpus ? std::optional(process_of_host()) : std::nullopt);
   if (!ranks) return step_through(world, steps);
   std::optional<FailingMemory> memory;
   FailingRanks failing(*ranks, fault.rank == ranks->rank() ? fault.call : 0, [&] {
@@ -55,12 +56,14 @@ void share_and_step(int steps, const pbd::CutPolicy& policy, const Fault& fault)
 int main(int argc, char** argv) try {
   meniscus::pbd::CutPolicy policy;
   meniscus::tests::Fault fault;
+  bool on_gpus = false;
   for (int k = 2; k < argc; ++k) {
     const std::string word = argv[k];
+    if (word == "--cuda") on_gpus = true;
     if (word == "--move-cuts") policy = {.every = 1, .most_imbalance = 0, .shift = 2};
     if (word == "--at" && k + 3 < argc) fault = {std::atoi(argv[k + 1]), std::atoi(argv[k + 2]), argv[k + 3]};
   }
-  meniscus::tests::share_and_step(argc > 1 ? std::atoi(argv[1]) : 0, policy, fault);
+  meniscus::tests::share_and_step(argc > 1 ? std::atoi(argv[1]) : 0, on_gpus, policy, fault);
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

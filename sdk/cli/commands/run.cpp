@@ -28,6 +28,7 @@
 #include "sdk/io/abc/abc_recording.h"
 #include "sdk/io/plain_text.h"
 #include "sdk/io/vdb.h"
+#include "sdk/ranks/launcher.h"
 #include "sdk/ranks/mpi_ranks.h"
 #include "sdk/world/shared/shared_world.h"
 
@@ -65,9 +66,16 @@ const std::filesystem::path& cleared(const std::filesystem::path& folder, const 
   return folder;
 }
 
+/// The ranks of a host have its GPUs in turn, unless the scene names one.
+Scene with_own_gpu(Scene scene) {
+  const bool may_be_gpu = scene.world.device != DeviceChoice::cpu && list_devices().front().usable;
+  if (may_be_gpu && !scene.world.cuda_device) scene.world.cuda_device = process_of_host();
+  return scene;
+}
+
 BuiltScene built_of(const RunOptions& options, const Scene& scene, bool is_shared) {
   if (options.from.empty()) {
-    BuiltScene built = build_scene(scene);
+    BuiltScene built = build_scene(is_shared ? with_own_gpu(scene) : scene);
     if (is_shared) SharedWorld::check(built.world);
     return built;
   }

@@ -46,7 +46,9 @@ void check_contents(const WorldTables& world) {
 
 void SharedWorld::check(const World& world) {
   World::Impl& impl = *world.impl_;
-  if (impl.device.kind != "cpu") refuse("CUDA device");
+  if (impl.device.kind == "cuda" && impl.def.sums != Sums::fixed)
+    throw Error(ErrorCode::invalid_argument,
+                "GPUs that share a world need WorldDef::sums = fixed, in scenes \"sums\": \"fixed\"");
   check_solver(impl.def);
   check_contents(impl);
   if (!impl.hooks.empty()) refuse("hooks");
@@ -60,6 +62,7 @@ SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& 
   world_.run(
       [&](auto) {
         check(world);
+        if (world_.device.kind == "cuda") ranks.use_gpu(world_.def.cuda_device.value_or(0));
         world_.with_all().share(ranks, policy);
         world_.shared_by = static_cast<uint32_t>(ranks.count());
         world_.state_changed();
