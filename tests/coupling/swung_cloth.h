@@ -4,8 +4,12 @@
 // Containers of cloth with water in them, swung round a circle; counts how much water gets through the cloth.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <ostream>
+#include <string>
+#include <tuple>
 
 #include "tests/cloth_worlds.h"
 #include "tests/coupling/vessel.h"
@@ -21,6 +25,19 @@ enum class ClothVessel {
 
 inline void PrintTo(ClothVessel vessel, std::ostream* out) {
   *out << std::array{"sling", "bag", "bowl"}[static_cast<size_t>(vessel)];
+}
+
+/// A device and a vessel, as the parameter of a test.
+using SwungVesselCase = std::tuple<pbd::DeviceKind, ClothVessel>;
+
+inline auto swung_vessels() {
+  return testing::Combine(testing::ValuesIn(usable_devices()),
+                          testing::Values(ClothVessel::sling, ClothVessel::bag, ClothVessel::bowl));
+}
+
+inline std::string swung_vessel_name(const testing::TestParamInfo<SwungVesselCase>& test) {
+  return testing::PrintToString(std::get<1>(test.param)) + "_" +
+         testing::PrintToString(std::get<0>(test.param));
 }
 
 /// A metre from the hub, it gathers speed until it moves at 5 m/s, and then slows down and turns back, to and

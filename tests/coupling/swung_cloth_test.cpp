@@ -10,7 +10,7 @@
 namespace meniscus::tests {
 namespace {
 
-class SwungClothTest : public testing::TestWithParam<std::tuple<pbd::DeviceKind, ClothVessel>> {};
+class SwungClothTest : public testing::TestWithParam<SwungVesselCase> {};
 
 TEST_P(SwungClothTest, HoldsItsWater) {
   const auto [device, kind] = GetParam();
@@ -24,14 +24,7 @@ TEST_P(SwungClothTest, HoldsItsWater) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, SwungClothTest,
-                         testing::Combine(testing::ValuesIn(usable_devices()),
-                                          testing::Values(ClothVessel::sling, ClothVessel::bag,
-                                                          ClothVessel::bowl)),
-                         [](const auto& test) {
-                           return testing::PrintToString(std::get<1>(test.param)) + "_" +
-                                  testing::PrintToString(std::get<0>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(On, SwungClothTest, swung_vessels(), swung_vessel_name);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -9,7 +9,7 @@
 namespace meniscus::tests {
 namespace {
 
-class SwungClothForAMinute : public testing::TestWithParam<std::tuple<pbd::DeviceKind, ClothVessel>> {};
+class SwungClothForAMinute : public testing::TestWithParam<SwungVesselCase> {};
 
 TEST_P(SwungClothForAMinute, IsNotCrossed) {
   const auto [device, kind] = GetParam();
@@ -21,14 +21,7 @@ TEST_P(SwungClothForAMinute, IsNotCrossed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, SwungClothForAMinute,
-                         testing::Combine(testing::ValuesIn(usable_devices()),
-                                          testing::Values(ClothVessel::sling, ClothVessel::bag,
-                                                          ClothVessel::bowl)),
-                         [](const auto& test) {
-                           return testing::PrintToString(std::get<1>(test.param)) + "_" +
-                                  testing::PrintToString(std::get<0>(test.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(On, SwungClothForAMinute, swung_vessels(), swung_vessel_name);
 
 }  // namespace
 }  // namespace meniscus::tests

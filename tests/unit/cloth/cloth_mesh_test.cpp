@@ -12,6 +12,7 @@
 #include "cloth/build/topology.h"
 #include "tests/expect_error.h"
 #include "tests/unit/cloth/cloth_shapes.h"
+#include "tests/unit/moebius_strip.h"
 
 namespace meniscus::cloth {
 namespace {
@@ -37,25 +38,6 @@ std::vector<uint32_t> edges_at_vertices(const ClothMesh& mesh) {
     ++count[edge[0].high];
   });
   return count;
-}
-
-// A strip of quadrilaterals that ends as its own back.
-ClothMesh moebius_strip() {
-  ClothMesh mesh;
-  constexpr uint32_t count = 12;
-  for (uint32_t i = 0; i < count; ++i) {
-    const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / count;
-    const Vec3 out{std::cos(a), 0, std::sin(a)};
-    const Vec3 across = 0.3f * (std::cos(a / 2) * out + std::sin(a / 2) * Vec3{0, 1, 0});
-    mesh.vertices.push_back(out - across);
-    mesh.vertices.push_back(out + across);
-  }
-  for (uint32_t i = 0; i < count; ++i) {
-    const bool last = i + 1 == count;
-    const uint32_t a = 2 * i, b = a + 1, c = last ? 1 : a + 2, d = last ? 0 : a + 3;
-    mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {a, d, c}});
-  }
-  return mesh;
 }
 
 TEST(ClothMesh, ASheetIsFlatCentredAndFacesUp) {
@@ -161,7 +143,7 @@ TEST(ClothMesh, OrientingMakesNeighboursAgree) {
 }
 
 TEST(ClothMesh, AStripWithOneSideIsLeftWithOneSeam) {
-  ClothMesh mesh = moebius_strip();
+  ClothMesh mesh = tests::moebius_strip<ClothMesh>();
   orient_triangles(mesh);
   check_mesh(mesh);
   int disagreeing = 0;

@@ -6,11 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "collision/mesh/clean.h"
 #include "collision/mesh/orient.h"
 #include "tests/unit/collision/solid_shapes.h"
+#include "tests/unit/moebius_strip.h"
 
 namespace meniscus::collision {
 namespace {
@@ -27,25 +26,6 @@ TriangleMesh muddled(TriangleMesh mesh, float every, uint32_t seed) {
   Noise noise(seed);
   for (auto& t : mesh.triangles) {
     if (noise.next() * every < 1) std::swap(t[1], t[2]);
-  }
-  return mesh;
-}
-
-// A strip of 12 quadrilaterals that ends as its own back.
-TriangleMesh moebius_strip() {
-  TriangleMesh mesh;
-  constexpr uint32_t count = 12;
-  for (uint32_t i = 0; i < count; ++i) {
-    const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / count;
-    const Vec3 out{std::cos(a), 0, std::sin(a)};
-    const Vec3 across = 0.3f * (std::cos(a / 2) * out + std::sin(a / 2) * Vec3{0, 1, 0});
-    mesh.vertices.push_back(out - across);
-    mesh.vertices.push_back(out + across);
-  }
-  for (uint32_t i = 0; i < count; ++i) {
-    const bool last = i + 1 == count;
-    const uint32_t a = 2 * i, b = a + 1, c = last ? 1 : a + 2, d = last ? 0 : a + 3;
-    mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {a, d, c}});
   }
   return mesh;
 }
@@ -86,7 +66,7 @@ TEST(MeshDefects, AFinIsNotManifold) {
 }
 
 TEST(MeshDefects, AStripWithOneSideCannotBeRepaired) {
-  const MeshDefects defects = find_defects(oriented(moebius_strip()));
+  const MeshDefects defects = find_defects(oriented(tests::moebius_strip<TriangleMesh>()));
   EXPECT_GE(defects.non_manifold_edges.size(), 1u);
   EXPECT_EQ(defects.open_edges.size(), 24u);
 }

@@ -5,31 +5,11 @@
 // The engine shows the device's own count.
 #include <gtest/gtest.h>
 
-#include "sdk/engine/engine.h"
 #include "tests/cloth_worlds.h"
+#include "tests/engines.h"
 
 namespace meniscus::tests {
 namespace {
-
-constexpr float s = 0.05f;
-
-std::unique_ptr<Engine> make_engine_on(pbd::DeviceKind kind, const EngineDef& def) {
-#if MENISCUS_HAS_CUDA
-  if (kind == pbd::DeviceKind::cuda) return make_cuda_engine(def, 0, nullptr);
-#endif
-  return kind == pbd::DeviceKind::cpu ? make_cpu_engine(def, 0) : nullptr;
-}
-
-EngineDef engine_def(collision::RigidWorld& rigid) {
-  EngineDef def;
-  def.particle_spacing = s;
-  def.kernel = fluid::calibrate(s, 2 * s);
-  def.solver.support_radius = 2 * s;
-  def.solver.contact_radius = 0.5f * s;
-  def.density.correction_limit = 0.25f * s;
-  def.rigid = &rigid;
-  return def;
-}
 
 /// A sheet of 1 m by 1 m that lies on the plane y = 0, with a corner held.
 EngineCloth cloth_on_the_floor() {
@@ -73,7 +53,7 @@ TEST_P(ClothAllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
 }
 
 TEST_P(ClothAllocationTest, AWorldsWarmStepHoldsTheSameMemory) {
-  World world(world_def(GetParam(), s));
+  World world(world_def(GetParam(), engine_spacing));
   world.create_shape(tank({-0.5f, 0, -0.5f}, {0.5f, 2, 0.5f}));
   world.add_fluid(block(world.create_fluid({}), {-0.5f, 0, -0.5f}, {0.5f, 0.1f, 0.5f}));
   const ClothId net = world.create_cloth(sheet(0.8f, 0.8f, 15, 15, {0, 0.6f, 0}));
@@ -87,7 +67,7 @@ TEST_P(ClothAllocationTest, AWorldsWarmStepHoldsTheSameMemory) {
 }
 
 TEST_P(ClothAllocationTest, WhatIsDestroyedLeavesNoMemoryBehind) {
-  World world(world_def(GetParam(), s));
+  World world(world_def(GetParam(), engine_spacing));
   const auto come_and_go = [&] {
     const ClothId cloth = world.create_cloth(sheet(1, 1, 21, 21));
     const RopeId line = world.create_rope(rope({{2, 0, 0}, {3, 0, 0}}, 10));

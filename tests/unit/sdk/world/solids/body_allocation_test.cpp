@@ -5,31 +5,11 @@
 // back at once. The engine shows the device's own count.
 #include <gtest/gtest.h>
 
-#include "sdk/engine/engine.h"
+#include "tests/engines.h"
 #include "tests/worlds.h"
 
 namespace meniscus::tests {
 namespace {
-
-constexpr float s = 0.05f;
-
-std::unique_ptr<Engine> make_engine_on(pbd::DeviceKind kind, const EngineDef& def) {
-#if MENISCUS_HAS_CUDA
-  if (kind == pbd::DeviceKind::cuda) return make_cuda_engine(def, 0, nullptr);
-#endif
-  return kind == pbd::DeviceKind::cpu ? make_cpu_engine(def, 0) : nullptr;
-}
-
-EngineDef engine_def(collision::RigidWorld& rigid) {
-  EngineDef def;
-  def.particle_spacing = s;
-  def.kernel = fluid::calibrate(s, 2 * s);
-  def.solver.support_radius = 2 * s;
-  def.solver.contact_radius = 0.5f * s;
-  def.density.correction_limit = 0.25f * s;
-  def.rigid = &rigid;
-  return def;
-}
 
 /// A cube of 0.2 m that weighs half as much as water.
 void add_cube(collision::RigidWorld& rigid, Vec3 position) {
@@ -71,8 +51,8 @@ TEST_P(BodyAllocationTest, AWarmStepAllocatesNothingOnTheDevice) {
   engine->set_materials(std::vector<ParticleMaterial>{{{1000, 0, 5, 0, 0, 0}, {}, {}}});
   engine->set_shapes(solids());
   ParticleBatch batch;
-  for (Vec3 p : lattice(10, 6, 10, s, {-0.25f, 0, -0.25f})) {
-    batch.position.push_back(pbd::with_w(p, 1 / (1000 * s * s * s)));
+  for (Vec3 p : lattice(10, 6, 10, engine_spacing, {-0.25f, 0, -0.25f})) {
+    batch.position.push_back(pbd::with_w(p, 1 / (1000 * engine_spacing * engine_spacing * engine_spacing)));
     batch.velocity.push_back({0, 0, 0, 0});
     batch.phase.push_back(pbd::phase_fluid);
   }
