@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Instantiates Solver for the CPU.
+#include "pbd/device/cpu/cpu_access.h"
 #include "pbd/device/cpu/cpu_device.h"
 #include "pbd/solver.inl"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Instantiates Solver for the GPU.
+#include "pbd/device/cuda/cuda_access.cuh"
 #include "pbd/device/cuda/cuda_device.cuh"
 #include "pbd/solver.inl"
 
