@@ -133,6 +133,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   const Kernel& kernel() const { return kernel_; }
 
  private:
+  void forget(uint32_t first, uint32_t count);
   void set_baseline(const DensityParameters& parameters);
   template <class K>
   void iterate(const K& kernel, pbd::Substep<D>& substep, const density_kernels::Advancing& advancing,

@@ -29,6 +29,7 @@ DensitySet<D>::DensitySet(D& device, const Kernel& kernel, const DensityParamete
 
 template <class D>
 void DensitySet<D>::set_parameters(const DensityParameters& parameters) {
+  const bool changes_grid = parameters.pressure_grid != (pressure_grid_ != nullptr);
   if (!parameters.pressure_grid) {
     pressure_grid_.reset();
   } else if (!pressure_grid_) {
@@ -36,6 +37,7 @@ void DensitySet<D>::set_parameters(const DensityParameters& parameters) {
     if (staged_.size()) grid->reserve(static_cast<uint32_t>(staged_.size()));
     pressure_grid_ = std::move(grid);
   }
+  if (changes_grid) forget(0, static_cast<uint32_t>(multiplier_.current.size()));
   if (!(parameters.tolerance > 0)) {
     stop_.reset();
   } else if (!stop_) {
@@ -281,8 +283,17 @@ void DensitySet<D>::reserve(uint32_t capacity, uint32_t kept) {
 template <class D>
 void DensitySet<D>::clear(uint32_t first, uint32_t count) {
   crowd_->clear(first, count);
-  if (count)
-    device_.fill(multiplier_.current.view().data + first, 0, count * sizeof(density_kernels::Multiplier));
+  forget(first, count);
+}
+
+/// The next substep of these particles does not start from a multiplier. The pressure grid removes their
+/// present error at a rate, as an old one.
+template <class D>
+void DensitySet<D>::forget(uint32_t first, uint32_t count) {
+  device_.parallel_for(
+      "density/forget", count,
+      density_kernels::ForgetMultipliers{multiplier_.current.view().from(first),
+                                         pressure_grid_ ? density_kernels::unmeasured : 0.0f});
 }
 
 template <class D>

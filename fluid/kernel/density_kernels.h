@@ -70,6 +70,9 @@ struct alignas(8) Multiplier {
                    ///< grid, the last C
 };
 
+/// Multiplier::relieved of a particle whose C is not known yet, with a pressure grid.
+constexpr float unmeasured = 3e38f;
+
 /// What an iteration leaves in Multiplier::relieved.
 enum class Recorded : uint32_t { error_at_start, decrease, last_error };
 
@@ -77,6 +80,13 @@ enum class Recorded : uint32_t { error_at_start, decrease, last_error };
 enum class WallMotion : bool { none, any };
 enum class Grains : bool { absent, present };
 enum class Repulsion : bool { off, on };
+
+struct ForgetMultipliers {
+  View<Multiplier> multiplier;
+  float relieved;
+
+  MENISCUS_HD void operator()(uint32_t i) const { multiplier[i] = {0, relieved}; }
+};
 
 /// Adds the multipliers of the pressure grid, so that the sum is the pressure.
 struct AddPressure {

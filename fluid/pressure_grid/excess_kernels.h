@@ -21,7 +21,8 @@ struct ExcessOf {
   MENISCUS_HD float operator()(uint32_t i, float constraint) const {
     if (allowed.count) constraint -= allowed[i];
     // A motion that closes a gap is not resisted until the gap is closed.
-    const float change = pbd::min(constraint - kept * last[i].relieved, pbd::max(constraint, 0.0f));
+    const float before = last[i].relieved, old = before < density_kernels::unmeasured ? before : constraint;
+    const float change = pbd::min(constraint - kept * old, pbd::max(constraint, 0.0f));
     // A slightly low density is disorder of the lattice, so its sign counts. A very low density is a surface.
     return change *
            pbd::clamp(grid_tuning::disorder_slope * constraint + grid_tuning::disorder_offset, 0.0f, 1.0f);

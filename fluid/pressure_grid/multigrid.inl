@@ -36,6 +36,7 @@ void Multigrid<D>::fit(const NodeTable& table) {
     if (count == 1) break;
     first += count;
     for (uint32_t& bits : present.bits) bits -= bits > 0 ? 1 : 0;
+    present.strip_bits = std::min(present.strip_bits, present.bits[1]);
   }
   first_small_ = 0;
   while (levels_[first_small_].table.count() > 1u << multigrid_tuning::small_bits) ++first_small_;

@@ -37,7 +37,7 @@ void PressureGrid<D>::displace(pbd::Substep<D>& substep, float compressibility,
 template <class D>
 void PressureGrid<D>::fit(const pbd::GridView& cells) {
   constexpr uint32_t bits_of_slices = 2;
-  space_ = {cells, {{cells.bits_x - bits_of_slices, cells.bits_y, cells.bits_z}}};
+  space_ = {cells, {{cells.bits_x - bits_of_slices, cells.bits_y, cells.bits_z}, cells.strip_bits}};
   multigrid_.fit(space_.nodes);
   const uint32_t count = space_.nodes.count();
   if (flags_.size() >= count) return;

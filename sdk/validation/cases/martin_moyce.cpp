@@ -34,10 +34,7 @@ Result result_of(const Settings& settings) {
                    100 * rms_relative_error(motion.front, martin_moyce_front(), shift), 5, Bar::hard);
     const double height_error = 100 * rms_relative_error(motion.height, martin_moyce_height());
     const char* late =
-        across < 80
-            ? "The last reading is a sixth of the start's height, where the water is few particles deep."
-            : "A jet climbs the wall, though not in a channel of 8 spacings on a CPU. The cause is not "
-              "known.";
+        "The last reading is a sixth of the start's height, where the water is few particles deep.";
     result.at_most("height at the wall, RMS, " + name, "%", height_error, 10, Bar::hard, late);
     result.at_most("height at the wall, RMS, " + name, "%", height_error, 5, Bar::target, late);
     motion.front.name = motion.height.name = name;
