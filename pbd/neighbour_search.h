@@ -78,6 +78,10 @@ class NeighbourSearch {
   /// After a sort of a slab: the numbers of owned particles and of ghosts.
   std::pair<uint32_t, uint32_t> count_slab() const;
 
+  /// From the next fit on, the table grows with the extent, up to 8 times, so that cells which are apart do
+  /// not share entries.
+  void set_own_cells(bool own) { has_own_cells_ = own; }
+
   /// Chooses the table's shape for this number of particles inside `extent`. Particles outside are found as
   /// well, but more slowly.
   void fit(const Aabb& extent, uint32_t count);
@@ -106,6 +110,8 @@ class NeighbourSearch {
   /// At h = 2 s a list usually has about 32 entries, and rarely more than 44.
   static constexpr uint32_t usual_row = 48;
 
+  void make_table(uint32_t cells);
+  void grow_table(uint32_t bits);
   uint32_t stride() const { return D::interleaves_lists ? capacity_ : 0; }
 
   D& device_;
@@ -115,6 +121,7 @@ class NeighbourSearch {
   uint32_t cells_ = 0;  // room for a table of so many, for each world
   uint32_t row_capacity_;
   bool is_coarse_ = false;  // lists are built from coarse positions
+  bool has_own_cells_ = false;
 
   Buffer<uint32_t> order_{device_, "sorted order"};
   Buffer<uint32_t> cell_counts_{device_, "cell counts"};  // all 0 between sorts

@@ -216,12 +216,19 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
-  cells_ = worlds_ == 1 ? 4096 : 1u << 8;
-  while (cells_ < GridView::slices * (capacity / worlds_)) cells_ *= 2;
-  const uint32_t cells = grid_.is_slab() ? 2 * cells_ + 1 : worlds_ * cells_;
-  cell_counts_.resize_discard(cells);
+  uint32_t cells = worlds_ == 1 ? 4096 : 1u << 8;
+  while (cells < GridView::slices * (capacity / worlds_)) cells *= 2;
+  make_table(cells);
+}
+
+/// `cells`: of a world.
+template <class D>
+void NeighbourSearch<D>::make_table(uint32_t cells) {
+  cells_ = cells;
+  const uint32_t all = grid_.is_slab() ? 2 * cells + 1 : worlds_ * cells;
+  cell_counts_.resize_discard(all);
   cell_counts_.fill(0);
-  cell_start_.resize_discard(cells + 1);
+  cell_start_.resize_discard(all + 1);
 }
 
 template <class D>
@@ -242,12 +249,30 @@ std::pair<uint32_t, uint32_t> NeighbourSearch<D>::count_slab() const {
   return {owned, both - owned};
 }
 
+/// To 2^bits cells, but not beyond 8 times what the particles need. If there is not enough memory, the table
+/// is as before.
+template <class D>
+void NeighbourSearch<D>::grow_table(uint32_t bits) {
+  const uint32_t before = cells_;
+  const uint64_t most = 8 * uint64_t{GridView::slices} * (capacity_ / worlds_);
+  const uint64_t cells = std::min(uint64_t{1} << bits, std::bit_floor(most));
+  if (cells <= before) return;
+  try {
+    make_table(static_cast<uint32_t>(cells));
+  } catch (...) {
+    make_table(before);
+    throw;
+  }
+}
+
 template <class D>
 void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   using namespace neighbour_kernels;
   const Vec3 reaches = grid_.inverse_reach * (extent.upper - extent.lower) + Vec3{2, 2, 2};
   uint32_t bits[3] = {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
                       bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
+  const uint32_t wanted_bits = bits[0] + bits[1] + bits[2];
+  if (has_own_cells_) grow_table(std::min(wanted_bits, 31u));
   const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cells_)) - 1;
   if constexpr (D::interleaves_lists) {
     // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.

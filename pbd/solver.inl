@@ -106,6 +106,8 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
     order = order_among_ranks(prediction);
   } else if (p.sorted()) {
     using Wrapped = seam_kernels::Wrapped<solver_kernels::Prediction>;
+    search_.set_own_cells(
+        std::any_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->needs_own_cells(); }));
     search_.fit({summary().lower, summary().upper}, p.sorted());
     const View<const uint32_t> number = p.source().number.first(p.sorted());
     order = has_seams ? search_.sort(Wrapped{prediction, ghosts_.axes()}, number)

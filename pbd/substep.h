@@ -113,6 +113,10 @@ class ConstraintSet : public ParticleState {
   virtual void end_step() {}
   virtual void undo_step() {}
 
+  /// Whether cells that are apart need entries of their own in the table of cells. Otherwise they may share
+  /// them where the particles are spread thinly.
+  virtual bool needs_own_cells() const { return false; }
+
   /// When the device has finished the step: whether everything found had room. If not, make_room() is called,
   /// and the step is repeated.
   virtual bool had_room() const { return true; }

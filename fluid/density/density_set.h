@@ -90,6 +90,7 @@ class DensitySet final : public pbd::ConstraintSet<D> {
 
   void reserve(uint32_t capacity, uint32_t kept) override;
   void clear(uint32_t first, uint32_t count) override;
+  bool needs_own_cells() const override { return pressure_grid_ != nullptr; }
   void reorder(pbd::View<const uint32_t> order, uint32_t count) override;
   void save() override;
   void restore() override;

@@ -110,6 +110,26 @@ TEST_P(PressureGridTest, AWideBlockStartsFromRest) {
   EXPECT_LT(world.diagnostics().max_speed, 0.1f);
 }
 
+// Their extent has more cells than a table for so few particles.
+TEST_P(PressureGridTest, ColumnsFarApartDoNotMeet) {
+  constexpr int layers = 60;
+  const float width = 8 * spacing, height = layers * spacing;
+  World world(def(DensitySolver::grid));
+  const FluidId water = world.create_fluid({});
+  for (const float x : {0.0f, 12.95f}) {
+    const Vec3 corner{x, 0, 0};
+    ShapeDef vessel = tank(corner, corner + Vec3{width, 2 * height, width});
+    vessel.filter = {x > 0 ? 2u : 1u, x > 0 ? 2u : 1u};
+    world.create_shape(vessel);
+    FluidDef own;
+    own.filter = vessel.filter;
+    world.add_particles(x > 0 ? world.create_fluid(own) : water, lattice(8, layers, 8, spacing, corner), {});
+  }
+  run(world, 60, frame);
+  EXPECT_LT(world.diagnostics().density_error_mean, 0.004f);
+  EXPECT_LT(world.diagnostics().density_error_max, 0.03f);
+}
+
 // A block with errors of its own, as that of a lattice at its corners, does not burst in the first substep.
 TEST_P(PressureGridTest, ErrorsOfNewParticlesAreCorrectedAtARate) {
   float speed[2] = {0, 0};
