@@ -3,16 +3,14 @@
 //
 // Batches of worlds. Arrays that are read belong to the moment of the call.
 #include "sdk/python/batch.h"
+#include "sdk/python/py_batch.h"
 
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
-#include <mutex>
-
 #include "sdk/python/device_arrays.h"
 #include "sdk/python/results.h"
-#include "sdk/python/state/known_things.h"
 #include "sdk/python/values/arrays.h"
 
 namespace meniscus::python {
@@ -21,34 +19,6 @@ namespace {
 
 using Mask = nb::ndarray<const bool, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Vectors = nb::ndarray<const float, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
-
-/// One thread at a time calls the batch. Others of Python go on.
-class PyBatch {
- public:
-  PyBatch(const PyWorld& archetype, uint32_t worlds)
-      : things_(*archetype.state), batch_(archetype.state->measure([&](World& w) {
-          return std::make_shared<WorldBatch>(w, BatchDef{worlds});
-        })) {}
-
-  template <class Call>
-  decltype(auto) run(const Call& call) const {
-    const nb::gil_scoped_release released;
-    const std::lock_guard lock(*mutex_);
-    return call(*batch_);
-  }
-  std::shared_ptr<void> owner() const { return batch_; }
-
-  PyWorld extract(uint32_t number) const {
-    World world = run([&](WorldBatch& b) { return b.extract(number); });
-    Things things = things_of(world, things_);
-    return {std::make_shared<WorldState>(std::move(world), std::move(things), nb::object())};
-  }
-
- private:
-  Things things_;
-  std::shared_ptr<WorldBatch> batch_;
-  std::shared_ptr<std::mutex> mutex_ = std::make_shared<std::mutex>();
-};
 
 std::vector<uint8_t> bytes_of(const Mask& mask) {
   return {mask.data(), mask.data() + mask.shape(0)};
@@ -66,8 +36,10 @@ nb::object vectors(const PyBatch& self, std::span<const Vec3> (WorldBatch::*read
 }
 
 void bind_changes(nb::class_<PyBatch>& batch) {
-  batch.def(nb::init<const PyWorld&, uint32_t>(), nb::arg("archetype"), nb::arg("worlds"),
-            "So many copies of a world in its present state, which is not changed.");
+  batch.def(nb::init<const PyWorld&, uint32_t, int>(), nb::arg("archetype"), nb::arg("worlds"),
+            nb::arg("rigid_threads") = 0,
+            "So many copies of a world in its present state, which is not changed. Host threads step the "
+            "bodies, by default one for each core.");
   batch.def(
       "step",
       [](const PyBatch& self, float dt) { return self.run([&](WorldBatch& b) { return b.step(dt); }); },
@@ -134,6 +106,14 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
       },
       nb::sig("def device_arrays(self) -> meniscus.results.BatchArrays"),
       "Positions and velocities in the memory of the device, worlds × particles × 3.");
+  batch.def(
+      "insert",
+      [](const PyBatch& self, uint32_t number, const PyWorld& state) {
+        state.state->measure([&](World& w) { self.run([&](WorldBatch& b) { b.insert(number, w); }); });
+      },
+      nb::arg("world"), nb::arg("state"),
+      "Replaces one world by another that was built as the archetype was, with other places, velocities or "
+      "gravity.");
   batch.def("extract", &PyBatch::extract, nb::arg("world"),
             "A world of its own that continues with the same bits.");
 }
@@ -147,6 +127,7 @@ void bind_batch(nb::module_& module) {
       "world alone, which must have sums=\"fixed\".");
   bind_changes(batch);
   bind_readouts(batch);
+  bind_batch_bodies(batch);
 }
 
 }  // namespace meniscus::python
