@@ -4,6 +4,7 @@
 // WorldBatch's calls about bodies, and about whole worlds that come and go.
 #include <meniscus/error.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,19 @@ namespace meniscus {
 
 // ---- bodies ----
 
+/// Throws Error(not_found) for the id of another world.
+const BodyEntry& WorldBatch::Impl::body(BodyId id) const {
+  const auto& all = host().bodies;
+  const bool is_known = std::find(ids.begin(), ids.end(), id) != ids.end();
+  return all.get(is_known ? all.id(id.index) : id);
+}
+
 template <class Call>
 void WorldBatch::Impl::for_body(const char* name, uint32_t world, BodyId id, const Call& call) {
   check_world(name, world);
   run(
       [&] {
-        const BodyEntry& entry = host().bodies.get(id);
-        call(BodyCalls{entry, engine().rigid_worlds().world(world), id.index});
+        call(BodyCalls{body(id), engine().rigid_worlds().world(world), id.index});
         bodies.valid = hashes.valid = false;
       },
       name);

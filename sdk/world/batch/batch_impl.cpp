@@ -41,6 +41,7 @@ void check_def(const WorldDef& def) {
 WorldBatch::Impl::Impl(const World& archetype_world, const BatchDef& def)
     : archetype(archetype_world.clone()),
       running(archetype_world.clone()),
+      ids(archetype_world.body_ids()),
       worlds(def.worlds),
       each(static_cast<uint32_t>(running.particle_count())) {
   if (worlds < 1 || worlds > most_worlds)

@@ -41,6 +41,7 @@ struct WorldBatch::Impl {
   void check_insert(World::Impl& state) const;
   void insert(uint32_t world, const World& state);
   BatchArrays device_arrays();
+  const BodyEntry& body(BodyId id) const;
   /// Runs call(its calls) for a body of one world.
   template <class Call>
   void for_body(const char* name, uint32_t world, BodyId id, const Call& call);
@@ -49,8 +50,9 @@ struct WorldBatch::Impl {
   void changed() { positions.valid = velocities.valid = hashes.valid = bodies.valid = false; }
 
   World archetype, running;
+  std::vector<BodyId> ids;  // of the bodies, in the user's archetype: a copy of it has others
   uint32_t worlds, each;
-  uint32_t bodies_each = 0;
+  uint32_t bodies_each = 0;  // with numbers that are not in use
   float dt = 0;  // s, of all steps; 0: none yet
   std::vector<WorldStatus> status;
   std::vector<Vec3> gravities;
