@@ -36,11 +36,7 @@ template <class D>
 class BodySet final : public pbd::ConstraintSet<D> {
  public:
   BodySet(D& device, RigidWorld& world, ShapeContacts<D>& contacts)
-      : device_(device),
-        world_(world),
-        worlds_(world),
-        contacts_(contacts),
-        solid_contacts_(device) {
+      : device_(device), world_(world), worlds_(world), contacts_(contacts), solid_contacts_(device) {
     if (world.is_on_device()) world.set_contacts(&solid_contacts_);
   }
   ~BodySet() override {
@@ -137,7 +133,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   std::vector<float> reach_;  // m, from each body's centre to its outermost point
   std::vector<RigidImpulse> sums_, mean_forces_, mean_forces_before_;
   std::vector<RigidImpulse> kept_forces_;  // of one world of a batch, as it was made
-  float step_time_ = 0;  // s, of the substeps so far
+  float step_time_ = 0;                    // s, of the substeps so far
   double step_ms_ = 0;
   float ahead_ = -1;                    // s: the time for which motion_ is predicted; -1: none
   double start_time_ = 0;               // s, of the world

@@ -17,7 +17,7 @@ inline constexpr uint32_t cluster_size = 32;  ///< particles, as many as a warp 
 struct CandidateView {
   pbd::View<const uint32_t> masks;  ///< `words` words for each cluster, one bit a shape of a world
   uint32_t words = 0;
-  uint32_t each = 0;  ///< particles of a world, where there are several; 0: one world
+  uint32_t each = 0;               ///< particles of a world, where there are several; 0: one world
   uint32_t fixed = 0, moving = 0;  ///< shapes; moving ones of one world
 
   /// Calls visit(shape) for each candidate, in the order of the shapes' numbers.
@@ -196,8 +196,8 @@ struct MarkCandidates {
     group.for_each(1, [&](uint32_t) { scratch.all = joined(scratch.joined, Scratch::parts); });
     group.for_each(Scratch::shapes, [&](uint32_t k) {
       const uint32_t number = 32 * first_word + k;
-      scratch.near_any[k] = number < set.of_world() && (is_of_each_world(number) ||
-                                                        is_near(set.shapes[number], scratch.all));
+      scratch.near_any[k] =
+          number < set.of_world() && (is_of_each_world(number) || is_near(set.shapes[number], scratch.all));
     });
     group.for_each(Scratch::words, [&](uint32_t w) {
       uint32_t mask = 0;
@@ -241,7 +241,8 @@ class Candidates {
     masks_.resize_discard(size_t{clusters} * words_);
   }
 
-  /// Finds the shapes within `reach` (m) of any motion of a cluster. The particles of worlds are as many each.
+  /// Finds the shapes within `reach` (m) of any motion of a cluster. The particles of worlds are as many
+  /// each.
   template <class D>
   void find(D& device, const ShapeSet& set, pbd::View<const pbd::Vec4> from, pbd::View<const pbd::Vec4> to,
             uint32_t particles, float reach) {

@@ -27,7 +27,7 @@ class FilmNearness {
   std::vector<Shape> fixed_;
   std::vector<float> radius_;  // m, by body; negative: it has no surface
   size_t worlds_ = 1;
-  bool has_others_ = false;    // whether bodies without surfaces carry shapes: they may be anywhere
+  bool has_others_ = false;  // whether bodies without surfaces carry shapes: they may be anywhere
 };
 
 }  // namespace meniscus::collision

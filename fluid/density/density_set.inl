@@ -320,8 +320,7 @@ bool DensitySet<D>::any_crowd() const {
 }
 
 template <class D>
-void DensitySet<D>::set_multipliers(uint32_t first,
-                                    std::span<const density_kernels::Multiplier> multipliers,
+void DensitySet<D>::set_multipliers(uint32_t first, std::span<const density_kernels::Multiplier> multipliers,
                                     float last_substep) {
   multiplier_.current.write(multipliers, first);
   if (last_substep > 0) last_dt_ = last_substep;

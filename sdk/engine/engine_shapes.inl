@@ -85,13 +85,14 @@ void DeviceEngine<D>::note_overlapping() {
 template <class D>
 void DeviceEngine<D>::note_overlapping(pbd::View<const uint32_t> chosen_worlds) {
   const pbd::View<const pbd::Vec4> position = particles_.position.current.view();
-  device_.parallel_for(
-      "shapes/placed", particles_.count(),
-      engine_kernels::NotePlaced{
-          shape_set_, contacts_.find_near(position, particles_.count(), contacts_.largest_radius()),
-          contacts_.touches(particles_.phase.current.view(), particles_.sorted()), position,
-          particles_.phase.current.view(),
-          {chosen_worlds, particles_.sorted() / solver_.worlds(), particles_.count()}});
+  device_.parallel_for("shapes/placed", particles_.count(),
+                       engine_kernels::NotePlaced{
+                           shape_set_,
+                           contacts_.find_near(position, particles_.count(), contacts_.largest_radius()),
+                           contacts_.touches(particles_.phase.current.view(), particles_.sorted()),
+                           position,
+                           particles_.phase.current.view(),
+                           {chosen_worlds, particles_.sorted() / solver_.worlds(), particles_.count()}});
 }
 
 template <class D>

@@ -192,16 +192,16 @@ struct EngineWorld {
   std::vector<pbd::Phase> phase;
   std::vector<uint32_t> slot, number;
   std::vector<fluid::density_kernels::Multiplier> multiplier;
-  float last_density_substep = 0;  ///< s
+  float last_density_substep = 0;                    ///< s
   std::vector<collision::RigidImpulse> body_forces;  ///< see Engine::body_forces
-  float last_substep = 0;          ///< s
+  float last_substep = 0;                            ///< s
 };
 
 struct EngineStep {
   pbd::StepResult result;
   std::array<double, stage_count> stage_ms{};
   double rigid_ms = 0;
-  bool any_world_failed = false;  ///< in a batch: a body of some world was not finite
+  bool any_world_failed = false;    ///< in a batch: a body of some world was not finite
   uint32_t density_iterations = 0;  ///< over all substeps
   Overflows overflows;
   std::vector<PistonReading> pistons;

@@ -134,9 +134,7 @@ EngineWorld DeviceEngine<D>::read_world(uint32_t world) {
 template <class D>
 void DeviceEngine<D>::write_world(uint32_t world, const EngineWorld& state) {
   const auto each = static_cast<uint32_t>(state.position.size()), first = world * each;
-  const auto write = [&]<class T>(pbd::Buffer<T>& to, std::span<const T> from) {
-    to.write(from, first);
-  };
+  const auto write = [&]<class T>(pbd::Buffer<T>& to, std::span<const T> from) { to.write(from, first); };
   std::vector<uint32_t> slot = state.slot;
   for (uint32_t& s : slot) s += first;
   write(particles_.position.current, std::span(state.position));

@@ -10,8 +10,8 @@
 
 namespace meniscus {
 
-/// The value at a path such as `volumes[1].pose.position[0]`. Keys that are missing are made, with null; items
-/// of arrays are not. Throws Error(invalid_argument), which begins with `option`.
+/// The value at a path such as `volumes[1].pose.position[0]`. Keys that are missing are made, with null;
+/// items of arrays are not. Throws Error(invalid_argument), which begins with `option`.
 nlohmann::json& value_at(nlohmann::json& document, std::string_view path, const std::string& option);
 
 /// Writes `path=value` into a scene's document, as in `volumes[1].pose.position=[0, 2, 0]`. The value is

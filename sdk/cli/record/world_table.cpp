@@ -44,8 +44,8 @@ std::string name_of(const BodyDef& body, std::size_t number) {
 
 WorldTable read_worlds(const WorldBatch& batch, const std::vector<BodyDef>& bodies) {
   WorldTable table;
-  table.columns = {"time_s",         "failed",           "centre_x_m",       "centre_y_m",
-                   "centre_z_m",     "mean_speed_m_s",   "greatest_speed_m_s"};
+  table.columns = {"time_s",     "failed",         "centre_x_m",        "centre_y_m",
+                   "centre_z_m", "mean_speed_m_s", "greatest_speed_m_s"};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const std::string name = name_of(bodies[b], b);
     for (const char* value : {"_x_m", "_y_m", "_z_m", "_speed_m_s"}) table.columns.push_back(name + value);

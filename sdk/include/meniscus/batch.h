@@ -91,12 +91,12 @@ class WorldBatch {
   /// m/s², by world.
   void set_gravities(std::span<const Vec3> gravities);
 
-  /// As World's calls of these names, for a body of one world. The ids are those of the archetype. What a pose
-  /// is set to holds from the next step on, with what it then overlaps.
+  /// As World's calls of these names, for a body of one world. The ids are those of the archetype. What a
+  /// pose is set to holds from the next step on, with what it then overlaps.
   void set_body_pose(uint32_t world, BodyId body, const Pose& pose);
   void set_body_velocity(uint32_t world, BodyId body, Vec3 velocity,
-                         Vec3 angular_velocity);                        ///< m/s and rad/s
-  void apply_force(uint32_t world, BodyId body, Vec3 force);            ///< N, at the centre of mass
+                         Vec3 angular_velocity);                              ///< m/s and rad/s
+  void apply_force(uint32_t world, BodyId body, Vec3 force);                  ///< N, at the centre of mass
   void apply_force(uint32_t world, BodyId body, Vec3 force, Vec3 point);      ///< N, at a point in m
   void apply_torque(uint32_t world, BodyId body, Vec3 torque);                ///< N·m
   void apply_impulse(uint32_t world, BodyId body, Vec3 impulse, Vec3 point);  ///< N·s, at a point in m

@@ -101,8 +101,7 @@ void WorldBatch::apply_force(uint32_t world, BodyId body, Vec3 force, Vec3 point
 }
 
 void WorldBatch::apply_torque(uint32_t world, BodyId body, Vec3 torque) {
-  impl_->for_body("apply_torque", world, body,
-                  [&](const BodyCalls& calls) { calls.apply_torque(torque); });
+  impl_->for_body("apply_torque", world, body, [&](const BodyCalls& calls) { calls.apply_torque(torque); });
 }
 
 void WorldBatch::apply_impulse(uint32_t world, BodyId body, Vec3 impulse, Vec3 point) {
@@ -112,9 +111,8 @@ void WorldBatch::apply_impulse(uint32_t world, BodyId body, Vec3 impulse, Vec3 p
 }
 
 void WorldBatch::move_body(uint32_t world, BodyId body, const Pose& target, float duration) {
-  impl_->for_body("move_body", world, body, [&](const BodyCalls& calls) {
-    calls.move(impl_->host().origin.inward(target), duration);
-  });
+  impl_->for_body("move_body", world, body,
+                  [&](const BodyCalls& calls) { calls.move(impl_->host().origin.inward(target), duration); });
 }
 
 // ---- whole worlds ----

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Making, stepping and resetting a batch: a world whose engine has made many of it, and what is known of each.
+// Making, stepping and resetting a batch: a world whose engine has made many of it, and what is known of
+// each.
 #include "sdk/world/batch/batch_impl.h"
 
 #include <meniscus/error.h>
@@ -67,9 +68,8 @@ void WorldBatch::Impl::check_archetype() const {
   World::Impl& w = host();
   check_def(w.def);
   const std::pair<const char*, size_t> refused[] = {
-      {"cloth", w.cloths.size()},      {"ropes", w.ropes.size()},
-      {"emitters", w.emitters.size()}, {"sinks", w.sinks.size()},
-      {"probes", w.probes.size()},     {"force fields", w.force_fields.size()}};
+      {"cloth", w.cloths.size()}, {"ropes", w.ropes.size()},   {"emitters", w.emitters.size()},
+      {"sinks", w.sinks.size()},  {"probes", w.probes.size()}, {"force fields", w.force_fields.size()}};
   for (const auto& [what, count] : refused) {
     if (count > 0) refuse(std::string(what) + " are not supported");
   }

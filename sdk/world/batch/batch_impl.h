@@ -53,7 +53,7 @@ struct WorldBatch::Impl {
   std::vector<BodyId> ids;  // of the bodies, in the user's archetype: a copy of it has others
   uint32_t worlds, each;
   uint32_t bodies_each = 0;  // with numbers that are not in use
-  float dt = 0;  // s, of all steps; 0: none yet
+  float dt = 0;              // s, of all steps; 0: none yet
   std::vector<WorldStatus> status;
   std::vector<Vec3> gravities;
   std::vector<uint32_t> chosen, bad, placed;  // by world

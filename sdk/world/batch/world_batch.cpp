@@ -129,8 +129,7 @@ std::span<const Vec3> WorldBatch::velocities() const {
 std::span<const uint64_t> WorldBatch::state_hashes() const {
   return impl_->run(
       [&] {
-        return impl_->hashes.get(impl_->worlds,
-                                 [&](std::span<uint64_t> out) { impl_->hash_worlds(out); });
+        return impl_->hashes.get(impl_->worlds, [&](std::span<uint64_t> out) { impl_->hash_worlds(out); });
       },
       "state_hashes");
 }

@@ -37,12 +37,9 @@ void expect_finite_turn(const char* name, Vec3 point, Vec3 angular_impulse, Vec3
 }  // namespace
 
 BodyState BodyCalls::state(const collision::RigidImpulse& force) const {
-  return {rigid.pose(number),
-          rigid.centre_of_mass(number),
-          rigid.velocity(number),
-          rigid.angular_velocity(number),
-          force.linear,
-          force.angular,
+  return {rigid.pose(number),     rigid.centre_of_mass(number),
+          rigid.velocity(number), rigid.angular_velocity(number),
+          force.linear,           force.angular,
           rigid.awake(number)};
 }
 
@@ -75,8 +72,8 @@ void BodyCalls::apply_impulse(Vec3 impulse, Vec3 point) const {
   expect_motion(entry, BodyMotion::dynamic, "apply_impulse", "dynamic");
   check::impulse("apply_impulse's impulse", impulse, entry.mass.mass);
   check::value("apply_impulse's point", point);
-  expect_finite_turn("apply_impulse's point", point,
-                     cross(point - rigid.centre_of_mass(number), impulse), entry.mass.inertia);
+  expect_finite_turn("apply_impulse's point", point, cross(point - rigid.centre_of_mass(number), impulse),
+                     entry.mass.inertia);
   rigid.apply_impulse(number, impulse, point);
 }
 

@@ -22,8 +22,7 @@ Pool pool(const WorldDef& def) {
   ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.5f});
   std::get<ContainerGeometry>(walls.geometry).openings = {{Face::y_high}};
   world.create_shape(walls);
-  made.box =
-      world.create_body(validation::body(BoxGeometry{{0.1f, 0.1f, 0.1f}}, {0.7f, 0.1f, 0.25f}, 1500));
+  made.box = world.create_body(validation::body(BoxGeometry{{0.1f, 0.1f, 0.1f}}, {0.7f, 0.1f, 0.25f}, 1500));
   made.ball = world.create_body(validation::body(SphereGeometry{0.1f}, {0.25f, 0.75f, 0.25f}, 400));
   BodyDef arm = validation::body(BoxGeometry{{0.15f, 0.05f, 0.05f}}, {0.65f, 0.6f, 0.25f}, 600);
   made.arm = world.create_body(arm);
