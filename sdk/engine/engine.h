@@ -153,6 +153,9 @@ class Engine {
   virtual void count_non_finite(std::span<uint32_t> counts) = 0;
   /// By world: hash_particles() of it alone.
   virtual void hash_worlds(std::span<uint64_t> hashes) = 0;
+  /// The state of all worlds' particles, and the forces on their bodies. A batch that restores it has as many
+  /// worlds of the same archetype. Then its bodies are to be placed by place_worlds().
+  virtual void visit_worlds(pbd::StateVisitor& v) = 0;
   virtual EngineWorld read_world(uint32_t world) = 0;
   /// Replaces the particles of one world by as many, and the forces of its bodies.
   virtual void write_world(uint32_t world, const EngineWorld& state) = 0;

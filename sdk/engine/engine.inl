@@ -172,6 +172,7 @@ class DeviceEngine final : public Engine {
   void undo_worlds(std::span<const uint32_t> chosen) override;
   void count_non_finite(std::span<uint32_t> counts) override;
   void hash_worlds(std::span<uint64_t> hashes) override;
+  void visit_worlds(pbd::StateVisitor& v) override;
   EngineWorld read_world(uint32_t world) override;
   void write_world(uint32_t world, const EngineWorld& state) override;
   bool any_crowd() const override { return density_.any_crowd(); }

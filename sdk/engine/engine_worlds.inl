@@ -106,6 +106,23 @@ void DeviceEngine<D>::hash_worlds(std::span<uint64_t> hashes) {
 }
 
 template <class D>
+void DeviceEngine<D>::visit_worlds(pbd::StateVisitor& v) {
+  const uint32_t count = particles_.sorted();
+  const auto array = [&]<class T>(const char* name, pbd::View<T> all) {
+    v.array(name, all.first(count), count);
+  };
+  array("position", particles_.position.current.view());
+  array("velocity", particles_.velocity.current.view());
+  array("phase", particles_.phase.current.view());
+  array("slot", particles_.slot.current.view());
+  array("number", particles_.number.current.view());
+  density_.visit_multipliers(v, count);
+  v.value("last_substep", last_substep_);
+  v.part("bodies", bodies_);
+  if (v.restores()) solver_.particles_changed(0, 0);
+}
+
+template <class D>
 EngineWorld DeviceEngine<D>::read_world(uint32_t world) {
   note_overlapping();
   const uint32_t each = particles_.sorted() / solver_.worlds(), first = world * each;

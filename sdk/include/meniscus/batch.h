@@ -8,6 +8,7 @@
 #include <meniscus/device_arrays.h>
 #include <meniscus/ids.h>
 #include <meniscus/outputs.h>
+#include <meniscus/snapshot.h>
 #include <meniscus/types.h>
 #include <meniscus/world_def.h>
 
@@ -15,6 +16,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace meniscus {
 
@@ -49,6 +53,24 @@ struct BatchReport {
 struct BatchArrays {
   DeviceArray positions;   ///< float32, worlds × particles × 3, m
   DeviceArray velocities;  ///< float32, worlds × particles × 3, m/s
+};
+
+/// The state of all worlds of a batch at one moment, made by WorldBatch::snapshot. Its arrays stay on the
+/// batch's device. A copy shares them.
+class BatchSnapshot {
+ public:
+  BatchSnapshot() = default;  ///< of no batch
+
+  bool empty() const { return !data_; }  ///< holds no state
+  std::size_t device_bytes() const;      ///< held on the device
+
+  struct Data;  ///< for the library alone
+
+ private:
+  friend class WorldBatch;
+  explicit BatchSnapshot(std::shared_ptr<Data> data) : data_(std::move(data)) {}
+
+  std::shared_ptr<Data> data_;
 };
 
 /// Many copies of one world, the archetype, stepped in the same launches. Each has the bits of the archetype
@@ -118,11 +140,26 @@ class WorldBatch {
   /// A world of its own that continues with the same bits. It has the gravity of the world.
   World extract(uint32_t world) const;
 
+  /// The state of all worlds: particles, bodies, pressures, times, gravities, activity and failures.
+  BatchSnapshot snapshot() const;
+  /// Goes back to a snapshot of this batch. What follows is bit for bit what followed the snapshot. Throws
+  /// Error(invalid_argument) if the snapshot is empty or of another batch.
+  void restore(const BatchSnapshot& snapshot);
+  /// Writes the archetype and the state to a file (docs/snapshots.md), which appears complete or not at all.
+  /// Throws Error(io) if the file cannot be written.
+  void save(const std::string& path) const;
+  /// A new batch with the state of a file, which continues as World::load says. The ids of bodies have the
+  /// same indices, but are those that body_ids() lists. Throws what World::load throws.
+  static WorldBatch load(const std::string& path, const LoadDef& def = {});
+  std::vector<BodyId> body_ids() const;  ///< those that the calls above take, ascending
+
   /// Bytes and allocations of the batch's device; see World::memory_stats.
   MemoryStats memory_stats() const;
 
  private:
   struct Impl;
+  explicit WorldBatch(std::unique_ptr<Impl> impl);
+
   std::unique_ptr<Impl> impl_;
 };
 

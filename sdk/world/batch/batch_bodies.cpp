@@ -71,6 +71,10 @@ std::size_t WorldBatch::body_count() const {
   return impl_->host().bodies.size();
 }
 
+std::vector<BodyId> WorldBatch::body_ids() const {
+  return impl_->ids;
+}
+
 std::span<const BodyState> WorldBatch::body_states() const {
   return impl_->run([&] { return impl_->read_bodies(); }, "body_states");
 }

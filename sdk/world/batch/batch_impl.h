@@ -7,17 +7,24 @@
 #include <meniscus/batch.h>
 #include <meniscus/world.h>
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "pbd/state/saved_state.h"
 #include "sdk/world/solids/body_calls.h"
 #include "sdk/world/world_boundary.h"
 
 namespace meniscus {
 
+struct BatchSnapshot::Data {
+  pbd::SavedState state;
+};
+
 struct WorldBatch::Impl {
   Impl(const World& archetype_world, const BatchDef& def);
+  ~Impl();
 
   /// What the batch runs on: a world whose engine has all particles.
   World::Impl& host() const { return *running.impl_; }
@@ -46,6 +53,10 @@ struct WorldBatch::Impl {
   template <class Call>
   void for_body(const char* name, uint32_t world, BodyId id, const Call& call);
   std::span<const BodyState> read_bodies();
+  void visit_state(pbd::StateVisitor& v);
+  void restore(const pbd::SavedState& saved);
+  void note(const std::shared_ptr<BatchSnapshot::Data>& data);
+  bool has(const std::shared_ptr<BatchSnapshot::Data>& data) const;
   void hash_worlds(std::span<uint64_t> out) const;
   void changed() { positions.valid = velocities.valid = hashes.valid = bodies.valid = false; }
 
@@ -62,6 +73,7 @@ struct WorldBatch::Impl {
   CachedReadout<uint64_t> hashes;
   CachedReadout<BodyState> bodies;
   BatchArrays arrays;
+  std::vector<std::weak_ptr<BatchSnapshot::Data>> snapshots;  // that may still exist
 };
 
 }  // namespace meniscus

@@ -42,6 +42,7 @@ BatchArrays WorldBatch::Impl::device_arrays() {
 
 WorldBatch::WorldBatch(const World& archetype, const BatchDef& def)
     : impl_(std::make_unique<Impl>(archetype, def)) {}
+WorldBatch::WorldBatch(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 WorldBatch::~WorldBatch() = default;
 WorldBatch::WorldBatch(WorldBatch&&) noexcept = default;
 WorldBatch& WorldBatch::operator=(WorldBatch&&) noexcept = default;

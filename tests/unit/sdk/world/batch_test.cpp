@@ -189,7 +189,25 @@ TEST_P(BatchTest, NamesWhatItDoesNotTake) {
     change(world);
     EXPECT_NE(refusal(world).find(what), std::string::npos) << refusal(world);
   };
+  expect_refused("cloth", [](World& w) {
+    ClothDef cloth;
+    cloth.geometry = SheetGeometry{};
+    w.create_cloth(cloth);
+  });
+  expect_refused("ropes", [](World& w) {
+    RopeDef rope;
+    rope.points = {{0.7f, 0.5f, 0.2f}, {0.7f, 0.8f, 0.2f}};
+    w.create_rope(rope);
+  });
+  expect_refused("emitters", [](World& w) {
+    EmitterDef emitter;
+    emitter.fluid = w.fluid_ids().front();
+    w.create_emitter(emitter);
+  });
+  expect_refused("sinks", [](World& w) { w.create_sink({}); });
   expect_refused("probes", [](World& w) { w.create_probe({}); });
+  expect_refused("force fields", [](World& w) { w.create_force_field({}); });
+  expect_refused("hooks", [](World& w) { w.add_hook(Hook::solved, [](const SubstepView&) {}); });
   expect_refused("granular", [](World& w) { w.create_granular({}); });
   expect_refused("dynamic_viscosity", [](World& w) {
     FluidDef thick;
@@ -202,6 +220,8 @@ TEST_P(BatchTest, NamesWhatItDoesNotTake) {
     EXPECT_NE(refusal(archetype(other)).find(what), std::string::npos) << refusal(archetype(other));
   };
   expect_def_refused("sums", [](WorldDef& d) { d.sums = Sums::automatic; });
+  expect_def_refused("diffuse", [](WorldDef& d) { d.diffuse.emplace(); });
+  expect_def_refused("step_budget_ms", [](WorldDef& d) { d.step_budget_ms = 5; });
   expect_def_refused("cfl_number", [](WorldDef& d) { d.cfl_number = 0.4f; });
   expect_def_refused("density.tolerance", [](WorldDef& d) { d.density.tolerance = 0.01f; });
   expect_def_refused("density.solver", [](WorldDef& d) { d.density.solver = DensitySolver::grid; });
