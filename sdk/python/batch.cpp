@@ -114,6 +114,10 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
       nb::arg("world"), nb::arg("state"),
       "Replaces one world by another that was built as the archetype was, with other places, velocities or "
       "gravity.");
+  batch.def(
+      "save",
+      [](const PyBatch& self, const std::string& path) { self.run([&](WorldBatch& b) { b.save(path); }); },
+      nb::arg("path"), "Writes the state of all worlds to a file, which appears complete or not at all.");
   batch.def("extract", &PyBatch::extract, nb::arg("world"),
             "A world of its own that continues with the same bits.");
 }

@@ -10,17 +10,18 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 
 #include "sdk/cli/commands/exit_code.h"
 #include "sdk/cli/commands/progress.h"
 #include "sdk/cli/output/folder_lock.h"
 #include "sdk/cli/output/frame_exporter.h"
+#include "sdk/cli/output/old_results.h"
 #include "sdk/cli/record/json_text.h"
 #include "sdk/cli/record/varied_scene.h"
 #include "sdk/cli/record/world_table.h"
 #include "sdk/cli/stop/interrupt.h"
+#include "sdk/files/output_file.h"
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
@@ -30,6 +31,20 @@ namespace {
 SceneChoice batch_choice(SceneChoice choice) {
   choice.overrides.push_back("world.sums=fixed");
   return choice;
+}
+
+/// Without what only looks on: diffuse particles, probes, and the checks that may ask for them.
+Scene for_batch(Scene scene) {
+  scene.world.diffuse.reset();
+  scene.probes.clear();
+  scene.checks.clear();
+  return scene;
+}
+
+void say_what_is_left_out(const Scene& scene) {
+  if (scene.world.diffuse) spdlog::warn("diffuse particles are left out");
+  if (!scene.probes.empty()) spdlog::warn("probes are left out");
+  if (!scene.checks.empty()) spdlog::warn("checks are left out");
 }
 
 VariedScene varied(const RunOptions& options) {
@@ -42,14 +57,17 @@ VariedScene varied(const RunOptions& options) {
 class WorldsRun {
  public:
   explicit WorldsRun(const RunOptions& options)
-      : scene_(chosen_scene(batch_choice(options.scene))),
-        varied_(varied(options)),
+      : varied_(varied(options)),
+        given_(chosen_scene(batch_choice(options.scene))),
+        scene_(for_batch(given_)),
         folder_(options.out.empty() ? default_folder(scene_) : std::filesystem::path(options.out)),
         frames_(options.frames.value_or(scene_.frames)),
         batch_(build_scene(scene_).world, {static_cast<uint32_t>(*options.worlds)}) {
+    say_what_is_left_out(given_);
     vary();
     make_folder(folder_);
     lock_.emplace(folder_);
+    remove_old_results(folder_);  // after all that may fail
   }
 
   void step(bool quiet) {
@@ -71,7 +89,9 @@ class WorldsRun {
     nlohmann::ordered_json figures = summary(table);
     nlohmann::ordered_json whole = figures;
     whole["table"] = table.json();
-    std::ofstream(folder_ / "worlds.json") << json_text(whole);
+    io::OutputFile file(folder_ / "worlds.json");
+    file.write(json_text(whole));
+    file.commit();
     figures["folder"] = folder_.string();
     return figures;
   }
@@ -84,7 +104,7 @@ class WorldsRun {
     if (varied_.variations().empty()) return;
     std::vector<Vec3> gravities;
     for (uint32_t w = 0; w < batch_.worlds(); ++w) {
-      const Scene own = varied_.scene(w);
+      const Scene own = for_batch(varied_.scene(w));
       if (!varied_.varies_gravity_alone()) insert(w, own);
       gravities.push_back(own.world.gravity);
     }
@@ -130,8 +150,8 @@ class WorldsRun {
             {"results", table.ranges()}};
   }
 
-  Scene scene_;
   VariedScene varied_;
+  Scene given_, scene_;
   std::filesystem::path folder_;
   int frames_;
   WorldBatch batch_;

@@ -125,7 +125,8 @@ bool VariedScene::varies_gravity_alone() const {
 double VariedScene::value(uint32_t world, std::size_t k) const {
   const uint64_t bits = pbd::mixed(pbd::mixed(pbd::mixed(seed_) + world) + k);
   const double part = std::ldexp(static_cast<double>(bits >> 11), -53);  // 0 to below 1
-  return variations_[k].low + part * (variations_[k].high - variations_[k].low);
+  const double value = variations_[k].low + part * (variations_[k].high - variations_[k].low);
+  return double{static_cast<float>(value)};  // as a scene has it, so that tables show it whole
 }
 
 Scene VariedScene::scene(uint32_t world) const {

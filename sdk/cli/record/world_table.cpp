@@ -69,7 +69,7 @@ WorldTable read_worlds(const WorldBatch& batch, const std::vector<BodyDef>& bodi
 
 void WorldTable::write(const std::filesystem::path& file) const {
   std::string text = "world";
-  for (const std::string& column : columns) text += "," + csv_field(column);
+  for (const std::string& column : columns) text.append(",").append(csv_field(column));
   CsvFile csv(file, text + ",state_hash");
   for (std::size_t w = 0; w < rows.size(); ++w) {
     text = std::to_string(w);
