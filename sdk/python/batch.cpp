@@ -20,6 +20,10 @@ namespace {
 using Mask = nb::ndarray<const bool, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Vectors = nb::ndarray<const float, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
+struct PyBatchSnapshot {
+  BatchSnapshot state;
+};
+
 std::vector<uint8_t> bytes_of(const Mask& mask) {
   return {mask.data(), mask.data() + mask.shape(0)};
 }
@@ -109,15 +113,24 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
   batch.def(
       "insert",
       [](const PyBatch& self, uint32_t number, const PyWorld& state) {
-        state.state->measure([&](World& w) { self.run([&](WorldBatch& b) { b.insert(number, w); }); });
+        state.state->measure(
+            [&](World& w) { self.run_released([&](WorldBatch& b) { b.insert(number, w); }); });
       },
       nb::arg("world"), nb::arg("state"),
       "Replaces one world by another that was built as the archetype was, with other places, velocities or "
       "gravity.");
   batch.def(
-      "save",
-      [](const PyBatch& self, const std::string& path) { self.run([&](WorldBatch& b) { b.save(path); }); },
-      nb::arg("path"), "Writes the state of all worlds to a file, which appears complete or not at all.");
+      "snapshot",
+      [](const PyBatch& self) {
+        return PyBatchSnapshot{self.run([](WorldBatch& b) { return b.snapshot(); })};
+      },
+      "Copies the state of all worlds within the memory of the device, to go back to.");
+  batch.def(
+      "restore",
+      [](const PyBatch& self, const PyBatchSnapshot& snapshot) {
+        self.run([&](WorldBatch& b) { b.restore(snapshot.state); });
+      },
+      nb::arg("snapshot"), "Goes back to a snapshot of this batch.");
   batch.def("extract", &PyBatch::extract, nb::arg("world"),
             "A world of its own that continues with the same bits.");
 }
@@ -125,6 +138,11 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
 }  // namespace
 
 void bind_batch(nb::module_& module) {
+  nb::class_<PyBatchSnapshot>(module, "BatchSnapshot",
+                              "The state of all worlds of a batch, made by WorldBatch.snapshot().")
+      .def_prop_ro(
+          "device_bytes", [](const PyBatchSnapshot& self) { return self.state.device_bytes(); },
+          "Held on the device.");
   nb::class_<PyBatch> batch(
       module, "WorldBatch",
       "Many copies of one world, stepped in the same launches. Each has the bits of the "

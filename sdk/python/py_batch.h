@@ -24,6 +24,11 @@ class PyBatch {
   template <class Call>
   decltype(auto) run(const Call& call) const {
     const nb::gil_scoped_release released;
+    return run_released(call);
+  }
+  /// The same for a caller that has let others of Python go on.
+  template <class Call>
+  decltype(auto) run_released(const Call& call) const {
     const std::lock_guard lock(*mutex_);
     return call(*batch_);
   }
