@@ -108,7 +108,7 @@ plt.figure(figsize=(6.4, 3.6), layout="constrained")
 for generation, scores in enumerate(history):
     plt.plot(np.full(WORLDS, generation), np.maximum(scores, -80), "o", color="tab:blue", alpha=0.5)
 plt.plot([np.median(scores) for scores in history], color="tab:red", label="median")
-plt.xlabel("generation"), plt.ylabel("return, at least −80"), plt.legend()
+plt.xticks(range(GENERATIONS)), plt.xlabel("generation"), plt.ylabel("return, at least −80"), plt.legend()
 plt.savefig("batches.png", dpi=100)
 
 assert np.median(history[-1]) > np.median(history[0]), "the search must find better gains"
