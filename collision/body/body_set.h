@@ -4,13 +4,14 @@
 // The constraint set that couples rigid bodies with particles, by way of proxies and impulses.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "collision/body/body_kernels.h"
 #include "collision/body/fixed_sums.h"
 #include "collision/contact/shape_contacts.h"
-#include "collision/rigid/rigid_world.h"
+#include "collision/rigid/rigid_worlds.h"
 #include "collision/rigid_contact/rigid_contact_set.h"
 #include "pbd/device/shared_buffer.h"
 #include "pbd/device/side_thread.h"
@@ -35,11 +36,7 @@ template <class D>
 class BodySet final : public pbd::ConstraintSet<D> {
  public:
   BodySet(D& device, RigidWorld& world, ShapeContacts<D>& contacts)
-      : device_(device),
-        world_(world),
-        contacts_(contacts),
-        snapshot_(RigidWorld::make_snapshot()),
-        solid_contacts_(device) {
+      : device_(device), world_(world), worlds_(world), contacts_(contacts), solid_contacts_(device) {
     if (world.is_on_device()) world.set_contacts(&solid_contacts_);
   }
   ~BodySet() override {
@@ -51,6 +48,12 @@ class BodySet final : public pbd::ConstraintSet<D> {
   /// Must be called when the bodies of the world change, or the shapes that they carry. The view must stay
   /// valid until the next call.
   void set_shapes(std::span<const CarriedShape> carried, pbd::View<Shape> shapes);
+  /// The rigid worlds. In a batch, call set_shapes() after there are many.
+  RigidWorlds& worlds() { return worlds_; }
+  /// Gives these worlds of a batch, by world ≠ 0, the rigid state and the forces of make_many().
+  void reset_bodies(std::span<const uint32_t> chosen);
+  /// Gives them those before the last step.
+  void undo_bodies(std::span<const uint32_t> chosen);
   /// Resets the mean forces on a body that is destroyed, so that the next body with its number starts with
   /// none.
   void forget_forces(uint32_t body);
@@ -103,6 +106,9 @@ class BodySet final : public pbd::ConstraintSet<D> {
   double step_ms() const { return step_ms_; }
   /// By body: the mean force and torque that particles exerted on it in the last step, N and N·m.
   std::span<const RigidImpulse> mean_forces() const { return mean_forces_; }
+  void set_mean_forces(uint32_t world, std::span<const RigidImpulse> forces) {
+    std::ranges::copy(forces, mean_forces_.begin() + world * worlds_.each());
+  }
 
  private:
   void sum_contacts(pbd::Substep<D>& substep);
@@ -110,24 +116,28 @@ class BodySet final : public pbd::ConstraintSet<D> {
   template <class Place>
   void place_bodies(const char* name, const Place& place);
   void rest();
+  void keep_forces();
+  template <class Back, class From>
+  void take_back(std::span<const uint32_t> chosen, const Back& back, const From& from);
   void begin_rigid_step(float dt);
   template <class F>
   void time_rigid(const F& step);
   float furthest_motion() const;
 
   D& device_;
-  RigidWorld& world_;
+  RigidWorld& world_;  // the one world
+  RigidWorlds worlds_;
   ShapeContacts<D>& contacts_;
   uint32_t bodies_ = 0;
   bool any_moved_ = false;    // whether particles can move any body
   std::vector<float> reach_;  // m, from each body's centre to its outermost point
   std::vector<RigidImpulse> sums_, mean_forces_, mean_forces_before_;
-  float step_time_ = 0;  // s, of the substeps so far
+  std::vector<RigidImpulse> kept_forces_;  // of one world of a batch, as it was made
+  float step_time_ = 0;                    // s, of the substeps so far
   double step_ms_ = 0;
   float ahead_ = -1;                    // s: the time for which motion_ is predicted; -1: none
   double start_time_ = 0;               // s, of the world
   bool begun_ = false, ended_ = false;  // in the present step
-  RigidWorld::SnapshotPtr snapshot_;
   RigidContactSet<D> solid_contacts_;
 
   pbd::SharedBuffer<RigidMotion> motion_{device_, "body motions"};

@@ -14,7 +14,8 @@ namespace meniscus::collision {
 
 template <class D>
 void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Shape> shapes) {
-  bodies_ = world_.body_slots();
+  if (worlds_.are_many() && kept_forces_.empty()) keep_forces();
+  bodies_ = worlds_.body_slots();
   shapes_ = shapes;
   reach_.assign(bodies_, 0);
   for (const CarriedShape& c : carried) {
@@ -22,7 +23,7 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
     reach_[c.body] = std::max(reach_[c.body], length(far));
   }
   std::vector<RigidMass> mass(bodies_);
-  for (uint32_t b = 0; b < bodies_; ++b) mass[b] = world_.mass(b);
+  for (uint32_t b = 0; b < bodies_; ++b) mass[b] = worlds_.mass(b);
   any_moved_ = std::any_of(mass.begin(), mass.end(), [](const RigidMass& m) { return m.inverse_mass > 0; });
   sums_.assign(bodies_, {});
   mean_forces_.resize(bodies_);
@@ -56,7 +57,7 @@ void BodySet<D>::place() {
   ahead_ = -1;
   if (bodies_ == 0) return;
   device_.wait();
-  world_.predict(0, arrived_.host());
+  worlds_.predict(0, arrived_.host());
   rest();
 }
 
@@ -83,7 +84,7 @@ float BodySet<D>::speed(float dt) {
   for (uint32_t b = 0; b < bodies_; ++b) {
     const RigidMotion& m = motion_.host()[b];
     fastest = std::max(fastest, length(m.velocity) + reach_[b] * length(m.angular_velocity));
-    acceleration_.host()[b] = acceleration_by(mean_forces_[b], world_.mass(b), m.start, reach_[b]);
+    acceleration_.host()[b] = acceleration_by(mean_forces_[b], worlds_.mass(b), m.start, reach_[b]);
   }
   return fastest;
 }
@@ -91,7 +92,7 @@ float BodySet<D>::speed(float dt) {
 /// Predicts the motions of the next dt, unless they are predicted already.
 template <class D>
 void BodySet<D>::predict_motions(float dt) {
-  if (ahead_ != dt) world_.predict(dt, motion_.host());
+  if (ahead_ != dt) worlds_.predict(dt, motion_.host());
   ahead_ = dt;
 }
 
@@ -117,7 +118,7 @@ template <class D>
 void BodySet<D>::begin_rigid_step(float dt) {
   side_.run([this, dt] {
     begun_ = true;
-    time_rigid([&] { world_.begin_step(dt); });
+    time_rigid([&] { worlds_.begin_step(dt); });
   });
 }
 
@@ -192,10 +193,11 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
     sums_[b].linear += impulse.linear;
     sums_[b].angular += impulse.angular;
   }
-  time_rigid([&] { world_.finish_step(substep.dt, impulses); });
-  if (substep.is_last && !world_.is_on_device()) side_.run([this] { world_.touches(); });
-  world_.predict(0, arrived_.host());
-  world_.check_finite();
+  time_rigid([&] { worlds_.finish_step(substep.dt, impulses); });
+  const bool is_asked_for_touches = !world_.is_on_device() && !worlds_.are_many();
+  if (substep.is_last && is_asked_for_touches) side_.run([this] { world_.touches(); });
+  worlds_.check_finite();
+  worlds_.predict(0, arrived_.host());
   place_bodies("bodies/arrive", body_kernels::Arrive{arrived_.view(), proxies_.view()});
   const pbd::ParticleView& p = substep.particles;
   contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, substep.contacts,
@@ -236,11 +238,11 @@ void BodySet<D>::end_step() {
   rest();
   device_.send_off();
   side_.wait();
-  world_.end_step();
+  worlds_.end_step();
   mean_forces_before_ = mean_forces_;
   ended_ = true;
   for (uint32_t b = 0; b < bodies_; ++b)
-    mean_forces_[b] = {sums_[b].linear / step_time_, sums_[b].angular / step_time_};
+    if (worlds_.steps(b)) mean_forces_[b] = {sums_[b].linear / step_time_, sums_[b].angular / step_time_};
 }
 
 template <class D>
@@ -251,9 +253,53 @@ void BodySet<D>::start_step() {
   start_time_ = world_.time();
   begun_ = ended_ = false;
   if (bodies_ == 0) return;
-  if (world_.is_on_device()) return world_.save(*snapshot_);  // this thread alone uses the device
-  side_.run([this] { world_.save_contacts(*snapshot_); });
-  world_.save_bodies(*snapshot_);
+  worlds_.start_step();
+  if (world_.is_on_device()) {  // this thread alone uses the device
+    worlds_.save_bodies();
+    return worlds_.save_contacts();
+  }
+  side_.run([this] { worlds_.save_contacts(); });
+  worlds_.save_bodies();
+}
+
+template <class D>
+void BodySet<D>::keep_forces() {
+  kept_forces_ = mean_forces_;
+  mean_forces_.clear();
+  for (uint32_t w = 0; w < worlds_.count(); ++w)
+    mean_forces_.insert(mean_forces_.end(), kept_forces_.begin(), kept_forces_.end());
+}
+
+/// Calls back(world), and gives its bodies forces from those that start at from(world).
+template <class D>
+template <class Back, class From>
+void BodySet<D>::take_back(std::span<const uint32_t> chosen, const Back& back, const From& from) {
+  if (bodies_ == 0) return;
+  const uint32_t each = worlds_.each();
+  for (uint32_t w = 0; w < chosen.size(); ++w) {
+    if (!chosen[w]) continue;
+    back(w);
+    std::copy_n(from(w), each, mean_forces_.begin() + w * each);
+  }
+  place();
+}
+
+template <class D>
+void BodySet<D>::reset_bodies(std::span<const uint32_t> chosen) {
+  take_back(
+      chosen, [&](uint32_t w) { worlds_.reset(w); }, [&](uint32_t) { return kept_forces_.begin(); });
+}
+
+/// Worlds that did not step are as before.
+template <class D>
+void BodySet<D>::undo_bodies(std::span<const uint32_t> chosen) {
+  const uint32_t each = worlds_.each();
+  take_back(
+      chosen,
+      [&](uint32_t w) {
+        if (worlds_.steps(w * each)) worlds_.restore(w);
+      },
+      [&](uint32_t w) { return mean_forces_before_.begin() + w * each; });
 }
 
 template <class D>
@@ -264,7 +310,7 @@ void BodySet<D>::undo_step() {
   } catch (...) {
     // Whoever undoes a step already knows that it failed.
   }
-  if (begun_) world_.restore(*snapshot_);
+  if (begun_) worlds_.restore();
   if (ended_) mean_forces_ = mean_forces_before_;
   place();
 }

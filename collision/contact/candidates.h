@@ -12,10 +12,13 @@ namespace meniscus::collision {
 
 inline constexpr uint32_t cluster_size = 32;  ///< particles, as many as a warp has threads
 
-/// The lists as kernels read them.
+/// The lists as kernels read them. In a batch of worlds a list names shapes by their places in a world, as a
+/// cluster may have particles of several.
 struct CandidateView {
-  pbd::View<const uint32_t> masks;  ///< `words` words for each cluster, one bit a shape
+  pbd::View<const uint32_t> masks;  ///< `words` words for each cluster, one bit a shape of a world
   uint32_t words = 0;
+  uint32_t each = 0;               ///< particles of a world, where there are several; 0: one world
+  uint32_t fixed = 0, moving = 0;  ///< shapes; moving ones of one world
 
   /// Calls visit(shape) for each candidate, in the order of the shapes' numbers.
   template <class Visit>
@@ -58,6 +61,7 @@ struct CandidateView {
   struct Walk {
     const uint32_t *word, *end;
     uint32_t mask, first;
+    uint32_t fixed, skipped;  ///< moving shapes of the worlds before
 
     MENISCUS_HD uint32_t next() {
       while (mask == 0) {
@@ -67,13 +71,14 @@ struct CandidateView {
       }
       const uint32_t bit = pbd::lowest_bit(mask);
       mask &= mask - 1;
-      return first + bit;
+      const uint32_t shape = first + bit;
+      return shape < fixed ? shape : shape + skipped;
     }
   };
 
   MENISCUS_HD Walk walk_from(uint32_t particle) const {
     const uint32_t* word = masks.data + particle / cluster_size * words;
-    return {word, word + words, 0, 0u - 32};
+    return {word, word + words, 0, 0u - 32, fixed, each ? particle / each * moving : 0};
   }
   /// All that the test needs of a shape. It is loaded at once, so no load waits for the result of another.
   struct Bounds {
@@ -158,6 +163,7 @@ struct MarkCandidates {
   pbd::View<uint32_t> masks;
   uint32_t clusters, words;
   float reach;
+  uint32_t world_size;  ///< CandidateView::each
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
@@ -171,8 +177,8 @@ struct MarkCandidates {
       uint32_t near = 0;
       for (uint32_t mask = scratch.near_any_mask[w]; mask; mask &= mask - 1) {
         const uint32_t bit = pbd::lowest_bit(mask);
-        const Shape& shape = set.shapes[32 * (first_word + w) + bit];
-        near |= static_cast<uint32_t>(is_near(shape, scratch.boxes[c])) << bit;
+        const bool is = is_near_any_of(32 * (first_word + w) + bit, first + c, scratch.boxes[c]);
+        near |= static_cast<uint32_t>(is) << bit;
       }
       masks[(first + c) * words + first_word + w] = near;
     });
@@ -190,7 +196,8 @@ struct MarkCandidates {
     group.for_each(1, [&](uint32_t) { scratch.all = joined(scratch.joined, Scratch::parts); });
     group.for_each(Scratch::shapes, [&](uint32_t k) {
       const uint32_t number = 32 * first_word + k;
-      scratch.near_any[k] = number < set.shapes.count && is_near(set.shapes[number], scratch.all);
+      scratch.near_any[k] =
+          number < set.of_world() && (is_of_each_world(number) || is_near(set.shapes[number], scratch.all));
     });
     group.for_each(Scratch::words, [&](uint32_t w) {
       uint32_t mask = 0;
@@ -199,6 +206,16 @@ struct MarkCandidates {
     });
   }
 
+  MENISCUS_HD bool is_of_each_world(uint32_t number) const { return world_size && number >= set.fixed; }
+  /// Whether the shape is near the box of a cluster, in any world that the cluster has particles of.
+  MENISCUS_HD bool is_near_any_of(uint32_t number, uint32_t cluster, const Aabb& box) const {
+    if (!is_of_each_world(number)) return is_near(set.shapes[number], box);
+    const uint32_t first = cluster * cluster_size / world_size,
+                   last = ((cluster + 1) * cluster_size - 1) / world_size;
+    for (uint32_t world = first; world <= last && world < set.worlds; ++world)
+      if (is_near(set.shapes[set.number(number, world)], box)) return true;
+    return false;
+  }
   MENISCUS_HD bool is_near(const Shape& shape, const Aabb& box) const {
     return shape.kind == ShapeKind::plane || !out_of_reach(shape, box.lower, box.upper, reach);
   }
@@ -216,6 +233,7 @@ class Candidates {
   explicit Candidates(pbd::Device& device)
       : bounds_(device, "cluster boxes"), masks_(device, "shape candidates") {}
 
+  /// `shapes`: of one world.
   void reserve(uint32_t particles, uint32_t shapes) {
     const uint32_t clusters = (particles + cluster_size - 1) / cluster_size;
     words_ = (shapes + 31) / 32;
@@ -223,23 +241,28 @@ class Candidates {
     masks_.resize_discard(size_t{clusters} * words_);
   }
 
-  /// Finds the shapes within `reach` (m) of any motion of a cluster.
+  /// Finds the shapes within `reach` (m) of any motion of a cluster. The particles of worlds are as many
+  /// each.
   template <class D>
   void find(D& device, const ShapeSet& set, pbd::View<const pbd::Vec4> from, pbd::View<const pbd::Vec4> to,
             uint32_t particles, float reach) {
     using namespace candidate_kernels;
     clusters_ = (particles + cluster_size - 1) / cluster_size;
+    each_ = set.worlds > 1 ? particles / set.worlds : 0;
+    fixed_ = set.fixed;
+    moving_ = set.moving();
     constexpr uint32_t each = BoundScratch::clusters;
     device.parallel_for_groups("contacts/clusters", (clusters_ + each - 1) / each,
                                BoundClusters{from, to, bounds_.view(), particles, clusters_});
-    const MarkCandidates mark{set, bounds_.view(), masks_.view(), clusters_, words_, reach};
+    const MarkCandidates mark{set, bounds_.view(), masks_.view(), clusters_, words_, reach, each_};
     device.parallel_for_groups("contacts/candidates", mark.groups(), mark);
   }
 
-  CandidateView view() const { return {masks_.view(), words_}; }
+  CandidateView view() const { return {masks_.view(), words_, each_, fixed_, moving_}; }
 
  private:
   uint32_t words_ = 0, clusters_ = 0;
+  uint32_t each_ = 0, fixed_ = 0, moving_ = 0;  // see CandidateView
   pbd::Buffer<Aabb> bounds_;
   pbd::Buffer<uint32_t> masks_;
 };

@@ -71,13 +71,23 @@ struct PlaneOpening {
   Aabb box;
 };
 
-/// All solids. Fixed ones come first.
+/// All solids. Fixed ones come first, for all worlds of a batch. The moving ones follow, world after world.
 struct ShapeSet {
   pbd::View<const Shape> shapes;
   uint32_t fixed = 0;  ///< how many are fixed
   pbd::View<const PlaneOpening> openings;
   pbd::View<const SdfView> sdfs;
   pbd::View<const HeightFieldView> height_fields;
+  uint32_t worlds = 1;
+
+  /// Moving shapes of one world.
+  MENISCUS_HD uint32_t moving() const { return (shapes.count - fixed) / worlds; }
+  /// Shapes of one world.
+  MENISCUS_HD uint32_t of_world() const { return fixed + moving(); }
+  /// The number of the shape that is the k-th of a world.
+  MENISCUS_HD uint32_t number(uint32_t k, uint32_t world) const {
+    return k < fixed ? k : k + world * moving();
+  }
 };
 
 inline constexpr uint32_t shapes_at_once = 8;

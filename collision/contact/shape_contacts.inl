@@ -214,7 +214,7 @@ void ShapeContacts<D>::set_pieces(std::span<const Touch> pieces) {
 
 template <class D>
 void ShapeContacts<D>::reserve(uint32_t particles) {
-  candidates_.reserve(particles, only_fixed_planes() ? 0 : shapes_.shapes.count);
+  candidates_.reserve(particles, only_fixed_planes() ? 0 : shapes_.of_world());
   room_ = particles;
 }
 
@@ -248,7 +248,7 @@ void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, const 
 template <class D>
 CandidateView ShapeContacts<D>::find_near(pbd::View<const pbd::Vec4> position, uint32_t particles,
                                           float reach) {
-  candidates_.reserve(room_, shapes_.shapes.count);
+  candidates_.reserve(room_, shapes_.of_world());
   candidates_.find(device_, shapes_, position, position, particles, reach);
   return candidates_.view();
 }

@@ -12,7 +12,6 @@
 
 #include "collision/film/film_kernels.h"
 #include "pbd/device/base/atomics.h"
-#include "pbd/math/tangents.h"
 
 namespace meniscus::collision::film_kernels {
 
@@ -35,18 +34,6 @@ struct WholeImpulse {
   }
   MENISCUS_HD float at(int k) const {
     return static_cast<float>(static_cast<double>(part[k]) * film_tuning::unit);
-  }
-};
-
-/// Directions against gravity and across it.
-struct LevelAxes {
-  Vec3 up, first, second;
-
-  MENISCUS_HD explicit LevelAxes(Vec3 gravity) {
-    up = normalized_or(-gravity, {0, 1, 0});
-    const Tangents across(up);
-    first = across.u;
-    second = across.v;
   }
 };
 
@@ -87,7 +74,7 @@ struct AddParticleLoads {
   uint32_t sorted;
   View<const uint32_t> has_film;
   Lengths lengths;
-  LevelAxes axes;
+  WorldAxes world_axes;
   float inverse_dt;
   View<ParticleLoad> loads;  ///< by body
 
@@ -96,6 +83,7 @@ struct AddParticleLoads {
     const pbd::Contact& c = contacts.contacts[n];
     const uint32_t i = contacts.particle[n];
     if (c.body >= has_film.count || !has_film[c.body] || i >= sorted || pbd::is_grain(phase[i])) return;
+    const LevelAxes& axes = world_axes.of(c.body);
     const Vec3 x = position[i].xyz(), push = -inverse_dt * multiplier_sum(c);
     const float upward = dot(push, axes.up);
     loads[c.body].up.add(axes, upward, c.arm);
@@ -157,7 +145,7 @@ struct AddPassedOn {
   View<const Gap> gaps;
   View<const float> pressure;
   View<const Balance> balance;
-  LevelAxes axes;
+  WorldAxes world_axes;
   float dt;
   View<UpwardImpulse> passed_on;  ///< by body
 
@@ -167,6 +155,7 @@ struct AddPassedOn {
     if (!(gap.film > 0) || set.shapes[gap.shape].body == pbd::no_index) return;
     const uint32_t other = set.shapes[gap.shape].body;
     const Pose& pose = surfaces.proxies[t.body].pose;
+    const LevelAxes& axes = world_axes.of(t.body);
     const Vec3 impulse = film_impulse(t, gap, pose, pressure, dt), x = to_world(pose, t.centre);
     if (!is_finite(impulse)) return;
     const float beyond = (1 - balance[t.body].upright_at(axes, x - pose.position)) * dot(impulse, axes.up);

@@ -55,6 +55,18 @@ struct Lengths {
   }
 };
 
+/// By world of a batch, or one for all; m/s².
+struct WorldGravity {
+  Vec3 common;
+  uint32_t bodies = 0;  ///< of a world, where there are several
+  View<const pbd::Vec4> by_world{};
+
+  MENISCUS_HD uint32_t world_of(uint32_t body) const { return bodies ? body / bodies : 0; }
+  MENISCUS_HD Vec3 of(uint32_t body) const {
+    return by_world.count ? by_world[world_of(body)].xyz() : common;
+  }
+};
+
 /// The fluid particles.
 struct Fluid {
   pbd::GridView grid;
@@ -64,19 +76,43 @@ struct Fluid {
   const float* multiplier;              ///< of the first particle
   uint32_t stride;                      ///< floats from one particle's multiplier to that of the next
   float to_pressure;
-  Vec3 gravity;
+  WorldGravity gravity;
 
   MENISCUS_HD float pressure(uint32_t i) const { return to_pressure * multiplier[size_t{stride} * i]; }
-  /// Calls visit(particle, its position) for each particle near p that the solid collides with.
+  /// Calls visit(particle, its position) for each particle near p that the solid of a body collides with.
   template <class Visit>
   MENISCUS_HD void for_each_near(Vec3 p, const Shape& solid, const Visit& visit) const {
-    pbd::RunsAround(grid, p).for_each([&](uint32_t begin, uint32_t end) {
+    const uint32_t first_cell = gravity.world_of(solid.body) << grid.key_bits();
+    pbd::RunsAround(grid, p, first_cell).for_each([&](uint32_t begin, uint32_t end) {
       for (uint32_t i = begin; i < end; ++i) {
         if (pbd::is_grain(phase[i])) continue;
         if (filters.count && !collide(solid, filters[pbd::phase_group(phase[i])])) continue;
         visit(i, position[i]);
       }
     });
+  }
+};
+
+/// Directions against gravity and across it.
+struct LevelAxes {
+  Vec3 up, first, second;
+
+  MENISCUS_HD explicit LevelAxes(Vec3 gravity) {
+    up = normalized_or(-gravity, {0, 1, 0});
+    const Tangents across(up);
+    first = across.u;
+    second = across.v;
+  }
+};
+
+/// By world of a batch, or one for all.
+struct WorldAxes {
+  LevelAxes common;
+  uint32_t bodies = 0;  ///< of a world
+  View<const LevelAxes> by_world{};
+
+  MENISCUS_HD const LevelAxes& of(uint32_t body) const {
+    return by_world.count ? by_world[body / bodies] : common;
   }
 };
 
@@ -108,7 +144,7 @@ struct FindGaps {
   CandidateView candidates;
   View<const pbd::Vec4> centre;
   Lengths lengths;
-  Vec3 up;
+  WorldAxes axes;
   View<Gap> gaps;
 
   MENISCUS_HD void operator()(uint32_t n) const {
@@ -146,7 +182,7 @@ struct FindGaps {
     if (other == pbd::no_index) return true;
     const FilmRange& range = surfaces.bodies[other];
     if (range.first_triangle == range.triangle_end) return true;
-    const float lower = dot(others_normal - normal, up);
+    const float lower = dot(others_normal - normal, axes.of(body).up);
     if (fabsf(lower) > film_tuning::upright) return lower > 0;
     return surfaces.bodies[body].rank < range.rank;
   }
@@ -245,6 +281,7 @@ struct FindRims {
   MENISCUS_HD void look(uint32_t v, Vec3 x, Vec3 outwards, Vec3 facing, const Shape& solid,
                         const Shape& other) const {
     const Window window(lengths);
+    const Vec3 gravity = fluid.gravity.of(solid.body);
     float weight = 0, pressure = 0, density = 0;
     fluid.for_each_near(x, solid, [&](uint32_t i, const pbd::Vec4& p) {
       const Vec3 d = p.xyz() - x;
@@ -255,7 +292,7 @@ struct FindRims {
       const float rho = 1 / (p.w * lengths.spacing * lengths.spacing * lengths.spacing);
       weight += w;
       density += w * rho;
-      pressure += w * (fluid.pressure(i) - rho * dot(fluid.gravity, d));
+      pressure += w * (fluid.pressure(i) - rho * dot(gravity, d));
     });
     if (!(weight > 0)) return;
     const float wetness = pbd::min(weight / film_tuning::wet, 1.0f);

@@ -23,7 +23,7 @@ struct AddLoads {
   View<const float> pressure;  ///< by vertex
   View<const Balance> balance;
   View<const LoadProbe> probes;
-  LevelAxes axes;
+  WorldAxes world_axes;
   float dt;
   View<WholeImpulse> bodies, probe_sums;
 
@@ -32,6 +32,7 @@ struct AddLoads {
     const Gap& gap = gaps[n];
     if (!(gap.film > 0)) return;
     const BodyProxy& body = surfaces.proxies[t.body];
+    const LevelAxes& axes = world_axes.of(t.body);
     const Vec3 whole = film_impulse(t, gap, body.pose, pressure, dt), x = to_world(body.pose, t.centre),
                arm = x - body.pose.position;
     const Balance& part = balance[t.body];

@@ -16,15 +16,18 @@ namespace meniscus::collision {
 /// Knows the solids of a world by spheres around bodies, boxes and planes.
 class FilmNearness {
  public:
-  /// Fixed shapes come first among `shapes`.
-  void set(std::span<const Shape> shapes, uint32_t fixed, const FilmSurfaces& surfaces);
+  /// Fixed shapes come first among `shapes`. Bodies come world after world, as many in each.
+  void set(std::span<const Shape> shapes, uint32_t fixed, const FilmSurfaces& surfaces, uint32_t worlds = 1);
   /// Whether a body with a surface may be within `reach` (m) of another solid, where the motions lead in dt.
   bool any(std::span<const RigidMotion> motions, float dt, float reach) const;
 
  private:
+  bool any_in(std::span<const RigidMotion> motions, size_t first, size_t end, float dt, float reach) const;
+
   std::vector<Shape> fixed_;
   std::vector<float> radius_;  // m, by body; negative: it has no surface
-  bool has_others_ = false;    // whether bodies without surfaces carry shapes: they may be anywhere
+  size_t worlds_ = 1;
+  bool has_others_ = false;  // whether bodies without surfaces carry shapes: they may be anywhere
 };
 
 }  // namespace meniscus::collision

@@ -38,9 +38,11 @@ class FilmSet final : public pbd::ConstraintSet<D> {
   /// Where the multipliers are is asked for in each substep.
   void set_fluid(std::function<FluidMultipliers()> multipliers) { multipliers_ = std::move(multipliers); }
   /// The parts of bodies; see join_film_parts. Must be called when shapes or bodies change. Fixed shapes come
-  /// first.
+  /// first. Of several worlds, bodies and parts come world after world.
   void set_parts(std::span<const FilmPart> parts, uint32_t bodies, std::span<const Shape> shapes,
-                 uint32_t fixed);
+                 uint32_t fixed, uint32_t worlds = 1);
+  /// m/s², by world. Empty: all have that of the substep.
+  void set_gravities(std::span<const pbd::Vec4> gravities);
   void set_probes(std::span<const film_kernels::LoadProbe> probes);
   /// By probe: the mean force and torque of films over the last step, N and N·m.
   std::span<const RigidImpulse> read_probes();
@@ -53,6 +55,8 @@ class FilmSet final : public pbd::ConstraintSet<D> {
  private:
   void upload();
   film_kernels::Surfaces surfaces() const;
+  film_kernels::WorldGravity gravity(const pbd::Substep<D>& substep) const;
+  uint32_t of_world() const { return static_cast<uint32_t>(all_.bodies.size()) / worlds_; }  // bodies
   film_kernels::Fluid fluid(const pbd::Substep<D>& substep) const;
 
   D& device_;
@@ -65,7 +69,10 @@ class FilmSet final : public pbd::ConstraintSet<D> {
   FilmNearness nearness_;
   bool has_fluid_ = false, is_on_device_ = true;
   float step_time_ = 0;  // s
+  uint32_t worlds_ = 1;
 
+  pbd::Buffer<pbd::Vec4> gravities_{device_, "film gravities"};  // by world, where there are several
+  pbd::Buffer<film_kernels::LevelAxes> world_axes_{device_, "film axes"};  // likewise
   pbd::Buffer<Vec3> vertices_{device_, "film vertices"};
   pbd::Buffer<FilmTriangle> triangles_{device_, "film triangles"};
   pbd::Buffer<uint32_t> first_corner_{device_, "film corners"};

@@ -10,9 +10,10 @@ namespace meniscus::collision {
 
 template <class D>
 void FilmSet<D>::set_parts(std::span<const FilmPart> parts, uint32_t bodies, std::span<const Shape> shapes,
-                           uint32_t fixed) {
+                           uint32_t fixed, uint32_t worlds) {
   all_ = join_film_parts(parts, bodies);
-  nearness_.set(shapes, fixed, all_);
+  nearness_.set(shapes, fixed, all_, worlds);
+  worlds_ = worlds;
   is_on_device_ = false;
   bodies_.set_loads({});
 }
@@ -25,6 +26,21 @@ void FilmSet<D>::set_probes(std::span<const film_kernels::LoadProbe> probes) {
   probe_sums_.fill(0);
   probe_reads_.resize(probes.size());
   probe_loads_.resize(probes.size());
+}
+
+template <class D>
+void FilmSet<D>::set_gravities(std::span<const pbd::Vec4> gravities) {
+  std::vector<film_kernels::LevelAxes> axes;
+  for (const pbd::Vec4& g : gravities) axes.emplace_back(g.xyz());
+  gravities_.resize_discard(gravities.size());
+  gravities_.write(gravities);
+  world_axes_.resize_discard(axes.size());
+  world_axes_.write(axes);
+}
+
+template <class D>
+film_kernels::WorldGravity FilmSet<D>::gravity(const pbd::Substep<D>& substep) const {
+  return {substep.gravity, of_world(), gravities_.view()};
 }
 
 template <class D>
@@ -61,7 +77,7 @@ void FilmSet<D>::upload() {
   passed_on_.resize_discard(all_.bodies.size());
   sums_.resize_discard(all_.bodies.size());
   impulses_.resize_discard(all_.bodies.size());
-  candidates_.reserve(static_cast<uint32_t>(all_.triangles.size()), contacts_.shapes().shapes.count);
+  candidates_.reserve(static_cast<uint32_t>(all_.triangles.size()), contacts_.shapes().of_world());
   is_on_device_ = true;
 }
 
@@ -88,7 +104,7 @@ film_kernels::Fluid FilmSet<D>::fluid(const pbd::Substep<D>& substep) const {
           m.first,
           m.stride,
           1 / (m.volume * substep.dt * substep.dt),
-          substep.gravity};
+          gravity(substep)};
 }
 
 template <class D>
@@ -104,12 +120,11 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   const Surfaces film = surfaces();
   const Fluid around = fluid(substep);
   const ShapeSet& set = contacts_.shapes();
-  const LevelAxes axes(substep.gravity);
+  const WorldAxes axes{LevelAxes(substep.gravity), of_world(), world_axes_.view()};
   device_.parallel_for("films/place", triangles, PlaceCentres{film, centre_.view()});
   candidates_.find(device_, set, centre_.view(), centre_.view(), triangles, lengths_.widest());
-  device_.parallel_for(
-      "films/gaps", triangles,
-      FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, axes.up, gaps_.view()});
+  device_.parallel_for("films/gaps", triangles,
+                       FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, axes, gaps_.view()});
   has_film_.fill(0);
   particle_loads_.fill(0);
   passed_on_.fill(0);
@@ -128,11 +143,11 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   device_.parallel_for_groups(
       "films/solve", bodies,
       SolveFilms{film, gaps_.view(), rims_.view(), has_film_.view(), particle_loads_.view(), lengths_,
-                 substep.gravity, substep.dt, views, balance_.view()});
+                 gravity(substep), substep.dt, views, balance_.view()});
   for (int storey = 0; storey < film_tuning::storeys; ++storey) {
     device_.parallel_for("films/balance", bodies,
                          BalanceFilms{passed_on_.view(), substep.dt, balance_.view()});
-    if (bodies == 1 || storey + 1 == film_tuning::storeys) break;
+    if (of_world() == 1 || storey + 1 == film_tuning::storeys) break;
     device_.parallel_for("films/pass", triangles,
                          AddPassedOn{film, set, gaps_.view(), pressure_.view(), balance_.view(), axes,
                                      substep.dt, passed_on_.view()});

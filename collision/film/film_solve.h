@@ -37,7 +37,7 @@ struct SolveFilms {
   View<const uint32_t> has_film;
   View<const ParticleLoad> particles;
   Lengths lengths;
-  Vec3 gravity;
+  WorldGravity world_gravity;
   float dt;
   SolveViews views;
   View<Balance> balance;
@@ -45,6 +45,7 @@ struct SolveFilms {
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t b) const {
     const FilmRange& range = surfaces.bodies[b];
+    const Vec3 gravity = world_gravity.of(b);
     const Vertices<Group> vertices{group, scratch, range.first_vertex, range.vertex_end};
     if (!has_film[b]) {
       vertices.each([&](uint32_t v) { views.pressure[v] = 0; });

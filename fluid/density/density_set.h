@@ -109,8 +109,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   bool any_crowd() const;
   /// s, of the last substep: its multipliers are those of `multipliers()`.
   float last_substep() const { return last_dt_; }
-  /// Takes over the multipliers of the first particles, from a substep of this length.
-  void set_multipliers(std::span<const density_kernels::Multiplier> multipliers, float last_substep);
+  void visit_multipliers(pbd::StateVisitor& v, uint32_t count);
+  /// Takes over the multipliers of the particles from `first` on, from a substep of this length; 0: none was.
+  void set_multipliers(uint32_t first, std::span<const density_kernels::Multiplier> multipliers,
+                       float last_substep);
 
   void start_step() override;
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;

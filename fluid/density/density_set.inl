@@ -331,10 +331,17 @@ bool DensitySet<D>::any_crowd() const {
 }
 
 template <class D>
-void DensitySet<D>::set_multipliers(std::span<const density_kernels::Multiplier> multipliers,
+void DensitySet<D>::set_multipliers(uint32_t first, std::span<const density_kernels::Multiplier> multipliers,
                                     float last_substep) {
-  multiplier_.current.write(multipliers);
-  last_dt_ = last_substep;
+  multiplier_.current.write(multipliers, first);
+  if (last_substep > 0) last_dt_ = last_substep;
+}
+
+/// A part of the state: that of so many particles.
+template <class D>
+void DensitySet<D>::visit_multipliers(pbd::StateVisitor& v, uint32_t count) {
+  v.value("last_dt", last_dt_);
+  v.array("multiplier", multiplier_.current.view().first(count), count);
 }
 
 template <class D>

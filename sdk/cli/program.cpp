@@ -23,6 +23,7 @@
 #include "sdk/cli/commands/devices.h"
 #include "sdk/cli/commands/replay.h"
 #include "sdk/cli/commands/run.h"
+#include "sdk/cli/commands/run_worlds.h"
 #include "sdk/cli/commands/samples.h"
 #include "sdk/cli/commands/schema.h"
 #include "sdk/cli/commands/view.h"
@@ -33,6 +34,27 @@
 
 namespace meniscus::cli {
 namespace {
+
+void add_worlds(CLI::App& run, RunOptions& options) {
+  CLI::Option* worlds =
+      run.add_option("--worlds", options.worlds,
+                     "Run so many copies of the scene at once, and write a table with a row for each")
+          ->type_name("N")
+          ->check(CLI::Range(1, 65536).description(""));
+  for (const char* frames : {"--export", "--render", "--video", "--save-every", "--from", "--record"})
+    worlds->excludes(frames);
+  run.add_option("--vary", options.vary,
+                 "With --worlds: a number of the scene that differs among the copies, as in "
+                 "world.gravity[0]=-1:1; repeatable")
+      ->type_name("PATH=LOW:HIGH")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->needs(worlds);
+  run.add_option("--seed", options.seed, "With --vary: which random numbers; by default 1")
+      ->type_name("N")
+      ->needs(worlds);
+}
 
 void add_run(CLI::App& app, RunOptions& options, Command& command) {
   CLI::App& run = *app.add_subcommand("run", "Run a scene and write measurements, a picture and frames");
@@ -97,9 +119,12 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
   run.add_option("--from", options.from, "Continue from a saved state of the same scene")->type_name("FILE");
   run.add_option("--record", options.record, "Record all steps with their hashes, for the command replay")
       ->type_name("FILE");
+  add_worlds(run, options);
   run.add_flag("--quiet", options.quiet, "Print errors alone, and with --json the results");
   add_json(run, options.json);
-  run.callback([&options, &command] { command = [&options] { return run_scene(options); }; });
+  run.callback([&options, &command] {
+    command = [&options] { return options.worlds ? run_worlds(options) : run_scene(options); };
+  });
 }
 
 void add_view(CLI::App& app, ViewOptions& options, Command& command) {

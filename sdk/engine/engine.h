@@ -135,22 +135,30 @@ class Engine {
   virtual void set_particle_velocities(std::span<const uint32_t> slots, std::span<const Vec3> velocities) = 0;
 
   // Batches of worlds (pbd/worlds.h). By slot, particles of a world follow one another.
-  /// Makes so many worlds of the present state, which must be of fluids and fixed shapes alone. Then steps
-  /// with particles that are not finite are not undone.
-  virtual void make_worlds(uint32_t worlds) = 0;
+  /// The rigid worlds of the bodies.
+  virtual collision::RigidWorlds& rigid_worlds() = 0;
+  /// Makes so many worlds of the present state, which must be of fluids, fixed shapes and bodies alone. There
+  /// are as many rigid worlds already, and `solids` are those of all worlds. Then steps with particles or
+  /// bodies that are not finite are not undone.
+  virtual void make_worlds(const SolidShapes& solids) = 0;
+  /// Call it after bodies of the worlds with chosen ≠ 0 were placed by a call of the user.
+  virtual void place_worlds(std::span<const uint32_t> chosen) = 0;
   /// m/s², by world.
   virtual void set_gravities(std::span<const Vec3> gravities) = 0;
   /// Gives the state at make_worlds() to worlds with chosen ≠ 0.
   virtual void reset_worlds(std::span<const uint32_t> chosen) = 0;
   /// Gives them the state before the last step.
   virtual void undo_worlds(std::span<const uint32_t> chosen) = 0;
-  /// By world: the number of particles that are not finite.
+  /// By world: the number of particles that are not finite, and one more if a body was not.
   virtual void count_non_finite(std::span<uint32_t> counts) = 0;
   /// By world: hash_particles() of it alone.
   virtual void hash_worlds(std::span<uint64_t> hashes) = 0;
+  /// The state of all worlds' particles, and the forces on their bodies. A batch that restores it has as many
+  /// worlds of the same archetype. Then its bodies are to be placed by place_worlds().
+  virtual void visit_worlds(pbd::StateVisitor& v) = 0;
   virtual EngineWorld read_world(uint32_t world) = 0;
-  /// Replaces the particles of an engine of one world by as many.
-  virtual void write_world(const EngineWorld& world) = 0;
+  /// Replaces the particles of one world by as many, and the forces of its bodies.
+  virtual void write_world(uint32_t world, const EngineWorld& state) = 0;
   /// Whether particles that were placed too dense have not parted yet.
   virtual bool any_crowd() const = 0;
   /// Writes positions and velocities as write_arrays() does, without groups and ids.

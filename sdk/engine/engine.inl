@@ -164,14 +164,17 @@ class DeviceEngine final : public Engine {
     solver_.relax_from(slot, dt, iterations);
   }
 
-  void make_worlds(uint32_t worlds) override;
+  collision::RigidWorlds& rigid_worlds() override { return bodies_.worlds(); }
+  void make_worlds(const SolidShapes& solids) override;
+  void place_worlds(std::span<const uint32_t> chosen) override;
   void set_gravities(std::span<const Vec3> gravities) override;
   void reset_worlds(std::span<const uint32_t> chosen) override;
   void undo_worlds(std::span<const uint32_t> chosen) override;
   void count_non_finite(std::span<uint32_t> counts) override;
   void hash_worlds(std::span<uint64_t> hashes) override;
+  void visit_worlds(pbd::StateVisitor& v) override;
   EngineWorld read_world(uint32_t world) override;
-  void write_world(const EngineWorld& world) override;
+  void write_world(uint32_t world, const EngineWorld& state) override;
   bool any_crowd() const override { return density_.any_crowd(); }
   void write_vectors(Vec3* positions, Vec3* velocities) override;
 
@@ -208,6 +211,7 @@ class DeviceEngine final : public Engine {
   void assemble();
   void add_diffuse(const fluid::DiffuseParameters& parameters);
   void note_overlapping();
+  void note_overlapping(pbd::View<const uint32_t> chosen_worlds);
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
   template <class Kernel>

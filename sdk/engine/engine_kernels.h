@@ -127,8 +127,10 @@ struct NotePlaced {
   collision::shape_contact_kernels::Touches touches;
   View<const pbd::Vec4> position;
   View<pbd::Phase> phase;
+  pbd::ChosenWorlds worlds;
 
   MENISCUS_HD void operator()(uint32_t i) const {
+    if (!worlds.has(i)) return;
     const collision::Touch touch = touches.of(i);
     const Vec3 p = position[i].xyz();
     const float least = engine_tuning::overlapping * touch.radius;

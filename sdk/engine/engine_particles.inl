@@ -193,6 +193,7 @@ EngineStep DeviceEngine<D>::end_step() {
   if (diffuse_) diffuse_->accept();
   done.stage_ms = solver_.timer().read_ms();
   done.rigid_ms = bodies_.step_ms();
+  done.any_world_failed = bodies_.worlds().any_failed();
   done.overflows = overflows();
   done.pistons = pistons_.read();
   done.density_iterations =

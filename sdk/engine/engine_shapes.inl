@@ -55,14 +55,15 @@ void DeviceEngine<D>::set_shapes(const SolidShapes& solids) {
   replace<collision::HeightFieldView>(height_fields_, height_views_);
   replace<collision::Shape>(shapes_, solids.shapes);
   replace<collision::PlaneOpening>(openings_, solids.openings);
-  shape_set_ = {shapes_.view(), solids.fixed, openings_.view(), sdfs_.view(), height_fields_.view()};
+  shape_set_ = {shapes_.view(), solids.fixed,          openings_.view(),
+                sdfs_.view(),   height_fields_.view(), solids.worlds};
   const bool fixed_are_planes =
       std::all_of(solids.shapes.begin(), solids.shapes.begin() + solids.fixed,
                   [](const collision::Shape& s) { return s.kind == collision::ShapeKind::plane; });
   contacts_.set_shapes(shape_set_, fixed_are_planes);
   bodies_.set_shapes(solids.carried, shapes_.view());
   viscosity_.set_walls(slip_lengths(solids.shapes, false), slip_lengths(solids.shapes, true));
-  films_.set_parts(solids.films, def_.rigid->body_slots(), solids.shapes, solids.fixed);
+  films_.set_parts(solids.films, bodies_.worlds().body_slots(), solids.shapes, solids.fixed, solids.worlds);
   any_overlapping_ = true;
 }
 
@@ -76,14 +77,22 @@ void DeviceEngine<D>::place_bodies() {
 template <class D>
 void DeviceEngine<D>::note_overlapping() {
   if (!any_overlapping_ || shape_set_.shapes.count == 0) return;
-  const pbd::View<const pbd::Vec4> position = particles_.position.current.view();
-  device_.parallel_for(
-      "shapes/placed", particles_.count(),
-      engine_kernels::NotePlaced{
-          shape_set_, contacts_.find_near(position, particles_.count(), contacts_.largest_radius()),
-          contacts_.touches(particles_.phase.current.view(), particles_.sorted()), position,
-          particles_.phase.current.view()});
+  note_overlapping({});
   any_overlapping_ = false;
+}
+
+/// The same in these worlds of a batch.
+template <class D>
+void DeviceEngine<D>::note_overlapping(pbd::View<const uint32_t> chosen_worlds) {
+  const pbd::View<const pbd::Vec4> position = particles_.position.current.view();
+  device_.parallel_for("shapes/placed", particles_.count(),
+                       engine_kernels::NotePlaced{
+                           shape_set_,
+                           contacts_.find_near(position, particles_.count(), contacts_.largest_radius()),
+                           contacts_.touches(particles_.phase.current.view(), particles_.sorted()),
+                           position,
+                           particles_.phase.current.view(),
+                           {chosen_worlds, particles_.sorted() / solver_.worlds(), particles_.count()}});
 }
 
 template <class D>

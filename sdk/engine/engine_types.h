@@ -64,13 +64,15 @@ struct ParticleMaterial {
   std::optional<float> slope{};  ///< GranularDef::friction
 };
 
-/// All solids in the solver's form: fixed shapes first. Shapes of bodies are placed by `carried`.
+/// All solids in the solver's form: fixed shapes first. Shapes of bodies are placed by `carried`. Those of a
+/// batch's worlds follow one another, and so do their bodies.
 struct SolidShapes {
   std::vector<collision::Shape> shapes;
   uint32_t fixed = 0;
   std::vector<collision::PlaneOpening> openings;
   std::vector<collision::CarriedShape> carried;
   std::vector<collision::FilmPart> films;  ///< the surfaces of bodies
+  uint32_t worlds = 1;
 };
 
 enum class TouchedKind { shape, body, cloth };
@@ -190,14 +192,16 @@ struct EngineWorld {
   std::vector<pbd::Phase> phase;
   std::vector<uint32_t> slot, number;
   std::vector<fluid::density_kernels::Multiplier> multiplier;
-  float last_density_substep = 0;  ///< s
-  float last_substep = 0;          ///< s
+  float last_density_substep = 0;                    ///< s
+  std::vector<collision::RigidImpulse> body_forces;  ///< see Engine::body_forces
+  float last_substep = 0;                            ///< s
 };
 
 struct EngineStep {
   pbd::StepResult result;
   std::array<double, stage_count> stage_ms{};
   double rigid_ms = 0;
+  bool any_world_failed = false;    ///< in a batch: a body of some world was not finite
   uint32_t density_iterations = 0;  ///< over all substeps
   Overflows overflows;
   std::vector<PistonReading> pistons;

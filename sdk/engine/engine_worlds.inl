@@ -37,8 +37,8 @@ struct HashByWorld {
 
 /// Overlaps with solids are noted first, as the first step of a world notes them.
 template <class D>
-void DeviceEngine<D>::make_worlds(uint32_t worlds) {
-  const uint32_t each = particles_.sorted();
+void DeviceEngine<D>::make_worlds(const SolidShapes& solids) {
+  const uint32_t each = particles_.sorted(), worlds = solids.worlds;
   fetch_contacts();
   note_overlapping();
   for (pbd::Buffer<uint32_t>* b : {&chosen_worlds_, &bad_worlds_}) b->resize_discard(worlds);
@@ -48,6 +48,15 @@ void DeviceEngine<D>::make_worlds(uint32_t worlds) {
   solver_.make_worlds(worlds);
   fluid_capacity_ = worlds * each;
   vector_out_.resize_or_stay(fluid_capacity_);  // the only read-out of a batch
+  set_shapes(solids);
+  any_overlapping_ = false;
+}
+
+template <class D>
+void DeviceEngine<D>::place_worlds(std::span<const uint32_t> chosen) {
+  bodies_.place();
+  chosen_worlds_.write(chosen);
+  note_overlapping(chosen_worlds_.view());
 }
 
 template <class D>
@@ -56,18 +65,21 @@ void DeviceEngine<D>::set_gravities(std::span<const Vec3> gravities) {
   for (const Vec3 g : gravities) padded.push_back(pbd::with_w(g, 0));
   world_gravities_.write(padded);
   solver_.set_gravities(world_gravities_.view());
+  films_.set_gravities(padded);
 }
 
 template <class D>
 void DeviceEngine<D>::reset_worlds(std::span<const uint32_t> chosen) {
   chosen_worlds_.write(chosen);
   solver_.reset_worlds(chosen_worlds_.view());
+  bodies_.reset_bodies(chosen);
 }
 
 template <class D>
 void DeviceEngine<D>::undo_worlds(std::span<const uint32_t> chosen) {
   chosen_worlds_.write(chosen);
   solver_.undo_worlds(chosen_worlds_.view());
+  bodies_.undo_bodies(chosen);
 }
 
 template <class D>
@@ -78,6 +90,8 @@ void DeviceEngine<D>::count_non_finite(std::span<uint32_t> counts) {
                        engine_kernels::CountNonFinite{p.position, p.velocity, p.sorted / solver_.worlds(),
                                                       bad_worlds_.view()});
   bad_worlds_.read(counts);
+  const std::span<const uint8_t> failed = bodies_.worlds().failed();
+  for (size_t w = 0; w < failed.size(); ++w) counts[w] += failed[w];
 }
 
 template <class D>
@@ -92,7 +106,25 @@ void DeviceEngine<D>::hash_worlds(std::span<uint64_t> hashes) {
 }
 
 template <class D>
+void DeviceEngine<D>::visit_worlds(pbd::StateVisitor& v) {
+  const uint32_t count = particles_.sorted();
+  const auto array = [&]<class T>(const char* name, pbd::View<T> all) {
+    v.array(name, all.first(count), count);
+  };
+  array("position", particles_.position.current.view());
+  array("velocity", particles_.velocity.current.view());
+  array("phase", particles_.phase.current.view());
+  array("slot", particles_.slot.current.view());
+  array("number", particles_.number.current.view());
+  density_.visit_multipliers(v, count);
+  v.value("last_substep", last_substep_);
+  v.part("bodies", bodies_);
+  if (v.restores()) solver_.particles_changed(0, 0);
+}
+
+template <class D>
 EngineWorld DeviceEngine<D>::read_world(uint32_t world) {
+  note_overlapping();
   const uint32_t each = particles_.sorted() / solver_.worlds(), first = world * each;
   EngineWorld state;
   const auto read = [&]<class T>(std::vector<T>& to, pbd::View<const T> from) {
@@ -107,21 +139,30 @@ EngineWorld DeviceEngine<D>::read_world(uint32_t world) {
   read(state.number, p.number);
   read(state.multiplier, density_.multipliers());
   for (uint32_t& slot : state.slot) slot -= first;
+  const uint32_t bodies = bodies_.worlds().each();
+  const auto forces = bodies_.mean_forces().subspan(size_t{world} * bodies, bodies);
+  state.body_forces.assign(forces.begin(), forces.end());
   state.last_density_substep = density_.last_substep();
   state.last_substep = last_substep_;
   return state;
 }
 
+/// The steps of all worlds are as long.
 template <class D>
-void DeviceEngine<D>::write_world(const EngineWorld& world) {
-  particles_.position.current.write(world.position);
-  particles_.velocity.current.write(world.velocity);
-  particles_.phase.current.write(world.phase);
-  particles_.slot.current.write(world.slot);
-  particles_.number.current.write(world.number);
+void DeviceEngine<D>::write_world(uint32_t world, const EngineWorld& state) {
+  const auto each = static_cast<uint32_t>(state.position.size()), first = world * each;
+  const auto write = [&]<class T>(pbd::Buffer<T>& to, std::span<const T> from) { to.write(from, first); };
+  std::vector<uint32_t> slot = state.slot;
+  for (uint32_t& s : slot) s += first;
+  write(particles_.position.current, std::span(state.position));
+  write(particles_.velocity.current, std::span(state.velocity));
+  write(particles_.phase.current, std::span(state.phase));
+  write(particles_.slot.current, std::span<const uint32_t>(slot));
+  write(particles_.number.current, std::span(state.number));
   solver_.particles_changed(0, 0);
-  density_.set_multipliers(world.multiplier, world.last_density_substep);
-  last_substep_ = world.last_substep;
+  density_.set_multipliers(first, state.multiplier, state.last_density_substep);
+  if (state.last_substep > 0) last_substep_ = state.last_substep;
+  bodies_.set_mean_forces(world, state.body_forces);
   any_overlapping_ = false;
 }
 

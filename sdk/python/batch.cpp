@@ -3,16 +3,14 @@
 //
 // Batches of worlds. Arrays that are read belong to the moment of the call.
 #include "sdk/python/batch.h"
+#include "sdk/python/py_batch.h"
 
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
-#include <mutex>
-
 #include "sdk/python/device_arrays.h"
 #include "sdk/python/results.h"
-#include "sdk/python/state/known_things.h"
 #include "sdk/python/values/arrays.h"
 
 namespace meniscus::python {
@@ -22,32 +20,8 @@ namespace {
 using Mask = nb::ndarray<const bool, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Vectors = nb::ndarray<const float, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 
-/// One thread at a time calls the batch. Others of Python go on.
-class PyBatch {
- public:
-  PyBatch(const PyWorld& archetype, uint32_t worlds)
-      : things_(*archetype.state), batch_(archetype.state->measure([&](World& w) {
-          return std::make_shared<WorldBatch>(w, BatchDef{worlds});
-        })) {}
-
-  template <class Call>
-  decltype(auto) run(const Call& call) const {
-    const nb::gil_scoped_release released;
-    const std::lock_guard lock(*mutex_);
-    return call(*batch_);
-  }
-  std::shared_ptr<void> owner() const { return batch_; }
-
-  PyWorld extract(uint32_t number) const {
-    World world = run([&](WorldBatch& b) { return b.extract(number); });
-    Things things = things_of(world, things_);
-    return {std::make_shared<WorldState>(std::move(world), std::move(things), nb::object())};
-  }
-
- private:
-  Things things_;
-  std::shared_ptr<WorldBatch> batch_;
-  std::shared_ptr<std::mutex> mutex_ = std::make_shared<std::mutex>();
+struct PyBatchSnapshot {
+  BatchSnapshot state;
 };
 
 std::vector<uint8_t> bytes_of(const Mask& mask) {
@@ -66,8 +40,10 @@ nb::object vectors(const PyBatch& self, std::span<const Vec3> (WorldBatch::*read
 }
 
 void bind_changes(nb::class_<PyBatch>& batch) {
-  batch.def(nb::init<const PyWorld&, uint32_t>(), nb::arg("archetype"), nb::arg("worlds"),
-            "So many copies of a world in its present state, which is not changed.");
+  batch.def(nb::init<const PyWorld&, uint32_t, int>(), nb::arg("archetype"), nb::arg("worlds"),
+            nb::arg("rigid_threads") = 0,
+            "So many copies of a world in its present state, which is not changed. Host threads step the "
+            "bodies, by default one for each core.");
   batch.def(
       "step",
       [](const PyBatch& self, float dt) { return self.run([&](WorldBatch& b) { return b.step(dt); }); },
@@ -134,6 +110,27 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
       },
       nb::sig("def device_arrays(self) -> meniscus.results.BatchArrays"),
       "Positions and velocities in the memory of the device, worlds × particles × 3.");
+  batch.def(
+      "insert",
+      [](const PyBatch& self, uint32_t number, const PyWorld& state) {
+        state.state->measure(
+            [&](World& w) { self.run_released([&](WorldBatch& b) { b.insert(number, w); }); });
+      },
+      nb::arg("world"), nb::arg("state"),
+      "Replaces one world by another that was built as the archetype was, with other places, velocities or "
+      "gravity.");
+  batch.def(
+      "snapshot",
+      [](const PyBatch& self) {
+        return PyBatchSnapshot{self.run([](WorldBatch& b) { return b.snapshot(); })};
+      },
+      "Copies the state of all worlds within the memory of the device, to go back to.");
+  batch.def(
+      "restore",
+      [](const PyBatch& self, const PyBatchSnapshot& snapshot) {
+        self.run([&](WorldBatch& b) { b.restore(snapshot.state); });
+      },
+      nb::arg("snapshot"), "Goes back to a snapshot of this batch.");
   batch.def("extract", &PyBatch::extract, nb::arg("world"),
             "A world of its own that continues with the same bits.");
 }
@@ -141,12 +138,18 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
 }  // namespace
 
 void bind_batch(nb::module_& module) {
+  nb::class_<PyBatchSnapshot>(module, "BatchSnapshot",
+                              "The state of all worlds of a batch, made by WorldBatch.snapshot().")
+      .def_prop_ro(
+          "device_bytes", [](const PyBatchSnapshot& self) { return self.state.device_bytes(); },
+          "Held on the device.");
   nb::class_<PyBatch> batch(
       module, "WorldBatch",
       "Many copies of one world, stepped in the same launches. Each has the bits of the "
       "world alone, which must have sums=\"fixed\".");
   bind_changes(batch);
   bind_readouts(batch);
+  bind_batch_bodies(batch);
 }
 
 }  // namespace meniscus::python

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Writes overrides of the form path=value into a scene document.
+// Finds values of a scene document by their paths, and writes overrides of the form path=value.
 #include "sdk/scene/scene_override.h"
 
 #include <meniscus/error.h>
@@ -23,8 +23,9 @@ using Json = nlohmann::json;
 
 using Step = std::variant<std::string, std::size_t>;  ///< into an object by key, or into an array by index
 
-[[noreturn]] void fail(const std::string& override_text, const std::string& message) {
-  throw Error(ErrorCode::invalid_argument, "--set " + override_text + ": " + message);
+/// `option`: as the user wrote it, such as --set path=value.
+[[noreturn]] void fail(const std::string& option, const std::string& message) {
+  throw Error(ErrorCode::invalid_argument, option + ": " + message);
 }
 
 /// Takes the index off the front of `rest`, which begins after the bracket; false if it is none.
@@ -57,10 +58,10 @@ std::vector<Step> split_path(std::string_view path) {
   return ok ? steps : std::vector<Step>();
 }
 
-Json parse_value(const std::string& override_text, const std::string& text, const Step& last) {
+Json parse_value(const std::string& option, const std::string& text, const Step& last) {
   const auto expect_flat = [&](int depth, Json::parse_event_t, const Json&) {
     if (depth > static_cast<int>(most_levels))
-      fail(override_text, "is nested more than " + std::to_string(most_levels) + " levels deep");
+      fail(option, "is nested more than " + std::to_string(most_levels) + " levels deep");
     return true;
   };
   const Json value = Json::parse(text, expect_flat, false);
@@ -72,21 +73,21 @@ Json parse_value(const std::string& override_text, const std::string& text, cons
 
 /// Follows the steps through the document. `so_far` is the path as the user would write it, for messages.
 struct Walk {
-  const std::string& override_text;
+  const std::string& option;
   std::string so_far = "";
 
   Json& follow(Json& parent, const std::string& key) {
     if (!parent.is_object()) {
-      fail(override_text, quoted() + " is " + shown(parent) + ", which has no key \"" + key + "\"");
+      fail(option, quoted() + " is " + shown(parent) + ", which has no key \"" + key + "\"");
     }
     so_far += (so_far.empty() ? "" : ".") + key;
     return parent[key];
   }
 
   Json& follow(Json& parent, std::size_t index) {
-    if (!parent.is_array()) fail(override_text, quoted() + " is not an array, and has no items");
+    if (!parent.is_array()) fail(option, quoted() + " is not an array, and has no items");
     if (index >= parent.size()) {
-      fail(override_text, quoted() + " has " + std::to_string(parent.size()) + " items, counted from 0");
+      fail(option, quoted() + " has " + std::to_string(parent.size()) + " items, counted from 0");
     }
     so_far.append("[").append(std::to_string(index)).append("]");
     return parent[index];
@@ -97,23 +98,29 @@ struct Walk {
 
 }  // namespace
 
-void apply_override(Json& document, const std::string& override_text) {
-  const std::size_t equals = override_text.find('=');
-  if (equals == std::string::npos) fail(override_text, "must read path=value, as in world.iterations=4");
-  const auto steps = split_path(std::string_view(override_text).substr(0, equals));
+Json& value_at(Json& document, std::string_view path, const std::string& option) {
+  const auto steps = split_path(path);
   if (steps.empty() || steps.size() > most_levels)
-    fail(override_text, "the path must read like fluids[0].dynamic_viscosity");
-
+    fail(option, "the path must read like fluids[0].dynamic_viscosity");
   Json* target = &document;
-  Walk walk{override_text};
+  Walk walk{option};
   for (const Step& step : steps) {
     const bool absent = target->is_null() && std::holds_alternative<std::string>(step);
     if (absent) *target = Json::object();
     target = &std::visit([&](const auto& way) -> Json& { return walk.follow(*target, way); }, step);
   }
-  *target = parse_value(override_text, override_text.substr(equals + 1), steps.back());
-  if (target->is_string() && target->get_ref<const std::string&>().find('\0') != std::string::npos)
-    fail(override_text, "the text has a NUL character");
+  return *target;
+}
+
+void apply_override(Json& document, const std::string& override_text) {
+  const std::string option = "--set " + override_text;
+  const std::size_t equals = override_text.find('=');
+  if (equals == std::string::npos) fail(option, "must read path=value, as in world.iterations=4");
+  const std::string path = override_text.substr(0, equals);
+  Json& target = value_at(document, path, option);
+  target = parse_value(option, override_text.substr(equals + 1), split_path(path).back());
+  if (target.is_string() && target.get_ref<const std::string&>().find('\0') != std::string::npos)
+    fail(option, "the text has a NUL character");
 }
 
 }  // namespace meniscus

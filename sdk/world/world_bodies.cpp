@@ -10,6 +10,7 @@
 
 #include "sdk/world/check/check.h"
 #include "sdk/world/check/periodic.h"
+#include "sdk/world/solids/body_calls.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -46,25 +47,6 @@ collision::RigidBodyDef rigid_def(const BodyDef& def, const SolidPieces& solid,
   rigid.loop = def.loop;
   rigid.name = def.name;
   return rigid;
-}
-
-void expect_motion(const BodyEntry& entry, BodyMotion motion, const char* call, const char* kind) {
-  if (entry.def.motion == motion) return;
-  throw Error(ErrorCode::invalid_argument, std::string(call) + " is for " + kind + " bodies alone");
-}
-
-/// Refuses a value from which a body's force or torque is no longer finite. Steps would fail for ever.
-void expect_finite_sum(const char* name, Vec3 value, Vec3 sum) {
-  if (!is_finite(sum))
-    check::refuse(name, check::text_of(value), "such that all forces on the body sum up to finite ones");
-}
-
-/// Refuses a point so far off that an impulse there turns the body by more than 1e9 rad/s: the squares of
-/// what steps make of it are still finite.
-void expect_finite_turn(const char* name, Vec3 point, Vec3 angular_impulse, Vec3 inertia) {
-  constexpr float most = 1e9f;
-  if (length(angular_impulse) <= most * std::min({inertia.x, inertia.y, inertia.z})) return;
-  check::refuse(name, check::text_of(point), "such that the impulse turns the body by at most 1e9 rad/s");
 }
 
 }  // namespace
@@ -156,20 +138,16 @@ void World::Calls::destroy_joint(JointId id) {
 
 // ---- state ----
 
+BodyCalls World::Impl::calls_of(BodyId id) {
+  return {bodies.get(id), rigid, id.index};
+}
+
 BodyState World::Calls::body_state(BodyId id) const {
-  impl_->bodies.get(id);
-  const collision::RigidWorld& rigid = impl_->rigid;
+  const BodyCalls body = impl_->calls_of(id);
   const std::span<const collision::RigidImpulse> forces = impl_->engine->body_forces();
-  const collision::RigidImpulse force =
-      id.index < forces.size() ? forces[id.index]
-                               : collision::RigidImpulse{};  // the body was created since the step
-  return {rigid.pose(id.index),
-          rigid.centre_of_mass(id.index),
-          rigid.velocity(id.index),
-          rigid.angular_velocity(id.index),
-          force.linear,
-          force.angular,
-          rigid.awake(id.index)};
+  return body.state(id.index < forces.size()
+                        ? forces[id.index]
+                        : collision::RigidImpulse{});  // the body was created since the step
 }
 
 BodyMass World::Calls::body_mass(BodyId id) const {
@@ -192,21 +170,11 @@ void World::Calls::set_body_pose(BodyId id, const Pose& pose) {
 }
 
 void World::Calls::set_body_velocity(BodyId id, Vec3 velocity, Vec3 angular_velocity) {
-  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "set_body_velocity", "dynamic");
-  check::value("set_body_velocity's velocity", velocity);
-  check::value("set_body_velocity's angular_velocity", angular_velocity);
-  impl_->rigid.set_velocity(id.index, velocity, angular_velocity);
+  impl_->calls_of(id).set_velocity(velocity, angular_velocity);
 }
 
 void World::Calls::apply_force(BodyId id, Vec3 force, Vec3 point) {
-  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_force", "dynamic");
-  check::value("apply_force's force", force);
-  check::value("apply_force's point", point);
-  const collision::RigidImpulse sums = impl_->rigid.pending(id.index);
-  expect_finite_sum("apply_force's force", force, sums.linear + force);
-  expect_finite_sum("apply_force's point", point,
-                    sums.angular + cross(point - impl_->rigid.centre_of_mass(id.index), force));
-  impl_->rigid.apply_force(id.index, force, point);
+  impl_->calls_of(id).apply_force(force, point);
 }
 
 void World::Calls::apply_force(BodyId id, Vec3 force) {
@@ -215,27 +183,15 @@ void World::Calls::apply_force(BodyId id, Vec3 force) {
 }
 
 void World::Calls::apply_torque(BodyId id, Vec3 torque) {
-  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_torque", "dynamic");
-  check::value("apply_torque's torque", torque);
-  expect_finite_sum("apply_torque's torque", torque, impl_->rigid.pending(id.index).angular + torque);
-  impl_->rigid.apply_torque(id.index, torque);
+  impl_->calls_of(id).apply_torque(torque);
 }
 
 void World::Calls::apply_impulse(BodyId id, Vec3 impulse, Vec3 point) {
-  expect_motion(impl_->bodies.get(id), BodyMotion::dynamic, "apply_impulse", "dynamic");
-  const BodyMass& mass = impl_->bodies.get(id).mass;
-  check::impulse("apply_impulse's impulse", impulse, mass.mass);
-  check::value("apply_impulse's point", point);
-  expect_finite_turn("apply_impulse's point", point,
-                     cross(point - impl_->rigid.centre_of_mass(id.index), impulse), mass.inertia);
-  impl_->rigid.apply_impulse(id.index, impulse, point);
+  impl_->calls_of(id).apply_impulse(impulse, point);
 }
 
 void World::Calls::move_body(BodyId id, const Pose& target, float duration) {
-  expect_motion(impl_->bodies.get(id), BodyMotion::kinematic, "move_body", "kinematic");
-  check::value("move_body's target", target);
-  check::value("move_body's duration", duration, positive, "s");
-  impl_->rigid.move(id.index, target, duration);
+  impl_->calls_of(id).move(target, duration);
 }
 
 }  // namespace meniscus

@@ -5,6 +5,7 @@
 // another one use it here. They take and return positions in the frame about the origin (origin.h).
 #pragma once
 
+#include <functional>
 #include <utility>
 
 #include "sdk/world/check/origin.h"
@@ -70,6 +71,9 @@ struct World::Calls {
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
   void save(const std::string& path) const;
+  /// Calls use(visit), where visit(visitor) visits all chunks of a file. It may be called several times.
+  using VisitChunks = std::function<void(pbd::StateVisitor&)>;
+  void with_chunks(const std::function<void(const VisitChunks&)>& use) const;
   /// All chunks of a file, on the host.
   pbd::SavedState chunks() const;
   std::vector<FluidId> fluid_ids() const;

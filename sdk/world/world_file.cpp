@@ -105,35 +105,29 @@ void World::Impl::visit_contents(pbd::StateVisitor& v, collision::RigidWorld::Sn
   v.group("model", [&] { visit_engine_cloth(v, cloth); });
 }
 
-namespace {
-
-/// Calls use(visit), where visit(visitor) visits all chunks of a world. It may be called several times.
-template <class Calls, class Use>
-void with_chunks(const Calls& w, const Use& use) {
-  Engine& engine = w.impl_->with_all();
-  w.impl_->read_reactions();
-  w.impl_->fetch_cloth();
-  collision::RigidLayout layout = w.impl_->rigid.layout();
-  std::vector<uint64_t> digests = digests_of(*w.impl_, layout);
+void World::Calls::with_chunks(const std::function<void(const VisitChunks&)>& use) const {
+  Engine& engine = impl_->with_all();
+  impl_->read_reactions();
+  impl_->fetch_cloth();
+  collision::RigidLayout layout = impl_->rigid.layout();
+  std::vector<uint64_t> digests = digests_of(*impl_, layout);
   const collision::RigidWorld::SnapshotPtr rigid = collision::RigidWorld::make_snapshot();
-  w.impl_->rigid.save(*rigid);
-  EngineCloth cloth = w.impl_->uploaded_cloth ? *w.impl_->uploaded_cloth : EngineCloth{};
-  bool has_cloth = w.impl_->uploaded_cloth != nullptr;
+  impl_->rigid.save(*rigid);
+  EngineCloth cloth = impl_->uploaded_cloth ? *impl_->uploaded_cloth : EngineCloth{};
+  bool has_cloth = impl_->uploaded_cloth != nullptr;
   use([&](pbd::StateVisitor& v) {
     v.value("has_cloth", has_cloth);
     v.list("solid_digest", digests);
-    visit_generations(v, *w.impl_);
+    visit_generations(v, *impl_);
     v.part("layout", layout);
-    w.impl_->visit_contents(v, *rigid, cloth);
+    impl_->visit_contents(v, *rigid, cloth);
     v.group("engine", [&] { engine.visit_state(v); });
   });
 }
 
-}  // namespace
-
 pbd::SavedState World::Calls::chunks() const {
   pbd::SavedState chunks;
-  with_chunks(*this, [&](const auto& visit) {
+  with_chunks([&](const VisitChunks& visit) {
     pbd::StateSaver saver(impl_->engine->device(), chunks, pbd::SavedTo::host);
     visit(saver);
   });
@@ -143,8 +137,8 @@ pbd::SavedState World::Calls::chunks() const {
 void World::Calls::save(const std::string& path) const {
   const ChunkFileHeader header{MENISCUS_VERSION_STRING, impl_->device.kind, impl_->time,
                                definitions_text(*impl_)};
-  with_chunks(*this,
-              [&](const auto& visit) { write_chunk_file(path, header, impl_->engine->device(), visit); });
+  with_chunks(
+      [&](const VisitChunks& visit) { write_chunk_file(path, header, impl_->engine->device(), visit); });
 }
 
 /// Makes all contents of an empty world, and gives them their state.

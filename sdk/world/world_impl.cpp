@@ -207,6 +207,11 @@ void World::Impl::solids_changed() {
 
 void World::Impl::upload_solids() {
   if (solids_are_on_device) return;
+  engine->set_shapes(solid_shapes());
+  solids_are_on_device = true;
+}
+
+SolidShapes World::Impl::solid_shapes() const {
   SolidShapes all;
   const pbd::PeriodicAxes axes = periodic_axes(def.periodic);
   const auto add = [&](uint32_t owner, const SolidPieces& solid, const auto& finish) {
@@ -244,8 +249,7 @@ void World::Impl::upload_solids() {
       if (piece.film) all.films.push_back({carried.shape, number, carried.pose, piece.film});
     });
   });
-  engine->set_shapes(all);
-  solids_are_on_device = true;
+  return all;
 }
 
 namespace {

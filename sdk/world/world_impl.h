@@ -23,6 +23,7 @@
 
 namespace meniscus {
 
+struct BodyCalls;
 struct Definitions;
 
 /// A read-out that is fetched from the device on its first request after a change.
@@ -86,6 +87,8 @@ struct World::Impl : WorldTables {
   void relax_from(size_t slot);  // moves new particles to their rest density; if that fails, there are none
   ShapeEntry make_shape(const ShapeDef& shape, const collision::RigidPlace& place);
   BodyEntry make_body(const BodyDef& body, const collision::RigidPlace& place);
+  BodyCalls calls_of(BodyId id);
+  SolidShapes solid_shapes() const;
   void solids_changed();
   void note_revision() { solids_revision = ++last_revision; }
   void note_repairs(const SolidPieces& solid);

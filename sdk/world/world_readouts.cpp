@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 
-#include "pbd/math/hash.h"
 #include "sdk/fields/probes.h"
 #include "sdk/world/check/check.h"
+#include "sdk/world/state/hashed_elements.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -170,30 +170,17 @@ double World::Calls::probe(ProbeId id) const {
 
 uint64_t World::Calls::state_hash() const {
   uint64_t sum = impl_->engine->hash_particles();
-  // Each kind of element has numbers of its own, different from those of the particles.
-  enum class Kind : uint64_t { cloth = 1, rope, body };
-  const auto add = [&](Kind kind, uint32_t owner, size_t part, Vec3 a, Vec3 b) {
-    const uint64_t number = pbd::mixed(static_cast<uint64_t>(kind) << 32 | owner) + part;
-    sum += pbd::element_hash(number, a, b);
-  };
   impl_->fetch_cloth();
-  const auto add_vertices = [&](Kind kind) {
-    return [&add, kind](uint32_t owner, const auto& entry) {
+  const auto add_vertices = [&](HashedKind kind) {
+    return [&sum, kind](uint32_t owner, const auto& entry) {
       const auto& state = entry.range.state;
       for (size_t v = 0; v < state.positions.size(); ++v)
-        add(kind, owner, v, state.positions[v], state.velocities[v]);
+        sum += element_hash(kind, owner, v, state.positions[v], state.velocities[v]);
     };
   };
-  impl_->cloths.for_each(add_vertices(Kind::cloth));
-  impl_->ropes.for_each(add_vertices(Kind::rope));
-  impl_->bodies.for_each([&](uint32_t number, const BodyEntry&) {
-    const Pose pose = impl_->rigid.pose(number);
-    const Quat q = pose.rotation;
-    add(Kind::body, number, 0, pose.position, impl_->rigid.velocity(number));
-    add(Kind::body, number, 1, {q.x, q.y, q.z}, {q.w, 0, 0});
-    add(Kind::body, number, 2, impl_->rigid.angular_velocity(number), {});
-  });
-  return sum;
+  impl_->cloths.for_each(add_vertices(HashedKind::cloth));
+  impl_->ropes.for_each(add_vertices(HashedKind::rope));
+  return sum + hash_bodies(impl_->bodies, impl_->rigid);
 }
 
 size_t World::Calls::device_bytes() const {

@@ -49,6 +49,45 @@ class BatchTest(unittest.TestCase):
         world.step(DT)
         self.assertEqual(world.state_hash(), batch.state_hashes[1])
 
+    def test_bodies_move_in_one_world(self):
+        world = archetype()
+        ball = world.add_body(geometry=meniscus.SphereGeometry(radius=0.1), pose=(0.3, 0.3, 0), density=300)
+        batch = meniscus.WorldBatch(world, worlds=3, rigid_threads=2)
+        batch.set_body_velocity(1, ball, (0, 2, 0), (0, 0, 0))
+        batch.apply_force(2, ball, (5, 0, 0))
+        batch.step(DT)
+        self.assertEqual(batch.body_count, 1)
+        self.assertEqual(batch.bodies.positions.shape, (3, 1, 3))
+        self.assertEqual(batch.bodies.rotations.shape, (3, 1, 4))
+        speeds = batch.bodies.velocities[:, 0]
+        self.assertGreater(speeds[1, 1], speeds[0, 1] + 1.9)
+        self.assertGreater(speeds[2, 0], speeds[0, 0] + 1e-3)
+        world.step(DT)
+        self.assertEqual(batch.state_hashes[0], world.state_hash())
+        batch.set_body_pose(0, ball, (0.2, 0.4, 0))
+        np.testing.assert_allclose(batch.bodies.positions[0, 0], (0.2, 0.4, 0), atol=1e-6)
+        with self.assertRaisesRegex(meniscus.Error, "kinematic"):
+            batch.move_body(0, ball, (0, 0, 0), DT)
+
+    def test_a_snapshot_is_gone_back_to(self):
+        batch = meniscus.WorldBatch(archetype(), worlds=2)
+        batch.step(DT)
+        kept = batch.snapshot()
+        self.assertGreater(kept.device_bytes, 0)
+        batch.step(DT)
+        later = batch.state_hashes.copy()
+        batch.restore(kept)
+        batch.step(DT)
+        np.testing.assert_array_equal(batch.state_hashes, later)
+
+    def test_a_world_comes_back(self):
+        batch = meniscus.WorldBatch(archetype(), worlds=2)
+        batch.step(DT)
+        world = batch.extract(0)
+        world.step(DT)
+        batch.insert(1, world)
+        self.assertEqual(batch.state_hashes[1], world.state_hash())
+
     def test_arrays_are_on_the_device(self):
         batch = meniscus.WorldBatch(archetype(), worlds=2)
         arrays = batch.device_arrays()

@@ -29,7 +29,8 @@ void remove_matching(const fs::path& folder, const std::regex& names) {
 void remove_old_results(const fs::path& folder) {
   // A run that was killed leaves parts of files (see io::make_part).
   static const std::regex figures(
-      "((frames|bodies|cloths|attachments)\\.csv|summary\\.json|density\\.svg|(preview|contact_sheet)\\.png|"
+      "((frames|bodies|cloths|attachments|worlds)\\.csv|(summary|worlds)\\.json|density\\.svg|(preview|"
+      "contact_sheet)\\.png|"
       "(particles|diffuse|bodies|cloth|ropes|surface)\\.pvd|scene\\.(usda|abc))(\\.[0-9a-f]{8}\\.part)?");
   static const std::regex frames(
       "((frame|diffuse|bodies|cloth|ropes|surface)_[0-9]{5,}\\.(ply|vtp|obj)|shapes\\.(ply|vtp|obj)|liquid_["

@@ -4,8 +4,11 @@
 // WorldBatch: many copies of one world, stepped in the same launches.
 #pragma once
 
+#include <meniscus/bodies.h>
 #include <meniscus/device_arrays.h>
+#include <meniscus/ids.h>
 #include <meniscus/outputs.h>
+#include <meniscus/snapshot.h>
 #include <meniscus/types.h>
 #include <meniscus/world_def.h>
 
@@ -13,6 +16,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace meniscus {
 
@@ -21,6 +27,9 @@ class World;
 /// A batch of worlds.
 struct BatchDef {
   uint32_t worlds = 1;  ///< 1 to 65,536
+  /// Host threads that step rigid bodies, 0 to 1024; 0: one for each core, or the loop of
+  /// WorldDef::parallel_for, if there is one.
+  int rigid_threads = 0;
 };
 
 /// The state of one world of a batch.
@@ -46,14 +55,32 @@ struct BatchArrays {
   DeviceArray velocities;  ///< float32, worlds × particles × 3, m/s
 };
 
+/// The state of all worlds of a batch at one moment, made by WorldBatch::snapshot. Its arrays stay on the
+/// batch's device. A copy shares them.
+class BatchSnapshot {
+ public:
+  BatchSnapshot() = default;  ///< of no batch
+
+  bool empty() const { return !data_; }  ///< holds no state
+  std::size_t device_bytes() const;      ///< held on the device
+
+  struct Data;  ///< for the library alone
+
+ private:
+  friend class WorldBatch;
+  explicit BatchSnapshot(std::shared_ptr<Data> data) : data_(std::move(data)) {}
+
+  std::shared_ptr<Data> data_;
+};
+
 /// Many copies of one world, the archetype, stepped in the same launches. Each has the bits of the archetype
 /// alone, whatever its place in the batch and whatever happens in the others (docs/batch.md). Positions are
 /// local to each world.
 ///
-/// The archetype has WorldDef::sums `fixed`. It has fluids and fixed shapes. Bodies, joints, cloth, ropes,
+/// The archetype has WorldDef::sums `fixed`. It has fluids, fixed shapes, bodies and joints. Cloth, ropes,
 /// granular materials, emitters, sinks, probes, force fields, hooks, viscosity, diffuse particles and
-/// periodic axes are refused by name, as are cfl_number, step_budget_ms, density.tolerance and all solvers
-/// but `jacobi` and `chebyshev`.
+/// periodic axes are refused by name, as are cfl_number, step_budget_ms, density.tolerance, the device's
+/// rigid solver, and all density solvers but `jacobi` and `chebyshev`.
 ///
 /// Only one thread may use a batch at a time. Every call may throw Error and has then changed nothing.
 class WorldBatch {
@@ -68,6 +95,7 @@ class WorldBatch {
 
   uint32_t worlds() const;             ///< number
   std::size_t particle_count() const;  ///< of each world
+  std::size_t body_count() const;      ///< of each world
   const WorldDef& def() const;         ///< of the archetype
   DeviceInfo device() const;           ///< see World::device
 
@@ -85,20 +113,53 @@ class WorldBatch {
   /// m/s², by world.
   void set_gravities(std::span<const Vec3> gravities);
 
+  /// As World's calls of these names, for a body of one world. The ids are those of the archetype. What a
+  /// pose is set to holds from the next step on, with what it then overlaps.
+  void set_body_pose(uint32_t world, BodyId body, const Pose& pose);
+  void set_body_velocity(uint32_t world, BodyId body, Vec3 velocity,
+                         Vec3 angular_velocity);                              ///< m/s and rad/s
+  void apply_force(uint32_t world, BodyId body, Vec3 force);                  ///< N, at the centre of mass
+  void apply_force(uint32_t world, BodyId body, Vec3 force, Vec3 point);      ///< N, at a point in m
+  void apply_torque(uint32_t world, BodyId body, Vec3 torque);                ///< N·m
+  void apply_impulse(uint32_t world, BodyId body, Vec3 impulse, Vec3 point);  ///< N·s, at a point in m
+  void move_body(uint32_t world, BodyId body, const Pose& target, float duration);  ///< duration: s
+
+  /// Replaces one world by another that was built as the archetype was, with as many particles and bodies in
+  /// other places or with other velocities, or with another gravity. The world then has the bits of that one
+  /// alone. A reset gives it the archetype's state. Throws Error(invalid_argument) that names what differs.
+  void insert(uint32_t world, const World& state);
+
   std::span<const WorldStatus> status() const;  ///< by world
   std::span<const Vec3> positions() const;      ///< m, worlds × particles, in the order of World::positions
   std::span<const Vec3> velocities() const;     ///< m/s, likewise
+  /// Worlds × bodies; those of a world by the index of their ids. Valid until the next call.
+  std::span<const BodyState> body_states() const;
   std::span<const uint64_t> state_hashes() const;  ///< by world: World::state_hash of it alone
   /// Positions and velocities on the device. Does not wait for the device.
   BatchArrays device_arrays() const;
   /// A world of its own that continues with the same bits. It has the gravity of the world.
   World extract(uint32_t world) const;
 
+  /// The state of all worlds: particles, bodies, pressures, times, gravities, activity and failures.
+  BatchSnapshot snapshot() const;
+  /// Goes back to a snapshot of this batch. What follows is bit for bit what followed the snapshot. Throws
+  /// Error(invalid_argument) if the snapshot is empty or of another batch.
+  void restore(const BatchSnapshot& snapshot);
+  /// Writes the archetype and the state to a file (docs/snapshots.md), which appears complete or not at all.
+  /// Throws Error(io) if the file cannot be written.
+  void save(const std::string& path) const;
+  /// A new batch with the state of a file, which continues as World::load says. The ids of bodies have the
+  /// same indices, but are those that body_ids() lists. Throws what World::load throws.
+  static WorldBatch load(const std::string& path, const LoadDef& def = {});
+  std::vector<BodyId> body_ids() const;  ///< those that the calls above take, ascending
+
   /// Bytes and allocations of the batch's device; see World::memory_stats.
   MemoryStats memory_stats() const;
 
  private:
   struct Impl;
+  explicit WorldBatch(std::unique_ptr<Impl> impl);
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -168,3 +168,14 @@ class BatchArrays(NamedTuple):
 
     positions: DeviceArray  # float32, m, local to each world
     velocities: DeviceArray  # float32, m/s
+
+
+class BatchBodies(NamedTuple):
+    """The bodies of a WorldBatch, worlds × bodies × 3 or 4, in the order of their creation."""
+
+    positions: NDArray[np.float32]  # m, of the geometries' frames
+    rotations: NDArray[np.float32]  # unit quaternions (x, y, z, w)
+    velocities: NDArray[np.float32]  # m/s, of the centres of mass
+    angular_velocities: NDArray[np.float32]  # rad/s
+    fluid_forces: NDArray[np.float32]  # N, of all particles on the bodies, mean over the last step
+    fluid_torques: NDArray[np.float32]  # N·m, about the centres of mass, likewise

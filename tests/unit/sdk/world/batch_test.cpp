@@ -6,19 +6,12 @@
 
 #include <algorithm>
 
-#include "tests/worlds.h"
+#include "tests/unit/sdk/world/batch_worlds.h"
 
 namespace meniscus::tests {
 namespace {
 
-constexpr float dt = 0.01f;
-
-WorldDef batch_def(pbd::DeviceKind device) {
-  WorldDef def = world_def(device, 0.1f);
-  def.sums = Sums::fixed;
-  def.iterations = 3;
-  return def;
-}
+constexpr float dt = batch_dt;
 
 /// Two fluids that fall apart around a ball, in a tank with friction that is open above.
 World archetype(const WorldDef& def) {
@@ -36,11 +29,6 @@ World archetype(const WorldDef& def) {
   world.add_fluid(block(a, {0, 0, 0}, {0.5f, 0.5f, 0.5f}));
   world.add_fluid(block(b, {0, 0.5f, 0}, {0.5f, 0.7f, 0.5f}));
   return world;
-}
-
-/// One of five kinds of world.
-Vec3 gravity_of(uint32_t kind) {
-  return {0.8f * static_cast<float>(kind % 5) - 1.2f, -9.81f, 0.5f * static_cast<float>(kind % 5)};
 }
 
 class BatchTest : public OnDevice {
@@ -62,9 +50,6 @@ class BatchTest : public OnDevice {
     for (uint32_t w = 0; w < worlds; ++w) gravities.push_back(gravity_of(first + stride * w));
     made.set_gravities(gravities);
     return made;
-  }
-  static void run_batch(WorldBatch& batch, int steps) {
-    for (int k = 0; k < steps; ++k) batch.step(dt);
   }
   void expect_as_alone(uint32_t worlds, uint32_t first, uint32_t stride) {
     constexpr int steps = 25;
@@ -194,15 +179,8 @@ TEST_P(BatchTest, ArraysAreThoseOfTheReadOuts) {
 
 // ---- refusals ----
 
-/// The message with which a batch of this world is refused.
 std::string refusal(const World& world, const BatchDef& batch = {2}) {
-  try {
-    WorldBatch made(world, batch);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-    return error.what();
-  }
-  return "nothing was refused";
+  return refusal_of([&] { WorldBatch(world, batch); });
 }
 
 TEST_P(BatchTest, NamesWhatItDoesNotTake) {
@@ -211,10 +189,25 @@ TEST_P(BatchTest, NamesWhatItDoesNotTake) {
     change(world);
     EXPECT_NE(refusal(world).find(what), std::string::npos) << refusal(world);
   };
-  expect_refused("bodies", [](World& w) {
-    w.create_body(validation::body(SphereGeometry{0.1f}, {0.8f, 0.8f, 0.2f}, 300));
+  expect_refused("cloth", [](World& w) {
+    ClothDef cloth;
+    cloth.geometry = SheetGeometry{};
+    w.create_cloth(cloth);
   });
+  expect_refused("ropes", [](World& w) {
+    RopeDef rope;
+    rope.points = {{0.7f, 0.5f, 0.2f}, {0.7f, 0.8f, 0.2f}};
+    w.create_rope(rope);
+  });
+  expect_refused("emitters", [](World& w) {
+    EmitterDef emitter;
+    emitter.fluid = w.fluid_ids().front();
+    w.create_emitter(emitter);
+  });
+  expect_refused("sinks", [](World& w) { w.create_sink({}); });
   expect_refused("probes", [](World& w) { w.create_probe({}); });
+  expect_refused("force fields", [](World& w) { w.create_force_field({}); });
+  expect_refused("hooks", [](World& w) { w.add_hook(Hook::solved, [](const SubstepView&) {}); });
   expect_refused("granular", [](World& w) { w.create_granular({}); });
   expect_refused("dynamic_viscosity", [](World& w) {
     FluidDef thick;
@@ -227,6 +220,8 @@ TEST_P(BatchTest, NamesWhatItDoesNotTake) {
     EXPECT_NE(refusal(archetype(other)).find(what), std::string::npos) << refusal(archetype(other));
   };
   expect_def_refused("sums", [](WorldDef& d) { d.sums = Sums::automatic; });
+  expect_def_refused("diffuse", [](WorldDef& d) { d.diffuse.emplace(); });
+  expect_def_refused("step_budget_ms", [](WorldDef& d) { d.step_budget_ms = 5; });
   expect_def_refused("cfl_number", [](WorldDef& d) { d.cfl_number = 0.4f; });
   expect_def_refused("density.tolerance", [](WorldDef& d) { d.density.tolerance = 0.01f; });
   expect_def_refused("density.solver", [](WorldDef& d) { d.density.solver = DensitySolver::grid; });

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Bodies of a world in a batch move bit for bit as those of a world alone.
+#include <gtest/gtest.h>
+
+#include "tests/unit/sdk/world/batch_worlds.h"
+
+namespace meniscus::tests {
+namespace {
+
+/// A block of water that falls apart around a box on the floor, a float, two bodies on a hinge, and a paddle.
+struct Pool {
+  World world;
+  BodyId box, ball, arm, paddle;
+};
+
+Pool pool(const WorldDef& def) {
+  Pool made{World(def), {}, {}, {}, {}};
+  World& world = made.world;
+  const FluidId water = world.create_fluid({});
+  ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.5f});
+  std::get<ContainerGeometry>(walls.geometry).openings = {{Face::y_high}};
+  world.create_shape(walls);
+  made.box = world.create_body(validation::body(BoxGeometry{{0.1f, 0.1f, 0.1f}}, {0.7f, 0.1f, 0.25f}, 1500));
+  made.ball = world.create_body(validation::body(SphereGeometry{0.1f}, {0.25f, 0.75f, 0.25f}, 400));
+  BodyDef arm = validation::body(BoxGeometry{{0.15f, 0.05f, 0.05f}}, {0.65f, 0.6f, 0.25f}, 600);
+  made.arm = world.create_body(arm);
+  JointDef hinge;
+  hinge.a = made.arm;
+  hinge.frame.position = {0.8f, 0.6f, 0.25f};
+  hinge.kind = HingeJoint{};
+  world.create_joint(hinge);
+  BodyDef paddle = validation::body(BoxGeometry{{0.03f, 0.2f, 0.2f}}, {0.95f, 0.5f, 0.25f}, 1000);
+  paddle.motion = BodyMotion::kinematic;
+  made.paddle = world.create_body(paddle);
+  world.add_fluid(block(water, {0, 0, 0}, {0.5f, 0.6f, 0.5f}));
+  return made;
+}
+
+Pose at(Vec3 position) {
+  Pose pose;
+  pose.position = position;
+  return pose;
+}
+
+class BatchBodiesTest : public OnDevice {
+ protected:
+  WorldDef def() const { return batch_def(GetParam()); }
+  uint32_t many() const { return GetParam() == pbd::DeviceKind::cuda ? 1024 : 64; }
+  Pool of_kind(uint32_t kind) const {
+    WorldDef own = def();
+    own.gravity = gravity_of(kind);
+    return pool(own);
+  }
+  uint64_t alone(uint32_t kind, int steps) const {
+    Pool made = of_kind(kind);
+    run(made.world, steps, batch_dt);
+    return made.world.state_hash();
+  }
+  WorldBatch batch(uint32_t worlds, uint32_t first = 0, uint32_t stride = 1) const {
+    WorldBatch made(pool(def()).world, {worlds});
+    std::vector<Vec3> gravities;
+    for (uint32_t w = 0; w < worlds; ++w) gravities.push_back(gravity_of(first + stride * w));
+    made.set_gravities(gravities);
+    return made;
+  }
+  void expect_as_alone(uint32_t worlds, uint32_t first, uint32_t stride, int steps) const {
+    WorldBatch made = batch(worlds, first, stride);
+    run_batch(made, steps);
+    uint64_t expected[5];
+    for (uint32_t kind = 0; kind < 5; ++kind) expected[kind] = alone(kind, steps);
+    for (uint32_t w = 0; w < worlds; ++w)
+      EXPECT_EQ(made.state_hashes()[w], expected[(first + stride * w) % 5])
+          << "world " << w << " of " << worlds;
+  }
+};
+
+TEST_P(BatchBodiesTest, AWorldIsAsItIsAlone) {
+  expect_as_alone(1, 2, 1, 40);
+  expect_as_alone(7, 0, 1, 40);
+}
+
+TEST_P(BatchBodiesTest, SoItIsAtAnyPlaceAmongMany) {
+  expect_as_alone(many(), 3, 2, 20);
+}
+
+TEST_P(BatchBodiesTest, StatesAreThoseOfAWorldAlone) {
+  WorldBatch made = batch(3);
+  run_batch(made, 20);
+  Pool own = of_kind(1);
+  run(own.world, 20, batch_dt);
+  const std::span<const BodyState> all = made.body_states();
+  ASSERT_EQ(made.body_count(), 4u);
+  ASSERT_EQ(all.size(), 12u);
+  for (const BodyId id : {own.box, own.ball, own.arm, own.paddle}) {
+    const BodyState got = all[4 + id.index], expected = own.world.body_state(id);
+    EXPECT_EQ(got.pose.position, expected.pose.position);
+    EXPECT_EQ(got.velocity, expected.velocity);
+    EXPECT_EQ(got.fluid_force, expected.fluid_force);
+    EXPECT_EQ(got.awake, expected.awake);
+  }
+  EXPECT_GT(length(all[4].fluid_force), 1.0f) << "the box stands in water";
+}
+
+TEST_P(BatchBodiesTest, AResetWorldIsAFreshOne) {
+  WorldBatch made = batch(4);
+  run_batch(made, 30);
+  made.reset(mask_of(4, {1, 3}));
+  run_batch(made, 100);
+  for (uint32_t w = 0; w < 4; ++w)
+    EXPECT_EQ(made.state_hashes()[w], alone(w, w % 2 ? 100 : 130)) << "world " << w;
+}
+
+/// Manifolds, their warm starts, and what bodies have been used to are of that state.
+TEST_P(BatchBodiesTest, StartsFromBodiesThatHaveSettled) {
+  Pool own = pool(def());
+  run(own.world, 60, batch_dt);
+  WorldBatch made(own.world, {3});
+  run_batch(made, 15);
+  made.reset(mask_of(3, {1}));
+  EXPECT_EQ(made.state_hashes()[1], own.world.state_hash());
+  EXPECT_EQ(made.body_states()[4].fluid_force, own.world.body_state(own.box).fluid_force);
+  run_batch(made, 15);
+  run(own.world, 15, batch_dt);
+  EXPECT_EQ(made.state_hashes()[1], own.world.state_hash());
+  run(own.world, 15, batch_dt);
+  EXPECT_EQ(made.state_hashes()[0], own.world.state_hash());
+}
+
+TEST_P(BatchBodiesTest, AnExtractedWorldGoesOn) {
+  WorldBatch made = batch(7);
+  run_batch(made, 25);
+  World world = made.extract(3);
+  EXPECT_EQ(world.state_hash(), made.state_hashes()[3]);
+  run(world, 15, batch_dt);
+  EXPECT_EQ(world.state_hash(), alone(3, 40));
+}
+
+TEST_P(BatchBodiesTest, AnInsertedWorldGoesOn) {
+  WorldBatch made = batch(3);
+  run_batch(made, 5);
+  Pool other = pool(def());
+  other.world.set_body_pose(other.ball, at({0.3f, 0.8f, 0.2f}));
+  other.world.set_body_velocity(other.box, {1, 0, 0}, {0, 2, 0});
+  made.insert(1, other.world);
+  EXPECT_EQ(made.status()[1].time, 0);
+  run(other.world, 20, batch_dt);
+  run_batch(made, 20);
+  EXPECT_EQ(made.state_hashes()[1], other.world.state_hash());
+  EXPECT_EQ(made.state_hashes()[2], alone(2, 25));
+}
+
+TEST_P(BatchBodiesTest, CallsActInOneWorld) {
+  const Pool names = pool(def());
+  WorldBatch made(names.world, {4});
+  made.set_gravities(std::vector<Vec3>{gravity_of(0), gravity_of(1), gravity_of(2), gravity_of(3)});
+  run_batch(made, 5);
+  Pool own[4] = {of_kind(0), of_kind(1), of_kind(2), of_kind(3)};
+  for (Pool& one : own) run(one.world, 5, batch_dt);
+  const Pose in_water = at({0.2f, 0.3f, 0.25f}), target = at({0.5f, 0.5f, 0.25f});
+  made.set_body_pose(0, names.ball, in_water);
+  own[0].world.set_body_pose(own[0].ball, in_water);
+  made.set_body_velocity(1, names.ball, {0, 3, 0}, {1, 0, 0});
+  own[1].world.set_body_velocity(own[1].ball, {0, 3, 0}, {1, 0, 0});
+  made.move_body(2, names.paddle, target, 0.3f);
+  own[2].world.move_body(own[2].paddle, target, 0.3f);
+  for (int k = 0; k < 20; ++k) {
+    made.apply_force(3, names.box, {0, 80, 0});
+    own[3].world.apply_force(own[3].box, {0, 80, 0});
+    made.apply_torque(3, names.ball, {0, 0, 0.1f});
+    own[3].world.apply_torque(own[3].ball, {0, 0, 0.1f});
+    made.step(batch_dt);
+    for (Pool& one : own) one.world.step(batch_dt);
+  }
+  for (uint32_t w = 0; w < 4; ++w) {
+    EXPECT_EQ(made.state_hashes()[w], own[w].world.state_hash()) << "world " << w;
+    EXPECT_NE(made.state_hashes()[w], alone(w, 25)) << "the call has no effect in world " << w;
+  }
+}
+
+/// A body that is thrown out of the range of floats.
+TEST_P(BatchBodiesTest, AWorldWithABodyThatFailsGoesBackAlone) {
+  const Pool names = pool(def());
+  WorldBatch made(names.world, {7});
+  run_batch(made, 15);
+  const uint64_t before = made.state_hashes()[4];
+  made.apply_force(4, names.ball, {0, 3e38f, 0});
+  EXPECT_EQ(made.step(batch_dt).failed, 1u);
+  EXPECT_TRUE(made.status()[4].failed);
+  EXPECT_EQ(made.state_hashes()[4], before);
+  run_batch(made, 10);
+  Pool own = pool(def());
+  run(own.world, 26, batch_dt);
+  for (uint32_t w = 0; w < 7; ++w)
+    EXPECT_EQ(made.state_hashes()[w], w == 4 ? before : own.world.state_hash()) << "world " << w;
+  made.reset(mask_of(7, {4}));
+  run_batch(made, 26);
+  EXPECT_EQ(made.state_hashes()[4], own.world.state_hash());
+}
+
+TEST_P(BatchBodiesTest, APausedWorldStays) {
+  WorldBatch made = batch(3);
+  run_batch(made, 10);
+  made.set_active(mask_of(3, {0, 2}));
+  run_batch(made, 10);
+  EXPECT_EQ(made.state_hashes()[1], alone(1, 10));
+  made.set_active(mask_of(3, {0, 1, 2}));
+  run_batch(made, 10);
+  EXPECT_EQ(made.state_hashes()[1], alone(1, 20));
+  EXPECT_EQ(made.state_hashes()[2], alone(2, 30));
+}
+
+TEST_P(BatchBodiesTest, ThreadsDoNotChangeBits) {
+  uint64_t hashes[2];
+  for (int k = 0; k < 2; ++k) {
+    WorldBatch made(pool(def()).world, {5, k == 0 ? 1 : 2});
+    run_batch(made, 30);
+    hashes[k] = made.state_hashes()[4];
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST_P(BatchBodiesTest, ChecksItsArguments) {
+  const Pool names = pool(def());
+  WorldBatch made(names.world, {2});
+  const auto expect_refused = [&](const char* what, const auto& call) {
+    EXPECT_NE(refusal_of(call).find(what), std::string::npos) << refusal_of(call);
+  };
+  expect_refused("apply_force's world", [&] { made.apply_force(2, names.box, {0, 1, 0}); });
+  expect_refused("dynamic bodies alone", [&] { made.set_body_velocity(0, names.paddle, {}, {}); });
+  expect_refused("kinematic bodies alone", [&] { made.move_body(0, names.box, {}, 1); });
+  expect_refused("BatchDef::rigid_threads", [&] { WorldBatch(names.world, {2, -1}); });
+  WorldDef on_device = def();
+  on_device.rigid.solver = RigidSolver::device;
+  expect_refused("rigid.solver", [&] {
+    World world(on_device);
+    world.add_fluid(block(world.create_fluid({}), {0, 0, 0}, {0.5f, 0.6f, 0.5f}));
+    WorldBatch(world, {2});
+  });
+  EXPECT_THROW(made.apply_torque(0, pool(def()).box, {0, 0, 1}), Error) << "an id of another world";
+  Pool more = pool(def());
+  more.world.create_body(validation::body(SphereGeometry{0.05f}, {0.5f, 0.9f, 0.25f}, 400));
+  expect_refused("5 bodies", [&] { made.insert(0, more.world); });
+  Pool stepped = pool(def());
+  stepped.world.step(2 * batch_dt);
+  made.step(batch_dt);
+  expect_refused("last substep", [&] { made.insert(0, stepped.world); });
+  EXPECT_EQ(made.state_hashes()[0], made.state_hashes()[1]);
+}
+
+MENISCUS_ON_EACH_DEVICE(BatchBodiesTest);
+
+}  // namespace
+}  // namespace meniscus::tests
