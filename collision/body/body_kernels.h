@@ -27,7 +27,8 @@ struct Predict {
   }
   MENISCUS_HD void operator()(uint32_t b) const {
     const auto [start, pose] = ends(b);
-    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0, 0, 0};
+    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0,
+                 0,     0,    motion[b].loaded,     motion[b].yielding};
   }
 };
 
@@ -218,7 +219,9 @@ struct ContactMotion {
 };
 
 MENISCUS_HD inline ContactMotion motion_by(const BodyProxy& body, const ContactSum& sum) {
-  return {-body.inverse_mass * sum.push.xyz(), -inverse_inertia_times(body, sum.twist.xyz())};
+  const Vec3 twist = resisted_turn(body, sum.twist.xyz());
+  return {-body.inverse_mass * resisted_push(body, sum.push.xyz()),
+          -resisted_turn(body, inverse_inertia_times(body, twist))};
 }
 
 /// Moves the planes of a body's contacts to where all contacts have pushed the body. Each contact sums its

@@ -113,6 +113,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
  private:
   void sum_contacts(pbd::Substep<D>& substep);
   void predict_motions(float dt);
+  void predict_among_solids(float dt);
   template <class Place>
   void place_bodies(const char* name, const Place& place);
   void rest();

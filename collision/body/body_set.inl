@@ -108,9 +108,21 @@ template <class D>
 void BodySet<D>::predict(float dt) {
   step_time_ += dt;
   if (bodies_ == 0) return;
-  predict_motions(dt);
+  if (world_.is_on_device())
+    predict_among_solids(dt);
+  else
+    predict_motions(dt);
   place_bodies("bodies/predict", body_kernels::Predict{motion_.view(), mass_.view(), proxies_.view(), dt});
-  begin_rigid_step(dt);
+  if (!world_.is_on_device()) begin_rigid_step(dt);
+}
+
+/// This thread alone uses the device.
+template <class D>
+void BodySet<D>::predict_among_solids(float dt) {
+  begun_ = true;
+  time_rigid([&] { world_.begin_step(dt); });
+  world_.predict_among_solids(dt, motion_.host());
+  ahead_ = dt;
 }
 
 /// Lets Bullet find contacts while the rest of the substep is launched and computed.

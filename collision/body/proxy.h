@@ -19,7 +19,22 @@ struct BodyProxy {
   uint32_t first, end;   ///< the range of its contacts, in the order grouped by body
   uint32_t unyielding;   ///< the first of its contacts with what cannot yield
   uint32_t attached;     ///< the first of its attachments, which come last
+  Vec3 loaded{0, 0, 0};  ///< see RigidMotion
+  float yielding = 1;
 };
+
+/// What other solids leave of a push, as far as the body gives way to it.
+MENISCUS_HD inline Vec3 resisted_push(const BodyProxy& body, Vec3 push) {
+  if (body.yielding == 1) return push;
+  return push - ((1 - body.yielding) * dot(push, body.loaded)) * body.loaded;
+}
+
+/// Likewise of a torque or a turn. Applied on both sides of I⁻¹, so that the product stays symmetric.
+MENISCUS_HD inline Vec3 resisted_turn(const BodyProxy& body, Vec3 turn) {
+  if (body.yielding == 1) return turn;
+  const Vec3 about = dot(turn, body.loaded) * body.loaded;
+  return about + sqrtf(body.yielding) * (turn - about);
+}
 
 /// I⁻¹ t in world axes.
 MENISCUS_HD inline Vec3 inverse_inertia_times(const BodyProxy& body, Vec3 t) {
@@ -27,10 +42,12 @@ MENISCUS_HD inline Vec3 inverse_inertia_times(const BodyProxy& body, Vec3 t) {
   return rotate(body.pose.rotation, {i.x * local.x, i.y * local.y, i.z * local.z});
 }
 
-/// 1/M + (r × n)ᵀ I⁻¹ (r × n): the inverse mass of the point at r along n, 1/kg.
+/// 1/M + (r × n)ᵀ I⁻¹ (r × n): the inverse mass of the point at r along n, 1/kg. Solids that load the body
+/// are included.
 MENISCUS_HD inline float inverse_mass_at(const BodyProxy& body, Vec3 r, Vec3 n) {
-  const Vec3 lever = cross(r, n);
-  return body.inverse_mass + dot(lever, inverse_inertia_times(body, lever));
+  const Vec3 lever = resisted_turn(body, cross(r, n));
+  const float along = dot(n, body.loaded), left = 1 - (1 - body.yielding) * along * along;
+  return left * body.inverse_mass + dot(lever, inverse_inertia_times(body, lever));
 }
 
 /// 1/M + [r]ᵀ I⁻¹ [r]: the inverse mass matrix of the point at r, 1/kg.

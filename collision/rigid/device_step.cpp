@@ -141,7 +141,6 @@ ContactBody RigidWorld::Impl::contact_body(const RigidBodyRecord& body, float h)
 }
 
 void RigidWorld::Impl::arrive(RigidBodyRecord& body, const ContactMotion& motion) {
-  if (body.kinematic) return;
   btRigidBody& b = *body.bullet;
   b.setWorldTransform(to_bullet(motion.pose));
   b.setInterpolationWorldTransform(b.getWorldTransform());
@@ -149,20 +148,71 @@ void RigidWorld::Impl::arrive(RigidBodyRecord& body, const ContactMotion& motion
   set_speed(b, motion.velocity, motion.angular);
 }
 
-/// One of `substeps` steps.
-void RigidWorld::Impl::step_on_device(float dt) {
-  update_parts();
-  const int steps = small_steps();
+void RigidWorld::Impl::gather_bodies(float dt) {
   contact_bodies.assign(bodies.slots.size(),
                         ContactBody{{}, {0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1});
   contact_motions.resize(bodies.slots.size());
   for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
-    contact_bodies[n] = contact_body(body, dt / static_cast<float>(steps));
+    contact_bodies[n] = contact_body(body, dt / static_cast<float>(small_steps()));
   });
-  contacts->step(contact_bodies, {dt, steps, rigid_tuning::resting_steps * dt * length(def.gravity)},
-                 contact_motions);
-  for (uint32_t n = 0; n < bodies.slots.size(); ++n)
-    if (bodies.has(n)) arrive(*bodies.slots[n], contact_motions[n]);
+}
+
+ContactStep RigidWorld::Impl::contact_step(float dt) const {
+  return {dt, small_steps(), rigid_tuning::resting_steps * dt * length(def.gravity)};
+}
+
+/// Finds contacts, and tries the first of `substeps` steps without the impulses of particles. So they meet
+/// bodies where other solids let them be.
+void RigidWorld::Impl::begin_on_device(float dt) {
+  update_parts();
+  for (const auto& body : bodies.slots)
+    if (body) body->push = body->push_torque = {0, 0, 0};
+  gather_bodies(dt);
+  contacts->find(contact_bodies, dt);
+  contacts->advance(contact_bodies, contact_step(dt), contact_motions);
+  unpushed = contact_motions;
+}
+
+/// Where solids alone take a body that begin_on_device() tried, as a motion over `dt`.
+RigidMotion RigidWorld::Impl::unpushed_motion(uint32_t number, const RigidBodyRecord& body, float dt) const {
+  const Pose start = from_bullet(body.bullet->getWorldTransform());
+  const ContactMotion& end = unpushed[number];
+  const KinematicVelocity mean = velocity_to(start, end.pose, dt / static_cast<float>(def.substeps));
+  const float push = body.memory.push_work, free = body.memory.free_work;
+  if (free == 0 || !end.touches) return {start, mean.linear, mean.angular};
+  return {start, mean.linear, mean.angular, normalized_or(body.memory.usual_force, {0, 0, 0}),
+          pbd::clamp(push / free, rigid_tuning::least_yielding, 1)};
+}
+
+/// Compares what the push of particles did to the body's velocity with what it would do to a free body, along
+/// the usual push. The ratio is 1 for a free body, 0 for one that solids hold, and m/(M + m) for one of m
+/// that bears M.
+void RigidWorld::Impl::measure_yielding(RigidBodyRecord& body, uint32_t number, float dt) {
+  const ContactBody& from = contact_bodies[number];
+  const ContactMotion &end = contact_motions[number], &tried = unpushed[number];
+  RigidMemory& memory = body.memory;
+  const float kept = std::exp(-dt / rigid_tuning::yielding_time);
+  const Vec3 along = normalized_or(memory.usual_force, {0, 0, 0});
+  const float push = dot(body.push, along);
+  const float weight = rigid_tuning::slight_push * acceleration_scale();
+  // A slight push says little, and then the body counts as free.
+  const float slight = from.inverse_mass > 0 ? dt * weight * weight / from.inverse_mass : 0;
+  const float change = dot(end.velocity - tried.velocity, along);
+  memory.push_work = kept * memory.push_work + slight + push * change;
+  memory.free_work = kept * memory.free_work + slight + dt * from.inverse_mass * push * push;
+}
+
+/// One of `substeps` steps. begin_on_device() has found the contacts of the first.
+void RigidWorld::Impl::step_on_device(float dt, bool is_first) {
+  gather_bodies(dt);
+  if (!is_first) contacts->find(contact_bodies, dt);
+  contacts->advance(contact_bodies, contact_step(dt), contact_motions);
+  contacts->accept();
+  for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
+    if (!bodies.has(n) || bodies.slots[n]->kinematic) continue;
+    if (is_first) measure_yielding(*bodies.slots[n], n, dt);
+    arrive(*bodies.slots[n], contact_motions[n]);
+  }
   boxes_changed = true;
 }
 

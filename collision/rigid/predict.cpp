@@ -218,4 +218,11 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
   if (dt > 0) impl_->predict_jointed(dt, out);
 }
 
+void RigidWorld::predict_among_solids(float dt, std::span<RigidMotion> out) const {
+  predict(dt, out);
+  impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
+    if (!body.kinematic) out[n] = impl_->unpushed_motion(n, body, dt);
+  });
+}
+
 }  // namespace meniscus::collision

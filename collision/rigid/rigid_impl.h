@@ -33,6 +33,7 @@ struct RigidMemory {
   Pose pose;                                         ///< kinematic bodies: pose of the geometry's frame
   KinematicDrive drive = KinematicDrive::still;
   KinematicMove move{};
+  float push_work = 0, free_work = 0;  ///< J, on a device: of the usual push; if the body were free
 };
 
 struct RigidBodyRecord {
@@ -125,7 +126,7 @@ struct RigidWorld::Impl {
   bool parts_changed = true;          ///< since `contacts` got them
   bool boxes_changed = false;         ///< since Bullet's broad phase got them
   std::vector<ContactBody> contact_bodies;
-  std::vector<ContactMotion> contact_motions;
+  std::vector<ContactMotion> contact_motions, unpushed;  ///< at the end of a step; without its impulses
 
   /// How many solids and joints there are, as the reserve counts them.
   size_t size() const { return bodies.slots.size() + fixed.slots.size() + joints.slots.size(); }
@@ -171,8 +172,13 @@ struct RigidWorld::Impl {
   void update_boxes();
   int small_steps() const;
   ContactBody contact_body(const RigidBodyRecord& body, float h) const;
+  void gather_bodies(float h);
+  ContactStep contact_step(float dt) const;
+  void begin_on_device(float dt);
   void arrive(RigidBodyRecord& body, const ContactMotion& motion);
-  void step_on_device(float dt);
+  void measure_yielding(RigidBodyRecord& body, uint32_t number, float dt);
+  void step_on_device(float dt, bool is_first);
+  RigidMotion unpushed_motion(uint32_t number, const RigidBodyRecord& body, float dt) const;
   RigidMotion flight_on_device(const RigidBodyRecord& body, float dt) const;
   std::vector<RigidContact> contacts_on_device() const;
 

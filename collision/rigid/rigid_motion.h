@@ -15,6 +15,10 @@ struct RigidMotion {
   Vec3 velocity;  ///< m/s, with the forces that Bullet will integrate, so that the body is predicted at
                   ///< start.position + dt · velocity
   Vec3 angular_velocity;  ///< rad/s, likewise
+  /// A body that other solids hold or load gives way along `loaded`, and tilts against it, by the fraction
+  /// `yielding` of what it would alone. `loaded` is a unit vector, or 0.
+  Vec3 loaded{0, 0, 0};
+  float yielding = 1;
 };
 
 struct RigidMass {

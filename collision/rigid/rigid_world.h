@@ -174,6 +174,8 @@ class RigidWorld {
   /// Finds contacts at the bodies' current poses, which takes a large part of a step. Impulses need not be
   /// known yet.
   void begin_step(float dt);
+  /// After begin_step(), on a device: as predict(), with contacts among solids.
+  void predict_among_solids(float dt, std::span<RigidMotion> out) const;
   /// Applies the impulse of each body, wakes the bodies that an impulse changes, and advances by dt.
   void finish_step(float dt, std::span<const RigidImpulse> impulses);
   /// Does both.

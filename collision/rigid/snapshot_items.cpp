@@ -36,6 +36,14 @@ struct BodyFields {
   }
 };
 
+struct DeviceBodyFields {
+  template <class V>
+  void operator()(const V& v, SavedBody& b) const {
+    v("push_work", b.memory.push_work);
+    v("free_work", b.memory.free_work);
+  }
+};
+
 struct PointFields {
   template <class V>
   void operator()(const V& v, btManifoldPoint& p) const {
@@ -182,7 +190,10 @@ void RigidWorld::visit_snapshot(Snapshot& s, pbd::StateVisitor& v) const {
   visit(v, "prediction", s.predictions, PredictionFields{});
   visit(v, "predicted_point", s.predicted_points, PointFields{});
   visit(v, "bounds", s.broadphase.bounds, BoundsFields{});
-  if (impl_->def.on_device) visit(v, "device_contact", s.on_device, ContactFields{});
+  if (impl_->def.on_device) {
+    visit(v, "device_body", s.bodies, DeviceBodyFields{});
+    visit(v, "device_contact", s.on_device, ContactFields{});
+  }
   static constexpr const char* axes[] = {"edge_x", "edge_y", "edge_z"};
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<RigidBroadphase::PlainEdge> edges = RigidBroadphase::plain(s.broadphase.edges[axis]);

@@ -146,7 +146,7 @@ void RigidWorld::begin_step(float dt) {
   impl_->knows_touches = false;
   impl_->drive_kinematics(dt);
   impl_->wake_driven();
-  if (impl_->def.on_device) return;  // which needs the impulses first
+  if (impl_->def.on_device) return impl_->begin_on_device(dt / static_cast<float>(impl_->def.substeps));
   impl_->dynamics.detect(dt / static_cast<float>(impl_->def.substeps));
 }
 
@@ -162,7 +162,7 @@ void RigidWorld::finish_step(float dt, std::span<const RigidImpulse> impulses) {
       rigid_tuning::resting_steps * h * length(world.def.gravity);
   for (int i = 1; i <= substeps; ++i) {
     if (world.def.on_device) {
-      world.step_on_device(h);
+      world.step_on_device(h, i == 1);
     } else {
       if (i > 1) world.dynamics.detect(h);
       world.keep_motors_awake();

@@ -41,6 +41,18 @@ inline constexpr float waking_change = 0.1f;
 /// Test: RigidRest.IsQuietAtAnySize.
 inline constexpr float resting_steps = 4;
 
+/// s: the time over which it is averaged how much a body gives way among solids.
+/// Test: LoadedBodies.ALightRaftFloatsAsDeepAsWhatItCarries.
+inline constexpr float yielding_time = 0.02f;
+
+/// Of its weight: a push that says little about how much a body gives way.
+/// Test: none.
+inline constexpr float slight_push = 0.01f;
+
+/// The least fraction by which a body gives way. A body that solids hold is as heavy as this.
+/// Test: none.
+inline constexpr float least_yielding = 1e-4f;
+
 /// Steps of Newton's method for the tumbling of a body. It converges quadratically.
 /// Test: none.
 inline constexpr int newton_steps = 3;

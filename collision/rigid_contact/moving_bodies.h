@@ -127,10 +127,12 @@ struct StoreMotions {
   View<const ContactBody> start;
   View<const MovingBody> bodies;
   View<const Quat> turn;
+  View<const uint64_t> colours;  ///< by body: those of its contacts
   View<ContactMotion> out;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    out[i] = {{start[i].pose.position + bodies[i].moved, turn[i]}, bodies[i].velocity, bodies[i].angular};
+    const MovingBody& b = bodies[i];
+    out[i] = {{start[i].pose.position + b.moved, turn[i]}, b.velocity, b.angular, colours[i] != 0};
   }
 };
 

@@ -62,6 +62,7 @@ void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
     buffer->resize_discard(count);
   bucket_starts_.resize_discard((size_t{1} << grid_.bits) + 2);
   pair_starts_.resize_discard(count + 1);
+  contact_start_.resize_discard(count + 1);
   starts_.resize_discard(rigid_contact_kernels::colour_count + 1);
   contact_count_ = 0;
   restore(kept);

@@ -20,6 +20,8 @@ namespace meniscus::collision {
 ///   prepare        sorts contacts by colour;
 ///   solve          advances in small steps (soft TGS, Catto 2024).
 ///
+/// The first three are find(), the others advance(), which may be repeated with other forces.
+///
 /// All orders follow from the order of the parts, so results do not depend on the number of threads.
 template <class D>
 class RigidContactSet final : public RigidContacts {
@@ -27,24 +29,26 @@ class RigidContactSet final : public RigidContacts {
   explicit RigidContactSet(D& device) : device_(device) {}
 
   void set_parts(std::span<const ContactPart> parts) override;
-  void step(std::span<const ContactBody> bodies, const ContactStep& step,
-            std::span<ContactMotion> out) override;
+  void find(std::span<const ContactBody> bodies, float dt) override;
+  void advance(std::span<const ContactBody> bodies, const ContactStep& step,
+               std::span<ContactMotion> out) override;
+  void accept() override;
   std::vector<SavedContact> save() override;
   void restore(std::span<const SavedContact> saved) override;
   std::vector<SolvedContact> solved() override;
 
  private:
-  void load(std::span<const ContactBody> bodies, float dt);
+  void load(std::span<const ContactBody> bodies);
   void place_parts(float dt);
   rigid_contact_kernels::PairSearch search() const;
   void find_pairs();
   void find_contacts();
   void colour();
+  void sort_by_colour();
   void prepare(float h);
   void solve(const ContactStep& step);
   template <class Solve>
   void solve_once(const char* name, const Solve& solve);
-  void keep_memory(float h);
   uint32_t part_count() const { return static_cast<uint32_t>(host_parts_.size()); }
 
   D& device_;
@@ -52,6 +56,7 @@ class RigidContactSet final : public RigidContacts {
   rigid_contact_kernels::CellGrid grid_{1, 1};
   uint32_t bodies_count_ = 0, pair_count_ = 0, contact_count_ = 0;
   uint32_t memory_count_ = 0;
+  float small_step_ = 0;  // s, of the last advance()
   bool any_bounces_ = false;
   std::vector<uint32_t> colour_starts_;
 
@@ -78,7 +83,8 @@ class RigidContactSet final : public RigidContacts {
   pbd::Buffer<uint32_t> starts_{device_, "solid colours"};
   pbd::Buffer<rigid_contact_kernels::SolverContact> solver_{device_, "solid contacts"};
   pbd::Buffer<rigid_contact_kernels::ContactMemory> memory_{device_, "solid contacts"};
-  pbd::Buffer<uint32_t> memory_start_{device_, "solid contacts"};
+  pbd::Buffer<uint32_t> memory_start_{device_, "solid contacts"};   // of each part's, in memory_
+  pbd::Buffer<uint32_t> contact_start_{device_, "solid contacts"};  // likewise, of those that were found
 };
 
 }  // namespace meniscus::collision

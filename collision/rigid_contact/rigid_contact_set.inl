@@ -14,26 +14,34 @@
 namespace meniscus::collision {
 
 template <class D>
-void RigidContactSet<D>::step(std::span<const ContactBody> bodies, const ContactStep& step,
-                              std::span<ContactMotion> out) {
-  load(bodies, step.dt);
-  place_parts(step.dt);
+void RigidContactSet<D>::find(std::span<const ContactBody> bodies, float dt) {
+  load(bodies);
+  place_parts(dt);
   find_pairs();
   find_contacts();
   colour();
-  const float h = step.dt / static_cast<float>(step.small_steps);
-  prepare(h);
+  sort_by_colour();
+}
+
+template <class D>
+void RigidContactSet<D>::advance(std::span<const ContactBody> bodies, const ContactStep& step,
+                                 std::span<ContactMotion> out) {
+  load(bodies);
+  device_.parallel_for(
+      "solids/start", bodies_count_,
+      rigid_contact_kernels::StartBodies{start_.view(), bodies_.view(), turn_.view(), step.dt});
+  small_step_ = step.dt / static_cast<float>(step.small_steps);
+  prepare(small_step_);
   solve(step);
-  keep_memory(h);
   device_.parallel_for("solids/store", bodies_count_,
                        rigid_contact_kernels::StoreMotions{start_.view(), bodies_.view().first(bodies_count_),
-                                                           turn_.view(), motion_.view()});
+                                                           turn_.view(), used_.view(), motion_.view()});
   device_.wait();
   std::ranges::copy(motion_.host(), out.begin());
 }
 
 template <class D>
-void RigidContactSet<D>::load(std::span<const ContactBody> bodies, float dt) {
+void RigidContactSet<D>::load(std::span<const ContactBody> bodies) {
   bodies_count_ = static_cast<uint32_t>(bodies.size());
   device_.wait();
   start_.resize_discard(bodies_count_);
@@ -41,8 +49,6 @@ void RigidContactSet<D>::load(std::span<const ContactBody> bodies, float dt) {
   std::ranges::copy(bodies, start_.host().begin());
   bodies_.resize_discard(bodies_count_);
   turn_.resize_discard(bodies_count_);
-  device_.parallel_for("solids/start", bodies_count_,
-                       rigid_contact_kernels::StartBodies{start_.view(), bodies_.view(), turn_.view(), dt});
 }
 
 template <class D>
@@ -85,8 +91,7 @@ void RigidContactSet<D>::find_contacts() {
   using namespace rigid_contact_kernels;
   contact_count_ = 0;
   if (pair_count_ == 0) {
-    memory_start_.fill(0);
-    memory_count_ = 0;
+    contact_start_.fill(0);
     return;
   }
   device_.parallel_for("solids/touch", pair_count_,
@@ -99,7 +104,7 @@ void RigidContactSet<D>::find_contacts() {
   device_.parallel_for("solids/list contacts", pair_count_,
                        ListContacts{touches_.view(), place_.view(), contacts_.view()});
   device_.parallel_for("solids/contact starts", part_count() + 1,
-                       FindContactStarts{pair_starts_.view(), place_.view(), memory_start_.view()});
+                       FindContactStarts{pair_starts_.view(), place_.view(), contact_start_.view()});
 }
 
 template <class D>
@@ -113,8 +118,8 @@ void RigidContactSet<D>::colour() {
     claims_.resize_discard(bodies_count_);
     next_claims_.resize_discard(bodies_count_);
   }
-  if (count == 0) return;
   used_.fill(0);
+  if (count == 0) return;
   claims_.fill(0xff);
   device_.parallel_for("solids/uncoloured", count,
                        StartColouring{contacts_.view(), found_.view(), parts_.view(), placed_.view(),
@@ -133,7 +138,7 @@ void RigidContactSet<D>::colour() {
 }
 
 template <class D>
-void RigidContactSet<D>::prepare(float h) {
+void RigidContactSet<D>::sort_by_colour() {
   using namespace rigid_contact_kernels;
   const uint32_t count = contact_count_;
   colour_starts_.assign(colour_count + 1, 0);
@@ -144,10 +149,16 @@ void RigidContactSet<D>::prepare(float h) {
   device_.parallel_for("solids/colours", count + 1,
                        FindBuckets{sorted_colour_.view().first(count), starts_.view()});
   make_room(solver_, count);
-  device_.parallel_for("solids/prepare", count,
-                       Prepare{order_.view().first(count), contacts_.view(), found_.view(), parts_.view(),
-                               start_.view(), bodies_.view(), solver_.view(), h});
   starts_.read(std::span(colour_starts_));
+}
+
+template <class D>
+void RigidContactSet<D>::prepare(float h) {
+  const uint32_t count = contact_count_;
+  device_.parallel_for(
+      "solids/prepare", count,
+      rigid_contact_kernels::Prepare{order_.view().first(count), contacts_.view(), found_.view(),
+                                     parts_.view(), start_.view(), bodies_.view(), solver_.view(), h});
 }
 
 template <class D>
@@ -169,25 +180,26 @@ template <class D>
 void RigidContactSet<D>::solve(const ContactStep& step) {
   using namespace rigid_contact_kernels;
   const float h = step.dt / static_cast<float>(step.small_steps);
-  constexpr float turn = 2 * 3.14159265f * rigid_contact_tuning::frequency;  // ω h of a soft contact
-  constexpr float a1 = 2 * rigid_contact_tuning::damping + turn, a2 = turn * a1;
-  const SmallStep small{h, turn / (a1 * h), a2 / (1 + a2), 1 / (1 + a2)};
+  const SmallStep small{h, softness(1).removal / h};
   solve_once("solids/warm start", WarmStart{});
   for (int i = 0; i < step.small_steps; ++i) {
     device_.parallel_for("solids/accelerate", bodies_count_, Accelerate{start_.view(), bodies_.view(), h});
-    solve_once("solids/solve", SolveContact{small, true});
+    // Forces may differ much from those of the last step, and a light body would be thrown before it moves.
+    if (i == 0) solve_once("solids/agree", SolveContact{small, false, false});
+    solve_once("solids/solve", SolveContact{small, true, false});
     device_.parallel_for("solids/move", bodies_count_, Move{bodies_.view(), turn_.view(), h});
-    solve_once("solids/relax", SolveContact{small, false});
+    solve_once("solids/relax", SolveContact{small, false, true});
   }
   if (any_bounces_) solve_once("solids/bounce", Bounce{step.least_bounce});
 }
 
 template <class D>
-void RigidContactSet<D>::keep_memory(float h) {
+void RigidContactSet<D>::accept() {
   make_room(memory_, contact_count_);
   memory_count_ = contact_count_;
   device_.parallel_for("solids/keep", contact_count_,
-                       rigid_contact_kernels::KeepMemory{solver_.view(), memory_.view(), h});
+                       rigid_contact_kernels::KeepMemory{solver_.view(), memory_.view(), small_step_});
+  memory_start_.swap(contact_start_);
 }
 
 }  // namespace meniscus::collision

@@ -37,6 +37,7 @@ struct ContactBody {
 struct ContactMotion {
   Pose pose;
   Vec3 velocity, angular;
+  bool touches;  ///< has contacts with solids, or may have them within the step
 };
 
 struct ContactStep {
@@ -68,9 +69,14 @@ class RigidContacts {
 
   /// Replaces all parts. Contacts of parts that stay keep what they start from.
   virtual void set_parts(std::span<const ContactPart> parts) = 0;
-  /// Advances the bodies.
-  virtual void step(std::span<const ContactBody> bodies, const ContactStep& step,
-                    std::span<ContactMotion> out) = 0;
+  /// Finds the contacts of a step that may last dt (s). Velocities and accelerations say how far ahead.
+  virtual void find(std::span<const ContactBody> bodies, float dt) = 0;
+  /// Advances the bodies from where find() has them, with forces that may differ. The result does not depend
+  /// on earlier calls since find().
+  virtual void advance(std::span<const ContactBody> bodies, const ContactStep& step,
+                       std::span<ContactMotion> out) = 0;
+  /// Makes the last advance() what the next step starts from.
+  virtual void accept() = 0;
 
   virtual std::vector<SavedContact> save() = 0;
   virtual void restore(std::span<const SavedContact> saved) = 0;

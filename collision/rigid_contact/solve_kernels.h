@@ -26,14 +26,29 @@ struct SolverContact {
   Vec3 normal;       ///< from b to a
   float friction, restitution;
   float push_speed;  ///< m/s, the most with which an overlap is removed
+  float kept;        ///< of the change that an overlap asks for; softness
   uint32_t count;
   SolverPoint points[most_manifold_points];
 };
 
+/// Softness of a contact: a spring of the frequency ω, a fraction of the rate of small steps, with a damping
+/// ratio of ζ (Catto 2024).
+struct Softness {
+  float removal;  ///< of an overlap, in a small step
+  float kept;     ///< of an impulse's change; the rest is lost again
+};
+
+/// A body with another of `ratio` times its mass has as stiff a spring as two of the heavy one. With its own
+/// it would sink into its load, and be thrown when that lets go.
+MENISCUS_HD inline Softness softness(float ratio) {
+  const float turn = 2 * 3.14159265f * rigid_contact_tuning::frequency;  // ω h
+  const float stiff = turn * sqrtf(ratio), damped = 2 * rigid_contact_tuning::damping;
+  return {turn / (damped + turn), 1 - 1 / (1 + stiff * (damped + stiff))};
+}
+
 struct SmallStep {
-  float h;                          ///< s
-  float bias;                       ///< 1/s: rate at which overlaps are removed
-  float mass_scale, impulse_scale;  ///< of a soft contact
+  float h;     ///< s
+  float bias;  ///< 1/s: rate at which overlaps are removed
 };
 
 /// Makes what a contact needs to be solved, at its place in the order of colours.
@@ -60,6 +75,7 @@ struct Prepare {
     s.push_speed = rigid_contact_tuning::push_rate * least_radius(a, b);
     s.count = c.manifold.count;
     const MovingBody body_a = body(a.body), body_b = body(b.body);
+    s.kept = softness(ratio(body_a.inverse_mass, body_b.inverse_mass)).kept;
     const Tangents t(s.normal);
     for (uint32_t p = 0; p < s.count; ++p) {
       const ManifoldPoint& point = c.manifold.points[p];
@@ -89,6 +105,9 @@ struct Prepare {
     const Vec3 of_a = cross(p.arm_a, d), of_b = cross(p.arm_b, d);
     return 1 / (a.inverse_mass + b.inverse_mass + dot(of_a, a.inverse_inertia * of_a) +
                 dot(of_b, b.inverse_inertia * of_b));
+  }
+  MENISCUS_HD static float ratio(float a, float b) {
+    return a > 0 && b > 0 ? pbd::max(a, b) / pbd::min(a, b) : 1;
   }
   MENISCUS_HD static float least_radius(const ContactPart& a, const ContactPart& b) {
     if (a.shape.kind == ConvexKind::plane) return bounding_radius(b.shape);
@@ -191,6 +210,7 @@ struct WarmStart {
 struct SolveContact {
   SmallStep step;
   bool removes;
+  bool is_last;  ///< in its small step
 
   MENISCUS_HD void operator()(SolverContact& c, MovingBody& a, MovingBody& b) const {
     const Tangents t(c.normal);
@@ -198,23 +218,22 @@ struct SolveContact {
       SolverPoint& p = c.points[k];
       press(c, p, a, b);
       rub(c, p, t, a, b);
-      if (!removes) p.total += p.pressure;
+      if (is_last) p.total += p.pressure;
     }
   }
 
   MENISCUS_HD void press(const SolverContact& c, SolverPoint& p, MovingBody& a, MovingBody& b) const {
     const float distance = distance_of(a, b, p, c.normal);
-    float bias = 0, mass_scale = 1, impulse_scale = 0;
+    float bias = 0, kept = 1;
     if (distance > 0) {
       bias = distance / step.h;
     } else if (removes) {
       bias = pbd::max(step.bias * distance, -c.push_speed);
-      mass_scale = step.mass_scale;
-      impulse_scale = step.impulse_scale;
+      kept = c.kept;
     }
     const float speed = dot(slip_of(a, b, p), c.normal);
-    const float wanted = p.pressure - mass_scale * p.mass * (speed + bias) - impulse_scale * p.pressure;
-    const float pressure = pbd::max(wanted, 0);
+    const float change = -kept * p.mass * (speed + bias) - (1 - kept) * p.pressure;
+    const float pressure = pbd::max(p.pressure + change, 0);
     const Vec3 impulse = (pressure - p.pressure) * c.normal;
     push(a, b, p, impulse);
     hold(a, b, p, impulse);
