@@ -186,6 +186,13 @@ struct ListNeighbours {
   }
 };
 
+/// Cells of a table for so many particles.
+inline uint32_t table_for(uint32_t count, uint32_t least) {
+  uint32_t cells = least;
+  while (cells < GridView::slices * count) cells *= 2;
+  return cells;
+}
+
 inline uint32_t bits_for(float cells, uint32_t least) {
   uint32_t bits = least;
   while (bits < 30 && static_cast<float>(1u << bits) < cells) ++bits;
@@ -216,9 +223,13 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
   index_.resize_discard(size_t{size} * row_capacity_);
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
-  cells_ = worlds_ == 1 ? 4096 : 1u << 8;
-  while (cells_ < GridView::slices * (capacity / worlds_)) cells_ *= 2;
-  const uint32_t cells = grid_.is_slab() ? 2 * cells_ + 1 : worlds_ * cells_;
+  if (grid_.is_slab()) return;  // see fit_slab()
+  cells_ = neighbour_kernels::table_for(capacity / worlds_, worlds_ == 1 ? 4096 : 1u << 8);
+  reserve_table(worlds_ * cells_);
+}
+
+template <class D>
+void NeighbourSearch<D>::reserve_table(uint32_t cells) {
   cell_counts_.resize_discard(cells);
   cell_counts_.fill(0);
   cell_start_.resize_discard(cells + 1);
@@ -226,29 +237,43 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
 
 template <class D>
 void NeighbourSearch<D>::set_slab(bool along_y, int32_t first, int32_t end) {
-  const bool was_slab = grid_.is_slab();
   grid_.layers_along_y = along_y;
   grid_.first_layer = static_cast<uint32_t>(first);
   grid_.last_layer = static_cast<uint32_t>(end) - static_cast<uint32_t>(first) - 1;
-  if (!was_slab) reserve(capacity_);
+}
+
+template <class D>
+void NeighbourSearch<D>::fit_slab(const Aabb& extent, uint32_t count, int32_t layers) {
+  using namespace neighbour_kernels;
+  shape(extent, count, static_cast<uint32_t>(std::bit_width(table_for(count, 4096))) - 1);
+  uint32_t& bits = grid_.layers_along_y ? grid_.bits_y : grid_.bits_z;
+  bits = std::min(bits, bits_for(static_cast<float>(layers), GridView::least_bits));
+  grid_.strip_bits = std::min(grid_.strip_bits, grid_.bits_y);
+  if (grid_.all_cells() > cell_counts_.size() || cell_counts_.size() > 3 * size_t{grid_.all_cells()})
+    reserve_table(grid_.all_cells());
+  grid_.start = cell_start_.view().first(grid_.all_cells() + 1);
 }
 
 template <class D>
 std::pair<uint32_t, uint32_t> NeighbourSearch<D>::count_slab() const {
-  const uint32_t cells = grid_.cell_count();
   uint32_t owned = 0, both = 0;
-  device_.copy_out(&owned, grid_.start.data + cells, sizeof owned);
-  device_.copy_out(&both, grid_.start.data + 2 * cells, sizeof both);
+  device_.copy_out(&owned, grid_.start.data + grid_.cell_count(), sizeof owned);
+  device_.copy_out(&both, grid_.start.data + grid_.all_cells() - 1, sizeof both);
   return {owned, both - owned};
 }
 
 template <class D>
 void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
+  shape(extent, count, static_cast<uint32_t>(std::bit_width(cells_)) - 1);
+  grid_.start = cell_start_.view().first(worlds_ * grid_.all_cells() + 1);
+}
+
+template <class D>
+void NeighbourSearch<D>::shape(const Aabb& extent, uint32_t count, uint32_t most_bits) {
   using namespace neighbour_kernels;
   const Vec3 reaches = grid_.inverse_reach * (extent.upper - extent.lower) + Vec3{2, 2, 2};
   uint32_t bits[3] = {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
                       bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
-  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cells_)) - 1;
   if constexpr (D::interleaves_lists) {
     // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.
     const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
@@ -260,7 +285,6 @@ void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];
   grid_.strip_bits = std::min(strip_bits_for(reaches, count / worlds_), bits[1]);
-  grid_.start = cell_start_.view().first(worlds_ * grid_.all_cells() + 1);
 }
 
 template <class D>

@@ -54,4 +54,11 @@ std::vector<T> values_of_all(Ranks& ranks, const T& own) {
   return all;
 }
 
+/// Whether it is so on any rank.
+inline bool is_on_any(Ranks& ranks, bool own) {
+  uint64_t count = own;
+  ranks.add_up({&count, 1});
+  return count > 0;
+}
+
 }  // namespace meniscus::pbd

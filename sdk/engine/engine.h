@@ -182,6 +182,7 @@ class Engine {
   virtual Diagnostics measure(Vec3 gravity) = 0;
 
   // A shared world (sdk/world/shared/shared_world.h).
+  virtual uint32_t own_particles() const = 0;  ///< of this rank
 
   /// Keeps this rank's particles. All ranks have made the same calls so far. From now on only steps and
   /// read-outs of particles may be called: by rank 0, while the others follow.

@@ -200,6 +200,7 @@ class DeviceEngine final : public Engine {
   Diagnostics measure(Vec3 gravity) override;
 
   void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) override;
+  uint32_t own_particles() const override { return particles_.sorted(); }
   void follow() override;
   void end_following() override;
 
@@ -210,6 +211,8 @@ class DeviceEngine final : public Engine {
   void note_overlapping();
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
+  void reserve_readouts(uint32_t fluid);
+  void release_readouts();
   template <class Kernel>
   void push(uint32_t count, std::span<const uint32_t> who, std::span<const Vec3> impulses);
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);

@@ -16,13 +16,12 @@ namespace meniscus {
 template <class D>
 void DeviceEngine<D>::share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) {
   guarded(&ranks, [&] {
-    std::vector<uint32_t> places(fluid_capacity_);
-    std::iota(places.begin(), places.end(), 0u);
-    replace(places_, std::span<const uint32_t>(places));
     all_particles_ = particles_.sorted();
     device_.monitor().commit();
     fetch_contacts();
     solver_.share(ranks, policy);
+    release_readouts();
+    removal_.reserve(0);
   });
   ranks_ = &ranks;
 }
@@ -107,15 +106,34 @@ template <class D>
 template <class Work>
 decltype(auto) DeviceEngine<D>::together(const RankCommand& command, const Work& work) {
   return guarded(ranks_, [&]() -> decltype(auto) {
-    if (ranks_) announce(command);
+    if (!ranks_) return work();
+    announce(command);
+    struct Finally {
+      DeviceEngine& engine;
+      ~Finally() { engine.release_readouts(); }
+    } const finally{*this};
     return work();
   });
 }
 
-/// Where kernels write the values of particles for a read-out: by slot, or in a shared world by place.
+/// Where kernels write the values of particles for a read-out: by slot, or in a shared world by place. There
+/// the room for them lasts as long as the read-out. So take the views of the read-outs after this.
 template <class D>
 pbd::View<const uint32_t> DeviceEngine<D>::readout_places() {
-  return ranks_ ? pbd::View<const uint32_t>(places_.view()) : particles_.slot.current.view();
+  if (!ranks_) return particles_.slot.current.view();
+  reserve_readouts(particles_.sorted());
+  std::vector<uint32_t> places(particles_.sorted());
+  std::iota(places.begin(), places.end(), 0u);
+  replace(places_, std::span<const uint32_t>(places));
+  return places_.view();
+}
+
+template <class D>
+void DeviceEngine<D>::release_readouts() {
+  for (pbd::Buffer<uint32_t>* buffer : {&places_, &index_out_}) buffer->resize_discard(0);
+  for (pbd::Buffer<float>* buffer : {&scalar_out_, &full_out_}) buffer->resize_discard(0);
+  vector_out_.resize_discard(0);
+  ellipsoid_out_.resize_discard(0);
 }
 
 /// The slots of this rank's particles by place; none in a world that is not shared.

@@ -113,13 +113,12 @@ template <class D>
 void DeviceEngine<D>::read_ellipsoids(std::span<Ellipsoid> out) {
   together({RankCall::ellipsoids}, [&] {
     fetch_contacts();
-    // A measurement of a shared world may give this rank other particles.
-    ellipsoid_out_.resize_discard(ranks_ ? fluid_capacity_ : particles_.sorted());
     const fluid::Anisotropy<D> anisotropy(
         device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
     std::vector<uint32_t> slots;
     solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
       slots = slots_by_place();
+      ellipsoid_out_.resize_discard(particles_.sorted());  // a shared world may give this rank other particles
       ranks_ ? anisotropy.measure_sorted(substep, ellipsoid_out_.view())
              : anisotropy.measure(substep, ellipsoid_out_.view());
     });

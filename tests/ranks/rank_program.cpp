@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// rank_program STEPS [--move-cuts] [--at RANK CALL throw|exhaust|kill]: steps a broken dam on the ranks of
-// mpirun, or alone, and prints its hash every ten steps. At that call of its transport, that rank throws, has
-// no more memory, or is killed.
+// rank_program STEPS [--move-cuts] [--size WIDTH LENGTH] [--memory] [--at RANK CALL throw|exhaust|kill]: steps
+// a broken dam of that size (m) on the ranks of mpirun, or alone, and prints its hash every ten steps. Each
+// rank may also print the memory of its device. At that call of its transport, that rank throws, has no more
+// memory, or is killed.
 #include <meniscus/error.h>
 
 #include <csignal>
@@ -35,32 +36,61 @@ void step_through(World& world, int steps) {
   std::printf("particles %zu\n", world.positions().size());
 }
 
-void share_and_step(int steps, const pbd::CutPolicy& policy, const Fault& fault) {
+void print_memory(const World& world, std::size_t particles) {
+  std::printf("memory %.1f bytes of each of %zu particles\n",
+              static_cast<double>(world.device_bytes()) / static_cast<double>(particles), particles);
+}
+
+struct Options {
+  int steps = 0;
+  float width = 0.3f, length = 1.3f;  // m
+  bool prints_memory = false;
+  pbd::CutPolicy policy;
+  Fault fault;
+};
+
+void share_and_step(const Options& options) {
   const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
-  World world = broken_dam(0.3f);
-  if (!ranks) return step_through(world, steps);
+  const Fault& fault = options.fault;
+  World world = broken_dam(options.width, options.length);
+  if (!ranks) {
+    step_through(world, options.steps);
+    if (options.prints_memory) print_memory(world, world.positions().size());
+    return;
+  }
   std::optional<FailingMemory> memory;
   FailingRanks failing(*ranks, fault.rank == ranks->rank() ? fault.call : 0, [&] {
     if (fault.kind == "kill") std::raise(SIGKILL);
     if (fault.kind == "throw") throw Error(ErrorCode::device, "the test has cut the line");
     memory.emplace(FailureChoice{1, true});
   });
-  SharedWorld shared(world, failing, policy);
-  shared.leads() ? step_through(world, steps) : shared.follow();
+  SharedWorld shared(world, failing, options.policy);
+  shared.leads() ? step_through(world, options.steps) : shared.follow();
+  if (options.prints_memory) print_memory(world, shared.own_particles());
+}
+
+Options options_of(int argc, char** argv) {
+  Options options;
+  if (argc > 1) options.steps = std::atoi(argv[1]);
+  for (int k = 2; k < argc; ++k) {
+    const std::string word = argv[k];
+    if (word == "--move-cuts") options.policy = {.every = 1, .most_imbalance = 0, .shift = 2};
+    if (word == "--memory") options.prints_memory = true;
+    if (word == "--size" && k + 2 < argc) {
+      options.width = std::strtof(argv[k + 1], nullptr);
+      options.length = std::strtof(argv[k + 2], nullptr);
+    }
+    if (word == "--at" && k + 3 < argc)
+      options.fault = {std::atoi(argv[k + 1]), std::atoi(argv[k + 2]), argv[k + 3]};
+  }
+  return options;
 }
 
 }  // namespace
 }  // namespace meniscus::tests
 
 int main(int argc, char** argv) try {
-  meniscus::pbd::CutPolicy policy;
-  meniscus::tests::Fault fault;
-  for (int k = 2; k < argc; ++k) {
-    const std::string word = argv[k];
-    if (word == "--move-cuts") policy = {.every = 1, .most_imbalance = 0, .shift = 2};
-    if (word == "--at" && k + 3 < argc) fault = {std::atoi(argv[k + 1]), std::atoi(argv[k + 2]), argv[k + 3]};
-  }
-  meniscus::tests::share_and_step(argc > 1 ? std::atoi(argv[1]) : 0, policy, fault);
+  meniscus::tests::share_and_step(meniscus::tests::options_of(argc, argv));
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

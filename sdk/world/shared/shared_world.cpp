@@ -76,6 +76,10 @@ SharedWorld::~SharedWorld() {
   }
 }
 
+std::size_t SharedWorld::own_particles() const {
+  return world_.engine->own_particles();
+}
+
 void SharedWorld::follow() {
   world_.run([&](auto) { world_.engine->follow(); }, "follow");
 }

@@ -32,6 +32,8 @@ class SharedWorld {
   SharedWorld& operator=(const SharedWorld&) = delete;
 
   bool leads() const { return ranks_.rank() == 0; }
+  /// The number of particles that this rank has at present.
+  std::size_t own_particles() const;
   /// On all ranks but 0: does what rank 0 asks for, until it destroys its SharedWorld.
   void follow();
 
