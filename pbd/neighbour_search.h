@@ -111,12 +111,15 @@ class NeighbourSearch {
 
   void shape(const Aabb& extent, uint32_t count, uint32_t most_bits);
   void reserve_table(uint32_t cells);
-  uint32_t stride() const { return D::interleaves_lists ? capacity_ : 0; }
+  uint32_t stride() const { return D::interleaves_lists ? rows_ : 0; }
+  void reserve_lists(uint32_t rows);
 
   D& device_;
   float support_radius_;
   GridView grid_;
   uint32_t capacity_ = 0, worlds_ = 1;
+  uint32_t rows_ =
+      0;  // lists that have room; in a slab fewer than there may be particles, since ghosts have none
   uint32_t cells_ = 0;  // room for a table of so many, for each world
   uint32_t row_capacity_;
   bool is_coarse_ = false;  // lists are built from coarse positions

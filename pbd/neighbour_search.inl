@@ -221,11 +221,18 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   capacity_ = capacity;
   const uint32_t size = capacity + Particles::padding;
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
-  index_.resize_discard(size_t{size} * row_capacity_);
+  reserve_lists(grid_.is_slab() ? 0 : capacity);  // those of a slab grow with it
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
   if (grid_.is_slab()) return;  // see fit_slab()
   cells_ = neighbour_kernels::table_for(capacity / worlds_, worlds_ == 1 ? 4096 : 1u << 8);
   reserve_table(worlds_ * cells_);
+}
+
+template <class D>
+void NeighbourSearch<D>::reserve_lists(uint32_t rows) {
+  rows_ = 0;
+  index_.resize_discard((size_t{rows} + Particles::padding) * row_capacity_);
+  rows_ = rows;
 }
 
 template <class D>
@@ -293,6 +300,7 @@ CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> nu
   using namespace neighbour_kernels;
   const uint32_t count = number.count, cells = worlds_ * grid_.all_cells();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
+  if (size_t{4} * count > index_.size()) reserve_lists(4 * (count / row_capacity_ + 1));
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},
       placed_number{placed.data + count, count};
@@ -330,12 +338,16 @@ void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel, 
 template <class D>
 void NeighbourSearch<D>::grow_rows(uint32_t needed) {
   const uint32_t row_capacity = (needed + needed / 8 + 15) / 16 * 16;
-  index_.resize_or_stay(size_t{capacity_ + Particles::padding} * row_capacity);
+  index_.resize_or_stay((size_t{rows_} + Particles::padding) * row_capacity);
   row_capacity_ = row_capacity;
 }
 
 template <class D>
 NeighbourView NeighbourSearch<D>::view(uint32_t sentinel) {
+  if (grid_.is_slab()) {  // the sort is done, and its temporary memory is free
+    const uint32_t owned = count_slab().first;
+    if (owned > rows_) reserve_lists(owned + owned / 16);
+  }
   return {index_.view(), counts_.view(), row_capacity_, stride(), sentinel};
 }
 

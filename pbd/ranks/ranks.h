@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace meniscus::pbd {
@@ -22,6 +21,13 @@ struct Sent {
 struct Received {
   int from;
   void* data;
+  size_t bytes;
+};
+
+/// Bytes on the host, and their place in a file.
+struct FilePart {
+  uint64_t offset;
+  const void* data;
   size_t bytes;
 };
 
@@ -42,8 +48,11 @@ class Ranks {
   virtual void transpose(std::span<const uint32_t> out, std::span<uint32_t> in) = 0;
   /// Element by element, over all ranks.
   virtual void add_up(std::span<uint64_t> values) = 0;
-  /// Ends the calls of all ranks, because this one cannot go on. Over MPI it ends all processes.
-  virtual void fail(const std::string& why) = 0;
+  /// All ranks write their parts into a file that is there. Returns whether this rank could.
+  virtual bool write_to_file(const char* path, std::span<const FilePart> parts) = 0;
+  /// Ends the calls of all ranks, because this one cannot go on. Over MPI it ends all processes. It takes no
+  /// memory until then.
+  virtual void fail(const char* why) = 0;
 };
 
 /// The values of all ranks, in their order.

@@ -37,6 +37,7 @@
 #include "sdk/engine/force_fields/force_fields.h"
 #include "sdk/engine/free_room.h"
 #include "sdk/engine/jets.h"
+#include "sdk/engine/particle_items.h"
 #include "sdk/engine/phases.h"
 #include "sdk/engine/pistons.h"
 #include "sdk/engine/rank_calls.h"
@@ -201,7 +202,14 @@ class DeviceEngine final : public Engine {
 
   void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) override;
   uint32_t own_particles() const override { return particles_.sorted(); }
-  void follow() override;
+  std::vector<uint32_t> particles_by_rank() override;
+  OwnParticles read_own_particles() override;
+  std::vector<uint64_t> write_particle_items(const std::string& file,
+                                             std::span<const uint64_t> offsets) override;
+  bool follow() override;
+  void pause_following() override {
+    guarded(ranks_, [&] { announce({RankCall::pause}); });
+  }
   void end_following() override;
 
  private:
@@ -224,6 +232,9 @@ class DeviceEngine final : public Engine {
   Overflows overflows() const;  // of the last step
   void follow(const RankCommand& command);
   void announce(const RankCommand& command);
+  void send_from_first(void* data, size_t bytes);
+  std::pair<bool, std::vector<uint64_t>> write_own_items(const std::string& file,
+                                                         std::span<const uint64_t> offsets);
   template <class Work>
   decltype(auto) guarded(pbd::Ranks* ranks, const Work& work);
   template <class Work>

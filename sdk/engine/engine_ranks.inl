@@ -32,13 +32,14 @@ void DeviceEngine<D>::end_following() {
 }
 
 template <class D>
-void DeviceEngine<D>::follow() {
-  guarded(ranks_, [&] {
+bool DeviceEngine<D>::follow() {
+  return guarded(ranks_, [&] {
     for (;;) {
       RankCommand command{};
       const pbd::Received received{0, &command, sizeof command};
       ranks_->exchange({}, {&received, 1});
-      if (command.call == RankCall::end) return;
+      if (command.call == RankCall::end) return false;
+      if (command.call == RankCall::pause) return true;
       follow(command);
     }
   });
@@ -70,7 +71,19 @@ void DeviceEngine<D>::follow(const RankCommand& command) {
     case RankCall::diagnostics:
       measure(def_.solver.gravity);
       return;
+    case RankCall::counts:
+      particles_by_rank();
+      return;
+    case RankCall::save: {
+      std::string file(static_cast<size_t>(command.iterations), '\0');
+      std::vector<uint64_t> offsets(particle_items.size());
+      send_from_first(file.data(), file.size());
+      send_from_first(offsets.data(), offsets.size() * sizeof(uint64_t));
+      write_own_items(file, offsets);
+      return;
+    }
     case RankCall::end:
+    case RankCall::pause:
       return;
   }
 }
@@ -81,6 +94,62 @@ void DeviceEngine<D>::announce(const RankCommand& command) {
   std::vector<pbd::Sent> sent;
   for (int r = 1; r < ranks_->count(); ++r) sent.push_back({r, &command, sizeof command});
   ranks_->exchange(sent, {});
+}
+
+template <class D>
+void DeviceEngine<D>::send_from_first(void* data, size_t bytes) {
+  if (ranks_->rank() != 0) {
+    const pbd::Received received{0, data, bytes};
+    return ranks_->exchange({}, {&received, 1});
+  }
+  std::vector<pbd::Sent> sent;
+  for (int r = 1; r < ranks_->count(); ++r) sent.push_back({r, data, bytes});
+  ranks_->exchange(sent, {});
+}
+
+template <class D>
+std::vector<uint32_t> DeviceEngine<D>::particles_by_rank() {
+  return together({RankCall::counts}, [&] { return pbd::values_of_all(*ranks_, particles_.sorted()); });
+}
+
+template <class D>
+std::vector<uint64_t> DeviceEngine<D>::write_particle_items(const std::string& file,
+                                                            std::span<const uint64_t> offsets) {
+  std::string path = file;
+  std::vector<uint64_t> places(offsets.begin(), offsets.end());
+  const auto [is_written, hashes] = together({RankCall::save, static_cast<int32_t>(path.size())}, [&] {
+    send_from_first(path.data(), path.size());
+    send_from_first(places.data(), places.size() * sizeof(uint64_t));
+    return write_own_items(path, places);
+  });
+  if (!is_written) throw Error(ErrorCode::io, "cannot write " + file + ": a rank could not write its part");
+  return hashes;
+}
+
+/// Whether all ranks could write, and the hashes of all parts.
+template <class D>
+std::pair<bool, std::vector<uint64_t>> DeviceEngine<D>::write_own_items(const std::string& file,
+                                                                        std::span<const uint64_t> offsets) {
+  const std::vector<uint32_t> counts = pbd::values_of_all(*ranks_, particles_.sorted());
+  uint64_t before = 0;
+  for (int r = 0; r < ranks_->rank(); ++r) before += counts[static_cast<size_t>(r)];
+  ParticleItemReader reader(device_, particles_.sorted());
+  visit_state(reader);
+  std::vector<pbd::FilePart> parts;
+  std::vector<uint64_t> own;
+  for (size_t k = 0; k < offsets.size(); ++k) {
+    const ParticleItem& item = reader.items().at(k);
+    parts.push_back({offsets[k] + before * item.element_bytes, item.data.data(), item.data.size()});
+    own.push_back(pbd::bytes_hash(item.data));
+  }
+  const bool is_written = ranks_->write_to_file(file.c_str(), parts);
+  const auto ranks = static_cast<size_t>(ranks_->count());
+  std::vector<uint64_t> by_rank(own.size() * ranks), hashes(by_rank.size());
+  ranks_->gather_everywhere(std::as_bytes(std::span(own)), std::as_writable_bytes(std::span(by_rank)));
+  for (size_t r = 0; r < ranks; ++r) {
+    for (size_t k = 0; k < own.size(); ++k) hashes[k * ranks + r] = by_rank[r * own.size() + k];
+  }
+  return {!pbd::is_on_any(*ranks_, !is_written), std::move(hashes)};
 }
 
 /// Runs work, in which all ranks take part. If it fails here, the others cannot go on.
